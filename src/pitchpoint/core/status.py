@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Integer statuses of the compiled core and the sentences they stand for.
+
+Zero is what a compiled entry returns when an exception escaped from it, so zero means "died" and
+one means "fine"; no kernel ever returns zero on purpose.
+"""
+
+from __future__ import annotations
+
+DIED = 0
+OK = 1
+SINGULAR = 3
+NOT_FINITE = 4
+DIVERGED = 5
+SLOW = 6
+INCONSISTENT = 7
+STEP_UNDERFLOW = 8
+INTERRUPTED = 9
+BAD_CENTRE = 10
+TABLE_RANGE = 11
+
+_SENTENCES = {
+    DIED: "an element kernel stopped with an exception",
+    OK: "finished",
+    SINGULAR: "the iteration matrix is singular: some motion has neither inertia nor stiffness",
+    NOT_FINITE: "a force or coordinate became infinite or not a number",
+    DIVERGED: "the Newton iteration diverged; try a smaller step",
+    SLOW: "the Newton iteration converges too slowly; try a smaller step",
+    INCONSISTENT: "the constraints contradict each other",
+    STEP_UNDERFLOW: "the step size fell below the resolution of the time axis",
+    INTERRUPTED: "interrupted by the user; the result so far is kept",
+    BAD_CENTRE: "two gears came closer than their base circles allow",
+    TABLE_RANGE: "a table was asked for a value outside its range",
+}
+
+
+def sentence(status: int) -> str:
+    """Say in words what a status means.
+
+    Examples
+    --------
+    >>> sentence(9)
+    'interrupted by the user; the result so far is kept'
+    """
+    return _SENTENCES.get(int(status), f"stopped with the unknown status {int(status)}")
