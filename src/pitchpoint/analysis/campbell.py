@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Campbell data: at which speeds the mesh orders meet the natural frequencies."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pitchpoint.analysis.sampled import SignalError, as_increasing, same_length
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """One meeting of an excitation order and a mode.
+
+    Attributes
+    ----------
+    speed
+        Speed of the reference shaft [rad/s].
+    frequency
+        Common frequency [Hz].
+    order
+        Excitations per revolution of the reference shaft [-]; the first mesh order of a gear is its tooth number.
+    mode
+        Index of the mode, counted from 0 as in the columns of the data.
+    """
+
+    speed: float
+    frequency: float
+    order: float
+    mode: int
+
+
+def campbell_crossings(
+    speed: ArrayLike, mode_frequencies: ArrayLike, orders: Sequence[float]
+) -> tuple[Crossing, ...]:
+    """All crossings of excitation orders with natural frequencies in a range of speeds.
+
+    Parameters
+    ----------
+    speed
+        Speeds of the reference shaft [rad/s], shape (n_speed,), increasing.
+    mode_frequencies
+        Natural frequencies [Hz], shape (n_speed, n_mode), or (n_mode,) where they do not depend on the speed. NaN marks
+        a mode that does not exist at a speed.
+    orders
+        Excitations per revolution of the reference shaft [-], each > 0.
+
+    Returns
+    -------
+    tuple of Crossing
+        Sorted by speed, then order, then mode; each meeting once, also where it lies on a sample.
+
+    Raises
+    ------
+    SignalError
+        If shapes do not fit, speeds do not increase, or an order is not positive.
+
+    Notes
+    -----
+    Zeros of f_mode(Ω) - order·Ω/(2π) with f_mode linear between the speeds given [1]_. Valid where modes are tracked
+    through the columns; crossings between two speeds closer than the grid resolves are not seen.
+
+    References
+    ----------
+    .. [1] W. E. Campbell, The protection of steam-turbine disk wheels from axial vibration, Transactions of the ASME
+       46, 1924, 31-160.
+
+    Examples
+    --------
+    A mesh of 20 teeth and its second harmonic against 1000 Hz: 3000 and 1500 rpm.
+
+    >>> c = campbell_crossings([0.0, 400.0], [1000.0], [20, 40])
+    >>> [(round(k.speed * 30 / np.pi, 6), k.order) for k in c]
+    [(1500.0, 40.0), (3000.0, 20.0)]
+    """
+    omega = as_increasing(speed, "speed")
+    modes = np.asarray(mode_frequencies, dtype=np.float64)
+    if modes.ndim == 1:
+        modes = np.broadcast_to(modes, (omega.size, modes.size))
+    if modes.ndim != 2:
+        raise SignalError(f"mode_frequencies: has {modes.ndim} dimensions (limit 2)")
+    if modes.shape[1]:
+        same_length(omega, modes[:, 0], "speed, mode_frequencies")
+    found: list[Crossing] = []
+    for order in orders:
+        if not np.isfinite(order) or order <= 0.0:
+            raise SignalError(f"orders: {order} (limit > 0)")
+        for mode in range(modes.shape[1]):
+            distance = modes[:, mode] - float(order) * omega / (2.0 * np.pi)
+            found.extend(
+                Crossing(at, float(order) * at / (2.0 * np.pi), float(order), mode)
+                for at in _zeros(omega, distance)
+            )
+    return tuple(sorted(found, key=lambda c: (c.speed, c.order, c.mode)))
+
+
+def _zeros(x: np.ndarray, y: np.ndarray) -> list[float]:
+    """Zeros of a piecewise linear function; a zero on a sample counts once, stretches of zero at their start."""
+    zeros: list[float] = []
+    for i in range(x.size):
+        if y[i] == 0.0 and (i == 0 or y[i - 1] != 0.0):
+            zeros.append(float(x[i]))
+        elif i and y[i - 1] * y[i] < 0.0:
+            zeros.append(float(x[i - 1] + (x[i] - x[i - 1]) * y[i - 1] / (y[i - 1] - y[i])))
+    return zeros

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Amplitudes over time and frequency: where a run-up meets its resonances."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
+from pitchpoint.analysis.spectra import one_sided, window
+
+
+@dataclass(frozen=True)
+class TimeFrequencyMap:
+    """Short-time amplitude spectra.
+
+    Attributes
+    ----------
+    time
+        Shape (n_frame,). Middle of each frame [s] after the first sample.
+    frequency
+        Shape (n_line,). Frequency [Hz].
+    amplitude
+        Shape (n_frame, n_line). Peak amplitude, in the unit of the signal; the mean of each frame is taken out.
+    """
+
+    time: Array
+    frequency: Array
+    amplitude: Array
+
+
+def time_frequency_map(
+    values: ArrayLike,
+    sample_rate: float,
+    *,
+    frame: int | None = None,
+    frames: int = 300,
+    highest_frequency: float | None = None,
+    window_name: str = "hann",
+) -> TimeFrequencyMap:
+    """Short-time Fourier transform as a map of window-corrected peak amplitudes.
+
+    Parameters
+    ----------
+    values
+        Samples, shape (n,), any unit, uniformly spaced.
+    sample_rate
+        Sample rate f_s [Hz].
+    frame
+        Samples per frame L [-]; default the power of two nearest to √(2n), at least 64, where time and frequency
+        resolution of the picture are alike.
+    frames
+        Number of frames at most [-], evenly spread over the record; they overlap as needed.
+    highest_frequency
+        Highest frequency kept [Hz]; default f_s/2.
+    window_name
+        See `spectra.window`.
+
+    Returns
+    -------
+    TimeFrequencyMap
+        One row per frame.
+
+    Raises
+    ------
+    SignalError
+        If the frame is longer than the record or shorter than 8 samples, or an input is unsuitable.
+
+    Notes
+    -----
+    A(t_j, f_k) = 2 |Σ w_n (x_{n+s_j} - x̄_j) exp(-2πikn/L)| / Σ w_n [1]_. Only n_frame·L values are in memory once at a
+    time, not the whole transform. Valid where amplitude and frequency change little over one frame.
+
+    References
+    ----------
+    .. [1] J. B. Allen, L. R. Rabiner, A unified approach to short-time Fourier analysis and synthesis, Proceedings of
+       the IEEE 65(11), 1977, 1558-1564.
+
+    Examples
+    --------
+    A chirp f = 20 Hz/s · t passes 100 Hz after 5 s, with its amplitude of 3:
+
+    >>> t = np.arange(20000) / 2000.0
+    >>> m = time_frequency_map(3.0 * np.cos(2 * np.pi * 10.0 * t**2), 2000.0, frame=256)
+    >>> j = int(np.argmin(np.abs(m.time - 5.0)))
+    >>> bool(abs(m.frequency[np.argmax(m.amplitude[j])] - 100.0) < 2000.0 / 256)
+    True
+    >>> bool(abs(m.amplitude[j].max() - 3.0) < 0.15 * 3.0)
+    True
+    """
+    x = as_signal(values, minimum=16)
+    rate = positive(sample_rate, "sample_rate")
+    length = min(x.size, max(64, 2 ** round(0.5 * np.log2(2.0 * x.size)))) if frame is None else int(frame)
+    if not 8 <= length <= x.size:
+        raise SignalError(f"frame: {length} samples (limit 8 to {x.size}); choose a length inside the record")
+    count = min(max(1, int(frames)), x.size - length + 1)
+    starts = np.unique(np.linspace(0, x.size - length, count).round().astype(np.int64))
+    top = 0.5 * rate if highest_frequency is None else positive(highest_frequency, "highest_frequency")
+    n_line = min(length // 2 + 1, int(np.floor(top * length / rate * (1.0 + 1e-12))) + 1)
+    w = window(window_name, length)
+    gain = float(w.sum())
+    amplitude = np.empty((starts.size, n_line))
+    for row, start in enumerate(starts):
+        piece = x[start : start + length]
+        amplitude[row] = one_sided(np.fft.rfft(w * (piece - piece.mean())), length, gain)[:n_line]
+    return TimeFrequencyMap(
+        time=(starts + 0.5 * (length - 1)) / rate,
+        frequency=np.arange(n_line) * rate / length,
+        amplitude=amplitude,
+    )

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint examples`: list the examples that come with the package, copy one to work on."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import click
+
+from pitchpoint.cli.options import as_json, debug
+from pitchpoint.cli.output import emit_json, show, table
+
+# What an example leaves behind when it is run in place.
+_LEFTOVERS = shutil.ignore_patterns("build", "__pycache__", "*.h5", "*.html", "*.pyc", ".*")
+
+
+def examples_folder() -> Path:
+    """Find the examples: inside the installed package, or in the source tree it was installed from."""
+    package = Path(__file__).resolve().parents[1]
+    for folder in (package / "examples", package.parents[1] / "examples"):
+        if folder.is_dir():
+            return folder
+    raise click.ClickException("this installation has no examples; reinstall the package")
+
+
+def example_names() -> list[str]:
+    """Names of the examples: folders with a page and at least one model file."""
+    return sorted(
+        folder.name
+        for folder in examples_folder().iterdir()
+        if (folder / "README.md").is_file() and any(folder.glob("*.yaml"))
+    )
+
+
+def title_of(folder: Path) -> str:
+    """Read the first heading of an example's page."""
+    for line in (folder / "README.md").read_text(encoding="utf-8").splitlines():
+        if line.startswith("# "):
+            return line[2:].strip()
+    return folder.name
+
+
+@click.group()
+def examples() -> None:
+    """List or copy the examples that come with pitchpoint."""
+
+
+@examples.command("list")
+@as_json
+@debug
+def list_examples(as_json: bool) -> None:
+    """List the examples."""
+    rows = [
+        {
+            "name": name,
+            "title": title_of(examples_folder() / name),
+            "files": sorted(path.name for path in (examples_folder() / name).glob("*.yaml")),
+        }
+        for name in example_names()
+    ]
+    if as_json:
+        emit_json({"examples": rows})
+        return
+    cells = [[str(row["name"]), str(row["title"]), ", ".join(row["files"])] for row in rows]
+    table("Examples", ["name", "what it shows", "model files"], cells)
+    show("Copy one with: pitchpoint examples copy NAME [DIR]")
+
+
+@examples.command("copy")
+@click.argument("name")
+@click.argument("directory", required=False, type=click.Path(file_okay=False))
+@click.option("--force", is_flag=True, help="Overwrite files that are there already.")
+@debug
+def copy_example(name: str, directory: str | None, force: bool) -> None:
+    """Copy the example NAME into the folder DIRECTORY (./NAME if left out)."""
+    if name not in example_names():
+        import difflib
+
+        near = difflib.get_close_matches(name, example_names(), n=1)
+        hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(example_names()) or 'none'}"
+        raise click.BadParameter(f"no example {name!r}; {hint}", param_hint="NAME")
+    target = Path(directory if directory is not None else name)
+    if target.exists() and any(target.iterdir()) and not force:
+        raise click.BadParameter(f"{target} is not empty; use --force to overwrite", param_hint="DIRECTORY")
+    shutil.copytree(examples_folder() / name, target, ignore=_LEFTOVERS, dirs_exist_ok=True)
+    show(f"copied to {target}")
+    for path in sorted(target.glob("*.yaml")):
+        show(f"  pitchpoint check {path}")

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From an exception to a sentence on stderr and an exit code.
+
+| code | meaning |
+|---|---|
+| 0 | fine |
+| 1 | a fault of pitchpoint itself (or stdout was closed early) |
+| 2 | bad input: command line, model file, units, impossible gears, unreadable files |
+| 3 | the computation failed; what was computed is kept |
+| 130 | interrupted with Ctrl-C; what was computed is kept |
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import warnings
+
+import click
+
+OK, FAULT, BAD_INPUT, FAILED, INTERRUPTED = 0, 1, 2, 3, 130
+
+
+def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
+    """Say on stderr what went wrong and return the exit code that stands for it."""
+    from pitchpoint.core.errors import MissingDependencyError, PitchpointError, SolverError
+
+    if debug and not isinstance(error, click.ClickException | click.exceptions.Exit | BrokenPipeError):
+        import traceback
+
+        traceback.print_exception(error, file=sys.stderr)
+    if isinstance(error, BrokenPipeError):
+        # The reader of our output has gone (`| head`): nothing to say, and nothing more may be written.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FAULT
+    if isinstance(error, click.ClickException):
+        error.show(file=sys.stderr)
+        return BAD_INPUT
+    if isinstance(error, KeyboardInterrupt | click.Abort):
+        say("interrupted; what was computed so far is kept")
+        return INTERRUPTED
+    if isinstance(error, SolverError):
+        return _failed(error)
+    if isinstance(error, MissingDependencyError):
+        say(f"error: {error}")
+        return FAILED
+    if isinstance(error, PitchpointError):
+        say(f"error: {error}")
+        return BAD_INPUT
+    if isinstance(error, MemoryError):
+        say("error: not enough memory; store fewer samples (sample_rate) or use fewer points")
+        return FAILED
+    if isinstance(error, OSError) and error.filename is not None:
+        say(f"error: {error.filename}: {(error.strerror or 'cannot be used').lower()}")
+        return BAD_INPUT
+    say(
+        f"internal error: {type(error).__name__}: {error}\n"
+        "This is a fault of pitchpoint, not of your input. Please report it as the README says, with the command,\n"
+        "the model file and what the same command prints with --debug."
+    )
+    return FAULT
+
+
+def _failed(error: BaseException) -> int:
+    """Report a failed or interrupted computation, with its status and where its result lies."""
+    from pitchpoint.core import status as st
+
+    code = getattr(error, "status", st.DIED)
+    interrupted = code == st.INTERRUPTED
+    say(f"{'interrupted' if interrupted else 'computation failed'} (status {code}): {error}")
+    reason = st.sentence(code)
+    if reason not in str(error):
+        say(f"  {reason}")
+    partial = getattr(error, "partial", None)
+    if isinstance(partial, str | os.PathLike):
+        say(f"  what was computed before is in {os.fspath(partial)}")
+    return INTERRUPTED if interrupted else FAILED
+
+
+def say(text: str) -> None:
+    """Write a line to stderr, whatever characters the terminal knows."""
+    click.echo(text, err=True)
+
+
+def show_warnings_plainly() -> None:
+    """Show warnings as one line each on stderr: without file names, and each of them once."""
+
+    def show(
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        file: object = None,
+        line: str | None = None,
+    ) -> None:
+        from pitchpoint.core.errors import ValidityWarning
+
+        if issubclass(category, ValidityWarning):
+            say(f"warning: {message}")
+
+    warnings.showwarning = show  # type: ignore[assignment]

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint gears`: geometry of every gear and pair of a file, measures for the workshop, drawings."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file
+from pitchpoint.cli.output import emit_json, show, shown, table
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+FORMATS = (".dxf", ".svg", ".stl", ".csv")
+
+
+@click.command()
+@model_file
+@click.option("--export", "target", metavar="OUT", type=click.Path(dir_okay=False), help="Write a drawing: dxf, svg, stl or csv.")
+@click.option("--gear", "only", metavar="NAME", help="The gear to draw; the only one if left out.")
+@as_json
+@allow_code
+@debug
+def gears(file: str, target: str | None, only: str | None, as_json: bool, allow_code: bool) -> None:
+    """Show the geometry of the gears and pairs of FILE (ISO 21771) and their stiffness by DIN 3990 / ISO 6336."""
+    from pitchpoint.io.yaml_model import load_model
+
+    model = load_model(file, allow_code=allow_code)
+    if target is not None:
+        name = _chosen(model, only)
+        _export(model, name, Path(target))
+        if not as_json:
+            show(f"{name} written to {target}")
+            return
+    elif only is not None:
+        _chosen(model, only)
+    if as_json:
+        from pitchpoint.cli.numbers import geometry_of_model
+
+        emit_json(geometry_of_model(model))
+        return
+    _print_gears(model, only)
+    _print_pairs(model, only)
+
+
+def _chosen(model: Model, name: str | None) -> str:
+    """Find the gear that is meant."""
+    names = list(model.gears)
+    if name is None and len(names) == 1:
+        return names[0]
+    if name not in names:
+        import difflib
+
+        near = difflib.get_close_matches(name or "", names, n=1)
+        hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(names)}"
+        said = "say which gear" if name is None else f"no gear {name!r}"
+        raise click.BadParameter(f"{said}; {hint}", param_hint="--gear")
+    return name
+
+
+def _export(model: Model, name: str, target: Path) -> None:
+    """Write the drawing of one gear in the format of the file's ending."""
+    if target.suffix.lower() not in FORMATS:
+        raise click.BadParameter(
+            f"{target.name} has no known ending; use {', '.join(FORMATS)}", param_hint="--export"
+        )
+    from pitchpoint.io.drawing import write_drawing
+
+    gear = model.gears[name]
+    write_drawing(target, gear.geometry, points_per_flank=gear.drawing_resolution)
+
+
+def _print_gears(model: Model, only: str | None) -> None:
+    from pitchpoint.cli.numbers import GEAR_ROWS, gear_numbers, measure_numbers
+
+    names = [only] if only is not None else list(model.gears)
+    numbers = {name: gear_numbers(model, name) for name in names}
+    measures = {name: measure_numbers(model.gears[name].geometry) for name in names}
+    rows = [["type", *(numbers[n]["type"] for n in names)], ["hand", *(shown(numbers[n]["hand"]) for n in names)]]
+    for key, meaning, dimension in GEAR_ROWS:
+        rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
+    rows.append([])
+    for key in ("mass", "polar_inertia", "transverse_inertia"):
+        dimension = "mass" if key == "mass" else "inertia"
+        rows.append([key.replace("_", " "), *(shown(numbers[n][key], dimension, 5) for n in names)])
+    rows.append([])
+    for label in ("tip thickness", "span over teeth", "span", "ball diameter", "dimension over balls"):
+        rows.append([label, *(measures[n][label] for n in names)])
+    notes = [f"{n}: undercut at the root" for n in names if numbers[n]["undercut"]]
+    table(model.title or "Gears", ["", *names], rows, notes)
+
+
+def _print_pairs(model: Model, only: str | None) -> None:
+    from pitchpoint.cli.numbers import PAIR_ROWS, STIFFNESS_ROWS, mesh_numbers
+
+    names = [n for n, m in model.meshes.items() if only is None or only in m.gears]
+    if not names:
+        return
+    numbers: dict[str, dict[str, Any]] = {name: mesh_numbers(model, name) for name in names}
+    heads = [f"{n}: {' / '.join(model.meshes[n].gears)}" for n in names]
+    rows = []
+    for key, meaning, dimension in PAIR_ROWS:
+        rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
+    rows.append([])
+    for key, meaning, dimension in STIFFNESS_ROWS:
+        rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension, 6) for n in names)])
+    notes = []
+    for n in names:
+        given, needed = numbers[n]["x_sum_given"], numbers[n]["x_sum"]
+        if abs(given - needed) > 5e-4:
+            notes.append(
+                f"{n}: the sum of profile shifts is {given:.4f}; without backlash this centre distance asks for {needed:.4f}"
+            )
+        if numbers[n]["j_bt"] < 0.0:
+            notes.append(f"{n}: negative backlash, both flanks carry")
+    table("Pairs", ["", *heads], rows, notes)

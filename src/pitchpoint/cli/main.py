@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The `pitchpoint` command: names of the commands, and what happens when one of them fails.
+
+A command is a file of this folder with a function of its own name. It is imported when it is called, so that
+`pitchpoint --help` does not pay for numerical libraries.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+import warnings
+from collections.abc import Sequence
+
+import click
+
+COMMANDS = {
+    "check": "Read a model file and say what will be simulated.",
+    "gears": "Geometry of gears and pairs; drawings.",
+    "mesh": "Mesh stiffness over the mesh cycle.",
+    "modes": "Natural frequencies and mode shapes.",
+    "run": "Time response of a scenario.",
+    "sweep": "Speed sweep up and down, with jumps.",
+    "report": "One HTML file with drawings and curves.",
+    "examples": "List or copy the examples.",
+    "warmup": "Compile everything once, so that later starts are quick.",
+}
+
+EPILOG = (
+    "Exit codes: 0 fine, 1 a fault of pitchpoint itself, 2 bad input, 3 computation failed, 130 interrupted. "
+    "Errors go to stderr; with --json, stdout holds nothing but JSON."
+)
+
+
+class LazyGroup(click.Group):
+    """A group that knows the names of its commands and imports the one that is called."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Names in the order in which a newcomer needs them."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import a command; None if there is none of this name."""
+        if cmd_name not in COMMANDS:
+            return None
+        module = importlib.import_module(f"pitchpoint.cli.{cmd_name}")
+        command: click.Command = getattr(module, cmd_name)
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command, or name the nearest spelling."""
+        if args and not args[0].startswith("-") and args[0] not in COMMANDS:
+            import difflib
+
+            near = difflib.get_close_matches(args[0], COMMANDS, n=1)
+            hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(COMMANDS)}"
+            ctx.fail(f"no command {args[0]!r}; {hint}")
+        return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """List the commands from the table above, without importing them."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+
+def _print_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        click.echo(f"pitchpoint {version('pitchpoint')}")
+        ctx.exit()
+
+
+@click.group(
+    cls=LazyGroup,
+    name="pitchpoint",
+    epilog=EPILOG,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
+)
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_version,
+    help="Show the version.",
+)
+def pitchpoint() -> None:
+    """Simulate gears inside machines: geometry, mesh stiffness, flank contact, dynamics."""
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Run one command and leave with its exit code; the entry point of the installed script."""
+    sys.exit(run_command(list(sys.argv[1:] if arguments is None else arguments)))
+
+
+def run_command(arguments: list[str]) -> int:
+    """Run one command and return its exit code; errors become sentences on stderr."""
+    from pitchpoint.cli.failure import exit_code_of, show_warnings_plainly
+
+    with warnings.catch_warnings():
+        show_warnings_plainly()
+        try:
+            result = pitchpoint.main(args=arguments, prog_name="pitchpoint", standalone_mode=False)
+        except click.exceptions.Exit as leave:
+            return int(leave.exit_code)
+        except BaseException as error:  # noqa: BLE001 - the one place where everything ends as a sentence
+            return exit_code_of(error, debug="--debug" in arguments)
+    return result if isinstance(result, int) else 0

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint mesh`: stiffness over the mesh cycle, of the meshes of a file or of bare contact ratios."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug
+from pitchpoint.cli.output import emit_json, show, shown, table
+
+if TYPE_CHECKING:
+    from pitchpoint.contact.mesh_cycle import MeshCycle
+
+BARE = "mesh"
+"""Name of the mesh when there is no file."""
+
+_BARS = "▁▂▃▄▅▆▇█"
+
+
+@click.command()
+@click.argument("file", required=False, type=click.Path(exists=True, dir_okay=False))
+@click.option("--eps-alpha", type=float, metavar="X", help="Transverse contact ratio (instead of a file).")
+@click.option("--eps-beta", type=float, metavar="X", help="Overlap ratio; 0 if left out.")
+@click.option("--stiffness-ratio", type=float, metavar="S_R", help="Least over greatest stiffness of one pair; 0.8.")
+@click.option("--tip-relief-factor", type=float, metavar="T_R", help="Ramp at both ends of each pair; 0.")
+@click.option("--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Samples.")
+@as_json
+@allow_code
+@debug
+def mesh(
+    file: str | None,
+    eps_alpha: float | None,
+    eps_beta: float | None,
+    stiffness_ratio: float | None,
+    tip_relief_factor: float | None,
+    points: int,
+    as_json: bool,
+    allow_code: bool,
+) -> None:
+    """Show the mesh stiffness over one mesh cycle, for the meshes of FILE or for given contact ratios.
+
+    Values are in units of c' b (single stiffness times common face width); mean and extremes are analytic.
+    """
+    bare = (eps_alpha, eps_beta, stiffness_ratio, tip_relief_factor)
+    if file is None:
+        if eps_alpha is None:
+            raise click.UsageError("give a model FILE, or --eps-alpha with its companions")
+        from pitchpoint.contact.mesh_cycle import mesh_cycle
+
+        S_R = 0.8 if stiffness_ratio is None else stiffness_ratio
+        cycles = {BARE: (mesh_cycle(eps_alpha, eps_beta or 0.0, S_R, tip_relief_factor or 0.0, points), None)}
+    else:
+        if any(option is not None for option in bare):
+            raise click.UsageError("contact ratios come from the FILE; leave --eps-alpha and its companions out")
+        cycles = _cycles_of(file, allow_code, points)
+    if as_json:
+        from pitchpoint.cli.numbers import cycle_numbers
+
+        emit_json({"meshes": {name: cycle_numbers(*found) for name, found in cycles.items()}})
+        return
+    for name, (cycle, unit) in cycles.items():
+        _print(name, cycle, unit)
+
+
+def _print(name: str, cycle: MeshCycle, unit: float | None) -> None:
+    """Show one mesh as a table and a line of bars."""
+    of = "" if unit is None else " N/µm"
+    rows = []
+    for label, value in (
+        ("mean", cycle.mean),
+        ("least", cycle.minimum),
+        ("greatest", cycle.maximum),
+        ("peak to peak", cycle.peak_to_peak),
+    ):
+        rows.append([label, f"{value:.6f}", "" if unit is None else f"{value * unit * 1e-6:.6g}{of}"])
+    table(f"Mesh {name}: stiffness over one mesh cycle", ["", "in c' b", "along the base tangent"], rows)
+    show(f"  {bars(cycle)}  (one cycle; scale from 0 to {shown(float(cycle.maximum), digits=4)})")
+    if cycle.jumps:
+        show(f"  jumps at the phases {', '.join(f'{phase:.4f}' for phase in cycle.jumps)}")
+
+
+def bars(cycle: MeshCycle, width: int = 60) -> str:
+    """Draw the cycle as a line of bars from zero to its greatest value."""
+    n = len(cycle.phase)
+    top = cycle.maximum if cycle.maximum > 0.0 else 1.0
+    line = ""
+    for k in range(width):
+        value = cycle.stiffness_ratio[k * (n - 1) // width] / top
+        line += _BARS[min(max(int(value * len(_BARS)), 0), len(_BARS) - 1)]
+    return line

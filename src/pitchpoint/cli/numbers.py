@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The numbers of gears, pairs and mesh stiffness that commands print, by their ISO symbols.
+
+Each quantity stands once, with its meaning and dimension; JSON and tables are made from the same rows. Values
+are SI and radians; numbers of teeth, diameters, centre distances and helix angles are positive here, whatever
+signs ISO 21771 gives them inside the geometry (a hand stands beside the helix angle instead).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from pitchpoint.contact.mesh_cycle import MeshCycle
+    from pitchpoint.contact.stiffness.din3990 import SingleStiffness
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.geometry.gear_pair import GearPair
+    from pitchpoint.model.model import Model
+
+Row = tuple[str, str, str]
+"""Identifier, meaning, dimension of `core.units`."""
+
+GEAR_ROWS: tuple[Row, ...] = (
+    ("z", "number of teeth", "dimensionless"),
+    ("m_n", "normal module", "length"),
+    ("m_t", "transverse module", "length"),
+    ("alpha_n", "normal pressure angle", "angle"),
+    ("alpha_t", "transverse pressure angle", "angle"),
+    ("beta", "helix angle", "angle"),
+    ("beta_b", "base helix angle", "angle"),
+    ("x", "profile shift coefficient", "dimensionless"),
+    ("x_E", "generating profile shift coefficient", "dimensionless"),
+    ("b", "face width", "length"),
+    ("z_n", "virtual number of teeth", "dimensionless"),
+    ("d", "reference diameter", "length"),
+    ("d_b", "base diameter", "length"),
+    ("d_a", "tip diameter", "length"),
+    ("d_f", "root diameter", "length"),
+    ("d_Fa", "tip form diameter", "length"),
+    ("d_Ff", "root form diameter", "length"),
+    ("s_n", "normal tooth thickness", "length"),
+    ("s_t", "transverse tooth thickness", "length"),
+    ("p_n", "normal pitch", "length"),
+    ("p_t", "transverse pitch", "length"),
+    ("p_bt", "transverse base pitch", "length"),
+    ("p_et", "transverse pitch on the path of contact", "length"),
+)
+
+_GEAR_POSITIVE = {"z", "z_n", "beta", "beta_b", "d", "d_b", "d_a", "d_f", "d_Fa", "d_Ff"}
+
+PAIR_ROWS: tuple[Row, ...] = (
+    ("a_d", "reference centre distance", "length"),
+    ("a_w", "working centre distance", "length"),
+    ("alpha_wt", "working pressure angle", "angle"),
+    ("x_sum", "sum of profile shifts without backlash", "dimensionless"),
+    ("x_sum_given", "sum of profile shifts as made", "dimensionless"),
+    ("b_w", "common face width", "length"),
+    ("d_w1", "working pitch diameter, gear 1", "length"),
+    ("d_w2", "working pitch diameter, gear 2", "length"),
+    ("d_Na1", "active tip diameter, gear 1", "length"),
+    ("d_Na2", "active tip diameter, gear 2", "length"),
+    ("d_Nf1", "active root diameter, gear 1", "length"),
+    ("d_Nf2", "active root diameter, gear 2", "length"),
+    ("g_alpha", "length of the path of contact", "length"),
+    ("g_f", "length of approach", "length"),
+    ("g_a", "length of recess", "length"),
+    ("T1A", "path from T1 to A", "length"),
+    ("T1B", "path from T1 to B", "length"),
+    ("T1C", "path from T1 to C", "length"),
+    ("T1D", "path from T1 to D", "length"),
+    ("T1E", "path from T1 to E", "length"),
+    ("T1T2", "length T1 to T2", "length"),
+    ("eps_alpha", "transverse contact ratio", "dimensionless"),
+    ("eps_beta", "overlap ratio", "dimensionless"),
+    ("eps_gamma", "total contact ratio", "dimensionless"),
+    ("c_1", "tip clearance, root of gear 1", "length"),
+    ("c_2", "tip clearance, root of gear 2", "length"),
+    ("j_bt", "backlash along the base tangent", "length"),
+    ("j_wt", "circumferential backlash", "length"),
+    ("j_bn", "normal backlash", "length"),
+    ("zeta_f1", "specific sliding at the root, gear 1", "dimensionless"),
+    ("zeta_a1", "specific sliding at the tip, gear 1", "dimensionless"),
+    ("zeta_f2", "specific sliding at the root, gear 2", "dimensionless"),
+    ("zeta_a2", "specific sliding at the tip, gear 2", "dimensionless"),
+)
+
+_PAIR_POSITIVE = {"a_d", "a_w", "d_w1", "d_w2", "d_Na1", "d_Na2", "d_Nf1", "d_Nf2"}
+
+STIFFNESS_ROWS: tuple[Row, ...] = (
+    ("c_prime", "single stiffness", "stiffness_per_width"),
+    ("c_gamma_alpha", "mesh stiffness", "stiffness_per_width"),
+    ("C_R", "gear blank factor", "dimensionless"),
+    ("C_B", "basic rack factor", "dimensionless"),
+)
+
+
+def pick(source: Any, rows: Sequence[Row], positive: set[str]) -> dict[str, Any]:
+    """Read the attributes that rows name; those in `positive` lose their sign."""
+    numbers = {}
+    for name, _, _ in rows:
+        value = getattr(source, name)
+        numbers[name] = abs(value) if name in positive else value
+    return numbers
+
+
+def gear_numbers(gear: CylindricalGear) -> dict[str, Any]:
+    """Collect the macro-geometry of a gear."""
+    numbers = pick(gear, GEAR_ROWS, _GEAR_POSITIVE)
+    numbers["type"] = "internal" if gear.z < 0 else "external"
+    numbers["hand"] = None if gear.beta == 0.0 else ("right" if gear.beta > 0.0 else "left")
+    return numbers
+
+
+def pair_numbers(pair: GearPair) -> dict[str, Any]:
+    """Collect the geometry of a pair at its working centre distance."""
+    return pick(pair, PAIR_ROWS, _PAIR_POSITIVE)
+
+
+def stiffness_numbers(single: SingleStiffness) -> dict[str, Any]:
+    """Collect the stiffness of a pair by DIN 3990 / ISO 6336, whatever law its mesh uses."""
+    return pick(single, STIFFNESS_ROWS, set())
+
+
+def cycle_numbers(cycle: MeshCycle, unit_stiffness: float | None = None) -> dict[str, Any]:
+    """Collect the stiffness over a mesh cycle, in units of `unit_stiffness` [N/m] (c' b)."""
+    numbers = {
+        "phase": cycle.phase,
+        "stiffness_ratio": cycle.stiffness_ratio,
+        "mean": cycle.mean,
+        "minimum": cycle.minimum,
+        "maximum": cycle.maximum,
+        "peak_to_peak": cycle.peak_to_peak,
+        "jumps": list(cycle.jumps),
+    }
+    if unit_stiffness is not None:
+        numbers["unit_stiffness"] = unit_stiffness
+    return numbers
+
+
+def single_stiffness_of(model: Model, name: str) -> SingleStiffness:
+    """Compute the stiffness of a mesh by DIN 3990 / ISO 6336 with the materials and blanks of its gears."""
+    from pitchpoint.contact.stiffness.din3990 import blank_factor, single_stiffness
+
+    gears = [model.gears[g] for g in model.meshes[name].gears]
+    factors = [1.0]
+    for gear in gears:
+        if gear.rim_thickness is not None:
+            web = gear.face_width if gear.web_thickness is None else gear.web_thickness
+            factors.append(blank_factor(web / gear.face_width, gear.rim_thickness / gear.normal_module))
+    moduli = tuple(gear.material_data.youngs_modulus for gear in gears)
+    return single_stiffness(model.pairs[name], C_R=min(factors), moduli=(moduli[0], moduli[1]))

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Options that several commands share, so that they are spelled and explained the same everywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import click
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+model_file = click.argument("file", type=click.Path(exists=True, dir_okay=False))
+as_json = click.option(
+    "--json", "as_json", is_flag=True, help="Print JSON in SI units and radians, nothing else."
+)
+allow_code = click.option(
+    "--allow-code",
+    is_flag=True,
+    help="Run Python functions that the file names. They can do anything you can: only for files you trust.",
+)
+quiet = click.option("-q", "--quiet", is_flag=True, help="No progress, no remarks; errors only.")
+debug = click.option(
+    "--debug", is_flag=True, expose_value=False, help="Show the traceback of an error, for a report."
+)
+scenario = click.option(
+    "--scenario", "-s", metavar="NAME", help="Scenario of the file; the only fitting one if left out."
+)
+jobs = click.option(
+    "--jobs", "-j", type=click.IntRange(min=1), metavar="N", help="Processes to use; all cores if left out."
+)
+
+
+def output(what: str) -> Callable[[F], F]:
+    """Make the option that names the file to write."""
+    return click.option("-o", "--output", type=click.Path(dir_okay=False), metavar="OUT", help=what)
+
+
+def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
+    """Make an option that takes a quantity with a unit and hands over SI."""
+
+    def convert(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
+        from pitchpoint.core.errors import UnitError
+        from pitchpoint.core.units import parse_quantity
+
+        if text is None:
+            return None
+        try:
+            value = float(text)
+        except ValueError:
+            value = None
+        try:
+            return parse_quantity(text if value is None else value, dimension, positive=True)
+        except UnitError as error:
+            raise click.BadParameter(str(error)) from None
+
+    return click.option(flag, metavar="QUANTITY", callback=convert, help=description)

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Progress of long computations on stderr: a bar on terminals, a plain line every few seconds elsewhere.
+
+Nothing is shown for work that takes less than two seconds.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from types import TracebackType
+from typing import Any, Self
+
+import click
+
+PATIENCE = 2.0
+LINE_EVERY = 3.0
+BAR_EVERY = 0.1
+
+
+def duration_text(seconds: float) -> str:
+    """Write a duration for people.
+
+    Examples
+    --------
+    >>> duration_text(8.2), duration_text(125), duration_text(7300)
+    ('8 s', '2 min 05 s', '2 h 01 min')
+    """
+    whole = max(round(seconds), 0)
+    if whole < 60:
+        return f"{whole} s"
+    if whole < 3600:
+        return f"{whole // 60} min {whole % 60:02d} s"
+    return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
+
+
+class ProgressDisplay:
+    """Show how far a computation is; called as `display(done, total, note)`.
+
+    Parameters
+    ----------
+    title
+        What is computed.
+    unit
+        Unit of `done` and `total` in words, for the rate ("s", "points").
+    quiet
+        Show nothing at all.
+    """
+
+    def __init__(self, title: str, unit: str = "", *, quiet: bool = False) -> None:
+        self.title = title
+        self.unit = unit
+        self.quiet = quiet
+        self._terminal = sys.stderr.isatty()
+        self._start = time.monotonic()
+        self._last = self._start
+        self._bar: Any = None
+        self._task: Any = None
+        self.lines = 0
+
+    def __call__(self, done: float, total: float, note: str = "") -> None:
+        """Take notice; draws at most ten times a second."""
+        now = time.monotonic()
+        if self.quiet or now - self._start < PATIENCE:
+            return
+        if now - self._last < (BAR_EVERY if self._terminal else LINE_EVERY) and self.lines:
+            return
+        self._last = now
+        self.lines += 1
+        elapsed = now - self._start
+        rate = done / elapsed
+        remaining = (total - done) / rate if rate > 0.0 else float("inf")
+        if self._terminal:
+            self._draw(done, total, self._rate_text(rate), remaining, note)
+        else:
+            share = 100.0 * done / total if total > 0.0 else 0.0
+            parts = [f"{self.title}: {share:.0f} %", self._rate_text(rate)]
+            if remaining < float("inf"):
+                parts.append(f"{duration_text(remaining)} left")
+            click.echo(", ".join([p for p in parts if p] + ([note] if note else [])), err=True)
+
+    def _rate_text(self, rate: float) -> str:
+        return f"{rate:.3g} {self.unit}/s" if self.unit else ""
+
+    def _draw(self, done: float, total: float, rate: str, remaining: float, note: str) -> None:
+        if self._bar is None:
+            from rich.console import Console
+            from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
+
+            self._bar = Progress(
+                TextColumn("{task.description}"),
+                BarColumn(),
+                TaskProgressColumn(),
+                TextColumn("{task.fields[rate]}"),
+                TextColumn("{task.fields[remaining]}"),
+                TextColumn("{task.fields[note]}"),
+                console=Console(stderr=True),
+                auto_refresh=False,
+                transient=True,
+            )
+            self._task = self._bar.add_task(self.title, total=total, rate="", remaining="", note="")
+            self._bar.start()
+        left = f"{duration_text(remaining)} left" if remaining < float("inf") else ""
+        self._bar.update(self._task, completed=done, total=total, rate=rate, remaining=left, note=note)
+        self._bar.refresh()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Contact damping: how far it is switched on, and which rate acts.
+
+A flank can only damp while it is in contact, and a damper that is fully on at zero penetration would pull or
+hit like a step. So the rate fades in over the penetration s_0 (full damping at s_0), and compression and
+decompression may have different rates.
+"""
+
+from __future__ import annotations
+
+from pitchpoint.core.kernel import kernel
+
+
+@kernel
+def ramp(u, s_0):
+    """Share of the full damping at penetration u, and its derivative by u [1/m].
+
+    The cubic t^2 (3 - 2 t), t = u/s_0, between u = 0 and u = s_0 (both in m); 0 below, 1 above; s_0 = 0 gives
+    a step that is on for u > 0. The same step function multiplies the damping of the impact force of
+    multibody codes, written there with the normalised t.
+
+    >>> value, slope = ramp(5.0e-6, 1.0e-5)
+    >>> round(float(value), 12), round(float(slope), 6)
+    (0.5, 150000.0)
+    """
+    if u <= 0.0:
+        return 0.0, 0.0
+    if u >= s_0:
+        return 1.0, 0.0
+    t = u / s_0
+    return t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / s_0
+
+
+@kernel
+def damping_force(u, w, d_in, d_out, s_0):
+    """Contact damping force at penetration u [m] and rate w [m/s], and its derivatives by u and by w.
+
+    F = ramp(u, s_0) d w with d = d_in for w > 0 (compression) and d_out otherwise [N s/m]. The force is
+    continuous at w = 0 whatever the two rates are. It is not clipped here: that elastic and damping force
+    together never pull is the business of the flank law.
+
+    >>> tuple(round(float(x), 9) for x in damping_force(2.0e-5, -0.1, 100.0, 50.0, 1.0e-5))
+    (-5.0, -0.0, 50.0)
+    """
+    share, slope = ramp(u, s_0)
+    d = d_in if w > 0.0 else d_out
+    return share * d * w, slope * d * w, share * d

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Stiffness of one tooth pair along its path of contact, and prescribed stiffness over the mesh phase.
+
+Scalar kernels that the mesh element calls in its inner loop. Positions along the path are counted in base
+pitches from point A (start of contact), so that a pair carries for 0 <= p <= eps_alpha and the neighbours sit
+at p - 1 and p + 1. Results are ratios: to c' for a pair, to the mean for a prescribed wave.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.core.kernel import kernel
+
+#: Forms of a prescribed stiffness, the `form` argument of `phase_stiffness`.
+FOURIER = 0
+TABLE = 1
+RECTANGULAR = 2
+
+
+@kernel
+def pair_shape(p, eps_alpha, S_R, L):
+    """Stiffness of one pair relative to c' at the path position p.
+
+    c/c' = (1 - (1 - S_R) zeta^2) * min(1, p/L, (eps_alpha - p)/L) with zeta = 2 p/eps_alpha - 1 in [-1, 1];
+    zero outside the path, both ends inclusive (source: L. Mauer, SIMPACK User Meeting 2006, single-pair
+    parabola with stiffness ratio; ramp of the tip-relief factor). p, eps_alpha and L in base pitches,
+    L = T_R frac(eps_alpha); L = 0 switches the ramp off and leaves a jump of S_R at A and E.
+
+    >>> round(float(pair_shape(0.65, 1.3, 0.8, 0.0)), 12), round(float(pair_shape(0.0, 1.3, 0.8, 0.0)), 12)
+    (1.0, 0.8)
+    """
+    if p < 0.0 or p > eps_alpha:
+        return 0.0
+    zeta = 2.0 * p / eps_alpha - 1.0
+    c = 1.0 - (1.0 - S_R) * zeta * zeta
+    reach = min(p, eps_alpha - p)
+    if reach < L:
+        c *= reach / L
+    return c
+
+
+@kernel
+def pair_shape_slope(p, eps_alpha, S_R, L):
+    """Derivative of `pair_shape` with respect to p (per base pitch), zero outside the path.
+
+    At a kink (end of a ramp) the derivative of the plateau side is returned; jumps at A and E (L = 0) are
+    not part of it.
+
+    >>> round(float(pair_shape_slope(0.325, 1.3, 0.8, 0.0)), 12)
+    0.307692307692
+    """
+    if p < 0.0 or p > eps_alpha:
+        return 0.0
+    zeta = 2.0 * p / eps_alpha - 1.0
+    slope = -4.0 * (1.0 - S_R) * zeta / eps_alpha
+    reach = min(p, eps_alpha - p)
+    if reach < L:
+        sign = 1.0 if p < eps_alpha - p else -1.0
+        slope = slope * reach / L + (1.0 - (1.0 - S_R) * zeta * zeta) * sign / L
+    return slope
+
+
+@kernel
+def pair_table(p, eps_alpha, n, table, L):
+    """Stiffness of one pair relative to c' from n values at equal steps from A to E, times the ramp.
+
+    Linear between the values; zero outside [0, eps_alpha]; n >= 2. The ramp is that of `pair_shape`.
+
+    >>> import numpy as np
+    >>> round(float(pair_table(0.3, 1.2, 3, np.array([0.6, 1.0, 0.8]), 0.0)), 12)
+    0.8
+    """
+    if p < 0.0 or p > eps_alpha:
+        return 0.0
+    s = p / eps_alpha * (n - 1)
+    i = min(int(s), n - 2)
+    c = table[i] + (table[i + 1] - table[i]) * (s - i)
+    reach = min(p, eps_alpha - p)
+    if reach < L:
+        c *= reach / L
+    return c
+
+
+@kernel
+def pair_table_slope(p, eps_alpha, n, table, L):
+    """Derivative of `pair_table` with respect to p (per base pitch), zero outside the path.
+
+    >>> import numpy as np
+    >>> round(float(pair_table_slope(0.3, 1.2, 3, np.array([0.6, 1.0, 0.8]), 0.0)), 12)
+    0.666666666667
+    """
+    if p < 0.0 or p > eps_alpha:
+        return 0.0
+    s = p / eps_alpha * (n - 1)
+    i = min(int(s), n - 2)
+    slope = (table[i + 1] - table[i]) * (n - 1) / eps_alpha
+    reach = min(p, eps_alpha - p)
+    if reach < L:
+        c = table[i] + (table[i + 1] - table[i]) * (s - i)
+        sign = 1.0 if p < eps_alpha - p else -1.0
+        slope = slope * reach / L + c * sign / L
+    return slope
+
+
+@kernel
+def phase_stiffness(psi, form, n, cosine, sine):
+    """Prescribed stiffness k(psi)/mean and its derivative by psi; period 1 in psi.
+
+    What the arrays hold depends on `form`:
+
+    * FOURIER (0): 1 + sum_h cosine[h-1] cos(2 pi h psi) + sine[h-1] sin(2 pi h psi), h = 1..n. One sine and
+      one cosine are computed; harmonics follow by rotation, error about n round-offs.
+    * TABLE (1): cosine[0..n-1] are values at psi = i/n, linear between them and periodic; sine is not read.
+    * RECTANGULAR (2): cosine = (first value, second value, share of the period with the first value); the
+      first value holds for 0 <= frac(psi) < share; sine and n are not read.
+
+    >>> import numpy as np
+    >>> k, slope = phase_stiffness(0.25, 0, 1, np.array([-0.2]), np.array([0.1]))
+    >>> round(float(k), 12), round(float(slope), 12)
+    (1.1, 1.256637061436)
+    """
+    s = psi - math.floor(psi)
+    if form == 0:
+        w = 2.0 * math.pi
+        c1 = math.cos(w * s)
+        s1 = math.sin(w * s)
+        ch = c1
+        sh = s1
+        value = 1.0
+        slope = 0.0
+        for h in range(n):
+            value += cosine[h] * ch + sine[h] * sh
+            slope += (h + 1) * w * (sine[h] * ch - cosine[h] * sh)
+            c2 = ch * c1 - sh * s1
+            sh = sh * c1 + ch * s1
+            ch = c2
+        return value, slope
+    if form == 1:
+        s *= n
+        i = min(int(s), n - 1)
+        j = i + 1 if i + 1 < n else 0
+        step = cosine[j] - cosine[i]
+        return cosine[i] + step * (s - i), step * n
+    if s < cosine[2]:
+        return cosine[0] + 0.0, 0.0
+    return cosine[1] + 0.0, 0.0

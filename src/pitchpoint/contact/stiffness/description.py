@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a stiffness source hands over: the stiffness of one tooth pair, or the whole mesh over its phase.
+
+Plain data without kernels, so that a model can be described and checked without a compiler.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.core.errors import ModelError, Problem
+
+Array = NDArray[np.float64]
+
+
+def refuse(where: str, message: str, value: object, limit: str, remedy: str) -> ModelError:
+    """Build the error for one wrong option of a stiffness source.
+
+    >>> str(refuse("stiffness.mean", "is no stiffness", -1.0, "> 0", "give N/m")).splitlines()[1].strip()
+    'stiffness.mean: -1.0 is no stiffness (limit > 0); give N/m'
+    """
+    return ModelError([Problem(where, message, str(value), limit, remedy)])
+
+
+def positive(where: str, value: float, unit: str) -> float:
+    """Return a number that must be positive and finite, or raise ModelError.
+
+    >>> positive("stiffness.mean", 4.0e8, "N/m")
+    400000000.0
+    """
+    if isinstance(value, bool) or not (math.isfinite(value) and value > 0.0):
+        raise refuse(where, "is no stiffness", value, "> 0", f"give a positive number in {unit}")
+    return float(value)
+
+
+def share(where: str, value: float) -> float:
+    """Return a number that must lie in [0, 1], or raise ModelError.
+
+    >>> share("stiffness.stiffness_ratio", 0.8)
+    0.8
+    """
+    if isinstance(value, bool) or not 0.0 <= value <= 1.0:
+        raise refuse(where, "is no share", value, "0 to 1", "give a ratio between 0 and 1")
+    return float(value)
+
+
+def frozen_array(where: str, values: ArrayLike, least: int = 0) -> Array:
+    """Return a read-only, contiguous copy of a finite one-dimensional array, or raise ModelError.
+
+    >>> frozen_array("stiffness.cosine", [-0.2, -0.1])
+    array([-0.2, -0.1])
+    """
+    try:
+        array = np.array(values, dtype=np.float64, order="C", ndmin=1)
+    except (TypeError, ValueError):
+        raise refuse(where, "is no list of numbers", values, "numbers", "give a flat list") from None
+    if array.ndim != 1 or array.size < least or not np.all(np.isfinite(array)):
+        text = f"at least {least} finite numbers" if least else "finite numbers"
+        raise refuse(where, "is not usable", values, text, "give a flat list")
+    array.setflags(write=False)
+    return array
+
+
+@dataclass(frozen=True, kw_only=True)
+class PairShape:
+    """Stiffness of one tooth pair along its path of contact; the mesh is the sum over all pairs.
+
+    Parameters
+    ----------
+    c_prime
+        Stiffness of one pair per unit face width in the transverse plane along the base tangent, c' [N/m^2],
+        at its highest point (parabola) or where `table` is one.
+    S_R
+        Lowest over highest stiffness of the parabola, in [0, 1].
+    T_R
+        Tip-relief factor in [0, 1]: ramp of T_R frac(eps_alpha) base pitches at both ends.
+    table
+        Values relative to c_prime at equal steps of the path from A to E, linear between them; replaces the
+        parabola (S_R is then not used), the ramp stays.
+    load_limit
+        Line load along the base tangent below which the stiffness falls (ISO 6336-1, low specific load)
+        [N/m]; 0 switches this off.
+    """
+
+    c_prime: float
+    S_R: float = 0.8
+    T_R: float = 0.0
+    table: Array | None = None
+    load_limit: float = 0.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "c_prime", positive("stiffness.c_prime", self.c_prime, "N/m^2"))
+        object.__setattr__(self, "S_R", share("stiffness.stiffness_ratio", self.S_R))
+        object.__setattr__(self, "T_R", share("stiffness.tip_relief_factor", self.T_R))
+        if self.table is not None:
+            table = frozen_array("stiffness.table", self.table, 2)
+            if table.min() < 0.0:
+                raise refuse("stiffness.table", "is no stiffness", table.min(), ">= 0", "check the table")
+            object.__setattr__(self, "table", table)
+
+    def ramp_length(self, eps_alpha: float) -> float:
+        """Length of the ramp at both ends, L = T_R frac(eps_alpha) [base pitches].
+
+        >>> round(PairShape(c_prime=14e9, T_R=0.75).ramp_length(1.3), 12)
+        0.225
+        """
+        return self.T_R * (eps_alpha - math.floor(eps_alpha))
+
+    def end_values(self) -> tuple[float, float]:
+        """Stiffness at A and at E relative to c_prime, without the ramp.
+
+        >>> PairShape(c_prime=14e9, S_R=0.8).end_values()
+        (0.8, 0.8)
+        """
+        if self.table is None:
+            return self.S_R, self.S_R
+        return float(self.table[0]), float(self.table[-1])
+
+    def jumps(self, eps_alpha: float, eps_beta: float = 0.0) -> tuple[float, ...]:
+        """Mesh phases in [0, 1) at which the mesh stiffness is discontinuous.
+
+        A spur pair without ramp enters at psi = 0 and leaves at psi = frac(eps_alpha); with overlap or ramp the
+        mesh stiffness is continuous.
+
+        >>> PairShape(c_prime=14e9).jumps(1.25), PairShape(c_prime=14e9).jumps(1.25, 0.5)
+        ((0.0, 0.25), ())
+        """
+        if eps_beta > 0.0 or self.ramp_length(eps_alpha) > 0.0:
+            return ()
+        at_A, at_E = self.end_values()
+        leave = eps_alpha - math.floor(eps_alpha)
+        if leave == 0.0:
+            return (0.0,) if at_A != at_E else ()
+        return tuple(psi for psi, height in ((0.0, at_A), (leave, at_E)) if height > 0.0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PhaseStiffness:
+    """Total stiffness of a mesh, prescribed over its phase psi (period 1, a pair enters at psi = 0).
+
+    Parameters
+    ----------
+    mean
+        Reference stiffness along the base tangent [N/m]; the mean over a period.
+    cosine, sine
+        Fourier coefficients relative to the mean; entry h - 1 belongs to harmonic h of psi. Equal lengths.
+    table
+        Values relative to the mean at psi = i/n, i = 0..n-1, linear between them and periodic.
+    rectangular
+        (first value, second value, share): the first value relative to the mean holds for
+        0 <= psi < share, the second for the rest of the period.
+
+    At most one of the three forms is given; none means a constant stiffness.
+    """
+
+    mean: float
+    cosine: Array | None = None
+    sine: Array | None = None
+    table: Array | None = None
+    rectangular: tuple[float, float, float] | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "mean", positive("stiffness.mean", self.mean, "N/m"))
+        cosine = frozen_array("stiffness.cosine", () if self.cosine is None else self.cosine)
+        sine = frozen_array("stiffness.sine", () if self.sine is None else self.sine)
+        n = max(cosine.size, sine.size)
+        for name, array in (("cosine", cosine), ("sine", sine)):
+            full = np.zeros(n)
+            full[: array.size] = array
+            full.setflags(write=False)
+            object.__setattr__(self, name, full)
+        if self.table is not None:
+            object.__setattr__(self, "table", frozen_array("stiffness.table", self.table, 2))
+        if (n > 0) + (self.table is not None) + (self.rectangular is not None) > 1:
+            raise refuse("stiffness", "of forms at once", "more than one", "one", "keep one of them")
+
+    @property
+    def form(self) -> int:
+        """Number of the form as the kernels count: 0 Fourier (or constant), 1 table, 2 rectangular.
+
+        >>> PhaseStiffness(mean=1e8).form, PhaseStiffness(mean=1e8, table=[1.0, 1.0]).form
+        (0, 1)
+        """
+        if self.table is not None:
+            return 1
+        return 2 if self.rectangular is not None else 0
+
+    def arrays(self) -> tuple[int, Array, Array]:
+        """Number of terms and the two arrays that the kernel `phase_stiffness` reads.
+
+        >>> n, first, second = PhaseStiffness(mean=1e8, cosine=[-0.2]).arrays()
+        >>> n, first.tolist(), second.tolist()
+        (1, [-0.2], [0.0])
+        """
+        assert self.cosine is not None and self.sine is not None  # filled in __post_init__
+        if self.table is not None:
+            return self.table.size, self.table, self.sine
+        if self.rectangular is not None:
+            return 3, np.array(self.rectangular), self.sine
+        return self.cosine.size, self.cosine, self.sine
+
+    def ratio(self, psi: ArrayLike) -> Array:
+        """Stiffness relative to the mean at the phases psi (any shape).
+
+        >>> PhaseStiffness(mean=1e8, cosine=[-0.2]).ratio([0.0, 0.5]).round(12).tolist()
+        [0.8, 1.2]
+        """
+        phase = np.asarray(psi, dtype=np.float64)
+        s = phase - np.floor(phase)
+        if self.table is not None:
+            knots = np.linspace(0.0, 1.0, self.table.size + 1)
+            return np.asarray(np.interp(s, knots, np.append(self.table, self.table[0])))
+        if self.rectangular is not None:
+            first, second, part = self.rectangular
+            return np.where(s < part, first, second)
+        n, cosine, sine = self.arrays()
+        angle = 2.0 * math.pi * s[..., None] * np.arange(1, n + 1)
+        return np.asarray(1.0 + np.cos(angle) @ cosine + np.sin(angle) @ sine)
+
+    def jumps(self, eps_alpha: float = 1.0, eps_beta: float = 0.0) -> tuple[float, ...]:
+        """Mesh phases in [0, 1) at which the stiffness is discontinuous; the arguments do not matter here.
+
+        >>> PhaseStiffness(mean=1e8, rectangular=(1.2, 0.8, 0.5)).jumps()
+        (0.0, 0.5)
+        """
+        if self.rectangular is None:
+            return ()
+        first, second, part = self.rectangular
+        return (0.0, part) if first != second and 0.0 < part < 1.0 else ()
+
+
+#: The two kinds of description.
+Description = PairShape | PhaseStiffness
+
+
+def require_positive(where: str, description: PhaseStiffness) -> PhaseStiffness:
+    """Return a prescribed stiffness that is positive everywhere, or raise ModelError.
+
+    Fourier series are looked at on 16 points per period of the highest harmonic, at least 256.
+
+    >>> require_positive("stiffness.cosine", PhaseStiffness(mean=1e8, cosine=[0.5])).mean
+    100000000.0
+    """
+    n, first, _ = description.arrays()
+    if description.form == 0:
+        low = float(description.ratio(np.arange(max(256, 16 * n)) / max(256, 16 * n)).min())
+    elif description.form == 1:
+        low = float(first.min())
+    else:
+        low = float(first[:2].min())
+    if low <= 0.0:
+        raise refuse(where, "times the mean is the lowest stiffness", f"{low:.4g}", "> 0", "lower the variation")
+    return description

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Stiffness of one tooth pair by DIN 3990-1 / ISO 6336-1 method B (the polynomial of Schaefer).
+
+In the standard's unit, c' [N/(mm um)] = 1e9 N/m^2; values act in the transverse plane along the base tangent.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass
+
+from pitchpoint.contact.stiffness.description import PairShape, positive, refuse
+from pitchpoint.core.errors import ValidityWarning
+from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+from pitchpoint.geometry.gear_pair import GearPair
+
+#: C1..C9 of the polynomial, in mm um/N.
+POLYNOMIAL = (0.04723, 0.15551, 0.25791, -0.00635, -0.11654, -0.00193, -0.24188, 0.00529, 0.00182)
+
+#: N/(mm um) in N/m^2.
+UNIT = 1.0e9
+
+#: Specific load F_t K_A/b below which the stiffness falls [N/m] (ISO 6336-1: 100 N/mm).
+LOW_LOAD = 1.0e5
+
+
+@dataclass(frozen=True, kw_only=True)
+class SingleStiffness:
+    """All values on the way to c': stiffness in N/m^2, factors dimensionless."""
+
+    c_th: float
+    c_prime: float
+    c_gamma_alpha: float
+    c_gamma_beta: float
+    C_M: float
+    C_R: float
+    C_B: float
+    modulus_ratio: float
+    z_n1: float
+    z_n2: float
+
+
+def theoretical_stiffness(z_n1: float, z_n2: float, x1: float, x2: float) -> float:
+    """Theoretical single stiffness c'_th = 1/q' of two disc gears with the standard basic rack [N/m^2].
+
+    Parameters
+    ----------
+    z_n1, z_n2
+        Numbers of teeth of the virtual spur gears; gear 1 is the smaller. ``math.inf`` for an internal mate.
+    x1, x2
+        Profile shift coefficients; an internal mate's with the sign of ISO 21771.
+
+    Raises
+    ------
+    ModelError
+        If the polynomial is not positive (far outside its range).
+
+    Notes
+    -----
+    q' = C1 + C2/z_n1 + C3/z_n2 + C4 x1 + C5 x1/z_n1 + C6 x2 + C7 x2/z_n2 + C8 x1^2 + C9 x2^2 [1]_. The standard
+    states x1 >= x2 and -0.5 <= x1 + x2 <= 2; a ValidityWarning tells when this is left.
+
+    References
+    ----------
+    .. [1] DIN 3990-1:1987; ISO 6336-1:2006, single stiffness, method B.
+
+    Examples
+    --------
+    >>> round(theoretical_stiffness(18.9050973, 114.5426482, 0.145, 0.0) / 1e9, 5)
+    17.85584
+    """
+    if x1 < x2 or not -0.5 <= x1 + x2 <= 2.0:
+        warnings.warn(
+            f"profile shifts x1 = {x1:.4g} (smaller gear), x2 = {x2:.4g} lie outside the range of the DIN 3990 /"
+            " ISO 6336-1 stiffness polynomial (x1 >= x2, -0.5 <= x1 + x2 <= 2)",
+            ValidityWarning,
+            stacklevel=2,
+        )
+    C1, C2, C3, C4, C5, C6, C7, C8, C9 = POLYNOMIAL
+    q = C1 + C2 / z_n1 + C3 / z_n2 + C4 * x1 + C5 * x1 / z_n1 + C6 * x2 + C7 * x2 / z_n2
+    q += C8 * x1 * x1 + C9 * x2 * x2
+    if not q > 0.0:
+        raise refuse("stiffness.law", "is the flexibility of din3990", q, "> 0", "use law: energy or constant")
+    return UNIT / q
+
+
+def basic_rack_factor(h_fP_star: float, alpha_n: float) -> float:
+    """Basic rack factor C_B = [1 + 0.5 (1.2 - h_fP*)] [1 - 0.02 (20 - alpha_n/deg)].
+
+    h_fP* is the dedendum of the basic rack in modules, alpha_n [rad]. Source: ISO 6336-1, single stiffness.
+
+    >>> round(basic_rack_factor(1.4, math.radians(20.0)), 12), round(basic_rack_factor(1.25, math.radians(20.0)), 12)
+    (0.9, 0.975)
+    """
+    return (1.0 + 0.5 * (1.2 - h_fP_star)) * (1.0 - 0.02 * (20.0 - math.degrees(alpha_n)))
+
+
+def blank_factor(web_over_width: float, rim_over_module: float) -> float:
+    """Gear blank factor C_R = 1 + ln(b_s/b)/(5 exp(s_R/(5 m_n))) for a wheel with web and rim.
+
+    Parameters
+    ----------
+    web_over_width
+        Web thickness over face width, b_s/b; taken as 0.2 below and as 1.2 above that range.
+    rim_over_module
+        Rim thickness below the root over normal module, s_R/m_n; taken as 1 below that.
+
+    Notes
+    -----
+    Source: ISO 6336-1, gear blank factor. Solid gears have C_R = 1.
+
+    Examples
+    --------
+    >>> round(blank_factor(0.25, 5.0), 4), round(blank_factor(0.25, 3.5), 4)
+    (0.898, 0.8623)
+    """
+    web = min(max(web_over_width, 0.2), 1.2)
+    return 1.0 + math.log(web) / (5.0 * math.exp(max(rim_over_module, 1.0) / 5.0))
+
+
+def virtual_teeth(gear: CylindricalGear, formula: str = "iso") -> float:
+    """Number of teeth of the virtual spur gear, z_n; infinite for an internal gear.
+
+    `formula` "iso": z/(cos^2 beta_b cos beta); "cos3": z/cos^3 beta (the approximation of older texts).
+
+    >>> gear = CylindricalGear(z=17, m_n=8e-3, beta=math.radians(15.8), b=0.1)
+    >>> round(virtual_teeth(gear), 4), round(virtual_teeth(gear, "cos3"), 4)
+    (18.9051, 19.0811)
+    """
+    if formula not in ("iso", "cos3"):
+        raise refuse("stiffness.virtual_teeth", "is no formula", formula, "iso or cos3", "use iso")
+    if gear.z < 0:
+        return math.inf
+    if formula == "cos3":
+        return gear.z / math.cos(gear.beta) ** 3
+    return gear.z / (math.cos(gear.beta_b) ** 2 * math.cos(gear.beta))
+
+
+def single_stiffness(
+    pair: GearPair,
+    *,
+    C_M: float = 0.8,
+    C_R: float = 1.0,
+    moduli: tuple[float, float] | None = None,
+    modulus_steel: float = 206.0e9,
+    virtual_teeth_formula: str = "iso",
+) -> SingleStiffness:
+    """Single and mesh stiffness of a pair with every factor.
+
+    Parameters
+    ----------
+    pair
+        The gear pair; order of the gears does not matter, gear 1 of the formula is the one with fewer teeth
+        (of equal ones, that with the larger profile shift).
+    C_M
+        Correction factor between theory and measurement [-].
+    C_R
+        Gear blank factor [-], see `blank_factor`; that of the more flexible blank.
+    moduli
+        Young's moduli of the two gears [Pa]; None means steel on steel.
+    modulus_steel
+        The modulus that the polynomial stands for [Pa].
+    virtual_teeth_formula
+        See `virtual_teeth`.
+
+    Returns
+    -------
+    SingleStiffness
+        c'_th, c' = c'_th C_M C_R C_B cos(beta) E/E_steel, c_gamma_alpha = c' (0.75 eps_alpha + 0.25),
+        c_gamma_beta = 0.85 c_gamma_alpha [N/m^2], and the factors.
+
+    Notes
+    -----
+    Source: ISO 6336-1:2006, method B. E = 2 E1 E2/(E1 + E2). C_B is the mean of both basic racks. An internal
+    mate enters with 1/z_n2 = 0 and the x2 of ISO 21771.
+    """
+    first, second = pair.gear1, pair.gear2
+    if (abs(second.z), -second.x) < (abs(first.z), -first.x):
+        first, second = second, first
+    z_n1, z_n2 = (virtual_teeth(g, virtual_teeth_formula) for g in (first, second))
+    c_th = theoretical_stiffness(z_n1, z_n2, first.x, second.x)
+    C_B = 0.5 * sum(basic_rack_factor(g.rack.h_fP_star, g.alpha_n) for g in (first, second))
+    ratio = 1.0
+    if moduli is not None:
+        E1, E2 = (positive("material.youngs_modulus", E, "Pa") for E in moduli)
+        ratio = 2.0 * E1 * E2 / (E1 + E2) / modulus_steel
+    c_prime = c_th * C_M * C_R * C_B * math.cos(first.beta) * ratio
+    c_gamma_alpha = c_prime * (0.75 * pair.eps_alpha + 0.25)
+    return SingleStiffness(
+        c_th=c_th,
+        c_prime=c_prime,
+        c_gamma_alpha=c_gamma_alpha,
+        c_gamma_beta=0.85 * c_gamma_alpha,
+        C_M=C_M,
+        C_R=C_R,
+        C_B=C_B,
+        modulus_ratio=ratio,
+        z_n1=z_n1,
+        z_n2=z_n2,
+    )
+
+
+def din3990(
+    pair: GearPair,
+    *,
+    S_R: float = 0.8,
+    T_R: float = 0.0,
+    c_prime: float | None = None,
+    low_load: bool = False,
+    C_M: float = 0.8,
+    C_R: float = 1.0,
+    moduli: tuple[float, float] | None = None,
+    modulus_steel: float = 206.0e9,
+    virtual_teeth_formula: str = "iso",
+) -> PairShape:
+    """Parabolic stiffness of one tooth pair with c' by DIN 3990 / ISO 6336-1.
+
+    Parameters
+    ----------
+    pair
+        The gear pair.
+    S_R, T_R
+        Stiffness ratio and tip-relief factor of the parabola, both in [0, 1].
+    c_prime
+        Own value of c' in place of the polynomial [N/m^2] (14e9 is a usual one for steel).
+    low_load
+        Let the stiffness fall with the load below F_t K_A/b = 100 N/mm, c' ~ (F_t K_A/(100 b))^0.25.
+    C_M, C_R, moduli, modulus_steel, virtual_teeth_formula
+        See `single_stiffness`.
+
+    Notes
+    -----
+    The load limit is carried over to the base tangent: 1e5 N/m / cos(alpha_t).
+    """
+    if c_prime is None:
+        c_prime = single_stiffness(
+            pair,
+            C_M=C_M,
+            C_R=C_R,
+            moduli=moduli,
+            modulus_steel=modulus_steel,
+            virtual_teeth_formula=virtual_teeth_formula,
+        ).c_prime
+    limit = LOW_LOAD / math.cos(pair.gear1.alpha_t) if low_load else 0.0
+    return PairShape(c_prime=c_prime, S_R=S_R, T_R=T_R, load_limit=limit)

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rectangular-wave mesh stiffness, the simplest law that varies: two values in turn, as pairs enter and leave."""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.contact.stiffness.description import PhaseStiffness, positive, refuse
+from pitchpoint.geometry.gear_pair import GearPair
+
+
+def rectangular(
+    pair: GearPair | None, *, high: float, low: float, duty: float | None = None
+) -> PhaseStiffness:
+    """Describe a mesh whose stiffness alternates between two values.
+
+    Parameters
+    ----------
+    pair
+        The gear pair; read for its contact ratio if `duty` is not given.
+    high, low
+        Stiffness while one more pair carries (from psi = 0 on) and for the rest of the period [N/m].
+    duty
+        Share of the period with `high`, in (0, 1); default frac(eps_alpha), the share of the time with the
+        larger number of pairs.
+
+    Notes
+    -----
+    The wave of Meissner's stability problem; with high : low = 3 : 2 that of a camshaft drive study for two and
+    three pairs in turn. The mean is high duty + low (1 - duty).
+
+    Examples
+    --------
+    >>> wave = rectangular(None, high=3.0e5, low=2.0e5, duty=0.5)
+    >>> wave.mean, wave.ratio([0.2, 0.7]).tolist()
+    (250000.0, [1.2, 0.8])
+    """
+    positive("stiffness.high", high, "N/m")
+    positive("stiffness.low", low, "N/m")
+    if duty is None:
+        if pair is None:
+            raise refuse("stiffness.duty", "is no duty", duty, "0 to 1", "give the share of the high value")
+        duty = pair.eps_alpha - math.floor(pair.eps_alpha)
+    if not 0.0 < duty < 1.0:
+        raise refuse("stiffness.duty", "leaves no wave", duty, "0 < duty < 1", "give a share inside the period")
+    mean = high * duty + low * (1.0 - duty)
+    return PhaseStiffness(mean=mean, rectangular=(high / mean, low / mean, duty))

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Mesh stiffness as a table over the mesh phase."""
+
+from __future__ import annotations
+
+from numpy.typing import ArrayLike
+
+from pitchpoint.contact.stiffness.description import PhaseStiffness, frozen_array, require_positive
+from pitchpoint.geometry.gear_pair import GearPair
+
+
+def table(pair: GearPair | None, *, values: ArrayLike) -> PhaseStiffness:
+    """Describe a mesh stiffness by its values at equal steps of the mesh phase.
+
+    Parameters
+    ----------
+    pair
+        The gear pair; not read.
+    values
+        Stiffness along the base tangent [N/m] at psi = i/n, i = 0..n-1, n >= 2; linear between them, the first
+        value follows the last.
+
+    Raises
+    ------
+    ModelError
+        If a value is not positive and finite.
+
+    Examples
+    --------
+    >>> law = table(None, values=[3.0e8, 5.0e8])
+    >>> law.mean, law.ratio([0.25, 0.75]).tolist()
+    (400000000.0, [1.0, 1.0])
+    """
+    array = frozen_array("stiffness.values", values, 2)
+    mean = float(array.mean())  # also the integral mean of the periodic straight-line interpolation
+    return require_positive("stiffness.values", PhaseStiffness(mean=mean, table=array / mean))

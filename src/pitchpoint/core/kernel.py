@@ -1,0 +1,343 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one door to the compiler: decorator, cache stamp, raw views, calls through addresses.
+
+Everything else in the package is plain Python. A kernel is an ordinary function marked with `kernel`; it
+compiles at its first call, one machine-code file per signature, kept in the user's cache. Numba's own cache
+looks only at the file of the function itself; the locator here stamps the *import closure* of that file, so
+an edited helper is noticed and an unrelated edit is not. With ``NUMBA_DISABLE_JIT=1`` the same functions
+run as plain Python.
+
+Kernel modules import at the top, absolutely or relatively, and never conditionally: the stamp is a text scan.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import importlib.util
+import os
+import re
+import sys
+import types as pytypes
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+from llvmlite import ir
+from numba import carray, cfunc, config, njit, types
+from numba.core import cgutils
+from numba.core.caching import CompileResultCacheImpl, _CacheLocator
+from numba.extending import intrinsic
+
+COMPILING = not config.DISABLE_JIT
+
+_FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract", "nsz"}}
+_ENTRY = types.int64(types.int64, types.int64, types.int64)
+_LAW = types.float64(types.float64, types.float64, types.CPointer(types.float64))
+_F = TypeVar("_F", bound=Callable[..., Any])
+
+# ---------------------------------------------------------------------------------------------- cache stamp
+
+_PACKAGES = {"pitchpoint"}
+_FROM = re.compile(r"^[ \t]*from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#;]*)", re.MULTILINE)
+_IMPORT = re.compile(r"^[ \t]*import[ \t]+([^\n#;]+)", re.MULTILINE)
+_STAMPS: dict[str, str] = {}
+
+
+def _root(file: Path) -> tuple[Path, str]:
+    """Folder that holds the top-level package of a file, and the dotted name of the file's package."""
+    folder, parts = file.parent, []
+    while (folder / "__init__.py").exists():
+        parts.insert(0, folder.name)
+        folder = folder.parent
+    return folder, ".".join(parts)
+
+
+def _locate(name: str, roots: dict[str, Path]) -> Path | None:
+    """File of a dotted module name if its top-level package is one of ours, else None."""
+    top, _, rest = name.partition(".")
+    folder = roots.get(top)
+    if folder is None:
+        return None
+    base = folder / top if not rest else (folder / top).joinpath(*rest.split("."))
+    for candidate in (base.with_suffix(".py"), base / "__init__.py"):
+        if candidate.is_file():
+            return candidate
+    return None
+
+
+def _imported(text: str, package: str) -> set[str]:
+    """Dotted names that a source text may import; `from a import b` yields both a and a.b."""
+    names: set[str] = set()
+    for match in _IMPORT.finditer(text):
+        names.update(part.split(" as ")[0].strip() for part in match.group(1).split(","))
+    for match in _FROM.finditer(text):
+        base, what = match.group(1), match.group(2).strip("()")
+        dots = len(base) - len(base.lstrip("."))
+        if dots:
+            stem = package.split(".")[: len(package.split(".")) - dots + 1]
+            base = ".".join([*stem, *filter(None, [base.lstrip(".")])])
+        names.add(base)
+        names.update(f"{base}.{part.split(' as ')[0].strip()}" for part in what.replace("\n", ",").split(","))
+    return names
+
+
+def import_closure(file: str | os.PathLike[str]) -> list[Path]:
+    """List every source file that a file reaches by import statements inside the registered packages.
+
+    Parameters
+    ----------
+    file
+        Source file to start from.
+
+    Returns
+    -------
+    list of Path
+        The file itself and all it reaches, sorted. Packages outside (numpy, the standard library) are not
+        followed: their versions are the business of the environment.
+    """
+    start = Path(file).resolve()
+    folder, package = _root(start)
+    own = package.split(".")[0] if package else start.stem
+    roots = {own: folder}
+    for name in _PACKAGES - {own}:
+        spec = importlib.util.find_spec(name)
+        if spec is not None and spec.origin:
+            roots[name] = Path(spec.origin).resolve().parent.parent
+    if not package:  # a loose file may import its neighbours
+        roots.update({p.stem: folder for p in folder.glob("*.py") if p.stem not in roots})
+    seen: set[Path] = set()
+    stack = [start]
+    while stack:
+        path = stack.pop()
+        if path in seen:
+            continue
+        seen.add(path)
+        text = path.read_text(encoding="utf-8", errors="replace")
+        for name in _imported(text, _root(path)[1]):
+            found = _locate(name, roots)
+            if found is not None:
+                stack.append(found)
+    return sorted(seen)
+
+
+def _stamp(file: str) -> str:
+    if file not in _STAMPS:
+        flags = (config.BOUNDSCHECK, config.OPT, config.DEBUG, sorted(map(str, _FLAGS.items())))
+        digest = hashlib.sha256(repr(flags).encode())
+        for path in import_closure(file):
+            digest.update(path.name.encode() + path.read_bytes())
+        _STAMPS[file] = digest.hexdigest()
+    return _STAMPS[file]
+
+
+def cache_folder() -> Path:
+    """Folder of the compiled kernels: NUMBA_CACHE_DIR if set, else the user's cache."""
+    if config.CACHE_DIR:
+        return Path(config.CACHE_DIR)
+    if sys.platform == "win32":
+        base = Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local"))
+    elif sys.platform == "darwin":
+        base = Path.home() / "Library" / "Caches"
+    else:
+        base = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
+    return base / "pitchpoint" / "kernels"
+
+
+class Locator(_CacheLocator):
+    """Tells Numba where compiled kernels live and when they are out of date; serves marked functions only."""
+
+    def __init__(self, py_func: Any, py_file: str) -> None:
+        self._py_file = py_file
+        self._lineno = py_func.__code__.co_firstlineno
+        self._variant = py_func._pitchpoint
+        mode = "bounds" if config.BOUNDSCHECK else "plain"
+        self._path = str(cache_folder() / mode / self.get_suitable_cache_subpath(py_file))
+
+    def get_cache_path(self) -> str:
+        return self._path
+
+    def get_source_stamp(self) -> str:
+        return _stamp(self._py_file)
+
+    def get_disambiguator(self) -> str:
+        return f"{self._lineno}{self._variant}"
+
+    @classmethod
+    def from_function(cls, py_func: Any, py_file: str) -> Locator | None:
+        if not getattr(py_func, "_pitchpoint", None) or not os.path.exists(py_file):
+            return None
+        self = cls(py_func, py_file)
+        try:
+            self.ensure_cache_path()
+        except OSError:
+            return None
+        return self
+
+
+CompileResultCacheImpl._locator_classes = [Locator, *CompileResultCacheImpl._locator_classes]
+
+
+def register_package(name: str) -> None:
+    """Let the cache stamp follow imports into another package (one that brings its own kinds)."""
+    _PACKAGES.add(name.partition(".")[0])
+
+
+# ------------------------------------------------------------------------------------ decorator and addresses
+
+
+def kernel(function: _F) -> _F:
+    """Compile a function at its first call, without the interpreter lock, cached on disk.
+
+    Kernels take floats, integers and arrays, allocate nothing, raise nothing and return integer statuses.
+    """
+    function._pitchpoint = "k"  # type: ignore[attr-defined]
+    cached = os.path.exists(function.__code__.co_filename)
+    return njit(cache=cached, nogil=True, **_FLAGS)(function)  # type: ignore[no-any-return]
+
+
+def _twin(function: Any, variant: str) -> tuple[Any, bool]:
+    """Copy of a kernel's source function with its own cache name, so that both compilations live side by side."""
+    source = getattr(function, "py_func", function)
+    copy = pytypes.FunctionType(
+        source.__code__, source.__globals__, source.__name__, source.__defaults__, source.__closure__
+    )
+    copy.__qualname__, copy.__module__ = source.__qualname__, source.__module__
+    copy._pitchpoint = variant  # type: ignore[attr-defined]
+    return copy, os.path.exists(source.__code__.co_filename)
+
+
+_COMPILED: dict[Any, Any] = {}
+_TABLE: dict[int, Any] = {}
+
+
+def address(entry: Any) -> int:
+    """Address of a kind's entry ``int64 entry(int64 ctl, int64 records, int64 n)``; valid in this process only.
+
+    Compiles (or loads) at the first request. Never store or pickle an address.
+    """
+    if not COMPILING:
+        _TABLE[id(entry)] = entry
+        return id(entry)
+    if entry not in _COMPILED:
+        copy, cached = _twin(entry, "c")
+        _COMPILED[entry] = cfunc(_ENTRY, cache=cached, **_FLAGS)(copy)
+    return int(_COMPILED[entry].address)
+
+
+def _guarded(function: Any) -> Any:
+    """A plain Python law as a callback; an exception becomes NaN, which the solver's guard reports."""
+
+    def law(t: float, x: float, p: Any) -> float:
+        try:
+            return float(function(t, x, p))
+        except Exception as error:  # the callback boundary: nothing may pass it
+            law.error = error  # type: ignore[attr-defined]
+            return float("nan")
+
+    return law
+
+
+def law_address(function: Any) -> int:
+    """Address of a user law ``double f(double t, double x, double* p)``.
+
+    Parameters
+    ----------
+    function
+        A Python function (compiled if it can be, called back through the interpreter if not), an object with
+        an `address` attribute, or an integer address from another library.
+
+    Returns
+    -------
+    int
+        Address for `call_law`, valid in this process only.
+    """
+    if isinstance(function, int):
+        return function
+    if COMPILING and isinstance(getattr(function, "address", None), int):
+        return int(function.address)
+    if not COMPILING:
+        _TABLE[id(function)] = function
+        return id(function)
+    if function not in _COMPILED:
+        copy, cached = _twin(function, "l")
+        try:
+            _COMPILED[function] = cfunc(_LAW, cache=cached, **_FLAGS)(copy)
+        except Exception:  # whatever the compiler dislikes still runs as plain Python
+            kind = ctypes.CFUNCTYPE(
+                ctypes.c_double, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double)
+            )
+            _COMPILED[function] = kind(_guarded(function))
+    made = _COMPILED[function]
+    if hasattr(made, "address"):
+        return int(made.address)
+    return int(ctypes.cast(made, ctypes.c_void_p).value or 0)
+
+
+@intrinsic
+def _pointer(typingctx, where):  # type: ignore[no-untyped-def]
+    def generate(context, builder, signature, args):  # type: ignore[no-untyped-def]
+        return builder.inttoptr(args[0], cgutils.voidptr_t)
+
+    return types.voidptr(types.int64), generate
+
+
+@intrinsic
+def _call(typingctx, where, a, b, c):  # type: ignore[no-untyped-def]
+    def generate(context, builder, signature, args):  # type: ignore[no-untyped-def]
+        word = ir.IntType(64)
+        function = builder.inttoptr(args[0], ir.FunctionType(word, [word] * 3).as_pointer())
+        return builder.call(function, args[1:])
+
+    return types.int64(*[types.int64] * 4), generate
+
+
+@intrinsic
+def _call_law(typingctx, where, t, x, p):  # type: ignore[no-untyped-def]
+    def generate(context, builder, signature, args):  # type: ignore[no-untyped-def]
+        real = ir.DoubleType()
+        form = ir.FunctionType(real, [real, real, real.as_pointer()])
+        function = builder.inttoptr(args[0], form.as_pointer())
+        return builder.call(function, [args[1], args[2], builder.inttoptr(args[3], real.as_pointer())])
+
+    return types.float64(types.int64, types.float64, types.float64, types.int64), generate
+
+
+if COMPILING:
+
+    @kernel
+    def view(where, shape, dtype):  # type: ignore[no-untyped-def]
+        """Array of the given final shape over memory that somebody else owns; no copy, no reference count."""
+        return carray(_pointer(where), shape, dtype)
+
+    @kernel
+    def call(where, a, b, c):  # type: ignore[no-untyped-def]
+        """Call an entry through its address."""
+        return _call(where, a, b, c)
+
+    @kernel
+    def call_law(where, t, x, p):  # type: ignore[no-untyped-def]
+        """Call a user law through its address; p is the address of its parameters."""
+        return _call_law(where, t, x, p)
+
+else:
+
+    def view(where, shape, dtype):  # type: ignore[no-untyped-def]
+        """Array of the given final shape over memory that somebody else owns; no copy."""
+        shape = shape if isinstance(shape, tuple) else (shape,)
+        dtype = np.dtype(dtype)
+        size = int(np.prod(shape, dtype=np.int64)) * dtype.itemsize
+        if size == 0 or where == 0:
+            return np.zeros([0] * len(shape), dtype)
+        raw = (ctypes.c_char * size).from_address(int(where))
+        return np.frombuffer(raw, dtype).reshape(shape)
+
+    def call(where, a, b, c):  # type: ignore[no-untyped-def]
+        """Call an entry through its table key."""
+        return _TABLE[int(where)](int(a), int(b), int(c))
+
+    def call_law(where, t, x, p):  # type: ignore[no-untyped-def]
+        """Call a user law through its table key."""
+        pointer = ctypes.cast(int(p), ctypes.POINTER(ctypes.c_double))
+        return float(_TABLE[int(where)](float(t), float(x), pointer))

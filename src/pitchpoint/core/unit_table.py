@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The units that files may use and the kinds of quantity that they describe, as plain tables.
+
+Factors are exact fractions as far as they can be, so that "159.66 mm" becomes the double nearest to
+0.15966 and not one unit in the last place beside it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+from pitchpoint.core.errors import UnitError
+
+ONE = Fraction(1)
+
+
+class Unit(NamedTuple):
+    """A factor and the exponents of metre, kilogram, second, kelvin, radian, turn and cycle."""
+
+    factor: Fraction | float
+    m: int = 0
+    kg: int = 0
+    s: int = 0
+    K: int = 0
+    rad: int = 0
+    rev: int = 0
+    cycle: int = 0
+
+    def times(self, other: Unit, power: int = 1) -> Unit:
+        """Product with a power of another unit; a negative power divides."""
+        try:
+            factor = self.factor * other.factor**power
+            float(factor)
+        except (OverflowError, ZeroDivisionError):
+            raise UnitError("the unit is too large or too small for a number") from None
+        return Unit(factor, *(a + power * b for a, b in zip(self[1:], other[1:], strict=True)))
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """A kind of quantity: exponents, radians it may carry, and how people write it."""
+
+    words: str
+    base: tuple[int, int, int, int]
+    si: str
+    example: str
+    angle: tuple[int, ...] = (0,)
+    # display units in rising order: (smallest magnitude in SI from which it is used, unit text)
+    display: tuple[tuple[float, str], ...] = ()
+
+
+_PREFIX = {
+    "": ONE,
+    "n": Fraction(1, 10**9),
+    "u": Fraction(1, 10**6),
+    "µ": Fraction(1, 10**6),
+    "m": Fraction(1, 1000),
+    "k": Fraction(1000),
+    "M": Fraction(10**6),
+    "G": Fraction(10**9),
+}
+_PREFIXED = {
+    "m": Unit(ONE, m=1),
+    "g": Unit(Fraction("1e-3"), kg=1),
+    "s": Unit(ONE, s=1),
+    "N": Unit(ONE, m=1, kg=1, s=-2),
+    "Pa": Unit(ONE, m=-1, kg=1, s=-2),
+    "J": Unit(ONE, m=2, kg=1, s=-2),
+    "W": Unit(ONE, m=2, kg=1, s=-3),
+    "Hz": Unit(ONE, s=-1, cycle=1),
+    "rad": Unit(ONE, rad=1),
+}
+_PLAIN = {
+    "cm": Unit(Fraction("1e-2"), m=1),
+    "dm": Unit(Fraction("1e-1"), m=1),
+    "micron": Unit(Fraction("1e-6"), m=1),
+    "in": Unit(Fraction("0.0254"), m=1),
+    "inch": Unit(Fraction("0.0254"), m=1),
+    "ft": Unit(Fraction("0.3048"), m=1),
+    "t": Unit(Fraction(1000), kg=1),
+    "lb": Unit(Fraction("0.45359237"), kg=1),
+    "lbf": Unit(Fraction("4.4482216152605"), m=1, kg=1, s=-2),
+    "min": Unit(Fraction(60), s=1),
+    "h": Unit(Fraction(3600), s=1),
+    "bar": Unit(Fraction(100000), m=-1, kg=1, s=-2),
+    "K": Unit(ONE, K=1),
+    "deg": Unit(math.pi / 180.0, rad=1),
+    "°": Unit(math.pi / 180.0, rad=1),
+    "arcmin": Unit(math.pi / 10800.0, rad=1),
+    "arcsec": Unit(math.pi / 648000.0, rad=1),
+    "rev": Unit(ONE, rev=1),
+    "turn": Unit(ONE, rev=1),
+    "rpm": Unit(Fraction(1, 60), s=-1, rev=1),
+    "%": Unit(Fraction("1e-2")),
+    "ppm": Unit(Fraction("1e-6")),
+    "meter": Unit(ONE, m=1),
+    "metre": Unit(ONE, m=1),
+    "millimeter": Unit(Fraction("1e-3"), m=1),
+    "micrometer": Unit(Fraction("1e-6"), m=1),
+    "kilogram": Unit(ONE, kg=1),
+    "second": Unit(ONE, s=1),
+    "newton": Unit(ONE, m=1, kg=1, s=-2),
+    "pascal": Unit(ONE, m=-1, kg=1, s=-2),
+    "radian": Unit(ONE, rad=1),
+    "degree": Unit(math.pi / 180.0, rad=1),
+    "hertz": Unit(ONE, s=-1, cycle=1),
+    "revolution": Unit(ONE, rev=1),
+    "minute": Unit(Fraction(60), s=1),
+    "hour": Unit(Fraction(3600), s=1),
+}
+UNITS: dict[str, Unit] = {
+    p + n: u._replace(factor=u.factor * f) for p, f in _PREFIX.items() for n, u in _PREFIXED.items()
+}
+UNITS.update(_PLAIN)
+
+DIMENSIONS: dict[str, Dimension] = {
+    "dimensionless": Dimension("a plain number", (0, 0, 0, 0), "", "0.05 or 5 %"),
+    "length": Dimension(
+        "a length", (1, 0, 0, 0), "m", "3 mm", display=((0.0, "µm"), (1e-4, "mm"), (10.0, "m"))
+    ),
+    "area": Dimension("an area", (2, 0, 0, 0), "m^2", "20 mm^2", display=((0.0, "mm^2"),)),
+    "angle": Dimension("an angle", (0, 0, 0, 0), "rad", "20 deg", (1,), ((0.0, "deg"),)),
+    "mass": Dimension("a mass", (0, 1, 0, 0), "kg", "2.5 kg", display=((0.0, "g"), (1.0, "kg"), (1e4, "t"))),
+    "inertia": Dimension("a moment of inertia", (2, 1, 0, 0), "kg m^2", "0.0115 kg m^2"),
+    "density": Dimension("a density", (-3, 1, 0, 0), "kg/m^3", "7850 kg/m^3"),
+    "time": Dimension("a time", (0, 0, 1, 0), "s", "0.5 s", display=((0.0, "µs"), (1e-3, "ms"), (1.0, "s"))),
+    "frequency": Dimension(
+        "a frequency", (0, 0, -1, 0), "Hz", "1000 Hz", (0, 1), ((0.0, "Hz"), (1e4, "kHz"))
+    ),
+    "angular_speed": Dimension(
+        "a rotational speed", (0, 0, -1, 0), "rad/s", "1500 rpm", (1,), ((0.0, "rpm"),)
+    ),
+    "angular_acceleration": Dimension(
+        "an angular acceleration", (0, 0, -2, 0), "rad/s^2", "10 rad/s^2", (1,)
+    ),
+    "speed": Dimension("a speed", (1, 0, -1, 0), "m/s", "2 m/s", display=((0.0, "mm/s"), (0.1, "m/s"))),
+    "acceleration": Dimension("an acceleration", (1, 0, -2, 0), "m/s^2", "9.81 m/s^2"),
+    "force": Dimension("a force", (1, 1, -2, 0), "N", "500 N", display=((0.0, "N"), (1e4, "kN"))),
+    "torque": Dimension("a torque", (2, 1, -2, 0), "N m", "150 N m", (0, -1), ((0.0, "N m"), (1e4, "kN m"))),
+    "energy": Dimension("an energy", (2, 1, -2, 0), "J", "10 J", display=((0.0, "J"), (1e4, "kJ"))),
+    "power": Dimension("a power", (2, 1, -3, 0), "W", "11 kW", display=((0.0, "W"), (1e4, "kW"))),
+    "pressure": Dimension(
+        "a stress or modulus", (-1, 1, -2, 0), "Pa", "210 GPa", display=((0.0, "MPa"), (1e10, "GPa"))
+    ),
+    "stiffness": Dimension(
+        "a stiffness", (0, 1, -2, 0), "N/m", "4.0e8 N/m", display=((0.0, "N/m"), (1e5, "N/µm"))
+    ),
+    "line_load": Dimension("a load per width", (0, 1, -2, 0), "N/m", "100 N/mm", display=((0.0, "N/mm"),)),
+    "stiffness_per_width": Dimension(
+        "a tooth stiffness per face width",
+        (-1, 1, -2, 0),
+        "N/m^2",
+        "14 N/(mm um)",
+        display=((0.0, "N/(mm µm)"),),
+    ),
+    "torsional_stiffness": Dimension(
+        "a torsional stiffness", (2, 1, -2, 0), "N m/rad", "1e5 N m/rad", (0, -1, -2)
+    ),
+    "damping": Dimension("a viscous damping", (0, 1, -1, 0), "N s/m", "2000 N s/m"),
+    "torsional_damping": Dimension(
+        "a torsional damping", (2, 1, -1, 0), "N m s/rad", "0.1 N m s/rad", (0, -1, -2)
+    ),
+    "coupling_stiffness": Dimension("a force per angle", (1, 1, -2, 0), "N/rad", "1e6 N/rad", (0, -1)),
+    "coupling_damping": Dimension(
+        "a force per angular speed", (1, 1, -1, 0), "N s/rad", "10 N s/rad", (0, -1)
+    ),
+    "rate": Dimension("a rate per time", (0, 0, -1, 0), "1/s", "5 1/s"),
+    "compliance": Dimension("a compliance", (0, -1, 2, 0), "m/N", "2e-9 m/N"),
+    "curvature": Dimension("a curvature", (-1, 0, 0, 0), "1/m", "20 1/m"),
+    "temperature_difference": Dimension("a temperature difference", (0, 0, 0, 1), "K", "40 K"),
+}

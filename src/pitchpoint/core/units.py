@@ -1,0 +1,308 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Quantities with units at the boundary: text in, SI and radians out, and back to text for people.
+
+Everything below the file readers is SI, so this module is used by readers, formulas and tables only.
+Rotation is where general unit libraries go wrong (60 rpm becomes 6.28 Hz, 1 Hz becomes 1 rad/s, because
+they count the radian as 1). Here radians, turns and cycles are dimensions of their own and every
+conversion between them is written out. Units missing from the table are looked up in pint, which is
+imported only then and never asked about rates.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from decimal import Decimal
+from fractions import Fraction
+from functools import lru_cache
+from numbers import Real
+
+from pitchpoint.core.errors import UnitError
+from pitchpoint.core.unit_table import DIMENSIONS, ONE, UNITS, Dimension, Unit
+
+TWO_PI = 2.0 * math.pi
+
+
+_NUMBER = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
+_QUANTITY = re.compile(rf"\s*([+-]?\s*{_NUMBER})\s*(.*?)\s*", re.DOTALL)
+_TOKEN = re.compile(
+    r"\s*(?:(?P<name>[A-Za-zµ°_]+|%)|(?P<power>(?:\^|\*\*)\s*[+-]?\d+)|(?P<op>[*/()])|(?P<one>1))\s*"
+)
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+_MAX_TEXT = 100
+_MAX_POWER = 12
+
+
+def parse_quantity(
+    value: object, dimension: str, *, positive: bool = False, nonnegative: bool = False
+) -> float:
+    """Read a quantity and return it in SI units and radians.
+
+    Parameters
+    ----------
+    value
+        A number (taken as SI) or a text such as "3 mm", "4.0e8 N/m", "1500 rpm", "14 N/(mm um)".
+    dimension
+        Name of a row of `DIMENSIONS`, for instance "length" or "angular_speed".
+    positive
+        Refuse zero and negative values.
+    nonnegative
+        Refuse negative values.
+
+    Returns
+    -------
+    float
+        The value in SI units; a frequency in Hz, a rotational speed in rad/s.
+
+    Raises
+    ------
+    UnitError
+        For text that is no quantity, another dimension, booleans, NaN and infinite values.
+
+    Examples
+    --------
+    >>> parse_quantity("3 mm", "length")
+    0.003
+    >>> round(parse_quantity("60 rpm", "angular_speed"), 9), parse_quantity("60 rpm", "frequency")
+    (6.283185307, 1.0)
+    """
+    kind = _dimension(dimension)
+    if isinstance(value, str):
+        number, unit = _split(value, kind)
+        result = _product_of(number, ONE if unit == "" else _factor(unit, dimension))
+        shown = value.strip()
+    elif isinstance(value, Real) and not isinstance(value, bool):
+        result, shown = float(value), f"{value}"
+    elif hasattr(value, "magnitude") and hasattr(value, "units"):
+        shown = f"{value.magnitude} {value.units}"
+        result = float(value.magnitude) * float(_factor(str(value.units), dimension))
+    else:
+        raise UnitError(f"{value!r} is not a quantity; expected {kind.words} such as {kind.example}")
+    if not math.isfinite(result):
+        raise UnitError(f"{shown} is not a finite number; expected {kind.words} such as {kind.example}")
+    if positive and not result > 0.0:
+        raise UnitError(f"{shown} must be greater than zero; expected {kind.words} such as {kind.example}")
+    if nonnegative and result < 0.0:
+        raise UnitError(f"{shown} must not be negative; expected {kind.words} such as {kind.example}")
+    return result
+
+
+def format_quantity(value: float, dimension: str, digits: int = 5) -> str:
+    """Write an SI value the way people read it: millimetres, degrees, rpm, MPa.
+
+    Parameters
+    ----------
+    value
+        Value in SI units and radians.
+    dimension
+        Name of a row of `DIMENSIONS`.
+    digits
+        Significant digits.
+
+    Examples
+    --------
+    >>> format_quantity(0.1500001, "length"), format_quantity(4.0e8, "stiffness")
+    ('150 mm', '400 N/µm')
+    """
+    unit = display_unit(dimension, value)
+    return f"{in_unit(value, dimension, unit):.{digits}g} {unit}".rstrip()
+
+
+def display_unit(dimension: str, magnitude: float = 0.0) -> str:
+    """Name the unit in which a value of this size is shown; without a size the usual one.
+
+    Examples
+    --------
+    >>> display_unit("length"), display_unit("length", 2e-6), display_unit("angular_speed")
+    ('mm', 'µm', 'rpm')
+    """
+    kind = _dimension(dimension)
+    choices = kind.display
+    if not choices:
+        return kind.si
+    size = abs(magnitude)
+    if size == 0.0 or not math.isfinite(size):
+        return _USUAL.get(dimension, choices[0][1])
+    return [unit for least, unit in choices if size >= least][-1]
+
+
+def in_unit(value: float, dimension: str, unit: str) -> float:
+    """Convert an SI value into a unit given by its text.
+
+    Examples
+    --------
+    >>> round(in_unit(0.3490658503988659, "angle", "deg"), 12)
+    20.0
+    """
+    return value / (1.0 if unit == "" else float(_factor(unit, dimension)))
+
+
+def natural_si(unit: str) -> float:
+    """Give the factor of a unit to its own SI unit, when nothing says what is expected.
+
+    Used for literals inside formulas: cycles stay cycles per second (25 Hz is 25), turns become radians
+    (1500 rpm is 157.08).
+
+    Examples
+    --------
+    >>> natural_si("Hz"), natural_si("kN m"), round(natural_si("rpm"), 6)
+    (1.0, 1000.0, 0.10472)
+    """
+    resolved = parse_unit(unit)
+    return float(_scaled(resolved.factor, resolved.rev))
+
+
+_USUAL = {"length": "mm", "mass": "kg", "time": "s"}
+
+
+def _dimension(name: str) -> Dimension:
+    try:
+        return DIMENSIONS[name]
+    except KeyError:
+        raise UnitError(
+            f"{name!r} is no known dimension; known are {', '.join(sorted(DIMENSIONS))}"
+        ) from None
+
+
+def _split(text: str, kind: Dimension) -> tuple[str, str]:
+    """Number and unit text of a quantity."""
+    expected = f"expected {kind.words} such as {kind.example}"
+    if len(text) > _MAX_TEXT:
+        raise UnitError(f"a text of {len(text)} characters is not a quantity; {expected}")
+    match = _QUANTITY.fullmatch(text.replace("−", "-"))
+    if match is None:
+        raise UnitError(f"{text!r} does not begin with a number; {expected}")
+    number, unit = match.groups()
+    if unit.startswith(","):
+        raise UnitError(f"{text!r} has a decimal comma; write a point; {expected}")
+    return "".join(number.split()), unit
+
+
+def _product_of(number: str, factor: Fraction | float) -> float:
+    """Number times factor, rounded once when both are exact."""
+    plain = float(number)
+    if isinstance(factor, float) or factor == 1 or not 1e-300 < abs(plain) < 1e300:
+        return plain * float(factor)
+    try:
+        return float(Fraction(Decimal(number)) * factor)
+    except OverflowError:
+        return math.inf
+
+
+@lru_cache(maxsize=1024)
+def _factor(unit: str, dimension: str) -> Fraction | float:
+    """Factor from a unit text to the SI unit of a dimension."""
+    kind = _dimension(dimension)
+    expected = f"expected {kind.words} such as {kind.example}"
+    try:
+        u = parse_unit(unit)
+    except UnitError as error:
+        raise UnitError(f"{error}; {expected}") from None
+    if (u.m, u.kg, u.s, u.K) != kind.base:
+        raise UnitError(f"'{unit}' is not the unit of {kind.words}; {expected}")
+    turns = u.rev + u.cycle
+    if dimension == "frequency":
+        if (u.rad, turns) in ((0, 0), (0, 1)):
+            return u.factor
+        if (u.rad, turns) == (1, 0):
+            return float(u.factor) / TWO_PI
+    elif dimension == "angular_speed" and u.rad == 0 and turns == 0:
+        # engineers write 1/min for revolutions; 1/s leaves open whether radians or turns are counted
+        if u.factor == Fraction(1, 60):
+            return TWO_PI / 60.0
+        raise UnitError(f"'{unit}' does not say what is counted; write rad/s, rpm or 1/min; {expected}")
+    elif (u.cycle == 0 or dimension == "angular_speed") and u.rad + turns in kind.angle:
+        return _scaled(u.factor, turns)
+    raise UnitError(f"'{unit}' is not the unit of {kind.words}; {expected}")
+
+
+def _scaled(factor: Fraction | float, turns: int) -> Fraction | float:
+    """Factor times (2 pi)^turns, exact when there is nothing to convert."""
+    return factor if turns == 0 else float(factor) * TWO_PI**turns
+
+
+@lru_cache(maxsize=1024)
+def parse_unit(text: str) -> Unit:
+    """Read a unit expression: names, products, powers, one or more divisions, brackets.
+
+    Parameters
+    ----------
+    text
+        For instance "kg m^2", "N/(mm um)", "N·m·s/rad", "min^-1".
+
+    Examples
+    --------
+    >>> parse_unit("N m/rad")[:5]
+    (Fraction(1, 1), 2, 1, -2, 0)
+    """
+    if len(text) > _MAX_TEXT:
+        raise UnitError("the unit is too long")
+    clean = text.replace("μ", "µ").replace("·", "*").replace("⋅", "*").replace("−", "-")
+    clean = re.sub(r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: "^" + m.group().translate(_SUPERSCRIPTS), clean)
+    tokens: list[tuple[str, str]] = []
+    at = 0
+    while at < len(clean):
+        match = _TOKEN.match(clean, at)
+        if match is None or match.lastgroup is None:
+            raise UnitError(f"'{text}' is not a unit: unexpected '{clean[at]}'")
+        tokens.append((match.lastgroup, match.group(match.lastgroup)))
+        at = match.end()
+    unit, at = _product(tokens, 0, text, 0)
+    if at != len(tokens):
+        raise UnitError(f"'{text}' is not a unit: unexpected '{tokens[at][1]}'")
+    return unit
+
+
+def _product(tokens: list[tuple[str, str]], at: int, text: str, depth: int) -> tuple[Unit, int]:
+    """Read factors up to a closing bracket or the end."""
+    unit, divided, empty = Unit(ONE), False, True
+    while at < len(tokens) and tokens[at] != ("op", ")"):
+        sign = 1
+        if tokens[at] == ("op", "/") and not empty:
+            sign, divided, at = -1, True, at + 1
+        elif tokens[at] == ("op", "*") and not empty:
+            at += 1
+        if sign == 1 and divided:
+            raise UnitError(
+                f"'{text}' is ambiguous: put everything below the line into brackets, as in N/(mm um)"
+            )
+        factor, at = _factor_at(tokens, at, text, depth)
+        unit, empty = unit.times(factor, sign), False
+    if empty:
+        raise UnitError(f"'{text}' is not a unit")
+    return unit, at
+
+
+def _factor_at(tokens: list[tuple[str, str]], at: int, text: str, depth: int) -> tuple[Unit, int]:
+    """Read one name, a one, or a bracket, with its power."""
+    kind, word = tokens[at] if at < len(tokens) else ("end", "")
+    if kind == "name":
+        unit, at = _lookup(word), at + 1
+    elif kind == "one":
+        unit, at = Unit(ONE), at + 1
+    elif word == "(" and depth < 2:
+        unit, at = _product(tokens, at + 1, text, depth + 1)
+        if at >= len(tokens):
+            raise UnitError(f"'{text}' lacks a closing bracket")
+        at += 1
+    else:
+        raise UnitError(f"'{text}' is not a unit")
+    if at < len(tokens) and tokens[at][0] == "power":
+        power = int(tokens[at][1].lstrip("^*").replace(" ", ""))
+        if abs(power) > _MAX_POWER:
+            raise UnitError(f"'{text}' has a power beyond {_MAX_POWER}")
+        unit, at = Unit(ONE).times(unit, power), at + 1
+    return unit, at
+
+
+def _lookup(name: str) -> Unit:
+    """Find one unit name, in the own table first, then in pint."""
+    if name in UNITS:
+        return UNITS[name]
+    if name in ("C", "degC", "°C", "F", "degF", "°F"):
+        raise UnitError(f"'{name}' is refused: a temperature is given as a difference in K")
+    if name.endswith("s") and name[:-1] in UNITS and len(name) > 4:
+        return UNITS[name[:-1]]
+    from pitchpoint.core._pint import foreign_unit
+
+    return Unit(*foreign_unit(name))

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What one gear mesh is to the compiled core: its numbers, its outputs, its scratch.
+
+All lengths in m, angles in rad; gear 1 is body `i`, gear 2 is body `j`; base radii and numbers of teeth are
+signed (internal: negative), so that one set of formulas serves external and internal pairs.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+#: Forms of the stiffness, field `law`.
+PROFILE = 0  # one tooth pair over its path of contact, superposed over all pairs (parabola or table)
+PHASE = 1  # prescribed total stiffness over the mesh phase
+
+#: Form of a prescribed stiffness given by a user law; the others are those of `contact.pair_shape`.
+USER = 3
+
+#: Most tooth pairs whose forces can be observed one by one.
+MAX_PAIRS = 8
+
+#: Sums over the nodes of one flank. With y = z + f tan(beta_b) xi, the lever of the normal force: 0-1 normal
+#: force (times 1, y), 2-4 friction force (times 1, z, xi), 5-7 normal tangent (1, y, yy), 8-13 tangent of
+#: friction over displacement (rows 1, z, xi; columns 1, y), 14-19 of friction over velocity (1, z, xi, zz,
+#: z xi, xi xi), 20 stiffness, 21 friction power, 22 damping power, 23 parametric power, 24 energy.
+N_ACC = 25
+
+_BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
+
+_GEOMETRY = [
+    ("fixed", "i8"),  # 1: both bodies only spin, the line of action never moves
+    ("z1", "i8"),
+    ("z2", "i8"),  # signed numbers of teeth
+    ("r_b1", "f8"),
+    ("r_b2", "f8"),  # signed base radii
+    ("p_bt", "f8"),  # transverse base pitch
+    ("w1", "f8"),  # z1 / (z1 + z2): where the pitch point divides the line from gear 1 to gear 2
+    ("tan_b", "f8"),  # tan beta_b of gear 1, right hand positive
+    ("zc1", "f8"),
+    ("zc2", "f8"),  # mid-face positions along the spin axes of the bodies
+    ("b1", "f8"),
+    ("b2", "f8"),  # face widths
+    ("cos1", "f8"),
+    ("sin1", "f8"),  # nominal direction from gear 1 to the pitch point, in the frame of body i
+    ("cos2", "f8"),
+    ("sin2", "f8"),  # the same direction in the frame of body j
+    ("u0", "f8"),  # base-tangent travel left over from the assembly, 0 = teeth centred in the backlash
+    ("inv_w0", "f8"),  # involute of the working angle without backlash (allowances included)
+    (
+        "xi_0",
+        "f8",
+    ),  # mean path position of the front flank at zero angles, from the pitch point, less inv part
+    ("xi_b", "f8"),  # the same for the back flank
+    ("rho_a1", "f8"),
+    ("rho_a2", "f8"),  # lengths of roll up to the tips: sqrt(r_a^2 - r_b^2)
+    ("rho_f1", "f8"),
+    ("rho_f2", "f8"),  # lengths of roll where the usable involute begins (from the form diameters)
+]
+
+_STIFFNESS = [
+    ("law", "i8"),
+    ("slices", "i8"),  # 0: exact width integral
+    ("c_prime", "f8"),  # PROFILE: stiffness of one pair per face width [N/m^2]; PHASE: mean total [N/m]
+    ("S_R", "f8"),
+    ("T_R", "f8"),
+    ("n_table", "i8"),
+    ("table", "i8"),  # PROFILE: address of the pair's table (0: parabola)
+    ("form", "i8"),  # PHASE: FOURIER, TABLE, RECTANGULAR, USER
+    ("n_k", "i8"),
+    ("cosine", "i8"),
+    ("sine", "i8"),  # PHASE: addresses of coefficients
+    ("params", "i8"),  # PHASE user law: address of its parameters
+    ("load_limit", "f8"),  # line load below which the pair softens [N/m], 0: linear
+    ("k_ref", "f8"),  # mean mesh stiffness, the reference of the damping shares [N/m]
+]
+
+_LOSSES = [
+    ("d_in", "f8"),
+    ("d_out", "f8"),  # contact damping at k_ref [N s/m]
+    ("s_0", "f8"),  # penetration of full damping
+    ("d_gap", "f8"),  # mesh damper, acts inside the gap too [N s/m]
+    ("mu", "f8"),
+    ("v_eps", "f8"),  # friction
+]
+
+_EXCITATION = [
+    ("n_e", "i8"),  # harmonics of the transmission error over the mesh phase
+    ("e_cos", "i8"),
+    ("e_sin", "i8"),
+    ("n_e1", "i8"),  # orders of shaft 1: rows (order, amplitude, phase)
+    ("e1", "i8"),
+    ("n_e2", "i8"),
+    ("e2", "i8"),
+    ("n_t1", "i8"),  # separation grids: teeth, stations over the width, stations over the path
+    ("n_t2", "i8"),
+    ("n_sz", "i8"),
+    ("n_sx", "i8"),
+    ("sep1", "i8"),
+    ("sep2", "i8"),  # addresses, grids [flank, tooth, width, roll] of gap along the base tangent [m]
+    ("roll1", "f8", 2),
+    ("roll2", "f8", 2),  # lengths of roll that the grids span [m]
+    ("sep_min", "f8"),  # smallest sum of both separations
+]
+
+#: Scratch: filled and read within one call, carries nothing from call to call.
+_SCRATCH = [
+    ("m", "f8", 3),  # mean axis
+    ("e", "f8", 3),  # from gear 1 towards the pitch point
+    ("t", "f8", 3),  # m x e
+    ("P", "f8", 3),  # pitch point in the plane of zero tilt gap
+    ("dv", "f8", 3),  # velocity of gear 1 less that of gear 2 at P
+    ("dw", "f8", 3),  # angular velocity of gear 1 less that of gear 2
+    ("dn", "f8", 3),  # axis of gear 2 less axis of gear 1
+    ("cos_a", "f8"),
+    ("sin_a", "f8"),
+    ("inv_a", "f8"),
+    ("dz", "f8"),  # axial position of gear 2 less that of gear 1
+    ("u", "f8"),  # base-tangent travel from mid-gap: r_b1 phi1 + r_b2 phi2 + ...
+    ("travel", "f8"),  # mean travel along the line of action (phase times p_bt)
+    ("turn", "i8"),  # whole base pitches left out of `travel`, modulo a common multiple
+    ("gap", "f8"),  # total backlash along the base tangent at the actual centre distance
+    ("e_t", "f8"),
+    ("e_rate", "f8"),  # excitation and its rate
+    ("phase_rate", "f8"),  # d psi/dt of the front flank
+    ("flank", "i8"),  # the flank being summed: +1 front, -1 back
+    ("xi_A", "f8"),
+    ("eps", "f8"),  # path of contact: start from the pitch point [m], length [base pitches]
+    ("psi", "f8"),
+    ("tooth", "i8"),  # mesh phase in [0, 1) and the whole base pitches that belong to it
+    ("lam", "f8"),  # base pitches per metre of face width along a contact line
+    ("L", "f8"),  # ramp at both ends of the path [base pitches]
+    ("kappa", "f8"),  # n_f . dn, loss of penetration per lever y
+    ("tilt", "f8"),  # loss of penetration per width along a contact line
+    ("z_lo", "f8"),
+    ("z_hi", "f8"),  # shared face width
+    ("rate", "f8", 5),  # normal rate at the pitch point and its slope over y; sliding likewise over z and xi
+    ("xi_1", "f8"),
+    ("xi_2", "f8"),  # path positions of tooth 0 of each gear
+    ("pair", "f8", MAX_PAIRS),
+    ("acc", "f8", N_ACC),
+    ("basis_i", "f8", (5, 6)),
+    ("basis_j", "f8", (5, 6)),  # wrench basis on both bodies: 1, y of the normal force; 1, z, xi of friction
+]
+
+RECORD = np.dtype(
+    [
+        *_BODIES,
+        *_GEOMETRY,
+        *_STIFFNESS,
+        *_LOSSES,
+        *_EXCITATION,
+        *_SCRATCH,
+        ("n_pair", "i8"),
+        ("ev", "i8"),
+        ("out", "i8"),
+    ],
+    align=True,
+)
+
+#: Observations of one mesh, in the order they are written; `n_pair` pair forces follow.
+OUTPUTS = (
+    ("transmission_error", "m", "travel of both gears along the base tangent, from mid-gap"),
+    ("deflection", "m", "transmission error less its static excitation"),
+    ("mesh_force", "N", "force along the base tangent, front flank positive"),
+    ("mesh_stiffness", "N/m", "stiffness of the flanks in contact along the base tangent"),
+    ("mesh_phase", "1", "position in the mesh cycle, 0 where a pair enters at mid-face"),
+    ("contact_state", "1", "1 front flank, 0 separated, -1 back flank, 2 both"),
+    ("normal_force", "N", "force normal to the flanks"),
+    ("circumferential_force", "N", "circumferential part on gear 2 at the working circle"),
+    ("radial_force", "N", "separating part"),
+    ("axial_force", "N", "axial part on gear 2"),
+    ("friction_power", "W", "power lost to sliding friction"),
+    ("damping_power", "W", "power lost to contact damping and mesh damper"),
+    ("parametric_power", "W", "power fed in by the change of the stiffness over the mesh phase"),
+    ("elastic_energy", "J", "energy stored in the flanks"),
+)
+N_OUT = len(OUTPUTS)
+
+#: Event functions of one mesh: they change sign at the instants that users ask for.
+EVENTS = (
+    ("front_gap", "front flank touches or parts"),
+    ("back_gap", "back flank touches or parts"),
+    ("pair_entry", "a tooth pair enters the path of contact at mid-face"),
+    ("pair_exit", "a tooth pair leaves the path of contact at mid-face"),
+    ("sliding_reversal", "a pair passes the pitch point at mid-face, or the gears reverse"),
+)
+N_EVENTS = len(EVENTS)

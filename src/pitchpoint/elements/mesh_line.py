@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where two gears touch: line of action, travel, phase and rates from two moving frames.
+
+Everything follows from invariants of the two gears - the distance of their axes, the direction of the line of
+centres seen from each gear, the axial offset - so moving the whole gearbox changes nothing. Both flanks share
+one description: flank f = +1 pushes with gear 1 turning counter-clockwise, f = -1 with gear 1 turning
+clockwise, and the unit vector of its line of action in the transverse plane is n_f = f cos(alpha) t +
+sin(alpha) e, with e from gear 1 to the pitch point and t = m x e along the tangent of the pitch circles.
+
+The flanks' positions along the line of action, from the pitch point, are xi1 = r_b1 (Phi1 + psi_b1 -
+inv alpha) and xi2 = p_bt/2 - r_b2 (Phi2 + psi_b2 - inv alpha) (involute geometry, signed r_b2; Phi = angle of
+a tooth of gear 1 or a space of gear 2 from the line of centres). Their difference is the penetration and
+contains the backlash of the actual centre distance, their mean is the mesh phase.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.contact.pair_shape import phase_stiffness
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import BAD_CENTRE, OK
+from pitchpoint.multibody.channels import F8
+
+
+@kernel
+def line_of_action(b, f, g):
+    """Fill the scratch of mesh `b` from the frames `f` (body of gear 1) and `g` (body of gear 2).
+
+    Gears that only spin keep their line of action: compile fills it once with `fixed` = 0.
+    """
+    if b["fixed"] == 1:
+        _travel(b, f, g, f["phi"], g["phi"])
+        return OK
+    w1 = b["w1"]
+    w2 = 1.0 - w1
+    rb = b["r_b1"] + b["r_b2"]
+    m = b["m"]
+    e = b["e"]
+    t = b["t"]
+    dn = b["dn"]
+    P = b["P"]
+    Rf = f["R"]
+    Rg = g["R"]
+    # axes, line of centres, pitch point
+    cx = g["r"][0] + b["zc2"] * Rg[0, 2] - f["r"][0] - b["zc1"] * Rf[0, 2]
+    cy = g["r"][1] + b["zc2"] * Rg[1, 2] - f["r"][1] - b["zc1"] * Rf[1, 2]
+    cz = g["r"][2] + b["zc2"] * Rg[2, 2] - f["r"][2] - b["zc1"] * Rf[2, 2]
+    for k in range(3):
+        m[k] = w1 * Rf[k, 2] + w2 * Rg[k, 2]
+        dn[k] = Rg[k, 2] - Rf[k, 2]
+    s = 1.0 / math.sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2])
+    m[0] *= s
+    m[1] *= s
+    m[2] *= s
+    dz = cx * m[0] + cy * m[1] + cz * m[2]
+    ex = cx - dz * m[0]
+    ey = cy - dz * m[1]
+    ez = cz - dz * m[2]
+    a = math.sqrt(ex * ex + ey * ey + ez * ez)
+    if not a * a > rb * rb:
+        return BAD_CENTRE
+    signed_a = a if rb > 0.0 else -a
+    e[0] = ex / signed_a
+    e[1] = ey / signed_a
+    e[2] = ez / signed_a
+    t[0] = m[1] * e[2] - m[2] * e[1]
+    t[1] = m[2] * e[0] - m[0] * e[2]
+    t[2] = m[0] * e[1] - m[1] * e[0]
+    P[0] = f["r"][0] + b["zc1"] * Rf[0, 2] + w1 * cx
+    P[1] = f["r"][1] + b["zc1"] * Rf[1, 2] + w1 * cy
+    P[2] = f["r"][2] + b["zc1"] * Rf[2, 2] + w1 * cz
+    c = rb / signed_a
+    b["cos_a"] = c
+    b["sin_a"] = math.sqrt(1.0 - c * c)
+    b["inv_a"] = b["sin_a"] / c - math.acos(c)
+    # how far the line of centres has turned, seen from each gear
+    x = e[0] * Rf[0, 0] + e[1] * Rf[1, 0] + e[2] * Rf[2, 0]
+    y = e[0] * Rf[0, 1] + e[1] * Rf[1, 1] + e[2] * Rf[2, 1]
+    turn1 = math.atan2(b["cos1"] * y - b["sin1"] * x, b["cos1"] * x + b["sin1"] * y)
+    x = e[0] * Rg[0, 0] + e[1] * Rg[1, 0] + e[2] * Rg[2, 0]
+    y = e[0] * Rg[0, 1] + e[1] * Rg[1, 1] + e[2] * Rg[2, 1]
+    turn2 = math.atan2(b["cos2"] * y - b["sin2"] * x, b["cos2"] * x + b["sin2"] * y)
+    b["dz"] = dz
+    b["gap"] = 2.0 * rb * (b["inv_a"] - b["inv_w0"])
+    _travel(b, f, g, f["phi"] - turn1, g["phi"] - turn2)
+    return OK
+
+
+@kernel
+def _travel(b, f, g, phi1, phi2):
+    """Base-tangent travel and mean travel; whole turns enter as integers, so nothing grows with them."""
+    s1 = b["r_b1"] * phi1
+    s2 = b["r_b2"] * phi2
+    n1 = b["z1"] * f["turns"]
+    n2 = b["z2"] * g["turns"]
+    b["u"] = s1 + s2 + b["p_bt"] * (n1 + n2) + b["u0"] + b["tan_b"] * b["dz"]
+    n = n1 - n2
+    half = n % 2
+    b["turn"] = (n - half) // 2
+    b["travel"] = 0.5 * (s1 - s2 + b["p_bt"] * half)
+
+
+@kernel
+def rates(b, f, g):
+    """Fill relative velocity at the pitch point and relative angular velocity (gear 1 less gear 2)."""
+    P = b["P"]
+    dv = b["dv"]
+    dw = b["dw"]
+    v = f["tw"]
+    w = g["tw"]
+    x = P[0] - f["r"][0]
+    y = P[1] - f["r"][1]
+    z = P[2] - f["r"][2]
+    dv[0] = v[0] + v[4] * z - v[5] * y
+    dv[1] = v[1] + v[5] * x - v[3] * z
+    dv[2] = v[2] + v[3] * y - v[4] * x
+    x = P[0] - g["r"][0]
+    y = P[1] - g["r"][1]
+    z = P[2] - g["r"][2]
+    dv[0] -= w[0] + w[4] * z - w[5] * y
+    dv[1] -= w[1] + w[5] * x - w[3] * z
+    dv[2] -= w[2] + w[3] * y - w[4] * x
+    m = b["m"]
+    o1 = v[3] * m[0] + v[4] * m[1] + v[5] * m[2]
+    o2 = w[3] * m[0] + w[4] * m[1] + w[5] * m[2]
+    for k in range(3):
+        dw[k] = v[3 + k] - w[3 + k]
+    b["phase_rate"] = 0.5 * (b["r_b1"] * o1 - b["r_b2"] * o2) / b["p_bt"]
+    return o1, o2
+
+
+@kernel
+def path_of_contact(b):
+    """Path positions of A and E from the pitch point, at the actual centre distance."""
+    tan_a = b["sin_a"] / b["cos_a"]
+    t1 = b["r_b1"] * tan_a
+    t2 = b["r_b2"] * tan_a
+    xi_A = max(t2 - b["rho_a2"], b["rho_f1"] - t1)
+    xi_E = min(b["rho_a1"] - t1, t2 - b["rho_f2"])
+    return xi_A, xi_E
+
+
+@kernel
+def mean_position(b, flank):
+    """Mean path position of the flanks `flank` (+1 front, -1 back) at mid-face, from the pitch point."""
+    xi = b["xi_0"] if flank > 0 else b["xi_b"]
+    return xi + flank * b["travel"] - 0.5 * (b["r_b1"] - b["r_b2"]) * b["inv_a"]
+
+
+@kernel
+def excitation(b, f, g, psi, o1, o2):
+    """Static transmission error e(psi, phi1, phi2) and its rate, into the scratch."""
+    b["e_t"] = 0.0
+    b["e_rate"] = 0.0
+    if b["n_e"] > 0:
+        n = b["n_e"]
+        value, slope = phase_stiffness(psi, 0, n, view(b["e_cos"], n, F8), view(b["e_sin"], n, F8))
+        b["e_t"] = value - 1.0
+        b["e_rate"] = slope * b["phase_rate"]
+    if b["n_e1"] > 0:
+        _shaft_orders(b, view(b["e1"], (b["n_e1"], 3), F8), f["phi"], f["turns"], o1)
+    if b["n_e2"] > 0:
+        _shaft_orders(b, view(b["e2"], (b["n_e2"], 3), F8), g["phi"], g["turns"], o2)
+
+
+@kernel
+def _shaft_orders(b, rows, phi, turns, omega):
+    for k in range(rows.shape[0]):
+        order = rows[k, 0]
+        whole = order * turns
+        angle = order * phi + 2.0 * math.pi * (whole - math.floor(whole)) + rows[k, 2]
+        b["e_t"] += rows[k, 1] * math.cos(angle)
+        b["e_rate"] -= rows[k, 1] * math.sin(angle) * order * omega

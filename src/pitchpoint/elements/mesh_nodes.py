@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Forces of one flank as a sum over quadrature nodes on the contact lines of all tooth pairs.
+
+A contact line is straight in path and width: p(z) = p_0 + lam z. Along it the stiffness of a pair is a
+piecewise cubic, the penetration of tilted gears is linear, and the lever arms are linear, so three Gauss
+points on every piece between kinks (start and end of contact, ends of the relief ramp, lift-off line, pitch
+point where sliding turns) integrate force, moments and tangent exactly. Slices are the same sum with one node
+in the middle of each slice; separation grids of modified flanks need them.
+
+Sums go to the scratch field `acc` (see gear_mesh_record). The normal force at (z, xi) has the moment y tau
+about the pitch point, y = z + f tan(beta_b) xi: axial force times path and transverse force times width turn
+the gears about the same axis tau = m x n_f. Penetration and its rate therefore change with y too.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.contact.damping import ramp
+from pitchpoint.contact.friction import coulomb
+from pitchpoint.contact.pair_shape import pair_shape, pair_shape_slope, pair_table, pair_table_slope
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.mesh_separation import pair_separation
+from pitchpoint.multibody.channels import F8
+
+_G = math.sqrt(0.6)
+
+
+@kernel
+def node(b, ctl, x, z, xi, k, k_rate, limit):
+    """Add one node and return its normal force [N].
+
+    `x` penetration [m] at (z, xi) [m], `k` stiffness [N/m] changing at `k_rate` [N/(m s)] with the phase,
+    `limit` force below which the pair softens [N].
+    """
+    if x <= 0.0 or k <= 0.0:
+        return 0.0
+    acc = b["acc"]
+    rate = b["rate"]
+    y = z + b["flank"] * b["tan_b"] * xi
+    w = rate[0] + rate[1] * y
+    f = k * x
+    kt = k
+    energy = 0.5 * f * x
+    feed = 0.5 * x * x
+    if limit > 0.0:
+        # low load: stiffness falls with the fourth root of the load, so the force grows with the power 4/3
+        if f < limit:
+            soft = math.pow(f / limit, 1.0 / 3.0)
+            f *= soft
+            kt *= soft * (4.0 / 3.0)
+            energy = f * x * (3.0 / 7.0)
+            feed = f * x * (4.0 / 7.0) / k
+        else:
+            energy -= limit * limit / (14.0 * k)
+            feed += limit * limit / (14.0 * k * k)
+    elastic = f
+    d = (b["d_in"] if w > 0.0 else b["d_out"]) * k / b["k_ref"]
+    if d > 0.0:
+        share, slope = ramp(x, b["s_0"])
+        d *= share
+        f += d * w
+        kt += d * w * slope / share
+    acc[23] += feed * k_rate
+    acc[24] += energy
+    if f <= 0.0:
+        # the flank would have to pull: it lets go, and the work of its elastic force is lost
+        acc[22] -= elastic * w
+        return 0.0
+    acc[0] += f
+    acc[1] += f * y
+    acc[20] += k
+    acc[22] += (f - elastic) * w
+    c = ctl["ck"] * kt + ctl["cd"] * d
+    if ctl["jac"] != 0:
+        acc[5] += c
+        acc[6] += c * y
+        acc[7] += c * y * y
+    if b["mu"] > 0.0:
+        _friction(b, ctl, f, c, y, z, xi)
+    return f
+
+
+@kernel
+def _friction(b, ctl, f, c, y, z, xi):
+    """Coulomb friction of a node with normal force `f` and normal tangent `c`, against its local sliding."""
+    acc = b["acc"]
+    rate = b["rate"]
+    v = rate[2] + rate[3] * z + rate[4] * xi
+    s, ds = coulomb(v, b["v_eps"])
+    mu = b["mu"] * math.sqrt(1.0 + b["tan_b"] * b["tan_b"])
+    q = mu * f * s
+    acc[2] += q
+    acc[3] += q * z
+    acc[4] += q * xi
+    acc[21] += q * v
+    if ctl["jac"] != 0:
+        p = mu * s * c
+        acc[8] += p
+        acc[9] += p * y
+        acc[10] += p * z
+        acc[11] += p * z * y
+        acc[12] += p * xi
+        acc[13] += p * xi * y
+        p = mu * f * ds * ctl["cd"]
+        acc[14] += p
+        acc[15] += p * z
+        acc[16] += p * xi
+        acc[17] += p * z * z
+        acc[18] += p * z * xi
+        acc[19] += p * xi * xi
+
+
+@kernel
+def _pair_node(b, ctl, p_0, x_q, z, weight, tooth1, tooth2):
+    """One node of the pair whose contact line is p_0 + lam z; `x_q` is its penetration at z = 0 [m]."""
+    p = p_0 + b["lam"] * z
+    slope = 0.0
+    if b["n_table"] > 0:
+        table = view(b["table"], b["n_table"], F8)
+        c = pair_table(p, b["eps"], b["n_table"], table, b["L"])
+        if ctl["out"] != 0:
+            slope = pair_table_slope(p, b["eps"], b["n_table"], table, b["L"])
+    else:
+        c = pair_shape(p, b["eps"], b["S_R"], b["L"])
+        if ctl["out"] != 0:
+            slope = pair_shape_slope(p, b["eps"], b["S_R"], b["L"])
+    x = x_q - b["tilt"] * z
+    xi = b["xi_A"] + p * b["p_bt"]
+    if b["n_sz"] > 0:
+        x -= pair_separation(b, tooth1, tooth2, z, xi)
+    scale = b["c_prime"] * weight
+    k_rate = slope * scale * b["flank"] * b["phase_rate"]
+    return node(b, ctl, x, z, xi, c * scale, k_rate, b["load_limit"] * weight)
+
+
+@kernel
+def _nearer(start, end, stop):
+    """`stop` if it lies between, else `end`."""
+    if stop > start and stop < end:
+        return stop
+    return end
+
+
+@kernel
+def _gauss(b, ctl, p_0, x_q, z_a, z_c):
+    """Three Gauss points on the piece from z_a to z_c of a contact line."""
+    z = 0.5 * (z_a + z_c)
+    half = 0.5 * (z_c - z_a)
+    r = _G * half
+    f = _pair_node(b, ctl, p_0, x_q, z - r, half * (5.0 / 9.0), 0, 0)
+    f += _pair_node(b, ctl, p_0, x_q, z, half * (8.0 / 9.0), 0, 0)
+    return f + _pair_node(b, ctl, p_0, x_q, z + r, half * (5.0 / 9.0), 0, 0)
+
+
+@kernel
+def exact_line(b, ctl, p_0, x_q):
+    """Sum over one contact line, split at its kinks."""
+    lam = b["lam"]
+    eps = b["eps"]
+    a = b["z_lo"]
+    end = b["z_hi"]
+    z_1 = z_2 = z_3 = z_4 = end
+    if lam != 0.0:
+        u = -p_0 / lam
+        v = (eps - p_0) / lam
+        if ctl["out"] != 0 and b["L"] == 0.0 and b["n_table"] == 0:
+            _moving_ends(b, x_q, u, v)
+        z_1 = (b["L"] - p_0) / lam
+        z_2 = (eps - b["L"] - p_0) / lam
+        if b["mu"] > 0.0:
+            z_4 = (-b["xi_A"] / b["p_bt"] - p_0) / lam
+        a = max(a, min(u, v))
+        end = min(end, max(u, v))
+    if b["tilt"] != 0.0:
+        z_3 = x_q / b["tilt"]
+    f = 0.0
+    while a < end:
+        c = _nearer(a, _nearer(a, _nearer(a, _nearer(a, end, z_1), z_2), z_3), z_4)
+        f += _gauss(b, ctl, p_0, x_q, a, c)
+        a = c
+    return f
+
+
+@kernel
+def _moving_ends(b, x_q, u, v):
+    """Energy fed in where a contact line without relief ramp grows at A and shrinks at E.
+
+    The stiffness per length jumps by c' S_R at both ends, which travel along the width at 1/lam per phase.
+    """
+    feed = 0.5 * b["c_prime"] * b["S_R"] * b["flank"] * b["phase_rate"] / abs(b["lam"])
+    x = x_q - b["tilt"] * u
+    if u > b["z_lo"] and u < b["z_hi"] and x > 0.0:
+        b["acc"][23] += feed * x * x
+    x = x_q - b["tilt"] * v
+    if v > b["z_lo"] and v < b["z_hi"] and x > 0.0:
+        b["acc"][23] -= feed * x * x
+
+
+@kernel
+def sliced_line(b, ctl, p_0, x_q):
+    """Sum over one contact line with one node in the middle of each slice."""
+    n = b["slices"]
+    step = (b["z_hi"] - b["z_lo"]) / n
+    tooth1 = 0
+    tooth2 = 0
+    if b["n_sz"] > 0:
+        xi = b["xi_A"] + p_0 * b["p_bt"]
+        tooth1 = b["flank"] * int(math.floor((xi - b["xi_1"]) / b["p_bt"] + 0.5))
+        tooth2 = b["flank"] * int(math.floor((b["xi_2"] - xi) / b["p_bt"] + 0.5))
+    f = 0.0
+    for s in range(n):
+        f += _pair_node(b, ctl, p_0, x_q, b["z_lo"] + (s + 0.5) * step, step, tooth1, tooth2)
+    return f
+
+
+@kernel
+def profile_flank(b, ctl, x_0):
+    """All pairs of the current flank; `x_0` penetration at the pitch point."""
+    fh = b["flank"] * b["tan_b"]
+    middle = b["psi"] + 0.5 * b["lam"] * (b["z_lo"] + b["z_hi"])
+    reach = 0.5 * abs(b["lam"]) * (b["z_hi"] - b["z_lo"])
+    q = math.ceil(-middle - reach)
+    last = math.floor(b["eps"] - middle + reach)
+    while q <= last:
+        p_0 = b["psi"] + q
+        x_q = x_0 - b["kappa"] * fh * (b["xi_A"] + p_0 * b["p_bt"])
+        f = exact_line(b, ctl, p_0, x_q) if b["slices"] == 0 else sliced_line(b, ctl, p_0, x_q)
+        if b["n_pair"] > 0 and ctl["out"] != 0:
+            b["pair"][(b["tooth"] - int(q)) % b["n_pair"]] += b["flank"] * f
+        q += 1.0
+
+
+@kernel
+def phase_flank(b, ctl, x_0, ratio, slope):
+    """A prescribed total stiffness, spread evenly over the shared face width, acting at the pitch point."""
+    k = b["c_prime"] * ratio
+    k_rate = b["c_prime"] * slope * b["flank"] * b["phase_rate"]
+    lo = b["z_lo"]
+    hi = b["z_hi"]
+    if b["tilt"] == 0.0 and b["fixed"] == 1:
+        node(b, ctl, x_0, 0.5 * (lo + hi), 0.0, k, k_rate, b["load_limit"] * (hi - lo))
+        return
+    if b["slices"] > 0:
+        step = (hi - lo) / b["slices"]
+        part = 1.0 / b["slices"]
+        for s in range(b["slices"]):
+            z = lo + (s + 0.5) * step
+            node(b, ctl, x_0 - b["tilt"] * z, z, 0.0, k * part, k_rate * part, b["load_limit"] * step)
+        return
+    stop = hi
+    if b["tilt"] != 0.0:
+        stop = _nearer(lo, hi, x_0 / b["tilt"])
+    a = lo
+    while a < hi:
+        c = stop if a < stop else hi
+        z = 0.5 * (a + c)
+        half = 0.5 * (c - a)
+        for s in range(3):
+            y = z + (s - 1) * _G * half
+            wt = half * ((8.0 / 9.0) if s == 1 else (5.0 / 9.0))
+            part = wt / (hi - lo)
+            node(b, ctl, x_0 - b["tilt"] * y, y, 0.0, k * part, k_rate * part, b["load_limit"] * wt)
+        a = c

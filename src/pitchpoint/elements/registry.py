@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The list of element kinds: where each lives, in which channel it works, which bodies it joins.
+
+A kind is imported only when a model uses it. Other packages add kinds by an entry point in the group
+``pitchpoint.kinds`` that names a `Kind`, or by calling `register`. A kind's module has
+
+* ``RECORD``, an aligned dtype of int64, float64 and nested arrays, whose first fields are i, j, ii, ij, ji, jj
+  (bodies, pair blocks; filled by the layout) and whose last is out, the index of its first observation;
+* ``entry``, the kernel with the uniform signature ``int64 entry(int64 ctl, int64 records, int64 n)``;
+* ``OUTPUTS``, tuple of (name, unit, long name) per record; ``{}`` in the name stands for the element's name;
+* optionally ``EVENTS`` (the same for event functions, first index in the field event), ``ROWS`` (constraint rows
+  per record, first index in the field row) and ``pool`` among the fields (address of a float array).
+"""
+
+from __future__ import annotations
+
+import importlib
+from dataclasses import dataclass
+from types import ModuleType
+
+from pitchpoint.core.errors import CompileError
+
+FRAME, COORDINATE, CONSTRAINT = "frame", "coordinate", "constraint"
+
+
+@dataclass(frozen=True)
+class Kind:
+    """One row of the registry.
+
+    Parameters
+    ----------
+    name
+        Unique name; kinds run in alphabetical order, so sums are reproducible.
+    module
+        Dotted name of the module with RECORD and entry.
+    channel
+        "frame", "coordinate" or "constraint".
+    pairs
+        Pairs of record fields that hold interacting bodies.
+    """
+
+    name: str
+    module: str
+    channel: str
+    pairs: tuple[tuple[str, str], ...] = (("i", "j"),)
+
+    def load(self) -> ModuleType:
+        """Import the module of the kind."""
+        return importlib.import_module(self.module)
+
+
+_HERE = "pitchpoint.elements."
+_KINDS: dict[str, Kind] = {
+    k.name: k
+    for k in (
+        Kind("bearing", _HERE + "bearing", FRAME),
+        Kind("damping", _HERE + "damping", COORDINATE),
+        Kind("drive", _HERE + "drive", CONSTRAINT),
+        Kind("force", _HERE + "force", FRAME),
+        Kind("gear_constraint", _HERE + "gear_constraint", CONSTRAINT),
+        Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
+        Kind("torque", _HERE + "torque", FRAME),
+    )
+}
+
+
+def register(kind: Kind) -> None:
+    """Add a kind at run time; an existing name is refused."""
+    if kind.name in _KINDS and _KINDS[kind.name] != kind:
+        raise CompileError(f"the kind {kind.name!r} is registered already ({_KINDS[kind.name].module})")
+    if kind.channel not in (FRAME, COORDINATE, CONSTRAINT):
+        raise CompileError(f"the kind {kind.name!r} names no known channel: {kind.channel!r}")
+    _KINDS[kind.name] = kind
+
+
+def find(name: str) -> Kind:
+    """Look a kind up; entry points of other packages are searched only when the name is not known yet."""
+    if name not in _KINDS:
+        from importlib.metadata import entry_points
+
+        for point in entry_points(group="pitchpoint.kinds"):
+            found = point.load()
+            if isinstance(found, Kind) and found.name == name:
+                register(found)
+    if name not in _KINDS:
+        raise CompileError(f"no element kind is called {name!r}; known: {', '.join(sorted(_KINDS))}")
+    return _KINDS[name]
+
+
+def names() -> tuple[str, ...]:
+    """Names of all kinds known so far, sorted."""
+    return tuple(sorted(_KINDS))

@@ -1,0 +1,330 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is measured on one gear: thickness at a diameter, chord, span, balls and pins (ISO 21771, DIN 3960).
+
+Diameters are signed like the gear's (negative for internal gears); thicknesses and measures over teeth
+come out positive.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.geometry.involute import inv, inverse_inv
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+
+
+def pressure_angle_at(gear: CylindricalGear, d_y: float) -> float:
+    """Transverse pressure angle on a circle, cos α_yt = d_b / d_y [rad].
+
+    Raises
+    ------
+    GeometryError
+        If the circle lies inside the base circle.
+    """
+    if d_y * gear.sign <= 0.0 or not abs(d_y) >= abs(gear.d_b):
+        raise GeometryError(
+            "lies inside the base circle, where no involute exists",
+            where="diameter",
+            value=f"{d_y:.6g} m",
+            limit=f"{gear.d_b:.6g} m",
+        )
+    return math.acos(gear.d_b / d_y)
+
+
+def helix_angle_at(gear: CylindricalGear, d_y: float) -> float:
+    """Helix angle on a cylinder, tan β_y = tan β d_y / d [rad]."""
+    return math.atan(math.tan(gear.beta) * d_y / gear.d)
+
+
+def transverse_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
+    """Transverse tooth thickness (arc) on a circle.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    d_y
+        Diameter [m], signed like the gear's.
+
+    Returns
+    -------
+    float
+        s_yt = d_y (s_t/d + inv α_t − inv α_yt) [m]; zero or negative where the tooth has come to a point.
+
+    Raises
+    ------
+    GeometryError
+        If the circle lies inside the base circle.
+
+    Notes
+    -----
+    ISO 21771, tooth thickness at the y-cylinder; valid for internal gears with signed diameters.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=20, m_n=0.003)
+    >>> round(transverse_tooth_thickness(gear, gear.d) / gear.m_n, 6)
+    1.570796
+    """
+    return d_y * (gear.psi_b - inv(pressure_angle_at(gear, d_y)))
+
+
+def normal_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
+    """Normal tooth thickness on a cylinder, s_yn = s_yt cos β_y [m]."""
+    return transverse_tooth_thickness(gear, d_y) * math.cos(helix_angle_at(gear, d_y))
+
+
+def normal_space_width(gear: CylindricalGear, d_y: float) -> float:
+    """Normal width of the tooth space on a cylinder [m], along the involutes (fillets not counted)."""
+    transverse = math.pi * d_y / gear.z - transverse_tooth_thickness(gear, d_y)
+    return transverse * math.cos(helix_angle_at(gear, d_y))
+
+
+def tip_thickness(gear: CylindricalGear) -> float:
+    """Normal tooth thickness at the tip form cylinder, s_an [m]; negative if the tooth is over-pointed.
+
+    Examples
+    --------
+    Stage 3 of the 5 MW gearbox; the KISSsoft report prints 8.800 mm:
+
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48, tip_diameter=0.380747)
+    >>> round(tip_thickness(pinion) * 1e3, 3)
+    8.8
+    """
+    return normal_tooth_thickness(gear, gear.d_Fa)
+
+
+def chordal_thickness(gear: CylindricalGear) -> tuple[float, float]:
+    """Normal chord of the tooth at the reference cylinder and its height below the tip.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+
+    Returns
+    -------
+    s_c, h_c : float
+        Chord and chordal height [m].
+
+    Notes
+    -----
+    With the curvature diameter d / cos² β of the normal section: s_c = d_c sin(s_n/d_c),
+    h_c = (d_a − d)/2 + d_c (1 − cos(s_n/d_c))/2  (DIN 3960).
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(chordal_thickness(pinion)[0] * 1e3, 3)
+    26.857
+    """
+    d_c = gear.d / (math.cos(gear.beta) * math.cos(gear.beta))
+    angle = gear.s_n / d_c
+    return d_c * math.sin(angle), 0.5 * (gear.d_a - gear.d) + 0.5 * d_c * (1.0 - math.cos(angle))
+
+
+def span_tooth_count(gear: CylindricalGear) -> int:
+    """Number of teeth (internal: spaces) to span so that the anvils touch near d + 2 x m_n.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> span_tooth_count(CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48))
+    4
+    """
+    d_y = gear.d + 2.0 * gear.x * gear.m_n
+    if abs(d_y) < abs(gear.d_b) or d_y * gear.sign <= 0.0:
+        d_y = gear.d
+    wanted = math.sqrt(d_y * d_y - gear.d_b * gear.d_b) / math.cos(gear.beta_b)
+    return max(1, round((wanted - _base_first(gear)) / gear.p_bn + 1.0))
+
+
+def _base_first(gear: CylindricalGear) -> float:
+    """Normal thickness at the base cylinder of the one tooth (internal: space) that k = 1 spans [m]."""
+    tooth = gear.d_b * gear.psi_b * math.cos(gear.beta_b)
+    return gear.p_bn - tooth if gear.is_internal else tooth
+
+
+def span(gear: CylindricalGear, k: int) -> float:
+    """Base tangent length over k teeth (internal: over k spaces).
+
+    Parameters
+    ----------
+    gear
+        The gear; its thickness allowance counts.
+    k
+        Number of teeth or spaces spanned, ≥ 1.
+
+    Returns
+    -------
+    float
+        W_k [m].
+
+    Raises
+    ------
+    GeometryError
+        If k < 1.
+
+    Notes
+    -----
+    W_k = (k − 1) p_bn + s_bn, the same as m_n cos α_n ((k − 0.5) π + z inv α_t) + 2 x m_n sin α_n
+    (ISO 21771). Measurable on a helical gear only if b > W_k sin |β_b|.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(span(pinion, 4) * 1e3, 3)
+    154.167
+    """
+    if k < 1:
+        raise GeometryError("teeth cannot be spanned", where="k", value=f"{k!r}", limit="at least 1")
+    return (k - 1) * gear.p_bn + _base_first(gear)
+
+
+def span_contact_diameter(gear: CylindricalGear, k: int) -> float:
+    """Diameter at which the anvils of a span measurement touch, √(d_b² + (W_k cos β_b)²) [m], signed."""
+    return gear.sign * math.hypot(gear.d_b, span(gear, k) * math.cos(gear.beta_b))
+
+
+def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
+    """Transverse pressure angle at the centre of a ball that touches both flanks of a space.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    D_M
+        Diameter of the ball or pin [m], > 0.
+
+    Returns
+    -------
+    float
+        α_Kt [rad].
+
+    Raises
+    ------
+    GeometryError
+        If the ball falls through to the bottom of the space (no flank contact).
+
+    Notes
+    -----
+    inv α_Kt = s_t/d + inv α_t − π/z + D_M/(d_b cos β_b)  (ISO 21771, signed d_b and z).
+    """
+    if not 0.0 < D_M < math.inf:
+        raise GeometryError("is no ball diameter", where="D_M", value=f"{D_M!r} m", limit="above 0")
+    value = gear.psi_b - math.pi / gear.z + D_M / (gear.d_b * math.cos(gear.beta_b))
+    if value < 0.0:
+        raise GeometryError(
+            "does not touch both flanks",
+            where="D_M",
+            value=f"{D_M:.6g} m",
+            limit="above" if not gear.is_internal else "below",
+            remedy=f"use a {'smaller' if gear.is_internal else 'larger'} ball",
+        )
+    return inverse_inv(value)
+
+
+def radial_dimension_over_ball(gear: CylindricalGear, D_M: float) -> float:
+    """Radial single-ball dimension M_rK [m] (internal: from the axis to the inner side of the ball)."""
+    return 0.5 * abs(gear.d_b / math.cos(ball_center_angle(gear, D_M)) + D_M)
+
+
+def dimension_over_balls(gear: CylindricalGear, D_M: float) -> float:
+    """Diametral dimension over (internal: between) two balls.
+
+    Parameters
+    ----------
+    gear
+        The gear; its thickness allowance counts.
+    D_M
+        Diameter of the balls [m].
+
+    Returns
+    -------
+    float
+        M_dK [m].
+
+    Notes
+    -----
+    M_dK = d_K + D_M for even z, d_K cos(π/(2z)) + D_M for odd z, with d_K = d_b / cos α_Kt (ISO 21771).
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(dimension_over_balls(pinion, 0.028) * 1e3, 3)
+    397.284
+    """
+    d_K = gear.d_b / math.cos(ball_center_angle(gear, D_M))
+    if gear.z % 2:
+        d_K *= math.cos(0.5 * math.pi / gear.z)
+    return abs(d_K + D_M)
+
+
+def dimension_over_pins(gear: CylindricalGear, D_M: float) -> float:
+    """Diametral dimension over (internal: between) two pins.
+
+    Pins in opposite spaces of a helical gear slide along the helix until they face each other, so an odd
+    number of teeth needs no correction there; on a spur gear they measure what balls do (DIN 3960).
+    """
+    if gear.beta == 0.0:
+        return dimension_over_balls(gear, D_M)
+    return 2.0 * radial_dimension_over_ball(gear, D_M)
+
+
+def ball_contact_diameter(gear: CylindricalGear, D_M: float) -> float:
+    """Diameter at which a ball touches the flanks [m], signed: tan α_Mt = tan α_Kt − D_M cos β_b / d_b."""
+    reach = math.tan(ball_center_angle(gear, D_M)) - D_M * math.cos(gear.beta_b) / gear.d_b
+    return math.copysign(math.hypot(gear.d_b, gear.d_b * reach), gear.d_b)
+
+
+def ideal_ball_diameter(gear: CylindricalGear) -> float:
+    """Ball that touches the flanks at the diameter d + 2 x m_n.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+
+    Returns
+    -------
+    float
+        D_M [m]; a ready-made ball of the next size serves.
+
+    Raises
+    ------
+    GeometryError
+        If d + 2 x m_n lies inside the base circle.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(ideal_ball_diameter(pinion) * 1e3, 2)
+    26.77
+    """
+    tan_v = math.tan(pressure_angle_at(gear, gear.d + 2.0 * gear.x * gear.m_n))
+    cos2 = math.cos(gear.beta_b) * math.cos(gear.beta_b)
+    offset = gear.psi_b - math.pi / gear.z
+
+    # Contact geometry gives tan α_K − tan α_v = D cos β_b / d_b, the involute gives inv α_K; eliminating D
+    # leaves one equation in tan α_K with a monotone residual on each side of tan α_v.
+    def residual(t: float) -> float:
+        return t - math.atan(t) - offset - (t - tan_v) / cos2
+
+    low, high = (0.0, tan_v) if gear.is_internal else (tan_v, tan_v + 10.0)
+    for _ in range(100):
+        middle = 0.5 * (low + high)
+        if residual(middle) > 0.0:
+            low = middle
+        else:
+            high = middle
+    return gear.d_b * (0.5 * (low + high) - tan_v) / math.cos(gear.beta_b)

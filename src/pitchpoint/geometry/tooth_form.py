@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The exact tooth of a gear, and points of its profile and of its whole outline for drawings and exports.
+
+Frame: z axis = gear axis, tooth 0 on the +x axis, counter-clockwise positive. Lengths are positive also
+for internal gears, whose outline is the boundary of the hole.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.geometry.tooth_generation import ToothForm, external_tooth_form, internal_tooth_form
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+
+FloatArray = NDArray[np.float64]
+
+REGIONS = ("root", "fillet", "involute", "tip")
+
+
+@dataclass(frozen=True)
+class ToothProfile:
+    """Points of one pitch of a gear, from the middle of a root to the middle of the next.
+
+    Parameters
+    ----------
+    points
+        Shape (n, 2) [m], transverse plane; tooth 0 on the +x axis, counter-clockwise.
+    region
+        Shape (n,): index into `REGIONS` of each point.
+    diameters
+        Region name → (diameter nearer to the root, nearer to the tip) [m], positive.
+    is_undercut
+        True when fillet and involute meet in a corner.
+    """
+
+    points: FloatArray
+    region: NDArray[np.int8]
+    diameters: dict[str, tuple[float, float]]
+    is_undercut: bool
+
+
+@lru_cache(maxsize=256)
+def tooth_form(gear: CylindricalGear) -> ToothForm:
+    """Exact tooth of a gear, from its thickness, its manufactured root diameter and its tool.
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+
+    Raises
+    ------
+    GeometryError
+        If there is no such tooth (see `pitchpoint.geometry.tooth_generation`).
+
+    Notes
+    -----
+    The root lies at `d_fE`, where the tool stands that also makes the thickness allowance. An internal
+    gear without a cutter gets a circular fillet of the rack's root radius.
+    """
+    z, m_n, r_f, r_a = abs(gear.z), gear.m_n, 0.5 * abs(gear.d_fE), 0.5 * abs(gear.d_a)
+    angles = {"alpha_n": gear.alpha_n, "beta": gear.beta}
+    sizes = {"z": z, "m_n": m_n, "s_n": gear.s_n, "r_f": r_f, "r_a": r_a, "rho": gear.rack.rho_fP_star * m_n}
+    if gear.is_internal:
+        return internal_tooth_form(**sizes, **angles, cutter=gear.cutter)
+    return external_tooth_form(**sizes, **angles)
+
+
+def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
+    """Points of one whole pitch of a gear.
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+    n_flank
+        Points per flank (fillet and involute), at least 5; the arcs get a fifth of it, at least two.
+
+    Returns
+    -------
+    ToothProfile
+        From the middle of the root on the clockwise side, over the tooth, to just before the middle of the
+        next root.
+
+    Raises
+    ------
+    GeometryError
+        If the gear has no such tooth, or `n_flank` is too small.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> profile = tooth_profile(CylindricalGear(z=17, m_n=1e-3), 20)
+    >>> profile.points.shape, REGIONS[profile.region[0]]
+    ((51, 2), 'root')
+    """
+    form = tooth_form(gear)
+    r, half, n_fillet = form.flank(n_flank)
+    n_arc = max(2, n_flank // 5)
+    flank_region = np.where(np.arange(n_flank) < n_fillet, 1, 2)
+    tip = np.linspace(-half[-1], half[-1], n_arc + 2)[1:-1]
+    # A fully rounded root has no arc, only its deepest point, which the fillet holds already.
+    has_arc = form.half_pitch_angle - half[0] > 1e-9 * form.half_pitch_angle
+    arc = np.linspace(form.half_pitch_angle, half[0], n_arc + 1)[:-1] if has_arc else np.empty(0)
+    angle = np.concatenate([-arc, -half, tip, half[::-1], arc[:0:-1]])
+    radius = np.concatenate(
+        [
+            np.full(arc.size, form.r_f),
+            r,
+            np.full(n_arc, form.r_a),
+            r[::-1],
+            np.full(arc[:0:-1].size, form.r_f),
+        ]
+    )
+    region = np.concatenate(
+        [np.zeros(arc.size), flank_region, np.full(n_arc, 3), flank_region[::-1], np.zeros(arc[:0:-1].size)]
+    ).astype(np.int8)
+    if not has_arc:
+        angle, radius, region = angle[:-1], radius[:-1], region[:-1]
+    d_f, d_Ff, d_Fa, d_a = 2.0 * form.r_f, 2.0 * form.r_Ff, 2.0 * form.r_Fa, 2.0 * form.r_a
+    diameters = {"root": (d_f, d_f), "fillet": (d_f, d_Ff), "involute": (d_Ff, d_Fa), "tip": (d_a, d_a)}
+    points = radius[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+    return ToothProfile(points, region, diameters, form.is_undercut)
+
+
+def gear_outline(gear: CylindricalGear, n_flank: int = 40, *, rotation: float = 0.0) -> FloatArray:
+    """Closed outline of the whole gear in the transverse plane.
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+    n_flank
+        Points per flank, at least 5.
+    rotation
+        Angle by which the gear is turned counter-clockwise from "tooth 0 on the +x axis" [rad].
+
+    Returns
+    -------
+    ndarray, shape (n, 2)
+        Counter-clockwise polygon [m], last point equal to the first. For an internal gear it bounds the hole.
+
+    Raises
+    ------
+    GeometryError
+        If the gear has no such tooth, or `n_flank` is too small.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> outline = gear_outline(CylindricalGear(z=17, m_n=1e-3), 20)
+    >>> outline.shape, bool((outline[0] == outline[-1]).all())
+    ((868, 2), True)
+    """
+    points = tooth_profile(gear, n_flank).points
+    teeth = rotation + 2.0 * math.pi / abs(gear.z) * np.arange(abs(gear.z))
+    turned = (points[:, 0] + 1j * points[:, 1])[None, :] * np.exp(1j * teeth)[:, None]
+    ring = turned.ravel()
+    return np.column_stack([np.append(ring.real, ring.real[0]), np.append(ring.imag, ring.imag[0])])

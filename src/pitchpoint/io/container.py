@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The result container: one HDF5 file that is also a netCDF-4 file, safe to read at any moment.
+
+Dimension scales, one variable per quantity and text attributes make the file netCDF-4; HDF5's single-writer
+multiple-reader mode (SWMR) orders what reaches the disk, so that another process may read while it grows and
+a killed process leaves everything that was flushed. In that mode no object and no attribute may be added,
+therefore all of them are made first and `begin` freezes the structure; `status` and `sentence` are text
+attributes of fixed length and may still change. They say `running` from the start: a file that still says
+so, with no process behind it, was cut off.
+"""
+
+from __future__ import annotations
+
+import datetime
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.errors import PitchpointError
+
+if TYPE_CHECKING:
+    import h5py
+
+FORMAT = "pitchpoint-1"
+RUNNING, FINISHED, FAILED, INTERRUPTED = "running", "finished", "failed", "interrupted"
+_STATUS_LENGTH, _SENTENCE_LENGTH = 16, 512
+# Every netCDF reader has these two filters; faster ones (lzf, blosc) are refused by the C library.
+_PACKING: dict[str, Any] = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
+_CHUNK_CACHE = 65536  # bytes per variable: whole chunks are written, so a cache only costs memory
+
+
+class ResultError(PitchpointError, OSError):
+    """A result file cannot be made, opened or understood."""
+
+
+@dataclass(frozen=True)
+class Header:
+    """What a result file says about itself, so that it can be traced years later.
+
+    `options` holds the solver's options as plain numbers and texts; `model_text` the model file as read.
+    """
+
+    kind: str
+    title: str = ""
+    scenario: str = ""
+    solver: str = ""
+    model_hash: str = ""
+    model_text: str = ""
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+
+def package_version() -> str:
+    """Give the installed version of the package, or 'unknown' in an unpacked source tree."""
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("pitchpoint")
+    except PackageNotFoundError:
+        return "unknown"
+
+
+class Container:
+    """A result file under construction; the writers for time series and tables are made from it.
+
+    Parameters
+    ----------
+    path
+        File to write; an existing one is replaced, its folder is made.
+    header
+        Provenance, stored as attributes of the file.
+    """
+
+    def __init__(self, path: str | os.PathLike[str], header: Header) -> None:
+        import h5py
+
+        self.path = Path(path)
+        try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            self.file = h5py.File(self.path, "w", libver="latest", rdcc_nbytes=_CHUNK_CACHE)
+        except OSError as error:
+            raise ResultError(f"{self.path}: cannot be written ({_reason(error)})") from error
+        self._open = True
+        attributes = self.file.attrs
+        attributes["Conventions"] = "CF-1.11"
+        attributes["format"] = FORMAT
+        attributes["kind"] = header.kind
+        attributes["title"] = header.title
+        attributes["source"] = f"pitchpoint {package_version()}"
+        attributes["package_version"] = package_version()
+        attributes["created"] = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+        attributes["model_hash"] = header.model_hash
+        attributes["scenario"] = header.scenario
+        attributes["solver"] = header.solver
+        attributes["options"] = json.dumps(dict(header.options), default=str, sort_keys=True)
+        attributes["model_text"] = header.model_text
+        attributes["steps"] = 0
+        attributes["wall_s"] = 0.0
+        attributes["status_code"] = 0
+        self._text = {}
+        for name, length in (("status", _STATUS_LENGTH), ("sentence", _SENTENCE_LENGTH)):
+            self._text[name] = (h5py.string_dtype("utf-8", length), length)
+            attributes.create(name, _cut("", length), dtype=self._text[name][0])
+        self._set_text("status", RUNNING)
+
+    def dimension(
+        self,
+        name: str,
+        values: Any = None,
+        *,
+        group: str = "",
+        unlimited: bool = False,
+        chunk: int = 1024,
+        packed: bool = False,
+        dtype: str = "f8",
+        attributes: Mapping[str, str] | None = None,
+    ) -> h5py.Dataset:
+        """Make a dimension with its coordinate; texts are stored as variable-length UTF-8."""
+        import h5py
+
+        where = self.file.require_group(group) if group else self.file
+        if unlimited:
+            filters = _PACKING if packed else {}
+            made = where.create_dataset(name, (0,), maxshape=(None,), chunks=(chunk,), dtype=dtype, **filters)
+        elif len(values) and isinstance(values[0], str):
+            made = where.create_dataset(name, data=list(values), dtype=h5py.string_dtype("utf-8"))
+        else:
+            made = where.create_dataset(name, data=values, dtype=dtype)
+        made.make_scale(name)
+        _describe(made, attributes)
+        return made
+
+    def variable(
+        self,
+        name: str,
+        scales: Sequence[h5py.Dataset],
+        *,
+        group: str = "",
+        dtype: str = "f4",
+        chunks: tuple[int, ...] | None = None,
+        packed: bool = False,
+        attributes: Mapping[str, str] | None = None,
+    ) -> h5py.Dataset:
+        """Make a variable over existing dimensions; what is not written yet reads as NaN (integers: -1)."""
+        import numpy as np
+
+        where = self.file.require_group(group) if group else self.file
+        shape = tuple(int(s.shape[0]) for s in scales)
+        limits = tuple(s.maxshape[0] for s in scales)
+        growing = None in limits
+        made = where.create_dataset(
+            name,
+            shape,
+            maxshape=limits if growing else None,
+            chunks=chunks if (growing or packed) else None,
+            dtype=dtype,
+            fillvalue=np.nan if np.dtype(dtype).kind == "f" else -1,
+            **(_PACKING if packed else {}),
+        )
+        for axis, scale in enumerate(scales):
+            made.dims[axis].attach_scale(scale)
+        _describe(made, attributes)
+        return made
+
+    def begin(self) -> None:
+        """Freeze the structure and let others read."""
+        self.file.swmr_mode = True
+        self.flush()
+
+    def flush(self) -> None:
+        """Bring everything written so far to the disk, in an order that is consistent at any moment."""
+        self.file.flush()
+        clear_writer_flag(self.path)
+
+    def finish(
+        self,
+        status: str = FINISHED,
+        sentence: str = "",
+        *,
+        code: int = 1,
+        steps: int = 0,
+        wall_s: float = 0.0,
+    ) -> None:
+        """Write how the computation ended and close; a second call does nothing."""
+        if not self._open:
+            return
+        self._set_text("status", status)
+        self._set_text("sentence", sentence)
+        self.file.attrs.modify("status_code", int(code))
+        self.file.attrs.modify("steps", int(steps))
+        self.file.attrs.modify("wall_s", float(wall_s))
+        self._open = False
+        self.file.close()
+
+    def _set_text(self, name: str, text: str) -> None:
+        import numpy as np
+
+        dtype, length = self._text[name]
+        self.file.attrs.modify(name, np.array(_cut(text, length), dtype=dtype))
+
+
+def _cut(text: str, length: int) -> bytes:
+    """Shorten a text to a number of bytes without splitting a character."""
+    return text.encode("utf-8")[:length].decode("utf-8", "ignore").encode("utf-8")
+
+
+def _describe(made: h5py.Dataset, attributes: Mapping[str, str] | None) -> None:
+    for key, text in (attributes or {}).items():
+        if text:
+            made.attrs[key] = text
+
+
+def _reason(error: OSError) -> str:
+    return error.strerror or str(error).split("(")[-1].rstrip(")") or type(error).__name__
+
+
+def clear_writer_flag(path: str | os.PathLike[str]) -> None:
+    """Take the mark 'open for writing' off an HDF5 file.
+
+    The library sets it in byte 11 of the superblock and takes it off when the file is closed. A killed
+    process cannot, and ordinary readers then refuse a file in which nothing is wrong: SWMR keeps it consistent
+    at any moment. The mark is therefore removed after each flush; the superblock's checksum (Jenkins' lookup3 over
+    its first 44 bytes, HDF5 file format specification, version 3) is renewed with it.
+    """
+    with Path(path).open("r+b", buffering=0) as raw:
+        block = bytearray(raw.read(48))
+        if block[:8] != b"\x89HDF\r\n\x1a\n" or block[8] < 2 or block[9] != 8 or block[11] == 0:
+            return
+        block[11] = 0
+        block[44:48] = lookup3(bytes(block[:44])).to_bytes(4, "little")
+        raw.seek(0)
+        raw.write(block)
+
+
+def lookup3(data: bytes, start: int = 0) -> int:
+    """Hash bytes with Bob Jenkins' lookup3 (`hashlittle`), the checksum of HDF5 metadata.
+
+    Examples
+    --------
+    >>> hex(lookup3(b"Four score and seven years ago"))
+    '0x17770551'
+    """
+
+    def turn(x: int, k: int) -> int:
+        return ((x << k) | (x >> (32 - k))) & 0xFFFFFFFF
+
+    m = 0xFFFFFFFF
+    a = b = c = (0xDEADBEEF + len(data) + start) & m
+    blocks = max((len(data) - 1) // 12, 0)
+    for k in range(0, 12 * blocks, 12):
+        a = (a + int.from_bytes(data[k : k + 4], "little")) & m
+        b = (b + int.from_bytes(data[k + 4 : k + 8], "little")) & m
+        c = (c + int.from_bytes(data[k + 8 : k + 12], "little")) & m
+        a = ((a - c) & m) ^ turn(c, 4)
+        c = (c + b) & m
+        b = ((b - a) & m) ^ turn(a, 6)
+        a = (a + c) & m
+        c = ((c - b) & m) ^ turn(b, 8)
+        b = (b + a) & m
+        a = ((a - c) & m) ^ turn(c, 16)
+        c = (c + b) & m
+        b = ((b - a) & m) ^ turn(a, 19)
+        a = (a + c) & m
+        c = ((c - b) & m) ^ turn(b, 4)
+        b = (b + a) & m
+    tail = data[12 * blocks :]
+    if not tail:
+        return c
+    tail = tail.ljust(12, b"\0")
+    a = (a + int.from_bytes(tail[0:4], "little")) & m
+    b = (b + int.from_bytes(tail[4:8], "little")) & m
+    c = (c + int.from_bytes(tail[8:12], "little")) & m
+    c = ((c ^ b) - turn(b, 14)) & m
+    a = ((a ^ c) - turn(c, 11)) & m
+    b = ((b ^ a) - turn(a, 25)) & m
+    c = ((c ^ b) - turn(b, 16)) & m
+    a = ((a ^ c) - turn(c, 4)) & m
+    b = ((b ^ a) - turn(a, 14)) & m
+    return ((c ^ b) - turn(b, 24)) & m

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reading result files: as an `xarray.Dataset`, or channel by channel without loading xarray.
+
+Works on finished files, on files that are still being written, and on files whose writer was killed.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.io.container import FORMAT, ResultError
+from pitchpoint.io.results import BLOCK_GROUP, STATISTICS
+
+if TYPE_CHECKING:
+    import h5py
+    import numpy as np
+    import xarray as xr
+
+
+def _open(path: str | os.PathLike[str]) -> h5py.File:
+    """Open for reading, beside a writer if need be (swmr), and check that the file is one of ours."""
+    import h5py
+
+    name = os.fspath(path)
+    if not Path(path).exists():
+        raise ResultError(f"{name}: there is no such result file")
+    try:
+        try:
+            file = h5py.File(name, "r", libver="latest", swmr=True)
+        except OSError:
+            file = h5py.File(name, "r")
+    except OSError as error:
+        raise ResultError(f"{name}: is no readable HDF5 file ({error})") from error
+    if file.attrs.get("format") != FORMAT:
+        file.close()
+        raise ResultError(f"{name}: is an HDF5 file, but not a result file of the format {FORMAT}")
+    return file
+
+
+def read_header(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """Read the attributes of a result file: title, status, sentence, solver, options, ..."""
+    with _open(path) as file:
+        header: dict[str, Any] = {}
+        for key, value in file.attrs.items():
+            if isinstance(value, bytes):
+                value = value.decode("utf-8")
+            header[key] = value.item() if hasattr(value, "item") and not isinstance(value, str) else value
+    header["options"] = json.loads(header.get("options", "{}"))
+    return header
+
+
+def list_channels(path: str | os.PathLike[str]) -> list[str]:
+    """Name the variables of a result file, without its dimensions."""
+    with _open(path) as file:
+        return [name for name, item in file.items() if hasattr(item, "shape") and not item.is_scale]
+
+
+def read_channel(
+    path: str | os.PathLike[str], name: str, start: int = 0, stop: int | None = None, step: int = 1
+) -> tuple[np.ndarray, np.ndarray]:
+    """Read one channel of a run: times and values, both of shape (n,), in SI units.
+
+    Parameters
+    ----------
+    path
+        Result file, finished or not.
+    name
+        Channel, as in `mesh_force[stage]`.
+    start, stop, step
+        Range of samples, as in a slice.
+    """
+    with _open(path) as file:
+        if "time" not in file:
+            raise ResultError(f"{os.fspath(path)}: holds no time series but {file.attrs['kind']} results")
+        if name not in file or name == BLOCK_GROUP:
+            raise ResultError(f"{os.fspath(path)}: no channel {name!r}; {_suggest(name, file)}")
+        length = file["time"].shape[0]
+        rows = slice(*slice(start, stop, step).indices(length))
+        return file["time"][rows], file[name][rows]
+
+
+def read_blocks(path: str | os.PathLike[str], name: str) -> dict[str, np.ndarray]:
+    """Read `time`, `min`, `max`, `mean` and `rms` of each block of a channel, shape (n_blocks,)."""
+    with _open(path) as file:
+        group = file.get(BLOCK_GROUP, {})
+        if name not in group or name == "time":
+            raise ResultError(f"{os.fspath(path)}: no block statistics of {name!r}; {_suggest(name, file)}")
+        n = group["time"].shape[0]
+        table = group[name][:n]
+        return {"time": group["time"][:n], **{key: table[:, k] for k, key in enumerate(STATISTICS)}}
+
+
+def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Dataset:
+    """Open a result file as a lazy `xarray.Dataset` with units, names and provenance in its attributes.
+
+    Parameters
+    ----------
+    path
+        Result file; one that is still being written is shown as far as it goes at this moment.
+    group
+        None for the signals or tables, `blocks` for the statistics of each block of a run.
+
+    Returns
+    -------
+    xarray.Dataset
+        One variable per channel over `time`, or the tables of a sweep or of modes over their own dimensions.
+        `attrs["status"]` says finished, failed, interrupted or running. Close it, or use it in a
+        `with` block.
+    """
+    import h5netcdf
+    import xarray as xr
+
+    with _open(path) as file:
+        where = file[group] if group else file
+        lengths = [v.shape[0] for v in where.values() if hasattr(v, "maxshape") and v.maxshape[:1] == (None,)]
+        growing = "time" if "time" in where else ""
+    store = xr.backends.H5NetCDFStore(h5netcdf.File(_open(path), "r"), group=group)
+    dataset = xr.open_dataset(store, decode_times=False)
+    if growing and dataset.sizes.get(growing, 0) > min(lengths, default=0):
+        dataset = dataset.isel({growing: slice(0, min(lengths))})
+    dataset.encoding["source"] = os.fspath(path)
+    return dataset
+
+
+def _suggest(name: str, file: h5py.File) -> str:
+    import difflib
+
+    known = [key for key, item in file.items() if hasattr(item, "shape") and not item.is_scale]
+    near = difflib.get_close_matches(name, known, n=3)
+    return f"did you mean {', '.join(near)}?" if near else f"there are {', '.join(known)}"

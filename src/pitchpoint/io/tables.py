@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables in the result container: speed sweeps that grow point by point, and modes.
+
+A table has named dimensions with coordinates and variables over them, all of fixed size and filled with NaN
+(integers: -1) at first. Each point is on the disk as soon as it is computed.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Self
+
+from pitchpoint.core import status as st
+from pitchpoint.io.container import FINISHED, Container, Header, ResultError
+from pitchpoint.io.results import how_it_ended
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One dimension: its name, its coordinate values (numbers or texts), unit and words."""
+
+    name: str
+    values: Sequence[Any]
+    unit: str = ""
+    long_name: str = ""
+    symbol: str = ""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One variable: its name, the names of its dimensions, unit, words and storage type."""
+
+    name: str
+    axes: tuple[str, ...]
+    unit: str = ""
+    long_name: str = ""
+    symbol: str = ""
+    dtype: str = "f8"
+
+
+class TableWriter:
+    """Write tables that may be read while they fill.
+
+    Parameters
+    ----------
+    path
+        File to write.
+    header
+        Provenance; its `kind` is `sweep`, `modes` or the like.
+    axes
+        Dimensions.
+    quantities
+        Variables over these dimensions.
+    growing
+        Columns (name, unit, type) of one list of unknown length, such as the jumps of a sweep; its dimension
+        is called `growing_name`.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> name = pathlib.Path(tempfile.mkdtemp()) / "sweep.h5"
+    >>> axes = [Axis("direction", ["up", "down"]), Axis("point", [0, 1])]
+    >>> force = Quantity("mesh_force[stage]", ("direction", "point"), "N")
+    >>> with TableWriter(name, Header("sweep"), axes, [force]) as table:
+    ...     table.put("mesh_force[stage]", (0, 1), 250.0)
+    """
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        header: Header,
+        axes: Sequence[Axis],
+        quantities: Sequence[Quantity],
+        *,
+        growing: Sequence[tuple[str, str, str]] = (),
+        growing_name: str = "jump",
+    ) -> None:
+        self._begun = time.perf_counter()
+        self._container = container = Container(path, header)
+        scales = {
+            axis.name: container.dimension(
+                axis.name,
+                axis.values,
+                dtype="i8" if all(isinstance(v, int) for v in axis.values) else "f8",
+                attributes={"units": axis.unit, "long_name": axis.long_name, "symbol": axis.symbol},
+            )
+            for axis in axes
+        }
+        self._variables = {}
+        for q in quantities:
+            unknown = [name for name in q.axes if name not in scales]
+            if unknown:
+                container.finish("failed", "the table has no such dimension")
+                raise ResultError(f"{q.name}: the table has no dimension {', '.join(unknown)}")
+            self._variables[q.name] = container.variable(
+                q.name,
+                [scales[name] for name in q.axes],
+                dtype=q.dtype,
+                attributes={"units": q.unit, "long_name": q.long_name, "symbol": q.symbol},
+            )
+        self._length = 0
+        self._columns: dict[str, Any] = {}
+        if growing:
+            self._index = container.dimension(growing_name, unlimited=True, chunk=64, dtype="i8")
+            for name, unit, dtype in growing:
+                self._columns[name] = container.variable(
+                    name, [self._index], dtype=dtype, chunks=(64,), attributes={"units": unit}
+                )
+        container.begin()
+
+    @property
+    def path(self) -> str:
+        """The file."""
+        return str(self._container.path)
+
+    def put(self, name: str, index: Any, values: Any) -> None:
+        """Set values of a variable at an index or slice."""
+        self._variables[name][index] = values
+
+    def extend(self, row: Mapping[str, Any]) -> None:
+        """Add one row to the growing list."""
+        self._length += 1
+        for name, column in self._columns.items():
+            column.resize((self._length,))
+            column[self._length - 1] = row[name]
+        self._index.resize((self._length,))
+        self._index[self._length - 1] = self._length - 1
+
+    def flush(self) -> None:
+        """Bring everything to the disk; call once per point."""
+        self._container.flush()
+
+    def finish(
+        self, status: str = FINISHED, sentence: str = "", *, code: int = st.OK, steps: int = 0
+    ) -> None:
+        """Write how the computation ended and close; a second call does nothing."""
+        elapsed = time.perf_counter() - self._begun
+        self._container.finish(status, sentence or st.sentence(code), code=code, steps=steps, wall_s=elapsed)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        status, sentence, code = how_it_ended(error)
+        self.finish(status, sentence, code=code)
+
+
+def write_tables(
+    path: str | os.PathLike[str],
+    header: Header,
+    axes: Sequence[Axis],
+    filled: Sequence[tuple[Quantity, Any]],
+) -> None:
+    """Write tables that are complete already, such as modes: each quantity with its array."""
+    with TableWriter(path, header, axes, [q for q, _ in filled]) as table:
+        for quantity, values in filled:
+            table.put(quantity.name, ..., values)

@@ -1,0 +1,329 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a description leaves open and geometry decides: profile shifts, centre distances, places of bodies.
+
+Everything here works on whatever could be read of a model; a part that is missing or broken is passed over,
+because its problem has been reported already.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.model.components.bearing import Bearing
+from pitchpoint.model.components.body import Body
+from pitchpoint.model.components.coupling import Coupling
+from pitchpoint.model.components.damping import Damping
+from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.components.load import Load
+from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.read import Reader
+from pitchpoint.model.scenario import Scenario
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.gear_pair import GearPair
+
+PLACE_TOLERANCE = 1e-6
+"""Relative difference up to which a place given twice counts as the same."""
+
+
+@dataclass
+class Parts:
+    """The readable parts of a model; `names` holds every name of the file, readable or not."""
+
+    gears: dict[str, Gear]
+    bodies: dict[str, Body]
+    meshes: dict[str, Mesh]
+    bearings: dict[str, Bearing]
+    couplings: dict[str, Coupling]
+    loads: dict[str, Load]
+    damping: Damping | None
+    scenarios: dict[str, Scenario]
+    names: dict[str, set[str]] = field(default_factory=dict)
+    pairs: dict[str, GearPair] = field(default_factory=dict)
+
+    def known(self, group: str) -> set[str]:
+        """All names of a group, those of unreadable parts included."""
+        return self.names.get(group, set()) | set(getattr(self, group))
+
+    def body_of(self, gear: str) -> str | None:
+        """Name of the body that carries a gear."""
+        for name, body in self.bodies.items():
+            if gear in body.gears:
+                return name
+        return None
+
+
+def resolve(parts: Parts, report: Reader) -> None:
+    """Fill in the derived fields of all parts, in place; problems go to `report`."""
+    _check_hands(parts, report)
+    _profile_shifts(parts, report)
+    _pairs(parts, report)
+    _places(parts, report)
+    _widths(parts, report)
+
+
+def usable(parts: Parts, mesh: Mesh, report: Reader) -> bool:
+    """Whether both gears of a mesh could be read without problems."""
+    return len(set(mesh.gears)) == 2 and all(
+        g in parts.gears and ("gears", g) not in report.tainted for g in mesh.gears
+    )
+
+
+def _check_hands(parts: Parts, report: Reader) -> None:
+    for name, gear in parts.gears.items():
+        if gear.helix_angle > 0.0 and gear.hand is None:
+            report.problem(
+                ("gears", name, "hand"),
+                "is missing: a helical gear is left or right handed",
+                remedy="add hand: left or hand: right",
+            )
+
+
+# --- profile shift and centre distance --------------------------------------------------------------------
+def _profile_shifts(parts: Parts, report: Reader) -> None:
+    """Settle x of every gear: given, or from a mesh whose centre distance and other gear are known."""
+    for name, gear in parts.gears.items():
+        parts.gears[name] = replace(gear, x=gear.profile_shift_coefficient)
+    meshes = [
+        (name, mesh)
+        for name, mesh in parts.meshes.items()
+        if usable(parts, mesh, report) and ("meshes", name) not in report.tainted
+    ]
+    found = True
+    while found:
+        found = False
+        for name, mesh in meshes:
+            found = _shift_from(parts, name, mesh, report) or found
+    for name, gear in parts.gears.items():
+        if gear.x is None and ("gears", name) not in report.tainted:
+            _undetermined(parts, name, report)
+
+
+def _shift_from(parts: Parts, name: str, mesh: Mesh, report: Reader) -> bool:
+    one, two = (parts.gears[g] for g in mesh.gears)
+    if (one.x is None) == (two.x is None) or mesh.center_distance is None or not _compatible(one, two):
+        return False
+    open_name, fixed = (mesh.gears[0], two) if one.x is None else (mesh.gears[1], one)
+    if ("gears", open_name) in report.tainted or fixed.x is None:
+        return False
+    from pitchpoint.geometry.gear_pair import profile_shift_for_center_distance
+
+    a_w = _sign(one, two) * mesh.center_distance
+    try:
+        x_sum = profile_shift_for_center_distance(
+            z_sum=one.sign * one.number_of_teeth + two.sign * two.number_of_teeth,
+            m_n=one.normal_module,
+            alpha_n=one.normal_pressure_angle,
+            beta=one.beta,
+            a_w=a_w,
+        )
+    except GeometryError as error:
+        geometry_problem(report, ("meshes", name, "center_distance"), error.problem)
+        report.tainted.add(("gears", open_name))
+        return False
+    parts.gears[open_name] = replace(parts.gears[open_name], x=x_sum - fixed.x)
+    return True
+
+
+def _undetermined(parts: Parts, name: str, report: Reader) -> None:
+    meshes = [(n, m) for n, m in parts.meshes.items() if name in m.gears]
+    if any(("meshes", n) in report.tainted or not usable(parts, m, report) for n, m in meshes):
+        return
+    where = ("gears", name, "profile_shift_coefficient")
+    if not meshes:
+        report.problem(where, "is missing, and no mesh determines it", remedy="give it; 0 for a gear without shift")
+    elif all(m.center_distance is None for _, m in meshes):
+        report.problem(
+            where,
+            "is missing, and its mesh gives no centre distance to find it from",
+            remedy=f"give it, or meshes.{meshes[0][0]}.center_distance",
+        )
+    else:
+        report.problem(
+            where,
+            "is missing on both gears of a mesh; the centre distance determines only their sum",
+            remedy="give it on one of the two gears",
+        )
+
+
+def _compatible(one: Gear, two: Gear) -> bool:
+    """Whether two gears can belong to one pair at all: one basic rack, fitting hands, not both internal."""
+    hands = one.beta * (1 if one.type == two.type else -1) + two.beta
+    return (
+        not (one.type == two.type == "internal")
+        and math.isclose(one.normal_module, two.normal_module, rel_tol=1e-9)
+        and abs(one.normal_pressure_angle - two.normal_pressure_angle) < 1e-9
+        and abs(hands) < 1e-9
+        and one.sign * one.number_of_teeth + two.sign * two.number_of_teeth != 0
+    )
+
+
+def _sign(one: Gear, two: Gear) -> int:
+    """Sign of the centre distance in ISO 21771: that of z1 + z2."""
+    return 1 if one.sign * one.number_of_teeth + two.sign * two.number_of_teeth > 0 else -1
+
+
+def _pairs(parts: Parts, report: Reader) -> None:
+    from pitchpoint.model.pair_check import check_gear, check_pair
+
+    for name in parts.gears:
+        if parts.gears[name].x is not None and ("gears", name) not in report.tainted:
+            check_gear(parts, name, report)
+    for name, mesh in list(parts.meshes.items()):
+        if usable(parts, mesh, report):
+            check_pair(parts, name, mesh, report)
+
+
+def geometry_problem(report: Reader, place: tuple[str | int, ...], problem: Problem) -> None:
+    """Hand on a problem that the geometry found, at a place of the file."""
+    report.problem(place, problem.message, value=problem.value, limit=problem.limit, remedy=problem.remedy)
+
+
+# --- places of bodies --------------------------------------------------------------------------------------
+def _places(parts: Parts, report: Reader) -> None:
+    """Place bodies: given positions first, then along meshes and couplings, breadth first."""
+    links = _links(parts)
+    for name, body in parts.bodies.items():
+        parts.bodies[name] = replace(body, origin=body.position)
+    queue = deque(n for n, b in parts.bodies.items() if b.origin is not None)
+    if not queue and parts.bodies:
+        first = next(iter(parts.bodies))
+        parts.bodies[first] = replace(parts.bodies[first], origin=(0.0, 0.0, 0.0))
+        queue.append(first)
+    while queue:
+        here = queue.popleft()
+        for kind, link in links.get(here, ()):
+            there = _place_next(parts, here, kind, link)
+            if there is not None:
+                queue.append(there)
+    _directions(parts, report)
+    if not _all_linked_known(parts, report):
+        return
+    for name, body in parts.bodies.items():
+        if body.origin is None:
+            report.problem(
+                ("bodies", name),
+                "has no place: no mesh or coupling connects it to the first body",
+                remedy="give position: [x, y, z]",
+            )
+
+
+def _all_linked_known(parts: Parts, report: Reader) -> bool:
+    """False when something unreadable may have been the missing link."""
+    groups = ("meshes", "couplings", "bodies", "gears")
+    return all(set(getattr(parts, g)) == parts.known(g) for g in groups) and not any(
+        (g,) in report.tainted for g in groups
+    )
+
+
+def _links(parts: Parts) -> dict[str, list[tuple[str, str]]]:
+    links: dict[str, list[tuple[str, str]]] = {}
+
+    def add(kind: str, link: str, ends: Iterable[str | None]) -> None:
+        for end in ends:
+            if end is not None:
+                links.setdefault(end, []).append((kind, link))
+
+    for name, mesh in parts.meshes.items():
+        if mesh.a_w is not None:
+            add("mesh", name, [parts.body_of(g) for g in mesh.gears])
+    for name, coupling in parts.couplings.items():
+        add("coupling", name, coupling.bodies)
+    return links
+
+
+def _place_next(parts: Parts, here: str, kind: str, link: str) -> str | None:
+    """Place the body at the other end of a link, if it has no place yet, and return its name."""
+    origin = parts.bodies[here].origin
+    if origin is None:
+        return None
+    if kind == "coupling":
+        ends = parts.couplings[link].bodies
+        there = ends[1] if ends[0] == here else ends[0]
+        place = origin
+    else:
+        mesh = parts.meshes[link]
+        bodies = [parts.body_of(g) for g in mesh.gears]
+        if None in bodies or bodies[0] == bodies[1] or mesh.a_w is None:
+            return None
+        forward = bodies[0] == here
+        there = str(bodies[1] if forward else bodies[0])
+        step = abs(mesh.a_w) if forward else -abs(mesh.a_w)
+        angle = mesh.direction or 0.0
+        near, far = mesh.gears if forward else mesh.gears[::-1]
+        place = (
+            origin[0] + step * math.cos(angle),
+            origin[1] + step * math.sin(angle),
+            origin[2] + parts.bodies[here].gears[near] - parts.bodies[there].gears[far],
+        )
+    if there not in parts.bodies or parts.bodies[there].origin is not None:
+        return None
+    parts.bodies[there] = replace(parts.bodies[there], origin=place)
+    return there
+
+
+def _directions(parts: Parts, report: Reader) -> None:
+    """Angle of every line of centres; places given twice must agree."""
+    for name, mesh in parts.meshes.items():
+        theta = mesh.direction or 0.0
+        bodies = [parts.body_of(g) for g in mesh.gears]
+        ends = [parts.bodies[b].origin for b in bodies if b is not None]
+        if len(ends) == 2 and ends[0] is not None and ends[1] is not None and mesh.a_w and bodies[0] != bodies[1]:
+            dx, dy = ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]
+            distance, angle = math.hypot(dx, dy), math.atan2(dy, dx)
+            a = abs(mesh.a_w)
+            if abs(distance - a) > PLACE_TOLERANCE * a:
+                report.problem(
+                    ("meshes", name, "center_distance"),
+                    f"does not fit the positions of its bodies, which are {distance * 1e3:.6g} mm apart",
+                    value=f"{a * 1e3:.6g} mm",
+                    remedy="correct center_distance or the positions, or leave the positions out",
+                )
+            elif mesh.direction is not None and abs(math.remainder(angle - theta, math.tau)) > PLACE_TOLERANCE:
+                report.problem(
+                    ("meshes", name, "direction"),
+                    f"does not fit the positions of its bodies, which lie at {math.degrees(angle):.6g} deg",
+                    value=f"{math.degrees(theta):.6g} deg",
+                    remedy="leave direction or the positions out",
+                )
+            theta = angle if mesh.direction is None else theta
+        parts.meshes[name] = replace(mesh, theta=theta)
+
+
+def _widths(parts: Parts, report: Reader) -> None:
+    """Common face width of every mesh and where its middle lies on both gears."""
+    for name, mesh in parts.meshes.items():
+        if not all(g in parts.gears for g in mesh.gears):
+            continue
+        middle = [_middle(parts, g) for g in mesh.gears]
+        if middle[0] is None or middle[1] is None:
+            middle = [0.0, 0.0]
+        half = [0.5 * parts.gears[g].face_width for g in mesh.gears]
+        low = max(m - h for m, h in zip(middle, half, strict=True))  # type: ignore[operator]
+        high = min(m + h for m, h in zip(middle, half, strict=True))  # type: ignore[operator]
+        if high <= low:
+            report.problem(
+                ("meshes", name, "gears"),
+                f"do not overlap along their axes; {1e3 * (low - high):.6g} mm lie between their faces",
+                value=" and ".join(mesh.gears),
+                remedy="correct the axial offsets of the gears or the positions of the bodies",
+            )
+            continue
+        at = 0.5 * (low + high)
+        parts.meshes[name] = replace(
+            mesh, b_w=high - low, offset1=at - (middle[0] or 0.0), offset2=at - (middle[1] or 0.0)
+        )
+
+
+def _middle(parts: Parts, gear: str) -> float | None:
+    """Axial position of the mid-face of a gear in the world."""
+    body = parts.body_of(gear)
+    if body is None:
+        return None
+    origin = parts.bodies[body].origin
+    return None if origin is None else origin[2] + parts.bodies[body].gears[gear]

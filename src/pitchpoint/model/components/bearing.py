@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A linear bearing between a body and the ground."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pitchpoint.model.components.six import Damping6, Stiffness6
+from pitchpoint.model.keys import component, quantities, text
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bearing:
+    """Linear spring and damper in six directions between a body and the ground."""
+
+    body: str = text("name of the body")
+    position: tuple[float, float, float] = quantities(
+        "length",
+        "centre of the bearing from the origin of the body [x, y, z]",
+        (0.0, 0.0, 0.0),
+        length=(3, 3),
+    )
+    stiffness: Stiffness6 = component(Stiffness6, "stiffness against displacement and tilt", Stiffness6())
+    damping: Damping6 | None = component(Damping6, "damping in the same directions, or a ratio")

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A linear coupling or short shaft between two bodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pitchpoint.model.components.six import Damping6, Stiffness6
+from pitchpoint.model.keys import component, key, quantities
+
+
+@dataclass(frozen=True, kw_only=True)
+class Coupling:
+    """Linear spring and damper in six directions between two bodies."""
+
+    bodies: tuple[str, str] = key("names", "names of the two bodies", length=(2, 2))
+    position: tuple[float, float, float] = quantities(
+        "length",
+        "centre of the coupling from the origin of the first body [x, y, z]",
+        (0.0, 0.0, 0.0),
+        length=(3, 3),
+    )
+    stiffness: Stiffness6 = component(
+        Stiffness6, "stiffness against relative displacement and rotation", Stiffness6()
+    )
+    damping: Damping6 | None = component(Damping6, "damping in the same directions, or a ratio")

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A gear as drawings and data sheets describe it, and the `CylindricalGear` it turns into."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from pitchpoint.model.components.modifications import Deviations, Modifications
+from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantity
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.cutter import PinionCutter
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.geometry.materials import Material
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rack:
+    """Basic rack of the gear (counterpart of the cutting rack), in modules."""
+
+    addendum: float = positive("dimensionless", "addendum h_aP*", 1.0, maximum=5.0)
+    dedendum: float = positive("dimensionless", "dedendum h_fP*", 1.25, maximum=5.0)
+    root_radius: float = quantity(
+        "dimensionless", "root fillet radius rho_fP*", 0.38, minimum=0.0, maximum=2.0
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cutter:
+    """Pinion-type cutter that makes an internal gear."""
+
+    number_of_teeth: int = integer("number of teeth of the cutter", minimum=3, maximum=10000)
+    profile_shift_coefficient: float = quantity("dimensionless", "profile shift of the cutter", 0.0)
+    addendum: float = positive("dimensionless", "addendum of the cutter in modules", 1.25, maximum=5.0)
+    tip_radius: float = quantity("dimensionless", "tip rounding in modules", 0.0, minimum=0.0, maximum=2.0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Gear:
+    """A cylindrical involute gear.
+
+    Angles in rad, lengths in m. All diameters and the number of teeth are positive, for internal gears too;
+    `geometry` has the signs of ISO 21771.
+    """
+
+    type: str = choice(("external", "internal"), "teeth outside or inside", "external")
+    number_of_teeth: int = integer(
+        "number of teeth z, positive for internal gears too", minimum=3, maximum=10000
+    )
+    normal_module: float = positive("length", "normal module m_n", maximum=1.0)
+    normal_pressure_angle: float = quantity(
+        "angle",
+        "normal pressure angle alpha_n",
+        math.radians(20.0),
+        minimum=math.radians(5.0),
+        maximum=math.radians(45.0),
+        display="20 deg",
+    )
+    helix_angle: float = quantity(
+        "angle", "helix angle beta at the reference cylinder", 0.0, minimum=0.0, maximum=math.radians(60.0)
+    )
+    hand: str | None = choice(("left", "right"), "hand of the helix; required when helix_angle > 0", None)
+    profile_shift_coefficient: float | None = quantity(
+        "dimensionless",
+        "profile shift coefficient x, sign of ISO 21771; one gear of a pair with center_distance may go without",
+        None,
+        minimum=-5.0,
+        maximum=5.0,
+        display="zero backlash at center_distance",
+    )
+    face_width: float = positive("length", "face width b", maximum=10.0)
+    tip_diameter: float | None = positive("length", "tip diameter d_a", None, display="from the rack")
+    root_diameter: float | None = positive("length", "root diameter d_f", None, display="from the rack")
+    tip_alteration: float = quantity(
+        "length", "radial lengthening of the teeth k m_n, < 0 shortens them", 0.0
+    )
+    tooth_thickness_allowance: float = quantity(
+        "length", "normal tooth thickness allowance A_sn at the reference circle, < 0 is thinner", 0.0
+    )
+    rack: Rack = component(Rack, "basic rack in modules", Rack())
+    cutter: Cutter | None = component(Cutter, "pinion-type cutter of an internal gear")
+    initial_angle: float | None = quantity(
+        "angle", "angle of the centre of tooth 0 from the x axis at spin 0", None, display="assembled in mesh"
+    )
+    rim_thickness: float | None = positive(
+        "length", "thickness of the rim below the teeth", None, display="solid"
+    )
+    web_thickness: float | None = positive("length", "thickness of the web", None, display="face width")
+    bore_diameter: float = quantity(
+        "length",
+        "bore of an external gear, outer diameter of an internal one (0: none given)",
+        0.0,
+        minimum=0.0,
+    )
+    material: Material | str = key("material", "name in the library or its properties", "steel")
+    mass: float | None = quantity("mass", "mass of the gear", None, minimum=0.0, display="from geometry")
+    polar_inertia: float | None = quantity(
+        "inertia", "moment of inertia about the axis", None, minimum=0.0, display="from geometry"
+    )
+    transverse_inertia: float | None = quantity(
+        "inertia",
+        "moment of inertia about a diameter through the centre",
+        None,
+        minimum=0.0,
+        display="from geometry",
+    )
+    drawing_resolution: int = integer("points per flank in drawings", 20, minimum=2, maximum=10000)
+    modifications: Modifications | None = component(Modifications, "flank modifications by side")
+    deviations: Deviations | None = component(Deviations, "deviations of single teeth")
+    x: float | None = derived()
+    """Profile shift coefficient in force: the given one, or the one that follows from the centre distance."""
+
+    @property
+    def sign(self) -> int:
+        """+1 for external, -1 for internal gears."""
+        return -1 if self.type == "internal" else 1
+
+    @property
+    def beta(self) -> float:
+        """Helix angle, > 0 right hand, < 0 left hand [rad]."""
+        return -self.helix_angle if self.hand == "left" else self.helix_angle
+
+    @cached_property
+    def geometry(self) -> CylindricalGear:
+        """ISO 21771 macro-geometry with signs (z < 0 for internal gears, beta > 0 for right hand)."""
+        x = self.profile_shift_coefficient if self.x is None else self.x
+        return self.with_profile_shift(0.0 if x is None else x)
+
+    def with_profile_shift(self, x: float) -> CylindricalGear:
+        """Geometry of this gear with the profile shift coefficient `x`."""
+        from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+        from pitchpoint.geometry.rack import BasicRack
+
+        signed = self.sign
+        return CylindricalGear(
+            z=signed * self.number_of_teeth,
+            m_n=self.normal_module,
+            alpha_n=self.normal_pressure_angle,
+            beta=self.beta,
+            x=x,
+            b=self.face_width,
+            rack=BasicRack(
+                h_aP_star=self.rack.addendum,
+                h_fP_star=self.rack.dedendum,
+                rho_fP_star=self.rack.root_radius,
+            ),
+            tip_diameter=None if self.tip_diameter is None else signed * self.tip_diameter,
+            tip_alteration=self.tip_alteration,
+            thickness_allowance=self.tooth_thickness_allowance,
+            root_diameter=None if self.root_diameter is None else signed * self.root_diameter,
+            cutter=self._pinion_cutter(),
+        )
+
+    def _pinion_cutter(self) -> PinionCutter | None:
+        if self.cutter is None:
+            return None
+        from pitchpoint.geometry.cutter import PinionCutter
+
+        return PinionCutter(
+            z=self.cutter.number_of_teeth,
+            x=self.cutter.profile_shift_coefficient,
+            h_a_star=self.cutter.addendum,
+            rho_star=self.cutter.tip_radius,
+        )
+
+    @property
+    def material_data(self) -> Material:
+        """Properties of the material, looked up in the library when it is named."""
+        from pitchpoint.geometry.materials import Material, material
+
+        return self.material if isinstance(self.material, Material) else material(self.material)

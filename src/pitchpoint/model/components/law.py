@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Laws that a user writes for a torque, a force or a prescribed motion.
+
+A law is data: a constant, a formula of the whitelist parser, a table, a named Python function or the word
+`balance`. Nothing here evaluates anything.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+
+@dataclass(frozen=True)
+class Constant:
+    """The same value at all times."""
+
+    value: float
+    """SI value in the dimension of the key it stands for."""
+
+
+@dataclass(frozen=True)
+class FormulaLaw:
+    """A formula, parsed by `core.formula` with the variables `t` [s], `angle` [rad], `speed` [rad/s]."""
+
+    text: str
+    """Formula as the user wrote it; its result is in SI."""
+    variables: tuple[str, ...] = ("t", "angle", "speed")
+    """Names the formula may use, in the order the compiled program expects them."""
+
+
+@dataclass(frozen=True)
+class TableLaw:
+    """Piecewise linear table over time or over the angle of the body it acts on."""
+
+    abscissa: tuple[float, ...]
+    """Time [s] or angle [rad], strictly increasing, at least two entries."""
+    values: tuple[float, ...]
+    """SI values, same length."""
+    over: str = "time"
+    """'time' (held constant outside the table) or 'angle' (repeated with the length of the table)."""
+
+
+@dataclass(frozen=True)
+class PythonLaw:
+    """A Python function `f(t, x, parameters) -> float` in a file next to the model file."""
+
+    file: str
+    """Path of the Python file, as resolved from the directory of the model file."""
+    function: str
+    """Name of the function in it."""
+    parameters: tuple[float, ...] = ()
+    """Numbers handed to the function."""
+
+
+@dataclass(frozen=True)
+class Balance:
+    """The value that keeps the machine in equilibrium with all other loads at the start."""
+
+
+Law: TypeAlias = Constant | FormulaLaw | TableLaw | PythonLaw | Balance

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Torques and forces on bodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pitchpoint.model.components.law import Law
+from pitchpoint.model.keys import key, quantities, text
+
+
+@dataclass(frozen=True, kw_only=True)
+class Load:
+    """A torque about the spin axis and/or a force in world directions on a body."""
+
+    body: str = text("name of the body")
+    torque: Law | None = key(
+        "law",
+        "torque about the spin axis, counter-clockwise positive: a quantity, a formula of t, angle, speed, "
+        "{table: [[t, T], ...], over: time|angle}, {python: 'file.py:function', parameters: [...]}, balance",
+        None,
+        dimension="torque",
+    )
+    force: tuple[Law, ...] | None = key(
+        "laws",
+        "force [x, y, z], each entry as for torque (no balance)",
+        None,
+        dimension="force",
+        length=(3, 3),
+    )
+    position: tuple[float, float, float] = quantities(
+        "length", "where the force acts, from the origin of the body", (0.0, 0.0, 0.0), length=(3, 3)
+    )

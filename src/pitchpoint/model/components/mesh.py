@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A pair of gears in mesh: where they stand, how much play they have, what their flanks do."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from pitchpoint.model.components.stiffness import LAWS, Din3990, StiffnessLaw
+from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantities, quantity
+
+BACKLASH_DIRECTIONS = ("normal", "base_tangent", "circumferential")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Backlash:
+    """Total gap at the centre distance of the mesh; exactly one of the three directions is given."""
+
+    normal: float | None = quantity("length", "total gap normal to the flanks, j_bn", None)
+    base_tangent: float | None = quantity("length", "total gap along the base tangent, j_bt", None)
+    circumferential: float | None = quantity("length", "total gap along the working circle, j_wt", None)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactDamping:
+    """Damping of the flanks while they touch; either d_in (and d_out) or ratio."""
+
+    d_in: float | None = quantity("damping", "damping while the flanks approach", None, minimum=0.0)
+    d_out: float | None = quantity(
+        "damping", "damping while they move apart", None, minimum=0.0, display="d_in"
+    )
+    ratio: float | None = quantity(
+        "dimensionless", "share of critical damping at the mean stiffness", None, minimum=0.0, maximum=10.0
+    )
+    s_0: float = quantity("length", "penetration at which the damping is fully there", 1e-6, minimum=0.0)
+    law: str = choice(("linear", "smooth"), "growth of the damping from 0 to s_0", "linear")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Damper:
+    """Damper between the gears that also acts inside the gap; exactly one key is given."""
+
+    ratio: float | None = quantity(
+        "dimensionless", "share of critical damping at the mean stiffness", None, minimum=0.0, maximum=10.0
+    )
+    value: float | None = quantity("damping", "damping along the base tangent", None, minimum=0.0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Friction:
+    """Coulomb friction of the flanks, smoothed around zero sliding velocity."""
+
+    mu: float = quantity("dimensionless", "coefficient of friction", minimum=0.0, maximum=2.0)
+    v_eps: float = positive("speed", "sliding velocity below which the friction is smoothed", 0.01)
+
+
+@dataclass(frozen=True, kw_only=True)
+class TransmissionError:
+    """Static transmission error e along the base tangent; springs and dampers act on u_bt - e.
+
+    cosine and sine run over the mesh phase (harmonics 1, 2, ... of 2 pi psi); shaft1 and shaft2 over the
+    angle of the gear: e += amplitude * cos(order * angle + phase).
+    """
+
+    cosine: tuple[float, ...] = quantities("length", "cosine amplitudes of harmonics 1, 2, ...", ())
+    sine: tuple[float, ...] = quantities("length", "sine amplitudes of harmonics 1, 2, ...", ())
+    shaft1: tuple[tuple[int, float, float], ...] = key(
+        "orders", "order: [amplitude, phase] over the angle of gear 1; stored as (order, m, rad)", ()
+    )
+    shaft2: tuple[tuple[int, float, float], ...] = key(
+        "orders", "order: [amplitude, phase] over the angle of gear 2; stored as (order, m, rad)", ()
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mesh:
+    """Two gears in mesh."""
+
+    gears: tuple[str, str] = key("names", "names of gear 1 and gear 2", length=(2, 2))
+    center_distance: float | None = positive(
+        "length",
+        "centre distance, positive for internal pairs too",
+        None,
+        display="zero backlash from both x",
+    )
+    direction: float | None = quantity(
+        "angle",
+        "angle of the line of centres from gear 1 to gear 2",
+        None,
+        display="0, or from the positions of the bodies",
+    )
+    backlash: Backlash | None = component(
+        Backlash, "total gap at center_distance, instead of the one of the geometry"
+    )
+    stiffness: StiffnessLaw = key("variant", "mesh stiffness", Din3990(), of=LAWS, display="law: din3990")
+    width: str = choice(("exact", "slices"), "how the face width is integrated", "exact")
+    slices: int = integer("number of slices when width is 'slices'", 11, minimum=1, maximum=1001)
+    damping: ContactDamping | None = component(ContactDamping, "damping of touching flanks")
+    damper: Damper | None = component(Damper, "damper that also acts inside the gap")
+    friction: Friction | None = component(Friction, "sliding friction of the flanks")
+    transmission_error: TransmissionError | None = component(TransmissionError, "static transmission error")
+    a_w: float | None = derived()
+    """Centre distance in force [m], signed as in ISO 21771 (negative for internal pairs)."""
+    offset1: float = derived(0.0)
+    """Axial position of the middle of the common face width on gear 1, from its mid-face [m]."""
+    offset2: float = derived(0.0)
+    """Axial position of the middle of the common face width on gear 2, from its mid-face [m]."""
+    b_w: float | None = derived()
+    """Common face width [m]."""
+    theta: float = derived(0.0)
+    """Angle of the line of centres in force, from gear 1 to gear 2 [rad]."""
+
+    @property
+    def line_of_centers(self) -> tuple[float, float]:
+        """Unit vector from gear 1 to gear 2 in the x-y plane."""
+        return math.cos(self.theta), math.sin(self.theta)

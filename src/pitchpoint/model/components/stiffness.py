@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Stiffness laws of a mesh as a user names them; the numbers are computed in `contact/stiffness`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, TypeAlias
+
+from pitchpoint.model.components.law import PythonLaw
+from pitchpoint.model.keys import choice, key, positive, quantities, quantity
+
+
+def _ratio() -> float:
+    value: float = positive(
+        "dimensionless", "smallest over largest stiffness of one pair, S_R", 0.8, maximum=1.0
+    )
+    return value
+
+
+def _relief() -> float:
+    value: float = quantity(
+        "dimensionless",
+        "length of the ramps at A and E over frac(eps_alpha), T_R",
+        0.0,
+        minimum=0.0,
+        maximum=1.0,
+    )
+    return value
+
+
+@dataclass(frozen=True, kw_only=True)
+class Din3990:
+    """Single tooth stiffness by DIN 3990 / ISO 6336 with a parabola along the path of contact."""
+
+    law: ClassVar[str] = "din3990"
+    stiffness_ratio: float = _ratio()
+    tip_relief_factor: float = _relief()
+    single_stiffness: float | None = positive(
+        "stiffness_per_width", "given single tooth stiffness c' per face width", None, display="by the standard"
+    )
+    low_load: bool = key("boolean", "lower the stiffness below 100 N/mm specific load", False)
+    virtual_teeth: str = choice(("iso", "cos3"), "z_n = z/(cos^2 beta_b cos beta), or z/cos^3 beta", "iso")
+
+
+@dataclass(frozen=True, kw_only=True)
+class ConstantStiffness:
+    """The same total mesh stiffness at every phase."""
+
+    law: ClassVar[str] = "constant"
+    value: float = positive("stiffness", "total mesh stiffness along the base tangent")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rectangular:
+    """Total mesh stiffness that jumps between two values once per base pitch."""
+
+    law: ClassVar[str] = "rectangular"
+    high: float = positive("stiffness", "total stiffness with the larger number of pairs")
+    low: float = positive("stiffness", "total stiffness with the smaller number of pairs")
+    duty: float | None = quantity(
+        "dimensionless",
+        "share of the base pitch with the high value, from psi = 0",
+        None,
+        minimum=0.0,
+        maximum=1.0,
+        display="fractional part of eps_alpha",
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fourier:
+    """Total mesh stiffness as a Fourier series over the mesh phase."""
+
+    law: ClassVar[str] = "fourier"
+    mean: float = positive("stiffness", "mean total stiffness along the base tangent")
+    cosine: tuple[float, ...] = quantities("dimensionless", "cosine amplitudes relative to the mean", ())
+    sine: tuple[float, ...] = quantities("dimensionless", "sine amplitudes relative to the mean", ())
+
+
+@dataclass(frozen=True, kw_only=True)
+class Table:
+    """Total mesh stiffness as a table over one base pitch, linear between its equally spaced points."""
+
+    law: ClassVar[str] = "table"
+    values: tuple[float, ...] = quantities(
+        "stiffness",
+        "total stiffness along the base tangent at psi = 0, 1/n, ..., (n-1)/n",
+        length=(2, 100000),
+        minimum=0.0,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class PairTable:
+    """Stiffness of one pair as a table along the path of contact from A to E."""
+
+    law: ClassVar[str] = "pair_table"
+    single_stiffness: float = positive("stiffness_per_width", "single tooth stiffness c' per face width")
+    values: tuple[float, ...] = quantities(
+        "dimensionless",
+        "stiffness over c' at equally spaced points, A and E included",
+        length=(2, 100000),
+        minimum=0.0,
+    )
+    tip_relief_factor: float = _relief()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Energy:
+    """Stiffness from bending, shear, axial, Hertz and body compliance of the real tooth form."""
+
+    law: ClassVar[str] = "energy"
+    tip_relief_factor: float = _relief()
+    body: bool = key("boolean", "include the compliance of the gear body", True)
+
+
+@dataclass(frozen=True, kw_only=True)
+class UserStiffness:
+    """Total mesh stiffness k(psi) by a user's Python function; needs --allow-code."""
+
+    law: ClassVar[str] = "user"
+    python: PythonLaw = key("python", "'file.py:function', a function of psi in base pitches that returns N/m")
+
+
+StiffnessLaw: TypeAlias = (
+    Din3990
+    | ConstantStiffness
+    | Rectangular
+    | Fourier
+    | Table
+    | PairTable
+    | Energy
+    | UserStiffness
+)
+LAWS: dict[str, type] = {
+    c.law: c
+    for c in (
+        Din3990,
+        ConstantStiffness,
+        Rectangular,
+        Fourier,
+        Table,
+        PairTable,
+        Energy,
+        UserStiffness,
+    )
+}

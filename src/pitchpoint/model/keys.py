@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Meaning of every key of a model file: dimension, default, range and a sentence, in one place.
+
+A component is a frozen dataclass whose fields are made by the functions of this module. The reader,
+the writer, the JSON schema and the reference page all read the `Key` that each field carries, so a key is
+described once.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, TypeAlias
+
+REQUIRED: Any = dataclasses.MISSING
+BAD: Any = object()
+"""Stands for a value that could not be read; its problem has been noted."""
+
+Place: TypeAlias = tuple[str | int, ...]
+"""Place of a value in a file: names of keys and numbers of list entries."""
+
+
+@dataclass(frozen=True)
+class Key:
+    """What one key may hold.
+
+    `kind` names the reader: quantity, integer, choice, text, boolean, quantities (a list), names,
+    component (nested mapping), components (mapping of names to components) or a special form that
+    `model/read.py` registers.
+    """
+
+    kind: str
+    meaning: str
+    dimension: str = ""
+    minimum: float = -math.inf
+    maximum: float = math.inf
+    above: bool = False  # the minimum itself is refused
+    below: bool = False  # the maximum itself is refused
+    choices: tuple[str, ...] = ()
+    length: tuple[int, int] = (0, 10**7)
+    of: Any = None  # dataclass of nested components, or table of variants
+    display: str = ""  # default in the words of a user, where a formula stands behind it
+
+    @property
+    def limit(self) -> str:
+        """Allowed range as text, '' when unbounded."""
+        low = "" if self.minimum == -math.inf else f"{'>' if self.above else '>='} {self.minimum:g}"
+        high = "" if self.maximum == math.inf else f"{'<' if self.below else '<='} {self.maximum:g}"
+        return " and ".join(part for part in (low, high) if part)
+
+    def allows(self, value: float) -> bool:
+        """Whether a number lies in the range."""
+        if value < self.minimum or value > self.maximum:
+            return False
+        return not ((self.above and value == self.minimum) or (self.below and value == self.maximum))
+
+
+def key(kind: str, meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
+    """Make a dataclass field that carries a `Key`."""
+    description = Key(kind, meaning, **more)
+    if isinstance(default, dict):
+        return dataclasses.field(default_factory=dict, metadata={"key": description})
+    return dataclasses.field(default=default, metadata={"key": description})
+
+
+def quantity(dimension: str, meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
+    """Field for one number with a dimension (SI inside)."""
+    return key("quantity", meaning, default, dimension=dimension, **more)
+
+
+def positive(dimension: str, meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
+    """Field for one number greater than zero."""
+    return quantity(dimension, meaning, default, minimum=0.0, above=True, **more)
+
+
+def quantities(dimension: str, meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
+    """Field for a list of numbers of one dimension."""
+    return key("quantities", meaning, default, dimension=dimension, **more)
+
+
+def integer(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
+    """Field for a whole number."""
+    return key("integer", meaning, default, **more)
+
+
+def choice(choices: tuple[str, ...], meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
+    """Field for one word out of a list."""
+    return key("choice", meaning, default, choices=choices, **more)
+
+
+def text(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
+    """Field for free text or the name of something."""
+    return key("text", meaning, default, **more)
+
+
+def component(of: Any, meaning: str, default: Any = None, **more: Any) -> Any:
+    """Field for a nested mapping that becomes the dataclass `of`."""
+    return key("component", meaning, default, of=of, **more)
+
+
+def derived(default: Any = None) -> Any:
+    """Field that the model fills in itself; never read from or written to a file, never compared."""
+    return dataclasses.field(default=default, compare=False, repr=False, kw_only=True)
+
+
+@cache
+def keys_of(cls: type) -> dict[str, Key]:
+    """All keys of a component class, in the order of its fields."""
+    return {f.name: f.metadata["key"] for f in dataclasses.fields(cls) if "key" in f.metadata}
+
+
+@cache
+def defaults_of(cls: type) -> dict[str, Any]:
+    """Defaults of the optional keys; required keys are absent."""
+    out: dict[str, Any] = {}
+    for f in dataclasses.fields(cls):
+        if "key" not in f.metadata:
+            continue
+        if f.default is not dataclasses.MISSING:
+            out[f.name] = f.default
+        elif f.default_factory is not dataclasses.MISSING:
+            out[f.name] = f.default_factory()
+    return out
+
+
+def walk(cls: type, path: str = "") -> Iterator[tuple[str, type, str, Key]]:
+    """Every key below a component class as (path, class, key name, key), depth first."""
+    for name, item in keys_of(cls).items():
+        where = f"{path}.{name}" if path else name
+        yield where, cls, name, item
+        variants = item.of if isinstance(item.of, dict) else {"": item.of}
+        for tag, nested in variants.items():
+            if dataclasses.is_dataclass(nested) and isinstance(nested, type):
+                step = f"{where}.NAME" if item.kind == "components" else where
+                yield from walk(nested, f"{step}[{tag}]" if tag else step)

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the gears of a machine are put together: the angle of tooth 0 of every gear at spin 0.
+
+Two gears are assembled centred in their backlash: when a tooth of gear 1 is centred on the line of centres, a
+space of gear 2 is centred on it. With gamma the angle of the centre of tooth 0 (at mid-face, from the world's x
+axis), theta_1 and theta_2 the directions from either axis to the pitch point, and signed z,
+
+    z_1 (gamma_1 - theta_1) + z_2 (gamma_2 - theta_2) = pi   (mod 2 pi),
+
+in the middle of the common face width, where a tooth of a helical gear stands at gamma + o tan(beta)/r.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from pitchpoint.model.components.mesh import Mesh
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.gear import Gear
+
+
+@dataclass(frozen=True)
+class Phasing:
+    """Result of the assembly."""
+
+    tooth_angle: Mapping[str, float]
+    """Angle of the centre of tooth 0 at mid-face, at spin 0, from the x axis, by gear [rad], in (-pi, pi]."""
+    offset: Mapping[str, float]
+    """Base-tangent distance from the middle of the gap at spin 0, by mesh [m], in (-p_bt/2, p_bt/2]; zero
+    unless both gears have an initial_angle or the meshes form a loop. It adds to u_bt."""
+    travel: Mapping[str, float]
+    """Base-tangent travel of gear 1 past the state where its nearest tooth is centred on the line of centres,
+    in the middle of the common face width, by mesh [m], in (-p_bt/2, p_bt/2]."""
+
+
+def pitch_directions(mesh: Mesh, gear1: Gear, gear2: Gear) -> tuple[float, float]:
+    """Directions from the axes of gear 1 and gear 2 to the pitch point [rad].
+
+    In an internal pair both axes lie on the same side of it: beyond the external gear, seen from the
+    internal one.
+    """
+    forward, back = mesh.theta, mesh.theta + math.pi
+    if gear2.type == "internal":
+        return back, back
+    if gear1.type == "internal":
+        return forward, forward
+    return forward, back
+
+
+def tooth_twist(gear: Gear, offset: float) -> float:
+    """Angle by which a tooth at the axial position `offset` from mid-face stands ahead [rad].
+
+    A right-hand tooth turns counter-clockwise along the positive axis, on external and internal gears alike.
+    """
+    radius = gear.normal_module * gear.number_of_teeth / (2.0 * math.cos(gear.helix_angle))
+    return offset * math.tan(gear.beta) / radius
+
+
+def _phase(gear: Gear, angle: float, direction: float, offset: float) -> float:
+    """Signed tooth phase of one gear at the pitch point, z (gamma + twist - theta) [rad]."""
+    return gear.sign * gear.number_of_teeth * (angle + tooth_twist(gear, offset) - direction)
+
+
+def assemble(gears: Mapping[str, Gear], meshes: Mapping[str, Mesh]) -> Phasing:
+    """Turn all gears so that their meshes stand in the middle of their backlash.
+
+    Gears with an `initial_angle` keep it; of a train without any, gear 1 of the first mesh stands at 0.
+    What is left where a mesh joins two gears that are already placed is its `offset`.
+
+    Parameters
+    ----------
+    gears, meshes
+        The gears and meshes of a model, with `theta`, `offset1` and `offset2` of the meshes filled in.
+    """
+    angle = {name: g.initial_angle for name, g in gears.items() if g.initial_angle is not None}
+    loose = dict(meshes)
+    while loose:
+        ready = [n for n, m in loose.items() if m.gears[0] in angle or m.gears[1] in angle]
+        if not ready:
+            angle[next(iter(loose.values())).gears[0]] = 0.0
+            continue
+        for name in ready:
+            mesh = loose.pop(name)
+            for this, other in ((0, 1), (1, 0)):
+                if mesh.gears[other] not in angle:
+                    angle[mesh.gears[other]] = _turned(gears, mesh, this, angle[mesh.gears[this]])
+    for name in gears:
+        angle.setdefault(name, 0.0)
+    offset, travel = {}, {}
+    for name, mesh in meshes.items():
+        one, two = gears[mesh.gears[0]], gears[mesh.gears[1]]
+        directions = pitch_directions(mesh, one, two)
+        phase1 = _phase(one, angle[mesh.gears[0]], directions[0], mesh.offset1)
+        phase2 = _phase(two, angle[mesh.gears[1]], directions[1], mesh.offset2)
+        p_bt = _base_pitch(one)
+        offset[name] = math.remainder(phase1 + phase2 - math.pi, math.tau) / math.tau * p_bt
+        travel[name] = math.remainder(phase1, math.tau) / math.tau * p_bt
+    wrapped = {name: math.remainder(a, math.tau) for name, a in angle.items()}
+    return Phasing(wrapped, offset, travel)
+
+
+def _turned(gears: Mapping[str, Gear], mesh: Mesh, fixed: int, angle: float) -> float:
+    """Angle of the other gear of a mesh that centres it; the smallest turn of its tooth 0 from the mesh."""
+    pair = [gears[n] for n in mesh.gears]
+    directions = pitch_directions(mesh, pair[0], pair[1])
+    offsets = (mesh.offset1, mesh.offset2)
+    moved = 1 - fixed
+    rest = math.pi - _phase(pair[fixed], angle, directions[fixed], offsets[fixed])
+    z = pair[moved].sign * pair[moved].number_of_teeth
+    return directions[moved] - tooth_twist(pair[moved], offsets[moved]) + math.remainder(rest, math.tau) / z
+
+
+def _base_pitch(gear: Gear) -> float:
+    """Transverse base pitch [m]."""
+    alpha_t = math.atan(math.tan(gear.normal_pressure_angle) / math.cos(gear.helix_angle))
+    return math.pi * gear.normal_module / math.cos(gear.helix_angle) * math.cos(alpha_t)

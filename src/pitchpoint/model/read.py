@@ -1,0 +1,419 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plain mappings (from YAML, JSON or Python) to components, with every problem collected.
+
+The reader knows nothing about files: it is given the data and, if there are any, the lines the keys stand in.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from pitchpoint.core.errors import Problem, UnitError
+from pitchpoint.core.units import parse_quantity
+from pitchpoint.model import read_law
+from pitchpoint.model.keys import BAD, Key, Place, defaults_of, keys_of
+
+
+def dotted(path: Place) -> str:
+    """Path as people write it.
+
+    Examples
+    --------
+    >>> dotted(("gears", "pinion", "deviations", "pitch", 3))
+    'gears.pinion.deviations.pitch[3]'
+    """
+    out = ""
+    for step in path:
+        out += f"[{step}]" if isinstance(step, int) else (f".{step}" if out else str(step))
+    return out
+
+
+def shown(value: Any) -> str:
+    """A value for a message, never longer than a line."""
+    if isinstance(value, Mapping):
+        return "a mapping"
+    if isinstance(value, list | tuple):
+        return f"a list of {len(value)}"
+    if value is None:
+        return "nothing"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    text = repr(value) if isinstance(value, str) else str(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+@dataclass
+class Reader:
+    """Turns data into components and remembers what was wrong.
+
+    Parameters
+    ----------
+    lines
+        Line of the file for each path, from 1; empty without a file.
+    allow_code
+        Whether entries that name Python functions are accepted.
+    directory
+        Directory that relative file names start from.
+    """
+
+    lines: Mapping[Place, int] = field(default_factory=dict)
+    allow_code: bool = False
+    directory: str = "."
+    problems: list[Problem] = field(default_factory=list)
+    tainted: set[Place] = field(default_factory=set)
+
+    def line(self, path: Place) -> int | None:
+        """Line of a path, or of the nearest part of it that stands in the file."""
+        for n in range(len(path), -1, -1):
+            if path[:n] in self.lines:
+                return self.lines[path[:n]]
+        return None
+
+    def problem(
+        self,
+        path: Place,
+        message: str,
+        *,
+        value: str | None = None,
+        limit: str | None = None,
+        remedy: str | None = None,
+        taint: bool = True,
+    ) -> Any:
+        """Note a problem; `taint` keeps what merely follows from it from being reported."""
+        self.problems.append(Problem(dotted(path), message, value, limit or None, remedy, self.line(path)))
+        if taint:
+            self.tainted.update(path[:n] for n in range(1, len(path) + 1))
+        return BAD
+
+    # --- components -----------------------------------------------------------------------------------
+    def component(self, cls: type, data: Any, path: Place) -> Any:
+        """Read a mapping as the component class `cls`; BAD when a required key is missing or unreadable."""
+        if not isinstance(data, Mapping):
+            wanted = ", ".join(keys_of(cls))
+            return self.problem(
+                path, "is not a mapping", value=shown(data), remedy=f"give keys out of: {wanted}"
+            )
+        keys, defaults = keys_of(cls), defaults_of(cls)
+        self.unknown(data, keys, path)
+        values: dict[str, Any] = {}
+        usable = True
+        for name, description in keys.items():
+            if name not in data:
+                if name not in defaults:
+                    usable = False
+                    self.missing(path, name, description)
+                continue
+            value = data[name]
+            if value is None and name in defaults and defaults[name] is None:
+                continue
+            result = self.value(description, value, (*path, name))
+            if result is not BAD:
+                values[name] = result
+            elif name not in defaults:
+                usable = False
+        return cls(**values) if usable else BAD
+
+    def missing(self, path: Place, name: str, description: Key) -> None:
+        """Report a required key that is not there."""
+        self.problem(
+            (*path, name), f"is missing: {description.meaning}", remedy=f"add {name}: {example(description)}"
+        )
+
+    def unknown(self, data: Mapping[Any, Any], allowed: Iterable[str], path: Place) -> None:
+        """Report keys that nothing reads, with the nearest spelling."""
+        allowed = list(allowed)
+        for name in data:
+            if name in allowed:
+                continue
+            near = difflib.get_close_matches(str(name), allowed, 1, 0.6)
+            guess = f"did you mean {near[0]}? " if near else ""
+            self.problem(
+                (*path, str(name)),
+                "is an unknown key",
+                remedy=f"{guess}allowed are {', '.join(allowed)}",
+                taint=bool(near) and near[0] not in data,
+            )
+
+    def value(self, description: Key, data: Any, path: Place) -> Any:
+        """Read the value of one key by its kind."""
+        return _READERS[description.kind](self, description, data, path)
+
+    # --- plain values -----------------------------------------------------------------------------------
+    def number(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a quantity; check dimension, finiteness and range."""
+        if isinstance(data, bool) or not isinstance(data, int | float | str):
+            return self.problem(
+                path, "is not a number", value=shown(data), remedy=f"write {example(description)}"
+            )
+        try:
+            result = parse_quantity(data, description.dimension)
+        except UnitError as error:
+            message, _, wanted = str(error).partition("; expected ")
+            return self.problem(path, message, remedy=f"write {wanted}" if wanted else None)
+        except OverflowError:
+            return self.problem(path, "is too large for a number", value=shown(data))
+        if not description.allows(result):
+            remedy = f"write {example(description)}"
+            if not isinstance(data, str) and description.dimension in ("length", "angle"):
+                remedy = f"a bare number is in {SI[description.dimension]}; {remedy}"
+            return self.problem(
+                path, "is out of range", value=shown(data), limit=limit_text(description), remedy=remedy
+            )
+        return result
+
+    def whole(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a whole number."""
+        if (
+            isinstance(data, bool)
+            or not isinstance(data, int | float)
+            or data != data
+            or abs(data) == math.inf
+        ):
+            return self.problem(path, "is not a whole number", value=shown(data), limit=description.limit)
+        if data != int(data):
+            return self.problem(
+                path, "is not a whole number", value=shown(data), remedy=f"write {round(data)}"
+            )
+        if not description.allows(data):
+            return self.problem(path, "is out of range", value=shown(data), limit=description.limit)
+        return int(data)
+
+    def word(self, description: Key, data: Any, path: Place) -> Any:
+        """Read one word out of the choices."""
+        if isinstance(data, str) and data in description.choices:
+            return data
+        near = difflib.get_close_matches(str(data), description.choices, 1, 0.5)
+        guess = f"did you mean {near[0]}? " if near else ""
+        return self.problem(
+            path,
+            "is not allowed",
+            value=shown(data),
+            remedy=f"{guess}allowed are {', '.join(description.choices)}",
+        )
+
+    def string(self, description: Key, data: Any, path: Place) -> Any:
+        """Read text; numbers are taken as they are written."""
+        if isinstance(data, bool) or not isinstance(data, str | int | float):
+            return self.problem(path, "is not a text", value=shown(data))
+        return str(data)
+
+    def boolean(self, description: Key, data: Any, path: Place) -> Any:
+        """Read true or false."""
+        if isinstance(data, bool):
+            return data
+        return self.problem(
+            path, "is neither true nor false", value=shown(data), remedy="write true or false"
+        )
+
+    def sequence(self, description: Key, data: Any, path: Place, read: Callable[..., Any]) -> Any:
+        """Read a list of a limited length entry by entry."""
+        low, high = description.length
+        wanted = f"{low} entries" if low == high else f"at least {low} entries" if low else "a list"
+        if not isinstance(data, list | tuple):
+            return self.problem(
+                path, "is not a list", value=shown(data), remedy=f"write {example(description)}"
+            )
+        if not low <= len(data) <= high:
+            return self.problem(
+                path, f"has {len(data)} entries", limit=wanted, remedy=f"write {example(description)}"
+            )
+        out = [read(description, entry, (*path, i)) for i, entry in enumerate(data)]
+        return BAD if any(entry is BAD for entry in out) else tuple(out)
+
+    def numbers(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a list of quantities, or the name of a text file for lists of any length."""
+        if isinstance(data, str) and description.length[0] == 0:
+            data = read_law.column(self, data, path)
+            if data is BAD:
+                return BAD
+        return self.sequence(description, data, path, self.number)
+
+    def names(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a list of names."""
+        return self.sequence(description, data, path, self.string)
+
+    def words(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a list of words out of the choices."""
+        return self.sequence(description, data, path, self.word)
+
+    # --- nested values ------------------------------------------------------------------------------------
+    def nested(self, description: Key, data: Any, path: Place) -> Any:
+        """Read one nested component."""
+        return self.component(description.of, data, path)
+
+    def nested_list(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a list of nested components."""
+        return self.sequence(
+            description, data, path, lambda key, entry, at: self.component(key.of, entry, at)
+        )
+
+    def nested_names(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a mapping of names to components; what cannot be read is left out."""
+        if not isinstance(data, Mapping):
+            return self.problem(path, "is not a mapping of names", value=shown(data))
+        out = {}
+        for name, entry in data.items():
+            if self.good_name(name, path):
+                result = self.component(description.of, entry, (*path, str(name)))
+                if result is not BAD:
+                    out[str(name)] = result
+        return out
+
+    def good_name(self, name: Any, path: Place) -> bool:
+        """Names are words, so that paths and channels like `mesh_force[stage]` stay readable."""
+        text = str(name)
+        if (
+            not isinstance(name, bool | float)
+            and text
+            and not set(text) & set(".[]{}\n\t,:/\\\"'")
+            and text.isprintable()
+        ):
+            return True
+        self.problem(
+            (*path, text),
+            "is no usable name",
+            remedy="use letters, digits, '_' and '-', without dots and brackets",
+        )
+        return False
+
+    def variant(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a component whose key `law` names its kind."""
+        laws = description.of
+        if not isinstance(data, Mapping):
+            remedy = f"write {{law: {next(iter(laws))}}}; laws are {', '.join(laws)}"
+            return self.problem(path, "is not a mapping", value=shown(data), remedy=remedy)
+        if "law" not in data:
+            return self.problem((*path, "law"), "is missing", remedy=f"laws are {', '.join(laws)}")
+        word = self.word(Key("choice", "", choices=tuple(laws)), data["law"], (*path, "law"))
+        if word is BAD:
+            return BAD
+        return self.component(laws[word], {k: v for k, v in data.items() if k != "law"}, path)
+
+    def gears(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a list of gear names or a mapping of names to axial offsets."""
+        if isinstance(data, Mapping):
+            axial = Key("quantity", description.meaning, dimension="length")
+            offsets = {str(n): self.number(axial, v, (*path, str(n))) for n, v in data.items()}
+            return BAD if any(v is BAD for v in offsets.values()) else offsets
+        found = self.names(description, data, path)
+        if found is BAD:
+            return BAD
+        twice = sorted({n for n in found if found.count(n) > 1})
+        if twice:
+            return self.problem(path, f"names {', '.join(twice)} twice", remedy="name each gear once")
+        return dict.fromkeys(found, 0.0)
+
+    def speeds(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a mapping of names to quantities."""
+        if not isinstance(data, Mapping):
+            return self.problem(
+                path, "is not a mapping of names", value=shown(data), remedy="write {BODY: 1500 rpm}"
+            )
+        speeds = {str(n): self.number(description, v, (*path, str(n))) for n, v in data.items()}
+        return BAD if any(v is BAD for v in speeds.values()) else speeds
+
+    def grid(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a rectangular list of lists of quantities."""
+        row = Key("quantities", "", dimension=description.dimension, length=(1, 10**6))
+        rows = self.sequence(row, data, path, self.numbers)
+        if rows is not BAD and len({len(r) for r in rows}) != 1:
+            return self.problem(path, "has rows of different length", remedy="give every row the same length")
+        return rows
+
+    def matrix(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a symmetric 6x6 matrix of SI numbers."""
+        row = Key("quantities", "", dimension="dimensionless", length=(6, 6))
+        rows = self.sequence(row, data, path, self.numbers)
+        if rows is BAD:
+            return BAD
+        size = max(abs(v) for r in rows for v in r)
+        for i in range(6):
+            for j in range(i):
+                if abs(rows[i][j] - rows[j][i]) > 1e-9 * size:
+                    remedy = f"entries [{i}][{j}] and [{j}][{i}] must agree"
+                    return self.problem(path, "is not symmetric", remedy=remedy)
+        return rows
+
+    def orders(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a mapping of orders to [amplitude, phase]."""
+        if not isinstance(data, Mapping):
+            return self.problem(
+                path, "is not a mapping", value=shown(data), remedy="write {1: [20 um, 0 deg]}"
+            )
+        whole = Key("integer", "", minimum=1, maximum=10**6)
+        length, angle = Key("quantity", "", dimension="length"), Key("quantity", "", dimension="angle")
+        out = []
+        for order, pair in data.items():
+            at = (*path, str(order))
+            n = self.whole(whole, int(order) if str(order).isdecimal() and len(str(order)) < 9 else order, at)
+            if not isinstance(pair, list | tuple) or len(pair) != 2:
+                self.problem(
+                    at, "is not [amplitude, phase]", value=shown(pair), remedy="write [20 um, 0 deg]"
+                )
+                continue
+            found = (n, self.number(length, pair[0], (*at, 0)), self.number(angle, pair[1], (*at, 1)))
+            if BAD not in found:
+                out.append(found)
+        return tuple(out)
+
+
+SI = {"length": "metres", "angle": "radians"}
+
+
+def limit_text(description: Key) -> str:
+    """Allowed range in the units people use."""
+    from pitchpoint.core.units import format_quantity
+
+    parts = []
+    for bound, strict, loose in (
+        (description.minimum, ">" if description.above else ">=", -math.inf),
+        (description.maximum, "<" if description.below else "<=", math.inf),
+    ):
+        if bound != loose:
+            parts.append(f"{strict} {'0' if bound == 0.0 else format_quantity(bound, description.dimension)}")
+    return " and ".join(parts)
+
+
+def example(description: Key) -> str:
+    """A value that a user could write."""
+    if description.kind in ("quantity", "quantities"):
+        from pitchpoint.core.unit_table import DIMENSIONS
+
+        one = DIMENSIONS[description.dimension].example
+        one = one.split(" or ")[0]
+        if description.kind == "quantities" or description.length[0] > 1:
+            return f"[{', '.join([one] * max(2, min(description.length[0], 3)))}]"
+        return one
+    if description.choices:
+        return " or ".join(description.choices)
+    samples = {"integer": str(int(max(description.minimum, 20))), "names": "[a, b]", "text": "a name"}
+    return samples.get(description.kind, "{...}")
+
+
+_READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
+    "quantity": Reader.number,
+    "integer": Reader.whole,
+    "choice": Reader.word,
+    "text": Reader.string,
+    "boolean": Reader.boolean,
+    "quantities": Reader.numbers,
+    "names": Reader.names,
+    "words": Reader.words,
+    "component": Reader.nested,
+    "components": Reader.nested_names,
+    "list": Reader.nested_list,
+    "variant": Reader.variant,
+    "gears": Reader.gears,
+    "speeds": Reader.speeds,
+    "grid": Reader.grid,
+    "matrix": Reader.matrix,
+    "orders": Reader.orders,
+    "law": read_law.law,
+    "laws": read_law.laws,
+    "python": read_law.python,
+    "material": read_law.material,
+}

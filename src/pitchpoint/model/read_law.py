@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Readers of the values that are more than a number: laws over time, Python functions, materials, columns.
+
+Formulas go through the whitelist parser of `core.formula` and are never evaluated as Python; a Python
+function is only named here, and only when the caller allows code.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.errors import GeometryError, PitchpointError
+from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
+from pitchpoint.model.keys import BAD, Key, Place
+
+if TYPE_CHECKING:
+    from pitchpoint.model.read import Reader
+
+VARIABLES = ("t", "angle", "speed")
+_WORDS = re.compile(r"(?<![\w.])(?:[a-zA-Z_]\w*)")
+_MAX_COLUMN_BYTES = 10_000_000
+
+
+def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a torque, force or prescribed motion in any of its forms."""
+    motion = key.dimension in ("angle", "angular_speed")
+    if isinstance(data, Mapping):
+        if "python" in data:
+            return python(reader, key, data, path)
+        if "table" in data:
+            return _table(reader, key, data, path, only_time=motion)
+        return reader.problem(
+            path,
+            "is neither a table nor a Python function",
+            remedy="write {table: [[t, value], ...], over: time}",
+        )
+    if data == "balance" and key.dimension == "torque":
+        return Balance()
+    variables = ("t",) if motion else VARIABLES
+    if isinstance(data, str) and any(w in variables for w in _WORDS.findall(data)):
+        return _formula(reader, data, path, variables)
+    value = reader.number(key, data, path)
+    return BAD if value is BAD else Constant(value)
+
+
+def laws(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a list of laws."""
+    return reader.sequence(key, data, path, lambda k, entry, at: law(reader, k, entry, at))
+
+
+def _formula(reader: Reader, text: str, path: Place, variables: tuple[str, ...]) -> Any:
+    from pitchpoint.core.formula import Formula
+
+    try:
+        Formula.parse(text, variables)
+    except PitchpointError as error:
+        remedy = f"a formula may use {', '.join(variables)}, pi, numbers with units and listed functions"
+        return reader.problem(path, f"cannot be read as a formula: {error}", remedy=remedy)
+    return FormulaLaw(text, variables)
+
+
+def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, *, only_time: bool) -> Any:
+    reader.unknown(data, ("table", "over"), path)
+    choices = ("time",) if only_time else ("time", "angle")
+    over = reader.word(Key("choice", "", choices=choices), data.get("over", "time"), (*path, "over"))
+    rows = data["table"]
+    at = (*path, "table")
+    if not isinstance(rows, list | tuple) or len(rows) < 2:
+        return reader.problem(at, "is not a list of at least two rows", remedy="write [[0 s, 0], [1 s, 150]]")
+    if over is BAD:
+        return BAD
+    x_key = Key("quantity", "", dimension="time" if over == "time" else "angle")
+    points = []
+    for i, row in enumerate(rows):
+        if not isinstance(row, list | tuple) or len(row) != 2:
+            reader.problem((*at, i), "is not a row of two values", remedy=f"write [{over}, value]")
+            continue
+        point = (reader.number(x_key, row[0], (*at, i, 0)), reader.number(key, row[1], (*at, i, 1)))
+        if BAD not in point:
+            points.append(point)
+    if len(points) != len(rows):
+        return BAD
+    for i in range(1, len(points)):
+        if not points[i][0] > points[i - 1][0]:
+            return reader.problem(
+                (*at, i), f"does not come later in {over} than the row before", remedy="sort the table"
+            )
+    return TableLaw(tuple(p[0] for p in points), tuple(p[1] for p in points), over)
+
+
+def python(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read 'file.py:function' with parameters; a problem unless code is allowed."""
+    parameters: Any = ()
+    name = data
+    if isinstance(data, Mapping):
+        reader.unknown(data, ("python", "parameters"), path)
+        name = data.get("python")
+        numbers = Key("quantities", "", dimension="dimensionless", length=(0, 1000))
+        parameters = reader.sequence(
+            numbers, data.get("parameters", []), (*path, "parameters"), reader.number
+        )
+    match = re.fullmatch(r"(.+\.py):([A-Za-z_]\w*)", name) if isinstance(name, str) else None
+    if match is None:
+        return reader.problem(path, "does not name a Python function", remedy="write 'file.py:function'")
+    if not reader.allow_code:
+        return reader.problem(
+            path,
+            f"names Python code ('{match[1]}'), which is not run unless allowed",
+            remedy="read the code, then use --allow-code (allow_code=True)",
+        )
+    if parameters is BAD:
+        return BAD
+    return PythonLaw(str(Path(reader.directory) / match[1]), match[2], parameters)
+
+
+def material(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read the name of a material of the library, or its properties."""
+    from pitchpoint.geometry import materials
+
+    if isinstance(data, Mapping):
+        return _own_material(reader, data, path)
+    if isinstance(data, str) and data in materials.LIBRARY:
+        return data
+    known = sorted(materials.LIBRARY)
+    near = difflib.get_close_matches(str(data), known, 1, 0.5)
+    guess = f"did you mean {near[0]}? " if near else ""
+    return reader.problem(
+        path,
+        f"{str(data)[:40]!r} is no material of the library",
+        remedy=f"{guess}known are {', '.join(known)}",
+    )
+
+
+def _own_material(reader: Reader, data: Mapping[str, Any], path: Place) -> Any:
+    from pitchpoint.geometry.materials import Material
+
+    properties = {
+        "youngs_modulus": Key("quantity", "", dimension="pressure", minimum=0.0, above=True),
+        "poisson_ratio": Key("quantity", "", dimension="dimensionless", minimum=0.0, maximum=0.5, below=True),
+        "density": Key("quantity", "", dimension="density", minimum=0.0, above=True),
+    }
+    reader.unknown(data, properties, path)
+    found = {}
+    for name, description in properties.items():
+        if name in data:
+            found[name] = reader.number(description, data[name], (*path, name))
+        else:
+            reader.missing(path, name, description)
+    if BAD in found.values() or len(found) != len(properties):
+        return BAD
+    try:
+        return Material(name="custom", **found)
+    except GeometryError as error:
+        return reader.problem(
+            path, error.problem.message, value=error.problem.value, limit=error.problem.limit
+        )
+
+
+def column(reader: Reader, name: str, path: Place) -> Any:
+    """Read a text file with one quantity per line; '#' starts a comment."""
+    file = Path(reader.directory) / name
+    try:
+        if not file.is_file():
+            return reader.problem(path, f"there is no file '{name}'", remedy="give a list of quantities")
+        if file.stat().st_size > _MAX_COLUMN_BYTES:
+            return reader.problem(path, f"the file '{name}' is larger than 10 MB", remedy="split it")
+        with file.open(encoding="utf-8") as stream:
+            lines = [line.split("#")[0].strip() for line in stream]
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is no text file"
+        return reader.problem(
+            path, f"the file '{name}' cannot be read: {reason}", remedy="give a list of quantities"
+        )
+    return [_plain(line) for line in lines if line]
+
+
+def _plain(text: str) -> float | str:
+    try:
+        return float(text)
+    except ValueError:
+        return text

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is done to a model: speeds, prescribed motions, duration, sweeps, outputs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pitchpoint.model.components.law import Law
+from pitchpoint.model.keys import choice, component, integer, key, positive, quantities, quantity, text
+
+METHODS = ("generalized_alpha", "runge_kutta", "rk4")
+EVENTS = ("pair_entry", "pair_exit", "contact", "sliding_reversal")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drive:
+    """Prescribed motion of a body: its speed or its angle, exactly one of them."""
+
+    speed: Law | None = key("law", "speed over t, or a table over time", None, dimension="angular_speed")
+    angle: Law | None = key("law", "angle over t, or a table over time", None, dimension="angle")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sweep:
+    """Speed sweep that carries the state from point to point; one of the two ranges is given."""
+
+    body: str = text("body whose speed is swept")
+    mesh_frequency: tuple[float, float] | None = quantities(
+        "frequency", "lowest and highest mesh frequency [Hz]", None, length=(2, 2), minimum=0.0, above=True
+    )
+    speed: tuple[float, float] | None = quantities(
+        "angular_speed", "lowest and highest speed", None, length=(2, 2), minimum=0.0, above=True
+    )
+    mesh: str | None = text("mesh whose frequency counts", None, display="the only mesh of the body")
+    points: int = integer("number of speeds", 101, minimum=2, maximum=1000000)
+    direction: str = choice(("up", "down", "both"), "direction of the sweep", "both")
+    settle_periods: int = integer("mesh periods before each measurement", 200, minimum=0, maximum=10**8)
+    measure_periods: int = integer("mesh periods of each measurement", 50, minimum=1, maximum=10**8)
+    steps_per_period: int = integer("time steps per mesh period", 100, minimum=8, maximum=100000)
+
+
+@dataclass(frozen=True, kw_only=True)
+class QuasiStatic:
+    """Slow roll through whole mesh periods."""
+
+    mesh: str | None = text("mesh whose periods count", None, display="the only mesh")
+    points: int = integer("points per mesh period", 100, minimum=2, maximum=10**6)
+    periods: int = integer("number of mesh periods", 1, minimum=1, maximum=10**6)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scenario:
+    """One thing to do with a model: a time response, a sweep or a quasi-static roll."""
+
+    speed: dict[str, float] = key(
+        "speeds", "start speed of bodies; the others follow from the ratios", {}, dimension="angular_speed"
+    )
+    drive: dict[str, Drive] = key("components", "prescribed motion of bodies", {}, of=Drive)
+    hold: tuple[str, ...] = key("names", "bodies whose speed is held at its start value", ())
+    duration: float | None = positive("time", "length of the time response; required without sweep", None)
+    sample_rate: float | None = positive("frequency", "samples per second", None, display="every step")
+    settle_time: float | None = quantity(
+        "time", "start of the window of the statistics", None, minimum=0.0, display="20 % of duration"
+    )
+    step: float | None = positive("time", "time step", None, display="1/100 of the shortest mesh period")
+    tolerance: float = positive("dimensionless", "relative tolerance of runge_kutta", 1e-7, maximum=0.1)
+    method: str = choice(METHODS, "time integration", "generalized_alpha")
+    events: tuple[str, ...] = key("words", "root events to locate and record", (), choices=EVENTS)
+    sweep: Sweep | None = component(Sweep, "speed sweep instead of one time response")
+    quasi_static: QuasiStatic | None = component(QuasiStatic, "slow roll instead of a time response")
+
+    @property
+    def kind(self) -> str:
+        """'sweep', 'quasi_static' or 'time'."""
+        if self.sweep is not None:
+            return "sweep"
+        return "quasi_static" if self.quasi_static is not None else "time"
+
+    @property
+    def statistics_start(self) -> float:
+        """Time from which statistics are taken [s]."""
+        if self.settle_time is not None:
+            return self.settle_time
+        return 0.2 * (self.duration or 0.0)

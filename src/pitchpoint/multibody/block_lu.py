@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: Apache-2.0
+"""LU over 6 x 6 blocks along a programme that is written once, when the structure is known.
+
+Nodes are groups of at most six coordinates. `plan` orders them by minimum degree, adds the fill blocks and
+writes two programmes: *factor* (invert a diagonal block, form L = A D^-1, subtract L U) and *solve* (forward
+rows, backward rows). After factoring, diagonal blocks hold inverses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.kernel import kernel
+from pitchpoint.core.status import NOT_FINITE, OK, SINGULAR
+
+INVERT, SCALE, SUBTRACT = 0, 1, 2
+SWEEP, FINISH = 0, 1
+
+FACTOR = np.dtype([(n, "i8") for n in ("op", "a", "b", "c", "na", "nb", "nc")], align=True)
+SOLVE = np.dtype([(n, "i8") for n in ("op", "blk", "to", "by", "nt", "nb")], align=True)
+
+
+def plan(
+    sizes: list[int], edges: Iterable[tuple[int, int]], offsets: list[int]
+) -> tuple[dict[tuple[int, int], int], NDArray[np.void], NDArray[np.void]]:
+    """Order the nodes, place the blocks, write the programmes.
+
+    Parameters
+    ----------
+    sizes, offsets
+        Number of coordinates of each node and index of its first one.
+    edges
+        Pairs of nodes that share a block.
+
+    Returns
+    -------
+    blocks
+        Block index of every ordered pair of nodes, fill included; block 0 is the dump.
+    factor, solve
+        Programmes (FACTOR, SOLVE).
+    """
+    n = len(sizes)
+    near: list[set[int]] = [set() for _ in range(n)]
+    for i, j in edges:
+        if i != j:
+            near[i].add(j)
+            near[j].add(i)
+    blocks = {}
+    for i in range(n):
+        for j in sorted({i} | near[i]):
+            blocks[i, j] = len(blocks) + 1
+    factor: list[tuple[int, ...]] = []
+    forward: list[tuple[int, ...]] = []
+    backward: list[tuple[int, ...]] = []
+    left = set(range(n))
+    while left:
+        k = min(left, key=lambda i: (len(near[i] & left), i))
+        left.remove(k)
+        others = sorted(near[k] & left)
+        factor.append((INVERT, blocks[k, k], 0, 0, sizes[k], 0, 0))
+        last: list[tuple[int, ...]] = []
+        for i in others:
+            factor.append((SCALE, blocks[i, k], blocks[k, k], 0, sizes[i], sizes[k], 0))
+            forward.append((SWEEP, blocks[i, k], offsets[i], offsets[k], sizes[i], sizes[k]))
+            last.append((SWEEP, blocks[k, i], offsets[k], offsets[i], sizes[k], sizes[i]))
+            for j in others:
+                if (i, j) not in blocks:
+                    blocks[i, j] = len(blocks) + 1
+                near[i].add(j)
+                factor.append(
+                    (SUBTRACT, blocks[i, j], blocks[i, k], blocks[k, j], sizes[i], sizes[k], sizes[j])
+                )
+            near[i].discard(i)
+        last.append((FINISH, blocks[k, k], offsets[k], offsets[k], sizes[k], sizes[k]))
+        backward = last + backward
+    return blocks, np.array(factor, FACTOR), np.array(forward + backward, SOLVE)
+
+
+@kernel
+def invert(B, n, order):
+    """Invert an n x n block in place by Gauss-Jordan steps with row exchange; order is scratch of n integers."""
+    if n == 1:
+        if B[0, 0] == 0.0:
+            return SINGULAR
+        B[0, 0] = 1.0 / B[0, 0]
+        return OK
+    for k in range(n):
+        best = k
+        size = abs(B[k, k])
+        for i in range(k + 1, n):
+            if abs(B[i, k]) > size:
+                size = abs(B[i, k])
+                best = i
+        if not size > 0.0:
+            return SINGULAR if size == 0.0 else NOT_FINITE
+        order[k] = best
+        if best != k:
+            for c in range(n):
+                x = B[k, c]
+                B[k, c] = B[best, c]
+                B[best, c] = x
+        d = 1.0 / B[k, k]
+        B[k, k] = 1.0
+        for c in range(n):
+            B[k, c] *= d
+        for i in range(n):
+            if i != k:
+                x = B[i, k]
+                B[i, k] = 0.0
+                for c in range(n):
+                    B[i, c] -= x * B[k, c]
+    for k in range(n - 1, -1, -1):
+        if order[k] != k:
+            h = order[k]
+            for i in range(n):
+                x = B[i, k]
+                B[i, k] = B[i, h]
+                B[i, h] = x
+    return OK
+
+
+@kernel
+def scale(L, D, n, m, T):
+    """L <- L D for an n x m block L and the inverse D; T is scratch."""
+    if n == 6 and m == 6:
+        for i in range(6):
+            for c in range(6):
+                s = 0.0
+                for h in range(6):
+                    s += L[i, h] * D[h, c]
+                T[i, c] = s
+        for i in range(6):
+            for c in range(6):
+                L[i, c] = T[i, c]
+    else:
+        for i in range(n):
+            for c in range(m):
+                s = 0.0
+                for h in range(m):
+                    s += L[i, h] * D[h, c]
+                T[i, c] = s
+        for i in range(n):
+            for c in range(m):
+                L[i, c] = T[i, c]
+
+
+@kernel
+def subtract(B, L, U, n, m, o):
+    """B <- B - L U for blocks n x m and m x o."""
+    if n == 6 and m == 6 and o == 6:
+        for i in range(6):
+            for c in range(6):
+                s = 0.0
+                for h in range(6):
+                    s += L[i, h] * U[h, c]
+                B[i, c] -= s
+    else:
+        for i in range(n):
+            for c in range(o):
+                s = 0.0
+                for h in range(m):
+                    s += L[i, h] * U[h, c]
+                B[i, c] -= s
+
+
+@kernel
+def factorise(programme, A, T, order):
+    """Run the factor programme on the blocks A in place."""
+    for row in range(programme.size):
+        w = programme[row]
+        if w["op"] == INVERT:
+            status = invert(A[w["a"]], w["na"], order)
+            if status != OK:
+                return status
+        elif w["op"] == SCALE:
+            scale(A[w["a"]], A[w["b"]], w["na"], w["nb"], T)
+        else:
+            subtract(A[w["a"]], A[w["b"]], A[w["c"]], w["na"], w["nb"], w["nc"])
+    return OK
+
+
+@kernel
+def substitute(programme, A, x, y):
+    """Solve in place: x holds the right-hand side and becomes the solution; y is scratch of six."""
+    for row in range(programme.size):
+        w = programme[row]
+        m = w["blk"]
+        to = w["to"]
+        by = w["by"]
+        if w["op"] == SWEEP:
+            if w["nt"] == 6 and w["nb"] == 6:
+                for i in range(6):
+                    s = 0.0
+                    for c in range(6):
+                        s += A[m, i, c] * x[by + c]
+                    x[to + i] -= s
+            else:
+                for i in range(w["nt"]):
+                    s = 0.0
+                    for c in range(w["nb"]):
+                        s += A[m, i, c] * x[by + c]
+                    x[to + i] -= s
+        elif w["nt"] == 6:
+            for i in range(6):
+                s = 0.0
+                for c in range(6):
+                    s += A[m, i, c] * x[to + c]
+                y[i] = s
+            for i in range(6):
+                x[to + i] = y[i]
+        else:
+            n = w["nt"]
+            for i in range(n):
+                s = 0.0
+                for c in range(n):
+                    s += A[m, i, c] * x[to + c]
+                y[i] = s
+            for i in range(n):
+                x[to + i] = y[i]

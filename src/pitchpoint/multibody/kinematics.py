@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From coordinates to frames: positions, twists, accelerations and joint columns of every body.
+
+With w1 the first reference axis, w2 the second axis after the turn alpha, n the spin axis:
+omega = alpha' w1 + beta' w2 + phi' n, and its derivative has the bias alpha' beta' w1 x w2
++ phi' (alpha' w1 + beta' w2) x n. J holds the columns of each joint as seen at the body origin (6 x n): it is
+d(twist)/d(rate), d(acceleration)/d(second rate) and the displacement twist per coordinate at once.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.core.kernel import kernel
+from pitchpoint.multibody.joints import FREE, PLANAR, TORSION
+
+
+@kernel
+def rest_pose(body, fr, J):
+    """Write everything that never changes: reference poses, columns of torsional and translating joints."""
+    for b in range(body.size):
+        o = body[b]
+        f = fr[b]
+        for i in range(3):
+            f["r"][i] = o["pos"][i]
+            for c in range(3):
+                f["R"][i, c] = o["axes"][i, c]
+        for i in range(6):
+            f["tw"][i] = 0.0
+            f["ac"][i] = 0.0
+            f["F"][i] = 0.0
+        f["phi"] = 0.0
+        f["spin"] = 0.0
+        p = o["path"]
+        if p >= 0:
+            for i in range(6):
+                for c in range(6):
+                    J[p, i, c] = 0.0
+            shift = 0
+            if o["joint"] == PLANAR:
+                shift = 2
+            elif o["joint"] == FREE:
+                shift = 3
+            for i in range(3):
+                for c in range(shift):
+                    J[p, i, c] = o["axes"][i, c]
+                J[p, 3 + i, o["joint"] - 1] = o["axes"][i, 2]
+            if o["joint"] == FREE:
+                for i in range(3):
+                    J[p, 3 + i, 3] = o["axes"][i, 0]
+
+
+@kernel
+def free_body(o, f, J, q, v, a):
+    """Frame of a body with all six coordinates."""
+    d = o["dof"]
+    p = o["path"]
+    ca = math.cos(q[d + 3])
+    sa = math.sin(q[d + 3])
+    cb = math.cos(q[d + 4])
+    sb = math.sin(q[d + 4])
+    va = v[d + 3]
+    vb = v[d + 4]
+    vs = v[d + 5]
+    E = o["axes"]
+    for i in range(3):
+        e1 = E[i, 0]
+        e2 = ca * E[i, 1] + sa * E[i, 2]  # w2
+        e3 = ca * E[i, 2] - sa * E[i, 1]  # w1 x w2
+        n = cb * e3 + sb * e1
+        f["R"][i, 0] = cb * e1 - sb * e3
+        f["R"][i, 1] = e2
+        f["R"][i, 2] = n
+        J[p, 3 + i, 4] = e2
+        J[p, 3 + i, 5] = n
+        f["r"][i] = o["pos"][i] + E[i, 0] * q[d] + E[i, 1] * q[d + 1] + E[i, 2] * q[d + 2]
+        f["tw"][i] = E[i, 0] * v[d] + E[i, 1] * v[d + 1] + E[i, 2] * v[d + 2]
+        f["ac"][i] = E[i, 0] * a[d] + E[i, 1] * a[d + 1] + E[i, 2] * a[d + 2]
+        f["tw"][3 + i] = va * e1 + vb * e2 + vs * n
+        # w1 x n = -cb w2, w2 x n = first frame axis
+        bias = va * vb * e3 - vs * va * cb * e2 + vs * vb * (cb * e1 - sb * e3)
+        f["ac"][3 + i] = a[d + 3] * e1 + a[d + 4] * e2 + a[d + 5] * n + bias
+    f["phi"] = q[d + 5]
+    f["spin"] = vs
+
+
+@kernel
+def kinematics(body, fr, J, q, v, a):
+    """Frames, twists, accelerations and moving joint columns of all bodies at (q, v, a)."""
+    for b in range(1, body.size):
+        o = body[b]
+        f = fr[b]
+        d = o["dof"]
+        if o["joint"] == TORSION:
+            for i in range(3):
+                n = o["axes"][i, 2]
+                f["tw"][3 + i] = n * v[d]
+                f["ac"][3 + i] = n * a[d]
+            f["phi"] = q[d]
+            f["spin"] = v[d]
+        elif o["joint"] == FREE:
+            free_body(o, f, J, q, v, a)
+        elif o["joint"] == PLANAR:
+            for i in range(3):
+                e1 = o["axes"][i, 0]
+                e2 = o["axes"][i, 1]
+                n = o["axes"][i, 2]
+                f["r"][i] = o["pos"][i] + e1 * q[d] + e2 * q[d + 1]
+                f["tw"][i] = e1 * v[d] + e2 * v[d + 1]
+                f["ac"][i] = e1 * a[d] + e2 * a[d + 1]
+                f["tw"][3 + i] = n * v[d + 2]
+                f["ac"][3 + i] = n * a[d + 2]
+            f["phi"] = q[d + 2]
+            f["spin"] = v[d + 2]
+
+
+@kernel
+def cross(J, p, c, x, y, z, out, col):
+    """Write column c of the rotations of J crossed with (x, y, z) into rows 3..5 of out[p, :, col]."""
+    a = J[p, 3, c]
+    b = J[p, 4, c]
+    d = J[p, 5, c]
+    out[p, 3, col] = b * z - d * y
+    out[p, 4, col] = d * x - a * z
+    out[p, 5, col] = a * y - b * x
+
+
+@kernel
+def joint_rates(body, fr, J, Tq, Av, Aq, v, a):
+    """Derivatives of twists and accelerations that only an exact linearisation needs.
+
+    Tq = d(twist)/dq, Av = d(acceleration)/dv, Aq = d(acceleration)/dq at fixed coordinates of the rest. Only
+    the two tilts of a free body have any: all vectors turn about w1 with alpha; with beta only n moves.
+    """
+    for p in range(J.shape[0]):
+        for i in range(6):
+            for c in range(6):
+                Tq[p, i, c] = 0.0
+                Av[p, i, c] = 0.0
+                Aq[p, i, c] = 0.0
+    for b in range(1, body.size):
+        o = body[b]
+        if o["joint"] == FREE:
+            f = fr[b]
+            d = o["dof"]
+            p = o["path"]
+            va = v[d + 3]
+            vb = v[d + 4]
+            vs = v[d + 5]
+            cross(J, p, 3, f["tw"][3], f["tw"][4], f["tw"][5], Tq, 3)
+            cross(J, p, 3, f["ac"][3], f["ac"][4], f["ac"][5], Aq, 3)
+            nx = J[p, 3, 5]
+            ny = J[p, 4, 5]
+            nz = J[p, 5, 5]
+            m0 = f["R"][0, 0]  # w2 x n, the derivative of n by beta
+            m1 = f["R"][1, 0]
+            m2 = f["R"][2, 0]
+            w0 = J[p, 3, 3] * va + J[p, 3, 4] * vb  # velocity of the frame without spin
+            w1 = J[p, 4, 3] * va + J[p, 4, 4] * vb
+            w2 = J[p, 5, 3] * va + J[p, 5, 4] * vb
+            Tq[p, 3, 4] = vs * m0
+            Tq[p, 4, 4] = vs * m1
+            Tq[p, 5, 4] = vs * m2
+            Aq[p, 3, 4] = a[d + 5] * m0 + vs * (w1 * m2 - w2 * m1)
+            Aq[p, 4, 4] = a[d + 5] * m1 + vs * (w2 * m0 - w0 * m2)
+            Aq[p, 5, 4] = a[d + 5] * m2 + vs * (w0 * m1 - w1 * m0)
+            Av[p, 3, 5] = w1 * nz - w2 * ny
+            Av[p, 4, 5] = w2 * nx - w0 * nz
+            Av[p, 5, 5] = w0 * ny - w1 * nx
+            s0 = J[p, 3, 4] * vb + nx * vs
+            s1 = J[p, 4, 4] * vb + ny * vs
+            s2 = J[p, 5, 4] * vb + nz * vs
+            cross(J, p, 3, s0, s1, s2, Av, 3)  # w1 x (beta' w2 + phi' n)
+            Av[p, 3, 4] = m0 * vs
+            Av[p, 4, 4] = m1 * vs
+            Av[p, 5, 4] = m2 * vs
+            c0 = J[p, 4, 3] * J[p, 5, 4] - J[p, 5, 3] * J[p, 4, 4]
+            c1 = J[p, 5, 3] * J[p, 3, 4] - J[p, 3, 3] * J[p, 5, 4]
+            c2 = J[p, 3, 3] * J[p, 4, 4] - J[p, 4, 3] * J[p, 3, 4]
+            Av[p, 3, 4] += va * c0
+            Av[p, 4, 4] += va * c1
+            Av[p, 5, 4] += va * c2

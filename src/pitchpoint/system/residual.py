@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one residual R(t, q, v, a, lam) = M a - f + G^T lam and its matrix cm M + cd D + ck K.
+
+Statics, modes, frequency response and every integrator call this with their own three coefficients. What is
+asked for is `jac`: FORCES (0), NEWTON (1, tangents may be approximate), EXACT (2, for linearisation) or MASS
+(3, the mass matrix alone, elements asked for forces only).
+"""
+
+from __future__ import annotations
+
+from pitchpoint.core.kernel import call, kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.multibody.bodies import BODY, PATH
+from pitchpoint.multibody.channels import CTL, F8, FRAME, I8
+from pitchpoint.multibody.constraints import add_multipliers, frame_rows
+from pitchpoint.multibody.inertia import inertia
+from pitchpoint.multibody.kinematics import joint_rates, kinematics
+from pitchpoint.multibody.projection import PROJ, project_force, project_geometry, project_tangent
+from pitchpoint.system.workspace import MACH
+
+FORCES, NEWTON, EXACT, MASS = 0, 1, 2, 3
+FRAME_CHANNEL, COORDINATE_CHANNEL = 0, 1
+TWO_PI = 6.283185307179586
+
+
+@kernel
+def zero(x):
+    """Set a vector to zero."""
+    for i in range(x.size):
+        x[i] = 0.0
+
+
+@kernel
+def zero_blocks(x):
+    """Set 6 x 6 blocks to zero."""
+    for k in range(x.shape[0]):
+        for i in range(6):
+            for c in range(6):
+                x[k, i, c] = 0.0
+
+
+@kernel
+def run_kinds(at, table, frames_only):
+    """Call the entries of a table of kinds; stop at the first that does not return OK and note its row."""
+    for e in range(table.shape[0]):
+        if frames_only == 0 or table[e, 3] == FRAME_CHANNEL:
+            status = call(table[e, 0], at, table[e, 1], table[e, 2])
+            if status != OK:
+                view(at, 1, CTL)[0]["badkind"] = e
+                return status
+    return OK
+
+
+@kernel
+def exact_rates(at, cm, cd, ck):
+    """Parts of the exact matrix that a frame tangent alone cannot carry.
+
+    Twists depend on q and accelerations on q and v through the moving joint axes:
+    A += ck J^T D (d twist/dq) + J^T M (cd d acc/dv + ck d acc/dq). Needs its own pass over the elements.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    n = m["npath"]
+    body = view(m["body"], c["nb"], BODY)
+    fr = view(c["fr"], c["nb"], FRAME)
+    J = view(m["J"], (n, 6, 6), F8)
+    Tq = view(m["Tq"], (n, 6, 6), F8)
+    Av = view(m["Av"], (n, 6, 6), F8)
+    Aq = view(m["Aq"], (n, 6, 6), F8)
+    T = view(m["T"], (6, 6), F8)
+    kk = view(c["kk"], (c["np"], 6, 6), F8)
+    A = view(c["A"], (c["na"], 6, 6), F8)
+    proj = view(m["proj"], m["nproj"], PROJ)
+    joint_rates(body, fr, J, Tq, Av, Aq, view(c["v"], c["nd"], F8), view(c["a"], c["nd"], F8))
+    zero_blocks(kk)
+    inertia(body, fr, kk, EXACT, 0.0, 1.0, 0.0)
+    c["ck"] = 0.0
+    c["cd"] = 1.0
+    c["jac"] = EXACT
+    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 1)
+    if status != OK:
+        return status
+    for p in range(n):
+        for i in range(6):
+            for k in range(6):
+                Tq[p, i, k] *= ck
+                Aq[p, i, k] = cd * Av[p, i, k] + ck * Aq[p, i, k]
+    project_tangent(proj, J, kk, Tq, A, T)
+    zero_blocks(kk)
+    inertia(body, fr, kk, EXACT, 1.0, 0.0, 0.0)
+    project_tangent(proj, J, kk, Aq, A, T)
+    return OK
+
+
+@kernel
+def constraints(at):
+    """Evaluate all rows; add multipliers to the residual (rows on coordinates) and wrenches (rows on frames)."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    nc = c["nc"]
+    G = view(c["G"], (nc, c["nd"]), F8)
+    Gf = view(c["Gf"], (nc, 2, 6), F8)
+    gt = view(c["gt"], nc, F8)
+    gtt = view(c["gtt"], nc, F8)
+    lam = view(c["lam"], nc, F8)
+    for r in range(nc):
+        gt[r] = 0.0
+        gtt[r] = 0.0
+        for k in range(c["nd"]):
+            G[r, k] = 0.0
+        for side in range(2):
+            for k in range(6):
+                Gf[r, side, k] = 0.0
+    status = run_kinds(at, view(m["cons"], (m["ncons"], 4), I8), 0)
+    if status != OK:
+        c["badkind"] += m["nforces"]
+        return status
+    add_multipliers(G, lam, view(c["R"], c["nd"], F8))
+    frame_rows(
+        view(m["rows"], (nc, 2), I8),
+        view(m["path_of"], c["nb"], I8),
+        view(m["path"], m["npath"], PATH),
+        view(c["fr"], c["nb"], FRAME),
+        view(m["J"], (m["npath"], 6, 6), F8),
+        Gf,
+        G,
+        lam,
+    )
+    return OK
+
+
+@kernel
+def residual(at, t, jac, cm, cd, ck):
+    """Evaluate R, and with jac > 0 the blocks of cm M + cd D + ck K, at the state in the workspace."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    nd = c["nd"]
+    nb = c["nb"]
+    n = m["npath"]
+    body = view(m["body"], nb, BODY)
+    fr = view(c["fr"], nb, FRAME)
+    J = view(m["J"], (n, 6, 6), F8)
+    R = view(c["R"], nd, F8)
+    kk = view(c["kk"], (c["np"], 6, 6), F8)
+    A = view(c["A"], (c["na"], 6, 6), F8)
+    path = view(m["path"], n, PATH)
+    c["t"] = t
+    kinematics(body, fr, J, view(c["q"], nd, F8), view(c["v"], nd, F8), view(c["a"], nd, F8))
+    zero(R)
+    if jac != FORCES:
+        zero_blocks(A)
+        if jac == EXACT:
+            status = exact_rates(at, cm, cd, ck)
+            if status != OK:
+                return status
+            zero(R)
+        zero_blocks(kk)
+    inertia(body, fr, kk, jac, cm, cd, ck)
+    c["ck"] = ck
+    c["cd"] = cd
+    c["cm"] = cm
+    c["jac"] = FORCES if jac == MASS else jac
+    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 0)
+    if status != OK:
+        return status
+    if c["nc"] > 0:
+        status = constraints(at)
+        if status != OK:
+            return status
+    project_force(path, fr, J, R)
+    if jac != FORCES:
+        proj = view(m["proj"], m["nproj"], PROJ)
+        project_tangent(proj, J, kk, J, A, view(m["T"], (6, 6), F8))
+        if jac == EXACT:
+            project_geometry(proj, path, fr, J, A, ck)
+    return OK
+
+
+@kernel
+def observe(at, t, where):
+    """Write all observations at the state in the workspace to the row at address `where`."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    c["out"] = where
+    status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
+    c["out"] = 0
+    if status != OK:
+        return status
+    table = view(m["body_out"], (m["nbody_out"], 4), I8)
+    out = view(where, c["no"], F8)
+    q = view(c["q"], c["nd"], F8)
+    v = view(c["v"], c["nd"], F8)
+    fr = view(c["fr"], c["nb"], FRAME)
+    for e in range(table.shape[0]):
+        d = table[e, 2]
+        if table[e, 0] == 0:
+            out[table[e, 3]] = q[d]
+        elif table[e, 0] == 1:  # outputs unwrap
+            out[table[e, 3]] = q[d] + TWO_PI * fr[table[e, 1]]["turns"]
+        else:
+            out[table[e, 3]] = v[d]
+    return OK
+
+
+@kernel
+def evaluate_events(at, t, where):
+    """Write all event functions at the state in the workspace to the row at address `where`."""
+    c = view(at, 1, CTL)[0]
+    c["ev"] = where
+    status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
+    c["ev"] = 0
+    return status
+
+
+@kernel
+def wrap(at):
+    """Bring every spin back into (-pi, pi]; the subtraction of 2 pi is exact there. Only after acceptance."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    spins = view(m["spins"], (m["nspins"], 2), I8)
+    q = view(c["q"], c["nd"], F8)
+    fr = view(c["fr"], c["nb"], FRAME)
+    for e in range(spins.shape[0]):
+        d = spins[e, 0]
+        while q[d] > 0.5 * TWO_PI:
+            q[d] -= TWO_PI
+            fr[spins[e, 1]]["turns"] += 1
+        while q[d] <= -0.5 * TWO_PI:
+            q[d] += TWO_PI
+            fr[spins[e, 1]]["turns"] -= 1

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From a pair of gears and its laws to the record of the compiled mesh element."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
+from pitchpoint.elements import gear_mesh_record as layout
+from pitchpoint.elements.mesh_line import line_of_action
+from pitchpoint.geometry.gear_pair import GearPair
+from pitchpoint.geometry.involute import inv
+from pitchpoint.multibody.channels import FRAME
+
+Array = NDArray[np.float64]
+#: Hands out the address of an array and keeps the array alive with the system.
+Keep = Callable[[Array], int]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Placement:
+    """Where the two gears of a mesh stand when all coordinates are zero.
+
+    Parameters
+    ----------
+    origin1, origin2
+        Origins of the bodies in the world [m], shape (3,).
+    offset1, offset2
+        Axial positions of the mid-faces in the bodies [m].
+    phi1, phi2
+        Angles of the centre of tooth 0 at spin 0, from the x axis of the body [rad].
+    fixed
+        Both bodies can only spin.
+    """
+
+    origin1: Array
+    origin2: Array
+    offset1: float = 0.0
+    offset2: float = 0.0
+    phi1: float = 0.0
+    phi2: float = 0.0
+    fixed: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeshLaws:
+    """Everything of a mesh that is not geometry; damping in N s/m along the base tangent."""
+
+    stiffness: Description
+    slices: int = 0
+    k_ref: float = 0.0
+    d_in: float = 0.0
+    d_out: float = 0.0
+    s_0: float = 1e-6
+    d_gap: float = 0.0
+    mu: float = 0.0
+    v_eps: float = 0.01
+    e_cos: Array = field(default_factory=lambda: np.zeros(0))
+    e_sin: Array = field(default_factory=lambda: np.zeros(0))
+    orders1: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    orders2: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    user: tuple[int, int] | None = None
+
+
+def mean_stiffness(pair: GearPair, stiffness: Description) -> float:
+    """Mean total stiffness of a mesh along the base tangent [N/m], over one mesh cycle."""
+    if isinstance(stiffness, PhaseStiffness):
+        return stiffness.mean
+    p = np.linspace(0.0, pair.eps_alpha, 2001)
+    zeta = 2.0 * p / pair.eps_alpha - 1.0
+    c = 1.0 - (1.0 - stiffness.S_R) * zeta**2
+    if stiffness.table is not None:
+        c = np.interp(p, np.linspace(0.0, pair.eps_alpha, stiffness.table.size), stiffness.table)
+    ramp = stiffness.ramp_length(pair.eps_alpha)
+    if ramp > 0.0:
+        c = c * np.minimum(1.0, np.minimum(p, pair.eps_alpha - p) / ramp)
+    return float(stiffness.c_prime * pair.b_w * np.trapezoid(c, p))
+
+
+def _wrap(value: float, period: float) -> tuple[float, int]:
+    turns = round(value / period)
+    return value - turns * period, turns
+
+
+def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
+    g1, g2 = pair.gear1, pair.gear2
+    row["z1"], row["z2"] = g1.z, g2.z
+    row["r_b1"], row["r_b2"] = 0.5 * g1.d_b, 0.5 * g2.d_b
+    row["p_bt"] = p_bt = 2.0 * math.pi * row["r_b1"] / g1.z
+    row["w1"] = g1.z / (g1.z + g2.z)
+    row["tan_b"] = math.tan(g1.beta_b)
+    row["zc1"], row["zc2"] = place.offset1, place.offset2
+    row["b1"], row["b2"] = g1.b, g2.b
+    line = (place.origin2 - place.origin1)[:2] * math.copysign(1.0, pair.a_w)
+    gamma = math.atan2(line[1], line[0])
+    row["cos1"] = row["cos2"] = math.cos(gamma)
+    row["sin1"] = row["sin2"] = math.sin(gamma)
+    # angles of a tooth of gear 1 and of a space of gear 2 from the pitch point
+    towards2 = gamma + (math.pi if g2.z > 0 else 0.0)
+    tooth = place.phi1 - gamma
+    space = place.phi2 + math.pi / g2.z - towards2
+    dz = place.origin2[2] + place.offset2 - place.origin1[2] - place.offset1
+    # both angles from their nearest tooth and space; the sum of what is left is the assembly offset
+    tooth -= _wrap(row["r_b1"] * tooth, p_bt)[1] * p_bt / row["r_b1"]
+    offset, n = _wrap(row["r_b1"] * tooth + row["r_b2"] * space + row["tan_b"] * dz, p_bt)
+    space -= n * p_bt / row["r_b2"]
+    row["u0"] = offset - row["tan_b"] * dz
+    half1, half2 = row["r_b1"] * g1.psi_b, row["r_b2"] * g2.psi_b
+    turn = row["r_b1"] * tooth - row["r_b2"] * space
+    rest = half1 - half2 + 0.5 * p_bt
+    row["xi_0"] = 0.5 * (rest + turn)
+    row["xi_b"] = 0.5 * (rest - turn)
+    for k, gear in ((1, g1), (2, g2)):
+        sign = math.copysign(1.0, gear.z)
+        r_b = 0.5 * gear.d_b
+        row[f"rho_a{k}"] = sign * math.sqrt(max(0.25 * gear.d_Fa**2 - r_b**2, 0.0))
+        row[f"rho_f{k}"] = sign * math.sqrt(max(0.25 * gear.d_Ff**2 - r_b**2, 0.0))
+
+
+def _stiffness(row: Any, stiffness: Description, keep: Keep) -> None:
+    if isinstance(stiffness, PairShape):
+        row["law"] = layout.PROFILE
+        row["c_prime"], row["S_R"], row["T_R"] = stiffness.c_prime, stiffness.S_R, stiffness.T_R
+        row["load_limit"] = stiffness.load_limit
+        if stiffness.table is not None:
+            row["n_table"], row["table"] = stiffness.table.size, keep(stiffness.table)
+        return
+    row["law"] = layout.PHASE
+    row["c_prime"] = stiffness.mean
+    row["form"] = stiffness.form
+    row["n_k"], first, second = stiffness.arrays()
+    row["cosine"], row["sine"] = keep(first), keep(second)
+
+
+def mesh_row(
+    pair: GearPair, place: Placement, laws: MeshLaws, keep: Keep, backlash: float | None = None
+) -> np.void:
+    """Fill one record of the mesh element (body and block indices and outputs stay for the assembler).
+
+    Parameters
+    ----------
+    pair
+        The gears at their working centre distance; signs of ISO 21771.
+    place
+        Where they stand.
+    laws
+        Stiffness, damping, friction, excitation.
+    keep
+        Gives the address of an array and keeps it alive.
+    backlash
+        Total gap along the base tangent at the working centre distance [m]; None takes that of the geometry.
+
+    Returns
+    -------
+    numpy.void
+        One row of `gear_mesh_record.RECORD`.
+    """
+    row = np.zeros(1, layout.RECORD)[0]
+    _geometry(row, pair, place)
+    alpha = pair.alpha_wt
+    r_b = row["r_b1"] + row["r_b2"]
+    gap = pair.j_bt if backlash is None else backlash
+    row["inv_w0"] = inv(alpha) - gap / (2.0 * r_b)
+    _stiffness(row, laws.stiffness, keep)
+    row["slices"] = laws.slices
+    row["k_ref"] = laws.k_ref or mean_stiffness(pair, laws.stiffness)
+    for name in ("d_in", "d_out", "s_0", "d_gap", "mu", "v_eps"):
+        row[name] = getattr(laws, name)
+    if laws.user is not None:
+        row["form"], row["cosine"], row["params"] = layout.USER, *laws.user
+    if laws.e_cos.size:
+        row["n_e"], row["e_cos"], row["e_sin"] = laws.e_cos.size, keep(laws.e_cos), keep(laws.e_sin)
+    for k, orders in ((1, laws.orders1), (2, laws.orders2)):
+        if orders.size:
+            row[f"n_e{k}"], row[f"e{k}"] = len(orders), keep(orders)
+    if place.fixed:
+        _freeze(row, place)
+    return row
+
+
+def _freeze(row: Any, place: Placement) -> None:
+    """Fill the line of action once, for gears that only spin."""
+    frames = np.zeros(2, FRAME)
+    frames["r"] = place.origin1, place.origin2
+    frames["R"] = np.eye(3)
+    rows = row.reshape(1) if hasattr(row, "reshape") else np.array([row])
+    line_of_action(rows[0], frames[0], frames[1])
+    row["fixed"] = 1

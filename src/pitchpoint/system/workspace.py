@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All memory of one compiled system: every array is made once, and one address leads to all of them.
+
+Drivers receive that address instead of forty arrays; they make views at their top. A workspace belongs to one
+`System` and to one thread at a time. Addresses are per process: a workspace is never stored, only rebuilt.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.multibody.block_lu import FACTOR, SOLVE
+from pitchpoint.multibody.bodies import BODY, PATH
+from pitchpoint.multibody.channels import CTL, FRAME
+from pitchpoint.multibody.projection import PROJ
+
+# slots of the clock (int64): what a driver counts and remembers between chunks
+STEPS, EVALUATIONS, FACTORISATIONS, ITERATIONS, VALID, BAD_KIND, BAD_RECORD, REDUNDANT, REJECTED = range(9)
+
+#: Private arrays of the drivers: (name, dtype, shape in terms of the sizes). Address and sizes go to MACH.
+_ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
+    ("J", "f8", ("npath", "6", "6")),  # joint columns
+    ("Tq", "f8", ("npath", "6", "6")),  # d twist / dq
+    ("Av", "f8", ("npath", "6", "6")),  # d acceleration / dv
+    ("Aq", "f8", ("npath", "6", "6")),  # d acceleration / dq
+    ("T", "f8", ("6", "6")),  # scratch block
+    ("y6", "f8", ("6",)),  # scratch column
+    ("order6", "i8", ("6",)),  # scratch of the block inversion
+    ("Y", "f8", ("nc", "nd")),  # A^-1 G^T, row by row
+    ("S", "f8", ("nc", "nc")),  # Schur complement
+    ("diag", "f8", ("nc",)),
+    ("order", "i8", ("nc",)),
+    ("used", "i8", ("nc",)),  # 0 = redundant row
+    ("y", "f8", ("nc",)),
+    ("z", "f8", ("nc",)),
+    ("weight", "f8", ("nd",)),  # length per unit of each coordinate in error norms [m/m, m/rad]
+    ("x", "f8", ("nd",)),  # right-hand side and solution
+    ("al", "f8", ("nd",)),  # algorithmic acceleration of the generalised-alpha family
+    ("stage", "f8", ("16", "nd2")),  # stages of the explicit methods
+    ("clock", "i8", ("16",)),
+    ("real", "f8", ("16",)),  # remembered contraction rate, step size, error of the last step
+    ("row", "f8", ("no",)),  # observation of the step
+    ("ev0", "f8", ("ne",)),  # event functions before the step
+    ("ev1", "f8", ("ne",)),  # and after it
+)
+
+MACH = np.dtype(
+    [
+        (name, "i8")
+        for name in (
+            *("body", "path", "path_of", "proj", "factor", "solve", "spins", "body_out", "rows"),
+            *("forces", "cons"),
+            *(name for name, _, _ in _ARRAYS),
+            *("npath", "nproj", "nfactor", "nsolve", "nspins", "nbody_out", "nforces", "ncons"),
+            "constant_mass",  # 1: M does not depend on q
+        )
+    ],
+    align=True,
+)
+
+
+class Workspace:
+    """Arrays of one system, reachable from the integer `at`.
+
+    Parameters
+    ----------
+    program
+        Structure arrays made by the layout: body, path, path_of, proj, factor, solve, spins, body_out, rows.
+    sizes
+        nb, nd, np, na, nc, no, ne.
+    forces, cons
+        Address tables of the kinds: rows (entry, records, count, channel).
+    """
+
+    def __init__(
+        self,
+        program: dict[str, NDArray[Any]],
+        sizes: dict[str, int],
+        forces: NDArray[np.int64],
+        cons: NDArray[np.int64],
+        weight: NDArray[np.float64],
+    ) -> None:
+        nb, nd, nc = sizes["nb"], sizes["nd"], sizes["nc"]
+        dims = {**sizes, "npath": program["path"].size, "nd2": 2 * nd, "6": 6, "16": 16}
+        self.ctl = np.zeros(1, CTL)
+        self.mach = np.zeros(1, MACH)
+        self.fr = np.zeros(nb, FRAME)
+        self.q, self.v, self.a, self.R = (np.zeros(nd) for _ in range(4))
+        self.kk = np.zeros((sizes["np"], 6, 6))
+        self.A = np.zeros((sizes["na"], 6, 6))
+        self.g, self.gt, self.gtt, self.lam = (np.zeros(nc) for _ in range(4))
+        self.G, self.Gf = np.zeros((nc, nd)), np.zeros((nc, 2, 6))
+        self.program = program
+        self.forces, self.cons = forces, cons
+        self.arrays = {
+            name: np.zeros([int(dims[d]) for d in shape], dtype) for name, dtype, shape in _ARRAYS
+        }
+        self.arrays["weight"][:] = weight
+        self._fill(sizes)
+
+    def _fill(self, sizes: dict[str, int]) -> None:
+        ctl, mach, program = self.ctl[0], self.mach[0], self.program
+        for name in ("nb", "nd", "np", "na", "nc", "no", "ne"):
+            ctl[name] = sizes[name]
+        for name in ("fr", "q", "v", "a", "R", "kk", "A", "g", "G", "Gf", "gt", "gtt", "lam"):
+            ctl[name] = getattr(self, name).ctypes.data
+        for name, array in {**program, **self.arrays, "forces": self.forces, "cons": self.cons}.items():
+            mach[name] = array.ctypes.data
+        for name in ("path", "proj", "factor", "solve", "spins", "body_out"):
+            mach[f"n{name}"] = len(program[name])
+        mach["nforces"], mach["ncons"] = len(self.forces), len(self.cons)
+        mach["constant_mass"] = int(np.all(program["body"]["joint"] < 6))
+        ctl["mach"] = self.mach.ctypes.data
+        ctl["at"] = self.ctl.ctypes.data
+        ctl["bad"] = ctl["badkind"] = -1
+
+    @property
+    def at(self) -> int:
+        """Address of the control record: all a driver needs."""
+        return int(self.ctl.ctypes.data)
+
+    @property
+    def clock(self) -> NDArray[np.int64]:
+        """Counters of the drivers (see the slots above)."""
+        return self.arrays["clock"]
+
+
+#: dtype of every structure array, for the check that nothing else reaches a kernel
+PROGRAM_DTYPES = {"body": BODY, "path": PATH, "proj": PROJ, "factor": FACTOR, "solve": SOLVE}

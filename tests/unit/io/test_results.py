@@ -1,0 +1,341 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The result store: what is written comes back, at any moment, also after a kill; memory stays constant."""
+
+from __future__ import annotations
+
+import contextlib
+import signal
+import subprocess
+import sys
+import textwrap
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import h5py
+import numpy as np
+import pytest
+
+from pitchpoint.core import status as st
+from pitchpoint.core.errors import PitchpointError, SolverError
+from pitchpoint.io.container import Header, ResultError, clear_writer_flag, lookup3
+from pitchpoint.io.reading import list_channels, open_result, read_blocks, read_channel, read_header
+from pitchpoint.io.results import Channel, ResultWriter, RunningStatistics
+from pitchpoint.io.tables import Axis, Quantity, TableWriter, write_tables
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+CHANNELS = [
+    Channel("transmission_error[stage]", "m", "transmission error", "u_bt"),
+    Channel("angle[driver]", "rad", "angle of rotation"),
+]
+
+
+def signals(n: int, start: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """Make time and two channels of n samples at 10 kHz."""
+    t = 1e-4 * np.arange(start, start + n)
+    return t, np.column_stack([1e-6 * np.sin(2e3 * t), 157.0 * t + 1e5])
+
+
+def test_what_is_written_comes_back(tmp_path: Path) -> None:
+    path = tmp_path / "deep" / "run.h5"
+    t, values = signals(10_000)
+    header = Header(
+        "time", "Stirnradpaar β", "steady", "generalized_alpha", "ab12", "gears: {}", {"step": 1e-5}
+    )
+    with ResultWriter(path, header, CHANNELS, block=512) as writer:
+        for k in range(0, 10_000, 777):
+            writer.append(t[k : k + 777], values[k : k + 777])
+    with open_result(path) as ds:
+        np.testing.assert_array_equal(ds["time"], t)
+        np.testing.assert_array_equal(ds["angle[driver]"], values[:, 1])
+        np.testing.assert_allclose(ds["transmission_error[stage]"], values[:, 0], rtol=1e-7, atol=1e-15)
+        assert ds["transmission_error[stage]"].dtype == np.float32
+        assert ds["transmission_error[stage]"].dims == ("time",)
+        expected = {"units": "m", "long_name": "transmission error", "symbol": "u_bt"}
+        assert ds["transmission_error[stage]"].attrs == expected
+        assert ds["time"].attrs["units"] == "s"
+        assert (ds.attrs["status"], ds.attrs["title"]) == ("finished", "Stirnradpaar β")
+        assert ds.attrs["model_text"] == "gears: {}"
+    head = read_header(path)
+    assert head["options"] == {"step": 1e-5}
+    assert (head["status_code"], head["steps"], head["Conventions"]) == (st.OK, 10_000, "CF-1.11")
+    assert head["sentence"] == "finished"
+    assert head["model_hash"] == "ab12"
+    assert list_channels(path) == ["angle[driver]", "transmission_error[stage]"]
+    times, angle = read_channel(path, "angle[driver]", start=100, stop=110, step=2)
+    np.testing.assert_array_equal(times, t[100:110:2])
+    np.testing.assert_array_equal(angle, values[100:110:2, 1])
+
+
+def test_layout_is_netcdf4_with_portable_filters(tmp_path: Path) -> None:
+    path = tmp_path / "run.h5"
+    with ResultWriter(path, Header("time"), CHANNELS, block=256) as writer:
+        writer.append(*signals(1024))
+    with h5py.File(path) as file:
+        assert file["time"].is_scale
+        force = file["transmission_error[stage]"]
+        assert force.dims[0][0] == file["time"]
+        assert (force.compression, force.compression_opts, force.shuffle) == ("gzip", 1, True)
+        assert force.chunks == (256,)
+
+
+@pytest.mark.parametrize("decimate", [1, 3, 10, 1000])
+def test_decimation_keeps_every_nth_sample_and_sees_all(tmp_path: Path, decimate: int) -> None:
+    path = tmp_path / "run.h5"
+    t, values = signals(2500)
+    values[1234, 0] = 1.0
+    with ResultWriter(path, Header("time"), CHANNELS, block=300, decimate=decimate) as writer:
+        for k in range(0, 2500, 90):
+            writer.append(t[k : k + 90], values[k : k + 90])
+    np.testing.assert_array_equal(read_channel(path, "angle[driver]")[0], t[::decimate])
+    blocks = read_blocks(path, "transmission_error[stage]")
+    assert blocks["max"].max() == 1.0
+    assert writer.statistics()["transmission_error[stage]"]["max"] == 1.0
+    with open_result(path, "blocks") as ds:
+        assert ds["angle[driver]"].dims == ("time", "statistic")
+        np.testing.assert_array_equal(ds["statistic"], ["min", "max", "mean", "rms"])
+
+
+def test_running_statistics_equal_those_of_the_whole(tmp_path: Path) -> None:
+    t, values = signals(5000)
+    running = RunningStatistics(2, since=0.1)
+    for k in range(0, 5000, 313):
+        running.add(t[k : k + 313], values[k : k + 313])
+    window = values[t >= 0.1]
+    assert running.count == len(window)
+    np.testing.assert_allclose(running.mean, window.mean(axis=0), rtol=1e-12)
+    np.testing.assert_allclose(running.rms, window.std(axis=0), rtol=1e-12)
+    np.testing.assert_array_equal(running.low, window.min(axis=0))
+    np.testing.assert_array_equal(running.high, window.max(axis=0))
+
+
+def test_statistics_without_a_sample_are_none(tmp_path: Path) -> None:
+    with ResultWriter(tmp_path / "run.h5", Header("time"), CHANNELS, since=1e9) as writer:
+        writer.append(*signals(10))
+    assert writer.statistics()["angle[driver]"] == {
+        "unit": "rad", "mean": None, "rms": None, "min": None, "max": None
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("error", "status", "code"),
+    [
+        (KeyboardInterrupt(), "interrupted", st.INTERRUPTED),
+        (SolverError("Newton diverged at t = 0.1 s", st.DIVERGED), "failed", st.DIVERGED),
+        (SolverError("stopped", st.INTERRUPTED), "interrupted", st.INTERRUPTED),
+        (ZeroDivisionError("division by zero"), "failed", st.DIED),
+    ],
+)
+def test_an_exception_marks_the_file_and_keeps_the_samples(
+    tmp_path: Path, error: BaseException, status: str, code: int
+) -> None:
+    path = tmp_path / "run.h5"
+
+    def run() -> None:
+        with ResultWriter(path, Header("time"), CHANNELS) as writer:
+            writer.append(*signals(100))
+            raise error
+
+    with pytest.raises(type(error)):
+        run()
+    head = read_header(path)
+    assert (head["status"], head["status_code"]) == (status, code)
+    assert str(error) in head["sentence"]
+    assert head["sentence"]
+    assert read_channel(path, "angle[driver]")[0].shape == (100,)
+
+
+def test_long_sentences_are_cut_between_characters(tmp_path: Path) -> None:
+    writer = ResultWriter(tmp_path / "run.h5", Header("time"), CHANNELS)
+    writer.finish("failed", "ä" * 1000)
+    writer.finish("finished", "too late")
+    head = read_header(tmp_path / "run.h5")
+    assert head["status"] == "failed"
+    assert set(head["sentence"]) == {"ä"}
+
+
+CHILD = """
+    import sys, time
+    import numpy as np
+    from pitchpoint.io.container import Header
+    from pitchpoint.io.results import Channel, ResultWriter
+
+    force = Channel("mesh_force[stage]", "N")
+    writer = ResultWriter(sys.argv[1], Header("time", "killed"), [force], block=500)
+    k = 0
+    while True:
+        t = 1e-3 * np.arange(k, k + 250)
+        writer.append(t, t[:, None])
+        k += 250
+        if k >= 2000:
+            print(k, flush=True)
+            time.sleep(0.002 if k < 20000 or sys.argv[2] == "busy" else 60)
+"""
+
+
+@contextlib.contextmanager
+def writing(path: Path, manner: str) -> Iterator[Callable[[], int]]:
+    """Run a process that writes until it is killed; gives a function that waits for its next report."""
+    command = [sys.executable, "-c", textwrap.dedent(CHILD), str(path), manner]
+    child = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    assert child.stdout is not None
+    try:
+        yield lambda: int(child.stdout.readline())
+    finally:
+        child.send_signal(signal.SIGKILL)
+        child.wait()
+        child.stdout.close()
+
+
+def assert_consistent(path: Path, opened: xr.Dataset, at_least: int) -> None:
+    """Check that a file says running and holds whole blocks of the right numbers."""
+    with opened as ds:
+        assert ds.attrs["status"] == "running"
+        n = ds.sizes["time"]
+        assert n >= at_least
+        assert n % 500 == 0
+        np.testing.assert_array_equal(ds["time"], 1e-3 * np.arange(n))
+        np.testing.assert_allclose(ds["mesh_force[stage]"], ds["time"], rtol=1e-6)
+    assert len(read_blocks(path, "mesh_force[stage]")["rms"]) >= at_least // 500
+
+
+def test_readable_while_running_and_after_a_kill_at_any_moment(tmp_path: Path) -> None:
+    path = tmp_path / "run.h5"
+    with writing(path, "busy") as report:
+        assert report() >= 2000
+        with h5py.File(path, "r", libver="latest", swmr=True) as file:
+            first = file["time"].shape[0]
+            while report() < first + 3000:
+                pass
+            file["time"].refresh()
+            assert file["time"].shape[0] > first >= 2000
+        assert read_header(path)["status"] == "running"
+        assert_consistent(path, open_result(path), 5000)
+    assert_consistent(path, open_result(path), 5000)
+
+
+def test_other_readers_need_no_repair_after_a_kill(tmp_path: Path) -> None:
+    import xarray as xr
+
+    path = tmp_path / "run.h5"
+    with writing(path, "idle") as report:
+        while report() < 20000:
+            pass
+        assert_consistent(path, xr.open_dataset(path, engine="h5netcdf"), 20000)
+    assert_consistent(path, xr.open_dataset(path, engine="h5netcdf"), 20000)
+    with h5py.File(path) as file:
+        assert file["time"].shape == (20000,)
+
+
+def test_memory_does_not_grow_with_the_run(tmp_path: Path) -> None:
+    code = """
+        import sys
+        import numpy as np
+        from pitchpoint.io.container import Header
+        from pitchpoint.io.results import Channel, ResultWriter
+
+        def resident():
+            with open("/proc/self/statm") as file:
+                return int(file.read().split()[1]) * 4096
+
+        channels = [Channel(f"c[{k}]", "N") for k in range(8)]
+        values = np.random.default_rng(0).normal(size=(1024, 8))
+        with ResultWriter(sys.argv[1], Header("time"), channels, block=1024) as writer:
+            for k in range(900):
+                writer.append(1e-5 * np.arange(1024 * k, 1024 * (k + 1)), values)
+                if k == 300:
+                    early = resident()
+            print(resident() - early)
+    """
+    if not Path("/proc/self/statm").exists():
+        pytest.skip("needs /proc")
+    grown = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(code), str(tmp_path / "run.h5")],
+        capture_output=True, text=True, check=True,
+    ).stdout  # fmt: skip
+    # 600 blocks are 21 MB on disk and 44 MB in memory.
+    assert int(grown) < 3e6
+
+
+def test_tables_fill_point_by_point(tmp_path: Path) -> None:
+    path = tmp_path / "sweep.h5"
+    axes = [
+        Axis("direction", ["up", "down"]),
+        Axis("point", [0, 1, 2]),
+        Axis("statistic", ["mean", "rms", "min", "max"]),
+    ]
+    quantities = [
+        Quantity("deflection[stage]", ("direction", "point", "statistic"), "m"),
+        Quantity("status", ("direction", "point"), dtype="i4"),
+    ]
+    jumps = [("jump_direction", "", "i4"), ("jump_mesh_frequency", "Hz", "f8")]
+    with TableWriter(path, Header("sweep"), axes, quantities, growing=jumps) as table:
+        table.put("deflection[stage]", (0, 1), [1.0, 2.0, 3.0, 4.0])
+        table.put("status", (0, 1), 1)
+        table.flush()
+        with open_result(path) as ds:
+            assert ds.attrs["status"] == "running"
+            assert ds.attrs["kind"] == "sweep"
+            here = ds["deflection[stage]"].sel(direction="up", point=1, statistic="rms")
+            assert here == 2.0
+            assert here.attrs["units"] == "m"
+            assert np.isnan(ds["deflection[stage]"].sel(direction="down")).all()
+        table.extend({"jump_direction": 1, "jump_mesh_frequency": 2450.0})
+    with open_result(path) as ds:
+        assert ds.attrs["status"] == "finished"
+        np.testing.assert_array_equal(ds["jump_mesh_frequency"], [2450.0])
+        np.testing.assert_array_equal(ds["status"], [[-1, 1, -1], [-1, -1, -1]])
+
+
+def test_modes_are_tables_too(tmp_path: Path) -> None:
+    path = tmp_path / "modes.h5"
+    frequency = np.array([0.0, 2345.6])
+    write_tables(
+        path, Header("modes"), [Axis("mode", [1, 2])], [(Quantity("frequency", ("mode",), "Hz"), frequency)]
+    )
+    with open_result(path) as ds:
+        np.testing.assert_array_equal(ds["frequency"], frequency)
+
+
+def test_errors_name_file_and_remedy(tmp_path: Path) -> None:
+    path = tmp_path / "run.h5"
+    with ResultWriter(path, Header("time"), CHANNELS) as writer:
+        writer.append(*signals(10))
+    with pytest.raises(ResultError, match="did you mean angle"):
+        read_channel(path, "angle[drive]")
+    with pytest.raises(ResultError, match="no such result file"):
+        open_result(tmp_path / "none.h5")
+    (tmp_path / "text.h5").write_text("no")
+    with pytest.raises(PitchpointError, match="no readable HDF5"):
+        read_header(tmp_path / "text.h5")
+    with h5py.File(tmp_path / "other.h5", "w"):
+        pass
+    with pytest.raises(ResultError, match="not a result file"):
+        open_result(tmp_path / "other.h5")
+    with pytest.raises(ResultError, match="cannot be written"):
+        ResultWriter(tmp_path, Header("time"), CHANNELS)
+    with pytest.raises(ResultError, match="same name"):
+        ResultWriter(path, Header("time"), [CHANNELS[0], CHANNELS[0]])
+
+
+def test_checksum_is_that_of_the_library(tmp_path: Path) -> None:
+    path = tmp_path / "any.h5"
+    with h5py.File(path, "w", libver="latest") as file:
+        file["x"] = [1.0]
+    block = path.read_bytes()[:48]
+    assert lookup3(block[:44]) == int.from_bytes(block[44:], "little")
+    clear_writer_flag(path)
+    assert path.read_bytes()[:48] == block
+
+
+def test_reading_does_not_import_xarray() -> None:
+    code = """
+        import sys
+        import pitchpoint.io.reading, pitchpoint.io.results, pitchpoint.io.tables
+        print([name in sys.modules for name in ("xarray", "h5py", "numpy", "numba")])
+    """
+    code = textwrap.dedent(code)
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert out.strip() == str([False] * 4)
