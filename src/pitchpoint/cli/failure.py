@@ -25,14 +25,10 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
     """Say on stderr what went wrong and return the exit code that stands for it."""
     from pitchpoint.core.errors import MissingDependencyError, PitchpointError, SolverError
 
-    if debug and not isinstance(error, click.ClickException | click.exceptions.Exit | BrokenPipeError):
+    if debug and not isinstance(error, click.ClickException):
         import traceback
 
         traceback.print_exception(error, file=sys.stderr)
-    if isinstance(error, BrokenPipeError):
-        # The reader of our output has gone (`| head`): nothing to say, and nothing more may be written.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return FAULT
     if isinstance(error, click.ClickException):
         error.show(file=sys.stderr)
         return BAD_INPUT
@@ -55,8 +51,8 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         return BAD_INPUT
     say(
         f"internal error: {type(error).__name__}: {error}\n"
-        "This is a fault of pitchpoint, not of your input. Please report it as the README says, with the command,\n"
-        "the model file and what the same command prints with --debug."
+        "This is a fault of pitchpoint, not of your input. Please report it as the README says,\n"
+        "with the command, the model file and what the same command prints with --debug."
     )
     return FAULT
 
@@ -98,4 +94,4 @@ def show_warnings_plainly() -> None:
         if issubclass(category, ValidityWarning):
             say(f"warning: {message}")
 
-    warnings.showwarning = show  # type: ignore[assignment]
+    warnings.showwarning = show

@@ -14,18 +14,32 @@ from pitchpoint.cli.output import emit_json, show, shown, table
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
+MEASURES = (
+    ("tip_thickness", "normal tip thickness", "length"),
+    ("span_teeth", "teeth (internal: spaces) spanned", "dimensionless"),
+    ("span", "span", "length"),
+    ("span_measurable", "face wide enough for the span", "dimensionless"),
+    ("ball_diameter", "ball diameter (touches at d + 2 x m_n)", "length"),
+    ("dimension_over_balls", "dimension over balls", "length"),
+)
 FORMATS = (".dxf", ".svg", ".stl", ".csv")
 
 
 @click.command()
 @model_file
-@click.option("--export", "target", metavar="OUT", type=click.Path(dir_okay=False), help="Write a drawing: dxf, svg, stl or csv.")
+@click.option(
+    "--export",
+    "target",
+    metavar="OUT",
+    type=click.Path(dir_okay=False),
+    help="Write a drawing: dxf, svg, stl or csv.",
+)
 @click.option("--gear", "only", metavar="NAME", help="The gear to draw; the only one if left out.")
 @as_json
 @allow_code
 @debug
 def gears(file: str, target: str | None, only: str | None, as_json: bool, allow_code: bool) -> None:
-    """Show the geometry of the gears and pairs of FILE (ISO 21771) and their stiffness by DIN 3990 / ISO 6336."""
+    """Show the geometry of gears and pairs of FILE (ISO 21771), and stiffness by DIN 3990 / ISO 6336."""
     from pitchpoint.io.yaml_model import load_model
 
     model = load_model(file, allow_code=allow_code)
@@ -79,7 +93,10 @@ def _print_gears(model: Model, only: str | None) -> None:
     names = [only] if only is not None else list(model.gears)
     numbers = {name: gear_numbers(model, name) for name in names}
     measures = {name: measure_numbers(model.gears[name].geometry) for name in names}
-    rows = [["type", *(numbers[n]["type"] for n in names)], ["hand", *(shown(numbers[n]["hand"]) for n in names)]]
+    rows = [
+        ["type", *(numbers[n]["type"] for n in names)],
+        ["hand", *(shown(numbers[n]["hand"]) for n in names)],
+    ]
     for key, meaning, dimension in GEAR_ROWS:
         rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
     rows.append([])
@@ -87,8 +104,8 @@ def _print_gears(model: Model, only: str | None) -> None:
         dimension = "mass" if key == "mass" else "inertia"
         rows.append([key.replace("_", " "), *(shown(numbers[n][key], dimension, 5) for n in names)])
     rows.append([])
-    for label in ("tip thickness", "span over teeth", "span", "ball diameter", "dimension over balls"):
-        rows.append([label, *(measures[n][label] for n in names)])
+    for key, label, dimension in MEASURES:
+        rows.append([label, *(shown(measures[n][key], dimension) for n in names)])
     notes = [f"{n}: undercut at the root" for n in names if numbers[n]["undercut"]]
     table(model.title or "Gears", ["", *names], rows, notes)
 
@@ -112,7 +129,8 @@ def _print_pairs(model: Model, only: str | None) -> None:
         given, needed = numbers[n]["x_sum_given"], numbers[n]["x_sum"]
         if abs(given - needed) > 5e-4:
             notes.append(
-                f"{n}: the sum of profile shifts is {given:.4f}; without backlash this centre distance asks for {needed:.4f}"
+                f"{n}: the sum of profile shifts is {given:.4f}; "
+                f"for this centre distance without backlash it would be {needed:.4f}"
             )
         if numbers[n]["j_bt"] < 0.0:
             notes.append(f"{n}: negative backlash, both flanks carry")

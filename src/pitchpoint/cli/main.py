@@ -106,6 +106,8 @@ def run_command(arguments: list[str]) -> int:
             result = pitchpoint.main(args=arguments, prog_name="pitchpoint", standalone_mode=False)
         except click.exceptions.Exit as leave:
             return int(leave.exit_code)
+        except SystemExit as leave:  # stdout was closed by its reader, as in `| head`
+            return leave.code if isinstance(leave.code, int) else 1
         except BaseException as error:  # noqa: BLE001 - the one place where everything ends as a sentence
             return exit_code_of(error, debug="--debug" in arguments)
     return result if isinstance(result, int) else 0

@@ -21,9 +21,18 @@ _BARS = "▁▂▃▄▅▆▇█"
 
 @click.command()
 @click.argument("file", required=False, type=click.Path(exists=True, dir_okay=False))
-@click.option("--eps-alpha", type=float, metavar="X", help="Transverse contact ratio (instead of a file).")
-@click.option("--eps-beta", type=float, metavar="X", help="Overlap ratio; 0 if left out.")
-@click.option("--stiffness-ratio", type=float, metavar="S_R", help="Least over greatest stiffness of one pair; 0.8.")
+@click.option(
+    "--eps-alpha",
+    type=click.FloatRange(0.0, 50.0, min_open=True),
+    metavar="X",
+    help="Transverse contact ratio (instead of a file).",
+)
+@click.option(
+    "--eps-beta", type=click.FloatRange(0.0, 500.0), metavar="X", help="Overlap ratio; 0 if left out."
+)
+@click.option(
+    "--stiffness-ratio", type=float, metavar="S_R", help="Least over greatest stiffness of one pair; 0.8."
+)
 @click.option("--tip-relief-factor", type=float, metavar="T_R", help="Ramp at both ends of each pair; 0.")
 @click.option("--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Samples.")
 @as_json
@@ -53,7 +62,9 @@ def mesh(
         cycles = {BARE: (mesh_cycle(eps_alpha, eps_beta or 0.0, S_R, tip_relief_factor or 0.0, points), None)}
     else:
         if any(option is not None for option in bare):
-            raise click.UsageError("contact ratios come from the FILE; leave --eps-alpha and its companions out")
+            raise click.UsageError(
+                "contact ratios come from the FILE; leave --eps-alpha and its companions out"
+            )
         cycles = _cycles_of(file, allow_code, points)
     if as_json:
         from pitchpoint.cli.numbers import cycle_numbers
@@ -66,7 +77,6 @@ def mesh(
 
 def _print(name: str, cycle: MeshCycle, unit: float | None) -> None:
     """Show one mesh as a table and a line of bars."""
-    of = "" if unit is None else " N/µm"
     rows = []
     for label, value in (
         ("mean", cycle.mean),
@@ -74,19 +84,21 @@ def _print(name: str, cycle: MeshCycle, unit: float | None) -> None:
         ("greatest", cycle.maximum),
         ("peak to peak", cycle.peak_to_peak),
     ):
-        rows.append([label, f"{value:.6f}", "" if unit is None else f"{value * unit * 1e-6:.6g}{of}"])
-    table(f"Mesh {name}: stiffness over one mesh cycle", ["", "in c' b", "along the base tangent"], rows)
-    show(f"  {bars(cycle)}  (one cycle; scale from 0 to {shown(float(cycle.maximum), digits=4)})")
+        absolute = [] if unit is None else [shown(float(value * unit), "stiffness", 6)]
+        rows.append([label, f"{value:.6f}", *absolute])
+    absolute = [] if unit is None else ["along the base tangent"]
+    table(f"Mesh {name}: stiffness over one mesh cycle", ["", "in c' b", *absolute], rows)
+    show(f"  {bars(cycle)}  one cycle, from least to greatest")
     if cycle.jumps:
         show(f"  jumps at the phases {', '.join(f'{phase:.4f}' for phase in cycle.jumps)}")
 
 
 def bars(cycle: MeshCycle, width: int = 60) -> str:
-    """Draw the cycle as a line of bars from zero to its greatest value."""
-    n = len(cycle.phase)
-    top = cycle.maximum if cycle.maximum > 0.0 else 1.0
+    """Draw the cycle as a line of bars between its least and greatest value."""
+    n, span = len(cycle.phase), cycle.peak_to_peak
     line = ""
     for k in range(width):
-        value = cycle.stiffness_ratio[k * (n - 1) // width] / top
-        line += _BARS[min(max(int(value * len(_BARS)), 0), len(_BARS) - 1)]
+        value = float(cycle.stiffness_ratio[k * (n - 1) // width])
+        height = (value - cycle.minimum) / span if span > 1e-9 * cycle.maximum else 0.5
+        line += _BARS[min(max(int(height * len(_BARS)), 0), len(_BARS) - 1)]
     return line

@@ -8,6 +8,7 @@ signs ISO 21771 gives them inside the geometry (a hand stands beside the helix a
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle
     from pitchpoint.contact.stiffness.din3990 import SingleStiffness
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-    from pitchpoint.geometry.gear_pair import GearPair
     from pitchpoint.model.model import Model
 
 Row = tuple[str, str, str]
@@ -74,8 +74,8 @@ PAIR_ROWS: tuple[Row, ...] = (
     ("eps_alpha", "transverse contact ratio", "dimensionless"),
     ("eps_beta", "overlap ratio", "dimensionless"),
     ("eps_gamma", "total contact ratio", "dimensionless"),
-    ("c_1", "tip clearance, root of gear 1", "length"),
-    ("c_2", "tip clearance, root of gear 2", "length"),
+    ("c_1", "tip clearance, tip of gear 1", "length"),
+    ("c_2", "tip clearance, tip of gear 2", "length"),
     ("j_bt", "backlash along the base tangent", "length"),
     ("j_wt", "circumferential backlash", "length"),
     ("j_bn", "normal backlash", "length"),
@@ -104,17 +104,65 @@ def pick(source: Any, rows: Sequence[Row], positive: set[str]) -> dict[str, Any]
     return numbers
 
 
-def gear_numbers(gear: CylindricalGear) -> dict[str, Any]:
-    """Collect the macro-geometry of a gear."""
-    numbers = pick(gear, GEAR_ROWS, _GEAR_POSITIVE)
-    numbers["type"] = "internal" if gear.z < 0 else "external"
-    numbers["hand"] = None if gear.beta == 0.0 else ("right" if gear.beta > 0.0 else "left")
+def gear_numbers(model: Model, name: str) -> dict[str, Any]:
+    """Collect macro-geometry, mass and moments of inertia of a gear."""
+    from pitchpoint.model.inertia import gear_inertia
+
+    gear = model.gears[name]
+    numbers = pick(gear.geometry, GEAR_ROWS, _GEAR_POSITIVE)
+    numbers["type"] = gear.type
+    numbers["hand"] = gear.hand
+    numbers["undercut"] = bool(gear.geometry.undercut)
+    numbers["mass"], numbers["polar_inertia"], numbers["transverse_inertia"] = gear_inertia(gear)
     return numbers
 
 
-def pair_numbers(pair: GearPair) -> dict[str, Any]:
-    """Collect the geometry of a pair at its working centre distance."""
-    return pick(pair, PAIR_ROWS, _PAIR_POSITIVE)
+def measure_numbers(gear: CylindricalGear) -> dict[str, Any]:
+    """Collect what is measured on a gear in the workshop; None where a measure does not exist."""
+    from pitchpoint.core.errors import GeometryError
+    from pitchpoint.geometry import measures
+
+    k = measures.span_tooth_count(gear)
+    found: dict[str, Any] = {
+        "tip_thickness": measures.tip_thickness(gear),
+        "span_teeth": k,
+        "span": measures.span(gear, k),
+        "span_measurable": gear.b > measures.span(gear, k) * math.sin(abs(gear.beta_b)),
+    }
+    try:
+        ball = measures.ideal_ball_diameter(gear)
+        found |= {"ball_diameter": ball, "dimension_over_balls": measures.dimension_over_balls(gear, ball)}
+    except GeometryError:
+        found |= {"ball_diameter": None, "dimension_over_balls": None}
+    return found
+
+
+def mesh_numbers(model: Model, name: str) -> dict[str, Any]:
+    """Collect the geometry of a mesh as it stands in the model, and its stiffness by DIN 3990 / ISO 6336.
+
+    Backlash is what is simulated, so a value given in the file counts.
+    """
+    pair = model.pairs[name]
+    numbers = pick(pair, PAIR_ROWS, _PAIR_POSITIVE)
+    j_bt = model.backlash(name)
+    numbers |= {
+        "j_bt": j_bt,
+        "j_wt": j_bt / math.cos(pair.alpha_wt),
+        "j_bn": j_bt * math.cos(pair.gear1.beta_b),
+        "gears": list(model.meshes[name].gears),
+    }
+    return numbers | stiffness_numbers(single_stiffness_of(model, name))
+
+
+def geometry_of_model(model: Model) -> dict[str, Any]:
+    """Collect everything that `gears --json` prints."""
+    return {
+        "gears": {
+            name: gear_numbers(model, name) | measure_numbers(gear.geometry)
+            for name, gear in model.gears.items()
+        },
+        "meshes": {name: mesh_numbers(model, name) for name in model.meshes},
+    }
 
 
 def stiffness_numbers(single: SingleStiffness) -> dict[str, Any]:

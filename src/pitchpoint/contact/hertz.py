@@ -33,9 +33,9 @@ def line_stiffness(compliance_1: float, compliance_2: float) -> float:
 
     Notes
     -----
-    pi/(2 (compliance_1 + compliance_2)); for equal bodies pi E/(4 (1 - nu^2)). D. C. H. Yang and Z. S. Sun, "A
-    rotary model for spur gear dynamics", J. Mech. Transm. Autom. Des. 107 (1985). A rough figure: the true approach
-    of a line contact grows a little less than linearly with the load, see `line_approach`.
+    pi/(2 (compliance_1 + compliance_2)); for equal bodies pi E/(4 (1 - nu^2)). D. C. H. Yang and Z. S. Sun,
+    "A rotary model for spur gear dynamics", J. Mech. Transm. Autom. Des. 107 (1985). A rough figure: the true
+    approach of a line contact grows a little less than linearly with the load, see `line_approach`.
 
     Examples
     --------
@@ -83,7 +83,9 @@ def peak_pressure(load: ArrayLike, width: ArrayLike) -> FloatArray:
     return 2.0 * np.asarray(load, dtype=np.float64) / (math.pi * np.asarray(width))
 
 
-def line_approach(load: ArrayLike, depth: ArrayLike, width: ArrayLike, compliance: float, nu: float) -> FloatArray:
+def line_approach(
+    load: ArrayLike, depth: ArrayLike, width: ArrayLike, compliance: float, nu: float
+) -> FloatArray:
     """How far a point at some depth below the contact approaches the contact point in one body [m].
 
     Parameters
@@ -101,14 +103,14 @@ def line_approach(load: ArrayLike, depth: ArrayLike, width: ArrayLike, complianc
 
     Notes
     -----
-    2 q (1 - nu^2)/(pi E) [ln(2 h/b_H) - nu/(2 (1 - nu))], valid for h >> b_H. C. Weber and K. Banaschek, *Formaenderung
-    und Profilruecknahme bei gerad- und schraegverzahnten Raedern*, 1953.
+    2 q (1 - nu^2)/(pi E) [ln(2 h/b_H) - nu/(2 (1 - nu))], valid for h >> b_H. C. Weber and K. Banaschek,
+    *Formaenderung und Profilruecknahme bei gerad- und schraegverzahnten Raedern*, 1953.
 
     Examples
     --------
     >>> steel = plane_strain_compliance(206.0e9, 0.3)
     >>> round(float(line_approach(1.6e5, 3.0e-3, 122.6e-6, steel, 0.3)) * 1e6, 4)
-    1.655
+    1.6542
     """
     q = np.asarray(load, dtype=np.float64)
     log = np.log(2.0 * np.asarray(depth) / np.asarray(width))

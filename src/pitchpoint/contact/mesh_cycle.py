@@ -117,7 +117,7 @@ def _line(shape: PairShape, eps_alpha: float) -> _Line:
     L = shape.ramp_length(eps_alpha)
     kinks = [0.0, eps_alpha]
     if L > 0.0:
-        kinks += [L, eps_alpha - L] if 2.0 * L < eps_alpha else [0.5 * eps_alpha]
+        kinks += [L, eps_alpha - L] if eps_alpha > 2.0 * L else [0.5 * eps_alpha]
     if shape.table is not None:
         kinks += list(np.linspace(0.0, eps_alpha, shape.table.size)[1:-1])
     return _Line(np.unique(np.clip(kinks, 0.0, eps_alpha)), shape, eps_alpha)
@@ -135,8 +135,8 @@ def _spur(line: _Line, start: float, tau: Array) -> Array:
 def _helical(line: _Line, eps_beta: float, anchor: tuple[float, float, int], tau: Array) -> Array:
     """Sum over pairs of the mean along the contact line, tau after the phase of the anchor.
 
-    The anchor (kink, side, n) stands for the phase kink + side eps_beta/2 + n. Distances of kinks from the line's
-    middle are formed from differences of kinks first, so that a tiny overlap loses no digits.
+    The anchor (kink, side, n) stands for the phase kink + side eps_beta/2 + n. Distances of kinks from the
+    line's middle are formed from differences of kinks first, so that a tiny overlap loses no digits.
     """
     kink, side, n = anchor
     half = 0.5 * eps_beta
@@ -151,7 +151,8 @@ def _helical(line: _Line, eps_beta: float, anchor: tuple[float, float, int], tau
     middle = 0.5 * (y[at, pair, piece] + y[at, pair, piece + 1])
     p = (start + tau[at] + pairs[pair] + middle)[:, None] + 0.5 * w[:, None] * _GAUSS_X
     c = line.law(np.clip(p, line.kinks[piece][:, None], line.kinks[piece + 1][:, None]))
-    return np.bincount(at, weights=0.5 * w / eps_beta * (c @ _GAUSS_W), minlength=tau.size)
+    share = 0.5 * w / eps_beta * (c @ _GAUSS_W)
+    return np.asarray(np.bincount(at, weights=share, minlength=tau.size), dtype=np.float64)
 
 
 def _pieces(line: _Line, eps_beta: float) -> list[Piece]:
@@ -205,8 +206,8 @@ def pair_cycle(shape: PairShape, eps_alpha: float, eps_beta: float = 0.0, n: int
 
     Notes
     -----
-    The total is the moving average, over eps_beta base pitches, of the spur gear's wave (L. Mauer, SIMPACK User
-    Meeting 2006: the parabola integrated along the face width).
+    The total is the moving average, over eps_beta base pitches, of the spur gear's wave (L. Mauer, SIMPACK
+    User Meeting 2006: the parabola integrated along the face width).
 
     Examples
     --------

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from pitchpoint.contact.pair_shape import pair_shape, pair_shape_slope, pair_table, pair_table_slope
+from pitchpoint.contact.pair_shape import pair_shape, pair_shape_slope
 from pitchpoint.core.kernel import kernel
 
 #: Outer node of three-point Gauss-Legendre on [-1, 1]; weights are 5/9, 8/9, 5/9.

@@ -65,11 +65,11 @@ def table_pair_moments(p0, lam, b, eps_alpha, n, table, L, order):
     k2 = 0.0
     while p < end:
         stop = min(end, i * step) if i < n - 1 else end
-        if p < L and L < stop:
+        if p < L < stop:
             stop = L
-        elif p < 0.5 * eps_alpha and 0.5 * eps_alpha < stop:
+        elif p < 0.5 * eps_alpha < stop:
             stop = 0.5 * eps_alpha
-        elif p < eps_alpha - L and eps_alpha - L < stop:
+        elif p < eps_alpha - L < stop:
             stop = eps_alpha - L
         else:
             i += 1

@@ -43,7 +43,7 @@ FUNCTIONS: dict[str, tuple[int, int]] = {
 }
 CONSTANTS = {"pi": math.pi}
 ARITY = {CONST: 0, VAR: 0, NEG: 1, ADD: 2, SUB: 2, MUL: 2, DIV: 2, POW: 2}
-ARITY.update({op: n for op, n in FUNCTIONS.values()})
+ARITY.update(dict(FUNCTIONS.values()))
 
 MAX_TEXT = 2000
 MAX_TOKENS = 500

@@ -15,6 +15,7 @@ from __future__ import annotations
 import ctypes
 import hashlib
 import importlib.util
+import math
 import os
 import re
 import sys
@@ -198,7 +199,7 @@ def kernel(function: _F) -> _F:
 
 
 def _twin(function: Any, variant: str) -> tuple[Any, bool]:
-    """Copy of a kernel's source function with its own cache name, so that both compilations live side by side."""
+    """Copy of a kernel's source function with its own cache name, so both compilations live side by side."""
     source = getattr(function, "py_func", function)
     copy = pytypes.FunctionType(
         source.__code__, source.__globals__, source.__name__, source.__defaults__, source.__closure__
@@ -213,7 +214,7 @@ _TABLE: dict[int, Any] = {}
 
 
 def address(entry: Any) -> int:
-    """Address of a kind's entry ``int64 entry(int64 ctl, int64 records, int64 n)``; valid in this process only.
+    """Address of a kind's ``int64 entry(int64 ctl, int64 records, int64 n)``, valid in this process only.
 
     Compiles (or loads) at the first request. Never store or pickle an address.
     """
@@ -239,6 +240,19 @@ def _guarded(function: Any) -> Any:
     return law
 
 
+def _caught(function: Any) -> Any:
+    """A law to compile; an exception raised in compiled code would otherwise return an unmarked zero."""
+    inner = njit(nogil=True, **_FLAGS)(getattr(function, "py_func", function))
+
+    def law(t, x, p):  # type: ignore[no-untyped-def]
+        try:
+            return float(inner(t, x, p))
+        except Exception:
+            return math.nan
+
+    return law
+
+
 def law_address(function: Any) -> int:
     """Address of a user law ``double f(double t, double x, double* p)``.
 
@@ -258,12 +272,13 @@ def law_address(function: Any) -> int:
     if COMPILING and isinstance(getattr(function, "address", None), int):
         return int(function.address)
     if not COMPILING:
-        _TABLE[id(function)] = function
+        if function not in _COMPILED:
+            _COMPILED[function] = _guarded(function)
+        _TABLE[id(function)] = _COMPILED[function]
         return id(function)
     if function not in _COMPILED:
-        copy, cached = _twin(function, "l")
         try:
-            _COMPILED[function] = cfunc(_LAW, cache=cached, **_FLAGS)(copy)
+            _COMPILED[function] = cfunc(_LAW, **_FLAGS)(_caught(function))
         except Exception:  # whatever the compiler dislikes still runs as plain Python
             kind = ctypes.CFUNCTYPE(
                 ctypes.c_double, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double)

@@ -28,11 +28,24 @@ from pitchpoint.elements.gear_mesh_record import (
     RECORD,
     USER,
 )
-from pitchpoint.elements.mesh_line import excitation, line_of_action, mean_position, path_of_contact, rates
+from pitchpoint.elements.mesh_line import (
+    excitation,
+    line_of_action,
+    mean_position,
+    path_of_contact,
+    pooled,
+    rates,
+)
 from pitchpoint.elements.mesh_nodes import phase_flank, profile_flank
-from pitchpoint.multibody.channels import F8, events, frame_args, observations
+from pitchpoint.multibody.channels import events, frame_args, observations
 
 __all__ = ["EVENTS", "MAX_PAIRS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
+
+
+def outputs(record):
+    """Observations of one record: those of every mesh and the forces of its tooth pairs."""
+    pairs = range(int(record["n_pair"]))
+    return (*OUTPUTS, *((f"pair_force[{{}}.{k}]", "N", f"force of tooth pair {k}") for k in pairs))
 
 
 @kernel
@@ -126,10 +139,9 @@ def _separation_origin(b, f, g):
 def _stiffness_ratio(b):
     """k(psi)/mean of a prescribed stiffness and its slope; user laws have no slope."""
     if b["form"] == USER:
-        return call_law(b["cosine"], 0.0, b["psi"], b["params"]), 0.0
-    return phase_stiffness(
-        b["psi"], b["form"], b["n_k"], view(b["cosine"], b["n_k"], F8), view(b["sine"], b["n_k"], F8)
-    )
+        return call_law(b["law"], 0.0, b["psi"], b["pool"] + 8 * b["params"]) / b["c_prime"], 0.0
+    n = b["n_k"]
+    return phase_stiffness(b["psi"], b["form"], n, pooled(b, b["cosine"], n), pooled(b, b["sine"], n))
 
 
 @kernel
@@ -143,7 +155,7 @@ def _flank(b, ctl, f, g, flank, x_0):
     # n_f is minus the moment of B[3]
     b["kappa"] = -(B[3, 3] * dn[0] + B[3, 4] * dn[1] + B[3, 5] * dn[2])
     b["tilt"] = b["kappa"]
-    if b["law"] == PHASE:
+    if b["source"] == PHASE:
         ratio, slope = _stiffness_ratio(b)
         if not math.isfinite(ratio):
             return NOT_FINITE

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-#: Forms of the stiffness, field `law`.
+#: Sources of the stiffness, field `source`.
 PROFILE = 0  # one tooth pair over its path of contact, superposed over all pairs (parabola or table)
 PHASE = 1  # prescribed total stiffness over the mesh phase
 
@@ -58,18 +58,19 @@ _GEOMETRY = [
 ]
 
 _STIFFNESS = [
-    ("law", "i8"),
+    ("source", "i8"),
     ("slices", "i8"),  # 0: exact width integral
     ("c_prime", "f8"),  # PROFILE: stiffness of one pair per face width [N/m^2]; PHASE: mean total [N/m]
     ("S_R", "f8"),
     ("T_R", "f8"),
     ("n_table", "i8"),
-    ("table", "i8"),  # PROFILE: address of the pair's table (0: parabola)
+    ("table", "i8"),  # PROFILE: table of the pair, as offset in the pool; n_table 0 is the parabola
     ("form", "i8"),  # PHASE: FOURIER, TABLE, RECTANGULAR, USER
     ("n_k", "i8"),
     ("cosine", "i8"),
-    ("sine", "i8"),  # PHASE: addresses of coefficients
-    ("params", "i8"),  # PHASE user law: address of its parameters
+    ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
+    ("law", "i8"),  # PHASE, USER: address of the law
+    ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # line load below which the pair softens [N/m], 0: linear
     ("k_ref", "f8"),  # mean mesh stiffness, the reference of the damping shares [N/m]
 ]
@@ -96,7 +97,10 @@ _EXCITATION = [
     ("n_sz", "i8"),
     ("n_sx", "i8"),
     ("sep1", "i8"),
-    ("sep2", "i8"),  # addresses, grids [flank, tooth, width, roll] of gap along the base tangent [m]
+    (
+        "sep2",
+        "i8",
+    ),  # offsets: grids [flank, tooth, width, roll] of gap along the base tangent [m]
     ("roll1", "f8", 2),
     ("roll2", "f8", 2),  # lengths of roll that the grids span [m]
     ("sep_min", "f8"),  # smallest sum of both separations
@@ -151,6 +155,7 @@ RECORD = np.dtype(
         *_EXCITATION,
         *_SCRATCH,
         ("n_pair", "i8"),
+        ("pool", "i8"),  # address of the float array that holds all tables
         ("ev", "i8"),
         ("out", "i8"),
     ],

@@ -24,6 +24,12 @@ from pitchpoint.multibody.channels import F8
 
 
 @kernel
+def pooled(b, offset, shape):
+    """Table of a mesh: `shape` numbers from `offset` on in the pool of the kind."""
+    return view(b["pool"] + 8 * offset, shape, F8)
+
+
+@kernel
 def line_of_action(b, f, g):
     """Fill the scratch of mesh `b` from the frames `f` (body of gear 1) and `g` (body of gear 2).
 
@@ -155,13 +161,13 @@ def excitation(b, f, g, psi, o1, o2):
     b["e_rate"] = 0.0
     if b["n_e"] > 0:
         n = b["n_e"]
-        value, slope = phase_stiffness(psi, 0, n, view(b["e_cos"], n, F8), view(b["e_sin"], n, F8))
+        value, slope = phase_stiffness(psi, 0, n, pooled(b, b["e_cos"], n), pooled(b, b["e_sin"], n))
         b["e_t"] = value - 1.0
         b["e_rate"] = slope * b["phase_rate"]
     if b["n_e1"] > 0:
-        _shaft_orders(b, view(b["e1"], (b["n_e1"], 3), F8), f["phi"], f["turns"], o1)
+        _shaft_orders(b, pooled(b, b["e1"], (b["n_e1"], 3)), f["phi"], f["turns"], o1)
     if b["n_e2"] > 0:
-        _shaft_orders(b, view(b["e2"], (b["n_e2"], 3), F8), g["phi"], g["turns"], o2)
+        _shaft_orders(b, pooled(b, b["e2"], (b["n_e2"], 3)), g["phi"], g["turns"], o2)
 
 
 @kernel

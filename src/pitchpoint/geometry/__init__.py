@@ -1,1 +1,99 @@
 # SPDX-License-Identifier: Apache-2.0
+"""Teeth and pairs of cylindrical involute gears (ISO 21771), in SI units and radians.
+
+Symbols follow the standard; internal gears have negative tooth numbers, diameters and centre distances.
+"""
+
+from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+from pitchpoint.geometry.form_diameter import root_form_diameter_cutter, root_form_diameter_rack
+from pitchpoint.geometry.gear_pair import Backlash, GearPair
+from pitchpoint.geometry.involute import (
+    base_helix_angle,
+    inv,
+    inverse_inv,
+    transverse_pressure_angle,
+    working_pressure_angle,
+)
+from pitchpoint.geometry.measures import (
+    ball_center_angle,
+    ball_contact_diameter,
+    chordal_thickness,
+    dimension_over_balls,
+    dimension_over_pins,
+    helix_angle_at,
+    ideal_ball_diameter,
+    normal_space_width,
+    normal_tooth_thickness,
+    pressure_angle_at,
+    radial_dimension_over_ball,
+    span,
+    span_contact_diameter,
+    span_tooth_count,
+    tip_thickness,
+    transverse_tooth_thickness,
+)
+from pitchpoint.geometry.problems import gear_problems, pair_problems, tip_overlap_gap
+from pitchpoint.geometry.profile_shift import (
+    center_distance_for_profile_shift,
+    missing_profile_shift,
+    pressure_angle_at_center_distance,
+    profile_shift_for_center_distance,
+    reference_center_distance,
+)
+from pitchpoint.geometry.rack import BasicRack
+from pitchpoint.geometry.sliding import (
+    SlidingFactors,
+    SpecificSliding,
+    loss_factor_integral,
+    loss_factor_ohlendorf,
+    sliding_factor_at,
+    sliding_factors,
+    specific_sliding,
+    specific_sliding_at,
+)
+
+__all__ = [
+    "Backlash",
+    "BasicRack",
+    "CylindricalGear",
+    "GearPair",
+    "SlidingFactors",
+    "SpecificSliding",
+    "ball_center_angle",
+    "ball_contact_diameter",
+    "base_helix_angle",
+    "center_distance_for_profile_shift",
+    "chordal_thickness",
+    "dimension_over_balls",
+    "dimension_over_pins",
+    "gear_problems",
+    "helix_angle_at",
+    "ideal_ball_diameter",
+    "inv",
+    "inverse_inv",
+    "loss_factor_integral",
+    "loss_factor_ohlendorf",
+    "missing_profile_shift",
+    "normal_space_width",
+    "normal_tooth_thickness",
+    "pair_problems",
+    "pressure_angle_at",
+    "pressure_angle_at_center_distance",
+    "profile_shift_for_center_distance",
+    "radial_dimension_over_ball",
+    "reference_center_distance",
+    "root_form_diameter_cutter",
+    "root_form_diameter_rack",
+    "sliding_factor_at",
+    "sliding_factors",
+    "span",
+    "span_contact_diameter",
+    "span_tooth_count",
+    "specific_sliding",
+    "specific_sliding_at",
+    "tip_overlap_gap",
+    "tip_thickness",
+    "transverse_pressure_angle",
+    "transverse_tooth_thickness",
+    "working_pressure_angle",
+]

@@ -116,7 +116,7 @@ class CylindricalGear:
                     where,
                     diameter,
                     "the sign of z",
-                    "internal gears have negative z and diameters here; CylindricalGear.internal takes both positive",
+                    "give internal gears negative diameters, or use CylindricalGear.internal",
                 )
 
     @classmethod
@@ -271,7 +271,7 @@ class CylindricalGear:
 
     @cached_property
     def d_Fa(self) -> float:
-        """Tip form diameter [m]: the tip, or for an internal gear the base circle if the tip lies inside it."""
+        """Tip form diameter [m]: the tip; the base circle if an internal tip lies inside it."""
         return min(self.d_a, self.d_b) if self.is_internal else self.d_a
 
     @property

@@ -66,8 +66,10 @@ class GearPair:
     >>> from math import radians
     >>> from pitchpoint.geometry.rack import BasicRack
     >>> rack = BasicRack(h_fP_star=1.4, rho_fP_star=0.39)
-    >>> pinion = CylindricalGear(z=17, m_n=8e-3, beta=-radians(15.8), x=0.145, b=0.1, tip_diameter=0.15966, rack=rack)
-    >>> wheel = CylindricalGear(z=103, m_n=8e-3, beta=radians(15.8), b=0.1, tip_diameter=0.87235, rack=rack)
+    >>> pinion = CylindricalGear(
+    ...     z=17, m_n=8e-3, beta=-radians(15.8), x=0.145, b=0.1, tip_diameter=0.15966, rack=rack)
+    >>> wheel = CylindricalGear(
+    ...     z=103, m_n=8e-3, beta=radians(15.8), x=0.0, b=0.1, tip_diameter=0.87235, rack=rack)
     >>> pair = GearPair(pinion, wheel, 0.5)
     >>> round(pair.eps_alpha, 6), round(pair.eps_beta, 6), round(pair.j_bt * 1e6, 3)
     (1.54909, 1.083369, 1.257)
@@ -380,7 +382,9 @@ class GearPair:
         """
         alpha_wt = self.working_pressure_angle(a)
         g1, g2 = self.gear1, self.gear2
-        allowances = (g1.thickness_allowance + g2.thickness_allowance) * math.cos(g1.alpha_t) / math.cos(g1.beta)
+        allowances = (
+            (g1.thickness_allowance + g2.thickness_allowance) * math.cos(g1.alpha_t) / math.cos(g1.beta)
+        )
         j_bt = (g1.d_b + g2.d_b) * (inv(alpha_wt) - self.inv_alpha_w0) - allowances
         return Backlash(j_bt, j_bt / math.cos(alpha_wt), j_bt * math.cos(g1.beta_b))
 

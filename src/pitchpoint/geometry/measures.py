@@ -307,16 +307,16 @@ def ideal_ball_diameter(gear: CylindricalGear) -> float:
     Examples
     --------
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
-    >>> round(ideal_ball_diameter(pinion) * 1e3, 2)
-    26.77
+    >>> sun = CylindricalGear(z=19, m_n=0.045, x=0.617)
+    >>> round(ideal_ball_diameter(sun) * 1e3, 2)    # the KISSsoft report prints 94.950 mm
+    94.95
     """
     tan_v = math.tan(pressure_angle_at(gear, gear.d + 2.0 * gear.x * gear.m_n))
     cos2 = math.cos(gear.beta_b) * math.cos(gear.beta_b)
     offset = gear.psi_b - math.pi / gear.z
 
     # Contact geometry gives tan α_K − tan α_v = D cos β_b / d_b, the involute gives inv α_K; eliminating D
-    # leaves one equation in tan α_K with a monotone residual on each side of tan α_v.
+    # leaves one equation in tan α_K whose residual falls monotonically.
     def residual(t: float) -> float:
         return t - math.atan(t) - offset - (t - tan_v) / cos2
 

@@ -86,17 +86,14 @@ def undercut_crossing(fillet: RackFillet, r_b: float, psi_b: float, half_pitch: 
         roll = math.sqrt(max(0.0, (r / r_b) ** 2 - 1.0))
         return half_pitch - delta - (psi_b - roll + math.atan(roll))
 
-    # From the tool flank (clear of the involute) towards the root; behind the crossing the tool has cut.
-    theta = np.linspace(fillet.theta_flank, fillet.theta_root, 1025)
-    r, _ = fillet.polar(theta)
+    # The trochoid passes the base circle once. From the end of the tool flank down to there it is first
+    # clear of the involute and then, behind the crossing, inside the tooth.
+    at_base = float(brentq(lambda t: float(fillet.polar(t)[0]) - r_b, fillet.theta_flank, fillet.theta_root))
+    theta = np.linspace(fillet.theta_flank, at_base, 257)
     cut = np.array([clearance(t) for t in theta]) < 0.0
-    cut &= r > r_b
-    if not cut.any():
-        # Undercut so slight that it ends at the base circle within round-off of the limit.
-        inside = int(np.argmin(r > r_b))
-        return float(theta[inside]), r_b
     first = int(np.argmax(cut))
     if first == 0:
-        return float(theta[0]), float(r[0])
+        # So slight that it ends at the base circle, within round-off of the limit.
+        return at_base, r_b
     root = float(brentq(clearance, theta[first - 1], theta[first], xtol=1e-15, rtol=1e-14))
     return root, float(fillet.polar(root)[0])

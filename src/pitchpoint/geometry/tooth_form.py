@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.geometry.tooth_generation import ToothForm, external_tooth_form, internal_tooth_form
+from pitchpoint.geometry.tooth_generation import ToothForm as ToothForm
+from pitchpoint.geometry.tooth_generation import external_tooth_form, internal_tooth_form
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear

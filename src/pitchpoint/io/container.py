@@ -52,16 +52,6 @@ class Header:
     options: Mapping[str, Any] = field(default_factory=dict)
 
 
-def package_version() -> str:
-    """Give the installed version of the package, or 'unknown' in an unpacked source tree."""
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version("pitchpoint")
-    except PackageNotFoundError:
-        return "unknown"
-
-
 class Container:
     """A result file under construction; the writers for time series and tables are made from it.
 
@@ -75,6 +65,8 @@ class Container:
 
     def __init__(self, path: str | os.PathLike[str], header: Header) -> None:
         import h5py
+
+        from pitchpoint.core.provenance import package_version
 
         self.path = Path(path)
         try:

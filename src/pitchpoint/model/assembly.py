@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.coupling import Coupling
@@ -21,6 +21,7 @@ from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.pair_check import check_gear, check_pair, hand_on
 from pitchpoint.model.read import Reader
 from pitchpoint.model.scenario import Scenario
 
@@ -111,7 +112,7 @@ def _shift_from(parts: Parts, name: str, mesh: Mesh, report: Reader) -> bool:
     open_name, fixed = (mesh.gears[0], two) if one.x is None else (mesh.gears[1], one)
     if ("gears", open_name) in report.tainted or fixed.x is None:
         return False
-    from pitchpoint.geometry.gear_pair import profile_shift_for_center_distance
+    from pitchpoint.geometry.profile_shift import profile_shift_for_center_distance
 
     a_w = _sign(one, two) * mesh.center_distance
     try:
@@ -123,7 +124,7 @@ def _shift_from(parts: Parts, name: str, mesh: Mesh, report: Reader) -> bool:
             a_w=a_w,
         )
     except GeometryError as error:
-        geometry_problem(report, ("meshes", name, "center_distance"), error.problem)
+        hand_on(report, ("meshes", name), error.problem)
         report.tainted.add(("gears", open_name))
         return False
     parts.gears[open_name] = replace(parts.gears[open_name], x=x_sum - fixed.x)
@@ -136,7 +137,9 @@ def _undetermined(parts: Parts, name: str, report: Reader) -> None:
         return
     where = ("gears", name, "profile_shift_coefficient")
     if not meshes:
-        report.problem(where, "is missing, and no mesh determines it", remedy="give it; 0 for a gear without shift")
+        report.problem(
+            where, "is missing, and no mesh determines it", remedy="give it; 0 for a gear without shift"
+        )
     elif all(m.center_distance is None for _, m in meshes):
         report.problem(
             where,
@@ -169,19 +172,12 @@ def _sign(one: Gear, two: Gear) -> int:
 
 
 def _pairs(parts: Parts, report: Reader) -> None:
-    from pitchpoint.model.pair_check import check_gear, check_pair
-
     for name in parts.gears:
         if parts.gears[name].x is not None and ("gears", name) not in report.tainted:
             check_gear(parts, name, report)
     for name, mesh in list(parts.meshes.items()):
         if usable(parts, mesh, report):
             check_pair(parts, name, mesh, report)
-
-
-def geometry_problem(report: Reader, place: tuple[str | int, ...], problem: Problem) -> None:
-    """Hand on a problem that the geometry found, at a place of the file."""
-    report.problem(place, problem.message, value=problem.value, limit=problem.limit, remedy=problem.remedy)
 
 
 # --- places of bodies --------------------------------------------------------------------------------------
@@ -273,7 +269,13 @@ def _directions(parts: Parts, report: Reader) -> None:
         theta = mesh.direction or 0.0
         bodies = [parts.body_of(g) for g in mesh.gears]
         ends = [parts.bodies[b].origin for b in bodies if b is not None]
-        if len(ends) == 2 and ends[0] is not None and ends[1] is not None and mesh.a_w and bodies[0] != bodies[1]:
+        if (
+            len(ends) == 2
+            and ends[0] is not None
+            and ends[1] is not None
+            and mesh.a_w
+            and bodies[0] != bodies[1]
+        ):
             dx, dy = ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]
             distance, angle = math.hypot(dx, dy), math.atan2(dy, dx)
             a = abs(mesh.a_w)
@@ -284,7 +286,9 @@ def _directions(parts: Parts, report: Reader) -> None:
                     value=f"{a * 1e3:.6g} mm",
                     remedy="correct center_distance or the positions, or leave the positions out",
                 )
-            elif mesh.direction is not None and abs(math.remainder(angle - theta, math.tau)) > PLACE_TOLERANCE:
+            elif (
+                mesh.direction is not None and abs(math.remainder(angle - theta, math.tau)) > PLACE_TOLERANCE
+            ):
                 report.problem(
                     ("meshes", name, "direction"),
                     f"does not fit the positions of its bodies, which lie at {math.degrees(angle):.6g} deg",
@@ -315,6 +319,10 @@ def _widths(parts: Parts, report: Reader) -> None:
             )
             continue
         at = 0.5 * (low + high)
+        if name in parts.pairs and high - low < 0.999999 * 2.0 * min(half):
+            # the pair sees only the part of the teeth that meets
+            pair = parts.pairs[name]
+            parts.pairs[name] = replace(pair, gear1=pair.gear1.replace(b=high - low))
         parts.meshes[name] = replace(
             mesh, b_w=high - low, offset1=at - (middle[0] or 0.0), offset2=at - (middle[1] or 0.0)
         )

@@ -4,27 +4,34 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.model.assembly import Parts
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.mesh import Mesh
-from pitchpoint.model.keys import component, derived, key, text
+from pitchpoint.model.inertia import BodyInertia, body_inertia
+from pitchpoint.model.keys import BAD, Key, component, defaults_of, derived, key, keys_of, text
+from pitchpoint.model.pair_check import gap
+from pitchpoint.model.phasing import Phasing, assemble
+from pitchpoint.model.read import Reader, shown
+from pitchpoint.model.recheck import recheck
 from pitchpoint.model.scenario import Scenario
+from pitchpoint.model.scenario_check import start_speeds, sweep_meshes
+from pitchpoint.model.validate import check
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry.gear import CylindricalGear
-    from pitchpoint.geometry.pair import GearPair
-    from pitchpoint.model.inertia import BodyInertia
-    from pitchpoint.model.phasing import Phasing
+    from pitchpoint.geometry.gear_pair import GearPair
 
 V = TypeVar("V")
 
@@ -60,5 +67,148 @@ class Model:
     scenarios: Mapping[str, Scenario] = key("components", "what is done to the model", {}, of=Scenario)
     file: str | None = derived()
     """Path of the file the model came from."""
+    pairs: Mapping[str, GearPair] = derived()
+    """Pair of every mesh at its centre distance; the common face width is what overlaps."""
 
-    # properties: pairs, geometry, phasing, body_inertia(name), body_of(gear), start_speeds(scenario)
+    def __post_init__(self) -> None:
+        for group in GROUPS:
+            object.__setattr__(self, group, Frozen(getattr(self, group)))
+        report = Reader()
+        recheck(self, (), report)
+        if report.problems:
+            raise ModelError(report.problems, self.file)
+        parts = self._parts()
+        check(parts, report)
+        if report.problems:
+            raise ModelError(report.problems, self.file)
+        self._settle(parts)
+
+    @classmethod
+    def from_parts(cls, parts: Parts, title: str = "", file: str | None = None) -> Model:
+        """Model of parts that `validate.check` has settled and found without problems.
+
+        Parameters
+        ----------
+        parts
+            The parts.
+        title, file
+            As in the class.
+        """
+        model = object.__new__(cls)
+        for name, value in (("title", title), ("file", file), ("damping", parts.damping)):
+            object.__setattr__(model, name, value)
+        model._settle(parts)
+        return model
+
+    def _settle(self, parts: Parts) -> None:
+        for group in (*GROUPS, "pairs"):
+            object.__setattr__(self, group, Frozen(getattr(parts, group)))
+
+    def _parts(self) -> Parts:
+        return Parts(**{group: dict(getattr(self, group)) for group in GROUPS}, damping=self.damping)
+
+    def replace(self, path: str, value: Any) -> Model:
+        """New model with one value changed; everything that follows from it is settled again.
+
+        Parameters
+        ----------
+        path
+            Dotted path of the keys of a file, such as "gears.pinion.profile_shift_coefficient".
+        value
+            What a file could hold there (number in SI, text with unit, mapping), or a component; None takes
+            an optional key away.
+
+        Raises
+        ------
+        ModelError
+            If there is no such key, the value cannot be read, or the changed model is not possible.
+        """
+        report = Reader(allow_code=True, directory=str(Path(self.file).parent) if self.file else ".")
+        changed = replace_at(self, tuple(path.split(".")), value, report)
+        if report.problems:
+            raise ModelError(report.problems)
+        return changed
+
+    # --- what follows ----------------------------------------------------------------------------------
+    def backlash(self, mesh: str) -> float:
+        """Total gap along the base tangent at the centre distance [m]: the given one, or of the geometry."""
+        return gap(self.pairs[mesh], self.meshes[mesh])
+
+    @cached_property
+    def phasing(self) -> Phasing:
+        """How the gears are put together, see `pitchpoint.model.phasing`."""
+        return assemble(self.gears, self.meshes)
+
+    def body_of(self, gear: str) -> str | None:
+        """Name of the body that carries a gear, None without bodies."""
+        return next((name for name, body in self.bodies.items() if gear in body.gears), None)
+
+    def body_inertia(self, body: str) -> BodyInertia:
+        """Mass and moments of inertia of a body, given or summed over its gears."""
+        return body_inertia(self.bodies[body], self.gears)
+
+    def start_speeds(self, scenario: str | Scenario) -> dict[str, float]:
+        """Speed of every body at the start of a scenario [rad/s], through the gear ratios."""
+        chosen = self.scenarios[scenario] if isinstance(scenario, str) else scenario
+        return start_speeds(self._parts(), chosen.speed)[0]
+
+    def sweep_mesh(self, scenario: str | Scenario) -> tuple[str, int]:
+        """Mesh whose frequency a sweep counts, and the number of teeth of the swept body in it."""
+        chosen = self.scenarios[scenario] if isinstance(scenario, str) else scenario
+        if chosen.sweep is None:
+            raise ModelError([Problem("scenarios", "is no sweep", remedy="name a scenario with sweep")])
+        meshes = sweep_meshes(self._parts(), chosen.sweep.body)
+        name = chosen.sweep.mesh or next(iter(meshes))
+        return name, meshes[name]
+
+    def _repr_html_(self) -> str:
+        """Tables of gears, meshes and bodies for notebooks."""
+        from pitchpoint.model.table import model_table
+
+        return model_table(self)
+
+
+GROUPS = ("gears", "bodies", "meshes", "bearings", "couplings", "loads", "scenarios")
+
+
+def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at: tuple[str, ...] = ()) -> Any:
+    """Copy of a component with the value at a path changed, by the rules of the reader."""
+    name = path[0]
+    here = (*at, name)
+    if isinstance(part, Mapping):
+        if name not in part:
+            report.problem(here, "does not exist", remedy=f"there are {', '.join(map(str, part)) or 'none'}")
+            return part
+        if len(path) == 1:
+            cls = type(part[name])
+            new = report.component(cls, value, here) if isinstance(value, Mapping) else value
+            if not isinstance(new, cls) and new is not BAD:
+                report.problem(here, "is neither a mapping nor a component", value=shown(value))
+        else:
+            new = replace_at(part[name], path[1:], value, report, here)
+        return part if report.problems else {**part, name: new}
+    if part is None or not dataclasses.is_dataclass(part):
+        report.problem(here, "is below a key without keys", remedy="replace the whole value above it")
+        return part
+    keys = keys_of(type(part))
+    if name not in keys:
+        report.unknown({name: value}, keys, at)
+        return part
+    if len(path) > 1:
+        new = replace_at(getattr(part, name), path[1:], value, report, here)
+    elif value is None and defaults_of(type(part)).get(name, ...) is None:
+        new = None
+    elif _is_component(keys[name], value):
+        new = value
+    else:
+        new = report.value(keys[name], value, here)
+    return part if report.problems else dataclasses.replace(part, **{name: new})
+
+
+def _is_component(key: Key, value: Any) -> bool:
+    allowed = key.of.values() if isinstance(key.of, dict) else (key.of,)
+    if isinstance(value, Constant | FormulaLaw | TableLaw | PythonLaw | Balance):
+        return key.kind == "law"
+    if key.kind == "components":
+        return isinstance(value, Mapping) and all(isinstance(v, key.of) for v in value.values())
+    return any(cls is not None and isinstance(value, cls) for cls in allowed)

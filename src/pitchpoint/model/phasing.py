@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the gears of a machine are put together: the angle of tooth 0 of every gear at spin 0.
 
-Two gears are assembled centred in their backlash: when a tooth of gear 1 is centred on the line of centres, a
-space of gear 2 is centred on it. With gamma the angle of the centre of tooth 0 (at mid-face, from the world's x
-axis), theta_1 and theta_2 the directions from either axis to the pitch point, and signed z,
+Two gears are assembled centred in their backlash: when a tooth of gear 1 is centred on the line of
+centres, a space of gear 2 is centred on it. With gamma the angle of the centre of tooth 0 (at mid-face, from
+the world's x axis), theta_1 and theta_2 the directions from either axis to the pitch point, and signed z,
 
     z_1 (gamma_1 - theta_1) + z_2 (gamma_2 - theta_2) = pi   (mod 2 pi),
 

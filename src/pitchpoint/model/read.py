@@ -10,6 +10,7 @@ import difflib
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from numbers import Real
 from typing import Any
 
 from pitchpoint.core.errors import Problem, UnitError
@@ -145,7 +146,7 @@ class Reader:
     # --- plain values -----------------------------------------------------------------------------------
     def number(self, description: Key, data: Any, path: Place) -> Any:
         """Read a quantity; check dimension, finiteness and range."""
-        if isinstance(data, bool) or not isinstance(data, int | float | str):
+        if isinstance(data, bool) or not isinstance(data, Real | str):
             return self.problem(
                 path, "is not a number", value=shown(data), remedy=f"write {example(description)}"
             )

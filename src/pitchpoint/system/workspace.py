@@ -99,6 +99,7 @@ class Workspace:
             name: np.zeros([int(dims[d]) for d in shape], dtype) for name, dtype, shape in _ARRAYS
         }
         self.arrays["weight"][:] = weight
+        self.ready = False  # constant parts of frames and columns written yet?
         self._fill(sizes)
 
     def _fill(self, sizes: dict[str, int]) -> None:

@@ -123,8 +123,8 @@ class PairShape:
     def jumps(self, eps_alpha: float, eps_beta: float = 0.0) -> tuple[float, ...]:
         """Mesh phases in [0, 1) at which the mesh stiffness is discontinuous.
 
-        A spur pair without ramp enters at psi = 0 and leaves at psi = frac(eps_alpha); with overlap or ramp the
-        mesh stiffness is continuous.
+        A spur pair without ramp enters at psi = 0 and leaves at psi = frac(eps_alpha); with overlap or ramp
+        the mesh stiffness is continuous.
 
         >>> PairShape(c_prime=14e9).jumps(1.25), PairShape(c_prime=14e9).jumps(1.25, 0.5)
         ((0.0, 0.25), ())
@@ -253,5 +253,7 @@ def require_positive(where: str, description: PhaseStiffness) -> PhaseStiffness:
     else:
         low = float(first[:2].min())
     if low <= 0.0:
-        raise refuse(where, "times the mean is the lowest stiffness", f"{low:.4g}", "> 0", "lower the variation")
+        raise refuse(
+            where, "times the mean is the lowest stiffness", f"{low:.4g}", "> 0", "lower the variation"
+        )
     return description

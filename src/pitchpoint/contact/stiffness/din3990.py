@@ -58,8 +58,8 @@ def theoretical_stiffness(z_n1: float, z_n2: float, x1: float, x2: float) -> flo
 
     Notes
     -----
-    q' = C1 + C2/z_n1 + C3/z_n2 + C4 x1 + C5 x1/z_n1 + C6 x2 + C7 x2/z_n2 + C8 x1^2 + C9 x2^2 [1]_. The standard
-    states x1 >= x2 and -0.5 <= x1 + x2 <= 2; a ValidityWarning tells when this is left.
+    q' = C1 + C2/z_n1 + C3/z_n2 + C4 x1 + C5 x1/z_n1 + C6 x2 + C7 x2/z_n2 + C8 x1^2 + C9 x2^2 [1]_. The
+    standard states x1 >= x2 and -0.5 <= x1 + x2 <= 2; a ValidityWarning tells when this is left.
 
     References
     ----------
@@ -72,8 +72,8 @@ def theoretical_stiffness(z_n1: float, z_n2: float, x1: float, x2: float) -> flo
     """
     if x1 < x2 or not -0.5 <= x1 + x2 <= 2.0:
         warnings.warn(
-            f"profile shifts x1 = {x1:.4g} (smaller gear), x2 = {x2:.4g} lie outside the range of the DIN 3990 /"
-            " ISO 6336-1 stiffness polynomial (x1 >= x2, -0.5 <= x1 + x2 <= 2)",
+            f"profile shifts x1 = {x1:.4g} (smaller gear), x2 = {x2:.4g} lie outside the range of the"
+            " DIN 3990 / ISO 6336-1 stiffness polynomial (x1 >= x2, -0.5 <= x1 + x2 <= 2)",
             ValidityWarning,
             stacklevel=2,
         )
@@ -81,7 +81,9 @@ def theoretical_stiffness(z_n1: float, z_n2: float, x1: float, x2: float) -> flo
     q = C1 + C2 / z_n1 + C3 / z_n2 + C4 * x1 + C5 * x1 / z_n1 + C6 * x2 + C7 * x2 / z_n2
     q += C8 * x1 * x1 + C9 * x2 * x2
     if not q > 0.0:
-        raise refuse("stiffness.law", "is the flexibility of din3990", q, "> 0", "use law: energy or constant")
+        raise refuse(
+            "stiffness.law", "is the flexibility of din3990", q, "> 0", "use law: energy or constant"
+        )
     return UNIT / q
 
 
@@ -90,8 +92,8 @@ def basic_rack_factor(h_fP_star: float, alpha_n: float) -> float:
 
     h_fP* is the dedendum of the basic rack in modules, alpha_n [rad]. Source: ISO 6336-1, single stiffness.
 
-    >>> round(basic_rack_factor(1.4, math.radians(20.0)), 12), round(basic_rack_factor(1.25, math.radians(20.0)), 12)
-    (0.9, 0.975)
+    >>> [round(basic_rack_factor(h, math.radians(20.0)), 12) for h in (1.2, 1.25, 1.4)]
+    [1.0, 0.975, 0.9]
     """
     return (1.0 + 0.5 * (1.2 - h_fP_star)) * (1.0 - 0.02 * (20.0 - math.degrees(alpha_n)))
 
@@ -126,7 +128,7 @@ def virtual_teeth(gear: CylindricalGear, formula: str = "iso") -> float:
 
     >>> gear = CylindricalGear(z=17, m_n=8e-3, beta=math.radians(15.8), b=0.1)
     >>> round(virtual_teeth(gear), 4), round(virtual_teeth(gear, "cos3"), 4)
-    (18.9051, 19.0811)
+    (18.9051, 19.0822)
     """
     if formula not in ("iso", "cos3"):
         raise refuse("stiffness.virtual_teeth", "is no formula", formula, "iso or cos3", "use iso")

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
-from pitchpoint.contact.stiffness.description import PhaseStiffness, require_positive
+from pitchpoint.contact.stiffness.description import PhaseStiffness, frozen_array, require_positive
 from pitchpoint.geometry.gear_pair import GearPair
 
 
@@ -34,4 +34,9 @@ def fourier(
     >>> (law.mean * law.ratio([0.0, 0.5]) / 1e8).round(12).tolist()
     [2.6, 4.6]
     """
-    return require_positive("stiffness.cosine", PhaseStiffness(mean=mean, cosine=cosine, sine=sine))  # type: ignore[arg-type]
+    law = PhaseStiffness(
+        mean=mean,
+        cosine=frozen_array("stiffness.cosine", cosine),
+        sine=frozen_array("stiffness.sine", sine),
+    )
+    return require_positive("stiffness.cosine", law)

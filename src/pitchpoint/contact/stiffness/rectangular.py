@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rectangular-wave mesh stiffness, the simplest law that varies: two values in turn, as pairs enter and leave."""
+"""Rectangular-wave mesh stiffness, the simplest law that varies: two values in turn, as pairs come and go."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def rectangular(
 
     Notes
     -----
-    The wave of Meissner's stability problem; with high : low = 3 : 2 that of a camshaft drive study for two and
-    three pairs in turn. The mean is high duty + low (1 - duty).
+    The wave of Meissner's stability problem; with high : low = 3 : 2 that of a camshaft drive study for two
+    and three pairs in turn. The mean is high duty + low (1 - duty).
 
     Examples
     --------
@@ -42,6 +42,8 @@ def rectangular(
             raise refuse("stiffness.duty", "is no duty", duty, "0 to 1", "give the share of the high value")
         duty = pair.eps_alpha - math.floor(pair.eps_alpha)
     if not 0.0 < duty < 1.0:
-        raise refuse("stiffness.duty", "leaves no wave", duty, "0 < duty < 1", "give a share inside the period")
+        raise refuse(
+            "stiffness.duty", "leaves no wave", duty, "0 < duty < 1", "give a share inside the period"
+        )
     mean = high * duty + low * (1.0 - duty)
     return PhaseStiffness(mean=mean, rectangular=(high / mean, low / mean, duty))

@@ -17,8 +17,8 @@ def table(pair: GearPair | None, *, values: ArrayLike) -> PhaseStiffness:
     pair
         The gear pair; not read.
     values
-        Stiffness along the base tangent [N/m] at psi = i/n, i = 0..n-1, n >= 2; linear between them, the first
-        value follows the last.
+        Stiffness along the base tangent [N/m] at psi = i/n, i = 0..n-1, n >= 2; linear between them, the
+        first value follows the last.
 
     Raises
     ------

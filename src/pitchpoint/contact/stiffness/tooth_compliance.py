@@ -119,7 +119,7 @@ def body_coefficients(theta_f: float, radius_ratio: float) -> tuple[float, float
     Examples
     --------
     >>> [round(c, 4) for c in body_coefficients(0.05, 3.0)]
-    [6.8895, 1.3036, 4.3207, 0.4379]
+    [6.9271, 1.19, 4.3241, 0.4378]
     """
     h = min(radius_ratio, SOLID_RATIO)
     terms = np.array([1.0 / theta_f**2, h * h, h / theta_f, 1.0 / theta_f, h, 1.0])
@@ -127,8 +127,22 @@ def body_coefficients(theta_f: float, radius_ratio: float) -> tuple[float, float
     return L, M, P, Q
 
 
+def _body_compliance(form: ToothForm, c: Array, height: Array, bore: float | None) -> Array:
+    """Compliance of the gear body times E, for the load angles' cosines c.
+
+    cos^2 a1 [L* (u/s_f)^2 + M* u/s_f + P* (1 + Q* tan^2 a1)], s_f = 2 r_f theta_f, u = height - r_f. Sainsot,
+    Velex and Duverger measure u up to where the line of load crosses the tooth's centre line, at r_b/cos a1
+    ("load_line"); some programs take the height of the contact point instead ("contact_point"), which makes
+    the body softer.
+    """
+    theta_f = form.root_half_angle
+    L, M, P, Q = body_coefficients(theta_f, 2.0 * form.r_f / bore if bore else SOLID_RATIO)
+    u = (height - form.r_f) / (2.0 * form.r_f * theta_f)
+    return np.asarray(c * c * (L * u * u + M * u + P * (1.0 + Q * (1.0 / (c * c) - 1.0))))
+
+
 def tooth_compliance(
-    form: ToothForm, rho: Array, *, beta: float, E: float, nu: float, bore: float | None, body: bool
+    form: ToothForm, rho: Array, *, beta: float, E: float, nu: float, bore: float | None, body: str
 ) -> ToothCompliance:
     """Compliances of one tooth for forces at points of its flank.
 
@@ -146,7 +160,8 @@ def tooth_compliance(
     bore
         Bore diameter [m]; None for a solid gear.
     body
-        Include the gear body (external gears only; the fit holds for discs, a ring is taken as rigid).
+        "load_line" or "contact_point": the reading of u_f, see `_body_compliance`; "rigid": none. An internal
+        gear's ring is always taken as rigid, the fit holds for discs.
 
     Notes
     -----
@@ -155,12 +170,12 @@ def tooth_compliance(
 
     * bending: int [cos a1 (eta_c - eta) - x_c sin a1]^2/(E I) d eta, I = 2 x^3/3
     * shear: 1.2 cos^2 a1 int 1/(G A) d eta, A = 2 x; axial: sin^2 a1 int 1/(E A) d eta
-    * body: cos^2 a1/E [L* (u/s_f)^2 + M* u/s_f + P* (1 + Q* tan^2 a1)]
+    * body: see `_body_compliance`
 
-    H. Ma, R. Song, X. Pang and B. Wen, Eng. Fail. Anal. 44 (2014) 179. A helical tooth bends across its trace: in
-    the normal section the thickness is x cos(beta), the tangential force and the lengths of the trace grow
-    with 1/cos(beta), which multiplies bending by 1/cos^4(beta) (moment of the radial force by a further
-    cos^2(beta)) and shear by 1/cos^2(beta).
+    H. Ma, R. Song, X. Pang and B. Wen, Eng. Fail. Anal. 44 (2014) 179. A helical tooth bends across its
+    trace: in the normal section the thickness is x cos(beta), the tangential force and the lengths of the
+    trace grow with 1/cos(beta), which multiplies bending by 1/cos^4(beta) (moment of the radial force by a
+    further cos^2(beta)) and shear by 1/cos^2(beta).
     """
     roll = np.asarray(rho, dtype=np.float64) / form.r_b
     flip = bool(form.sign * (roll[-1] - roll[0]) < 0.0)
@@ -170,17 +185,17 @@ def tooth_compliance(
     x, eta, _ = _section(form, roll)
     psi = form.psi_b - form.sign * (roll - np.arctan(roll))
     angle = np.arctan(roll) - form.sign * psi
-    c, s, t = np.cos(angle), np.sin(angle), np.tan(angle)
+    c, s = np.cos(angle), np.sin(angle)
     cb = math.cos(beta) ** 2
     lever = s * x * cb
-    bending = c * c * (eta * eta * J0 - 2.0 * eta * J1 + J2) - 2.0 * c * lever * (eta * J0 - J1) + lever * lever * J0
+    bending = (
+        c * c * (eta * eta * J0 - 2.0 * eta * J1 + J2)
+        - 2.0 * c * lever * (eta * J0 - J1)
+        + lever * lever * J0
+    )
     G = 0.5 * E / (1.0 + nu)
-    foundation = np.zeros_like(roll)
-    if body and not form.is_internal:
-        theta_f = form.root_half_angle
-        ratio = SOLID_RATIO if not bore else 2.0 * form.r_f / bore
-        L, M, P, Q = body_coefficients(theta_f, ratio)
-        u = (form.r_b / c - form.r_f) / (2.0 * form.r_f * theta_f)
-        foundation = c * c / E * (L * u * u + M * u + P * (1.0 + Q * t * t))
+    rigid = body == "rigid" or form.is_internal
+    height = form.r_b / c if body == "load_line" else form.r_b * np.hypot(1.0, roll) * np.cos(psi)
+    foundation = np.zeros_like(roll) if rigid else _body_compliance(form, c, height, bore) / E
     parts = (bending / (E * cb * cb), 1.2 * c * c * S0 / (G * cb), s * s * S0 / E, foundation, x / c)
     return ToothCompliance(*(part[::-1] if flip else part for part in parts))

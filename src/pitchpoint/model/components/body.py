@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pitchpoint.model.keys import choice, derived, key, positive, quantities, quantity
+from pitchpoint.model.keys import choice, derived, key, quantities, quantity
 
 MOTIONS = ("torsion", "planar", "free", "fixed")
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from dataclasses import dataclass
 from functools import cached_property
@@ -66,7 +65,7 @@ class Gear:
     hand: str | None = choice(("left", "right"), "hand of the helix; required when helix_angle > 0", None)
     profile_shift_coefficient: float | None = quantity(
         "dimensionless",
-        "profile shift coefficient x, sign of ISO 21771; one gear of a pair with center_distance may go without",
+        "profile shift coefficient x, sign of ISO 21771; one gear of a pair with center_distance may omit it",
         None,
         minimum=-5.0,
         maximum=5.0,
@@ -108,7 +107,7 @@ class Gear:
         minimum=0.0,
         display="from geometry",
     )
-    drawing_resolution: int = integer("points per flank in drawings", 20, minimum=2, maximum=10000)
+    drawing_resolution: int = integer("points per flank in drawings", 20, minimum=5, maximum=10000)
     modifications: Modifications | None = component(Modifications, "flank modifications by side")
     deviations: Deviations | None = component(Deviations, "deviations of single teeth")
     x: float | None = derived()

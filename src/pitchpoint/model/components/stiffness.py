@@ -36,7 +36,10 @@ class Din3990:
     stiffness_ratio: float = _ratio()
     tip_relief_factor: float = _relief()
     single_stiffness: float | None = positive(
-        "stiffness_per_width", "given single tooth stiffness c' per face width", None, display="by the standard"
+        "stiffness_per_width",
+        "given single tooth stiffness c' per face width",
+        None,
+        display="by the standard",
     )
     low_load: bool = key("boolean", "lower the stiffness below 100 N/mm specific load", False)
     virtual_teeth: str = choice(("iso", "cos3"), "z_n = z/(cos^2 beta_b cos beta), or z/cos^3 beta", "iso")
@@ -119,18 +122,13 @@ class UserStiffness:
     """Total mesh stiffness k(psi) by a user's Python function; needs --allow-code."""
 
     law: ClassVar[str] = "user"
-    python: PythonLaw = key("python", "'file.py:function', a function of psi in base pitches that returns N/m")
+    python: PythonLaw = key(
+        "python", "'file.py:function', a function of psi in base pitches that returns N/m"
+    )
 
 
 StiffnessLaw: TypeAlias = (
-    Din3990
-    | ConstantStiffness
-    | Rectangular
-    | Fourier
-    | Table
-    | PairTable
-    | Energy
-    | UserStiffness
+    Din3990 | ConstantStiffness | Rectangular | Fourier | Table | PairTable | Energy | UserStiffness
 )
 LAWS: dict[str, type] = {
     c.law: c

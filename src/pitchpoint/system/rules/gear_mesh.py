@@ -19,7 +19,7 @@ from pitchpoint.geometry.involute import inv
 from pitchpoint.multibody.channels import FRAME
 
 Array = NDArray[np.float64]
-#: Hands out the address of an array and keeps the array alive with the system.
+#: Puts an array into the pool of the kind and gives its offset there.
 Keep = Callable[[Array], int]
 
 
@@ -50,7 +50,10 @@ class Placement:
 
 @dataclass(frozen=True, kw_only=True)
 class MeshLaws:
-    """Everything of a mesh that is not geometry; damping in N s/m along the base tangent."""
+    """Everything of a mesh that is not geometry; damping in N s/m along the base tangent.
+
+    `user` holds the parameters of a user's stiffness law; the law itself is linked by the system.
+    """
 
     stiffness: Description
     slices: int = 0
@@ -65,7 +68,7 @@ class MeshLaws:
     e_sin: Array = field(default_factory=lambda: np.zeros(0))
     orders1: Array = field(default_factory=lambda: np.zeros((0, 3)))
     orders2: Array = field(default_factory=lambda: np.zeros((0, 3)))
-    user: tuple[int, int] | None = None
+    user: Array | None = None
 
 
 def mean_stiffness(pair: GearPair, stiffness: Description) -> float:
@@ -125,13 +128,13 @@ def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
 
 def _stiffness(row: Any, stiffness: Description, keep: Keep) -> None:
     if isinstance(stiffness, PairShape):
-        row["law"] = layout.PROFILE
+        row["source"] = layout.PROFILE
         row["c_prime"], row["S_R"], row["T_R"] = stiffness.c_prime, stiffness.S_R, stiffness.T_R
         row["load_limit"] = stiffness.load_limit
         if stiffness.table is not None:
             row["n_table"], row["table"] = stiffness.table.size, keep(stiffness.table)
         return
-    row["law"] = layout.PHASE
+    row["source"] = layout.PHASE
     row["c_prime"] = stiffness.mean
     row["form"] = stiffness.form
     row["n_k"], first, second = stiffness.arrays()
@@ -152,7 +155,7 @@ def mesh_row(
     laws
         Stiffness, damping, friction, excitation.
     keep
-        Gives the address of an array and keeps it alive.
+        Puts an array into the pool of the kind and gives its offset.
     backlash
         Total gap along the base tangent at the working centre distance [m]; None takes that of the geometry.
 
@@ -173,7 +176,7 @@ def mesh_row(
     for name in ("d_in", "d_out", "s_0", "d_gap", "mu", "v_eps"):
         row[name] = getattr(laws, name)
     if laws.user is not None:
-        row["form"], row["cosine"], row["params"] = layout.USER, *laws.user
+        row["form"], row["params"] = layout.USER, keep(laws.user)
     if laws.e_cos.size:
         row["n_e"], row["e_cos"], row["e_sin"] = laws.e_cos.size, keep(laws.e_cos), keep(laws.e_sin)
     for k, orders in ((1, laws.orders1), (2, laws.orders2)):

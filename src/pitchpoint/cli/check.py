@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint check`: report every problem of a file, or say what will be simulated and what was assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quiet
+from pitchpoint.cli.output import emit_json, show, shown, table
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+FREEDOMS = {
+    "torsion": ("spin",),
+    "planar": ("x", "y", "spin"),
+    "free": ("x", "y", "z", "rx", "ry", "spin"),
+    "fixed": (),
+}
+
+
+@click.command()
+@model_file
+@as_json
+@allow_code
+@quiet
+@debug
+def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
+    """Check FILE and say what will be simulated: bodies and their freedoms, places, defaults used.
+
+    Every problem of the file is listed at once, with line, value, limit and remedy; the exit code is then 2.
+    """
+    from pitchpoint.io.yaml_model import load_model
+
+    model = load_model(file, allow_code=allow_code)
+    if as_json:
+        emit_json(summary(model))
+    elif not quiet:
+        _print(model, file)
+
+
+def summary(model: Model) -> dict[str, Any]:
+    """Collect what will be simulated."""
+    bodies = {}
+    for name, body in model.bodies.items():
+        inertia = model.body_inertia(name)
+        bodies[name] = {
+            "gears": list(body.gears),
+            "motion": body.motion,
+            "degrees_of_freedom": list(FREEDOMS[body.motion]),
+            "origin": body.origin,
+            "mass": inertia.mass,
+            "polar_inertia": inertia.polar,
+            "transverse_inertia": inertia.transverse,
+        }
+    return {
+        "ok": True,
+        "title": model.title,
+        "degrees_of_freedom": sum(len(body["degrees_of_freedom"]) for body in bodies.values()),
+        "gears": list(model.gears),
+        "bodies": bodies,
+        "meshes": {
+            name: {
+                "gears": list(mesh.gears),
+                "center_distance": abs(mesh.a_w) if mesh.a_w is not None else None,
+                "direction": mesh.theta,
+                "face_width": mesh.b_w,
+                "stiffness": mesh.stiffness.law,
+            }
+            for name, mesh in model.meshes.items()
+        },
+        "bearings": list(model.bearings),
+        "couplings": list(model.couplings),
+        "loads": list(model.loads),
+        "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
+        "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
+    }
+
+
+def _print(model: Model, file: str) -> None:
+    """Show the same to people."""
+    found = summary(model)
+    show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
+    rows = [
+        [
+            name,
+            ", ".join(body["gears"]),
+            ", ".join(body["degrees_of_freedom"]) or "fixed",
+            ", ".join(f"{1e3 * c:.6g}" for c in body["origin"]) if body["origin"] else "",
+            shown(body["mass"], "mass", 5),
+            shown(body["polar_inertia"], "inertia", 5),
+        ]
+        for name, body in found["bodies"].items()
+    ]
+    if rows:
+        n = found["degrees_of_freedom"]
+        table(
+            f"Bodies: {n} degrees of freedom",
+            ["body", "gears", "moves in", "origin [mm]", "mass", "polar inertia"],
+            rows,
+        )
+    rows = [
+        [
+            name,
+            " / ".join(mesh["gears"]),
+            shown(mesh["center_distance"], "length"),
+            shown(mesh["direction"], "angle"),
+            shown(mesh["face_width"], "length"),
+            mesh["stiffness"],
+        ]
+        for name, mesh in found["meshes"].items()
+    ]
+    if rows:
+        table("Meshes", ["mesh", "gears", "centre distance", "direction", "common width", "stiffness"], rows)
+    for group in ("bearings", "couplings", "loads"):
+        if found[group]:
+            show(f"{group}: {', '.join(found[group])}")
+    if found["scenarios"]:
+        show("scenarios: " + ", ".join(f"{name} ({kind})" for name, kind in found["scenarios"].items()))
+    assumed = found["defaults"]
+    if assumed:
+        rows = [[entry["key"], entry["value"]] for entry in assumed]
+        table("Defaults that apply", ["key", "value"], rows)
+
+
+def defaults(model: Model) -> list[tuple[str, str]]:
+    """List the optional keys that stand at their defaults, equal ones of several components together."""
+    merged: dict[tuple[str, str, str], list[str]] = {}
+    for group, name, key, value in _walk(model):
+        merged.setdefault((group, key, value), []).append(name)
+    lines = []
+    for (group, key, value), names in merged.items():
+        every = getattr(model, group, None)
+        whole = isinstance(every, Mapping) and len(names) == len(every) > 1
+        where = group if not names[0] else f"{group}.{'*' if whole else ','.join(names)}"
+        lines.append((f"{where}.{key}", value))
+    return lines
+
+
+def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
+    """Give (group, name, key below it, default in words) of every key that stands at its default."""
+    for group in ("gears", "bodies", "meshes", "bearings", "couplings", "loads", "scenarios"):
+        for name, part in getattr(model, group).items():
+            for key, value in _unset(part):
+                yield group, name, key, value
+
+
+def _unset(part: Any, path: str = "") -> Iterator[tuple[str, str]]:
+    """Give the keys of one component whose default says something: a number, a word or a rule."""
+    from pitchpoint.model.keys import defaults_of, keys_of
+
+    keys, known = keys_of(type(part)), defaults_of(type(part))
+    for field in fields(part):
+        if field.name not in keys:
+            continue
+        key, value = keys[field.name], getattr(part, field.name)
+        where = f"{path}{field.name}"
+        if field.name not in known or value != known[field.name]:
+            if is_dataclass(value) and not isinstance(value, type):
+                yield from _unset(value, f"{where}.")
+            continue
+        if key.display:
+            yield where, key.display
+        elif isinstance(value, bool | int | float | str) and value != "":
+            yield where, shown(value, key.dimension or "dimensionless")

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Softer teeth at low load: the correction of ISO 6336-1 as a function of the deflection."""
+
+from __future__ import annotations
+
+from pitchpoint.core.kernel import kernel
+
+
+@kernel
+def low_load(load, limit):
+    """Factors on the force and on its tangent for a line load that c' alone would give.
+
+    ISO 6336-1 lets the stiffness fall as c' (w/w_0)^0.25 where the specific load w is below w_0. Solved for
+    the deflection, w = q^(4/3) w_0^(-1/3) with q = c' delta: the force is q times (q/w_0)^(1/3), its
+    derivative by the deflection c' times 4/3 of that. load = q and limit = w_0 in N/m; limit 0 or
+    q >= limit: (1, 1).
+
+    >>> force, tangent = low_load(0.125e5, 1.0e5)
+    >>> round(float(force), 12), round(float(tangent), 12)
+    (0.5, 0.666666666667)
+    """
+    if load >= limit:
+        return 1.0, 1.0
+    if load <= 0.0:
+        return 0.0, 0.0
+    factor = (load / limit) ** (1.0 / 3.0)
+    return factor, 4.0 / 3.0 * factor

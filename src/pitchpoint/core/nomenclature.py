@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one table of names: symbol, REXS id, units, meaning and source of every quantity.
+
+Axis labels, dataset attributes and the documentation are made from `nomenclature.csv`, so a quantity is
+named once. Channels of a result are looked up without the name in brackets behind them.
+"""
+
+from __future__ import annotations
+
+import csv
+from functools import lru_cache
+from pathlib import Path
+from typing import NamedTuple
+
+from pitchpoint.core.errors import PitchpointError
+
+_PARTS = {
+    "displacement": {"rx": "tilt", "ry": "tilt", "rz": "angle"},
+    "bearing_force": {"mx": "bearing_moment", "my": "bearing_moment", "mz": "bearing_moment"},
+    "coupling_force": {"mx": "coupling_moment", "my": "coupling_moment", "mz": "coupling_moment"},
+}
+
+
+class Entry(NamedTuple):
+    """One row of the table; empty texts where there is nothing to say."""
+
+    identifier: str
+    symbol: str
+    rexs: str
+    unit: str
+    dimension: str
+    display: str
+    meaning: str
+    source: str
+
+
+@lru_cache(maxsize=1)
+def table() -> dict[str, Entry]:
+    """All rows by identifier, in the order of the file."""
+    with Path(__file__).with_name("nomenclature.csv").open(encoding="utf-8", newline="") as file:
+        rows = [Entry(**row) for row in csv.DictReader(file)]
+    return {row.identifier: row for row in rows}
+
+
+def lookup(name: str) -> Entry:
+    """Row of an identifier or of a result channel.
+
+    Parameters
+    ----------
+    name
+        For instance "eps_alpha", "mesh_force[stage]" or "bearing_force[front.mx]".
+
+    Raises
+    ------
+    PitchpointError
+        If the table has no such row.
+
+    Examples
+    --------
+    >>> lookup("mesh_force[stage]").unit, lookup("bearing_force[front.mx]").unit
+    ('N', 'N m')
+    """
+    base, _, rest = name.partition("[")
+    part = rest.rstrip("]").rpartition(".")[2]
+    key = _PARTS.get(base, {}).get(part, base)
+    try:
+        return table()[key]
+    except KeyError:
+        raise PitchpointError(f"the nomenclature has no row for {name!r}") from None
+
+
+def label(name: str) -> str:
+    """Words for an axis or a table head, with the symbol if there is one.
+
+    Parameters
+    ----------
+    name
+        Identifier or result channel.
+
+    Examples
+    --------
+    >>> label("eps_alpha")
+    'transverse contact ratio ε_α'
+    """
+    row = lookup(name)
+    short = row.meaning.split(";")[0].split(":")[0]
+    return f"{short} {row.symbol}".rstrip()
+
+
+def unit(name: str) -> str:
+    """SI unit of an identifier or result channel; "1" for plain numbers.
+
+    Parameters
+    ----------
+    name
+        Identifier or result channel.
+
+    Examples
+    --------
+    >>> unit("c_prime")
+    'N/m^2'
+    """
+    return lookup(name).unit
+
+
+def attributes(name: str) -> dict[str, str]:
+    """Attributes of a variable in a dataset: units, long_name, symbol.
+
+    Parameters
+    ----------
+    name
+        Identifier or result channel.
+
+    Examples
+    --------
+    >>> attributes("deflection[stage]")["units"]
+    'm'
+    """
+    row = lookup(name)
+    return {"units": row.unit, "long_name": row.meaning, "symbol": row.symbol}
+
+
+def markdown_table() -> str:
+    """The whole nomenclature as a Markdown table, for the documentation."""
+    heads = ("identifier", "symbol", "REXS id", "SI unit", "shown in", "meaning", "source")
+    lines = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
+    for row in table().values():
+        cells = (f"`{row.identifier}`", row.symbol, row.rexs, row.unit, row.display, row.meaning, row.source)
+        lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
+    return "\n".join(lines) + "\n"

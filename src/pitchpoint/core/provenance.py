@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where a result comes from: version, model, solver and options, as plain attributes of a dataset."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import json
+import platform
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from enum import Enum
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.core.status import sentence
+
+
+@lru_cache(maxsize=1)
+def package_version() -> str:
+    """Version of the installed package."""
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("pitchpoint")
+    except PackageNotFoundError:
+        return "unknown"
+
+
+def content_hash(data: Any) -> str:
+    """Hash of nested data that does not depend on the order of keys or on the process.
+
+    Parameters
+    ----------
+    data
+        Numbers, texts, sequences, mappings, arrays, dataclasses, nested.
+
+    Returns
+    -------
+    str
+        First 16 hexadecimal digits of a SHA-256.
+
+    Examples
+    --------
+    >>> content_hash({"a": 1, "b": [2.0]}) == content_hash({"b": [2.0], "a": 1})
+    True
+    """
+    text = json.dumps(_plain(data), sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def provenance(
+    *, model_hash: str, solver: str, options: Mapping[str, Any], status: int, wall_s: float
+) -> dict[str, str | int | float]:
+    """Attributes that every result carries.
+
+    Parameters
+    ----------
+    model_hash
+        `content_hash` of the model.
+    solver
+        Name of the solver.
+    options
+        Its options, written as JSON.
+    status
+        Integer status of `pitchpoint.core.status`.
+    wall_s
+        Wall time [s].
+    """
+    return {
+        "pitchpoint_version": package_version(),
+        "model_hash": model_hash,
+        "solver": solver,
+        "options": json.dumps(_plain(options), sort_keys=True),
+        "status": int(status),
+        "status_text": sentence(status),
+        "wall_s": float(wall_s),
+        "created": datetime.now(UTC).isoformat(timespec="seconds"),
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+    }
+
+
+def _plain(data: Any) -> Any:
+    """Turn nested data into what JSON knows; floats by their exact text, so NaN and -0.0 are kept apart."""
+    if dataclasses.is_dataclass(data) and not isinstance(data, type):
+        fields = {f.name: _plain(getattr(data, f.name)) for f in dataclasses.fields(data)}
+        return {"": type(data).__name__, **fields}
+    if isinstance(data, Mapping):
+        return {str(k): _plain(v) for k, v in data.items()}
+    if isinstance(data, Enum):
+        return data.name
+    if isinstance(data, np.ndarray):
+        return [str(data.dtype), list(data.shape), _plain(data.tolist())]
+    if isinstance(data, list | tuple):
+        return [_plain(v) for v in data]
+    if isinstance(data, set | frozenset):
+        return sorted((_plain(v) for v in data), key=repr)
+    if isinstance(data, bool | int | str) or data is None:
+        return data
+    if isinstance(data, float | np.floating):
+        return float(data) if np.isfinite(data) else repr(float(data))
+    if isinstance(data, np.integer | np.bool_):
+        return data.item()
+    return str(data)

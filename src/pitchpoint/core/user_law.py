@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Laws that a user writes in Python, named in a model file as ``file.py:function``.
+
+A law has the signature ``double f(double t, double x, double* p)``. It is compiled if it can be and called
+through the interpreter if not; an exception inside becomes NaN, which the solver reports as a status.
+Code that a file names runs only if the user allowed it.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import inspect
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import ModelError, Problem
+
+
+@dataclass(frozen=True, eq=False)
+class UserLaw:
+    """A user's function with its parameters; keeps both alive as long as their addresses are in use.
+
+    Parameters
+    ----------
+    function
+        Takes time or another first argument, a second argument, and the parameters; returns a number.
+    parameters
+        Parameters p, float64, contiguous.
+    source
+        Where it came from, for messages.
+    """
+
+    function: Callable[[float, float, Any], float]
+    parameters: NDArray[np.float64]
+    source: str
+
+    def __call__(self, t: float, x: float) -> float:
+        """Evaluate in Python; exceptions pass.
+
+        Parameters
+        ----------
+        t
+            First argument, usually the time [s].
+        x
+            Second argument, as the using element says.
+        """
+        return float(self.function(t, x, self.parameters))
+
+    def address(self) -> int:
+        """Address of the compiled law or callback, valid in this process while this object lives."""
+        from pitchpoint.core.kernel import law_address
+
+        return law_address(self.function)
+
+    def parameter_address(self) -> int:
+        """Address of the parameters, valid in this process while this object lives."""
+        return int(self.parameters.ctypes.data)
+
+    def diagnose(self, t: float, x: float) -> str:
+        """Say why the law fails at a point, or return an empty text if it does not.
+
+        Parameters
+        ----------
+        t
+            First argument at which the computation stopped.
+        x
+            Second argument there.
+        """
+        try:
+            value = self(t, x)
+        except Exception as error:  # noqa: BLE001 - a user's code may raise anything
+            return f"{self.source} raised {type(error).__name__}: {error}"
+        return "" if math.isfinite(value) else f"{self.source} returned {value}"
+
+
+def load_user_law(
+    reference: str,
+    folder: Path,
+    *,
+    allow_code: bool,
+    parameters: Sequence[float] = (),
+    where: str = "law",
+) -> UserLaw:
+    """Load a law from a Python file.
+
+    Parameters
+    ----------
+    reference
+        ``file.py:function``; the file relative to the folder of the model.
+    folder
+        Folder of the model file.
+    allow_code
+        Without it nothing is imported and a ModelError says how to allow it.
+    parameters
+        Numbers handed to the law.
+    where
+        Path of the key in the model, for messages.
+    """
+    if not allow_code:
+        _refuse(
+            where,
+            reference,
+            "names Python code, which is not run unasked",
+            "call with --allow-code if you trust it",
+        )
+    name, _, attribute = reference.rpartition(":")
+    if not name.endswith(".py") or not attribute.isidentifier():
+        _refuse(where, reference, "is no reference to a function", "write file.py:function")
+    path = Path(folder, name)
+    if not path.is_file():
+        _refuse(
+            where,
+            reference,
+            f"names a file that does not exist: {path}",
+            "give it relative to the model file",
+        )
+    module = _execute(path, where, reference)
+    function = getattr(module, attribute, None)
+    if not callable(function):
+        known = ", ".join(n for n, v in vars(module).items() if inspect.isfunction(v)) or "none"
+        _refuse(where, reference, "names no function of that file", f"functions there: {known}")
+    if not hasattr(function, "address") and len(_positional(function)) != 3:
+        _refuse(where, reference, "does not take three arguments", "define it as f(t, x, p)")
+    values = np.ascontiguousarray(parameters if len(parameters) else [0.0], dtype=np.float64)
+    return UserLaw(function, values, reference)
+
+
+def _execute(path: Path, where: str, reference: str) -> Any:
+    """Run the file as a module of its own."""
+    spec = importlib.util.spec_from_file_location(f"pitchpoint_user_{path.stem}", path)
+    if spec is None or spec.loader is None:
+        _refuse(where, reference, "cannot be imported", "check the file name")
+    module = importlib.util.module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except Exception as error:  # noqa: BLE001 - a user's file may raise anything
+        _refuse(
+            where,
+            reference,
+            f"fails while it is loaded: {type(error).__name__}: {error}",
+            "run it with python",
+        )
+    return module
+
+
+def _positional(function: Any) -> list[inspect.Parameter]:
+    """Positional parameters of a function, compiled or not."""
+    kinds = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    try:
+        signature = inspect.signature(getattr(function, "py_func", function))
+    except (TypeError, ValueError):
+        return []
+    return [p for p in signature.parameters.values() if p.kind in kinds]
+
+
+def _refuse(where: str, value: str, message: str, remedy: str) -> NoReturn:
+    raise ModelError([Problem(where, message, value=value, remedy=remedy)])

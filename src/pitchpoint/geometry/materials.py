@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Elastic properties and densities of gear materials: one dataclass and a small library.
+
+The constants are the usual handbook values at 20 °C. E and ν of the metals follow the table of elastic
+constants of ISO 6336-2 (steel 206 GPa, cast steel 202 GPa, nodular iron 173 GPa, grey iron 118 to 126 GPa,
+tin bronze 103 to 113 GPa; ν = 0.3), the plastics follow VDI 2736 and makers' data sheets of dry granulate.
+The modulus of a plastic falls steeply with temperature, and that of a polyamide with humidity: give
+measured values where it matters.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+from dataclasses import dataclass
+
+from pitchpoint.core.errors import GeometryError
+
+
+@dataclass(frozen=True, kw_only=True)
+class Material:
+    """An isotropic elastic material.
+
+    Parameters
+    ----------
+    name
+        Name in the library, or anything else for an own material.
+    youngs_modulus
+        E [Pa], > 0.
+    poisson_ratio
+        ν [-], 0 ≤ ν < 0.5.
+    density
+        ρ [kg/m³], > 0.
+    source
+        Where the numbers come from.
+
+    Raises
+    ------
+    GeometryError
+        If a value is outside these limits.
+
+    Examples
+    --------
+    >>> Material(name="own", youngs_modulus=2.0e11, poisson_ratio=0.28, density=7800.0).shear_modulus
+    78125000000.0
+    """
+
+    name: str = "custom"
+    youngs_modulus: float
+    poisson_ratio: float
+    density: float
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        for where, low, high, limit in (
+            ("youngs_modulus", 0.0, math.inf, "above 0"),
+            ("poisson_ratio", -1e-300, 0.5, "from 0, below 0.5"),
+            ("density", 0.0, math.inf, "above 0"),
+        ):
+            value = getattr(self, where)
+            if isinstance(value, bool) or not isinstance(value, (int, float)) or not low < value < high:
+                raise GeometryError(
+                    "is no property of a material", where=where, value=f"{value!r}", limit=limit
+                )
+
+    @property
+    def shear_modulus(self) -> float:
+        """G = E / (2 (1 + ν)) [Pa]."""
+        return 0.5 * self.youngs_modulus / (1.0 + self.poisson_ratio)
+
+    @property
+    def plane_strain_modulus(self) -> float:
+        """E / (1 − ν²) [Pa], the modulus of Hertzian contact."""
+        return self.youngs_modulus / (1.0 - self.poisson_ratio**2)
+
+
+_STEEL = "E, ν: ISO 6336-2; ρ: usual for low-alloy steel"
+_IRON = "E, ν: ISO 6336-2; ρ: typical of the grade in EN 1561 / EN 1563"
+_BRONZE = "E, ν: ISO 6336-2; ρ: typical of the alloy in EN 1982"
+_PLASTIC = "VDI 2736 and makers' data, dry, 23 °C"
+
+_ROWS: tuple[tuple[str, float, float, float, str], ...] = (
+    ("steel", 206e9, 0.30, 7830.0, _STEEL),
+    ("16MnCr5", 206e9, 0.30, 7830.0, _STEEL),
+    ("18CrNiMo7-6", 206e9, 0.30, 7830.0, _STEEL),
+    ("20MnCr5", 206e9, 0.30, 7830.0, _STEEL),
+    ("42CrMo4", 206e9, 0.30, 7830.0, _STEEL),
+    ("34CrNiMo6", 206e9, 0.30, 7830.0, _STEEL),
+    ("C45", 206e9, 0.30, 7830.0, _STEEL),
+    ("X20Cr13", 215e9, 0.30, 7700.0, "EN 10088-1, martensitic stainless steel"),
+    ("cast_steel", 202e9, 0.30, 7830.0, _STEEL),
+    ("grey_iron", 118e9, 0.30, 7200.0, _IRON),
+    ("EN-GJL-200", 118e9, 0.30, 7200.0, _IRON),
+    ("EN-GJL-250", 126e9, 0.30, 7200.0, _IRON),
+    ("nodular_iron", 173e9, 0.30, 7100.0, _IRON),
+    ("EN-GJS-400", 173e9, 0.30, 7100.0, _IRON),
+    ("EN-GJS-700", 173e9, 0.30, 7200.0, _IRON),
+    ("cast_tin_bronze", 103e9, 0.30, 8800.0, _BRONZE),
+    ("tin_bronze", 113e9, 0.30, 8800.0, _BRONZE),
+    ("aluminium_bronze", 118e9, 0.34, 7600.0, "typical of CuAl10Fe5Ni5 in EN 1982"),
+    ("POM", 2.8e9, 0.35, 1410.0, _PLASTIC),
+    ("PA66", 3.0e9, 0.38, 1140.0, _PLASTIC),
+)
+
+LIBRARY: dict[str, Material] = {
+    name: Material(name=name, youngs_modulus=e, poisson_ratio=nu, density=rho, source=source)
+    for name, e, nu, rho, source in _ROWS
+}
+"""Materials by name; "steel" is the default of the model."""
+
+
+def material(name: str) -> Material:
+    """Material of the library.
+
+    Parameters
+    ----------
+    name
+        A key of `LIBRARY`; case, blanks, hyphens and underscores do not matter.
+
+    Raises
+    ------
+    GeometryError
+        If there is no such material; the message offers the nearest spelling.
+
+    Examples
+    --------
+    >>> material("en-gjs-400").youngs_modulus, material("POM").density
+    (173000000000.0, 1410.0)
+    """
+    plain = {_plain(known): known for known in LIBRARY}
+    found = plain.get(_plain(name))
+    if found is None:
+        near = difflib.get_close_matches(_plain(name), list(plain), 1, 0.5)
+        raise GeometryError(
+            "is no material of the library",
+            where="material",
+            value=repr(name),
+            remedy=(f"did you mean {plain[near[0]]}? " if near else "") + f"known are {', '.join(LIBRARY)}",
+        )
+    return LIBRARY[found]
+
+
+def _plain(name: str) -> str:
+    return "".join(c for c in str(name).lower() if c not in " -_")

@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Intended micro-geometry of a flank: tip and root relief, crowning, slopes, end relief.
+
+Amounts are measured normal to the flank, as drawings state them; `base_tangent` turns them into the
+transverse base-tangent direction in which the contact laws count. Positive results are removed material.
+Along the profile the coordinate is the roll length L = √(r² − r_b²); along the face width it is z, from
+−b/2 to b/2.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.core.errors import GeometryError
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+
+FloatArray = NDArray[np.float64]
+
+SHAPES = {"linear": 1, "parabolic": 2}
+
+
+def _length(where: str, value: float, limit: str, low: float = -math.inf, strict: bool = False) -> None:
+    good = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    if not good or value < low or (strict and value == low):
+        raise GeometryError("is not possible", where=where, value=f"{value!r}", limit=limit)
+
+
+def _shape(shape: str) -> None:
+    if shape not in SHAPES:
+        raise GeometryError("is unknown", where="shape", value=f"{shape!r}", limit=" or ".join(SHAPES))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Relief:
+    """Relief of tip or root: nothing at its start, `amount` at the end of the usable flank.
+
+    Parameters
+    ----------
+    amount
+        Material removed at the tip or root form circle, normal to the flank [m], ≥ 0.
+    start_diameter
+        Diameter where it starts [m], positive.
+    length
+        Roll length from its start to its end [m]; one of `start_diameter` and `length` is given.
+    shape
+        "linear" or "parabolic" over the roll length.
+    """
+
+    amount: float
+    start_diameter: float | None = None
+    length: float | None = None
+    shape: str = "linear"
+
+    def __post_init__(self) -> None:
+        _length("amount", self.amount, "finite, >= 0", 0.0)
+        _shape(self.shape)
+        if (self.start_diameter is None) == (self.length is None):
+            raise GeometryError(
+                "must have one start", where="relief", remedy="give either start_diameter or length"
+            )
+        for where in ("start_diameter", "length"):
+            value = getattr(self, where)
+            if value is not None:
+                _length(where, value, "finite, > 0", 0.0, strict=True)
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndRelief:
+    """Relief of both ends of the teeth.
+
+    Parameters
+    ----------
+    amount
+        Material removed at the end faces, normal to the flank [m], ≥ 0.
+    length
+        Axial length from each face [m], > 0.
+    shape
+        "linear" or "parabolic".
+    """
+
+    amount: float
+    length: float
+    shape: str = "linear"
+
+    def __post_init__(self) -> None:
+        _length("amount", self.amount, "finite, >= 0", 0.0)
+        _length("length", self.length, "finite, > 0", 0.0, strict=True)
+        _shape(self.shape)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FlankModifications:
+    """All modifications of one kind of flank; what is left out is zero.
+
+    Parameters
+    ----------
+    tip_relief, root_relief
+        Reliefs of the profile.
+    profile_crowning
+        Barrelling of the profile, C_α [m]: removed at both form circles, nothing in the middle of the roll.
+    lead_crowning
+        Crowning along the face width, C_β [m]: removed at both faces, nothing in the middle.
+    profile_slope
+        Deviation of the profile's slope over the usable roll length [m]; positive adds material towards the
+        tip (sign of f_Hα in ISO 1328-1). Zero in the middle of the roll, so that pitch and backlash stay.
+    helix_slope
+        Deviation of the helix slope over the face width [m]; positive adds material towards z = +b/2. Zero
+        in the middle.
+    end_relief
+        Relief of both ends.
+    """
+
+    tip_relief: Relief | None = None
+    root_relief: Relief | None = None
+    profile_crowning: float = 0.0
+    lead_crowning: float = 0.0
+    profile_slope: float = 0.0
+    helix_slope: float = 0.0
+    end_relief: EndRelief | None = None
+
+    def __post_init__(self) -> None:
+        for where in ("profile_crowning", "lead_crowning", "profile_slope", "helix_slope"):
+            _length(where, getattr(self, where), "finite")
+
+
+def roll_length(gear: CylindricalGear, d: ArrayLike) -> FloatArray:
+    """Roll length L = √(d² − d_b²)/2 of flank points, 0 inside the base circle [m].
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+    d
+        Diameters [m], any shape, either sign.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> float(roll_length(CylindricalGear(z=50, m_n=3e-3), 0.150).round(9))
+    0.025651511
+    """
+    return 0.5 * np.sqrt(np.maximum(np.asarray(d, dtype=float) ** 2 - gear.d_b**2, 0.0))
+
+
+def flank_range(gear: CylindricalGear) -> tuple[float, float]:
+    """Roll lengths at the root form circle and at the tip form circle [m]; the first is larger for rings.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> [round(length, 9) for length in flank_range(CylindricalGear(z=50, m_n=3e-3))]
+    [0.016880317, 0.03318866]
+    """
+    return float(roll_length(gear, gear.d_Ff)), float(roll_length(gear, gear.d_Fa))
+
+
+def base_tangent(normal: ArrayLike, gear: CylindricalGear) -> FloatArray:
+    """Length along the transverse base tangent from a length normal to the flank, u_n / cos β_b.
+
+    Parameters
+    ----------
+    normal
+        Normal lengths [m], any shape.
+    gear
+        The gear.
+
+    Notes
+    -----
+    u_n = u_bt cos β_b: the flank normal is inclined against the transverse plane by β_b.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> helical = CylindricalGear(z=17, m_n=8e-3, beta=math.radians(15.8))
+    >>> float(base_tangent(1.0, helical).round(6))
+    1.034431
+    """
+    return np.asarray(normal, dtype=float) / math.cos(gear.beta_b)
+
+
+def _relief(
+    relief: Relief | None, gear: CylindricalGear, length: FloatArray, end: float, out: int
+) -> FloatArray:
+    """Removed material of a relief; `out` is +1 where the roll length grows towards its end."""
+    if relief is None:
+        return np.zeros_like(length)
+    if relief.length is not None:
+        extent = relief.length
+    else:
+        assert relief.start_diameter is not None
+        extent = out * (end - float(roll_length(gear, relief.start_diameter)))
+        if extent <= 0.0:
+            raise GeometryError(
+                "starts beyond the end of the usable flank",
+                where="start_diameter",
+                value=f"{1e3 * relief.start_diameter:.6g} mm",
+                limit=f"inside {1e3 * abs(gear.d_Ff):.6g} and {1e3 * abs(gear.d_Fa):.6g} mm",
+            )
+    share = np.maximum(0.0, 1.0 - out * (end - length) / extent)
+    return relief.amount * share ** SHAPES[relief.shape]
+
+
+def deviation(
+    modifications: FlankModifications,
+    gear: CylindricalGear,
+    roll: ArrayLike,
+    z: ArrayLike = 0.0,
+    *,
+    coordinate: str = "roll_length",
+) -> FloatArray:
+    """Material removed from a flank by its modifications, normal to the flank.
+
+    Parameters
+    ----------
+    modifications
+        Modifications of this kind of flank.
+    gear
+        External or internal gear.
+    roll
+        Place along the profile: roll lengths [m], or diameters [m] with `coordinate="diameter"`.
+    z
+        Place along the face width [m], −b/2 to b/2.
+    coordinate
+        "roll_length" or "diameter".
+
+    Returns
+    -------
+    ndarray
+        Removed material [m], positive = removed; `roll` and `z` are broadcast against each other.
+
+    Raises
+    ------
+    GeometryError
+        If a relief starts outside the flank, or `coordinate` is unknown.
+
+    Notes
+    -----
+    With t from 0 at the root form circle to 1 at the tip form circle and ζ = 2 z/b: crownings
+    C_α (2t − 1)² and C_β ζ², slopes −C_Hα (t − ½) and −C_Hβ ζ/2, reliefs linear or quadratic from their
+    start (definitions of ISO 21771). The formulas go on unchanged outside the usable flank.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=50, m_n=3e-3, b=0.02)
+    >>> relieved = FlankModifications(tip_relief=Relief(amount=20e-6, length=4e-3), lead_crowning=5e-6)
+    >>> (1e6 * deviation(relieved, gear, [gear.d, gear.d_a], [0.0, 0.01], coordinate="diameter")).round(9)
+    array([ 0., 25.])
+    """
+    if coordinate == "diameter":
+        length = roll_length(gear, roll)
+    elif coordinate == "roll_length":
+        length = np.asarray(roll, dtype=float)
+    else:
+        raise GeometryError(
+            "is unknown", where="coordinate", value=f"{coordinate!r}", limit="roll_length or diameter"
+        )
+    m = modifications
+    root, tip = flank_range(gear)
+    t = (length - root) / (tip - root)
+    zeta = np.asarray(z, dtype=float) / (0.5 * gear.b)
+    profile = m.profile_crowning * (2.0 * t - 1.0) ** 2 - m.profile_slope * (t - 0.5)
+    profile = profile + _relief(m.tip_relief, gear, length, tip, gear.sign)
+    profile = profile + _relief(m.root_relief, gear, length, root, -gear.sign)
+    lead = m.lead_crowning * zeta**2 - 0.5 * m.helix_slope * zeta
+    if m.end_relief is not None:
+        share = np.maximum(0.0, 1.0 - (1.0 - np.abs(zeta)) * 0.5 * gear.b / m.end_relief.length)
+        lead = lead + m.end_relief.amount * share ** SHAPES[m.end_relief.shape]
+    return np.asarray(profile + lead)

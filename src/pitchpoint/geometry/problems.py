@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What makes a gear or a pair impossible, listed completely: where, value, limit, remedy.
+
+Nothing here raises: a loader shows every problem of a file at once.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.geometry.involute import inv
+from pitchpoint.geometry.measures import tip_thickness
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.geometry.gear_pair import GearPair
+
+# Thinner tips break or burn through in hardening; the usual lower limit of design practice.
+TIP_THICKNESS_LIMIT = 0.2
+_ANGLE_TOLERANCE = 1e-6
+
+
+def _mm(length: float) -> str:
+    return f"{1e3 * abs(length):.4f} mm"
+
+
+def _at(where: str, key: str) -> str:
+    return f"{where}.{key}" if where else key
+
+
+def _from_error(where: str, error: GeometryError) -> Problem:
+    p = error.problem
+    return Problem(_at(where, p.where), p.message, p.value, p.limit, p.remedy)
+
+
+def _largest_shift(gear: CylindricalGear) -> str:
+    """Advice for a pointed tooth: the largest shift that keeps the tip thick enough, if there is one."""
+    if gear.tip_diameter is not None:
+        return "reduce tip_diameter" if not gear.is_internal else "increase tip_diameter"
+    low, high = gear.x - 0.05, gear.x
+    try:
+        while tip_thickness(gear.replace(x=low)) < TIP_THICKNESS_LIMIT * gear.m_n:
+            low, high = low - 0.05, low
+        for _ in range(30):
+            middle = 0.5 * (low + high)
+            if tip_thickness(gear.replace(x=middle)) < TIP_THICKNESS_LIMIT * gear.m_n:
+                high = middle
+            else:
+                low = middle
+    except GeometryError:
+        return "reduce the profile shift or set tip_diameter"
+    return f"use at most {math.floor(100.0 * low) / 100.0:.2f} or set tip_diameter"
+
+
+def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
+    """Everything that makes one gear impossible.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    where
+        Place of the gear in its description, put before the name of the offending key.
+
+    Returns
+    -------
+    list of Problem
+        Empty for a gear that can be made.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> problem = gear_problems(CylindricalGear(z=20, m_n=0.003, x=1.4), "gears.pinion")[0]
+    >>> problem.where, problem.limit, problem.remedy
+    ('gears.pinion.profile_shift_coefficient', '0.2 m_n', 'use at most 1.15 or set tip_diameter')
+    """
+    found: list[Problem] = []
+    sign = gear.sign
+
+    def add(key: str, message: str, value: str, limit: str, remedy: str) -> None:
+        found.append(Problem(_at(where, key), message, value, limit, remedy))
+
+    if gear.rack.rho_fP_star_max(gear.alpha_n) < 0.0 and not gear.is_internal:
+        limit = 0.25 * math.pi / math.tan(gear.alpha_n)
+        remedy = "use a smaller dedendum"
+        add(
+            "rack.dedendum",
+            "modules end beyond the point of the tool",
+            f"{gear.rack.h_fP_star:g}",
+            f"{limit:.4g}",
+            remedy,
+        )
+    if not gear.s_n > 0.0 or not gear.e_n > 0.0:
+        part = "tooth" if gear.s_n <= 0.0 else "space"
+        remedy = "change the profile shift or the thickness allowance"
+        message = f"leaves no {part} on the reference circle"
+        add(
+            "profile_shift_coefficient",
+            message,
+            f"{gear.x:g}",
+            f"tooth thickness 0 to {_mm(gear.p_n)}",
+            remedy,
+        )
+        return found
+    try:
+        d_f, d_Ff = gear.d_f, gear.d_Ff
+    except GeometryError as error:
+        found.append(_from_error(where, error))
+        return found
+    if d_f * sign <= 0.0:
+        add(
+            "root_diameter",
+            "leaves no gear body",
+            f"{1e3 * d_f:.4f} mm",
+            "above 0",
+            "use more teeth or a smaller dedendum",
+        )
+        return found
+    if not gear.d_a > d_f:
+        limit = f"{'below' if gear.is_internal else 'above'} the root diameter {_mm(d_f)}"
+        add(
+            "tip_diameter",
+            "leaves no tooth height",
+            _mm(gear.d_a),
+            limit,
+            "set tip_diameter or tip_alteration",
+        )
+        return found
+    if abs(gear.d_a) < abs(gear.d_b):
+        message = "lies inside the base circle"
+        remedy = "set tip_diameter or tip_alteration, or change the profile shift"
+        add("tip_diameter", message, _mm(gear.d_a), f"above {_mm(gear.d_b)}", remedy)
+        return found
+    if not gear.d_Fa > d_Ff:
+        message = "leaves no involute between root fillet and tip"
+        limit = f"the tip diameter {_mm(gear.d_Fa)}"
+        remedy = "use a larger profile shift, more teeth or a smaller dedendum"
+        add("number_of_teeth", message, f"{abs(gear.z)} (root form diameter {_mm(d_Ff)})", limit, remedy)
+        return found
+    thickness = tip_thickness(gear) / gear.m_n
+    if thickness < TIP_THICKNESS_LIMIT:
+        message = f"leaves a tip thickness of {thickness:.2g} m_n"
+        remedy = _largest_shift(gear)
+        add("profile_shift_coefficient", message, f"{gear.x:g}", f"{TIP_THICKNESS_LIMIT:g} m_n", remedy)
+    return found
+
+
+def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: bool = True) -> list[Problem]:
+    """Everything that makes a pair impossible.
+
+    Parameters
+    ----------
+    pair
+        The pair.
+    where
+        Place of the pair in its description, put before the name of the offending key.
+    names
+        How the messages call the two gears.
+    gears
+        Also list the problems of each gear alone.
+
+    Returns
+    -------
+    list of Problem
+        Empty for a pair that can run.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.gear_pair import GearPair
+    >>> gear = CylindricalGear(z=50, m_n=0.003)
+    >>> print(pair_problems(GearPair(gear, gear, 0.16), "stage", ("g1", "g2"))[0])
+    stage.center_distance: 160.0000 mm keeps the tips apart (limit below 156.0000 mm); reduce the distance
+    """
+    found: list[Problem] = []
+    if gears:
+        for gear, name in zip((pair.gear1, pair.gear2), names, strict=True):
+            found += gear_problems(gear, name)
+    structural = _mismatches(pair, where, names)
+    found += structural
+    if structural or any(gear_problems(gear) for gear in (pair.gear1, pair.gear2)):
+        # The rest would only repeat that in other words, with numbers that mean nothing.
+        return found
+    try:
+        return found + _contact_problems(pair, where, names)
+    except GeometryError as error:
+        return [*found, _from_error(where, error)]
+
+
+def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
+    """Two gears that cannot belong together, whatever the centre distance."""
+    g1, g2 = pair.gear1, pair.gear2
+    place = _at(where, "gears")
+    if g1.is_internal and g2.is_internal:
+        return [
+            Problem(
+                place,
+                "are both internal",
+                f"{names[0]} and {names[1]}",
+                "one internal gear",
+                "make one of them external",
+            )
+        ]
+    if g1.is_internal:
+        return [
+            Problem(
+                place,
+                "is internal and stands first",
+                names[0],
+                "the internal gear is gear 2",
+                f"write [{names[1]}, {names[0]}]",
+            )
+        ]
+    found: list[Problem] = []
+    if not math.isclose(g1.m_n, g2.m_n, rel_tol=1e-9):
+        value = f"{names[0]} {_mm(g1.m_n)}, {names[1]} {_mm(g2.m_n)}"
+        found.append(
+            Problem(
+                place, "have unequal normal modules", value, "equal", "give both gears the same normal_module"
+            )
+        )
+    if abs(g1.alpha_n - g2.alpha_n) > _ANGLE_TOLERANCE:
+        value = f"{names[0]} {math.degrees(g1.alpha_n):g} deg, {names[1]} {math.degrees(g2.alpha_n):g} deg"
+        remedy = "give both gears the same normal_pressure_angle"
+        found.append(Problem(place, "have unequal normal pressure angles", value, "equal", remedy))
+    if abs(abs(g1.beta) - abs(g2.beta)) > _ANGLE_TOLERANCE:
+        value = (
+            f"{names[0]} {math.degrees(abs(g1.beta)):g} deg, {names[1]} {math.degrees(abs(g2.beta)):g} deg"
+        )
+        found.append(
+            Problem(
+                place, "have unequal helix angles", value, "equal", "give both gears the same helix_angle"
+            )
+        )
+    elif g1.hand != "spur" and (g1.hand == g2.hand) != pair.is_internal:
+        kind, rule = ("internal", "equal") if pair.is_internal else ("external", "opposite")
+        value = f"{names[0]} {g1.hand}, {names[1]} {g2.hand}"
+        message = f"have hands that do not fit an {kind} pair"
+        found.append(Problem(place, message, value, f"{rule} hands", "change the hand of one gear"))
+    if pair.is_internal and -g2.z <= g1.z:
+        value = f"{names[1]} with {-g2.z} teeth"
+        message = f"is not larger than its pinion {names[0]}"
+        found.append(
+            Problem(place, message, value, f"above {g1.z} teeth", "give the internal gear more teeth")
+        )
+    return found
+
+
+def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
+    """No contact, interference, tips in roots: what depends on the centre distance."""
+    g1, g2, a = pair.gear1, pair.gear2, pair.a_w
+    place = _at(where, "center_distance")
+    farther = "reduce" if not pair.is_internal else "increase"
+    closer = "increase" if not pair.is_internal else "reduce"
+    pair.working_pressure_angle(a)  # raises when the base circles have no common tangent
+    reach = 0.5 * (g1.d_a + g2.d_a)
+    if a >= reach:
+        limit = f"{'above' if pair.is_internal else 'below'} {_mm(reach)}"
+        message = "keeps the tips apart"
+        return [Problem(place, message, _mm(a), limit, f"{farther} the distance")]
+    found: list[Problem] = []
+    for clearance, tip, root in ((pair.c_1, names[0], names[1]), (pair.c_2, names[1], names[0])):
+        if clearance < 0.0:
+            message = f"is the tip clearance of {tip} in the root of {root}"
+            remedy = f"{closer} the centre distance, or change tip_diameter or dedendum"
+            found.append(Problem(place, message, f"{1e3 * clearance:.4f} mm", "above 0", remedy))
+    if pair.g_alpha <= 0.0:
+        message = f"leaves no path of contact between {names[0]} and {names[1]}"
+        limit = "tips that reach beyond the mate's root form circle"
+        found.append(
+            Problem(place, message, _mm(a), limit, f"{farther} the centre distance or lengthen the teeth")
+        )
+        return found
+    return found + _interference(pair, where, names)
+
+
+def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
+    """A tip that runs into the mate's root fillet, or into the mate's tip (internal pairs)."""
+    g1, g2 = pair.gear1, pair.gear2
+    place = _at(where, "gears")
+    slack = 1e-9 * g1.m_n
+    found: list[Problem] = []
+    remedy = "shorten the tip (tip_diameter), or change the profile shift or the centre distance"
+    # An undercut gear lost that part of its flank already, so the mate's tip meets nothing there.
+    if pair.T1A_tip < pair.T1A_form - slack and not g1.undercut:
+        depth = pair.T1A_tip
+        value = f"tip of {names[1]}"
+        message = f"cuts into the root of {names[0]}"
+        limit = f"path coordinate {_mm(pair.T1A_form)}, it reaches {1e3 * depth:.4f} mm"
+        found.append(Problem(place, message, value, limit, remedy))
+    if pair.T1E_tip > pair.T1E_form + slack and not g2.undercut:
+        value = f"tip of {names[0]}"
+        message = f"cuts into the root of {names[1]}"
+        limit = f"path coordinate {1e3 * pair.T1E_form:.4f} mm, it reaches {1e3 * pair.T1E_tip:.4f} mm"
+        found.append(Problem(place, message, value, limit, remedy))
+    if pair.is_internal:
+        gap = tip_overlap_gap(pair)
+        if gap < -1e-12:
+            message = "cut each other outside the path of contact"
+            value = f"tips of {names[0]} and {names[1]}"
+            limit = f"angular gap above 0, it is {math.degrees(gap):.4g} deg"
+            found.append(
+                Problem(place, message, value, limit, "use a larger difference in teeth or shorten the tips")
+            )
+    return found
+
+
+def tip_overlap_gap(pair: GearPair) -> float:
+    """Angular gap between the tips of an internal pair where the tip circles cross, at the ring [rad].
+
+    Parameters
+    ----------
+    pair
+        Internal pair.
+
+    Returns
+    -------
+    float
+        Gap [rad]; negative when the pinion's tip runs through the ring's. Infinite if the tip circles do not
+        cross.
+
+    Notes
+    -----
+    θ₁ z₁/|z₂| + inv α_w − inv α_a2 − θ₂ with θ₁ = acos((r_a2² − r_a1² − a²)/(2 a r_a1)) + inv α_a1 − inv α_w
+    and θ₂ = acos((a² + r_a2² − r_a1²)/(2 a r_a2))  (KHK, *Gear technical reference*, trochoid interference).
+    """
+    g1, g2, a = pair.gear1, pair.gear2, abs(pair.a_w)
+    r_a1, r_a2 = 0.5 * g1.d_a, 0.5 * abs(g2.d_Fa)
+    cos_1 = (r_a2 * r_a2 - r_a1 * r_a1 - a * a) / (2.0 * a * r_a1)
+    cos_2 = (a * a + r_a2 * r_a2 - r_a1 * r_a1) / (2.0 * a * r_a2)
+    if abs(cos_1) > 1.0 or abs(cos_2) > 1.0:
+        return math.inf
+    inv_w = inv(pair.alpha_wt)
+    theta_1 = math.acos(cos_1) + inv(math.acos(g1.d_b / g1.d_a)) - inv_w
+    return theta_1 * g1.z / abs(g2.z) + inv_w - inv(math.acos(g2.d_b / g2.d_Fa)) - math.acos(cos_2)

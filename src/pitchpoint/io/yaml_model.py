@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Model files: YAML text to a checked `Model`, and back.
+
+Every problem of a file is collected and reported with its line; nothing in a file is ever executed.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.io.yaml_tree import Tree, TreeError
+from pitchpoint.model.build import build_model
+from pitchpoint.model.model import Model
+from pitchpoint.model.read import Reader
+
+
+def load_model(path: str | Path, allow_code: bool = False) -> Model:
+    """Read a model file.
+
+    Parameters
+    ----------
+    path
+        YAML file.
+    allow_code
+        Accept entries that name Python functions. They are not run here, but by what computes with the model.
+
+    Returns
+    -------
+    Model
+        The checked model; relative names of files start from the directory of the file.
+
+    Raises
+    ------
+    ModelError
+        With every problem of the file.
+    """
+    file = Path(path)
+    try:
+        data = file.read_bytes()
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise ModelError([Problem("", f"cannot be read: {reason}", value=str(path))]) from None
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data[: error.start].count(b"\n") + 1
+        problem = Problem("YAML syntax", "is no UTF-8 text", remedy="save the file as UTF-8", line=line)
+        raise ModelError([problem], str(path)) from None
+    return loads_model(text, allow_code=allow_code, file=str(path))
+
+
+def loads_model(text: str, allow_code: bool = False, file: str | None = None) -> Model:
+    """Read a model from YAML text.
+
+    Parameters
+    ----------
+    text
+        The text.
+    allow_code
+        As for `load_model`.
+    file
+        Name that messages use and relative file names start from.
+
+    Examples
+    --------
+    >>> model = loads_model('''
+    ... gears:
+    ...   a: {number_of_teeth: 20, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+    ... ''')
+    >>> model.gears["a"].normal_module
+    0.003
+    """
+    try:
+        tree = Tree(text)
+    except TreeError as error:
+        raise ModelError([error.problem], file) from None
+    directory = str(Path(file).parent) if file is not None else "."
+    reader = Reader(lines=tree.lines, allow_code=allow_code, directory=directory, problems=tree.problems)
+    return build_model(tree.data, reader, file)
+
+
+def dump_model(model: Model) -> str:
+    """Write a model as YAML text that reads back to an equal model.
+
+    Quantities carry the units people use where that loses nothing, else SI units.
+    """
+    from io import StringIO
+
+    from ruamel.yaml import YAML
+
+    from pitchpoint.model.write import plain
+
+    yaml = YAML(typ="rt", pure=True)
+    yaml.default_flow_style = None
+    yaml.width = 110
+    stream = StringIO()
+    yaml.dump(plain(model), stream)
+    return stream.getvalue()

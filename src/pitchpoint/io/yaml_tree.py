@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""YAML text to plain data with the line of every key; syntax faults and double keys as problems.
+
+The text is composed into nodes by ruamel.yaml (YAML 1.2, so `1e8` is a number and `on` a word) and never
+turned into Python objects other than numbers, texts, lists and dictionaries: tags are refused.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from pitchpoint.core.errors import Problem
+from pitchpoint.model.keys import Place
+from pitchpoint.model.read import dotted
+
+MAX_BYTES = 20_000_000
+MAX_VALUES = 2_000_000
+MAX_DEPTH = 60
+_TAG = "tag:yaml.org,2002:"
+
+
+class TreeError(Exception):
+    """The text is no usable YAML; holds the problem."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        super().__init__(str(problem))
+
+
+class Tree:
+    """Plain data of a YAML text.
+
+    Attributes
+    ----------
+    data
+        Dictionaries, lists, numbers, texts, booleans and None.
+    lines
+        Line of every key and list entry by its path, from 1.
+    problems
+        Keys that stand twice, tags, and the like.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.lines: dict[Place, int] = {}
+        self.problems: list[Problem] = []
+        self._values = 0
+        self._open: set[int] = set()
+        node = _compose(text)
+        self.data: Any = None if node is None else self._read(node, ())
+
+    def _problem(self, place: Place, message: str, line: int, remedy: str | None = None) -> None:
+        self.problems.append(Problem(dotted(place), message, remedy=remedy, line=line))
+
+    def _read(self, node: Any, place: Place) -> Any:
+        from ruamel.yaml.nodes import MappingNode, ScalarNode, SequenceNode
+
+        line = node.start_mark.line + 1
+        self.lines.setdefault(place, line)
+        self._values += 1
+        if self._values > MAX_VALUES:
+            raise TreeError(Problem(dotted(place), f"holds more than {MAX_VALUES} values", line=line))
+        if id(node) in self._open:
+            raise TreeError(Problem(dotted(place), "refers to itself", remedy="remove the alias", line=line))
+        if isinstance(node, ScalarNode):
+            return self._scalar(node, place, line)
+        if len(place) > MAX_DEPTH:
+            raise TreeError(
+                Problem(dotted(place[:5]), f"is nested deeper than {MAX_DEPTH} levels", line=line)
+            )
+        self._open.add(id(node))
+        result: Any
+        if isinstance(node, SequenceNode):
+            result = [self._read(item, (*place, i)) for i, item in enumerate(node.value)]
+        elif isinstance(node, MappingNode):
+            result = self._mapping(node, place)
+        else:
+            raise TreeError(Problem(dotted(place), "is of an unknown kind", line=line))
+        self._open.discard(id(node))
+        return result
+
+    def _mapping(self, node: Any, place: Place) -> dict[str, Any]:
+        from ruamel.yaml.nodes import ScalarNode
+
+        out: dict[str, Any] = {}
+        for key_node, value_node in node.value:
+            line = key_node.start_mark.line + 1
+            if not isinstance(key_node, ScalarNode):
+                self._problem(place, "has a key that is no word", line, "write the key as one word")
+                continue
+            key = str(key_node.value)
+            if key == "<<":
+                self._problem(
+                    (*place, key), "merges another mapping, which is not supported", line, "repeat the keys"
+                )
+                continue
+            here = (*place, key)
+            if key in out:
+                first = self.lines[here]
+                self._problem(
+                    here,
+                    f"stands twice, in line {first} and line {line}",
+                    line,
+                    "rename or remove one of them",
+                )
+                continue
+            self.lines[here] = line
+            out[key] = self._read(value_node, here)
+        return out
+
+    def _scalar(self, node: Any, place: Place, line: int) -> Any:
+        text, tag = str(node.value), str(node.tag)
+        if tag == _TAG + "str":
+            return text
+        if tag == _TAG + "null":
+            return None
+        if tag == _TAG + "bool":
+            return text.lower() == "true"
+        if tag in (_TAG + "int", _TAG + "float"):
+            number = _number(text)
+            if number is not None:
+                return number
+        elif not tag.startswith(_TAG) or tag[len(_TAG) :] not in ("timestamp", "value", "merge"):
+            self._problem(place, f"has the tag {tag[:40]!r}", line, "remove the tag")
+        return text
+
+
+def _number(text: str) -> int | float | None:
+    """Number of a YAML 1.2 scalar; None leaves it as text."""
+    plain = text.replace("_", "").lower()
+    if plain.lstrip("+-") in (".inf", ".nan"):
+        return math.nan if "nan" in plain else math.copysign(math.inf, -1.0 if plain[0] == "-" else 1.0)
+    try:
+        if len(plain) > 400:
+            return None
+        for prefix, base in (("0x", 16), ("0o", 8)):
+            if plain.lstrip("+-").startswith(prefix):
+                return int(plain.replace(prefix, ""), base)
+        try:
+            return int(plain)
+        except ValueError:
+            return float(plain)
+    except ValueError:
+        return None
+
+
+def _compose(text: str) -> Any:
+    from ruamel.yaml import YAML
+    from ruamel.yaml.error import MarkedYAMLError, YAMLError
+
+    if len(text) > MAX_BYTES:
+        raise TreeError(Problem("", f"the file is larger than {MAX_BYTES // 10**6} MB"))
+    yaml = YAML(typ="rt", pure=True)
+    try:
+        return yaml.compose(text)
+    except MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        line = None if mark is None else mark.line + 1
+        what = " ".join(str(error.problem or error.context or "cannot be read").split())
+        remedy = "check indentation, colons, brackets and quotes there"
+        raise TreeError(Problem("YAML syntax", what, remedy=remedy, line=line)) from None
+    except RecursionError:
+        raise TreeError(Problem("YAML syntax", "the file is nested too deeply")) from None
+    except (YAMLError, ValueError, AttributeError, TypeError, IndexError, KeyError, AssertionError) as error:
+        # ruamel.yaml lets a few plain exceptions escape on broken input
+        what = " ".join(str(error).split())[:200] or type(error).__name__
+        raise TreeError(Problem("YAML syntax", what, remedy="is this a YAML text file?")) from None

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plain data of a whole model to a `Model`: read, check together, raise or return."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.model.assembly import Parts
+from pitchpoint.model.keys import BAD, keys_of
+from pitchpoint.model.model import GROUPS, Model
+from pitchpoint.model.read import Reader
+from pitchpoint.model.validate import check
+
+
+def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
+    """Make a model from nested mappings as they stand in a file.
+
+    Parameters
+    ----------
+    data
+        Mappings, lists, texts and numbers.
+    reader
+        Reader with the lines of the file, if any; problems that it holds already are reported too.
+    file
+        Name of the file for messages.
+
+    Raises
+    ------
+    ModelError
+        With every problem, in the order of the file.
+    """
+    if not isinstance(data, Mapping):
+        what = "is empty" if data is None else "is not a mapping of keys"
+        raise ModelError([*reader.problems, Problem("model", what, remedy="begin with gears:", line=1)], file)
+    keys = keys_of(Model)
+    reader.unknown(data, keys, ())
+    values = {}
+    for name, key in keys.items():
+        if data.get(name) is not None:
+            value = reader.value(key, data[name], (name,))
+            if value is not BAD:
+                values[name] = value
+    if not values.get("gears") and ("gears",) not in reader.tainted:
+        reader.problem(("gears",), "is missing: a model has at least one gear", remedy="add gears:")
+    parts = Parts(
+        **{group: dict(values.get(group, {})) for group in GROUPS},
+        damping=values.get("damping"),
+        names={g: {str(n) for n in data[g]} for g in GROUPS if isinstance(data.get(g), Mapping)},
+    )
+    check(parts, reader)
+    if reader.problems:
+        ordered = sorted(reader.problems, key=lambda p: p.line if p.line is not None else 10**9)
+        raise ModelError(ordered, file)
+    return Model.from_parts(parts, values.get("title", ""), file)

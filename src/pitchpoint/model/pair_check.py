@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the geometry has to say about the gears and pairs of a model, put at the keys of the file."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import GeometryError, PitchpointError, Problem
+from pitchpoint.model.keys import Place
+from pitchpoint.model.phasing import assemble
+from pitchpoint.model.read import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.geometry.gear_pair import GearPair
+    from pitchpoint.model.assembly import Parts
+    from pitchpoint.model.components.mesh import Mesh
+
+OFFSET_TOLERANCE = 1e-4
+"""Base pitches by which an assembly may stand beyond its backlash: what elastic teeth take up."""
+
+
+def hand_on(report: Reader, base: Place, problem: Problem) -> None:
+    """Report a problem of the geometry at the key that it names."""
+    place: Place = (*base, *(problem.where.split(".") if problem.where else ()))
+    report.problem(place, problem.message, value=problem.value, limit=problem.limit, remedy=problem.remedy)
+
+
+def check_gear(parts: Parts, name: str, report: Reader) -> None:
+    """Report everything that makes one gear impossible."""
+    try:
+        problems = parts.gears[name].geometry.problems()
+    except GeometryError as error:
+        problems = [error.problem]
+    for problem in problems:
+        hand_on(report, ("gears", name), problem)
+
+
+def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
+    """Make the pair of a mesh, settle its centre distance, report everything that makes it impossible."""
+    one, two = (parts.gears[g] for g in mesh.gears)
+    if (
+        one.x is None
+        or two.x is None
+        or not {"center_distance", "gears"}.isdisjoint(
+            p[2] for p in report.tainted if p[:2] == ("meshes", name) and len(p) > 2
+        )
+    ):
+        return
+    before = len(report.problems)
+    try:
+        pair = _pair(one.geometry, two.geometry, mesh.center_distance)
+        for problem in pair.problems("", mesh.gears, gears=False):
+            hand_on(report, ("meshes", name), problem)
+        if len(report.problems) == before:
+            _ = pair.eps_alpha, pair.j_bt
+    except GeometryError as error:
+        hand_on(report, ("meshes", name), error.problem)
+    if len(report.problems) == before:
+        parts.pairs[name] = pair
+        parts.meshes[name] = replace(mesh, a_w=pair.a_w)
+
+
+def _pair(one: CylindricalGear, two: CylindricalGear, distance: float | None) -> GearPair:
+    from pitchpoint.geometry.gear_pair import GearPair
+
+    if distance is not None:
+        return GearPair.at_distance(one, two, distance)
+    try:
+        return GearPair.from_profile_shifts(one, two)
+    except GeometryError:
+        # Gears that cannot belong together are better explained by that than by a missing centre distance.
+        guess = GearPair.at_distance(one, two, 0.5 * (abs(one.d) + abs(two.d)))
+        if guess.problems("", ("", ""), gears=False) and _mismatched(one, two):
+            return guess
+        raise
+
+
+def _mismatched(one: CylindricalGear, two: CylindricalGear) -> bool:
+    return one.is_internal or (two.is_internal and -two.z <= one.z) or one.m_n != two.m_n
+
+
+def check_phasing(parts: Parts, report: Reader) -> None:
+    """Teeth of gears that are placed twice must find the gaps of their mates."""
+    meshes = {n: m for n, m in parts.meshes.items() if n in parts.pairs}
+    offsets = assemble(parts.gears, meshes).offset
+    for name, offset in offsets.items():
+        pair, mesh = parts.pairs[name], meshes[name]
+        room = 0.5 * max(0.0, gap(pair, mesh)) + OFFSET_TOLERANCE * abs(pair.p_et)
+        if abs(offset) <= room:
+            continue
+        second = mesh.gears[1]
+        given = all(parts.gears[g].initial_angle is not None for g in mesh.gears)
+        report.problem(
+            ("gears", second, "initial_angle") if given else ("meshes", name),
+            f"lets teeth of {mesh.gears[0]} and {second} overlap by {(abs(offset) - room) * 1e3:.4g} mm",
+            limit=f"{room * 1e3:.4g} mm off the middle of the gap",
+            remedy="leave initial_angle out on one of the gears"
+            if given
+            else "change the directions or teeth of the loop of meshes",
+        )
+
+
+def gap(pair: GearPair, mesh: Mesh) -> float:
+    """Total gap along the base tangent at the centre distance of the mesh [m]: given, or of the geometry."""
+    given = mesh.backlash
+    if given is None:
+        return pair.j_bt
+    from math import cos
+
+    if given.base_tangent is not None:
+        return given.base_tangent
+    if given.circumferential is not None:
+        return given.circumferential * cos(pair.alpha_wt)
+    if given.normal is None:
+        raise PitchpointError("a backlash without any of its directions")
+    return given.normal / cos(pair.gear1.beta_b)

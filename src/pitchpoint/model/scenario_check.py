@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of scenarios, and the start speeds that follow from the given ones through the ratios."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from pitchpoint.model.keys import Place
+from pitchpoint.model.read import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.assembly import Parts
+    from pitchpoint.model.scenario import Scenario
+
+SPEED_TOLERANCE = 1e-6
+"""Relative difference up to which two given speeds fit a gear ratio."""
+
+
+def ratios(parts: Parts) -> dict[str, list[tuple[str, float]]]:
+    """Speed ratios between neighbouring bodies: body -> [(neighbour, speed of it per own speed)]."""
+    out: dict[str, list[tuple[str, float]]] = {}
+
+    def add(one: str, two: str, ratio: float) -> None:
+        out.setdefault(one, []).append((two, ratio))
+        out.setdefault(two, []).append((one, 1.0 / ratio))
+
+    for mesh in parts.meshes.values():
+        bodies = [parts.body_of(g) for g in mesh.gears]
+        if None in bodies or bodies[0] == bodies[1] or not all(g in parts.gears for g in mesh.gears):
+            continue
+        z_1, z_2 = (parts.gears[g].sign * parts.gears[g].number_of_teeth for g in mesh.gears)
+        add(str(bodies[0]), str(bodies[1]), -z_1 / z_2)
+    for coupling in parts.couplings.values():
+        if coupling.bodies[0] != coupling.bodies[1] and all(b in parts.bodies for b in coupling.bodies):
+            add(*coupling.bodies, 1.0)
+    return out
+
+
+def start_speeds(
+    parts: Parts, given: Mapping[str, float]
+) -> tuple[dict[str, float], list[tuple[str, float]]]:
+    """Speeds of all bodies at the start, and the given ones that do not fit the others.
+
+    Parameters
+    ----------
+    parts
+        The parts of a model.
+    given
+        Speeds of some bodies [rad/s].
+
+    Returns
+    -------
+    tuple
+        Speed by body [rad/s], 0 for bodies that nothing sets in motion; and (body, fitting speed) for each
+        given speed that contradicts an earlier one.
+    """
+    links = ratios(parts)
+    speeds: dict[str, float] = {}
+    wrong = []
+    for name, value in given.items():
+        if name in speeds:
+            if abs(speeds[name] - value) > SPEED_TOLERANCE * max(abs(value), abs(speeds[name])):
+                wrong.append((name, speeds[name]))
+            continue
+        speeds[name] = value
+        queue = deque([name])
+        while queue:
+            here = queue.popleft()
+            for there, ratio in links.get(here, ()):
+                if there not in speeds:
+                    speeds[there] = speeds[here] * ratio
+                    queue.append(there)
+    fixed = {n for n, b in parts.bodies.items() if b.motion == "fixed"}
+    return {n: 0.0 if n in fixed else speeds.get(n, 0.0) for n in parts.bodies}, wrong
+
+
+def check_scenarios(parts: Parts, report: Reader) -> None:
+    """Check every scenario against the bodies and meshes it names."""
+    for name, scenario in parts.scenarios.items():
+        at: Place = ("scenarios", name)
+        if not parts.bodies and ("bodies",) not in report.tainted and not parts.known("bodies"):
+            report.problem(
+                at, "needs bodies, and the file has none", remedy="add bodies that carry the gears"
+            )
+            continue
+        _names(parts, scenario, at, report)
+        _speeds(parts, scenario, at, report)
+        if at in report.tainted:
+            continue
+        if scenario.kind == "time":
+            _time(scenario, at, report)
+        elif scenario.sweep is not None:
+            _sweep(parts, scenario, (*at, "sweep"), report)
+        if scenario.sweep is not None and scenario.quasi_static is not None:
+            report.problem(at, "has sweep and quasi_static at once", remedy="make two scenarios of it")
+
+
+def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
+    from pitchpoint.model.validate import exactly_one, known
+
+    for key in ("speed", "drive", "hold"):
+        for body in getattr(scenario, key):
+            known(parts, "bodies", body, (*at, key, body) if key != "hold" else (*at, key), report)
+    for body, drive in scenario.drive.items():
+        exactly_one(drive, ("speed", "angle"), (*at, "drive", body), report)
+    if scenario.sweep is not None:
+        known(parts, "bodies", scenario.sweep.body, (*at, "sweep", "body"), report)
+    for key in ("sweep", "quasi_static"):
+        part = getattr(scenario, key)
+        if part is not None and part.mesh is not None:
+            known(parts, "meshes", part.mesh, (*at, key, "mesh"), report)
+    if scenario.quasi_static is not None and scenario.quasi_static.mesh is None and len(parts.meshes) != 1:
+        report.problem(
+            (*at, "quasi_static", "mesh"),
+            f"is missing, and there are {len(parts.meshes)} meshes",
+            remedy=f"name one of {', '.join(sorted(parts.known('meshes'))) or 'them'}",
+        )
+
+
+def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
+    free = {b: s for b, s in scenario.speed.items() if b not in scenario.drive}
+    for body in scenario.speed:
+        part = parts.bodies.get(body)
+        if part is not None and part.motion == "fixed" and scenario.speed[body] != 0.0:
+            report.problem((*at, "speed", body), "is the speed of a fixed body", remedy="remove it")
+    for body in scenario.hold:
+        if body in scenario.drive:
+            report.problem(
+                (*at, "hold"), f"names {body}, which is driven", remedy="hold or drive it, not both"
+            )
+    for body, fitting in start_speeds(parts, free)[1]:
+        report.problem(
+            (*at, "speed", body),
+            "does not fit the ratio to the other given speeds",
+            value=f"{free[body]:.6g} rad/s",
+            limit=f"{fitting:.6g} rad/s",
+            remedy="correct it or leave it out; the other speeds follow from the ratios (a drive may differ)",
+        )
+
+
+def _time(scenario: Scenario, at: Place, report: Reader) -> None:
+    if scenario.duration is None:
+        report.problem(
+            (*at, "duration"), "is missing", remedy="add duration: 0.5 s (or sweep, or quasi_static)"
+        )
+        return
+    if scenario.settle_time is not None and scenario.settle_time >= scenario.duration:
+        report.problem(
+            (*at, "settle_time"),
+            "leaves nothing to measure",
+            value=f"{scenario.settle_time:g} s",
+            limit=f"< {scenario.duration:g} s",
+            remedy="shorten it or lengthen duration",
+        )
+    if scenario.step is not None and scenario.step > scenario.duration:
+        report.problem(
+            (*at, "step"),
+            "is longer than duration",
+            value=f"{scenario.step:g} s",
+            limit=f"{scenario.duration:g} s",
+        )
+
+
+def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
+    from pitchpoint.model.validate import exactly_one
+
+    sweep = scenario.sweep
+    if sweep is None:
+        return
+    exactly_one(sweep, ("mesh_frequency", "speed"), at, report)
+    bounds = sweep.mesh_frequency or sweep.speed
+    key = "mesh_frequency" if sweep.mesh_frequency is not None else "speed"
+    if bounds is not None and bounds[0] >= bounds[1]:
+        report.problem((*at, key), "does not rise", remedy="write [lowest, highest]; direction says the rest")
+    if ("meshes",) in report.tainted or ("bodies",) in report.tainted:
+        return
+    teeth = sweep_meshes(parts, sweep.body)
+    if not teeth:
+        report.problem(
+            (*at, "body"),
+            f"names {sweep.body}, which has no gear in mesh",
+            remedy="name a body with a gear in mesh",
+        )
+    elif sweep.mesh is None and len(set(teeth.values())) > 1:
+        report.problem(
+            (*at, "mesh"),
+            f"is missing, and {sweep.body} has several meshes with different frequencies",
+            remedy=f"name one of {', '.join(teeth)}",
+        )
+    elif sweep.mesh is not None and sweep.mesh not in teeth and sweep.mesh in parts.meshes:
+        report.problem(
+            (*at, "mesh"),
+            f"names {sweep.mesh}, which is no mesh of {sweep.body}",
+            remedy=f"name one of {', '.join(teeth)}",
+        )
+
+
+def sweep_meshes(parts: Parts, body: str) -> dict[str, int]:
+    """Meshes of a body and the number of teeth it has in each of them."""
+    own = parts.bodies[body].gears if body in parts.bodies else {}
+    return {
+        name: parts.gears[g].number_of_teeth
+        for name, mesh in parts.meshes.items()
+        for g in mesh.gears
+        if g in own and g in parts.gears
+    }

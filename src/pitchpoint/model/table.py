@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A model as plain HTML tables, for notebooks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from html import escape
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.units import format_quantity
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+def table(head: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
+    """HTML table of escaped cells."""
+    top = "".join(f"<th>{escape(h)}</th>" for h in head)
+    body = "".join("<tr>" + "".join(f"<td>{escape(str(c))}</td>" for c in row) + "</tr>" for row in rows)
+    return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def model_table(model: Model) -> str:
+    """Title and tables of gears, meshes and bodies."""
+    out = [f"<p><b>{escape(model.title or 'Model')}</b></p>"]
+    out.append(
+        table(
+            ("gear", "type", "z", "m_n", "beta", "x", "b"),
+            (
+                (
+                    name,
+                    gear.type,
+                    gear.number_of_teeth,
+                    format_quantity(gear.normal_module, "length"),
+                    f"{format_quantity(gear.helix_angle, 'angle')} {gear.hand or ''}",
+                    f"{gear.x:.4f}",
+                    format_quantity(gear.face_width, "length"),
+                )
+                for name, gear in model.gears.items()
+            ),
+        )
+    )
+    if model.meshes:
+        out.append(
+            table(
+                ("mesh", "gears", "centre distance", "eps_alpha", "eps_beta", "backlash j_bt", "stiffness"),
+                (
+                    (
+                        name,
+                        " - ".join(mesh.gears),
+                        format_quantity(abs(model.pairs[name].a_w), "length", 7),
+                        f"{model.pairs[name].eps_alpha:.4f}",
+                        f"{model.pairs[name].eps_beta:.4f}",
+                        format_quantity(model.backlash(name), "length"),
+                        mesh.stiffness.law,
+                    )
+                    for name, mesh in model.meshes.items()
+                ),
+            )
+        )
+    if model.bodies:
+        out.append(
+            table(
+                ("body", "gears", "motion"),
+                ((name, ", ".join(body.gears), body.motion) for name, body in model.bodies.items()),
+            )
+        )
+    return "".join(out)

@@ -1,0 +1,297 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks that need more than one key: references, motions, inertias, choices of which one is allowed."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Iterable
+from typing import Any
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.model.assembly import Parts
+from pitchpoint.model.components.law import Balance, Constant
+from pitchpoint.model.components.stiffness import Fourier, Rectangular, Table
+from pitchpoint.model.keys import Place
+from pitchpoint.model.read import Reader
+from pitchpoint.model.scenario_check import check_scenarios
+
+INERTIAS = {
+    "torsion": ("inertia",),
+    "planar": ("inertia", "mass"),
+    "free": ("inertia", "mass", "transverse_inertia"),
+    "fixed": (),
+}
+_SUM = {"inertia": "polar", "mass": "mass", "transverse_inertia": "transverse"}
+
+
+def check_references(parts: Parts, report: Reader) -> None:
+    """Everything that names something else names something that exists, once."""
+    for name, body in list(parts.bodies.items()):
+        for gear in body.gears:
+            known(parts, "gears", gear, ("bodies", name, "gears"), report)
+    for name, mesh in list(parts.meshes.items()):
+        at: Place = ("meshes", name, "gears")
+        for gear in mesh.gears:
+            known(parts, "gears", gear, at, report)
+        if mesh.gears[0] == mesh.gears[1]:
+            report.problem(at, f"names {mesh.gears[0]} twice", remedy="name two gears")
+    for group in ("bearings", "loads"):
+        for name, part in getattr(parts, group).items():
+            known(parts, "bodies", part.body, (group, name, "body"), report)
+    for name, coupling in parts.couplings.items():
+        at = ("couplings", name, "bodies")
+        for body_name in coupling.bodies:
+            known(parts, "bodies", body_name, at, report)
+        if coupling.bodies[0] == coupling.bodies[1]:
+            report.problem(at, f"names {coupling.bodies[0]} twice", remedy="name two bodies")
+
+
+def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> bool:
+    """Whether a name exists; reports it with the nearest one if not."""
+    names = parts.known(group)
+    if name in names:
+        return True
+    near = difflib.get_close_matches(name, sorted(names), 1, 0.6)
+    guess = f"did you mean {near[0]}? " if near else ""
+    single = {"gears": "gear", "bodies": "body", "meshes": "mesh"}[group]
+    have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {group}"
+    report.problem(at, f"names the {single} {name[:40]!r}, which does not exist", remedy=guess + have)
+    return False
+
+
+def check_carriers(parts: Parts, report: Reader) -> None:
+    """Every gear sits on one body; no mesh joins gears of one body."""
+    carriers: dict[str, str] = {}
+    for name, body in parts.bodies.items():
+        for gear in body.gears:
+            if gear in carriers:
+                report.problem(
+                    ("bodies", name, "gears"),
+                    f"carries {gear}, which sits on {carriers[gear]} already",
+                    remedy="leave it on one of the two bodies",
+                )
+            carriers.setdefault(gear, name)
+    complete = set(parts.bodies) == parts.known("bodies") and ("bodies",) not in report.tainted
+    for name, mesh in parts.meshes.items():
+        bodies = [carriers.get(g) for g in mesh.gears]
+        if bodies[0] is not None and bodies[0] == bodies[1] and mesh.gears[0] != mesh.gears[1]:
+            report.problem(
+                ("meshes", name, "gears"),
+                f"joins two gears of the body {bodies[0]}",
+                value=" and ".join(mesh.gears),
+                remedy="put them on two bodies",
+            )
+        elif parts.bodies and complete:
+            for gear in mesh.gears:
+                if gear not in carriers and gear in parts.gears:
+                    report.problem(
+                        ("gears", gear),
+                        f"is in the mesh {name}, but no body carries it",
+                        remedy=f"add {gear} to gears of a body",
+                    )
+
+
+def check_choices(parts: Parts, report: Reader) -> None:
+    """Keys of which exactly one or at most one is allowed."""
+    for name, mesh in parts.meshes.items():
+        at: Place = ("meshes", name)
+        if mesh.backlash is not None:
+            exactly_one(
+                mesh.backlash, ("normal", "base_tangent", "circumferential"), (*at, "backlash"), report
+            )
+        if mesh.damper is not None:
+            exactly_one(mesh.damper, ("ratio", "value"), (*at, "damper"), report)
+        if mesh.damping is not None:
+            exactly_one(mesh.damping, ("d_in", "ratio"), (*at, "damping"), report)
+            if mesh.damping.d_out is not None and mesh.damping.d_in is None:
+                report.problem((*at, "damping", "d_out"), "stands without d_in", remedy="give d_in")
+        _stiffness(mesh.stiffness, (*at, "stiffness"), report)
+    for group in ("bearings", "couplings"):
+        for name, part in getattr(parts, group).items():
+            for key in ("stiffness", "damping"):
+                if getattr(part, key) is not None:
+                    _six(getattr(part, key), (group, name, key), report)
+    for name, gear in parts.gears.items():
+        _gear_choices(name, gear, report)
+
+
+def exactly_one(part: Any, keys: Iterable[str], at: Place, report: Reader) -> None:
+    """Report a component that gives none or several of some keys."""
+    given = [k for k in keys if getattr(part, k) is not None]
+    if len(given) != 1 and at not in report.tainted:
+        message = "gives none of its keys" if not given else f"gives {' and '.join(given)} at once"
+        report.problem(at, message, remedy=f"give exactly one of {', '.join(keys)}")
+
+
+def _stiffness(law: Any, at: Place, report: Reader) -> None:
+    if isinstance(law, Fourier):
+        depth = math.fsum(
+            math.hypot(c, s)
+            for c, s in zip(
+                [*law.cosine, *[0.0] * len(law.sine)], [*law.sine, *[0.0] * len(law.cosine)], strict=True
+            )
+        )
+        if depth >= 1.0 and _fourier_minimum(law) <= 0.0:
+            report.problem(
+                at, "becomes zero or negative in the mesh cycle", limit="> 0", remedy="reduce the amplitudes"
+            )
+    elif isinstance(law, Rectangular):
+        if law.low > law.high:
+            report.problem((*at, "low"), "is larger than high", remedy="exchange low and high")
+    elif isinstance(law, Table) and not all(v > 0.0 for v in law.values):
+        report.problem((*at, "values"), "holds a zero stiffness", limit="> 0", remedy="correct the table")
+
+
+def _fourier_minimum(law: Fourier) -> float:
+    """Smallest relative stiffness over one period, from 32 points per harmonic."""
+    count = max(len(law.cosine), len(law.sine))
+    steps = 32 * count
+    return min(
+        1.0
+        + math.fsum(c * math.cos(math.tau * (n + 1) * i / steps) for n, c in enumerate(law.cosine))
+        + math.fsum(s * math.sin(math.tau * (n + 1) * i / steps) for n, s in enumerate(law.sine))
+        for i in range(steps)
+    )
+
+
+def _six(part: Any, at: Place, report: Reader) -> None:
+    if part.matrix is not None:
+        others = [k for k in ("radial", "x", "y", "tilt", "rx", "ry") if getattr(part, k) is not None]
+        others += [k for k in ("axial", "torsion") if getattr(part, k) != 0.0]
+        if others:
+            report.problem(
+                (*at, "matrix"), f"stands beside {', '.join(others)}", remedy="give the matrix alone"
+            )
+    for both, single in (("radial", "xy"), ("tilt", ("rx", "ry"))):
+        if getattr(part, both) is not None:
+            for key in single:
+                if getattr(part, key) is not None:
+                    report.problem(
+                        (*at, key), f"stands beside {both}", remedy=f"give {both}, or x and y apart"
+                    )
+
+
+def _gear_choices(name: str, gear: Any, report: Reader) -> None:
+    at: Place = ("gears", name)
+    if gear.cutter is not None and gear.type == "external":
+        report.problem(
+            (*at, "cutter"), "is for internal gears only", remedy="remove it, or set type: internal"
+        )
+    sides = gear.modifications
+    for side in ("left", "right", "both") if sides is not None else ():
+        flank = getattr(sides, side)
+        for key in ("tip_relief", "root_relief") if flank is not None else ():
+            relief = getattr(flank, key)
+            if relief is not None:
+                exactly_one(relief, ("start_diameter", "length"), (*at, "modifications", side, key), report)
+    pitch = gear.deviations.pitch if gear.deviations is not None else ()
+    if pitch and len(pitch) != gear.number_of_teeth:
+        report.problem(
+            (*at, "deviations", "pitch"),
+            f"has {len(pitch)} entries for {gear.number_of_teeth} teeth",
+            remedy="give one deviation per tooth",
+        )
+    maps = gear.deviations.flank_maps if gear.deviations is not None else ()
+    for i, flank_map in enumerate(maps):
+        if flank_map.tooth >= gear.number_of_teeth:
+            report.problem(
+                (*at, "deviations", "flank_maps", i, "tooth"),
+                "is no tooth of this gear",
+                value=str(flank_map.tooth),
+                limit=f"<= {gear.number_of_teeth - 1}",
+            )
+
+
+def check_motions(parts: Parts, report: Reader) -> None:
+    """Bodies that move have inertia; fixed bodies carry no loads and bearings."""
+    from pitchpoint.model.inertia import body_inertia
+
+    for name, body in parts.bodies.items():
+        if any(g not in parts.gears or ("gears", g) in report.tainted for g in body.gears):
+            continue
+        needed = [k for k in INERTIAS[body.motion] if ("bodies", name, k) not in report.tainted]
+        try:
+            # the geometry is asked only for what the user left out
+            open_keys = any(getattr(body, k) is None for k in needed)
+            total = body_inertia(body, parts.gears) if open_keys else None
+        except PitchpointError as error:
+            report.problem(
+                ("bodies", name), f"has no computable mass: {error}", remedy="give mass and inertia"
+            )
+            continue
+        for key in needed:
+            given = getattr(body, key)
+            amount = given if total is None else getattr(total, _SUM[key])
+            if not amount > 0.0:
+                report.problem(
+                    ("bodies", name, key),
+                    f"is zero, but the body moves ({body.motion})",
+                    limit="> 0",
+                    remedy=f"give {key}" + ("" if body.gears else " (the body carries no gears)"),
+                )
+    fixed = {n for n, b in parts.bodies.items() if b.motion == "fixed"}
+    for group in ("loads", "bearings"):
+        for name, part in getattr(parts, group).items():
+            if part.body in fixed:
+                report.problem(
+                    (group, name, "body"),
+                    f"names {part.body}, which is fixed and feels nothing",
+                    remedy="remove it, or give the body a motion",
+                )
+
+
+def check_loads(parts: Parts, report: Reader) -> None:
+    """Loads do something, and balance has one meaning."""
+    balanced = [n for n, load in parts.loads.items() if isinstance(load.torque, Balance)]
+    for name, load in parts.loads.items():
+        at: Place = ("loads", name)
+        if load.torque is None and load.force is None and at not in report.tainted:
+            report.problem(at, "has neither torque nor force", remedy="give torque or force")
+        body = parts.bodies.get(load.body)
+        if load.force is None or body is None:
+            continue
+        if any(isinstance(f, Balance) for f in load.force):
+            report.problem((*at, "force"), "cannot be balanced", remedy="balance a torque")
+        sideways = any(not (isinstance(f, Constant) and f.value == 0.0) for f in load.force)
+        if body.motion == "torsion" and sideways and load.position[:2] == (0.0, 0.0):
+            report.problem(
+                (*at, "force"),
+                f"acts on the axis of {load.body}, which only turns",
+                remedy="give the body motion: planar or free, or the load a position off the axis",
+            )
+    for train in trains(parts):
+        names = [n for n in balanced if parts.loads[n].body in train]
+        for name in names[1:]:
+            report.problem(
+                ("loads", name, "torque"),
+                f"is balance, like that of {names[0]} on the same train; their split is open",
+                remedy="give all but one torque as a value",
+            )
+
+
+def trains(parts: Parts) -> list[set[str]]:
+    """Bodies that turn together, by meshes and couplings."""
+    groups: list[set[str]] = [{name} for name in parts.bodies]
+    links = [{parts.body_of(g) for g in m.gears} for m in parts.meshes.values()]
+    links += [set(c.bodies) for c in parts.couplings.values()]
+    for link in links:
+        touched = [g for g in groups if g & link]
+        if len(touched) > 1:
+            groups = [g for g in groups if not g & link] + [set().union(*touched)]
+    return groups
+
+
+def check(parts: Parts, report: Reader) -> None:
+    """All checks, in the order in which a later one may rely on an earlier one."""
+    from pitchpoint.model.assembly import resolve
+    from pitchpoint.model.pair_check import check_phasing
+
+    check_references(parts, report)
+    check_carriers(parts, report)
+    check_choices(parts, report)
+    resolve(parts, report)
+    check_motions(parts, report)
+    check_loads(parts, report)
+    check_scenarios(parts, report)
+    check_phasing(parts, report)

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Components to plain data, in the keys and units of model files; the inverse of `read`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.unit_table import DIMENSIONS
+from pitchpoint.core.units import display_unit, in_unit, parse_quantity
+from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
+from pitchpoint.model.keys import Key, defaults_of, keys_of
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+def quantity_text(value: float, dimension: str) -> float | str:
+    """Shortest text that reads back to exactly this SI value, in the unit people use if possible.
+
+    Examples
+    --------
+    >>> quantity_text(0.15966, "length"), quantity_text(0.145, "dimensionless")
+    ('159.66 mm', 0.145)
+    """
+    if DIMENSIONS[dimension].si == "":
+        return value
+    unit = display_unit(dimension, value)
+    shown = in_unit(value, dimension, unit)
+    for digits in (6, 10, 15, 17):
+        text = f"{shown:.{digits}g} {unit}"
+        if parse_quantity(text, dimension) == value:
+            return text
+    return f"{value!r} {DIMENSIONS[dimension].si}"
+
+
+def plain(model: Model) -> dict[str, Any]:
+    """Nested dictionaries as a file would hold them; whatever has its default is left out.
+
+    Parameters
+    ----------
+    model
+        The model. Names of Python files become relative to its own file.
+    """
+    base = Path(model.file).parent if model.file else Path()
+    out: dict[str, Any] = _Writer(base).component(model)
+    return out
+
+
+class _Writer:
+    def __init__(self, base: Path) -> None:
+        self.base = base
+
+    def component(self, part: Any) -> dict[str, Any]:
+        defaults = defaults_of(type(part))
+        out: dict[str, Any] = {}
+        for name, key in keys_of(type(part)).items():
+            value = getattr(part, name)
+            if value is None or (name in defaults and _same(value, defaults[name])):
+                continue
+            out[name] = self.value(key, value)
+        return out
+
+    def value(self, key: Key, value: Any) -> Any:
+        writer = _WRITERS.get(key.kind)
+        return value if writer is None else writer(self, key, value)
+
+    def quantity(self, key: Key, value: float) -> Any:
+        return quantity_text(value, key.dimension)
+
+    def quantities(self, key: Key, value: Any) -> list[Any]:
+        return [quantity_text(v, key.dimension) for v in value]
+
+    def grid(self, key: Key, value: Any) -> list[list[Any]]:
+        return [self.quantities(key, row) for row in value]
+
+    def matrix(self, key: Key, value: Any) -> list[list[float]]:
+        return [list(row) for row in value]
+
+    def strings(self, key: Key, value: Any) -> list[str]:
+        return list(value)
+
+    def nested(self, key: Key, value: Any) -> dict[str, Any]:
+        return self.component(value)
+
+    def nested_list(self, key: Key, value: Any) -> list[dict[str, Any]]:
+        return [self.component(v) for v in value]
+
+    def nested_names(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
+        return {name: self.component(v) for name, v in value.items()}
+
+    def variant(self, key: Key, value: Any) -> dict[str, Any]:
+        return {"law": value.law, **self.component(value)}
+
+    def speeds(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
+        return {name: quantity_text(v, key.dimension) for name, v in value.items()}
+
+    def gears(self, key: Key, value: Mapping[str, float]) -> Any:
+        if not any(value.values()):
+            return list(value)
+        return {name: quantity_text(v, "length") for name, v in value.items()}
+
+    def orders(self, key: Key, value: Any) -> dict[int, list[Any]]:
+        return {n: [quantity_text(a, "length"), quantity_text(p, "angle")] for n, a, p in value}
+
+    def law(self, key: Key, value: Any) -> Any:
+        if isinstance(value, Constant):
+            return quantity_text(value.value, key.dimension)
+        if isinstance(value, FormulaLaw):
+            return value.text
+        if isinstance(value, TableLaw):
+            abscissa = "time" if value.over == "time" else "angle"
+            rows = [
+                [quantity_text(x, abscissa), quantity_text(y, key.dimension)]
+                for x, y in zip(value.abscissa, value.values, strict=True)
+            ]
+            return {"table": rows, "over": value.over}
+        return "balance" if isinstance(value, Balance) else self.python(key, value)
+
+    def laws(self, key: Key, value: Any) -> list[Any]:
+        return [self.law(key, v) for v in value]
+
+    def python(self, key: Key, value: PythonLaw) -> Any:
+        file = Path(value.file)
+        if file.is_relative_to(self.base):
+            file = file.relative_to(self.base)
+        name = f"{file.as_posix()}:{value.function}"
+        if key.kind == "python" and not value.parameters:
+            return name
+        return {"python": name, **({"parameters": list(value.parameters)} if value.parameters else {})}
+
+    def material(self, key: Key, value: Any) -> Any:
+        if isinstance(value, str):
+            return value
+        return {
+            "youngs_modulus": quantity_text(value.youngs_modulus, "pressure"),
+            "poisson_ratio": value.poisson_ratio,
+            "density": quantity_text(value.density, "density"),
+        }
+
+
+def _same(value: Any, default: Any) -> bool:
+    """Equal and of the same type, so that a law equal in all numbers to another one is still written."""
+    return type(value) is type(default) and bool(value == default) or (not value and default == {} == value)
+
+
+_WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
+    "quantity": _Writer.quantity,
+    "quantities": _Writer.quantities,
+    "names": _Writer.strings,
+    "words": _Writer.strings,
+    "component": _Writer.nested,
+    "components": _Writer.nested_names,
+    "list": _Writer.nested_list,
+    "variant": _Writer.variant,
+    "gears": _Writer.gears,
+    "speeds": _Writer.speeds,
+    "grid": _Writer.grid,
+    "matrix": _Writer.matrix,
+    "orders": _Writer.orders,
+    "law": _Writer.law,
+    "laws": _Writer.laws,
+    "python": _Writer.python,
+    "material": _Writer.material,
+}

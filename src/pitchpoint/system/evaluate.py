@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Ask a compiled system questions at one state: residual, linearisation, observations, accelerations."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import OK, sentence
+from pitchpoint.multibody.kinematics import rest_pose
+from pitchpoint.system import residual as kernels
+from pitchpoint.system.linear import solve_acceleration
+from pitchpoint.system.link import kind_of_row
+from pitchpoint.system.system import State, System
+
+
+def load(system: System, state: State) -> None:
+    """Copy a state into the workspace of a system."""
+    w = system.workspace
+    w.q[:], w.v[:], w.a[:], w.lam[:] = state.q, state.v, state.a, state.lam
+    w.fr["turns"] = state.turns
+    w.ctl[0]["t"] = state.t
+
+
+def store(system: System, t: float) -> State:
+    """Copy the state out of the workspace of a system."""
+    w = system.workspace
+    return State(float(t), w.q.copy(), w.v.copy(), w.a.copy(), w.lam.copy(), w.fr["turns"].copy())
+
+
+def explain(system: System, status: int) -> str:
+    """Sentence for a status, with the element that reported it if one did."""
+    text = sentence(status)
+    row, record = int(system.workspace.ctl[0]["badkind"]), int(system.workspace.ctl[0]["bad"])
+    if row >= 0:
+        text += f" (element kind {kind_of_row(system.records, row)}"
+        text += f", number {record + 1})" if record >= 0 else ")"
+    return text
+
+
+def check(system: System, status: int, partial: State | None = None) -> None:
+    """Raise a SolverError unless the status is OK."""
+    if status != OK:
+        raise SolverError(explain(system, status), int(status), partial)
+
+
+def prepare(system: System) -> None:
+    """Write the constant parts of the workspace; needed once after it was made."""
+    w = system.workspace
+    if not w.ready:
+        rest_pose(w.program["body"], w.fr, w.arrays["J"])
+        w.ready = True
+
+
+def residual(system: System, state: State) -> NDArray[np.float64]:
+    """Residual R = M a - f + G^T lam at a state, shape (nd,).
+
+    Raises
+    ------
+    SolverError
+        If an element refuses the state.
+    """
+    prepare(system)
+    load(system, state)
+    check(system, kernels.residual(system.workspace.at, state.t, kernels.FORCES, 0.0, 0.0, 0.0))
+    return system.workspace.R.copy()
+
+
+def matrix(
+    system: System, state: State, cm: float, cd: float, ck: float, jac: int = kernels.EXACT
+) -> NDArray[np.float64]:
+    """Dense matrix cm M + cd D + ck K at a state, shape (nd, nd).
+
+    Parameters
+    ----------
+    cm, cd, ck
+        Factors of mass, damping and stiffness.
+    jac
+        `residual.EXACT` for the derivative of the residual, `residual.NEWTON` for what integrators use.
+    """
+    prepare(system)
+    load(system, state)
+    w = system.workspace
+    check(system, kernels.residual(w.at, state.t, jac, cm, cd, ck))
+    nd = system.sizes["nd"]
+    dense = np.zeros((nd, nd))
+    layout = system.layout
+    for (i, j), block in layout.blocks.items():
+        r, c, n, m = layout.node_dof[i], layout.node_dof[j], layout.node_size[i], layout.node_size[j]
+        dense[r : r + n, c : c + m] = w.A[block, :n, :m]
+    return dense
+
+
+def linearize(
+    system: System, state: State
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Exact derivatives of the residual: M = dR/da, D = dR/dv, K = dR/dq, each (nd, nd).
+
+    Gyroscopic terms are in D, geometric stiffness from loads and spins in K.
+    """
+    return (
+        matrix(system, state, 1.0, 0.0, 0.0),
+        matrix(system, state, 0.0, 1.0, 0.0),
+        matrix(system, state, 0.0, 0.0, 1.0),
+    )
+
+
+def constraint_jacobian(system: System, state: State) -> NDArray[np.float64]:
+    """Rows G = dg/dq at a state, shape (nc, nd)."""
+    residual(system, state)
+    return system.workspace.G.copy()
+
+
+def observe(system: System, state: State) -> NDArray[np.float64]:
+    """All observations at a state, in the order of ``system.layout.channels``."""
+    prepare(system)
+    load(system, state)
+    row = np.zeros(system.sizes["no"])
+    check(system, kernels.observe(system.workspace.at, state.t, row.ctypes.data))
+    return row
+
+
+def event_values(system: System, state: State) -> NDArray[np.float64]:
+    """All event functions at a state, in the order of ``system.layout.events``."""
+    prepare(system)
+    load(system, state)
+    row = np.zeros(system.sizes["ne"])
+    check(system, kernels.evaluate_events(system.workspace.at, state.t, row.ctypes.data))
+    return row
+
+
+def accelerate(system: System, state: State) -> State:
+    """Same state with the accelerations and multipliers that its forces cause."""
+    prepare(system)
+    load(system, state)
+    check(system, solve_acceleration(system.workspace.at, state.t, 0.0))
+    return store(system, state.t)

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Linear algebra on the workspace: factor the blocks, solve with constraint rows, accelerations of a state."""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.multibody.block_lu import FACTOR, SOLVE, factorise, substitute
+from pitchpoint.multibody.channels import CTL, F8, I8
+from pitchpoint.multibody.constraints import schur_factor, schur_solve
+from pitchpoint.system.residual import MASS, residual
+from pitchpoint.system.workspace import FACTORISATIONS, MACH, REDUNDANT
+
+
+@kernel
+def factor(at):
+    """Factor the matrix in the workspace and, with constraints, their Schur complement."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    A = view(c["A"], (c["na"], 6, 6), F8)
+    clock = view(m["clock"], 16, I8)
+    clock[FACTORISATIONS] += 1
+    status = factorise(
+        view(m["factor"], m["nfactor"], FACTOR), A, view(m["T"], (6, 6), F8), view(m["order6"], 6, I8)
+    )
+    if status != OK:
+        return status
+    nc = c["nc"]
+    if nc > 0:
+        clock[REDUNDANT] = schur_factor(
+            view(c["G"], (nc, c["nd"]), F8),
+            A,
+            view(m["solve"], m["nsolve"], SOLVE),
+            view(m["Y"], (nc, c["nd"]), F8),
+            view(m["S"], (nc, nc), F8),
+            view(m["diag"], nc, F8),
+            view(m["order"], nc, I8),
+            view(m["used"], nc, I8),
+            view(m["y6"], 6, F8),
+        )
+    return OK
+
+
+@kernel
+def solve(at):
+    """Solve A x + G^T y = -R, G x = -g with the factors in the workspace; x and y stay in the workspace."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    nd = c["nd"]
+    x = view(m["x"], nd, F8)
+    R = view(c["R"], nd, F8)
+    for i in range(nd):
+        x[i] = -R[i]
+    substitute(
+        view(m["solve"], m["nsolve"], SOLVE), view(c["A"], (c["na"], 6, 6), F8), x, view(m["y6"], 6, F8)
+    )
+    nc = c["nc"]
+    if nc > 0:
+        schur_solve(
+            view(c["G"], (nc, nd), F8),
+            view(c["g"], nc, F8),
+            view(m["Y"], (nc, nd), F8),
+            view(m["S"], (nc, nc), F8),
+            view(m["order"], nc, I8),
+            view(m["used"], nc, I8),
+            x,
+            view(m["y"], nc, F8),
+            view(m["z"], nc, F8),
+        )
+
+
+@kernel
+def solve_acceleration(at, t, rate):
+    """Accelerations and multipliers of the state in the workspace: M a + G^T lam = f, G a = -gtt.
+
+    With rate > 0 [1/s] drift of the rows is pulled back: G a = -gtt - 2 rate (G v + gt) - rate^2 g.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    nd = c["nd"]
+    nc = c["nc"]
+    a = view(c["a"], nd, F8)
+    lam = view(c["lam"], nc, F8)
+    x = view(m["x"], nd, F8)
+    y = view(m["y"], nc, F8)
+    for i in range(nd):
+        a[i] = 0.0
+    for r in range(nc):
+        lam[r] = 0.0
+    status = residual(at, t, MASS, 1.0, 0.0, 0.0)
+    if status != OK:
+        return status
+    status = factor(at)
+    if status != OK:
+        return status
+    pull_back(at, rate)
+    solve(at)
+    total = 0.0
+    for i in range(nd):
+        a[i] = x[i]
+        total += x[i]
+    for r in range(nc):
+        lam[r] = y[r]
+    return OK if math.isfinite(total) else NOT_FINITE
+
+
+@kernel
+def pull_back(at, rate):
+    """Turn the position residuals g of the rows into the right-hand side of their second derivative."""
+    c = view(at, 1, CTL)[0]
+    nd = c["nd"]
+    nc = c["nc"]
+    if nc == 0:
+        return
+    g = view(c["g"], nc, F8)
+    gt = view(c["gt"], nc, F8)
+    gtt = view(c["gtt"], nc, F8)
+    G = view(c["G"], (nc, nd), F8)
+    v = view(c["v"], nd, F8)
+    for r in range(nc):
+        s = gt[r]
+        for i in range(nd):
+            s += G[r, i] * v[i]
+        g[r] = gtt[r] + 2.0 * rate * s + rate * rate * g[r]

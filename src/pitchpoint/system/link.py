@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Address tables: where the entry of every kind is, where its records are, how many. Rebuilt in each process."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.kernel import address, law_address
+from pitchpoint.elements import registry
+
+_CHANNEL = {registry.FRAME: 0, registry.COORDINATE: 1, registry.CONSTRAINT: 2}
+
+
+def link(
+    records: Mapping[str, NDArray[np.void]],
+    pools: Mapping[str, NDArray[np.float64]],
+    laws: Mapping[str, Sequence[Any]],
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Make the two address tables (forces, constraints), rows (entry, records, count, channel).
+
+    Kinds come in alphabetical order, so sums are reproducible. Addresses of pools and user laws are written
+    into the records on the way.
+    """
+    forces: list[tuple[int, ...]] = []
+    constraints: list[tuple[int, ...]] = []
+    for name in sorted(records):
+        bank = records[name]
+        kind = registry.find(name)
+        if name in pools and "pool" in (bank.dtype.names or ()):
+            bank["pool"] = pools[name].ctypes.data
+        for k, law in enumerate(laws.get(name, ())):
+            if law is not None:
+                bank[k]["law"] = law_address(law)
+        row = (address(kind.load().entry), bank.ctypes.data, bank.size, _CHANNEL[kind.channel])
+        (constraints if kind.channel == registry.CONSTRAINT else forces).append(row)
+    return (
+        np.array(forces, np.int64).reshape(-1, 4),
+        np.array(constraints, np.int64).reshape(-1, 4),
+    )
+
+
+def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:
+    """Name of the kind in a row of the tables, constraints counted after forces."""
+    ordered = sorted(records, key=lambda n: (registry.find(n).channel == registry.CONSTRAINT, n))
+    return ordered[row] if 0 <= row < len(ordered) else "?"

@@ -1,0 +1,322 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The compiled form of a model: record arrays, structure, names. `assemble` makes it from numbers alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import CompileError
+from pitchpoint.elements import registry
+from pitchpoint.multibody.bodies import Body, body_records
+from pitchpoint.system.layout import Channel, Layout, body_channels, structure
+from pitchpoint.system.link import link
+from pitchpoint.system.workspace import Workspace
+
+TWO_PI = 6.283185307179586
+Law = Callable[..., float] | int
+
+
+@dataclass
+class State:
+    """State of a system: plain arrays, owned by the caller.
+
+    Parameters
+    ----------
+    t
+        Time [s].
+    q, v, a
+        Coordinates (spins as remainders), rates, accelerations; shape (nd,).
+    lam
+        Multipliers of the constraint rows, shape (nc,).
+    turns
+        Whole turns of every body, ground first, shape (nb,); the spin is q + 2 pi turns.
+    """
+
+    t: float
+    q: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    lam: NDArray[np.float64]
+    turns: NDArray[np.int64]
+
+    def copy(self) -> State:
+        """Independent copy."""
+        return State(
+            self.t, self.q.copy(), self.v.copy(), self.a.copy(), self.lam.copy(), self.turns.copy()
+        )
+
+
+@dataclass(frozen=True)
+class System:
+    """Flat arrays of one compiled model. Use one per thread: `copy` shares nothing that a kernel writes.
+
+    Parameters
+    ----------
+    bodies
+        The bodies without ground.
+    layout
+        Names and indices.
+    records
+        Record array of every kind used.
+    program
+        Structure arrays (see `layout.structure`).
+    sizes
+        nb, nd, np, na, nc, no, ne.
+    pools
+        Float array of every kind that has one; its address goes to the field ``pool`` of the records.
+    laws
+        User laws of every kind, one per record or None; their addresses go to the field ``law``.
+    weight
+        Length per unit of each coordinate in error norms.
+    keep
+        Further objects that must live as long as the records (arrays whose addresses they hold).
+    """
+
+    bodies: tuple[Body, ...]
+    layout: Layout
+    records: Mapping[str, NDArray[np.void]]
+    program: Mapping[str, NDArray[Any]]
+    sizes: Mapping[str, int]
+    pools: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
+    laws: Mapping[str, Sequence[Law | None]] = field(default_factory=dict)
+    weight: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    keep: tuple[Any, ...] = ()
+
+    @cached_property
+    def workspace(self) -> Workspace:
+        """Memory and addresses, made at first use in this process."""
+        forces, cons = link(self.records, self.pools, self.laws)
+        return Workspace(dict(self.program), dict(self.sizes), forces, cons, self.weight)
+
+    def __getstate__(self) -> dict[str, Any]:
+        state = dict(self.__dict__)
+        state.pop("workspace", None)  # addresses are of this process
+        return state
+
+    def copy(self) -> System:
+        """Same numbers, own memory: for another thread."""
+        return replace(
+            self,
+            records={k: r.copy() for k, r in self.records.items()},
+            pools={k: p.copy() for k, p in self.pools.items()},
+            program={k: a.copy() for k, a in self.program.items()},
+        )
+
+    def with_params(self, records: Mapping[str, NDArray[np.void]]) -> System:
+        """Other numbers, same topology.
+
+        Parameters
+        ----------
+        records
+            New record arrays of some kinds, equal in dtype and size; index fields must be unchanged.
+        """
+        for name, new in records.items():
+            old = self.records.get(name)
+            if old is None or old.dtype != new.dtype or old.shape != new.shape:
+                raise CompileError(f"with_params cannot change the kind or number of {name!r} elements")
+            for key in ("i", "j", "ii", "ij", "ji", "jj", "out", "row"):
+                if key in (old.dtype.names or ()) and not np.array_equal(old[key], new[key]):
+                    raise CompileError(f"with_params cannot change the field {key!r} of {name!r} elements")
+        return replace(self.copy(), records={k: records.get(k, r).copy() for k, r in self.records.items()})
+
+    def initial_state(self) -> State:
+        """State at rest in the reference position, spins at the initial angles of the bodies."""
+        nd, nb = self.sizes["nd"], self.sizes["nb"]
+        q, turns = np.zeros(nd), np.zeros(nb, np.int64)
+        for b, body in enumerate(self.bodies, start=1):
+            if self.program["body"][b]["joint"]:
+                turns[b] = int(np.round(body.angle / TWO_PI))
+                q[self.program["body"][b]["spin"]] = body.angle - TWO_PI * turns[b]
+        return State(0.0, q, np.zeros(nd), np.zeros(nd), np.zeros(self.sizes["nc"]), turns)
+
+    def spin(self, body: str) -> int:
+        """Index of the spin coordinate of a body by name."""
+        found = int(self.program["body"][self.layout.bodies.index(body)]["spin"])
+        if found < 0:
+            raise CompileError(f"{body}: this body does not spin")
+        return found
+
+
+def _checked(kind: registry.Kind, bank: NDArray[np.void], nb: int) -> NDArray[np.void]:
+    """Own, contiguous copy of a bank with the exact dtype and valid body indices."""
+    record = kind.load().RECORD
+    if bank.dtype != record:
+        raise CompileError(f"records of kind {kind.name!r} have another layout than the kind declares")
+    bank = np.array(bank, dtype=record, order="C").reshape(-1)
+    for pair in kind.pairs:
+        for name in pair:
+            if bank.size and not (0 <= bank[name].min() and bank[name].max() < nb):
+                raise CompileError(f"a record of kind {kind.name!r} names a body that does not exist ({name})")
+    return bank
+
+
+def _outputs(rows: Sequence[tuple[str, ...]], label: str) -> list[Channel]:
+    found = []
+    for row in rows:
+        name, unit, text = row if len(row) == 3 else (row[0], "1", row[1])
+        full = name.format(label) if "{}" in name else f"{name}[{label}]"
+        found.append(Channel(full, unit, text))
+    return found
+
+
+def _fill(
+    kind: registry.Kind,
+    bank: NDArray[np.void],
+    records: NDArray[np.void],
+    pair_index: Mapping[tuple[int, int], int],
+    parts: Mapping[str, Any],
+) -> None:
+    """Write the index fields of a bank: pair blocks, coordinate blocks, spin coordinates."""
+    fields = bank.dtype.names or ()
+    for record in bank:
+        for a, b in kind.pairs:
+            i, j = int(record[a]), int(record[b])
+            for name, key in ((a + a, (i, i)), (a + b, (i, j)), (b + a, (j, i)), (b + b, (j, j))):
+                if name in fields:
+                    record[name] = pair_index.get(key, 0)
+            if "blk" in fields:
+                ni, nj = parts["node_of"][i], parts["node_of"][j]
+                record["blk"] = parts["blocks"].get((ni, nj), 0) if ni >= 0 and nj >= 0 else 0
+            for body, end in ((i, a), (j, b)):
+                values = {
+                    f"dof_{end}": records[body]["dof"],
+                    f"n_{end}": records[body]["joint"],
+                    f"o_{end}": max(parts["offset_of"][body], 0),
+                    f"spin_{end}": records[body]["spin"],
+                }
+                for name, value in values.items():
+                    if name in fields:
+                        record[name] = value
+
+
+def _pairs(banks: Mapping[str, NDArray[np.void]], channel: str) -> set[tuple[int, int]]:
+    return {
+        (int(record[a]), int(record[b]))
+        for name, bank in banks.items()
+        if registry.find(name).channel == channel
+        for a, b in registry.find(name).pairs
+        for record in bank
+    }
+
+
+def _number(
+    banks: Mapping[str, NDArray[np.void]], names: Mapping[str, Sequence[str]]
+) -> tuple[list[Channel], list[Channel], list[str], list[tuple[int, int]]]:
+    """Give every record its observations, event functions and constraint rows."""
+    channels: list[Channel] = []
+    events: list[Channel] = []
+    rows: list[str] = []
+    row_bodies: list[tuple[int, int]] = []
+    for name, bank in banks.items():
+        module = registry.find(name).load()
+        fields = bank.dtype.names or ()
+        outputs = getattr(module, "outputs", None)
+        for k, record in enumerate(bank):
+            label = names[name][k] if name in names else f"{name}{k}"
+            if "out" in fields:
+                record["out"] = len(channels)
+            channels += _outputs(
+                outputs(record) if outputs else getattr(module, "OUTPUTS", ()), label
+            )
+            if "ev" in fields:
+                record["ev"] = len(events)
+            events += _outputs(getattr(module, "EVENTS", ()), label)
+            if "row" in fields:
+                record["row"] = len(rows)
+                for _ in range(module.ROWS):
+                    rows.append(f"{name} {label}")
+                    row_bodies.append((int(record["i"]), int(record["j"])))
+    return channels, events, rows, row_bodies
+
+
+def assemble(
+    bodies: Sequence[Body],
+    banks: Mapping[str, NDArray[np.void]],
+    constraints: Mapping[str, NDArray[np.void]] | None = None,
+    *,
+    names: Mapping[str, Sequence[str]] | None = None,
+    pools: Mapping[str, NDArray[np.float64]] | None = None,
+    laws: Mapping[str, Sequence[Law | None]] | None = None,
+    weight_radius: float = 0.05,
+    keep: tuple[Any, ...] = (),
+) -> System:
+    """Make a system from numbers: bodies, element records, constraint records.
+
+    Parameters
+    ----------
+    bodies
+        Bodies on ground; body k of the list is index k + 1 in the records, ground is 0.
+    banks, constraints
+        Record arrays by name of kind; body fields and physics filled in, index fields are written here.
+    names
+        Names of the elements of each kind, for the observations.
+    pools, laws, keep
+        See `System`.
+    weight_radius
+        Length that one radian counts for in error norms [m].
+
+    Raises
+    ------
+    CompileError
+        If a body cannot be computed or a record names something that does not exist; all faults at once.
+    """
+    named = [body.name or f"body{k}" for k, body in enumerate(bodies, start=1)]
+    faults = [f"{n}: {fault}" for n, body in zip(named, bodies, strict=True) for fault in body.faults()]
+    if len(set(named)) != len(named):
+        faults.append("names of bodies must differ")
+    if faults:
+        raise CompileError("; ".join(faults))
+    records = body_records(bodies)
+    given = {**banks, **(constraints or {})}
+    ordered = {n: _checked(registry.find(n), given[n], records.size) for n in sorted(given)}
+    ordered = {n: bank for n, bank in ordered.items() if bank.size}
+    program, pair_index, parts = structure(
+        records, _pairs(ordered, registry.FRAME), _pairs(ordered, registry.COORDINATE)
+    )
+    for name, bank in ordered.items():
+        _fill(registry.find(name), bank, records, pair_index, parts)
+    channels, events, rows, row_bodies = _number(ordered, names or {})
+    of_bodies, program["body_out"] = body_channels(bodies, named, records, len(channels))
+    program["rows"] = np.array(row_bodies, np.int64).reshape(-1, 2)
+    channels += of_bodies
+    coordinates = _coordinate_names(bodies, named, records)
+    sizes = {
+        "nb": records.size,
+        "nd": len(coordinates),
+        "np": len(pair_index) + 1,
+        "na": len(parts["blocks"]) + 1,
+        "nc": len(rows),
+        "no": len(channels),
+        "ne": len(events),
+    }
+    layout = Layout(
+        bodies=("ground", *named),
+        coordinates=tuple(coordinates),
+        channels=tuple(channels),
+        events=tuple(events),
+        rows=tuple(rows),
+        **parts,
+    )
+    angles = ("alpha", "beta", "spin")
+    weight = np.array([weight_radius if c.rsplit(".", 1)[1] in angles else 1.0 for c in coordinates])
+    return System(
+        tuple(bodies), layout, ordered, program, sizes, dict(pools or {}), dict(laws or {}), weight, keep
+    )
+
+
+def _coordinate_names(
+    bodies: Sequence[Body], named: Sequence[str], records: NDArray[np.void]
+) -> list[str]:
+    from pitchpoint.multibody.joints import JOINTS
+
+    found: dict[int, str] = {}
+    for b, (body, name) in enumerate(zip(bodies, named, strict=True), start=1):
+        for k, (coordinate, _) in enumerate(JOINTS[body.motion]):
+            found[int(records[b]["dof"]) + k] = f"{name}.{coordinate}"
+    return [found[d] for d in sorted(found)]

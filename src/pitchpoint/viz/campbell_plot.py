@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Campbell diagram: natural frequencies and mesh orders over speed, crossings marked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pitchpoint.analysis.campbell import campbell_crossings
+from pitchpoint.viz import theme
+from pitchpoint.viz.quantities import scale
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+
+
+def plot_campbell(
+    speed: ArrayLike,
+    mode_frequencies: ArrayLike,
+    orders: Mapping[str, float],
+    *,
+    mode_names: Sequence[str] = (),
+) -> go.Figure:
+    """Natural frequencies against excitation orders.
+
+    Parameters
+    ----------
+    speed
+        Speeds of the reference shaft [rad/s], shape (n_speed,).
+    mode_frequencies
+        Natural frequencies [Hz], shape (n_speed, n_mode) or (n_mode,).
+    orders
+        Excitations per revolution of the reference shaft, by name (`stage × 1`).
+    mode_names
+        Names of the modes.
+    """
+    import plotly.graph_objects as go
+
+    omega = np.asarray(speed, dtype=np.float64)
+    modes = np.atleast_1d(np.asarray(mode_frequencies, dtype=np.float64))
+    if modes.ndim == 1:
+        modes = np.broadcast_to(modes, (omega.size, modes.size))
+    revolutions = scale("rad/s")
+    top = 1.15 * float(np.nanmax(modes)) if modes.size else 1.0
+    pitch = scale("Hz", [top])
+    figure = go.Figure(
+        layout=theme.layout(revolutions.title("speed"), pitch.title("frequency"), height=430)
+    )
+    for k in range(modes.shape[1]):
+        name = mode_names[k] if k < len(mode_names) else f"mode {k + 1}"
+        figure.add_scatter(
+            x=omega * revolutions.factor, y=modes[:, k] * pitch.factor, mode="lines", name=name,
+            line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 2},
+        )  # fmt: skip
+    for name, order in orders.items():
+        lines = order * omega / (2.0 * np.pi)
+        figure.add_scatter(
+            x=omega * revolutions.factor, y=lines * pitch.factor, mode="lines", name=name, showlegend=False,
+            line={"color": theme.GREY, "width": 1, "dash": "dash"},
+        )  # fmt: skip
+        # the label sits where the line leaves the picture: at the top or at the right edge
+        end = min(float(omega[-1]), 2.0 * np.pi * top / order)
+        at_top = end < float(omega[-1])
+        figure.add_annotation(
+            x=end * revolutions.factor, y=order * end / (2.0 * np.pi) * pitch.factor, text=name, showarrow=False,
+            xanchor="center" if at_top else "right", yanchor="bottom", yshift=1, font={"size": 11},
+        )  # fmt: skip
+    crossings = campbell_crossings(omega, modes, list(orders.values())) if modes.size and orders else ()
+    if crossings:
+        figure.add_scatter(
+            x=[c.speed * revolutions.factor for c in crossings], y=[c.frequency * pitch.factor for c in crossings],
+            mode="markers", name="crossings", marker={"color": theme.RED, "size": 9, "symbol": "circle-open", "line": {"width": 2}},
+        )  # fmt: skip
+    figure.update_yaxes(range=[0.0, top * pitch.factor])
+    figure.update_xaxes(range=[float(omega[0]) * revolutions.factor, float(omega[-1]) * revolutions.factor])
+    figure.update_layout(showlegend=True)
+    return figure

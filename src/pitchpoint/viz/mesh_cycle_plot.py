@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Mesh stiffness and transmission error over one mesh cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pitchpoint.viz import theme
+from pitchpoint.viz.quantities import number, scale
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+
+
+def plot_mesh_stiffness(cycle: Any, *, name: str = "", unit: str = "c′·b") -> go.Figure:
+    """Stiffness over two mesh cycles, with its mean.
+
+    Parameters
+    ----------
+    cycle
+        Anything with `phase` and `stiffness_ratio`, shape (n,) over one base pitch, and `mean`, `minimum`, `maximum`.
+    name
+        Name of the mesh, for the legend.
+    unit
+        What the ratio refers to: c′·b for tooth pair laws, the mean for prescribed stiffness.
+    """
+    import plotly.graph_objects as go
+
+    phase, ratio = _two_cycles(cycle.phase, cycle.stiffness_ratio)
+    figure = go.Figure(
+        layout=theme.layout("mesh phase ψ [base pitches]", f"mesh stiffness [{unit}]", height=340)
+    )
+    figure.add_scatter(
+        x=phase, y=ratio, mode="lines", name=name or "stiffness", line={"color": theme.BLUE, "width": 2}
+    )
+    figure.add_hline(y=float(cycle.mean), line={"color": theme.GREY, "dash": "dash", "width": 1})
+    figure.add_scatter(
+        x=[None], y=[None], mode="lines", line={"color": theme.GREY, "dash": "dash", "width": 1},
+        name=f"mean {number(float(cycle.mean))}",
+    )  # fmt: skip
+    low, high = float(cycle.minimum), float(cycle.maximum)
+    margin = max(0.08 * (high - low), 0.02 * abs(float(cycle.mean)))
+    figure.update_yaxes(range=[low - margin, high + margin])
+    return figure
+
+
+def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -> go.Figure:
+    """Transmission error over two mesh cycles, one line per load case.
+
+    Parameters
+    ----------
+    phase
+        Mesh phase [base pitches], shape (n,), within one period.
+    errors
+        Transmission error along the line of action [m], shape (n,) each, by the name of the load case.
+    """
+    import plotly.graph_objects as go
+
+    data = {name: np.asarray(values, dtype=np.float64) for name, values in errors.items()}
+    shown = scale("m", np.concatenate([np.atleast_1d(v) for v in data.values()]) if data else ())
+    figure = go.Figure(
+        layout=theme.layout(
+            "mesh phase ψ [base pitches]", shown.title("transmission error"), height=340
+        )
+    )
+    for index, (name, values) in enumerate(data.items()):
+        x, y = _two_cycles(phase, values)
+        figure.add_scatter(
+            x=x, y=y * shown.factor, mode="lines", name=name,
+            line={"color": theme.SERIES[index % len(theme.SERIES)], "width": 2},
+        )  # fmt: skip
+    figure.update_layout(showlegend=True)
+    return figure
+
+
+def _two_cycles(phase: ArrayLike, values: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    """The cycle twice, so that what happens at its ends can be seen."""
+    x = np.asarray(phase, dtype=np.float64)
+    y = np.asarray(values, dtype=np.float64)
+    second = slice(1, None) if np.isclose(x[-1] - x[0], 1.0) and np.isclose(y[-1], y[0]) else slice(None)
+    return np.concatenate([x, x[second] + 1.0]), np.concatenate([y, y[second]])

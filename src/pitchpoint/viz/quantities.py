@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From channels in SI to axes that people read: display unit, factor, title."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.units import display_unit, in_unit
+
+Array = NDArray[np.float64]
+
+# SI unit of a channel -> kind of quantity in `core.units`. Units that stand for two kinds (N/m) take the one that occurs in
+# time results. Whatever is not listed is shown as it is.
+_KINDS = {
+    "m": "length",
+    "N": "force",
+    "N m": "torque",
+    "N/m": "stiffness",
+    "N/m^2": "stiffness_per_width",
+    "Pa": "pressure",
+    "W": "power",
+    "J": "energy",
+    "s": "time",
+    "Hz": "frequency",
+    "rad/s": "angular_speed",
+    "m/s": "speed",
+    "kg": "mass",
+}
+_SPELLINGS = {"N*m": "N m", "Nm": "N m", "N·m": "N m", "N/m²": "N/m^2", "1": "", "-": "", "dimensionless": ""}
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Display unit of an axis and the factor that takes SI values to it."""
+
+    unit: str
+    factor: float
+
+    def title(self, name: str) -> str:
+        """Axis title with the unit in brackets."""
+        return f"{name} [{self.unit}]" if self.unit else name
+
+
+@dataclass(frozen=True)
+class Channel:
+    """One variable of a result: name, values in SI (n,), SI unit, and what to call it."""
+
+    name: str
+    values: Array
+    unit: str = ""
+    long_name: str = ""
+    symbol: str = ""
+
+    @property
+    def label(self) -> str:
+        """Readable name with the element it belongs to.
+
+        Examples
+        --------
+        >>> Channel("mesh_force[stage]", np.zeros(1), "N", "mesh force").label
+        'mesh force, stage'
+        """
+        head, _, owner = self.name.partition("[")
+        words = self.long_name or head.replace("_", " ")
+        owner = owner.rstrip("]")
+        return f"{words}, {owner}" if owner and owner not in words else words
+
+    @property
+    def quantity(self) -> str:
+        """Name without the element: `mesh_force` of `mesh_force[stage]`."""
+        return self.name.partition("[")[0]
+
+
+def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
+    """Display unit for SI values of this size.
+
+    Examples
+    --------
+    >>> scale("m", [2e-6, 5e-6])
+    Scale(unit='µm', factor=1000000.0)
+    >>> scale("rad/s").unit, scale("kg m^2")
+    ('rpm', Scale(unit='kg m²', factor=1.0))
+    """
+    plain = _SPELLINGS.get(unit, unit)
+    kind = _KINDS.get(plain)
+    if kind is None:
+        return Scale(pretty(plain), 1.0)
+    data = np.abs(np.asarray(list(values) if not isinstance(values, np.ndarray) else values, dtype=np.float64))
+    data = data[np.isfinite(data)]
+    shown = display_unit(kind, float(data.max())) if data.size and data.max() > 0.0 else display_unit(kind)
+    return Scale(pretty(shown), in_unit(1.0, kind, shown))
+
+
+def pretty(unit: str) -> str:
+    """Unit with raised powers, as it stands in print.
+
+    Examples
+    --------
+    >>> pretty("kg m^2"), pretty("deg")
+    ('kg m²', '°')
+    """
+    return unit.replace("^2", "²").replace("^3", "³").replace("deg", "°")
+
+
+def number(value: float, digits: int = 5) -> str:
+    """A number for tables: significant digits, no exponent where people would not write one.
+
+    Examples
+    --------
+    >>> number(0.15), number(1746485000.0), number(17), number(-0.0)
+    ('0.15', '1.7465·10⁹', '17', '0')
+    """
+    if isinstance(value, int | np.integer) and not isinstance(value, bool):
+        return str(value)
+    if not np.isfinite(value):
+        return str(value)
+    if value == 0.0:
+        return "0"
+    exponent = int(np.floor(np.log10(abs(value))))
+    if -4 <= exponent < 6:
+        return f"{value:.{max(digits - 1 - exponent, 0)}f}".rstrip("0").rstrip(".") if exponent < digits - 1 else f"{value:.0f}"
+    mantissa = f"{value / 10.0**exponent:.{digits - 1}f}".rstrip("0").rstrip(".")
+    return f"{mantissa}·10{str(exponent).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+
+
+def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
+    """Time and channels of a time result.
+
+    Parameters
+    ----------
+    data
+        An `xarray.Dataset` with the coordinate `time`, or a mapping that holds `time` and arrays or `Channel`s.
+
+    Returns
+    -------
+    tuple
+        Time [s], shape (n,), and the channels with exactly that dimension by name.
+    """
+    time = np.asarray(getattr(data["time"], "values", data["time"]), dtype=np.float64)
+    found: dict[str, Channel] = {}
+    names = data.data_vars if hasattr(data, "data_vars") else data
+    for name in names:
+        entry = data[name]
+        if str(name) == "time":
+            continue
+        if isinstance(entry, Channel):
+            found[str(name)] = entry
+            continue
+        values = np.asarray(getattr(entry, "values", entry))
+        if values.shape != time.shape or values.dtype.kind not in "fiub":
+            continue
+        attrs: Mapping[str, Any] = getattr(entry, "attrs", {})
+        found[str(name)] = Channel(
+            str(name),
+            values.astype(np.float64),
+            str(attrs.get("units", "")),
+            str(attrs.get("long_name", "")),
+            str(attrs.get("symbol", "")),
+        )
+    return time, found

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Spectra over frequency or order, order maps and time-frequency maps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.analysis.orders import OrderMap
+from pitchpoint.analysis.spectra import Spectrum, largest_peaks
+from pitchpoint.analysis.time_frequency import TimeFrequencyMap
+from pitchpoint.viz import theme
+from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.quantities import Array, number, scale
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+
+MAP_COLUMNS, MAP_ROWS = 360, 300
+
+
+def plot_spectrum(
+    spectra: Mapping[str, Spectrum],
+    *,
+    unit: str,
+    quantity: str = "amplitude",
+    over: str = "frequency",
+    highest: float | None = None,
+    labels: int = 4,
+) -> go.Figure:
+    """Amplitude spectra on a logarithmic axis, the highest peaks of the first one labelled.
+
+    Parameters
+    ----------
+    spectra
+        Spectra by name.
+    unit
+        SI unit of the signal.
+    quantity
+        Name of the vertical axis.
+    over
+        `frequency` [Hz] or `order`.
+    highest
+        End of the horizontal axis; default where the last peak above a thousandth of the largest lies.
+    labels
+        Number of peaks with a label.
+    """
+    import plotly.graph_objects as go
+
+    tallest = max((float(s.amplitude[1:].max()) for s in spectra.values() if s.amplitude.size > 1), default=0.0)
+    shown = scale(unit, [tallest])
+    end = highest or max((_last_peak(s) for s in spectra.values()), default=1.0)
+    across = scale("Hz", [end]) if over == "frequency" else None
+    factor = across.factor if across else 1.0
+    figure = go.Figure(
+        layout=theme.layout(
+            across.title("frequency") if across else "order [per revolution]", shown.title(quantity), height=340
+        )
+    )
+    for index, (name, spectrum) in enumerate(spectra.items()):
+        kept = kept_samples(spectrum.amplitude[1:], 6000) + 1
+        kept = kept[spectrum.frequency[kept] <= end]
+        figure.add_scatter(
+            x=spectrum.frequency[kept] * factor,
+            y=np.maximum(spectrum.amplitude[kept], 1e-30) * shown.factor,
+            mode="lines",
+            name=name,
+            line={"color": theme.SERIES[index % len(theme.SERIES)], "width": 1.3},
+        )
+    if spectra:
+        first = next(iter(spectra.values()))
+        _label_peaks(figure, first, end, factor, shown.factor, labels)
+    if tallest > 0.0:
+        top = float(np.log10(tallest * shown.factor))
+        figure.update_yaxes(type="log", range=[top - 4.2, top + 0.6], dtick=1, exponentformat="power")
+    figure.update_xaxes(range=[0.0, end * factor])
+    figure.update_layout(showlegend=len(spectra) > 1)
+    return figure
+
+
+def plot_order_map(data: OrderMap, *, unit: str, quantity: str = "amplitude") -> go.Figure:
+    """Amplitude over order and speed of a run-up, in decibels below the largest one."""
+    # maps are drawn over speed; a run that is not monotonic is drawn over time
+    steady = bool(np.all(np.diff(data.speed) > 0.0) or np.all(np.diff(data.speed) < 0.0))
+    axis = scale("rad/s", data.speed) if steady else scale("s", data.time)
+    vertical = (data.speed if steady else data.time) * axis.factor
+    return _map(data.order, vertical, data.amplitude, "order [per revolution]", axis.title("speed" if steady else "time"),
+                unit, quantity)  # fmt: skip
+
+
+def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "amplitude") -> go.Figure:
+    """Amplitude over time and frequency, in decibels below the largest one."""
+    clock, pitch = scale("s", data.time), scale("Hz", data.frequency)
+    return _map(data.time * clock.factor, data.frequency * pitch.factor, data.amplitude.T,
+                clock.title("time"), pitch.title("frequency"), unit, quantity)  # fmt: skip
+
+
+def _map(
+    x: Array, y: Array, amplitude: Array, x_title: str, y_title: str, unit: str, quantity: str
+) -> go.Figure:
+    import plotly.graph_objects as go
+
+    x, y, z = _thinned(x, y, amplitude)
+    largest = float(z.max())
+    level = 20.0 * np.log10(np.maximum(z, 1e-12 * largest) / largest) if largest > 0.0 else np.zeros_like(z)
+    shown = scale(unit, [largest])
+    figure = go.Figure(layout=theme.layout(x_title, y_title, height=430))
+    figure.add_heatmap(
+        x=x, y=y, z=np.round(level, 1), zmin=-theme.MAP_RANGE_DB, zmax=0.0, colorscale=theme.MAP_SCALE,
+        colorbar={"title": {"text": "dB"}, "thickness": 12, "outlinewidth": 0, "x": 1.01, "xpad": 4},
+        hovertemplate="%{x:.5g}, %{y:.5g}: %{z} dB<extra></extra>",
+    )  # fmt: skip
+    figure.update_layout(
+        title={
+            "text": f"{quantity}, 0 dB = {number(largest * shown.factor, 4)} {shown.unit}".rstrip(),
+            "font": {"size": 13}, "x": 0, "xref": "paper", "xanchor": "left", "y": 0.98, "yanchor": "top",
+        }
+    )  # fmt: skip
+    figure.update_xaxes(showgrid=False)
+    figure.update_yaxes(showgrid=False)
+    return figure
+
+
+def _thinned(x: Array, y: Array, z: Array) -> tuple[Array, Array, Array]:
+    """A map no finer than the screen; cells that are joined keep their largest amplitude."""
+    for dimension, limit in ((1, MAP_COLUMNS), (0, MAP_ROWS)):
+        n = z.shape[dimension]
+        if n <= limit:
+            continue
+        edges = np.linspace(0, n, limit + 1).round().astype(np.int64)
+        z = np.maximum.reduceat(z, edges[:-1], axis=dimension)
+        axis = x if dimension == 1 else y
+        middle = np.add.reduceat(axis, edges[:-1]) / np.diff(edges)
+        x, y = (middle, y) if dimension == 1 else (x, middle)
+    return x, y, z
+
+
+def _last_peak(spectrum: Spectrum) -> float:
+    """Highest frequency that still shows something, with a quarter of room beyond it."""
+    a = spectrum.amplitude
+    if a.size < 2 or not a[1:].max() > 0.0:
+        return float(spectrum.frequency[-1])
+    last = int(np.flatnonzero(a[1:] >= 1e-3 * float(a[1:].max()))[-1]) + 1
+    return float(min(spectrum.frequency[-1], 1.25 * spectrum.frequency[last] + 4.0 * spectrum.resolution))
+
+
+def _label_peaks(figure: go.Figure, spectrum: Spectrum, end: float, factor: float, gain: float, count: int) -> None:
+    """Labels at the highest peaks, none so close to another that they would overlap."""
+    taken: list[float] = []
+    for frequency, amplitude in largest_peaks(spectrum, 4 * count):
+        if frequency > end or any(abs(frequency - other) < 0.09 * end for other in taken) or len(taken) >= count:
+            continue
+        taken.append(frequency)
+        figure.add_annotation(
+            x=frequency * factor, y=float(np.log10(amplitude * gain)), text=number(frequency * factor, 4),
+            showarrow=False, yshift=9, font={"size": 11},
+        )  # fmt: skip

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The command line itself: help, speed of starting, exit codes, sentences instead of tracebacks."""
+
+from __future__ import annotations
+
+import errno
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import click
+import pytest
+
+from pitchpoint.cli import failure, main
+from pitchpoint.core import status as st
+from pitchpoint.core.errors import (
+    CompileError,
+    GeometryError,
+    MissingDependencyError,
+    ModelError,
+    Problem,
+    SolverError,
+    UnitError,
+)
+
+
+def test_help_lists_every_command_and_every_command_exists(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main.run_command(["--help"]) == 0
+    out = capsys.readouterr().out
+    for name, words in main.COMMANDS.items():
+        assert name in out
+        assert words in out
+        assert main.run_command([name, "--help"]) == 0
+        assert name in capsys.readouterr().out
+
+
+def test_help_imports_nothing_heavy() -> None:
+    code = """
+import sys
+from pitchpoint.cli.main import run_command
+run_command(["--help"])
+heavy = {"numpy", "scipy", "numba", "xarray", "h5py", "pint", "plotly", "pydantic", "rich", "ruamel"}
+print(sorted(heavy & set(sys.modules)))
+"""
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert out.splitlines()[-1] == "[]"
+
+
+def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main.run_command(["--version"]) == 0
+    assert capsys.readouterr().out.startswith("pitchpoint ")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (["chek"], "did you mean 'check'?"),
+        (["check"], "Missing argument 'FILE'"),
+        (["check", "no_such.yaml"], "does not exist"),
+        (["mesh", "--eps-alpha", "1.3", "--epsbeta", "1"], "No such option"),
+        (["mesh"], "give a model FILE"),
+        (["mesh", "--eps-alpha", "-1"], "eps-alpha"),
+        (["mesh", "--eps-alpha", "nan"], "eps_alpha"),
+        (["mesh", "--eps-alpha", "1.3", "--stiffness-ratio", "2"], "stiffness_ratio"),
+        (["examples", "copy", "no-such"], "no example"),
+    ],
+)
+def test_bad_command_lines_exit_2(
+    arguments: list[str], expected: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main.run_command(arguments) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert expected in captured.err
+    assert "Traceback" not in captured.err
+
+
+@pytest.mark.parametrize(
+    ("error", "code", "expected"),
+    [
+        (
+            ModelError([Problem("gears.g1.b", "is negative", "-1 mm", line=4)]),
+            2,
+            "gears.g1.b (line 4): -1 mm",
+        ),
+        (UnitError("'4 kg' is not a length"), 2, "error: '4 kg'"),
+        (GeometryError("no contact", where="meshes.stage"), 2, "meshes.stage"),
+        (CompileError("body b floats"), 2, "body b floats"),
+        (SolverError("diverged at t = 0.1 s", st.DIVERGED, Path("out.h5")), 3, "in out.h5"),
+        (SolverError("stopped at t = 0.1 s", st.INTERRUPTED, "out.h5"), 130, "interrupted"),
+        (MissingDependencyError("install pitchpoint[cad]"), 3, "pitchpoint[cad]"),
+        (KeyboardInterrupt(), 130, "interrupted"),
+        (MemoryError(), 3, "not enough memory"),
+        (PermissionError(13, "Permission denied", "x.h5"), 2, "x.h5: permission denied"),
+        (ZeroDivisionError("division by zero"), 1, "fault of pitchpoint"),
+        (click.UsageError("no"), 2, "no"),
+    ],
+)
+def test_every_error_becomes_a_sentence_and_a_code(
+    error: BaseException, code: int, expected: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert failure.exit_code_of(error) == code
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert expected in captured.err
+    assert "Traceback" not in captured.err
+
+
+def test_debug_shows_the_traceback(capsys: pytest.CaptureFixture[str]) -> None:
+    try:
+        raise ZeroDivisionError("division by zero")
+    except ZeroDivisionError as error:
+        assert failure.exit_code_of(error, debug=True) == 1
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_solver_errors_name_status_and_reason(capsys: pytest.CaptureFixture[str]) -> None:
+    assert failure.exit_code_of(SolverError("at t = 0.1 s", st.NOT_FINITE)) == 3
+    err = capsys.readouterr().err
+    assert f"status {st.NOT_FINITE}" in err
+    assert st.sentence(st.NOT_FINITE) in err
+
+
+def test_the_script_exits_with_the_code() -> None:
+    command = [sys.executable, "-c", "from pitchpoint.cli.main import main; main()", "mesh"]
+    done = subprocess.run(
+        [*command, "--eps-alpha", "1.3", "--json"], capture_output=True, text=True, check=True
+    )
+    assert list(json.loads(done.stdout)["meshes"]) == ["mesh"]
+    assert done.stderr == ""
+    assert subprocess.run(command, capture_output=True, check=False).returncode == 2
+
+
+def test_a_closed_pipe_is_no_error(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def closed(data: object) -> None:
+        raise BrokenPipeError(errno.EPIPE, "Broken pipe")
+
+    monkeypatch.setattr(sys, "stdout", sys.stdout)  # click wraps both for the rest of the process
+    monkeypatch.setattr(sys, "stderr", sys.stderr)
+    monkeypatch.setattr("pitchpoint.cli.mesh.emit_json", closed)
+    assert main.run_command(["mesh", "--eps-alpha", "1.3", "--json"]) == 1
+    assert capsys.readouterr().err == ""
