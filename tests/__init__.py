@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The tests, by kind: unit, contracts, invariants, properties, validation, examples, browser."""

@@ -1,1 +1,102 @@
 # SPDX-License-Identifier: Apache-2.0
+"""pitchpoint simulates gears inside machines: geometry, mesh stiffness, flank contact, dynamics.
+
+The public names below are imported when they are first used, so that importing the package costs next to
+nothing.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from pitchpoint.core.errors import (
+        CompileError,
+        GeometryError,
+        ModelError,
+        PitchpointError,
+        SolverError,
+        UnitError,
+        ValidityWarning,
+    )
+    from pitchpoint.geometry import BasicRack, CylindricalGear, GearPair
+    from pitchpoint.io.results import open_result
+    from pitchpoint.io.yaml_model import load_model
+    from pitchpoint.model.model import Model
+    from pitchpoint.solvers.equilibrium import solve_equilibrium
+    from pitchpoint.solvers.modal import solve_modal
+    from pitchpoint.solvers.quasistatic import solve_quasistatic
+    from pitchpoint.solvers.time import solve_time
+    from pitchpoint.sweep.speed import sweep_speed
+    from pitchpoint.system.compile import compile_model
+    from pitchpoint.viz.report import write_report
+
+__all__ = [
+    "BasicRack",
+    "CompileError",
+    "CylindricalGear",
+    "GearPair",
+    "GeometryError",
+    "Model",
+    "ModelError",
+    "PitchpointError",
+    "SolverError",
+    "UnitError",
+    "ValidityWarning",
+    "__version__",
+    "compile_model",
+    "load_model",
+    "open_result",
+    "solve_equilibrium",
+    "solve_modal",
+    "solve_quasistatic",
+    "solve_time",
+    "sweep_speed",
+    "write_report",
+]
+
+__version__: str
+
+_HOMES = {
+    "core.errors": (
+        "CompileError",
+        "GeometryError",
+        "ModelError",
+        "PitchpointError",
+        "SolverError",
+        "UnitError",
+        "ValidityWarning",
+    ),
+    "geometry": ("BasicRack", "CylindricalGear", "GearPair"),
+    "io.results": ("open_result",),
+    "io.yaml_model": ("load_model",),
+    "model.model": ("Model",),
+    "solvers.equilibrium": ("solve_equilibrium",),
+    "solvers.modal": ("solve_modal",),
+    "solvers.quasistatic": ("solve_quasistatic",),
+    "solvers.time": ("solve_time",),
+    "sweep.speed": ("sweep_speed",),
+    "system.compile": ("compile_model",),
+    "viz.report": ("write_report",),
+}
+_HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name at its first use (PEP 562)."""
+    if name == "__version__":
+        from pitchpoint.core.provenance import package_version
+
+        value: Any = package_version()
+    elif name in _HOME_OF:
+        value = getattr(importlib.import_module(f"pitchpoint.{_HOME_OF[name]}"), name)
+    else:
+        raise AttributeError(f"module 'pitchpoint' has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Public names, loaded or not."""
+    return sorted(__all__)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import dataclasses
-import importlib
 from functools import cached_property
 
 import pytest
@@ -12,6 +11,7 @@ import pytest
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.nomenclature import attributes, label, lookup, markdown_table, table, unit
 from pitchpoint.core.units import DIMENSIONS, in_unit, parse_quantity
+from pitchpoint.elements.registry import find, names
 from pitchpoint.geometry import BasicRack, CylindricalGear, GearPair
 
 CHANNELS = """
@@ -49,10 +49,8 @@ def test_every_channel_and_every_number_of_the_command_line_has_a_row(name):
 
 
 def test_outputs_of_all_element_kinds_have_rows_with_their_unit():
-    from pitchpoint.elements.registry import KINDS
-
-    for name in KINDS:
-        module = importlib.import_module(KINDS[name].module)
+    for name in names():
+        module = find(name).load()
         for output, si, _ in getattr(module, "OUTPUTS", ()):
             channel = output.format("name")
             assert unit(channel) == si, channel

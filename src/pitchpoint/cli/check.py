@@ -60,7 +60,7 @@ def summary(model: Model) -> dict[str, Any]:
     return {
         "ok": True,
         "title": model.title,
-        "degrees_of_freedom": sum(len(body["degrees_of_freedom"]) for body in bodies.values()),
+        "degrees_of_freedom": sum(len(FREEDOMS[body.motion]) for body in model.bodies.values()),
         "gears": list(model.gears),
         "bodies": bodies,
         "meshes": {

@@ -81,10 +81,17 @@ def _export(model: Model, name: str, target: Path) -> None:
         raise click.BadParameter(
             f"{target.name} has no known ending; use {', '.join(FORMATS)}", param_hint="--export"
         )
-    from pitchpoint.io.drawing import write_drawing
+    from pitchpoint.io.gear_export import export_gear
 
     gear = model.gears[name]
-    write_drawing(target, gear.geometry, points_per_flank=gear.drawing_resolution)
+    export_gear(
+        gear.geometry,
+        target,
+        n_flank=max(gear.drawing_resolution, 5),
+        bore_diameter=gear.bore_diameter,
+        rim_thickness=gear.rim_thickness,
+        web_thickness=gear.web_thickness,
+    )
 
 
 def _print_gears(model: Model, only: str | None) -> None:
@@ -111,7 +118,7 @@ def _print_gears(model: Model, only: str | None) -> None:
 
 
 def _print_pairs(model: Model, only: str | None) -> None:
-    from pitchpoint.cli.numbers import PAIR_ROWS, STIFFNESS_ROWS, mesh_numbers
+    from pitchpoint.cli.numbers import PAIR_ROWS, SLIDING_ROWS, STIFFNESS_ROWS, mesh_numbers
 
     names = [n for n, m in model.meshes.items() if only is None or only in m.gears]
     if not names:
@@ -119,7 +126,7 @@ def _print_pairs(model: Model, only: str | None) -> None:
     numbers: dict[str, dict[str, Any]] = {name: mesh_numbers(model, name) for name in names}
     heads = [f"{n}: {' / '.join(model.meshes[n].gears)}" for n in names]
     rows = []
-    for key, meaning, dimension in PAIR_ROWS:
+    for key, meaning, dimension in PAIR_ROWS + SLIDING_ROWS:
         rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
     rows.append([])
     for key, meaning, dimension in STIFFNESS_ROWS:

@@ -50,8 +50,11 @@ def mesh(
 ) -> None:
     """Show the mesh stiffness over one mesh cycle, for the meshes of FILE or for given contact ratios.
 
-    Values are in units of c' b (single stiffness times common face width); mean and extremes are analytic.
+    Values are in units of c' b (single stiffness times common face width), or of the mean for a prescribed
+    wave; mean and extremes are analytic.
     """
+    from pitchpoint.cli.numbers import C_PRIME_B, cycle_numbers, cycles_of_model
+
     bare = (eps_alpha, eps_beta, stiffness_ratio, tip_relief_factor)
     if file is None:
         if eps_alpha is None:
@@ -59,23 +62,24 @@ def mesh(
         from pitchpoint.contact.mesh_cycle import mesh_cycle
 
         S_R = 0.8 if stiffness_ratio is None else stiffness_ratio
-        cycles = {BARE: (mesh_cycle(eps_alpha, eps_beta or 0.0, S_R, tip_relief_factor or 0.0, points), None)}
+        bare_cycle = mesh_cycle(eps_alpha, eps_beta or 0.0, S_R, tip_relief_factor or 0.0, points)
+        cycles: dict[str, tuple[MeshCycle, str, float | None]] = {BARE: (bare_cycle, C_PRIME_B, None)}
     else:
         if any(option is not None for option in bare):
             raise click.UsageError(
                 "contact ratios come from the FILE; leave --eps-alpha and its companions out"
             )
-        cycles = _cycles_of(file, allow_code, points)
-    if as_json:
-        from pitchpoint.cli.numbers import cycle_numbers
+        from pitchpoint.io.yaml_model import load_model
 
+        cycles = dict(cycles_of_model(load_model(file, allow_code=allow_code), points))
+    if as_json:
         emit_json({"meshes": {name: cycle_numbers(*found) for name, found in cycles.items()}})
         return
-    for name, (cycle, unit) in cycles.items():
-        _print(name, cycle, unit)
+    for name, found in cycles.items():
+        _print(name, *found)
 
 
-def _print(name: str, cycle: MeshCycle, unit: float | None) -> None:
+def _print(name: str, cycle: MeshCycle, relative_to: str, unit: float | None) -> None:
     """Show one mesh as a table and a line of bars."""
     rows = []
     for label, value in (
@@ -87,7 +91,7 @@ def _print(name: str, cycle: MeshCycle, unit: float | None) -> None:
         absolute = [] if unit is None else [shown(float(value * unit), "stiffness", 6)]
         rows.append([label, f"{value:.6f}", *absolute])
     absolute = [] if unit is None else ["along the base tangent"]
-    table(f"Mesh {name}: stiffness over one mesh cycle", ["", "in c' b", *absolute], rows)
+    table(f"Mesh {name}: stiffness over one mesh cycle", ["", f"over {relative_to}", *absolute], rows)
     show(f"  {bars(cycle)}  one cycle, from least to greatest")
     if cycle.jumps:
         show(f"  jumps at the phases {', '.join(f'{phase:.4f}' for phase in cycle.jumps)}")

@@ -79,13 +79,16 @@ PAIR_ROWS: tuple[Row, ...] = (
     ("j_bt", "backlash along the base tangent", "length"),
     ("j_wt", "circumferential backlash", "length"),
     ("j_bn", "normal backlash", "length"),
+)
+
+_PAIR_POSITIVE = {"a_d", "a_w", "d_w1", "d_w2", "d_Na1", "d_Na2", "d_Nf1", "d_Nf2"}
+
+SLIDING_ROWS: tuple[Row, ...] = (
     ("zeta_f1", "specific sliding at the root, gear 1", "dimensionless"),
     ("zeta_a1", "specific sliding at the tip, gear 1", "dimensionless"),
     ("zeta_f2", "specific sliding at the root, gear 2", "dimensionless"),
     ("zeta_a2", "specific sliding at the tip, gear 2", "dimensionless"),
 )
-
-_PAIR_POSITIVE = {"a_d", "a_w", "d_w1", "d_w2", "d_Na1", "d_Na2", "d_Nf1", "d_Nf2"}
 
 STIFFNESS_ROWS: tuple[Row, ...] = (
     ("c_prime", "single stiffness", "stiffness_per_width"),
@@ -121,10 +124,11 @@ def measure_numbers(gear: CylindricalGear) -> dict[str, Any]:
     """Collect what is measured on a gear in the workshop; None where a measure does not exist."""
     from pitchpoint.core.errors import GeometryError
     from pitchpoint.geometry import measures
+    from pitchpoint.geometry.tooth_thickness import tip_thickness
 
     k = measures.span_tooth_count(gear)
     found: dict[str, Any] = {
-        "tip_thickness": measures.tip_thickness(gear),
+        "tip_thickness": tip_thickness(gear),
         "span_teeth": k,
         "span": measures.span(gear, k),
         "span_measurable": gear.b > measures.span(gear, k) * math.sin(abs(gear.beta_b)),
@@ -142,6 +146,9 @@ def mesh_numbers(model: Model, name: str) -> dict[str, Any]:
 
     Backlash is what is simulated, so a value given in the file counts.
     """
+    from pitchpoint.geometry.sliding import specific_sliding
+    from pitchpoint.system.rules.stiffness import single_stiffness_of
+
     pair = model.pairs[name]
     numbers = pick(pair, PAIR_ROWS, _PAIR_POSITIVE)
     j_bt = model.backlash(name)
@@ -151,7 +158,29 @@ def mesh_numbers(model: Model, name: str) -> dict[str, Any]:
         "j_bn": j_bt * math.cos(pair.gear1.beta_b),
         "gears": list(model.meshes[name].gears),
     }
+    numbers |= specific_sliding(pair)._asdict()
     return numbers | stiffness_numbers(single_stiffness_of(model, name))
+
+
+C_PRIME_B, MEAN = "c' b", "the mean"
+"""What a mesh cycle is relative to: single stiffness times common width, or the mean of a prescribed wave."""
+
+
+def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str, float]]:
+    """Compute the stiffness cycle of every mesh, what it is relative to, and the value of that [N/m]."""
+    from pitchpoint.contact.mesh_cycle import pair_cycle, phase_cycle
+    from pitchpoint.contact.stiffness.description import PairShape
+    from pitchpoint.system.rules.stiffness import describe_stiffness
+
+    cycles = {}
+    for name, pair in model.pairs.items():
+        law = describe_stiffness(model, name)
+        if isinstance(law, PairShape):
+            cycle = pair_cycle(law, pair.eps_alpha, pair.eps_beta, points)
+            cycles[name] = cycle, C_PRIME_B, law.c_prime * pair.b_w
+        else:
+            cycles[name] = phase_cycle(law, points), MEAN, law.mean
+    return cycles
 
 
 def geometry_of_model(model: Model) -> dict[str, Any]:
@@ -170,9 +199,9 @@ def stiffness_numbers(single: SingleStiffness) -> dict[str, Any]:
     return pick(single, STIFFNESS_ROWS, set())
 
 
-def cycle_numbers(cycle: MeshCycle, unit_stiffness: float | None = None) -> dict[str, Any]:
-    """Collect the stiffness over a mesh cycle, in units of `unit_stiffness` [N/m] (c' b)."""
-    numbers = {
+def cycle_numbers(cycle: MeshCycle, relative_to: str, unit_stiffness: float | None) -> dict[str, Any]:
+    """Collect the stiffness over a mesh cycle; `unit_stiffness` is what the ratio 1 stands for [N/m]."""
+    return {
         "phase": cycle.phase,
         "stiffness_ratio": cycle.stiffness_ratio,
         "mean": cycle.mean,
@@ -180,21 +209,6 @@ def cycle_numbers(cycle: MeshCycle, unit_stiffness: float | None = None) -> dict
         "maximum": cycle.maximum,
         "peak_to_peak": cycle.peak_to_peak,
         "jumps": list(cycle.jumps),
+        "relative_to": relative_to,
+        "unit_stiffness": unit_stiffness,
     }
-    if unit_stiffness is not None:
-        numbers["unit_stiffness"] = unit_stiffness
-    return numbers
-
-
-def single_stiffness_of(model: Model, name: str) -> SingleStiffness:
-    """Compute the stiffness of a mesh by DIN 3990 / ISO 6336 with the materials and blanks of its gears."""
-    from pitchpoint.contact.stiffness.din3990 import blank_factor, single_stiffness
-
-    gears = [model.gears[g] for g in model.meshes[name].gears]
-    factors = [1.0]
-    for gear in gears:
-        if gear.rim_thickness is not None:
-            web = gear.face_width if gear.web_thickness is None else gear.web_thickness
-            factors.append(blank_factor(web / gear.face_width, gear.rim_thickness / gear.normal_module))
-    moduli = tuple(gear.material_data.youngs_modulus for gear in gears)
-    return single_stiffness(model.pairs[name], C_R=min(factors), moduli=(moduli[0], moduli[1]))

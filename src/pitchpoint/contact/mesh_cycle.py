@@ -103,7 +103,7 @@ class _Line:
         else:
             c = np.interp(p, np.linspace(0.0, eps, table.size), table)
         if L > 0.0:
-            c = c * np.clip(np.minimum(p, eps - p) / L, 0.0, 1.0)
+            c = c * (np.clip(np.minimum(p, eps - p), 0.0, L) / L)
         return np.asarray(c)
 
     def integral(self) -> float:

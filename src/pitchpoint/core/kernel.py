@@ -157,16 +157,20 @@ class Locator(_CacheLocator):
         self._path = str(cache_folder() / mode / self.get_suitable_cache_subpath(py_file))
 
     def get_cache_path(self) -> str:
+        """Folder of the compiled files."""
         return self._path
 
     def get_source_stamp(self) -> str:
+        """Hash of everything that the compiled code depends on."""
         return _stamp(self._py_file)
 
     def get_disambiguator(self) -> str:
+        """Line of the function, which tells functions of one name apart."""
         return f"{self._lineno}{self._variant}"
 
     @classmethod
     def from_function(cls, py_func: Any, py_file: str) -> Locator | None:
+        """Locator of a function marked by `kernel`; None for all others, which keep their own cache."""
         if not getattr(py_func, "_pitchpoint", None) or not os.path.exists(py_file):
             return None
         self = cls(py_func, py_file)

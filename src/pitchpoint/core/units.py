@@ -111,6 +111,13 @@ def format_quantity(value: float, dimension: str, digits: int = 5) -> str:
 def display_unit(dimension: str, magnitude: float = 0.0) -> str:
     """Name the unit in which a value of this size is shown; without a size the usual one.
 
+    Parameters
+    ----------
+    dimension
+        Name of a row of `DIMENSIONS`.
+    magnitude
+        Size of the value in SI units.
+
     Examples
     --------
     >>> display_unit("length"), display_unit("length", 2e-6), display_unit("angular_speed")
@@ -128,6 +135,15 @@ def display_unit(dimension: str, magnitude: float = 0.0) -> str:
 
 def in_unit(value: float, dimension: str, unit: str) -> float:
     """Convert an SI value into a unit given by its text.
+
+    Parameters
+    ----------
+    value
+        Value in SI units and radians.
+    dimension
+        Name of a row of `DIMENSIONS`.
+    unit
+        Text of the unit; empty for none.
 
     Examples
     --------

@@ -124,18 +124,6 @@ def _place(b, flank):
 
 
 @kernel
-def _separation_origin(b, f, g):
-    """Path positions of tooth 0 of gear 1 and space 0 of gear 2, current flank (separation grids only)."""
-    fl = b["flank"]
-    # mean and difference of the two flank positions give each of them
-    mean = b["xi_A"] + b["psi"] * b["p_bt"]
-    gap = 0.5 * (fl * b["u"] - 0.5 * b["gap"])
-    whole = b["tooth"] * b["p_bt"]
-    b["xi_1"] = mean + gap - whole
-    b["xi_2"] = mean - gap - whole
-
-
-@kernel
 def _stiffness_ratio(b):
     """k(psi)/mean of a prescribed stiffness and its slope; user laws have no slope."""
     if b["form"] == USER:
@@ -162,8 +150,6 @@ def _flank(b, ctl, f, g, flank, x_0):
         phase_flank(b, ctl, x_0, ratio, slope)
     else:
         b["tilt"] = b["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
-        if b["n_sz"] > 0:
-            _separation_origin(b, f, g)
         profile_flank(b, ctl, x_0)
     return OK
 

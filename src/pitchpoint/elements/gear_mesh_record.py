@@ -92,6 +92,8 @@ _EXCITATION = [
     ("e1", "i8"),
     ("n_e2", "i8"),
     ("e2", "i8"),
+    ("t1_0", "i8"),
+    ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
     ("n_t1", "i8"),  # separation grids: teeth, stations over the width, stations over the path
     ("n_t2", "i8"),
     ("n_sz", "i8"),
@@ -138,8 +140,6 @@ _SCRATCH = [
     ("z_lo", "f8"),
     ("z_hi", "f8"),  # shared face width
     ("rate", "f8", 5),  # normal rate at the pitch point and its slope over y; sliding likewise over z and xi
-    ("xi_1", "f8"),
-    ("xi_2", "f8"),  # path positions of tooth 0 of each gear
     ("pair", "f8", MAX_PAIRS),
     ("acc", "f8", N_ACC),
     ("basis_i", "f8", (5, 6)),

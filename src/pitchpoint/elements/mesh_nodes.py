@@ -198,16 +198,21 @@ def _moving_ends(b, x_q, u, v):
 
 
 @kernel
-def sliced_line(b, ctl, p_0, x_q):
+def sliced_line(b, ctl, p_0, x_q, q):
     """Sum over one contact line with one node in the middle of each slice."""
     n = b["slices"]
     step = (b["z_hi"] - b["z_lo"]) / n
     tooth1 = 0
     tooth2 = 0
     if b["n_sz"] > 0:
-        xi = b["xi_A"] + p_0 * b["p_bt"]
-        tooth1 = b["flank"] * int(math.floor((xi - b["xi_1"]) / b["p_bt"] + 0.5))
-        tooth2 = b["flank"] * int(math.floor((b["xi_2"] - xi) / b["p_bt"] + 0.5))
+        # tooth of gear 1 and space of gear 2 that make this pair; internal gears count the other way round
+        flank = b["flank"]
+        side = 1 if b["z2"] > 0 else -1
+        pair = flank * (int(q) - b["tooth"])
+        tooth1 = b["t1_0"] + pair
+        tooth2 = b["t2_0"] - side * pair
+        if flank < 0:
+            tooth2 += side
     f = 0.0
     for s in range(n):
         f += _pair_node(b, ctl, p_0, x_q, b["z_lo"] + (s + 0.5) * step, step, tooth1, tooth2)
@@ -225,7 +230,7 @@ def profile_flank(b, ctl, x_0):
     while q <= last:
         p_0 = b["psi"] + q
         x_q = x_0 - b["kappa"] * fh * (b["xi_A"] + p_0 * b["p_bt"])
-        f = exact_line(b, ctl, p_0, x_q) if b["slices"] == 0 else sliced_line(b, ctl, p_0, x_q)
+        f = exact_line(b, ctl, p_0, x_q) if b["slices"] == 0 else sliced_line(b, ctl, p_0, x_q, q)
         if b["n_pair"] > 0 and ctl["out"] != 0:
             b["pair"][(b["tooth"] - int(q)) % b["n_pair"]] += b["flank"] * f
         q += 1.0

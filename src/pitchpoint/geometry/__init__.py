@@ -4,9 +4,10 @@
 Symbols follow the standard; internal gears have negative tooth numbers, diameters and centre distances.
 """
 
+from pitchpoint.geometry.backlash import Backlash, backlash_at
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.form_diameter import root_form_diameter_cutter, root_form_diameter_rack
-from pitchpoint.geometry.gear_pair import Backlash, GearPair
+from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import (
     base_helix_angle,
     inv,
@@ -17,22 +18,15 @@ from pitchpoint.geometry.involute import (
 from pitchpoint.geometry.measures import (
     ball_center_angle,
     ball_contact_diameter,
-    chordal_thickness,
     dimension_over_balls,
     dimension_over_pins,
-    helix_angle_at,
     ideal_ball_diameter,
-    normal_space_width,
-    normal_tooth_thickness,
-    pressure_angle_at,
     radial_dimension_over_ball,
     span,
     span_contact_diameter,
     span_tooth_count,
-    tip_thickness,
-    transverse_tooth_thickness,
 )
-from pitchpoint.geometry.problems import gear_problems, pair_problems, tip_overlap_gap
+from pitchpoint.geometry.problems import gear_problems, pair_problems, pair_warnings, tip_overlap_gap
 from pitchpoint.geometry.profile_shift import (
     center_distance_for_profile_shift,
     missing_profile_shift,
@@ -51,6 +45,15 @@ from pitchpoint.geometry.sliding import (
     specific_sliding,
     specific_sliding_at,
 )
+from pitchpoint.geometry.tooth_thickness import (
+    chordal_thickness,
+    helix_angle_at,
+    normal_space_width,
+    normal_tooth_thickness,
+    pressure_angle_at,
+    tip_thickness,
+    transverse_tooth_thickness,
+)
 
 __all__ = [
     "Backlash",
@@ -59,6 +62,7 @@ __all__ = [
     "GearPair",
     "SlidingFactors",
     "SpecificSliding",
+    "backlash_at",
     "ball_center_angle",
     "ball_contact_diameter",
     "base_helix_angle",
@@ -77,6 +81,7 @@ __all__ = [
     "normal_space_width",
     "normal_tooth_thickness",
     "pair_problems",
+    "pair_warnings",
     "pressure_angle_at",
     "pressure_angle_at_center_distance",
     "profile_shift_for_center_distance",

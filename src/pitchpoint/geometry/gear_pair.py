@@ -2,8 +2,7 @@
 """Two gears in mesh: working geometry, path of contact, contact ratios, backlash (ISO 21771).
 
 Gear 1 is external. With an internal gear 2 the centre distance and the diameters of gear 2 are negative.
-Path coordinates are measured from T1, the foot of gear 1's base tangent; with gear 1 driving, contact runs
-from A (root of gear 1, tip of gear 2) to E (tip of gear 1, root of gear 2).
+Path coordinates start at T1, the foot of gear 1's base tangent; contact runs from its root A to its tip E.
 """
 
 from __future__ import annotations
@@ -11,9 +10,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
 
 from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.geometry.backlash import Backlash, backlash_at
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.involute import inv
 from pitchpoint.geometry.profile_shift import (
@@ -21,18 +20,6 @@ from pitchpoint.geometry.profile_shift import (
     pressure_angle_at_center_distance,
     reference_center_distance,
 )
-
-
-class Backlash(NamedTuple):
-    """Total gap between the flanks of a pair at one centre distance.
-
-    `j_bt` along the base tangent in the transverse section, `j_wt` as arc on the working pitch circles,
-    `j_bn` normal to the flanks [m]; negative values are interference of both flanks.
-    """
-
-    j_bt: float
-    j_wt: float
-    j_bn: float
 
 
 def _leg(diameter: float, d_b: float) -> float:
@@ -104,10 +91,8 @@ class GearPair:
         >>> GearPair.at_distance(sun, ring, 0.0131683).a_w
         -0.0131683
         """
-        if isinstance(distance, bool) or not isinstance(distance, (int, float)) or not distance > 0.0:
-            raise GeometryError(
-                "is no distance", where="center_distance", value=f"{distance!r} m", limit="above 0"
-            )
+        if isinstance(distance, bool) or not distance > 0.0:
+            raise GeometryError("is not above 0", where="center_distance", value=f"{distance!r} m")
         internal = gear1.is_internal or gear2.is_internal
         return cls(gear1, gear2, -distance if internal else distance)
 
@@ -115,12 +100,8 @@ class GearPair:
     def from_profile_shifts(cls, gear1: CylindricalGear, gear2: CylindricalGear) -> GearPair:
         """Pair at the centre distance where the nominal profile shifts leave no backlash.
 
-        Thickness allowances do not count: they are what makes the backlash there.
-
-        Raises
-        ------
-        GeometryError
-            If the shifts are too negative for any centre distance.
+        Thickness allowances do not count: they make the backlash there. GeometryError if the shifts are too
+        negative for any centre distance.
 
         Examples
         --------
@@ -236,34 +217,28 @@ class GearPair:
         return self.a_w * math.sin(self.alpha_wt)
 
     @cached_property
-    def T1A_tip(self) -> float:
-        """Where the tip of gear 2 enters the line of action, form diameters not counted [m]."""
+    def T1A(self) -> float:
+        """Start of contact, where gear 2's tip enters the line of action [m].
+
+        The tips alone decide, as in the formula of the standard; where a root form circle ends the involute
+        sooner is in `T1A_form` and `eps_alpha_form`, and `warnings` says so.
+        """
         return self.T1T2 - self.gear2.sign * _leg(self.gear2.d_Fa, self.gear2.d_b)
 
     @cached_property
-    def T1E_tip(self) -> float:
-        """Where the tip of gear 1 leaves the line of action, form diameters not counted [m]."""
-        return self.gear1.sign * _leg(self.gear1.d_Fa, self.gear1.d_b)
+    def T1E(self) -> float:
+        """End of contact, where gear 1's tip leaves the line of action [m]."""
+        return _leg(self.gear1.d_Fa, self.gear1.d_b)
 
     @cached_property
     def T1A_form(self) -> float:
         """Lowest path coordinate that gear 1's involute reaches (its root form circle) [m]."""
-        return self.gear1.sign * _leg(self.gear1.d_Ff, self.gear1.d_b)
+        return _leg(self.gear1.d_Ff, self.gear1.d_b)
 
     @cached_property
     def T1E_form(self) -> float:
         """Highest path coordinate that gear 2's involute reaches (its root form circle) [m]."""
         return self.T1T2 - self.gear2.sign * _leg(self.gear2.d_Ff, self.gear2.d_b)
-
-    @cached_property
-    def T1A(self) -> float:
-        """Start of contact [m]: tip of gear 2, or the end of gear 1's involute where that comes first."""
-        return max(self.T1A_tip, self.T1A_form)
-
-    @cached_property
-    def T1E(self) -> float:
-        """End of contact [m]: tip of gear 1, or the end of gear 2's involute where that comes first."""
-        return min(self.T1E_tip, self.T1E_form)
 
     @property
     def T1B(self) -> float:
@@ -298,17 +273,20 @@ class GearPair:
     @property
     def d_Nf1(self) -> float:
         """Root diameter of gear 1's active profile [m]."""
-        return self.gear1.sign * math.hypot(self.gear1.d_b, 2.0 * self.T1A)
+        return math.hypot(self.gear1.d_b, 2.0 * max(0.0, self.T1A))
 
     @property
     def d_Nf2(self) -> float:
         """Root diameter of gear 2's active profile [m], signed."""
-        return self.gear2.sign * math.hypot(self.gear2.d_b, 2.0 * (self.T1T2 - self.T1E))
+        leg = self.T1T2 - self.T1E
+        return self.gear2.sign * math.hypot(
+            self.gear2.d_b, 2.0 * (leg if self.is_internal else max(0.0, leg))
+        )
 
     @property
     def d_Na1(self) -> float:
         """Tip diameter of gear 1's active profile [m]."""
-        return self.gear1.sign * math.hypot(self.gear1.d_b, 2.0 * self.T1E)
+        return math.hypot(self.gear1.d_b, 2.0 * self.T1E)
 
     @property
     def d_Na2(self) -> float:
@@ -320,6 +298,12 @@ class GearPair:
     def eps_alpha(self) -> float:
         """Transverse contact ratio g_α / p_et [-]."""
         return self.g_alpha / self.p_et
+
+    @property
+    def eps_alpha_form(self) -> float:
+        """Transverse contact ratio of what the root form circles leave of the path A-E [-]."""
+        usable = min(self.T1E, self.T1E_form) - max(self.T1A, self.T1A_form)
+        return max(0.0, usable) / self.p_et
 
     @property
     def eps_beta(self) -> float:
@@ -358,35 +342,8 @@ class GearPair:
 
     # --- clearances -----------------------------------------------------------------------------------
     def backlash(self, a: float) -> Backlash:
-        """Backlash at another centre distance.
-
-        Parameters
-        ----------
-        a
-            Centre distance [m], signed like `a_w`.
-
-        Returns
-        -------
-        Backlash
-            j_bt, j_wt, j_bn [m].
-
-        Raises
-        ------
-        GeometryError
-            If the base circles have no common tangent there.
-
-        Notes
-        -----
-        j_bt = (d_b1 + d_b2)(inv α_wt − inv α_w0) − Σ A_sn cos α_t / cos β, whence dj_bt/da = 2 sin α_wt;
-        j_wt = j_bt / cos α_wt, j_bn = j_bt cos β_b  (ISO 21771).
-        """
-        alpha_wt = self.working_pressure_angle(a)
-        g1, g2 = self.gear1, self.gear2
-        allowances = (
-            (g1.thickness_allowance + g2.thickness_allowance) * math.cos(g1.alpha_t) / math.cos(g1.beta)
-        )
-        j_bt = (g1.d_b + g2.d_b) * (inv(alpha_wt) - self.inv_alpha_w0) - allowances
-        return Backlash(j_bt, j_bt / math.cos(alpha_wt), j_bt * math.cos(g1.beta_b))
+        """Backlash at another centre distance, signed like `a_w` [m]; see `backlash_at`."""
+        return backlash_at(self, a)
 
     @cached_property
     def _backlash(self) -> Backlash:
@@ -435,3 +392,9 @@ class GearPair:
         from pitchpoint.geometry.problems import pair_problems
 
         return pair_problems(self, where, names, gears)
+
+    def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Problem]:
+        """What runs, but not as the involute promises: tips that reach below the mate's root form circle."""
+        from pitchpoint.geometry.problems import pair_warnings
+
+        return pair_warnings(self, where, names)

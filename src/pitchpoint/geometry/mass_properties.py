@@ -180,7 +180,8 @@ def gear_mass_properties(
     Stage 3 of the 5 MW gearbox, pinion: the report prints 3.87681 kg m²; the real teeth 4 % more.
 
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48, b=0.36, tip_diameter=0.380747)
+    >>> pinion = CylindricalGear(
+    ...     z=24, m_n=0.014, beta=math.radians(10), x=0.48, b=0.36, tip_diameter=0.380747)
     >>> rule = gear_mass_properties(pinion, 7830.0, bore_diameter=0.1791, profile="mean_cylinder")
     >>> exact = gear_mass_properties(pinion, 7830.0, bore_diameter=0.1791)
     >>> round(rule.polar_inertia, 5), round(exact.polar_inertia, 3)

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is measured on one gear: thickness at a diameter, chord, span, balls and pins (ISO 21771, DIN 3960).
+"""What is measured over several teeth: span, dimension over balls and pins (ISO 21771, DIN 3960).
 
-Diameters are signed like the gear's (negative for internal gears); thicknesses and measures over teeth
-come out positive.
+Diameters are signed like the gear's (negative for internal gears); measures over teeth come out positive.
 """
 
 from __future__ import annotations
@@ -11,127 +10,25 @@ import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.geometry.involute import inv, inverse_inv
+from pitchpoint.geometry.involute import inverse_inv
+from pitchpoint.geometry.tooth_thickness import pressure_angle_at
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 
-def pressure_angle_at(gear: CylindricalGear, d_y: float) -> float:
-    """Transverse pressure angle on a circle, cos α_yt = d_b / d_y [rad].
-
-    Raises
-    ------
-    GeometryError
-        If the circle lies inside the base circle.
-    """
-    if d_y * gear.sign <= 0.0 or not abs(d_y) >= abs(gear.d_b):
-        raise GeometryError(
-            "lies inside the base circle, where no involute exists",
-            where="diameter",
-            value=f"{d_y:.6g} m",
-            limit=f"{gear.d_b:.6g} m",
-        )
-    return math.acos(gear.d_b / d_y)
-
-
-def helix_angle_at(gear: CylindricalGear, d_y: float) -> float:
-    """Helix angle on a cylinder, tan β_y = tan β d_y / d [rad]."""
-    return math.atan(math.tan(gear.beta) * d_y / gear.d)
-
-
-def transverse_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
-    """Transverse tooth thickness (arc) on a circle.
-
-    Parameters
-    ----------
-    gear
-        The gear.
-    d_y
-        Diameter [m], signed like the gear's.
-
-    Returns
-    -------
-    float
-        s_yt = d_y (s_t/d + inv α_t − inv α_yt) [m]; zero or negative where the tooth has come to a point.
-
-    Raises
-    ------
-    GeometryError
-        If the circle lies inside the base circle.
-
-    Notes
-    -----
-    ISO 21771, tooth thickness at the y-cylinder; valid for internal gears with signed diameters.
-
-    Examples
-    --------
-    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-    >>> gear = CylindricalGear(z=20, m_n=0.003)
-    >>> round(transverse_tooth_thickness(gear, gear.d) / gear.m_n, 6)
-    1.570796
-    """
-    return d_y * (gear.psi_b - inv(pressure_angle_at(gear, d_y)))
-
-
-def normal_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
-    """Normal tooth thickness on a cylinder, s_yn = s_yt cos β_y [m]."""
-    return transverse_tooth_thickness(gear, d_y) * math.cos(helix_angle_at(gear, d_y))
-
-
-def normal_space_width(gear: CylindricalGear, d_y: float) -> float:
-    """Normal width of the tooth space on a cylinder [m], along the involutes (fillets not counted)."""
-    transverse = math.pi * d_y / gear.z - transverse_tooth_thickness(gear, d_y)
-    return transverse * math.cos(helix_angle_at(gear, d_y))
-
-
-def tip_thickness(gear: CylindricalGear) -> float:
-    """Normal tooth thickness at the tip form cylinder, s_an [m]; negative if the tooth is over-pointed.
-
-    Examples
-    --------
-    Stage 3 of the 5 MW gearbox; the KISSsoft report prints 8.800 mm:
-
-    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48, tip_diameter=0.380747)
-    >>> round(tip_thickness(pinion) * 1e3, 3)
-    8.8
-    """
-    return normal_tooth_thickness(gear, gear.d_Fa)
-
-
-def chordal_thickness(gear: CylindricalGear) -> tuple[float, float]:
-    """Normal chord of the tooth at the reference cylinder and its height below the tip.
-
-    Parameters
-    ----------
-    gear
-        The gear.
-
-    Returns
-    -------
-    s_c, h_c : float
-        Chord and chordal height [m].
-
-    Notes
-    -----
-    With the curvature diameter d / cos² β of the normal section: s_c = d_c sin(s_n/d_c),
-    h_c = (d_a − d)/2 + d_c (1 − cos(s_n/d_c))/2  (DIN 3960).
-
-    Examples
-    --------
-    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
-    >>> round(chordal_thickness(pinion)[0] * 1e3, 3)
-    26.857
-    """
-    d_c = gear.d / (math.cos(gear.beta) * math.cos(gear.beta))
-    angle = gear.s_n / d_c
-    return d_c * math.sin(angle), 0.5 * (gear.d_a - gear.d) + 0.5 * d_c * (1.0 - math.cos(angle))
-
-
 def span_tooth_count(gear: CylindricalGear) -> int:
     """Number of teeth (internal: spaces) to span so that the anvils touch near d + 2 x m_n.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+
+    Returns
+    -------
+    int
+        k, at least 1.
 
     Examples
     --------
@@ -190,7 +87,20 @@ def span(gear: CylindricalGear, k: int) -> float:
 
 
 def span_contact_diameter(gear: CylindricalGear, k: int) -> float:
-    """Diameter at which the anvils of a span measurement touch, √(d_b² + (W_k cos β_b)²) [m], signed."""
+    """Diameter at which the anvils of a span measurement touch.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    k
+        Number of teeth or spaces spanned.
+
+    Returns
+    -------
+    float
+        √(d_b² + (W_k cos β_b)²) [m], signed like the gear's diameters.
+    """
     return gear.sign * math.hypot(gear.d_b, span(gear, k) * math.cos(gear.beta_b))
 
 
@@ -233,7 +143,20 @@ def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
 
 
 def radial_dimension_over_ball(gear: CylindricalGear, D_M: float) -> float:
-    """Radial single-ball dimension M_rK [m] (internal: from the axis to the inner side of the ball)."""
+    """Radial single-ball dimension.
+
+    Parameters
+    ----------
+    gear
+        The gear; its thickness allowance counts.
+    D_M
+        Diameter of the ball or pin [m].
+
+    Returns
+    -------
+    float
+        M_rK [m]; for an internal gear from the axis to the inner side of the ball.
+    """
     return 0.5 * abs(gear.d_b / math.cos(ball_center_angle(gear, D_M)) + D_M)
 
 
@@ -274,6 +197,18 @@ def dimension_over_pins(gear: CylindricalGear, D_M: float) -> float:
 
     Pins in opposite spaces of a helical gear slide along the helix until they face each other, so an odd
     number of teeth needs no correction there; on a spur gear they measure what balls do (DIN 3960).
+
+    Parameters
+    ----------
+    gear
+        The gear; its thickness allowance counts.
+    D_M
+        Diameter of the ball or pin [m].
+
+    Returns
+    -------
+    float
+        M_dR [m].
     """
     if gear.beta == 0.0:
         return dimension_over_balls(gear, D_M)
@@ -281,7 +216,20 @@ def dimension_over_pins(gear: CylindricalGear, D_M: float) -> float:
 
 
 def ball_contact_diameter(gear: CylindricalGear, D_M: float) -> float:
-    """Diameter at which a ball touches the flanks [m], signed: tan α_Mt = tan α_Kt − D_M cos β_b / d_b."""
+    """Diameter at which a ball touches the flanks.
+
+    Parameters
+    ----------
+    gear
+        The gear; its thickness allowance counts.
+    D_M
+        Diameter of the ball or pin [m].
+
+    Returns
+    -------
+    float
+        d_M [m], signed like the gear's: tan α_Mt = tan α_Kt − D_M cos β_b / d_b.
+    """
     reach = math.tan(ball_center_angle(gear, D_M)) - D_M * math.cos(gear.beta_b) / gear.d_b
     return math.copysign(math.hypot(gear.d_b, gear.d_b * reach), gear.d_b)
 

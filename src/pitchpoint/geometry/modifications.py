@@ -156,7 +156,7 @@ def flank_range(gear: CylindricalGear) -> tuple[float, float]:
     --------
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> [round(length, 9) for length in flank_range(CylindricalGear(z=50, m_n=3e-3))]
-    [0.016880317, 0.03318866]
+    [0.016880381, 0.03342155]
     """
     return float(roll_length(gear, gear.d_Ff)), float(roll_length(gear, gear.d_Fa))
 
@@ -180,7 +180,7 @@ def base_tangent(normal: ArrayLike, gear: CylindricalGear) -> FloatArray:
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> helical = CylindricalGear(z=17, m_n=8e-3, beta=math.radians(15.8))
     >>> float(base_tangent(1.0, helical).round(6))
-    1.034431
+    1.034432
     """
     return np.asarray(normal, dtype=float) / math.cos(gear.beta_b)
 

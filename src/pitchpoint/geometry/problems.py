@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError, Problem
 from pitchpoint.geometry.involute import inv
-from pitchpoint.geometry.measures import tip_thickness
+from pitchpoint.geometry.tooth_thickness import tip_thickness
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 # Thinner tips break or burn through in hardening; the usual lower limit of design practice.
 TIP_THICKNESS_LIMIT = 0.2
+# In modules along the path of contact: less than what tip diameters and centre distances are made to.
+INTERFERENCE_TOLERANCE = 0.01
 _ANGLE_TOLERANCE = 1e-6
 
 
@@ -74,7 +76,7 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> problem = gear_problems(CylindricalGear(z=20, m_n=0.003, x=1.4), "gears.pinion")[0]
     >>> problem.where, problem.limit, problem.remedy
-    ('gears.pinion.profile_shift_coefficient', '0.2 m_n', 'use at most 1.15 or set tip_diameter')
+    ('gears.pinion.profile_shift_coefficient', '0.2 m_n', 'use at most 0.94 or set tip_diameter')
     """
     found: list[Problem] = []
     sign = gear.sign
@@ -83,13 +85,13 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
         found.append(Problem(_at(where, key), message, value, limit, remedy))
 
     if gear.rack.rho_fP_star_max(gear.alpha_n) < 0.0 and not gear.is_internal:
-        limit = 0.25 * math.pi / math.tan(gear.alpha_n)
+        deepest = 0.25 * math.pi / math.tan(gear.alpha_n)
         remedy = "use a smaller dedendum"
         add(
             "rack.dedendum",
             "modules end beyond the point of the tool",
             f"{gear.rack.h_fP_star:g}",
-            f"{limit:.4g}",
+            f"{deepest:.4g}",
             remedy,
         )
     if not gear.s_n > 0.0 or not gear.e_n > 0.0:
@@ -268,7 +270,7 @@ def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> lis
             found.append(Problem(place, message, f"{1e3 * clearance:.4f} mm", "above 0", remedy))
     if pair.g_alpha <= 0.0:
         message = f"leaves no path of contact between {names[0]} and {names[1]}"
-        limit = "tips that reach beyond the mate's root form circle"
+        limit = "tip circles that overlap on the line of action"
         found.append(
             Problem(place, message, _mm(a), limit, f"{farther} the centre distance or lengthen the teeth")
         )
@@ -277,33 +279,65 @@ def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> lis
 
 
 def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
-    """A tip that runs into the mate's root fillet, or into the mate's tip (internal pairs)."""
-    g1, g2 = pair.gear1, pair.gear2
+    """A tip that wants contact beyond the mate's base circle, or runs through the mate's tip (internal)."""
     place = _at(where, "gears")
-    slack = 1e-9 * g1.m_n
+    slack = INTERFERENCE_TOLERANCE * pair.gear1.m_n
+    remedy = "increase the mate's profile shift, shorten the tip (tip_diameter) or change the centre distance"
     found: list[Problem] = []
-    remedy = "shorten the tip (tip_diameter), or change the profile shift or the centre distance"
-    # An undercut gear lost that part of its flank already, so the mate's tip meets nothing there.
-    if pair.T1A_tip < pair.T1A_form - slack and not g1.undercut:
-        depth = pair.T1A_tip
-        value = f"tip of {names[1]}"
-        message = f"cuts into the root of {names[0]}"
-        limit = f"path coordinate {_mm(pair.T1A_form)}, it reaches {1e3 * depth:.4f} mm"
-        found.append(Problem(place, message, value, limit, remedy))
-    if pair.T1E_tip > pair.T1E_form + slack and not g2.undercut:
-        value = f"tip of {names[0]}"
-        message = f"cuts into the root of {names[1]}"
-        limit = f"path coordinate {1e3 * pair.T1E_form:.4f} mm, it reaches {1e3 * pair.T1E_tip:.4f} mm"
-        found.append(Problem(place, message, value, limit, remedy))
-    if pair.is_internal:
-        gap = tip_overlap_gap(pair)
-        if gap < -1e-12:
-            message = "cut each other outside the path of contact"
-            value = f"tips of {names[0]} and {names[1]}"
-            limit = f"angular gap above 0, it is {math.degrees(gap):.4g} deg"
-            found.append(
-                Problem(place, message, value, limit, "use a larger difference in teeth or shorten the tips")
+    ends = [(-pair.T1A, names[1], names[0])]
+    if not pair.is_internal:
+        ends.append((pair.T1E - pair.T1T2, names[0], names[1]))
+    for beyond, tip, mate in ends:
+        if beyond > slack:
+            message = (
+                f"interferes with the root of {mate}: it meets the line of action beyond the base circle"
             )
+            limit = f"the tangent point, it is {_mm(beyond)} beyond"
+            found.append(Problem(place, message, f"tip of {tip}", limit, remedy))
+    if pair.is_internal and tip_overlap_gap(pair) < -1e-12:
+        message = "cut each other outside the path of contact"
+        limit = f"angular gap above 0, it is {math.degrees(tip_overlap_gap(pair)):.4g} deg"
+        remedy = "use a larger difference in teeth or shorten the tips"
+        found.append(Problem(place, message, f"tips of {names[0]} and {names[1]}", limit, remedy))
+    return found
+
+
+def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
+    """Tips that reach below the mate's root form circle: fillet contact, or flank lost to undercut.
+
+    The geometry then still follows the tip circles (as published contact ratios do), but the involute ends
+    sooner. It depends on the tool, which is rarely known exactly, so it does not forbid the pair.
+
+    Parameters
+    ----------
+    pair
+        The pair.
+    where
+        Place of the pair in its description.
+    names
+        How the messages call the two gears.
+
+    Returns
+    -------
+    list of Problem
+        Empty where the involutes cover the whole path of contact, and for impossible pairs.
+    """
+    if pair.problems():
+        return []
+    slack = INTERFERENCE_TOLERANCE * pair.gear1.m_n
+    found: list[Problem] = []
+    ends = (
+        (pair.T1A_form - pair.T1A, pair.gear1, pair.d_Nf1, names[1], names[0]),
+        (pair.T1E - pair.T1E_form, pair.gear2, pair.d_Nf2, names[0], names[1]),
+    )
+    for missing, mate, d_Nf, tip, name in ends:
+        if missing > slack:
+            cause = "undercut" if mate.undercut else "root fillet"
+            message = f"reaches below the root form circle of {name} ({cause})"
+            limit = f"{_mm(mate.d_Ff)}, contact would start at {_mm(d_Nf)}"
+            left = f"the transverse contact ratio left is {pair.eps_alpha_form:.4g}"
+            remedy = f"{left}; shorten the tip or set the rack"
+            found.append(Problem(_at(where, "gears"), message, f"tip of {tip}", limit, remedy))
     return found
 
 

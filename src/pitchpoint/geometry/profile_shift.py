@@ -13,7 +13,21 @@ from pitchpoint.geometry.involute import inv, transverse_pressure_angle, working
 
 
 def reference_center_distance(z_sum: int, m_n: float, beta: float = 0.0) -> float:
-    """Centre distance at which the reference circles touch, a_d = (z₁ + z₂) m_n / (2 cos β) [m].
+    """Centre distance at which the reference circles touch.
+
+    Parameters
+    ----------
+    z_sum
+        Sum of the signed numbers of teeth.
+    m_n
+        Normal module [m].
+    beta
+        Helix angle [rad].
+
+    Returns
+    -------
+    float
+        a_d = (z₁ + z₂) m_n / (2 cos β) [m].
 
     Examples
     --------

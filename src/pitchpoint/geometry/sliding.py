@@ -92,15 +92,36 @@ def specific_sliding(pair: GearPair) -> SpecificSliding:
 
 
 def sliding_factor_at(pair: GearPair, T1Y: float) -> float:
-    """Sliding velocity v_g over pitch line velocity v_tw at a point of the path of contact [-].
+    """Sliding velocity over pitch line velocity at a point of the path of contact.
 
-    Signed: positive beyond the pitch point (recess with gear 1 driving). K_g = (T1Y − T1C)(2/d_w1 + 2/d_w2).
+    Parameters
+    ----------
+    pair
+        The pair.
+    T1Y
+        Path coordinate [m].
+
+    Returns
+    -------
+    float
+        K_g = v_g/v_tw = (T1Y − T1C)(2/d_w1 + 2/d_w2) [-]; positive beyond the pitch point (recess with gear 1
+        driving).
     """
     return (T1Y - pair.T1C) * (2.0 / pair.d_w1 + 2.0 / pair.d_w2)
 
 
 def sliding_factors(pair: GearPair) -> SlidingFactors:
-    """Sliding factors at the two tips, K_ga1 at E and K_ga2 at A [-], both positive.
+    """Sliding factors at the two tips.
+
+    Parameters
+    ----------
+    pair
+        The pair.
+
+    Returns
+    -------
+    SlidingFactors
+        K_ga1 at E and K_ga2 at A [-], both positive.
 
     Examples
     --------

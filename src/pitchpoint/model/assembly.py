@@ -46,6 +46,7 @@ class Parts:
     scenarios: dict[str, Scenario]
     names: dict[str, set[str]] = field(default_factory=dict)
     pairs: dict[str, GearPair] = field(default_factory=dict)
+    misshapen: set[str] = field(default_factory=set)  # gears whose own shape is impossible
 
     def known(self, group: str) -> set[str]:
         """All names of a group, those of unreadable parts included."""

@@ -12,7 +12,6 @@ import dataclasses
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
 from typing import Any, TypeAlias
 
 REQUIRED: Any = dataclasses.MISSING
@@ -106,24 +105,32 @@ def derived(default: Any = None) -> Any:
     return dataclasses.field(default=default, compare=False, repr=False, kw_only=True)
 
 
-@cache
 def keys_of(cls: type) -> dict[str, Key]:
     """All keys of a component class, in the order of its fields."""
-    return {f.name: f.metadata["key"] for f in dataclasses.fields(cls) if "key" in f.metadata}
+    if cls not in _KEYS:
+        fields: Any = dataclasses.fields(cls)
+        _KEYS[cls] = {f.name: f.metadata["key"] for f in fields if "key" in f.metadata}
+    return _KEYS[cls]
 
 
-@cache
 def defaults_of(cls: type) -> dict[str, Any]:
     """Defaults of the optional keys; required keys are absent."""
-    out: dict[str, Any] = {}
-    for f in dataclasses.fields(cls):
-        if "key" not in f.metadata:
-            continue
-        if f.default is not dataclasses.MISSING:
-            out[f.name] = f.default
-        elif f.default_factory is not dataclasses.MISSING:
-            out[f.name] = f.default_factory()
-    return out
+    if cls not in _DEFAULTS:
+        out: dict[str, Any] = {}
+        fields: Any = dataclasses.fields(cls)
+        for f in fields:
+            if "key" not in f.metadata:
+                continue
+            if f.default is not dataclasses.MISSING:
+                out[f.name] = f.default
+            elif f.default_factory is not dataclasses.MISSING:
+                out[f.name] = f.default_factory()
+        _DEFAULTS[cls] = out
+    return _DEFAULTS[cls]
+
+
+_KEYS: dict[type, dict[str, Key]] = {}
+_DEFAULTS: dict[type, dict[str, Any]] = {}
 
 
 def walk(cls: type, path: str = "") -> Iterator[tuple[str, type, str, Key]]:

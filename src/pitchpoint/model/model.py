@@ -42,8 +42,8 @@ class Frozen(dict[str, V]):
     def _refuse(self, *_: Any, **__: Any) -> NoReturn:
         raise TypeError("a model is frozen; use model.replace(path, value)")
 
-    __setitem__ = __delitem__ = update = pop = popitem = clear = setdefault = _refuse  # type: ignore[assignment]
-    __ior__ = _refuse  # type: ignore[assignment]
+    __setitem__ = __delitem__ = update = pop = popitem = clear = setdefault = _refuse
+    __ior__ = _refuse
 
     def __reduce__(self) -> tuple[type, tuple[dict[str, V]]]:
         return type(self), (dict(self),)
@@ -187,7 +187,7 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
         else:
             new = replace_at(part[name], path[1:], value, report, here)
         return part if report.problems else {**part, name: new}
-    if part is None or not dataclasses.is_dataclass(part):
+    if not dataclasses.is_dataclass(part) or isinstance(part, type):
         report.problem(here, "is below a key without keys", remedy="replace the whole value above it")
         return part
     keys = keys_of(type(part))

@@ -21,20 +21,23 @@ OFFSET_TOLERANCE = 1e-4
 """Base pitches by which an assembly may stand beyond its backlash: what elastic teeth take up."""
 
 
-def hand_on(report: Reader, base: Place, problem: Problem) -> None:
+def hand_on(report: Reader, base: Place, problem: Problem, taint: bool = True) -> None:
     """Report a problem of the geometry at the key that it names."""
     place: Place = (*base, *(problem.where.split(".") if problem.where else ()))
-    report.problem(place, problem.message, value=problem.value, limit=problem.limit, remedy=problem.remedy)
+    report.problem(
+        place, problem.message, value=problem.value, limit=problem.limit, remedy=problem.remedy, taint=taint
+    )
 
 
 def check_gear(parts: Parts, name: str, report: Reader) -> None:
-    """Report everything that makes one gear impossible."""
+    """Report everything that makes one gear impossible; hands and modules of its pairs are still checked."""
     try:
         problems = parts.gears[name].geometry.problems()
     except GeometryError as error:
         problems = [error.problem]
     for problem in problems:
-        hand_on(report, ("gears", name), problem)
+        hand_on(report, ("gears", name), problem, taint=False)
+        parts.misshapen.add(name)
 
 
 def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
@@ -53,11 +56,13 @@ def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
         pair = _pair(one.geometry, two.geometry, mesh.center_distance)
         for problem in pair.problems("", mesh.gears, gears=False):
             hand_on(report, ("meshes", name), problem)
-        if len(report.problems) == before:
-            _ = pair.eps_alpha, pair.j_bt
+        if len(report.problems) > before or not parts.misshapen.isdisjoint(mesh.gears):
+            return
+        _ = pair.eps_alpha, pair.j_bt
     except GeometryError as error:
-        hand_on(report, ("meshes", name), error.problem)
-    if len(report.problems) == before:
+        if parts.misshapen.isdisjoint(mesh.gears):
+            hand_on(report, ("meshes", name), error.problem)
+    else:
         parts.pairs[name] = pair
         parts.meshes[name] = replace(mesh, a_w=pair.a_w)
 

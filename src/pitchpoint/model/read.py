@@ -168,20 +168,16 @@ class Reader:
 
     def whole(self, description: Key, data: Any, path: Place) -> Any:
         """Read a whole number."""
-        if (
-            isinstance(data, bool)
-            or not isinstance(data, int | float)
-            or data != data
-            or abs(data) == math.inf
-        ):
+        number = isinstance(data, Real) and not isinstance(data, bool)
+        if not number or data != data or data in (math.inf, -math.inf):
             return self.problem(path, "is not a whole number", value=shown(data), limit=description.limit)
-        if data != int(data):
-            return self.problem(
-                path, "is not a whole number", value=shown(data), remedy=f"write {round(data)}"
-            )
-        if not description.allows(data):
+        value = int(data)
+        if data != value:
+            remedy = f"write {round(data)}"
+            return self.problem(path, "is not a whole number", value=shown(data), remedy=remedy)
+        if not description.allows(value):
             return self.problem(path, "is out of range", value=shown(data), limit=description.limit)
-        return int(data)
+        return value
 
     def word(self, description: Key, data: Any, path: Place) -> Any:
         """Read one word out of the choices."""

@@ -208,21 +208,22 @@ def check_motions(parts: Parts, report: Reader) -> None:
     from pitchpoint.model.inertia import body_inertia
 
     for name, body in parts.bodies.items():
-        if any(g not in parts.gears or ("gears", g) in report.tainted for g in body.gears):
-            continue
         needed = [k for k in INERTIAS[body.motion] if ("bodies", name, k) not in report.tainted]
-        try:
+        given = {k: getattr(body, k) for k in needed if getattr(body, k) is not None}
+        if len(given) < len(needed) and all(
+            g in parts.gears and ("gears", g) not in report.tainted and g not in parts.misshapen
+            for g in body.gears
+        ):
             # the geometry is asked only for what the user left out
-            open_keys = any(getattr(body, k) is None for k in needed)
-            total = body_inertia(body, parts.gears) if open_keys else None
-        except PitchpointError as error:
-            report.problem(
-                ("bodies", name), f"has no computable mass: {error}", remedy="give mass and inertia"
-            )
-            continue
-        for key in needed:
-            given = getattr(body, key)
-            amount = given if total is None else getattr(total, _SUM[key])
+            try:
+                total = body_inertia(body, parts.gears)
+            except PitchpointError as error:
+                report.problem(
+                    ("bodies", name), f"has no computable mass: {error}", remedy="give mass and inertia"
+                )
+                continue
+            given = {k: getattr(total, _SUM[k]) for k in needed}
+        for key, amount in given.items():
             if not amount > 0.0:
                 report.problem(
                     ("bodies", name, key),

@@ -57,7 +57,8 @@ class _Writer:
         out: dict[str, Any] = {}
         for name, key in keys_of(type(part)).items():
             value = getattr(part, name)
-            if value is None or (name in defaults and _same(value, defaults[name])):
+            # the stiffness law is always written: it is the one choice nobody should have to look up
+            if value is None or (key.kind != "variant" and name in defaults and _same(value, defaults[name])):
                 continue
             out[name] = self.value(key, value)
         return out

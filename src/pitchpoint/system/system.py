@@ -47,9 +47,7 @@ class State:
 
     def copy(self) -> State:
         """Independent copy."""
-        return State(
-            self.t, self.q.copy(), self.v.copy(), self.a.copy(), self.lam.copy(), self.turns.copy()
-        )
+        return State(self.t, self.q.copy(), self.v.copy(), self.a.copy(), self.lam.copy(), self.turns.copy())
 
 
 @dataclass(frozen=True)
@@ -152,7 +150,9 @@ def _checked(kind: registry.Kind, bank: NDArray[np.void], nb: int) -> NDArray[np
     for pair in kind.pairs:
         for name in pair:
             if bank.size and not (0 <= bank[name].min() and bank[name].max() < nb):
-                raise CompileError(f"a record of kind {kind.name!r} names a body that does not exist ({name})")
+                raise CompileError(
+                    f"a record of kind {kind.name!r} names a body that does not exist ({name})"
+                )
     return bank
 
 
@@ -221,9 +221,7 @@ def _number(
             label = names[name][k] if name in names else f"{name}{k}"
             if "out" in fields:
                 record["out"] = len(channels)
-            channels += _outputs(
-                outputs(record) if outputs else getattr(module, "OUTPUTS", ()), label
-            )
+            channels += _outputs(outputs(record) if outputs else getattr(module, "OUTPUTS", ()), label)
             if "ev" in fields:
                 record["ev"] = len(events)
             events += _outputs(getattr(module, "EVENTS", ()), label)
@@ -310,9 +308,7 @@ def assemble(
     )
 
 
-def _coordinate_names(
-    bodies: Sequence[Body], named: Sequence[str], records: NDArray[np.void]
-) -> list[str]:
+def _coordinate_names(bodies: Sequence[Body], named: Sequence[str], records: NDArray[np.void]) -> list[str]:
     from pitchpoint.multibody.joints import JOINTS
 
     found: dict[int, str] = {}

@@ -95,9 +95,7 @@ class Workspace:
         self.G, self.Gf = np.zeros((nc, nd)), np.zeros((nc, 2, 6))
         self.program = program
         self.forces, self.cons = forces, cons
-        self.arrays = {
-            name: np.zeros([int(dims[d]) for d in shape], dtype) for name, dtype, shape in _ARRAYS
-        }
+        self.arrays = {name: np.zeros([int(dims[d]) for d in shape], dtype) for name, dtype, shape in _ARRAYS}
         self.arrays["weight"][:] = weight
         self.ready = False  # constant parts of frames and columns written yet?
         self._fill(sizes)

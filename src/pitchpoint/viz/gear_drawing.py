@@ -97,7 +97,7 @@ def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flan
     first, second = (left, right) if pair.a_w > 0.0 else (right, left)
     parts.append(svg.text(6.0, height + 16.0, _caption(first[1], first[0]), anchor="start"))
     parts.append(svg.text(WIDTH - 6.0, height + 16.0, _caption(second[1], second[0]), anchor="end"))
-    distance = f"centre distance a_w = {number(abs(pair.a_w) * 1e3, 6)} mm"
+    distance = f"centre distance {number(abs(pair.a_w) * 1e3, 6)} mm"
     parts.append(svg.text(WIDTH / 2.0, height + 36.0, distance, "pp-small"))
     return svg.document(WIDTH, height + 46.0, parts, f"{names[0]} and {names[1]} in mesh")
 

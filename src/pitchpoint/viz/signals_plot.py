@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 STATE_COLOURS = {0: theme.RED, -1: theme.ORANGE, 2: theme.PURPLE}
 STATE_NAMES = {0: "separated", -1: "back flank", 2: "both flanks"}
-MAX_BANDS = 400
+MAX_BANDS = 120
 
 
 def plot_signals(
@@ -37,7 +37,8 @@ def plot_signals(
     channels
         One or more channels of the same unit, shape (n,) each.
     contact_state
-        State of a mesh at these times: 1 front, 0 separated, -1 back, 2 both; stretches without front contact are shaded.
+        State of a mesh at these times: 1 front, 0 separated, -1 back, 2 both; stretches without front contact are shaded
+        as long as they can be told apart.
     points
         Points per line at most; min/max decimation.
     title
@@ -59,16 +60,19 @@ def plot_signals(
     )
     for index, channel in enumerate(channels):
         kept = kept_samples(channel.values, points)
-        figure.add_scattergl(
-            x=time[kept] * clock.factor,
-            y=channel.values[kept] * shown.factor,
+        figure.add_scatter(
+            # single precision is finer than any screen and halves the size of a report
+            x=(time[kept] * clock.factor).astype(np.float32),
+            y=(channel.values[kept] * shown.factor).astype(np.float32),
             mode="lines",
             name=channel.label,
-            line={"color": theme.colour_of(channel.name, index), "width": 1.3},
+            # plotly's own thinning leaves gaps in dense lines; the samples were chosen above
+            line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
         )
+    _keep_noise_small(figure, np.concatenate([c.values for c in channels]) * shown.factor)
     if contact_state is not None:
         _shade(figure, time * clock.factor, contact_state)
-    figure.update_layout(showlegend=len(channels) > 1 or contact_state is not None)
+    figure.update_layout(showlegend=len(figure.data) > 1)
     return figure
 
 
@@ -77,13 +81,21 @@ def plot_force_parts(time: Array, channels: Sequence[Channel], *, points: int = 
     return plot_signals(time, channels, points=points, title="tooth force")
 
 
+def _keep_noise_small(figure: go.Figure, values: Array) -> None:
+    """A channel that is constant up to round-off is drawn as constant, not as a picture of round-off."""
+    finite = values[np.isfinite(values)]
+    if finite.size and np.ptp(finite) < 1e-5 * float(np.abs(finite).max()):
+        middle = float(finite.mean())
+        figure.update_yaxes(range=[middle - 0.01 * abs(middle), middle + 0.01 * abs(middle)])
+
+
 def _common_name(channels: Sequence[Channel]) -> str:
     names = {c.long_name or c.quantity.replace("_", " ") for c in channels}
     return names.pop() if len(names) == 1 else "value"
 
 
 def _shade(figure: go.Figure, time: Array, state: Array) -> None:
-    """Bands where the front flanks do not touch; only as many as a screen can show, longest first."""
+    """Bands where the front flanks do not touch, unless they are too many to be told apart."""
     codes = np.rint(state).astype(np.int64)
     edges = np.concatenate([[0], np.flatnonzero(np.diff(codes)) + 1, [codes.size]])
     runs = [
@@ -91,7 +103,8 @@ def _shade(figure: go.Figure, time: Array, state: Array) -> None:
         for a, b in zip(edges[:-1], edges[1:], strict=True)
         if int(codes[a]) in STATE_COLOURS
     ]
-    runs = sorted(sorted(runs, key=lambda r: r[0] - r[1])[:MAX_BANDS])
+    if len(runs) > MAX_BANDS:
+        return
     for code, colour in STATE_COLOURS.items():
         own = [r for r in runs if r[2] == code]
         if not own:

@@ -23,7 +23,7 @@ STYLE = (
     f"@media screen and (prefers-color-scheme:dark){{.pp-drawing{{{_variables(theme.DARK)}}}}}"
     ".pp-paper{fill:var(--pp-paper)}"
     ".pp-gear{fill:var(--pp-gear);stroke:var(--pp-edge);stroke-width:1.1;stroke-linejoin:round;fill-rule:evenodd}"
-    ".pp-mate{fill-opacity:.72}"
+    ".pp-mate{fill:var(--pp-mate);fill-opacity:.82}"
     ".pp-thin{fill:none;stroke:var(--pp-soft);stroke-width:1}"
     ".pp-base{stroke-dasharray:7 4}.pp-pitch{stroke-dasharray:10 3 2 3}"
     f".pp-action{{stroke:{theme.RED};stroke-width:1.1;stroke-dasharray:4 3;fill:none}}"

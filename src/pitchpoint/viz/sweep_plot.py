@@ -52,6 +52,8 @@ def plot_sweep(
                 line={"color": colour, "width": 1.6}, marker={"symbol": symbol, "size": 6},
             )  # fmt: skip
     _mark_jumps(figure, branches, jumps, pitch.factor, shown.factor)
+    if levels.size:
+        figure.update_xaxes(range=_padded(np.concatenate([f for f, _ in branches.values()]), pitch.factor))
     figure.update_yaxes(rangemode="tozero" if statistic == "rms" else "normal")
     figure.update_layout(showlegend=True)
     return figure
@@ -78,9 +80,18 @@ def plot_contact_shares(points: Sequence[Mapping[str, Any]]) -> go.Figure:
                 figure.add_scatter(
                     x=x, y=y, mode="lines", name=f"{name}, {direction}", line={"color": colour, "width": 1.6, "dash": dash}
                 )  # fmt: skip
+    if all_frequencies:
+        figure.update_xaxes(range=_padded(all_frequencies, pitch.factor))
     figure.update_yaxes(rangemode="tozero")
     figure.update_layout(showlegend=True)
     return figure
+
+
+def _padded(frequencies: Sequence[float] | np.ndarray, factor: float) -> list[float]:
+    """The same horizontal range for all plots of one sweep, so that they can be read below each other."""
+    low, high = float(np.min(frequencies)) * factor, float(np.max(frequencies)) * factor
+    room = 0.03 * (high - low) or 0.05 * abs(high) or 1.0
+    return [low - room, high + room]
 
 
 def _mark_jumps(

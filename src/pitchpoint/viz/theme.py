@@ -21,8 +21,8 @@ FORCE_PARTS = {"circumferential": BLUE, "radial": ORANGE, "axial": PURPLE}
 # Sweeps: upwards green, downwards red; the symbols say the same to readers who do not tell these colours apart.
 SWEEP = {"up": (GREEN, "triangle-up"), "down": (RED, "triangle-down")}
 
-LIGHT = {"paper": "#ffffff", "ink": "#1f2933", "soft": "#5b6672", "grid": "#e3e7ec", "gear": "#dfe6ee", "edge": "#51606f"}
-DARK = {"paper": "#14181d", "ink": "#e6e9ed", "soft": "#a3adb8", "grid": "#2c343d", "gear": "#2b3641", "edge": "#9aa9b8"}
+LIGHT = {"paper": "#ffffff", "ink": "#1f2933", "soft": "#5b6672", "grid": "#e3e7ec", "gear": "#dfe6ee", "mate": "#cfe0f2", "edge": "#51606f"}
+DARK = {"paper": "#14181d", "ink": "#e6e9ed", "soft": "#a3adb8", "grid": "#2c343d", "gear": "#2b3641", "mate": "#28455f", "edge": "#9aa9b8"}
 
 # Maps: perceptually even, dark = little in both modes, so that a map reads the same on screen and on paper.
 MAP_SCALE = "Cividis"

@@ -55,7 +55,9 @@ def test_parabola_against_brute_force(psi, lam, eps_alpha, S_R, T_R):
 def test_table_against_brute_force(psi, lam, eps_alpha, T_R):
     L = T_R * (eps_alpha % 1.0)
     kinks = [L, eps_alpha / 2, eps_alpha - L, *np.linspace(0.0, eps_alpha, TABLE.size)]
-    expected = brute_force(lambda p: pair_table(p, eps_alpha, TABLE.size, TABLE, L), psi, lam, eps_alpha, kinks)
+    expected = brute_force(
+        lambda p: pair_table(p, eps_alpha, TABLE.size, TABLE, L), psi, lam, eps_alpha, kinks
+    )
     found = table_width_moments(psi, lam, B, eps_alpha, TABLE.size, TABLE, L, 0)
     assert scaled(found) == pytest.approx(scaled(expected), abs=1e-12)
 
@@ -85,10 +87,10 @@ def test_slopes_are_derivatives(lam, T_R):
         up, down = (width_moments(psi + s, lam, B, eps_alpha, S_R, L) for s in (h, -h))
         difference = (np.array(up) - np.array(down)) / (2 * h)
         found = width_moment_slopes(psi, lam, B, eps_alpha, S_R, L)
-        assert scaled(found) == pytest.approx(scaled(difference), abs=1e-4)  # a kink within h costs order h/lam
-        up, down = (
-            table_width_moments(psi + s, lam, B, eps_alpha, TABLE.size, TABLE, L, 0) for s in (h, -h)
-        )
+        assert scaled(found) == pytest.approx(
+            scaled(difference), abs=1e-4
+        )  # a kink within h costs order h/lam
+        up, down = (table_width_moments(psi + s, lam, B, eps_alpha, TABLE.size, TABLE, L, 0) for s in (h, -h))
         difference = (np.array(up) - np.array(down)) / (2 * h)
         found = table_width_moments(psi, lam, B, eps_alpha, TABLE.size, TABLE, L, 1)
         assert scaled(found) == pytest.approx(scaled(difference), abs=1e-4)

@@ -103,12 +103,13 @@ class PairShape:
             object.__setattr__(self, "table", table)
 
     def ramp_length(self, eps_alpha: float) -> float:
-        """Length of the ramp at both ends, L = T_R frac(eps_alpha) [base pitches].
+        """Length of the ramp at both ends, L = T_R frac(eps_alpha) [base pitches]; 0 if below 1e-12.
 
         >>> round(PairShape(c_prime=14e9, T_R=0.75).ramp_length(1.3), 12)
         0.225
         """
-        return self.T_R * (eps_alpha - math.floor(eps_alpha))
+        length = self.T_R * (eps_alpha - math.floor(eps_alpha))
+        return length if length > 1e-12 else 0.0
 
     def end_values(self) -> tuple[float, float]:
         """Stiffness at A and at E relative to c_prime, without the ramp.

@@ -176,6 +176,15 @@ def single_stiffness(
     -----
     Source: ISO 6336-1:2006, method B. E = 2 E1 E2/(E1 + E2). C_B is the mean of both basic racks. An internal
     mate enters with 1/z_n2 = 0 and the x2 of ISO 21771.
+
+    Examples
+    --------
+    Spur pair 62/62, m = 2 mm:
+
+    >>> gear = CylindricalGear(z=62, m_n=2e-3, b=20e-3)
+    >>> values = single_stiffness(GearPair(gear, gear, 0.124))
+    >>> round(values.c_prime / 1e9, 4), round(values.c_gamma_alpha / 1e9, 4)
+    (14.4718, 23.0439)
     """
     first, second = pair.gear1, pair.gear2
     if (abs(second.z), -second.x) < (abs(first.z), -first.x):
@@ -234,6 +243,12 @@ def din3990(
     Notes
     -----
     The load limit is carried over to the base tangent: 1e5 N/m / cos(alpha_t).
+
+    Examples
+    --------
+    >>> gear = CylindricalGear(z=62, m_n=2e-3, b=20e-3)
+    >>> round(din3990(GearPair(gear, gear, 0.124)).c_prime / 1e9, 4)
+    14.4718
     """
     if c_prime is None:
         c_prime = single_stiffness(

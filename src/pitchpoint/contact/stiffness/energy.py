@@ -72,6 +72,14 @@ def energy_compliance(
     1/cos(beta_b) and loaded by F_n = F_bt/cos(beta_b), so the contact compliance is divided by cos(beta_b).
     Every pair carries its own body compliance: the deflection that neighbouring pairs cause in each other
     through a common body is not modelled.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=62, m_n=2e-3, b=20e-3)
+    >>> found = energy_compliance(GearPair(gear, gear, 0.124), points=3)
+    >>> (0.02 / found.contact / 1e9).round(4).tolist()              # pi E b/(4 (1 - nu^2))
+    [3.5559, 3.5559, 3.5559]
     """
     if body not in ("load_line", "contact_point", "rigid"):
         raise refuse(

@@ -176,6 +176,16 @@ def tooth_compliance(
     trace: in the normal section the thickness is x cos(beta), the tangential force and the lengths of the
     trace grow with 1/cos(beta), which multiplies bending by 1/cos^4(beta) (moment of the radial force by a
     further cos^2(beta)) and shear by 1/cos^2(beta).
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> form = tooth_form(CylindricalGear(z=62, m_n=2e-3))
+    >>> steel = dict(E=206e9, nu=0.3, bore=0.035, body="load_line")
+    >>> tooth = tooth_compliance(form, np.array([0.02, 0.0265]), beta=0.0, **steel)
+    >>> (1e-9 / tooth.bending).round(1).tolist(), (1e-9 / tooth.body).round(1).tolist()
+    ([1165.9, 48.3], [38.0, 25.1])
     """
     roll = np.asarray(rho, dtype=np.float64) / form.r_b
     flip = bool(form.sign * (roll[-1] - roll[0]) < 0.0)

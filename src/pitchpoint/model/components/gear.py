@@ -35,7 +35,7 @@ class Cutter:
     number_of_teeth: int = integer("number of teeth of the cutter", minimum=3, maximum=10000)
     profile_shift_coefficient: float = quantity("dimensionless", "profile shift of the cutter", 0.0)
     addendum: float = positive("dimensionless", "addendum of the cutter in modules", 1.25, maximum=5.0)
-    tip_radius: float = quantity("dimensionless", "tip rounding in modules", 0.0, minimum=0.0, maximum=2.0)
+    tip_radius: float = quantity("dimensionless", "tip rounding in modules", 0.38, minimum=0.0, maximum=2.0)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -160,10 +160,10 @@ class Gear:
         from pitchpoint.geometry.cutter import PinionCutter
 
         return PinionCutter(
-            z=self.cutter.number_of_teeth,
-            x=self.cutter.profile_shift_coefficient,
-            h_a_star=self.cutter.addendum,
-            rho_star=self.cutter.tip_radius,
+            z_0=self.cutter.number_of_teeth,
+            x_0=self.cutter.profile_shift_coefficient,
+            h_aP0_star=self.cutter.addendum,
+            rho_aP0_star=self.cutter.tip_radius,
         )
 
     @property

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,16 @@ from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.elements.mesh_line import line_of_action
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import inv
+from pitchpoint.model.components.stiffness import UserStiffness
 from pitchpoint.multibody.channels import FRAME
+from pitchpoint.system.rules.bank import Bank, Pool, pack
+from pitchpoint.system.rules.bodies import body_numbers
+from pitchpoint.system.rules.separation import separation_grids
+from pitchpoint.system.rules.stiffness import describe_stiffness, user_law
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.mesh import TransmissionError
+    from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
 #: Puts an array into the pool of the kind and gives its offset there.
@@ -110,8 +119,11 @@ def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
     space = place.phi2 + math.pi / g2.z - towards2
     dz = place.origin2[2] + place.offset2 - place.origin1[2] - place.offset1
     # both angles from their nearest tooth and space; the sum of what is left is the assembly offset
-    tooth -= _wrap(row["r_b1"] * tooth, p_bt)[1] * p_bt / row["r_b1"]
+    n = _wrap(row["r_b1"] * tooth, p_bt)[1]
+    row["t1_0"] = -n
+    tooth -= n * p_bt / row["r_b1"]
     offset, n = _wrap(row["r_b1"] * tooth + row["r_b2"] * space + row["tan_b"] * dz, p_bt)
+    row["t2_0"] = -n if g2.z > 0 else n
     space -= n * p_bt / row["r_b2"]
     row["u0"] = offset - row["tan_b"] * dz
     half1, half2 = row["r_b1"] * g1.psi_b, row["r_b2"] * g2.psi_b
@@ -185,6 +197,91 @@ def mesh_row(
     if place.fixed:
         _freeze(row, place)
     return row
+
+
+def mesh_bank(model: Model) -> Bank:
+    """All meshes whose gears sit on bodies."""
+    pool = Pool()
+    rows, names, laws = [], [], []
+    number = body_numbers(model)
+    for name, mesh in model.meshes.items():
+        ends = [model.body_of(g) for g in mesh.gears]
+        if None in ends:
+            continue
+        one, two = (str(e) for e in ends)
+        gears = [model.gears[g] for g in mesh.gears]
+        place = Placement(
+            origin1=np.array(model.bodies[one].origin),
+            origin2=np.array(model.bodies[two].origin),
+            offset1=model.bodies[one].gears[mesh.gears[0]],
+            offset2=model.bodies[two].gears[mesh.gears[1]],
+            phi1=model.phasing.tooth_angle[mesh.gears[0]],
+            phi2=model.phasing.tooth_angle[mesh.gears[1]],
+            fixed=all(model.bodies[b].motion in ("torsion", "fixed") for b in (one, two)),
+        )
+        pair = model.pairs[name]
+        row = mesh_row(pair, place, mesh_laws(model, name), pool, model.backlash(name))
+        row["i"], row["j"] = number[one], number[two]
+        row["b1"], row["b2"] = (g.face_width for g in gears)
+        row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
+        separation_grids(row, gears, pool)
+        law = mesh.stiffness
+        laws.append(user_law(law.python).function if isinstance(law, UserStiffness) else None)
+        rows.append(row)
+        names.append(name)
+    return pack("gear_mesh", layout.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
+
+
+def mesh_laws(model: Model, name: str) -> MeshLaws:
+    """Stiffness, damping, friction and excitation of one mesh; ratios become damping rates."""
+    mesh = model.meshes[name]
+    stiffness = describe_stiffness(model, name)
+    k = mean_stiffness(model.pairs[name], stiffness)
+    critical = 2.0 * math.sqrt(k * _reduced_mass(model, name))
+    found: dict[str, Any] = {"stiffness": stiffness, "k_ref": k}
+    modified = any(
+        model.gears[g].modifications is not None or model.gears[g].deviations is not None for g in mesh.gears
+    )
+    found["slices"] = mesh.slices if mesh.width == "slices" or modified else 0
+    if mesh.damping is not None:
+        d_in = mesh.damping.d_in if mesh.damping.ratio is None else mesh.damping.ratio * critical
+        d_out = d_in if mesh.damping.d_out is None else mesh.damping.d_out
+        found |= {"d_in": d_in or 0.0, "d_out": d_out or 0.0, "s_0": mesh.damping.s_0}
+    if mesh.damper is not None:
+        value = mesh.damper.value if mesh.damper.ratio is None else mesh.damper.ratio * critical
+        found["d_gap"] = value or 0.0
+    if mesh.friction is not None:
+        found |= {"mu": mesh.friction.mu, "v_eps": mesh.friction.v_eps}
+    if isinstance(mesh.stiffness, UserStiffness):
+        found["user"] = np.array(mesh.stiffness.python.parameters or (0.0,))
+    if mesh.transmission_error is not None:
+        found |= _excitation(mesh.transmission_error)
+    return MeshLaws(**found)
+
+
+def _excitation(error: TransmissionError) -> dict[str, Array]:
+    """Coefficient arrays of a static transmission error."""
+    n = max(len(error.cosine), len(error.sine))
+    cosine, sine = np.zeros(n), np.zeros(n)
+    cosine[: len(error.cosine)] = error.cosine
+    sine[: len(error.sine)] = error.sine
+    return {
+        "e_cos": cosine,
+        "e_sin": sine,
+        "orders1": np.array(error.shaft1, dtype=float).reshape(-1, 3),
+        "orders2": np.array(error.shaft2, dtype=float).reshape(-1, 3),
+    }
+
+
+def _reduced_mass(model: Model, name: str) -> float:
+    """Mass that both bodies of a mesh put on its line of action, spins only [kg]; 0 without bodies."""
+    inverse = 0.0
+    for gear in model.meshes[name].gears:
+        body = model.body_of(gear)
+        if body is not None and model.bodies[body].motion != "fixed":
+            polar = model.body_inertia(body).polar
+            inverse += (0.5 * model.gears[gear].geometry.d_b) ** 2 / polar if polar > 0.0 else 0.0
+    return 1.0 / inverse if inverse > 0.0 else 0.0
 
 
 def _freeze(row: Any, place: Placement) -> None:

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+# The whole project from a fresh machine with git, make and python3 (3.11 or newer, with venv).
+
+PYTHON ?= python3
+VENV   ?= .venv
+BIN    := $(VENV)/bin
+STAMP  := $(VENV)/.installed
+JOBS   ?= 2
+EXAMPLE := examples/backlash-oscillator
+export PYTHONUTF8 := 1
+
+.DEFAULT_GOAL := help
+.PHONY: help install demo test lint types check-format pytest nojit bench validate docs clean
+
+help:
+	@echo "make demo      install, compile, run the main example, write a report"
+	@echo "make test      style, import contracts, types, all tests"
+	@echo "make bench     speed table, build/bench.json"
+	@echo "make validate  published cases as one page, build/docs/validation.md"
+	@echo "make docs      generated pages of the documentation, build/docs"
+	@echo "make lint      style, import contracts and types only"
+	@echo "make clean     remove build products (keeps $(VENV))"
+
+# ------------------------------------------------------------------------------------------------ install
+
+$(BIN)/python:
+	@$(PYTHON) -c 'import sys; sys.exit("pitchpoint needs Python 3.11 or newer; call make PYTHON=python3.12" if sys.version_info < (3, 11) else 0)'
+	@$(PYTHON) -m venv $(VENV) || { rm -rf $(VENV); echo "python3 -m venv failed; on Debian and Ubuntu: apt install python3-venv"; exit 1; }
+
+$(STAMP): pyproject.toml constraints.txt | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[dev]"
+	@touch $@
+
+install: $(STAMP)
+
+# --------------------------------------------------------------------------------------------------- demo
+
+demo: $(STAMP)
+	@mkdir -p build/demo
+	$(BIN)/pitchpoint warmup
+	$(BIN)/pitchpoint run $(EXAMPLE)/model.yaml --scenario steady -o build/demo/steady.h5
+	$(BIN)/pitchpoint sweep $(EXAMPLE)/model.yaml --scenario sweep -o build/demo/sweep.h5
+	$(BIN)/pitchpoint report $(EXAMPLE)/model.yaml --result build/demo/steady.h5 --result build/demo/sweep.h5 -o build/demo/report.html
+	@echo
+	@echo "The report is ready: $(CURDIR)/build/demo/report.html"
+
+# -------------------------------------------------------------------------------------------------- tests
+
+test: lint pytest nojit
+
+lint: $(STAMP)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/lint-imports --no-logo
+	$(BIN)/mypy
+
+pytest: $(STAMP)
+	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile tests --doctest-modules src/pitchpoint/geometry src/pitchpoint/contact src/pitchpoint/analysis src/pitchpoint/core
+
+# the same kernels as plain Python: what the compiler accepts must also be right without it
+nojit: $(STAMP)
+	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile -m nojit tests
+
+# ---------------------------------------------------------------------------------------- bench, validate
+
+bench: $(STAMP)
+	@mkdir -p build
+	$(BIN)/python -m benchmarks --json build/bench.json
+
+validate: $(STAMP)
+	@mkdir -p build/docs
+	$(BIN)/python tests/validation/render.py --output build/docs/validation.md
+
+docs: $(STAMP)
+	@mkdir -p build/docs
+	$(BIN)/python docs/generate.py build/docs
+
+clean:
+	rm -rf build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
+	find src tests benchmarks examples docs -name __pycache__ -type d -prune -exec rm -rf {} +

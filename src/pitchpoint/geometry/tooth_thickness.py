@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Thickness of a tooth wherever it is asked for: on a circle, at the tip, as a chord (ISO 21771, DIN 3960).
+
+Diameters are signed like the gear's (negative for internal gears); thicknesses come out positive.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.geometry.involute import inv
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+
+
+def pressure_angle_at(gear: CylindricalGear, d_y: float) -> float:
+    """Transverse pressure angle on a circle.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    d_y
+        Diameter [m], signed like the gear's.
+
+    Returns
+    -------
+    float
+        α_yt [rad], cos α_yt = d_b / d_y.
+
+    Raises
+    ------
+    GeometryError
+        If the circle lies inside the base circle.
+    """
+    if d_y * gear.sign <= 0.0 or not abs(d_y) >= abs(gear.d_b):
+        raise GeometryError(
+            "lies inside the base circle, where no involute exists",
+            where="diameter",
+            value=f"{d_y:.6g} m",
+            limit=f"{gear.d_b:.6g} m",
+        )
+    return math.acos(gear.d_b / d_y)
+
+
+def helix_angle_at(gear: CylindricalGear, d_y: float) -> float:
+    """Helix angle on a cylinder.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    d_y
+        Diameter [m], signed like the gear's.
+
+    Returns
+    -------
+    float
+        β_y [rad], tan β_y = tan β d_y / d.
+    """
+    return math.atan(math.tan(gear.beta) * d_y / gear.d)
+
+
+def transverse_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
+    """Transverse tooth thickness (arc) on a circle.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    d_y
+        Diameter [m], signed like the gear's.
+
+    Returns
+    -------
+    float
+        s_yt = d_y (s_t/d + inv α_t − inv α_yt) [m]; zero or negative where the tooth has come to a point.
+
+    Raises
+    ------
+    GeometryError
+        If the circle lies inside the base circle.
+
+    Notes
+    -----
+    ISO 21771, tooth thickness at the y-cylinder; valid for internal gears with signed diameters.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=20, m_n=0.003)
+    >>> round(transverse_tooth_thickness(gear, gear.d) / gear.m_n, 6)
+    1.570796
+    """
+    return d_y * (gear.psi_b - inv(pressure_angle_at(gear, d_y)))
+
+
+def normal_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
+    """Normal tooth thickness on a cylinder.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    d_y
+        Diameter [m], signed like the gear's.
+
+    Returns
+    -------
+    float
+        s_yn = s_yt cos β_y [m].
+    """
+    return transverse_tooth_thickness(gear, d_y) * math.cos(helix_angle_at(gear, d_y))
+
+
+def normal_space_width(gear: CylindricalGear, d_y: float) -> float:
+    """Normal width of the tooth space on a cylinder, between the involutes (fillets not counted).
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    d_y
+        Diameter [m], signed like the gear's.
+
+    Returns
+    -------
+    float
+        e_yn [m].
+    """
+    transverse = math.pi * d_y / gear.z - transverse_tooth_thickness(gear, d_y)
+    return transverse * math.cos(helix_angle_at(gear, d_y))
+
+
+def tip_thickness(gear: CylindricalGear) -> float:
+    """Normal tooth thickness at the tip form cylinder.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+
+    Returns
+    -------
+    float
+        s_an [m]; negative if the flanks cross before the tip.
+
+    Examples
+    --------
+    Stage 3 of the 5 MW gearbox; the KISSsoft report prints 8.800 mm:
+
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48, tip_diameter=0.380747)
+    >>> round(tip_thickness(pinion) * 1e3, 3)
+    8.8
+    """
+    return normal_tooth_thickness(gear, gear.d_Fa)
+
+
+def chordal_thickness(gear: CylindricalGear) -> tuple[float, float]:
+    """Normal chord of the tooth at the reference cylinder and its height below the tip.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+
+    Returns
+    -------
+    s_c, h_c : float
+        Chord and chordal height [m].
+
+    Notes
+    -----
+    With the curvature diameter d / cos² β of the normal section: s_c = d_c sin(s_n/d_c),
+    h_c = (d_a − d)/2 + d_c (1 − cos(s_n/d_c))/2  (DIN 3960).
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(chordal_thickness(pinion)[0] * 1e3, 3)
+    26.857
+    """
+    d_c = gear.d / (math.cos(gear.beta) * math.cos(gear.beta))
+    angle = gear.s_n / d_c
+    return d_c * math.sin(angle), 0.5 * (gear.d_a - gear.d) + 0.5 * d_c * (1.0 - math.cos(angle))

@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gears as files for other programs: points (CSV), drawings (DXF R12, SVG) and solids (binary STL).
+
+All lengths in these files are millimetres, the habit of the programs that read them.
+"""
+
+from __future__ import annotations
+
+import struct
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.geometry.solid import gear_solid
+from pitchpoint.geometry.tooth_form import REGIONS, gear_outline, tooth_form, tooth_profile
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+
+FORMATS = ("csv", "dxf", "svg", "stl")
+_MM = 1e3
+
+
+def points_csv(gear: CylindricalGear, n_flank: int = 40) -> str:
+    """Outline of the gear as CSV text: x and y in mm, tooth number and region of every point.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> points_csv(CylindricalGear(z=17, m_n=1e-3), 10).splitlines()[0]
+    'x [mm],y [mm],tooth,region'
+    """
+    region = tooth_profile(gear, n_flank).region
+    points = gear_outline(gear, n_flank)[:-1] * _MM
+    rows = (
+        f"{x:.9f},{y:.9f},{i // region.size},{REGIONS[region[i % region.size]]}"
+        for i, (x, y) in enumerate(points)
+    )
+    return "\n".join(["x [mm],y [mm],tooth,region", *rows]) + "\n"
+
+
+def drawing_dxf(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float = 0.0) -> str:
+    """Outline of the gear as DXF R12 text: one closed polyline, reference and base circle, bore.
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+    n_flank
+        Points per flank.
+    bore_diameter
+        Bore, or outer diameter of an internal gear [m]; 0 = not drawn.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> drawing_dxf(CylindricalGear(z=17, m_n=1e-3), 10).split()[:4]
+    ['0', 'SECTION', '2', 'HEADER']
+    """
+    lines: list[str] = []
+
+    def put(code: int, value: str | float | int) -> None:
+        lines.append(str(code))
+        lines.append(f"{value:.9f}" if isinstance(value, float) else str(value))
+
+    def pairs(*items: tuple[int, str | float | int]) -> None:
+        for code, value in items:
+            put(code, value)
+
+    pairs((0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009"), (0, "ENDSEC"))
+    pairs((0, "SECTION"), (2, "ENTITIES"))
+    pairs((0, "POLYLINE"), (8, "OUTLINE"), (66, 1), (10, 0.0), (20, 0.0), (30, 0.0), (70, 1))
+    for x, y in gear_outline(gear, n_flank)[:-1] * _MM:
+        pairs((0, "VERTEX"), (8, "OUTLINE"), (10, float(x)), (20, float(y)), (30, 0.0))
+    pairs((0, "SEQEND"), (8, "OUTLINE"))
+    circles = [("REFERENCE", abs(gear.d)), ("BASE", abs(gear.d_b))]
+    if bore_diameter > 0.0:
+        circles.append(("BORE", bore_diameter))
+    for layer, diameter in circles:
+        pairs((0, "CIRCLE"), (8, layer), (10, 0.0), (20, 0.0), (30, 0.0), (40, 0.5 * diameter * _MM))
+    pairs((0, "ENDSEC"), (0, "EOF"))
+    return "\n".join(lines) + "\n"
+
+
+def drawing_svg(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float = 0.0) -> str:
+    """Drawing of the gear as SVG text, to scale in millimetres, with its characteristic circles.
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+    n_flank
+        Points per flank.
+    bore_diameter
+        Bore, or outer diameter of an internal gear [m]; 0 = none, or a ring of the usual rim.
+
+    Notes
+    -----
+    Fill: the gear. Chain line: reference circle; dashed: base circle; dotted: root form circle.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> drawing_svg(CylindricalGear(z=17, m_n=1e-3), 10)[:4]
+    '<svg'
+    """
+    form = tooth_form(gear)
+    outer = _MM * form.r_a
+    hole = 0.5 * bore_diameter * _MM
+    if gear.is_internal:
+        outer = hole = hole or _MM * (form.r_f + 3.5 * gear.m_n)
+    points = gear_outline(gear, n_flank)[:-1] * _MM
+    path = "M" + "L".join(f"{x:.6f} {-y:.6f}" for x, y in points) + "Z"
+    if hole > 0.0:
+        arc = f"A{hole:.6f} {hole:.6f} 0 1 0"
+        path += f"M{hole:.6f} 0{arc} {-hole:.6f} 0{arc} {hole:.6f} 0Z"
+    size, pen = 1.04 * outer, 0.0025 * outer
+    circles = (
+        (0.5 * abs(gear.d), f"{12 * pen:.4f} {3 * pen:.4f} {2 * pen:.4f} {3 * pen:.4f}"),
+        (form.r_b, f"{6 * pen:.4f} {4 * pen:.4f}"),
+        (form.r_Ff, f"{1.5 * pen:.4f} {3 * pen:.4f}"),
+    )
+    dashed = "".join(
+        f'<circle r="{r * _MM:.6f}" fill="none" stroke="#666" stroke-width="{0.6 * pen:.4f}" '
+        f'stroke-dasharray="{dash}"/>\n'
+        for r, dash in circles
+    )
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{2 * size:.4f}mm" height="{2 * size:.4f}mm" '
+        f'viewBox="{-size:.6f} {-size:.6f} {2 * size:.6f} {2 * size:.6f}">\n'
+        f"<title>{abs(gear.z)} teeth, m_n {gear.m_n * _MM:g} mm</title>\n"
+        f'<path d="{path}" fill="#cdd6df" fill-rule="evenodd" stroke="#1b2733" stroke-width="{pen:.4f}" '
+        f'stroke-linejoin="round"/>\n{dashed}</svg>\n'
+    )
+
+
+def solid_stl(
+    gear: CylindricalGear,
+    n_flank: int = 20,
+    n_slices: int | None = None,
+    *,
+    bore_diameter: float = 0.0,
+    rim_thickness: float | None = None,
+    web_thickness: float | None = None,
+) -> bytes:
+    """The gear as a closed solid in binary STL, millimetres; parameters as in `gear_solid`.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> data = solid_stl(CylindricalGear(z=17, m_n=1e-3, b=0.01), 10)
+    >>> int.from_bytes(data[80:84], "little"), len(data)
+    (1836, 91884)
+    """
+    triangles = gear_solid(
+        gear,
+        n_flank,
+        n_slices,
+        bore_diameter=bore_diameter,
+        rim_thickness=rim_thickness,
+        web_thickness=web_thickness,
+    )
+    normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    norm = np.linalg.norm(normals, axis=1, keepdims=True)
+    records = np.zeros(
+        len(triangles), dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("spare", "<u2")]
+    )
+    records["normal"] = normals / np.where(norm > 0.0, norm, 1.0)
+    records["corners"] = triangles * _MM
+    title = b"pitchpoint gear, millimetres".ljust(80)
+    return title + struct.pack("<I", len(triangles)) + records.tobytes()
+
+
+def export_gear(
+    gear: CylindricalGear,
+    path: str | Path,
+    format: str | None = None,
+    *,
+    n_flank: int = 40,
+    n_slices: int | None = None,
+    bore_diameter: float = 0.0,
+    rim_thickness: float | None = None,
+    web_thickness: float | None = None,
+) -> Path:
+    """Write a gear to a file.
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+    path
+        File to write; its ending names the format unless `format` does.
+    format
+        "csv", "dxf", "svg" or "stl".
+    n_flank
+        Points per flank, at least 5.
+    n_slices
+        Slices of the STL along the face width; None = fine enough for the helix.
+    bore_diameter, rim_thickness, web_thickness
+        The blank [m]; rim and web only matter for STL.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    GeometryError
+        If the format is unknown or there is no such tooth.
+    """
+    path = Path(path)
+    kind = (format or path.suffix.lstrip(".")).lower()
+    if kind not in FORMATS:
+        raise GeometryError(
+            "is no format of a gear file",
+            where="format",
+            value=f"{kind!r}",
+            limit=", ".join(FORMATS),
+            remedy="name the file accordingly or give the format",
+        )
+    if kind == "stl":
+        blank = {
+            "bore_diameter": bore_diameter,
+            "rim_thickness": rim_thickness,
+            "web_thickness": web_thickness,
+        }
+        path.write_bytes(solid_stl(gear, n_flank, n_slices, **blank))
+        return path
+    if kind == "csv":
+        text = points_csv(gear, n_flank)
+    else:
+        text = (drawing_dxf if kind == "dxf" else drawing_svg)(gear, n_flank, bore_diameter)
+    path.write_text(text, encoding="utf-8")
+    return path

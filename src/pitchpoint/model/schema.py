@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: Apache-2.0
+"""JSON schema and reference page of the model file, generated from the keys of the components."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+from pitchpoint.core.unit_table import DIMENSIONS
+from pitchpoint.model.keys import Key, defaults_of, keys_of
+from pitchpoint.model.model import Model
+from pitchpoint.model.write import quantity_text
+
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
+
+
+def json_schema() -> dict[str, Any]:
+    """JSON schema (draft 2020-12) of a model file; every quantity names its unit.
+
+    Examples
+    --------
+    >>> json_schema()["$defs"]["Gear"]["properties"]["normal_module"]["unit"]
+    'm'
+    """
+    definitions: dict[str, Any] = {}
+    top = _object(Model, definitions)
+    return {"$schema": DRAFT, "title": "pitchpoint model file", **top, "$defs": definitions}
+
+
+def _object(cls: type, definitions: dict[str, Any], law: str = "") -> dict[str, Any]:
+    keys, defaults = keys_of(cls), defaults_of(cls)
+    properties: dict[str, Any] = {"law": {"const": law}} if law else {}
+    properties |= {name: _property(key, defaults.get(name), definitions) for name, key in keys.items()}
+    required = (["law"] if law else []) + [name for name in keys if name not in defaults]
+    out: dict[str, Any] = {
+        "type": "object",
+        "description": (cls.__doc__ or "").strip().split("\n")[0],
+        "properties": properties,
+        "additionalProperties": False,
+    }
+    return out | ({"required": required} if required else {})
+
+
+def _reference(cls: type, definitions: dict[str, Any], law: str = "") -> dict[str, str]:
+    if cls.__name__ not in definitions:
+        definitions[cls.__name__] = {}
+        definitions[cls.__name__] = _object(cls, definitions, law)
+    return {"$ref": f"#/$defs/{cls.__name__}"}
+
+
+def _property(key: Key, default: Any, definitions: dict[str, Any]) -> dict[str, Any]:
+    out: dict[str, Any] = {"description": key.meaning, **_type(key, definitions)}
+    if key.dimension and key.kind not in ("law", "laws"):
+        out["unit"] = DIMENSIONS[key.dimension].si or "1"
+    shown = default_text(key, default)
+    if shown:
+        out["default"] = default if isinstance(default, int | float | str) and not key.display else shown
+    return out
+
+
+def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
+    number = _number(key)
+    if key.kind in ("component", "components", "list"):
+        inner = _reference(key.of, definitions)
+        if key.kind == "components":
+            return {"type": "object", "additionalProperties": inner}
+        return inner if key.kind == "component" else {"type": "array", "items": inner}
+    if key.kind == "variant":
+        return {"oneOf": [_reference(cls, definitions, law) for law, cls in key.of.items()]}
+    if key.kind == "quantities":
+        return {"type": "array", "items": number, **_length(key)}
+    if key.kind in ("names", "words"):
+        words: dict[str, Any] = {"enum": list(key.choices)} if key.choices else {"type": "string"}
+        return {"type": "array", "items": words, **_length(key)}
+    plain: dict[str, dict[str, Any]] = {
+        "quantity": number,
+        "integer": {"type": "integer", **_bounds(key)},
+        "choice": {"enum": list(key.choices)},
+        "text": {"type": "string"},
+        "boolean": {"type": "boolean"},
+        "speeds": {"type": "object", "additionalProperties": number},
+        "gears": {"type": ["array", "object"]},
+        "grid": {"type": "array", "items": {"type": "array", "items": number}},
+        "matrix": {"type": "array", "items": {"type": "array", "items": {"type": "number"}}},
+        "orders": {"type": "object"},
+        "material": {"type": ["string", "object"]},
+        "law": {"type": ["number", "string", "object"]},
+        "laws": {"type": "array", **_length(key)},
+        "python": {"type": ["string", "object"]},
+    }
+    return plain[key.kind]
+
+
+def _number(key: Key) -> dict[str, Any]:
+    return {"type": ["number", "string"], **_bounds(key)}
+
+
+def _bounds(key: Key) -> dict[str, float]:
+    out = {}
+    if key.minimum != -math.inf:
+        out["exclusiveMinimum" if key.above else "minimum"] = key.minimum
+    if key.maximum != math.inf:
+        out["exclusiveMaximum" if key.below else "maximum"] = key.maximum
+    return out
+
+
+def _length(key: Key) -> dict[str, int]:
+    low, high = key.length
+    return ({"minItems": low} if low else {}) | ({"maxItems": high} if high < 10**7 else {})
+
+
+def default_text(key: Key, default: Any) -> str:
+    """Default of a key in the words of the reference page, '' for required keys and empty ones."""
+    if key.display:
+        return key.display
+    if default is None or default in ({}, (), ""):
+        return ""
+    if key.kind == "quantity":
+        return str(quantity_text(default, key.dimension))
+    if key.kind == "quantities":
+        return str(list(default))
+    if dataclasses.is_dataclass(default):
+        return "its defaults"
+    return str(default).lower() if isinstance(default, bool) else str(default)
+
+
+# --- reference page ---------------------------------------------------------------------------------------
+def reference_page() -> str:
+    """Page in Markdown that lists every key of a model file: unit, default, range, meaning."""
+    out = [
+        "# Keys of a model file",
+        "",
+        "Quantities are written with a unit (`3 mm`, `1500 rpm`, `14 N/(mm um)`); bare numbers are SI.",
+        "Unknown keys are errors. NaN, infinity and booleans are refused where a number is expected.",
+        "",
+    ]
+    seen: set[type] = set()
+    _section(Model, "file", "", seen, out)
+    return "\n".join(out)
+
+
+def _section(cls: type, title: str, law: str, seen: set[type], out: list[str]) -> None:
+    if cls in seen:
+        return
+    seen.add(cls)
+    out += [f"## {title}", "", _first_paragraph(cls), ""]
+    if law:
+        out += [f"`law: {law}`", ""]
+    keys, defaults = keys_of(cls), defaults_of(cls)
+    if keys:
+        out += ["| key | unit | default | range | meaning |", "|---|---|---|---|---|"]
+    for name, key in keys.items():
+        default = default_text(key, defaults[name]) if name in defaults else "**required**"
+        out.append(f"| `{name}` | {_unit(key)} | {default} | {_range(key)} | {_escape(key.meaning)} |")
+    out.append("")
+    for name, key in keys.items():
+        if isinstance(key.of, dict):
+            for word, variant in key.of.items():
+                _section(variant, f"{name}: {word}", word, seen, out)
+        elif key.of is not None:
+            _section(key.of, key.of.__name__, "", seen, out)
+
+
+def _first_paragraph(cls: type) -> str:
+    return " ".join((cls.__doc__ or "").strip().split("\n\n")[0].split())
+
+
+def _unit(key: Key) -> str:
+    return DIMENSIONS[key.dimension].si or "-" if key.dimension else ""
+
+
+def _range(key: Key) -> str:
+    from pitchpoint.model.read import limit_text
+
+    if key.choices:
+        return ", ".join(key.choices)
+    return limit_text(key) if key.kind in ("quantity", "quantities") else key.limit
+
+
+def _escape(text: str) -> str:
+    return text.replace("|", "\\|")

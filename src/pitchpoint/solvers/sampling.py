@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a time loop leaves behind: sampled rows, running statistics, recorded events. Written by the drivers.
+
+Nothing is stored per step. A chunk fills the caller's buffers: one row of observations every n-th step, and per
+channel the running statistics over every step in which they are switched on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.multibody.channels import CTL, F8
+from pitchpoint.system.residual import observe
+from pitchpoint.system.workspace import MACH
+
+#: Columns of the running statistics. Sums are of x - reference, so that a large mean costs no digits.
+COUNT, REFERENCE, SUM, SQUARES, LEAST, MOST, NEGATIVE, ZERO = range(8)
+
+#: Columns of a recorded event: time, index of the event function, direction (+1 rising, -1 falling).
+EVENT_COLUMNS = 3
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """Statistics of all channels over the steps of a window; arrays of shape (no,).
+
+    Parameters
+    ----------
+    count
+        Number of steps.
+    mean, rms, least, most
+        Mean, root mean square of the alternating part, extremes.
+    share_negative, share_zero
+        Shares of the steps with a negative value and with zero; of the contact state: back flank, separation.
+    """
+
+    count: int
+    mean: NDArray[np.float64]
+    rms: NDArray[np.float64]
+    least: NDArray[np.float64]
+    most: NDArray[np.float64]
+    share_negative: NDArray[np.float64]
+    share_zero: NDArray[np.float64]
+
+
+def new_statistics(n: int) -> NDArray[np.float64]:
+    """Empty accumulators for n channels, shape (n, 8)."""
+    return np.zeros((n, 8))
+
+
+def read_statistics(sums: NDArray[np.float64]) -> Statistics:
+    """Turn accumulators into statistics."""
+    n = np.maximum(sums[:, COUNT], 1.0)
+    mean = sums[:, SUM] / n
+    variance = np.maximum(sums[:, SQUARES] / n - mean**2, 0.0)
+    return Statistics(
+        count=int(sums[0, COUNT]) if len(sums) else 0,
+        mean=sums[:, REFERENCE] + mean,
+        rms=np.sqrt(variance),
+        least=sums[:, LEAST].copy(),
+        most=sums[:, MOST].copy(),
+        share_negative=sums[:, NEGATIVE] / n,
+        share_zero=sums[:, ZERO] / n,
+    )
+
+
+@kernel
+def accumulate(row, sums):
+    """Add one row of observations to the running statistics."""
+    for k in range(row.size):
+        x = row[k]
+        if sums[k, COUNT] == 0.0:
+            sums[k, REFERENCE] = x
+            sums[k, LEAST] = x
+            sums[k, MOST] = x
+        d = x - sums[k, REFERENCE]
+        sums[k, COUNT] += 1.0
+        sums[k, SUM] += d
+        sums[k, SQUARES] += d * d
+        if x < sums[k, LEAST]:
+            sums[k, LEAST] = x
+        if x > sums[k, MOST]:
+            sums[k, MOST] = x
+        if x < 0.0:
+            sums[k, NEGATIVE] += 1.0
+        elif x == 0.0:
+            sums[k, ZERO] += 1.0
+
+
+@kernel
+def take(at, t, sums, measure, rows, filled, sample):
+    """Observe once; feed the statistics and store the row, each if asked."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    status = observe(at, t, m["row"])
+    if status != OK:
+        return status
+    row = view(m["row"], c["no"], F8)
+    if measure != 0:
+        accumulate(row, sums)
+    if sample != 0:
+        rows[filled, 0] = t
+        for k in range(row.size):
+            rows[filled, k + 1] = row[k]
+    return OK
+
+
+@kernel
+def crossings(ev0, ev1, t0, h, found, n):
+    """Record sign changes between two steps by linear interpolation; returns the new number of records.
+
+    A value that starts at zero does not count again; records beyond the buffer are counted, not written.
+    """
+    for k in range(ev0.size):
+        a = ev0[k]
+        b = ev1[k]
+        if (a < 0.0 and b >= 0.0) or (a > 0.0 and b <= 0.0):
+            if n < found.shape[0]:
+                found[n, 0] = t0 + h * a / (a - b)
+                found[n, 1] = k
+                found[n, 2] = 1.0 if b > a else -1.0
+            n += 1
+    return n

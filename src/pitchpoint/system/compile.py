@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From a model to a system: every rule turns one kind of component into records; the assembler does the rest."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import CompileError
+from pitchpoint.system.rules.bank import Bank
+from pitchpoint.system.rules.bearing import bearing_bank
+from pitchpoint.system.rules.bodies import bodies
+from pitchpoint.system.rules.gear_mesh import mesh_bank
+from pitchpoint.system.rules.load import load_banks
+from pitchpoint.system.system import System, assemble
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
+
+
+def compile_model(model: Model, scenario: Scenario | str | None = None) -> System:
+    """Turn a model into flat arrays that solvers can use.
+
+    Parameters
+    ----------
+    model
+        A valid model with at least one body.
+    scenario
+        Scenario (or its name) whose prescribed motions become constraints; None leaves all bodies free.
+
+    Returns
+    -------
+    System
+        Frozen; `System.copy` gives each thread its own.
+
+    Raises
+    ------
+    CompileError
+        If the model has no bodies, or something of it cannot be expressed.
+    """
+    if not model.bodies:
+        raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
+    chosen = model.scenarios[scenario] if isinstance(scenario, str) else scenario
+    from pitchpoint.system.rules.drive import drive_bank
+
+    banks = [mesh_bank(model), bearing_bank(model), *load_banks(model)]
+    constraints = [drive_bank(model, chosen)] if chosen is not None else []
+    return assemble(
+        bodies(model),
+        {b.kind: b.records for b in banks if b.records.size},
+        {b.kind: b.records for b in constraints if b.records.size},
+        names={b.kind: b.names for b in (*banks, *constraints)},
+        pools={b.kind: b.pool for b in (*banks, *constraints) if b.pool is not None and b.records.size},
+        laws=_laws([*banks, *constraints]),
+    )
+
+
+def _laws(banks: list[Bank]) -> dict[str, tuple[object, ...]]:
+    return {b.kind: b.laws for b in banks if b.laws is not None and any(law is not None for law in b.laws)}

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bearings and couplings of a model as records of the six-direction spring."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.elements import bearing as element
+from pitchpoint.model.components.bearing import Bearing
+from pitchpoint.model.components.coupling import Coupling
+from pitchpoint.system.rules.bank import Bank, pack
+from pitchpoint.system.rules.bodies import body_numbers
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+def bearing_bank(model: Model) -> Bank:
+    """All bearings (body to ground) and couplings (body to body).
+
+    The markers lie on the spin axes, so that the springs do not turn with the gears.
+    """
+    number = body_numbers(model)
+    rows, names = [], []
+    parts: list[tuple[str, Bearing | Coupling, tuple[str, ...]]] = [
+        *((n, b, (b.body,)) for n, b in model.bearings.items()),
+        *((n, c, c.bodies) for n, c in model.couplings.items()),
+    ]
+    for name, part, ends in parts:
+        row = np.zeros(1, element.RECORD)[0]
+        origin = [np.array(model.bodies[b].origin or (0.0, 0.0, 0.0)) for b in ends]
+        marker = origin[0] + [0.0, 0.0, part.position[2]]
+        row["i"] = number[ends[0]]
+        row["j"] = number[ends[1]] if len(ends) == 2 else 0
+        row["K"] = part.stiffness.matrix6()
+        row["D"] = _damping(model, part, ends)
+        row["zi"] = part.position[2]
+        if len(ends) == 2:
+            row["zj"] = marker[2] - origin[1][2]
+            row["d0"] = marker - origin[1] - [0.0, 0.0, row["zj"]]
+        else:
+            row["d0"] = marker
+        row["B"] = np.eye(3)
+        rows.append(row)
+        names.append(name)
+    return pack("bearing", element.RECORD, rows, names)
+
+
+def _damping(model: Model, part: Bearing | Coupling, ends: tuple[str, ...]) -> NDArray[np.float64]:
+    """Damping matrix; a ratio is of critical damping of the (reduced) inertia on the spring, per direction."""
+    if part.damping is None:
+        return np.zeros((6, 6))
+    if part.damping.ratio is None:
+        return np.array(part.damping.matrix6())
+    inverse = np.zeros(6)
+    for end in ends:
+        inertia = model.body_inertia(end)
+        values = (*3 * (inertia.mass,), *2 * (inertia.transverse,), inertia.polar)
+        inverse += [1.0 / v if v > 0.0 else 0.0 for v in values]
+    K = np.array(part.stiffness.matrix6())
+    # a full matrix is damped along its own directions: square root of M^(-1/2) K M^(-1/2), scaled back
+    scale = np.where(inverse > 0.0, np.sqrt(inverse), 0.0)
+    values, vectors = np.linalg.eigh(scale[:, None] * K * scale[None, :])
+    root = vectors * np.sqrt(np.maximum(values, 0.0)) @ vectors.T
+    back = np.where(scale > 0.0, 1.0 / np.where(scale > 0.0, scale, 1.0), 0.0)
+    return 2.0 * part.damping.ratio * back[:, None] * root * back[None, :]

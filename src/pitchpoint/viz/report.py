@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`write_report`: everything known about a model and its results in one HTML file to look at, print and send on.
+
+The report takes data, not files: readers stand beside it in the layers. Sections appear only when their data are there.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from pitchpoint.viz import report_sections as parts
+from pitchpoint.viz.report_page import page
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReportModel:
+    """What a report says about the model.
+
+    Attributes
+    ----------
+    title
+        Title of the model file.
+    model_hash, version
+        Fingerprint of the model and version of the package that computed the results.
+    date
+        Shown only if given, so that the same data give the same file.
+    gears, meshes
+        SI values by identifier (`m_n`, `d_a`, `eps_alpha` …), by the name of the gear or mesh.
+    pairs
+        `GearPair` and the names of its two gears, by the name of the mesh; these are drawn.
+    warnings, assumptions, sources
+        Sentences for the last section.
+    """
+
+    title: str
+    model_hash: str = ""
+    version: str = ""
+    date: str | None = None
+    gears: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    meshes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    pairs: Mapping[str, tuple[Any, str, str]] = field(default_factory=dict)
+    warnings: Sequence[str] = ()
+    assumptions: Sequence[str] = ()
+    sources: Sequence[str] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeshCycleData:
+    """One mesh cycle of one mesh.
+
+    Attributes
+    ----------
+    stiffness
+        `contact.mesh_cycle.MeshCycle`, or anything with `phase`, `stiffness_ratio`, `mean`, `minimum`, `maximum`.
+    stiffness_unit
+        What the ratio refers to.
+    error_phase, errors
+        Phases [base pitches], shape (n,), and transmission errors [m], shape (n,), by load case.
+    """
+
+    stiffness: Any = None
+    stiffness_unit: str = "c′·b"
+    error_phase: ArrayLike = ()
+    errors: Mapping[str, ArrayLike] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class TimeRun:
+    """One time response.
+
+    Attributes
+    ----------
+    data
+        `xarray.Dataset` over `time`, or a mapping with `time` and channels (`viz.quantities.Channel` or arrays).
+    settle_time
+        Start of the window of statistics and spectra, after the first sample [s].
+    angle
+        Name of the channel whose angle orders refer to; default the first `angle[...]`.
+    highest_order
+        End of order maps and order spectra [-]; default three times the largest number of teeth, or 100.
+    note
+        Sentence shown above the signals (the status of a run that did not finish).
+    """
+
+    data: Any
+    settle_time: float = 0.0
+    angle: str | None = None
+    highest_order: float | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class CampbellData:
+    """Speeds [rad/s] (n_speed,), natural frequencies [Hz] (n_speed, n_mode), orders by name, names of the modes."""
+
+    speed: ArrayLike
+    mode_frequencies: ArrayLike
+    orders: Mapping[str, float]
+    mode_names: Sequence[str] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReportResults:
+    """Results by name; whatever is left out has no section.
+
+    Attributes
+    ----------
+    mesh_cycles
+        By the name of the mesh.
+    runs
+        Time responses by the name of the scenario.
+    sweeps
+        By the name of the scenario: a mapping with `points` and `jumps`, as `pitchpoint sweep --json` prints it.
+    campbell
+        Natural frequencies over speed.
+    """
+
+    mesh_cycles: Mapping[str, MeshCycleData] = field(default_factory=dict)
+    runs: Mapping[str, TimeRun] = field(default_factory=dict)
+    sweeps: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    campbell: CampbellData | None = None
+
+
+def write_report(
+    path_out: str | os.PathLike[str], *, model: ReportModel, results: ReportResults | None = None
+) -> Path:
+    """Write the report of a model and its results.
+
+    Parameters
+    ----------
+    path_out
+        The HTML file to write; its folder is made if it does not exist.
+    model
+        What to say about the model.
+    results
+        What to show of its results.
+
+    Returns
+    -------
+    Path
+        The file. The same input gives the same bytes.
+    """
+    path = Path(path_out)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(report_html(model, results or ReportResults()), encoding="utf-8")
+    return path
+
+
+def report_html(model: ReportModel, results: ReportResults) -> str:
+    """The report as text."""
+    facts = (("version", model.version), ("model", model.model_hash[:12]), ("date", model.date or ""))
+    teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
+    highest = 3.0 * max(teeth) if teeth else 100.0
+    sections = [
+        parts.gear_section(model.gears, model.meshes),
+        parts.drawing_section(model.pairs),
+        parts.mesh_cycle_section(results.mesh_cycles),
+        parts.sweep_section(results.sweeps),
+        parts.time_section(results.runs),
+        parts.spectrum_section(results.runs, highest),
+        parts.campbell_section(results.campbell),
+        parts.notes_section(model.warnings, model.assumptions, model.sources),
+    ]
+    footer = f"Made by pitchpoint {model.version}".rstrip()
+    if model.model_hash:
+        footer += f" from the model {model.model_hash}"
+    return page(model.title, facts, sections, footer + ".")

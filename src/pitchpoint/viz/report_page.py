@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page around the content of a report: one HTML file that needs nothing else, no network, no server."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from html import escape
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+from pitchpoint.viz import theme
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+
+# Nothing may be loaded from anywhere: the file works offline for ever and tells nobody that it was opened.
+POLICY = (
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:"
+)
+
+
+@dataclass
+class Section:
+    """Part of a report: anchor, heading and finished HTML; a section without HTML is not shown."""
+
+    anchor: str
+    heading: str
+    parts: list[str] = field(default_factory=list)
+
+    def add(self, html: str) -> None:
+        """Append a piece of HTML unless it is empty."""
+        if html:
+            self.parts.append(html)
+
+    def add_figure(self, figure: go.Figure, caption: str = "", *, beside: go.Figure | None = None) -> None:
+        """Append a plot, or two side by side; one without any data is dropped, so that no empty axes appear."""
+        if not any(_has_data(trace) for trace in figure.data):
+            return
+        html = figure_html(figure, caption)
+        if beside is not None:
+            html = f'<div class="pair">{html}{figure_html(beside)}</div>'
+        self.parts.append(html)
+
+
+def figure_html(figure: go.Figure, caption: str = "") -> str:
+    """A plot as data; the script of the page draws it in the colours of the reader's mode."""
+    # the default template only repeats what the layout sets already, in every figure
+    figure.update_layout(template={})
+    data = str(figure.to_json()).replace("</", "<\\/")
+    words = f"<figcaption>{escape(caption)}</figcaption>" if caption else ""
+    return (
+        f'<figure><div class="plot" style="min-height:{int(figure.layout.height or 380)}px"></div>'
+        f'<script type="application/json">{data}</script>{words}</figure>'
+    )
+
+
+def page(title: str, facts: Sequence[tuple[str, str]], sections: Sequence[Section], footer: str) -> str:
+    """The complete document."""
+    shown = [s for s in sections if s.parts]
+    with_plots = any('<div class="plot"' in part for s in shown for part in s.parts)
+    variables = {
+        mode: "".join(f"--pp-{key}:{value};" for key, value in colours.items())
+        for mode, colours in (("light", theme.LIGHT), ("dark", theme.DARK))
+    }
+    style = (
+        f":root{{color-scheme:light dark;--pp-font:{theme.FONT};{variables['light']}}}"
+        f"@media screen and (prefers-color-scheme:dark){{:root{{{variables['dark']}}}}}"
+        f"{_asset('report.css')}"
+    )
+    items = "".join(f"<li>{escape(name)} <b>{escape(value)}</b></li>" for name, value in facts if value)
+    links = "".join(f'<a href="#{s.anchor}">{escape(s.heading)}</a>' for s in shown)
+    body = "".join(
+        f'<section id="{s.anchor}"><h2>{escape(s.heading)}</h2>{"".join(s.parts)}</section>' for s in shown
+    )
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        '<meta name="generator" content="pitchpoint">'
+        f"<title>{escape(title)}</title><style>{style}</style></head>\n<body>"
+        f'<header><h1>{escape(title)}</h1><ul class="facts">{items}</ul><nav>{links}</nav></header>\n'
+        f"<main>{body}</main>\n<footer>{escape(footer)}</footer>\n{_scripts() if with_plots else ''}</body></html>\n"
+    )
+
+
+def _scripts() -> str:
+    from plotly.offline import get_plotlyjs
+
+    colours = json.dumps({"light": theme.LIGHT, "dark": theme.DARK}, sort_keys=True)
+    return (
+        f'<script type="application/json" id="pp-colours">{colours}</script>\n'
+        f"<script>{get_plotlyjs()}</script>\n<script>{_asset('report.js')}</script>\n"
+    )
+
+
+def _asset(name: str) -> str:
+    return (files("pitchpoint.viz") / "assets" / name).read_text(encoding="utf-8")
+
+
+def _has_data(trace: object) -> bool:
+    """Whether a trace would draw something."""
+    values = getattr(trace, "z", None) if getattr(trace, "type", "") == "heatmap" else getattr(trace, "y", None)
+    return values is not None and any(value is not None for value in values)

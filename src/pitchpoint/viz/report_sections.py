@@ -1,0 +1,329 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sections of a report, one function each: data in, finished HTML out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.analysis.orders import order_map, resample_over_angle
+from pitchpoint.analysis.sampled import SignalError, sample_rate_of
+from pitchpoint.analysis.spectra import amplitude_spectrum, order_spectrum
+from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
+from pitchpoint.analysis.time_frequency import time_frequency_map
+from pitchpoint.viz import spectrum_plots
+from pitchpoint.viz.campbell_plot import plot_campbell
+from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
+from pitchpoint.viz.mesh_cycle_plot import plot_mesh_stiffness, plot_transmission_error
+from pitchpoint.viz.quantities import Array, Channel, channels, number, scale
+from pitchpoint.viz.report_page import Section
+from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
+from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
+from pitchpoint.viz.tables import GEAR_ROWS, MESH_ROWS, plain_table, quantity_table, statistics_table
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+
+# Quantities that are drawn over time, in this order; a report shows what is read most, the result file holds all.
+TIME_QUANTITIES = (
+    "deflection",
+    "transmission_error",
+    "mesh_force",
+    "mesh_stiffness",
+    "speed",
+    "displacement",
+    "bearing_force",
+    "torque",
+    "friction_power",
+)
+SPECTRUM_QUANTITIES = ("deflection", "mesh_force")
+FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
+MOST_LINES = 8
+# Relative change of speed from which a run counts as a run-up: maps instead of one spectrum.
+RUN_UP = 0.05
+DETAIL_PERIODS = 12
+
+
+def gear_section(gears: Mapping[str, Mapping[str, Any]], meshes: Mapping[str, Mapping[str, Any]]) -> Section:
+    """Tables of gear and mesh data."""
+    section = Section("gears", "Gears and meshes")
+    section.add(quantity_table(GEAR_ROWS, gears))
+    table = quantity_table(MESH_ROWS, meshes)
+    section.add(f"<h3>Meshes</h3>{table}" if table else "")
+    return section
+
+
+def drawing_section(pairs: Mapping[str, tuple[Any, str, str]]) -> Section:
+    """Both gears in mesh and the mesh zone, pair by pair."""
+    section = Section("drawing", "Gears in mesh")
+    for mesh, (pair, first, second) in pairs.items():
+        heading = f"<h3>{escape(mesh)}</h3>" if len(pairs) > 1 else ""
+        section.add(
+            f'{heading}<div class="pair"><figure>{pair_svg(pair, names=(first, second))}</figure>'
+            f"<figure>{mesh_zone_svg(pair)}</figure></div>"
+        )
+    return section
+
+
+def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
+    """Stiffness and transmission error over the mesh cycle."""
+    section = Section("cycle", "Over the mesh cycle")
+    for mesh, cycle in cycles.items():
+        section.add(f"<h3>{escape(mesh)}</h3>" if len(cycles) > 1 else "")
+        if cycle.stiffness is not None:
+            s = cycle.stiffness
+            caption = (
+                f"Mesh stiffness over two mesh cycles: mean {number(float(s.mean))}, "
+                f"from {number(float(s.minimum))} to {number(float(s.maximum))} {cycle.stiffness_unit}."
+            )
+            section.add_figure(plot_mesh_stiffness(s, name=mesh, unit=cycle.stiffness_unit), caption)
+        if cycle.errors:
+            section.add_figure(
+                plot_transmission_error(cycle.error_phase, cycle.errors),
+                "Quasi-static transmission error along the line of action over two mesh cycles.",
+            )
+    return section
+
+
+def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
+    """Speed sweeps with jumps and contact loss."""
+    section = Section("sweep", "Speed sweep")
+    for name, sweep in sweeps.items():
+        points, jumps = sweep.get("points", ()), sweep.get("jumps", ())
+        if not points:
+            continue
+        section.add(f"<h3>{escape(name)}</h3>" if len(sweeps) > 1 else "")
+        for quantity, statistic in (("deflection", "rms"), ("mesh_force", "max")):
+            if any(p.get(quantity) for p in points):
+                caption = _jump_sentence(jumps) if quantity == "deflection" else ""
+                section.add_figure(plot_sweep(points, jumps, quantity=quantity, statistic=statistic), caption)
+        if any(float(p.get("contact_loss_share") or 0.0) > 0.0 for p in points):
+            section.add_figure(plot_contact_shares(points), "Time without contact as a share of the time measured.")
+        elif any(p.get("contact_loss_share") is not None for p in points):
+            section.add("<p>The flanks stay in contact at every point of this sweep.</p>")
+    return section
+
+
+def time_section(runs: Mapping[str, Any]) -> Section:
+    """Signals, statistics and contact times of the time responses."""
+    section = Section("time", "Time response")
+    for name, run in runs.items():
+        time, found = channels(run.data)
+        if time.size < 2 or not found:
+            continue
+        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
+        section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
+        settled = _settled(time, run.settle_time)
+        steady = not _changes_speed(time[settled], _angle(run, found), settled)
+        rows = [
+            (c, vars(signal_statistics(c.values[settled], time[settled])))
+            for c in found.values()
+            if c.quantity in (*TIME_QUANTITIES, *FORCE_PARTS) and np.all(np.isfinite(c.values))
+        ]
+        section.add(statistics_table(rows[:24]))
+        states = {_owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
+        section.add(_contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled))
+        for quantity in TIME_QUANTITIES:
+            group = [c for c in found.values() if c.quantity == quantity]
+            for unit in dict.fromkeys(c.unit for c in group):
+                same = [c for c in group if c.unit == unit]
+                state = states.get(_owner(same[0])) if len(same) == 1 and quantity == "mesh_force" else None
+                whole = plot_signals(time, same[:MOST_LINES], contact_state=state)
+                end = _detail(time, same[:MOST_LINES], state) if steady else None
+                section.add_figure(whole, _left_out(len(same)), beside=end)
+        for mesh in dict.fromkeys(_owner(c) for c in found.values() if c.quantity in FORCE_PARTS):
+            tooth = [c for c in found.values() if c.quantity in FORCE_PARTS and _owner(c) == mesh]
+            part = _last_periods(time, tooth[0].values) if steady else slice(None)
+            shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in tooth]
+            section.add_figure(plot_force_parts(time[part], shown), f"Parts of the tooth force, {mesh}.")
+    return section
+
+
+def spectrum_section(runs: Mapping[str, Any], highest_order: float) -> Section:
+    """Spectra and orders of steady runs, maps of run-ups."""
+    section = Section("spectra", "Spectra and orders")
+    for name, run in runs.items():
+        time, found = channels(run.data)
+        picked = [c for q in SPECTRUM_QUANTITIES for c in found.values() if c.quantity == q]
+        if time.size < 64 or not picked:
+            continue
+        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
+        window = _settled(time, run.settle_time)
+        angle = _angle(run, found)
+        turns = None if angle is None else angle.values[window]
+        orders = run.highest_order or highest_order
+        for channel in picked[:MOST_LINES]:
+            signal = Channel(channel.name, channel.values[window], channel.unit, channel.long_name)
+            if turns is not None and _changes_speed(time[window], angle, window):
+                _add_maps(section, signal, time[window], turns, orders)
+            else:
+                _add_spectra(section, signal, time[window], turns, orders)
+    return section
+
+
+def campbell_section(data: Any) -> Section:
+    """Natural frequencies against mesh orders."""
+    section = Section("campbell", "Campbell diagram")
+    if data is not None and np.size(data.mode_frequencies) and np.size(data.speed) > 1:
+        section.add_figure(
+            plot_campbell(data.speed, data.mode_frequencies, data.orders, mode_names=data.mode_names),
+            "Circles mark the speeds at which a mesh order meets a natural frequency.",
+        )
+    return section
+
+
+def notes_section(warnings: Sequence[str], assumptions: Sequence[str], sources: Sequence[str]) -> Section:
+    """Warnings, assumptions and sources."""
+    section = Section("notes", "Warnings, assumptions, sources")
+    for heading, lines, css in (
+        ("Warnings", warnings, "notes warnings"),
+        ("Assumptions", assumptions, "notes"),
+        ("Sources", sources, "notes"),
+    ):
+        items = "".join(f"<li>{escape(line)}</li>" for line in lines)
+        section.add(f'<h3>{heading}</h3><ul class="{css}">{items}</ul>' if items else "")
+    return section
+
+
+def _owner(channel: Channel) -> str:
+    return channel.name.partition("[")[2].rstrip("]").partition(".")[0]
+
+
+def _angle(run: Any, found: Mapping[str, Channel]) -> Channel | None:
+    """The angle that orders refer to."""
+    if run.angle:
+        return found.get(run.angle)
+    return next((c for c in found.values() if c.quantity == "angle"), None)
+
+
+def _settled(time: Array, settle_time: float) -> np.ndarray:
+    """Samples of the window of statistics; everything if the run ended before it began."""
+    inside = time >= time[0] + settle_time
+    return inside if int(inside.sum()) >= 64 else np.ones(time.size, dtype=bool)
+
+
+def _last_periods(time: Array, values: Array) -> slice:
+    """The last dozen periods of what dominates a steady record; everything if there are few, or no clear period."""
+    tail = slice(time.size // 2, None)
+    piece, rate = _uniform(time[tail], values[tail])
+    if piece.size < 256 or not np.all(np.isfinite(piece)):
+        return slice(None)
+    spectrum = amplitude_spectrum(piece, rate)
+    top = int(np.argmax(spectrum.amplitude[1:])) + 1
+    if spectrum.amplitude[top] <= 1e-9 * abs(spectrum.mean) or top < DETAIL_PERIODS * 2:
+        return slice(None)
+    return slice(int(np.searchsorted(time, time[-1] - DETAIL_PERIODS / spectrum.frequency[top])), None)
+
+
+def _detail(time: Array, group: Sequence[Channel], state: Array | None) -> go.Figure | None:
+    """The end of the signals, magnified so that single periods can be seen."""
+    part = _last_periods(time, group[0].values)
+    if part.start is None:
+        return None
+    shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in group]
+    return plot_signals(time[part], shown, contact_state=None if state is None else state[part])
+
+
+def _left_out(count: int) -> str:
+    return f"{count - MOST_LINES} more channels of this kind are in the result file." if count > MOST_LINES else ""
+
+
+def _jump_sentence(jumps: Sequence[Mapping[str, Any]]) -> str:
+    if not jumps:
+        return "No jump found in this sweep."
+    pitch = scale("Hz", [float(j["mesh_frequency"]) for j in jumps])
+    places = ", ".join(f"{j['direction']} at {number(float(j['mesh_frequency']) * pitch.factor)}" for j in jumps)
+    return f"Jumps: {places} {pitch.unit} mesh frequency."
+
+
+def _contact_table(
+    time: Array, states: Mapping[str, Array], found: Mapping[str, Channel], settled: np.ndarray
+) -> str:
+    """Contact loss, back contact and impacts per mesh."""
+    body = []
+    for mesh, state in states.items():
+        force = found.get(f"mesh_force[{mesh}]")
+        c = contact_statistics(time, state, None if force is None else force.values[settled])
+        peaks = [i.peak for i in c.impacts if i.peak is not None]
+        peak = scale("N", peaks) if peaks else None
+        longest = scale("s", [c.longest_loss])
+        cells = (
+            f"{100.0 * c.loss_share:.3g} %",
+            f"{100.0 * c.back_contact_share:.3g} %",
+            f"{number(c.longest_loss * longest.factor, 4)} {longest.unit}" if c.separations else "–",
+            str(len(c.impacts)),
+            f"{number(max(peaks) * peak.factor, 4)} {peak.unit}" if peak else "–",
+        )
+        body.append(f'<tr><th scope="row">{escape(mesh)}</th><td></td>' + "".join(f'<td class="num">{x}</td>' for x in cells) + "</tr>")
+    head = ("mesh", "", "contact lost", "back contact", "longest loss", "impacts", "largest impact")
+    return plain_table(head, body) if body else ""
+
+
+def _changes_speed(time: Array, angle: Channel | None, window: np.ndarray) -> bool:
+    """Whether the mean speeds of the tenths of a run differ by more than `RUN_UP`."""
+    if angle is None or time.size < 11:
+        return False
+    marks = np.linspace(0, time.size - 1, 11).round().astype(np.int64)
+    speed = np.diff(angle.values[window][marks]) / np.diff(time[marks])
+    fastest = float(np.abs(speed).max())
+    return fastest > 0.0 and float(np.ptp(speed)) > RUN_UP * fastest
+
+
+def _uniform(time: Array, values: Array) -> tuple[Array, float]:
+    """Values at equal time steps and their rate; records of adaptive solvers are interpolated."""
+    try:
+        return values, sample_rate_of(time)
+    except SignalError:
+        grid = np.linspace(time[0], time[-1], time.size)
+        return np.interp(grid, time, values), (time.size - 1) / float(time[-1] - time[0])
+
+
+def _add_spectra(section: Section, channel: Channel, time: Array, angle: Array | None, highest: float) -> None:
+    values, rate = _uniform(time, channel.values)
+    name = channel.label
+    section.add_figure(
+        spectrum_plots.plot_spectrum({name: amplitude_spectrum(values, rate)}, unit=channel.unit, quantity=f"amplitude, {name}"),
+    )  # fmt: skip
+    if angle is None:
+        return
+    try:
+        turned = resample_over_angle(channel.values, angle, samples_per_revolution=np.ceil(2.56 * highest))
+        spectrum = order_spectrum(turned.values, turned.samples_per_revolution)
+    except SignalError as reason:
+        section.add(f"<p>No order spectrum of {escape(name)}: {escape(str(reason))}.</p>")
+        return
+    section.add_figure(
+        spectrum_plots.plot_spectrum({name: spectrum}, unit=channel.unit, quantity=f"amplitude, {name}", over="order"),
+    )  # fmt: skip
+
+
+def _add_maps(section: Section, channel: Channel, time: Array, angle: Array, highest: float) -> None:
+    values, rate = _uniform(time, channel.values)
+    top = min(0.5 * rate, highest * _top_speed(time, angle) / (2.0 * np.pi))
+    data = time_frequency_map(values, rate, highest_frequency=top)
+    section.add_figure(
+        spectrum_plots.plot_time_frequency(data, unit=channel.unit, quantity=channel.label),
+        "Amplitudes over time and frequency: orders rise with the speed, resonances stay at their frequency.",
+    )
+    try:
+        tracked = order_map(channel.values, angle, time, highest_order=highest, revolutions=_frame(angle))
+    except SignalError as reason:
+        section.add(f"<p>No order map of {escape(channel.label)}: {escape(str(reason))}.</p>")
+        return
+    section.add_figure(
+        spectrum_plots.plot_order_map(tracked, unit=channel.unit, quantity=channel.label),
+        "Amplitudes over order and speed: orders stand upright, resonances run along hyperbolas.",
+    )
+
+
+def _top_speed(time: Array, angle: Array) -> float:
+    marks = np.linspace(0, time.size - 1, min(101, time.size)).round().astype(np.int64)
+    return float(np.abs(np.diff(angle[marks]) / np.diff(time[marks])).max())
+
+
+def _frame(angle: Array) -> float:
+    """Revolutions per frame: a fortieth of the run, one at least and eight at most."""
+    return float(np.clip(np.floor(abs(angle[-1] - angle[0]) / (2.0 * np.pi) / 40.0), 1.0, 8.0))

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of gear, mesh and result data with symbols and units, as HTML."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from html import escape
+from typing import Any
+
+from pitchpoint.core.nomenclature import lookup
+from pitchpoint.core.units import display_unit, in_unit
+from pitchpoint.viz.quantities import Channel, number, pretty, scale
+
+# What a table shows, in this order; symbol, words and unit of each come from the nomenclature.
+GEAR_ROWS = (
+    "z", "m_n", "m_t", "alpha_n", "alpha_t", "beta", "beta_b", "x", "b", "d", "d_b", "d_a", "d_f", "d_Fa", "d_Ff", "s_n",
+    "p_t", "p_et", "mass", "polar_inertia",
+)  # fmt: skip
+MESH_ROWS = (
+    "a_w", "a_d", "alpha_wt", "x_sum", "x_sum_given", "d_w1", "d_w2", "d_Nf1", "d_Nf2", "g_alpha", "eps_alpha", "eps_beta",
+    "eps_gamma", "j_bt", "j_wt", "j_bn", "c_prime", "c_gamma_alpha", "C_R", "C_B",
+)  # fmt: skip
+_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
+
+
+def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> str:
+    """One row per quantity, one column per gear or mesh; rows that nobody has are left out.
+
+    Parameters
+    ----------
+    rows
+        Identifiers of the nomenclature, in order.
+    things
+        SI values by identifier, by the name of the gear or mesh.
+    """
+    head = "".join(f'<th scope="col" class="num">{escape(name)}</th>' for name in things)
+    body = []
+    for key in rows:
+        entry = lookup(key)
+        kind = entry.dimension or "dimensionless"
+        values = [thing.get(key) for thing in things.values()]
+        known = [float(v) for v in values if isinstance(v, int | float)]
+        if not known:
+            continue
+        # one unit per row: that of the largest value, so that the columns compare at a glance
+        unit = entry.display if entry.display == "deg" else display_unit(kind, max(abs(v) for v in known))
+        words = entry.meaning.partition(";")[0]
+        cells = "".join(f'<td class="num">{_cell(v, kind, unit)}</td>' for v in values)
+        body.append(
+            f'<tr><th scope="row">{escape(words)}</th><td class="sym">{symbol_html(entry.symbol)}</td>'
+            f'<td class="unit">{pretty(unit)}</td>{cells}</tr>'
+        )
+    if not body:
+        return ""
+    return (
+        '<div class="scroll"><table><thead><tr><th scope="col">quantity</th><th scope="col">symbol</th>'
+        f'<th scope="col">unit</th>{head}</tr></thead><tbody>{"".join(body)}</tbody></table></div>'
+    )
+
+
+def statistics_table(rows: Sequence[tuple[Channel, Mapping[str, float]]]) -> str:
+    """Mean, rms, minimum and maximum per channel, each in its display unit."""
+    body = []
+    for channel, values in rows:
+        shown = scale(channel.unit, [values["min"], values["max"]])
+        cells = "".join(
+            f'<td class="num">{number(values[key] * shown.factor)}</td>' for key in ("mean", "rms", "min", "max")
+        )
+        body.append(f'<tr><th scope="row">{escape(channel.label)}</th><td class="unit">{shown.unit}</td>{cells}</tr>')
+    return plain_table(("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum"), body) if body else ""
+
+
+def plain_table(head: Sequence[str], body: Sequence[str]) -> str:
+    """Table from ready rows; the first column is left-aligned, numbers are right-aligned from the third on."""
+    cells = "".join(
+        f'<th scope="col"{" class=num" if k > 1 else ""}>{escape(words)}</th>' for k, words in enumerate(head)
+    )
+    return f'<div class="scroll"><table><thead><tr>{cells}</tr></thead><tbody>{"".join(body)}</tbody></table></div>'
+
+
+def symbol_html(symbol: str) -> str:
+    """Symbol with its index lowered.
+
+    Examples
+    --------
+    >>> symbol_html("d_Nf1"), symbol_html("mₙ"), symbol_html("c′")
+    ('d<sub>Nf1</sub>', 'm<sub>n</sub>', 'c′')
+    """
+    text, index = "", ""
+    for letter in symbol.replace("_", "\0"):
+        lowered = letter.translate(_LOWERED)
+        if letter == "\0" or lowered != letter or (index and letter != " "):
+            index += "" if letter == "\0" else lowered
+            index = index or "\0"
+            continue
+        if index:
+            text, index = text + f"<sub>{escape(index.strip(chr(0)))}</sub>", ""
+        text += escape(letter)
+    return text + (f"<sub>{escape(index.strip(chr(0)))}</sub>" if index else "")
+
+
+def _cell(value: Any, kind: str, unit: str) -> str:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return "–" if value is None else escape(str(value))
+    return number(value if kind == "dimensionless" else in_unit(float(value), kind, unit), 6)

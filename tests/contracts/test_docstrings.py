@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Docstrings of the layers that carry equations: present, and with the parameters of the signature."""
+
+from __future__ import annotations
+
+import ast
+import re
+
+import pytest
+
+from tests.contracts.source import PACKAGE, functions, is_kernel, is_public, name_of, python_files
+
+LAYERS = ("geometry", "contact", "analysis", "core")
+FILES = [p for p in python_files("src") if p.relative_to(PACKAGE).parts[0] in LAYERS]
+_SECTION = re.compile(r"^(\w[\w ]*)\n-{3,}\n", re.MULTILINE)
+
+
+def documented(doc: str) -> list[str] | None:
+    """Names in the Parameters section of a numpydoc text, or None without such a section."""
+    parts = _SECTION.split(doc)
+    for title, body in zip(parts[1::2], parts[2::2], strict=True):
+        if title == "Parameters":
+            heads = [line for line in body.splitlines() if line and not line.startswith(" ")]
+            return [n.strip().lstrip("*") for head in heads for n in head.split(":")[0].split(",")]
+    return None
+
+
+def parameters(function) -> list[str]:
+    """Parameter names of a signature, in order, without self and cls."""
+    a = function.args
+    every = [*a.posonlyargs, *a.args, *([a.vararg] if a.vararg else []), *a.kwonlyargs]
+    every += [a.kwarg] if a.kwarg else []
+    return [x.arg for x in every if x.arg not in ("self", "cls")]
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_public_functions_say_what_they_do(path):
+    silent = [n for n, f in functions(path) if is_public(n) and not ast.get_docstring(f)]
+    assert not silent
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_documented_parameters_are_those_of_the_signature(path):
+    wrong = []
+    for name, function in functions(path):
+        doc = ast.get_docstring(function)
+        names = parameters(function)
+        if not doc or not is_public(name):
+            continue
+        found = documented(doc)
+        # a single parameter may be explained by the summary line
+        needed = "." not in name and not is_kernel(function) and len(names) > 1
+        if found is None and needed:
+            wrong.append(f"{name}: no Parameters section")
+        elif found is not None and found != names:
+            wrong.append(f"{name}: documented {found}, signature {names}")
+    assert not wrong

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Imports: downward only, and nothing heavy before it is needed. Module lists, never timings."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+import tomllib
+
+import pytest
+
+import pitchpoint
+from tests.contracts.source import PACKAGE, ROOT, tree
+
+HEAVY = ("numba", "llvmlite", "scipy", "xarray", "pandas", "h5py", "h5netcdf", "plotly", "pint", "pydantic")
+
+
+def loaded_by(statement: str) -> set[str]:
+    """Top-level packages in a fresh interpreter after a statement."""
+    code = f"import sys\n{statement}\nprint('\\n'.join(sorted({{m.split('.')[0] for m in sys.modules}})))"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
+    return set(run.stdout.split())
+
+
+@pytest.mark.parametrize("statement", ["import pitchpoint", "import pitchpoint.cli.main"])
+def test_the_package_and_its_command_load_nothing_heavy(statement):
+    assert not loaded_by(statement) & {*HEAVY, "numpy", "rich"}
+
+
+def test_help_loads_nothing_heavy():
+    statement = (
+        "import io, contextlib\nfrom pitchpoint.cli.main import run_command\n"
+        "with contextlib.redirect_stdout(io.StringIO()): assert run_command(['--help']) == 0"
+    )
+    assert not loaded_by(statement) & {*HEAVY, "numpy"}
+
+
+@pytest.mark.parametrize("module", ["geometry", "analysis", "model.model", "core.units", "core.formula"])
+def test_these_need_no_heavy_library(module):
+    assert not loaded_by(f"import pitchpoint.{module}") & set(HEAVY)
+
+
+def test_a_file_is_read_without_the_compiler():
+    example = ROOT / "examples" / "backlash-oscillator" / "model.yaml"
+    loaded = loaded_by(f"import pitchpoint; pitchpoint.load_model({str(example)!r})")
+    assert not loaded & {"numba", "llvmlite", "scipy", "xarray", "h5py", "plotly"}
+
+
+def test_import_contracts_hold():
+    run = subprocess.run(
+        [
+            sys.executable,
+            "-c",
+            "from importlinter.cli import lint_imports_command; lint_imports_command()",
+            "--no-logo",
+        ],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=ROOT,
+    )
+    assert run.returncode == 0, run.stdout
+
+
+def test_the_layer_contract_names_every_layer():
+    """A new folder of the package has to take its place in the order of imports."""
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    contracts = settings["tool"]["importlinter"]["contracts"]
+    layers = next(c for c in contracts if c["type"] == "layers")["layers"]
+    named = {name.strip() for row in layers for name in row.split("|")}
+    folders = {f"pitchpoint.{p.name}" for p in PACKAGE.iterdir() if (p / "__init__.py").exists()}
+    assert named == folders
+    analysis = next(c for c in contracts if c.get("source_modules") == ["pitchpoint.analysis"])
+    assert set(analysis["forbidden_modules"]) == folders - {"pitchpoint.analysis", "pitchpoint.core"}
+
+
+@pytest.mark.parametrize("name", pitchpoint.__all__)
+def test_every_public_name_can_be_imported(name):
+    assert getattr(pitchpoint, name) is not None
+
+
+def test_type_checkers_see_the_same_names():
+    block = next(n for n in tree(PACKAGE / "__init__.py").body if isinstance(n, ast.If))
+    seen = {a.name for n in block.body if isinstance(n, ast.ImportFrom) for a in n.names}
+    assert seen | {"__version__"} == set(pitchpoint.__all__)
+    assert sorted(pitchpoint.__all__) == dir(pitchpoint)
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        _ = pitchpoint.nothing

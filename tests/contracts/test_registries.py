@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Registries are complete, and what they list keeps to its contract."""
+
+from __future__ import annotations
+
+import importlib
+
+import numpy as np
+import pytest
+from click import Command
+
+from pitchpoint.cli.main import COMMANDS
+from pitchpoint.contact.stiffness import REGISTRY
+from pitchpoint.core import status
+from pitchpoint.elements.registry import find, names
+from tests.contracts.source import PACKAGE, functions, is_kernel
+
+FIRST = ("i", "j", "ii", "ij", "ji", "jj")
+
+
+def plain(dtype: np.dtype) -> bool:
+    """True if a record holds nothing but int64, float64 and nested arrays of them."""
+    if dtype.fields is not None:
+        return all(plain(field[0]) for field in dtype.fields.values())
+    return dtype.base in (np.dtype(np.int64), np.dtype(np.float64))
+
+
+@pytest.mark.parametrize("name", names())
+def test_element_kinds_keep_to_their_contract(name):
+    kind = find(name)
+    module = kind.load()
+    record = module.RECORD
+    assert record.isalignedstruct
+    assert plain(record)
+    assert record.names[:6] == FIRST
+    assert record.names[-1] == "out"
+    for pair in kind.pairs:
+        assert set(pair) <= set(record.names)
+    assert all(len(row) == 3 and all(isinstance(x, str) for x in row) for row in module.OUTPUTS)
+    assert callable(module.entry)
+
+
+def test_every_file_with_an_entry_is_a_registered_kind():
+    listed = {find(name).module.rpartition(".")[2] for name in names()}
+    entries = {
+        path.stem
+        for path in (PACKAGE / "elements").glob("*.py")
+        if any(name == "entry" and is_kernel(function) for name, function in functions(path))
+    }
+    assert entries == listed
+
+
+@pytest.mark.parametrize("name", sorted(REGISTRY))
+def test_stiffness_sources_can_be_found_under_their_name(name):
+    source = REGISTRY[name]
+    assert callable(source.function)
+    assert source.summary
+    assert (PACKAGE / "contact" / "stiffness" / f"{name}.py").is_file()
+
+
+@pytest.mark.parametrize("name", sorted(COMMANDS))
+def test_commands_can_be_found_under_their_name(name):
+    command = getattr(importlib.import_module(f"pitchpoint.cli.{name}"), name)
+    assert isinstance(command, Command)
+    assert command.help
+    for parameter in command.params:
+        assert getattr(parameter, "help", "argument")
+
+
+def test_every_status_has_a_sentence():
+    codes = {n: v for n, v in vars(status).items() if n.isupper() and isinstance(v, int)}
+    assert len(set(codes.values())) == len(codes)
+    assert codes["DIED"] == 0
+    assert codes["OK"] == 1
+    assert not [n for n, v in codes.items() if "unknown" in status.sentence(v)]

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rules about files: licence line, purpose, size, names, nothing left half done."""
+
+from __future__ import annotations
+
+import ast
+import re
+
+import pytest
+
+from tests.contracts.source import PACKAGE, ROOT, functions, is_kernel, is_public, name_of, python_files, tree
+
+ALL = python_files()
+SOURCE = python_files("src")
+MAX_LINES = 400
+MAX_ARGUMENTS = 10
+LEFT_OVER = re.compile(r"\b(TODO|FIXME|XXX|HACK|WIP)\b|NotImplementedError|/(home|root|work|Users)/\w")
+CLASS_NAMES = re.compile(r"(Manager|Helper|Util|Utils)$|^(Simulation|Config|Entity)$")
+
+
+@pytest.mark.parametrize("path", ALL, ids=name_of)
+def test_every_file_has_licence_and_purpose(path):
+    text = path.read_text(encoding="utf-8")
+    assert text.startswith("# SPDX-License-Identifier: Apache-2.0\n"), "first line: SPDX identifier"
+    assert ast.get_docstring(tree(path)), "a module docstring says what the file is for"
+
+
+@pytest.mark.parametrize("path", SOURCE, ids=name_of)
+def test_files_stay_small(path):
+    assert len(path.read_text(encoding="utf-8").splitlines()) <= MAX_LINES
+
+
+@pytest.mark.parametrize("path", SOURCE, ids=name_of)
+def test_functions_take_few_arguments(path):
+    long = []
+    for name, function in functions(path):
+        a = function.args
+        count = len(a.posonlyargs) + len(a.args) + len(a.kwonlyargs)
+        count -= bool(a.args and a.args[0].arg in ("self", "cls"))
+        if count > MAX_ARGUMENTS and not is_kernel(function):
+            long.append(f"{name} takes {count}")
+    assert not long, f"a function with more than {MAX_ARGUMENTS} arguments is missing a noun: {long}"
+
+
+@pytest.mark.parametrize("path", [p for p in ALL if p.name != "test_source.py"], ids=name_of)
+def test_nothing_is_left_half_done(path):
+    lines = path.read_text(encoding="utf-8").splitlines()
+    found = [f"{i}: {line.strip()}" for i, line in enumerate(lines, 1) if LEFT_OVER.search(line)]
+    assert not found
+
+
+def test_documents_name_no_machine():
+    documents = list(ROOT.glob("*.md")) + sorted((ROOT / "docs").rglob("*.md"))
+    found = [name_of(p) for p in documents if LEFT_OVER.search(p.read_text(encoding="utf-8"))]
+    assert not found
+
+
+def test_names_that_say_nothing_are_not_used():
+    assert not [name_of(p) for p in ALL if p.stem in ("utils", "util", "helpers", "misc", "common")]
+    classes = [
+        f"{name_of(p)}: {n.name}"
+        for p in SOURCE
+        for n in ast.walk(tree(p))
+        if isinstance(n, ast.ClassDef) and CLASS_NAMES.search(n.name)
+    ]
+    assert not classes
+
+
+@pytest.mark.parametrize("path", SOURCE, ids=name_of)
+def test_public_functions_are_annotated(path):
+    bare = []
+    for name, function in functions(path):
+        if is_kernel(function) or not is_public(name) or path == PACKAGE / "core" / "kernel.py":
+            continue
+        a = function.args
+        arguments = [x for x in (*a.posonlyargs, *a.args, *a.kwonlyargs, a.vararg, a.kwarg) if x is not None]
+        named = [x.arg for x in arguments if x.annotation is None and x.arg not in ("self", "cls")]
+        if named or function.returns is None:
+            bare.append(f"{name}({', '.join(named)}) -> {'...' if function.returns else 'missing'}")
+    assert not bare, f"annotate {bare}"
+
+
+def test_packages_list_and_do_not_compute():
+    for path in SOURCE:
+        if path.name == "__init__.py" and path.parent != PACKAGE and "stiffness" not in path.parts:
+            loops = [n for n in ast.walk(tree(path)) if isinstance(n, ast.For | ast.While)]
+            assert not loops, name_of(path)

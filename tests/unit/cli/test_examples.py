@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint examples`: list and copy, from the source tree and from an installed package."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from tests.support.cli_files import json_of
+
+from pitchpoint.cli import examples
+from pitchpoint.cli.main import run_command
+
+
+@pytest.fixture
+def shelf(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Make a folder with one example and things that are none."""
+    folder = tmp_path / "shelf"
+    example = folder / "backlash"
+    (example / "build").mkdir(parents=True)
+    (example / "README.md").write_text("# A pair with backlash\n\ntext\n", encoding="utf-8")
+    (example / "model.yaml").write_text("title: x\n", encoding="utf-8")
+    (example / "build" / "old.h5").write_text("", encoding="utf-8")
+    (example / "run.h5").write_text("", encoding="utf-8")
+    (folder / "half").mkdir()
+    monkeypatch.setattr(examples, "examples_folder", lambda: folder)
+    return folder
+
+
+def test_list(shelf: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    found = json_of(["examples", "list"], capsys)["examples"]
+    assert found == [{"name": "backlash", "title": "A pair with backlash", "files": ["model.yaml"]}]
+    assert run_command(["examples", "list"]) == 0
+    assert "A pair with backlash" in capsys.readouterr().out
+
+
+def test_copy(shelf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = tmp_path / "mine"
+    assert run_command(["examples", "copy", "backlash", str(target)]) == 0
+    assert sorted(path.name for path in target.iterdir()) == ["README.md", "model.yaml"]
+    assert f"pitchpoint check {target / 'model.yaml'}" in capsys.readouterr().out
+    assert run_command(["examples", "copy", "backlash", str(target)]) == 2
+    assert "--force" in capsys.readouterr().err
+    assert run_command(["examples", "copy", "backlash", str(target), "--force"]) == 0
+
+
+def test_nearest_spelling(shelf: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run_command(["examples", "copy", "backlsh"]) == 2
+    assert "did you mean 'backlash'?" in capsys.readouterr().err
+
+
+def test_the_source_tree_has_a_folder_of_examples() -> None:
+    assert examples.examples_folder().name == "examples"

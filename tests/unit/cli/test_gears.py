@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint gears` and `mesh` on files: numbers of ISO/TR 6336-30 example 1, signs, units, tables.
+
+Source of the numbers: ISO/TR 6336-30, example 1, as quoted by two open re-implementations; recomputed in
+closed form where the report prints fewer digits. Backlash: 2 (r_b1 + r_b2)(inv alpha_wt - inv alpha_w0) with
+the given x.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+from tests.support.cli_files import ISO_EX1, TORSION, json_of, written
+
+from pitchpoint.cli.main import run_command
+
+PINION = {
+    "z": 17, "m_n": 8e-3, "alpha_n": math.radians(20), "alpha_t": math.radians(20.719712),
+    "beta": math.radians(15.8), "beta_b": math.radians(14.824535), "x": 0.145, "d": 0.141340113,
+    "d_b": 0.132198569, "d_a": 0.15966, "p_et": 0.024430238, "z_n": 18.9051,
+}  # fmt: skip
+WHEEL = {"z": 103, "d": 0.856354803, "d_b": 0.800967802, "d_a": 0.87235, "z_n": 114.5428}
+STAGE = {
+    "a_w": 0.5, "alpha_wt": math.radians(21.0661), "x_sum": 0.14522, "x_sum_given": 0.145,
+    "d_w1": 0.141666667,
+    "d_w2": 0.858333333, "d_Nf1": 0.13292069, "d_Nf2": 0.84522524, "g_alpha": 0.03784464,
+    "eps_alpha": 1.54909,
+    "eps_beta": 1.083369, "T1T2": 0.179722372, "j_bt": 1.25722e-6, "C_R": 1.0, "C_B": 0.9,
+    "c_prime": 12.370472e9, "c_gamma_alpha": 17.46485e9,
+}  # fmt: skip
+
+
+def test_iso_example_1(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    data = json_of(["gears", written(tmp_path, ISO_EX1)], capsys)
+    for found, expected in (
+        (data["gears"]["pinion"], PINION),
+        (data["gears"]["wheel"], WHEEL),
+        (data["meshes"]["stage"], STAGE),
+    ):
+        for name, value in expected.items():
+            assert found[name] == pytest.approx(value, rel=4e-6), name
+    for name in ("m_t", "d_f", "d_Ff", "s_n", "p_t", "mass"):
+        assert data["gears"]["pinion"][name] > 0.0
+    assert (data["gears"]["pinion"]["hand"], data["gears"]["wheel"]["hand"]) == ("left", "right")
+    stage = data["meshes"]["stage"]
+    assert stage["a_d"] == pytest.approx(8e-3 * 120 / 2 / math.cos(math.radians(15.8)), rel=1e-12)
+    assert stage["eps_gamma"] == pytest.approx(stage["eps_alpha"] + stage["eps_beta"], rel=1e-12)
+    assert stage["j_bn"] == pytest.approx(stage["j_bt"] * math.cos(math.radians(14.824535)), rel=1e-6)
+    assert stage["j_wt"] == pytest.approx(stage["j_bt"] / math.cos(math.radians(21.0661)), rel=1e-6)
+
+
+def test_backlash_of_the_file_counts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    stage = json_of(["gears", written(tmp_path, TORSION)], capsys)["meshes"]["stage"]
+    assert stage["j_bt"] == pytest.approx(1e-4, rel=1e-12)
+    assert stage["j_wt"] == pytest.approx(1e-4 / math.cos(math.radians(20)), rel=1e-12)
+
+
+def test_internal_gears_are_positive_outside(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = """
+gears:
+  planet: {number_of_teeth: 20, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  ring: {type: internal, number_of_teeth: 70, normal_module: 2 mm, face_width: 20 mm,
+         profile_shift_coefficient: 0}
+meshes:
+  outer: {gears: [planet, ring]}
+"""
+    data = json_of(["gears", written(tmp_path, text)], capsys)
+    ring, outer = data["gears"]["ring"], data["meshes"]["outer"]
+    assert ring["type"] == "internal"
+    assert ring["z"] == 70
+    assert ring["d"] == pytest.approx(0.14, rel=1e-12)
+    assert ring["d_a"] < ring["d"] < ring["d_f"]
+    assert outer["a_w"] == outer["a_d"] == pytest.approx(0.05, rel=1e-9)
+    assert outer["d_w2"] == pytest.approx(0.14, rel=1e-9)
+    assert outer["c_1"] > 0.0
+    assert outer["c_2"] > 0.0
+
+
+def test_people_read_millimetres_and_degrees(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run_command(["gears", written(tmp_path, ISO_EX1)]) == 0
+    captured = capsys.readouterr()
+    for text in (
+        "141.3401 mm",
+        "15.8 deg",
+        "12.3705 N/(mm µm)",
+        "1.257216 µm",
+        "stage: pinion / wheel",
+        "span",
+    ):
+        assert text in captured.out
+    assert captured.err == ""
+
+
+def test_only_one_gear(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, ISO_EX1)
+    assert run_command(["gears", file, "--gear", "pinion"]) == 0
+    assert "874.3773" not in capsys.readouterr().out
+    assert run_command(["gears", file, "--gear", "pinoin"]) == 2
+    assert "did you mean 'pinion'?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("ending", "begin"), [("dxf", b"0\n"), ("svg", b"<svg"), ("csv", b"x [mm]"), ("stl", b"")]
+)
+def test_drawings(ending: str, begin: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, target = written(tmp_path, ISO_EX1), tmp_path / f"pinion.{ending}"
+    assert run_command(["gears", file, "--export", str(target), "--gear", "pinion"]) == 0
+    assert str(target) in capsys.readouterr().out
+    assert target.read_bytes().startswith(begin)
+    assert target.stat().st_size > 1000
+
+
+def test_drawings_need_a_gear_and_a_known_ending(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, ISO_EX1)
+    assert run_command(["gears", file, "--export", str(tmp_path / "x.dxf")]) == 2
+    assert "there are pinion, wheel" in capsys.readouterr().err
+    assert run_command(["gears", file, "--export", str(tmp_path / "x.igs"), "--gear", "wheel"]) == 2
+    assert ".dxf" in capsys.readouterr().err
+
+
+def test_mesh_of_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    stage = json_of(["mesh", written(tmp_path, ISO_EX1)], capsys)["meshes"]["stage"]
+    assert stage["mean"] == pytest.approx(1.549090097 * (1.0 - 0.2 / 3.0), rel=1e-8)
+    assert stage["unit_stiffness"] == pytest.approx(1.2370472e9, rel=1e-6)
+    assert stage["relative_to"] == "c' b"
+    wave = json_of(["mesh", written(tmp_path, TORSION), "--points", "3"], capsys)["meshes"]["stage"]
+    assert wave["relative_to"] == "the mean"
+    assert wave["stiffness_ratio"] == pytest.approx([0.65, 1.15, 0.65])
+    assert wave["unit_stiffness"] == 4.0e8
+
+
+@pytest.mark.parametrize("command", ["gears", "mesh", "check"])
+def test_every_problem_of_a_file_at_once(
+    command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = ISO_EX1.replace("number_of_teeth: 17", "number_of_teht: 17").replace("500 mm", "500 kg")
+    assert run_command([command, written(tmp_path, text), "--json"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "Traceback" not in captured.err
+    for words in ("line 3", "number_of_teeth", "line 8", "500 kg"):
+        assert words in captured.err
