@@ -40,9 +40,9 @@ demo: $(STAMP)
 	$(BIN)/pitchpoint warmup
 	$(BIN)/pitchpoint run $(EXAMPLE)/model.yaml --scenario steady -o build/demo/steady.h5
 	$(BIN)/pitchpoint sweep $(EXAMPLE)/model.yaml --scenario sweep -o build/demo/sweep.h5
-	$(BIN)/pitchpoint report $(EXAMPLE)/model.yaml --result build/demo/steady.h5 --result build/demo/sweep.h5 -o build/demo/report.html
+	$(BIN)/pitchpoint report $(EXAMPLE)/model.yaml build/demo/steady.h5 build/demo/sweep.h5 -o build/demo/report.html
 	@echo
-	@echo "The report is ready: $(CURDIR)/build/demo/report.html"
+	@echo "The report is ready, open it in a browser: $(CURDIR)/build/demo/report.html"
 
 # -------------------------------------------------------------------------------------------------- tests
 

@@ -8,6 +8,7 @@ nothing.
 from __future__ import annotations
 
 import importlib
+import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -100,3 +101,11 @@ def __getattr__(name: str) -> Any:
 def __dir__() -> list[str]:
     """Public names, loaded or not."""
     return sorted(__all__)
+
+
+# In a notebook gears and models show themselves; without IPython nothing is imported here.
+if "IPython" in sys.modules:
+    from pitchpoint.viz.notebook import register
+
+    register()
+    del register

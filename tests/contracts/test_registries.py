@@ -7,7 +7,7 @@ import importlib
 
 import numpy as np
 import pytest
-from click import Command
+from click import Command, Option
 
 from pitchpoint.cli.main import COMMANDS
 from pitchpoint.contact.stiffness import REGISTRY
@@ -36,7 +36,9 @@ def test_element_kinds_keep_to_their_contract(name):
     assert record.names[-1] == "out"
     for pair in kind.pairs:
         assert set(pair) <= set(record.names)
-    assert all(len(row) == 3 and all(isinstance(x, str) for x in row) for row in module.OUTPUTS)
+    assert all(
+        len(row) == 3 and all(isinstance(x, str) for x in row) for row in getattr(module, "OUTPUTS", ())
+    )
     assert callable(module.entry)
 
 
@@ -63,8 +65,7 @@ def test_commands_can_be_found_under_their_name(name):
     command = getattr(importlib.import_module(f"pitchpoint.cli.{name}"), name)
     assert isinstance(command, Command)
     assert command.help
-    for parameter in command.params:
-        assert getattr(parameter, "help", "argument")
+    assert all(p.help for p in command.params if isinstance(p, Option))
 
 
 def test_every_status_has_a_sentence():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rules of a flank law, run on the mesh element for every kind of pair, both flanks and every stiffness form."""
+"""Rules of a flank law, run on the mesh element for every kind of pair, both flanks and every stiffness
+form."""
 
 import math
 
@@ -84,8 +85,8 @@ def test_action_is_reaction_about_a_common_point(pair, shape, flank):
 @every_shape
 @both_flanks
 def test_tangent_is_the_derivative_of_the_force(pair, shape, flank):
-    """At frozen phase and line of action. The spin of both gears changes the phase, so its columns are compared
-    for the travel alone: turning both gears against each other by equal travel keeps the phase."""
+    """At frozen phase and line of action. The spin of both gears changes the phase, so its columns are
+    compared for the travel alone: turning both gears against each other by equal travel keeps the phase."""
     m = mesh(pair, shape)
     m.press(8e-6, flank)
     m.evaluate(jac=1)
@@ -159,7 +160,8 @@ def test_swapping_the_gears_changes_nothing(shape, beta):
     b.frames["r"] = a.frames["r"][::-1]
     o1, o2 = (float(x) for x in a.frames["phi"])
     b.frames["phi"] = [o2, o1]
-    # gear 1 of the second mesh is assembled with a tooth on the line of centres, not a space: half a pitch apart
+    # gear 1 of the second mesh is assembled with a tooth on the line of centres, not a space: half a pitch
+    # apart
     b.frames["phi"][0] += math.pi / pair.gear1.z
     b.frames["phi"][1] -= math.pi / pair.gear2.z
     b.row["flank"] = 0
@@ -209,7 +211,8 @@ def test_never_pulls_and_parts_in_the_gap(pair, shape):
 
 @every_pair
 def test_continuous_over_the_phase(pair):
-    """With a relief ramp the force has no jump at any phase; random phases find what even steps would miss."""
+    """With a relief ramp the force has no jump at any phase; random phases find what even steps would
+    miss."""
     m = mesh(pair, "parabola")
     rng = np.random.default_rng(5)
     r1, r2 = m.row["r_b1"], m.row["r_b2"]
@@ -289,7 +292,8 @@ def test_power_balance(pair, shape, flank):
     given = -(F[:, 5] @ speed)
     stored = (energy[1] - energy[0]) / (2 * h)
     balance = given + m.get("parametric_power") - stored - m.get("friction_power") - m.get("damping_power")
-    # three Gauss points are exact for the cubic pieces of the parabola; the power 4/3 and the table are not cubic
+    # three Gauss points are exact for the cubic pieces of the parabola; the power 4/3 and the table are not
+    # cubic
     tolerance = 2e-6 if shape in ("fourier", "parabola") else 5e-4
     assert abs(balance) < tolerance * max(abs(given), abs(stored), m.get("friction_power"))
     assert m.get("friction_power") > 0.0

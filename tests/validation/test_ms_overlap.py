@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """MS-OVERLAP, CONV and SEED-SIMPACK: mesh stiffness over the overlap ratio, means, tip-relief ramps.
 
-Source: L. Mauer, "The new, powerful gearwheel module", SIMPACK User Meeting 2006: parabola with stiffness ratio,
-its integral along the face width, tip-relief factor. Closed forms of the moving average for S_R = 1; the numbers
-for S_R = 0.8 were computed independently of this package. Units of c' b throughout, as in the slides. Tolerance
-1e-6: seven printed digits.
+Source: L. Mauer, "The new, powerful gearwheel module", SIMPACK User Meeting 2006: parabola with stiffness
+ratio, its integral along the face width, tip-relief factor. Closed forms of the moving average for S_R = 1;
+the numbers for S_R = 0.8 were computed independently of this package. Units of c' b throughout, as in the
+slides. Tolerance 1e-6: seven printed digits.
 """
 
 from __future__ import annotations

@@ -4,12 +4,13 @@
 Source: test of the gear element of the open rotor code ROSS; method of Ma et al. 2014 with the gear body of
 Sainsot, Velex and Duverger 2004. Inputs: m 2 mm, b 20 mm, alpha 20 deg, E 206 GPa, nu 0.3, bore 35 mm, rack
 1.0/1.25/0.38. Published: eps_alpha 1.78977987, Hertz term 3.5558686e9 N/m, "mean" 4.0966e8 N/m, table from
-3.96623e8, 3.96739e8 N/m on. Both pairs carry their own body compliance there and here; bodies do not couple them.
+3.96623e8, 3.96739e8 N/m on. Both pairs carry their own body compliance there and here; bodies do not couple
+them.
 
-What the source calls the height u_f of the load is that of the contact point. With that reading the table's start
-follows to 0.3 %, and its mean to 0.1 % as the mean over the double-contact part of the cycle (over the whole
-cycle it is 9.5 % lower). Sainsot's own definition, up to the crossing of load line and centre line, is this
-package's default; its mean over the whole cycle is 4.7 % below the printed one.
+The source takes the height of the contact point for the height u_f of the load. With that reading the table's
+start follows to 0.3 %; the printed mean then agrees to 0.2 % with ours over the double-contact part of the
+cycle, while ours over the whole cycle is 9.5 % lower. Sainsot's own definition, up to the crossing of load
+line and centre line, is this package's default; its mean over the whole cycle is 4.7 % below the printed one.
 """
 
 from __future__ import annotations
@@ -63,11 +64,11 @@ def test_reading_of_the_source():
     _, double_mean, double = cycle_parts("contact_point")
     assert double[0] == pytest.approx(3.96623e8, rel=3e-3)
     assert double[1] > double[0]
-    assert double_mean == pytest.approx(4.0966e8, rel=1e-3)
+    assert double_mean == pytest.approx(4.0966e8, rel=2e-3)
 
 
 def test_standard_is_stiffer():
-    """ISO 6336 gives 4.6088e8 N/m for the same pair: the two methods differ by 12 to 18 %, and both are shown."""
+    """ISO 6336 gives 4.6088e8 N/m for the same pair; the methods differ, and neither is tuned."""
     mean, _, _ = cycle_parts("load_line")
     assert 1.1 < 4.6088e8 / mean < 1.2
 
@@ -99,7 +100,7 @@ def outline(gear):
 
 
 def brute_force(gear, rho):
-    """Bending, shear and axial compliance at one contact point, by adaptive quadrature of the textbook integrals."""
+    """Bending, shear, axial compliance at one contact point: adaptive quadrature of textbook integrals."""
     fillet, involute, first, psi_b, r_b = outline(gear)
     roll = rho / r_b
     x_c, y_c = involute(roll)
@@ -129,7 +130,7 @@ def brute_force(gear, rho):
 def test_one_tooth_against_quadrature(z):
     gear = CylindricalGear(z=z, m_n=2e-3, b=B)
     pair = GearPair(gear, gear, z * 2e-3)
-    found = energy_compliance(pair, points=9).tooth_1
+    found = energy_compliance(pair, points=9, body="rigid").tooth_1
     for i, rho in enumerate(np.linspace(pair.T1A, pair.T1E, 9)):
         bending, shear, axial = brute_force(gear, rho)
         assert found.bending[i] == pytest.approx(bending, rel=2e-7)
@@ -140,9 +141,10 @@ def test_one_tooth_against_quadrature(z):
 def test_body_formula():
     """Sainsot's polynomial with the printed coefficients, at the load line's crossing height."""
     found = energy_compliance(PAIR, points=5, bores=BORES).tooth_1.body
-    theta_f = (
-        math.pi / 2 + 2 * math.tan(math.radians(20)) * (1 - 0.38) + 2 * 0.38 / math.cos(math.radians(20))
-    ) / 62
+    # middle of the tool tip's rounding, in modules from the middle of the tool tooth
+    tan, sin, cos = (f(math.radians(20)) for f in (math.tan, math.sin, math.cos))
+    x_c = math.pi / 4 - 1.25 * tan - 0.38 * (1 - sin) / cos
+    theta_f = (math.pi - 2 * x_c) / 62
     r_f = GEAR.d_f / 2
     L, M, P, Q = body_coefficients(theta_f, r_f / 0.0175)
     psi_b = math.pi / 124 + math.tan(math.radians(20)) - math.radians(20)
@@ -150,6 +152,4 @@ def test_body_formula():
         a = rho / GEAR.r_b - psi_b
         u = (GEAR.r_b / math.cos(a) - r_f) / (2 * r_f * theta_f)
         expected = math.cos(a) ** 2 / E * (L * u**2 + M * u + P * (1 + Q * math.tan(a) ** 2))
-        assert value == pytest.approx(
-            expected, rel=1e-3
-        )  # theta_f of the source takes c* = 0.25 as 0.38 (1 - sin)
+        assert value == pytest.approx(expected, rel=1e-10)

@@ -49,8 +49,8 @@ def amplification_factor(frequency_ratio: ArrayLike, damping_ratio: float) -> Ar
 
     Notes
     -----
-    V = 1/√((1 - η²)² + (2ζη)²) [1]_. Valid for the linear system: a gear mesh follows it only as long as the flanks stay
-    in contact, which ends where V times the alternating force reaches the mean force.
+    V = 1/√((1 - η²)² + (2ζη)²) [1]_. Valid for the linear system: a gear mesh follows it only as long as the
+    flanks stay in contact, which ends where V times the alternating force reaches the mean force.
 
     References
     ----------
@@ -76,7 +76,8 @@ def load_factors(force: ArrayLike, static_force: float | None = None) -> LoadFac
     force
         Mesh force over whole mesh periods at equal steps [N], shape (n,).
     static_force
-        Force without vibration [N], not zero; default the mean of `force`, right where the mean torque is constant.
+        Force without vibration [N], not zero; default the mean of `force`, right where the mean torque is
+        constant.
 
     Returns
     -------
@@ -90,8 +91,8 @@ def load_factors(force: ArrayLike, static_force: float | None = None) -> LoadFac
 
     Notes
     -----
-    K = max(F sgn F_0)/|F_0|, alternating ratio = rms(F - F̄)/|F_0|; the definition of the internal dynamic factor as
-    largest over static tooth force [1]_. Valid for any record that covers the vibration.
+    K = max(F sgn F_0)/|F_0|, alternating ratio = rms(F - F̄)/|F_0|; the definition of the internal dynamic
+    factor as largest over static tooth force [1]_. Valid for any record that covers the vibration.
 
     References
     ----------
@@ -139,8 +140,10 @@ def amplification_curve(dynamic: ArrayLike, quasi_static: ArrayLike) -> Array:
 
     References
     ----------
-    .. [1] Ratio of dynamic to static transmission error as in H. N. Özgüven, D. R. Houser, Dynamic analysis of high
-       speed gears by using loaded static transmission error, Journal of Sound and Vibration 125(1), 1988, 71-83.
+    .. [1] Ratio of dynamic to static transmission error as in H. N. Özgüven, D. R. Houser, Dynamic analysis
+    of high
+       speed gears by using loaded static transmission error, Journal of Sound and Vibration 125(1), 1988,
+       71-83.
 
     Examples
     --------
@@ -149,8 +152,12 @@ def amplification_curve(dynamic: ArrayLike, quasi_static: ArrayLike) -> Array:
     """
     response = as_signal(dynamic, "dynamic", 1)
     reference = np.asarray(quasi_static, dtype=np.float64)
-    reference = np.broadcast_to(reference, response.shape) if reference.ndim == 0 else as_signal(reference, minimum=1)
+    reference = (
+        np.broadcast_to(reference, response.shape) if reference.ndim == 0 else as_signal(reference, minimum=1)
+    )
     same_length(response, reference, "dynamic, quasi_static")
     if not np.all(reference > 0.0):
-        raise SignalError("quasi_static: must be positive everywhere; a pair without excitation has no amplification")
+        raise SignalError(
+            "quasi_static: must be positive everywhere; a pair without excitation has no amplification"
+        )
     return response / reference

@@ -23,7 +23,8 @@ class Crossing:
     frequency
         Common frequency [Hz].
     order
-        Excitations per revolution of the reference shaft [-]; the first mesh order of a gear is its tooth number.
+        Excitations per revolution of the reference shaft [-]; the first mesh order of a gear is its tooth
+        number.
     mode
         Index of the mode, counted from 0 as in the columns of the data.
     """
@@ -44,8 +45,8 @@ def campbell_crossings(
     speed
         Speeds of the reference shaft [rad/s], shape (n_speed,), increasing.
     mode_frequencies
-        Natural frequencies [Hz], shape (n_speed, n_mode), or (n_mode,) where they do not depend on the speed. NaN marks
-        a mode that does not exist at a speed.
+        Natural frequencies [Hz], shape (n_speed, n_mode), or (n_mode,) where they do not depend on the speed.
+        NaN marks a mode that does not exist at a speed.
     orders
         Excitations per revolution of the reference shaft [-], each > 0.
 
@@ -61,12 +62,13 @@ def campbell_crossings(
 
     Notes
     -----
-    Zeros of f_mode(Ω) - order·Ω/(2π) with f_mode linear between the speeds given [1]_. Valid where modes are tracked
-    through the columns; crossings between two speeds closer than the grid resolves are not seen.
+    Zeros of f_mode(Ω) - order·Ω/(2π) with f_mode linear between the speeds given [1]_. Valid where modes are
+    tracked through the columns; crossings between two speeds closer than the grid resolves are not seen.
 
     References
     ----------
-    .. [1] W. E. Campbell, The protection of steam-turbine disk wheels from axial vibration, Transactions of the ASME
+    .. [1] W. E. Campbell, The protection of steam-turbine disk wheels from axial vibration, Transactions of
+    the ASME
        46, 1924, 31-160.
 
     Examples
@@ -99,7 +101,8 @@ def campbell_crossings(
 
 
 def _zeros(x: np.ndarray, y: np.ndarray) -> list[float]:
-    """Zeros of a piecewise linear function; a zero on a sample counts once, stretches of zero at their start."""
+    """Zeros of a piecewise linear function; a zero on a sample counts once, stretches of zero at their
+    start."""
     zeros: list[float] = []
     for i in range(x.size):
         if y[i] == 0.0 and (i == 0 or y[i - 1] != 0.0):

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Jumps in speed sweeps: where the response leaves one branch for another.
 
-A mesh with backlash has two stable responses over a range of speeds. A sweep that carries its state follows one branch to
-its end and then falls or rises to the other; between two points of the sweep the level changes far more than around them.
+A mesh with backlash has two stable responses over a range of speeds. A sweep that carries its state follows
+one branch to its end and then falls or rises to the other; between two points of the sweep the level changes
+far more than around them.
 
 The rule
 --------
@@ -11,21 +12,24 @@ Let y_i = ln(rms_i) in the order of the sweep and d_i = y_{i+1} - y_i. Interval 
 1. |d_i| ≥ ln(`smallest_ratio`): the level changes by at least that ratio, and
 2. |d_i| > `contrast` · (largest |d| of the two intervals before and the two after).
 
-Why it gives no false alarms. Logarithms make the rule independent of unit and level. However coarsely a smooth
-resonance is sampled, a steep step has another steep step within two intervals: with samples at …, 1+p, p, 1-p, 2-p, …
-grid steps from the pole of an undamped resonance, the sharpest curve there is, d = ln((1+p)/p) stands beside
-ln((1-p)/p) and ln((2-p)/(1-p)), and no p brings the ratio above 1.7. A floor lowers the neighbours; over all widths,
-floors and positions the ratio stays below 2.0. The default contrast of 2.5 stands above both. At a fold the response
-turns with a slope that per grid step falls with the grid, while the jump itself does not: a finer sweep only makes it clearer.
+Why it gives no false alarms. Logarithms make the rule independent of unit and level. However coarsely a
+smooth resonance is sampled, a steep step has another steep step within two intervals: with samples at …, 1+p,
+p, 1-p, 2-p, … grid steps from the pole of an undamped resonance, the sharpest curve there is, d = ln((1+p)/p)
+stands beside ln((1-p)/p) and ln((2-p)/(1-p)), and no p brings the ratio above 1.7. A floor lowers the
+neighbours; over all widths, floors and positions the ratio stays below 2.0. The default contrast of 2.5
+stands above both. At a fold the response turns with a slope that per grid step falls with the grid, while the
+jump itself does not: a finer sweep only makes it clearer.
 
-With both directions at hand there is more to go by: what is the same up and down is one function of the frequency and has
-no jump that could be shown, however odd it looks (two narrow resonances between a few points, say). `sweep_jumps`
-therefore asks for hysteresis as well: at the point before or after the jump the levels of the two directions
-differ by `smallest_ratio` or more. So confirmed, a contrast of 2 is enough, and a jump that
-was caught half-way by too short a settling time, and so lies in two steps of one sign, is found too.
+With both directions at hand there is more to go by: what is the same up and down is one function of the
+frequency and has no jump that could be shown, however odd it looks (two narrow resonances between a few
+points, say). `sweep_jumps` therefore asks for hysteresis as well: at the point before or after the jump the
+levels of the two directions differ by `smallest_ratio` or more. So confirmed, a contrast of 2 is enough, and
+a jump that was caught half-way by too short a settling time, and so lies in two steps of one sign, is found
+too.
 
-What the rule cannot see: jumps within two points of an end of the sweep, jumps smaller than `smallest_ratio`, two jumps
-within two intervals of each other, and with both directions a hysteresis that is narrower than the grid.
+What the rule cannot see: jumps within two points of an end of the sweep, jumps smaller than `smallest_ratio`,
+two jumps within two intervals of each other, and with both directions a hysteresis that is narrower than the
+grid.
 """
 
 from __future__ import annotations
@@ -100,14 +104,15 @@ def find_jumps(
 
     Notes
     -----
-    See the module; a smooth resonance gives no jump at any grid, a fold gives one at every grid that resolves its
-    surroundings [1]_. Valid for steady points; transient levels scatter and hide jumps, they do not invent them.
+    See the module; a smooth resonance gives no jump at any grid, a fold gives one at every grid that resolves
+    its surroundings [1]_. Valid for steady points; transient levels scatter and hide jumps, they do not
+    invent them.
 
     References
     ----------
     .. [1] Own rule, made for the sweeps of G. W. Blankenship, A. Kahraman, Steady state forced response of a
-       mechanical oscillator with combined parametric excitation and clearance type non-linearity, Journal of Sound
-       and Vibration 185(5), 1995, 743-765.
+       mechanical oscillator with combined parametric excitation and clearance type non-linearity, Journal of
+       Sound and Vibration 185(5), 1995, 743-765.
 
     Examples
     --------
@@ -155,8 +160,9 @@ def sweep_jumps(
 
     Notes
     -----
-    One direction alone: `find_jumps`. Both: steep steps that hysteresis confirms, see the module [1]_. Points whose level
-    is missing or not finite (a failed case) are left out. Valid for sweeps that carry their state from point to point.
+    One direction alone: `find_jumps`. Both: steep steps that hysteresis confirms, see the module [1]_. Points
+    whose level is missing or not finite (a failed case) are left out. Valid for sweeps that carry their state
+    from point to point.
 
     References
     ----------
@@ -200,6 +206,17 @@ def branch(
     points: Sequence[Mapping[str, Any]], direction: str, quantity: str, statistic: str = "rms"
 ) -> tuple[Array, Array]:
     """Frequencies [Hz] and levels of one direction of a sweep, in the order run, failed points left out.
+
+    Parameters
+    ----------
+    points
+        Points of a sweep, each with direction, mesh_frequency [Hz] and one mapping per quantity.
+    direction
+        "up" or "down".
+    quantity
+        Channel or quantity whose level is wanted.
+    statistic
+        Which of its statistics is the level.
 
     Examples
     --------

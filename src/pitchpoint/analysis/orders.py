@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Order tracking: signals over the angle of a shaft, and order maps of run-ups.
 
-Gear vibration belongs to angles, not to time: a tooth mesh excites z times per revolution whatever the speed does.
-Sampled at equal angles, a run-up shows each order as one sharp line where a spectrum over time shows a smear.
+Gear vibration belongs to angles, not to time: a tooth mesh excites z times per revolution whatever the speed
+does. Sampled at equal angles, a run-up shows each order as one sharp line where a spectrum over time shows a
+smear.
 """
 
 from __future__ import annotations
@@ -15,9 +16,9 @@ from numpy.typing import ArrayLike
 from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_signal, positive, same_length
 from pitchpoint.analysis.spectra import one_sided, window
 
-# Largest factor by which a signal is sampled finer over the angle before it is filtered and thinned out again. At low
-# speed a record holds many samples per revolution; beyond this factor the content above the filter is cut off by the
-# interpolation points themselves.
+# Largest factor by which a signal is sampled finer over the angle before it is filtered and thinned out
+# again. At low speed a record holds many samples per revolution; beyond this factor the content above the
+# filter is cut off by the interpolation points themselves.
 MAX_OVERSAMPLING = 32
 
 
@@ -72,8 +73,8 @@ def resample_over_angle(
     angle
         Unwrapped angle of the reference shaft at the same samples [rad], shape (n,), strictly monotonic.
     samples_per_revolution
-        Samples per revolution of the result [-]; default what the record holds where it turns fastest, so that
-        nothing is invented.
+        Samples per revolution of the result [-]; default what the record holds where it turns fastest, so
+        that nothing is invented.
 
     Returns
     -------
@@ -83,17 +84,20 @@ def resample_over_angle(
     Raises
     ------
     SignalError
-        If the shaft stops or turns back, the channels differ in length, or the record is shorter than one step.
+        If the shaft stops or turns back, the channels differ in length, or the record is shorter than one
+        step.
 
     Notes
     -----
-    Cubic spline through (angle, value), evaluated on a finer grid where the record is finer, then low-pass filtered and
-    thinned out so that content above half the new rate cannot fold back [1]_. Valid as long as the record itself has
-    four or more samples per period of what is of interest (the spline's error is then below 1 %).
+    Cubic spline through (angle, value), evaluated on a finer grid where the record is finer, then low-pass
+    filtered and thinned out so that content above half the new rate cannot fold back [1]_. Valid as long as
+    the record itself has four or more samples per period of what is of interest (the spline's error is then
+    below 1 %).
 
     References
     ----------
-    .. [1] K. R. Fyfe, E. D. S. Munck, Analysis of computed order tracking, Mechanical Systems and Signal Processing
+    .. [1] K. R. Fyfe, E. D. S. Munck, Analysis of computed order tracking, Mechanical Systems and Signal
+    Processing
        11(2), 1997, 187-205.
 
     Examples
@@ -125,7 +129,9 @@ def resample_over_angle(
     span = float(phi[-1] - phi[0])
     n = int(np.floor(span * rate / (2.0 * np.pi) * (1.0 + 1e-12))) + 1
     if n < 4:
-        raise SignalError(f"angle: turns {span:.3g} rad, less than three steps; use a longer record or a finer grid")
+        raise SignalError(
+            f"angle: turns {span:.3g} rad, less than three steps; use a longer record or a finer grid"
+        )
     fine = phi[0] + np.arange((n - 1) * factor + 1) * (2.0 * np.pi / (rate * factor))
     data = CubicSpline(phi, x)(np.minimum(fine, phi[-1]))
     if factor > 1:
@@ -173,12 +179,13 @@ def order_map(
 
     Notes
     -----
-    Frames of equal angle, amplitude spectrum of each as in `spectra.amplitude_spectrum`; the speed of a frame is its
-    angle over its duration [1]_. Valid while amplitudes change little within one frame.
+    Frames of equal angle, amplitude spectrum of each as in `spectra.amplitude_spectrum`; the speed of a frame
+    is its angle over its duration [1]_. Valid while amplitudes change little within one frame.
 
     References
     ----------
-    .. [1] K. R. Fyfe, E. D. S. Munck, Analysis of computed order tracking, Mechanical Systems and Signal Processing
+    .. [1] K. R. Fyfe, E. D. S. Munck, Analysis of computed order tracking, Mechanical Systems and Signal
+    Processing
        11(2), 1997, 187-205.
 
     Examples
@@ -201,7 +208,9 @@ def order_map(
     same_length(clock, as_signal(angle, "angle"), "time, angle")
     if signal.values.size < length:
         turned = (signal.values.size - 1) / signal.samples_per_revolution
-        raise SignalError(f"angle: turns {turned:.3g} revolutions (limit {revolutions:g}); use shorter frames")
+        raise SignalError(
+            f"angle: turns {turned:.3g} revolutions (limit {revolutions:g}); use shorter frames"
+        )
     count = min(max(1, int(frames)), signal.values.size - length + 1)
     starts = np.unique(np.linspace(0, signal.values.size - length, count).round().astype(np.int64))
     w = window(window_name, length)
@@ -230,6 +239,7 @@ def _one_way(angle: Array) -> Array:
     stop = np.flatnonzero(np.diff(phi) <= 0.0)
     if stop.size:
         raise SignalError(
-            f"angle: the shaft stops or turns back after sample {stop[0]}; cut the record there, or unwrap the angle"
+            f"angle: the shaft stops or turns back after sample {stop[0]}; "
+            "cut the record there, or unwrap the angle"
         )
     return phi

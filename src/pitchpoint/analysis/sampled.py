@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks of sampled data that every analysis function starts with.
 
-Measured and simulated signals enter the analysis as plain arrays. What they must fulfil is written once, here, so
-that the functions themselves contain nothing but the mathematics.
+Measured and simulated signals enter the analysis as plain arrays. What they must fulfil is written once,
+here, so that the functions themselves contain nothing but the mathematics.
 """
 
 from __future__ import annotations
@@ -13,9 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import PitchpointError
 
 Array = NDArray[np.float64]
+Lines = NDArray[np.complex128]
 
-# Relative jitter of the sampling interval up to which a time axis counts as uniform. Times written as decimal text or
-# summed up in floating point stay well below it; a lost sample is six orders of magnitude above.
+# Relative jitter of the sampling interval up to which a time axis counts as uniform. Times written as decimal
+# text or summed up in floating point stay well below it; a lost sample is six orders of magnitude above.
 UNIFORM_TOLERANCE = 1e-6
 
 
@@ -60,12 +61,23 @@ def as_signal(values: ArrayLike, name: str = "values", minimum: int = 2) -> Arra
         raise SignalError(f"{name}: has {data.size} samples (limit {minimum}); use a longer record")
     bad = np.flatnonzero(~np.isfinite(data))
     if bad.size:
-        raise SignalError(f"{name}: sample {bad[0]} is {data[bad[0]]}; remove or repair samples that are not finite")
+        raise SignalError(
+            f"{name}: sample {bad[0]} is {data[bad[0]]}; remove or repair samples that are not finite"
+        )
     return data
 
 
 def as_increasing(values: ArrayLike, name: str = "time", minimum: int = 2) -> Array:
     """Return `values` as a signal that increases strictly, as a time axis does.
+
+    Parameters
+    ----------
+    values
+        Samples, shape (n,), any unit.
+    name
+        What to call them in an error message.
+    minimum
+        Smallest number of samples the caller can work with.
 
     Raises
     ------
@@ -80,12 +92,24 @@ def as_increasing(values: ArrayLike, name: str = "time", minimum: int = 2) -> Ar
     axis = as_signal(values, name, minimum)
     back = np.flatnonzero(np.diff(axis) <= 0.0)
     if back.size:
-        raise SignalError(f"{name}: does not increase after sample {back[0]}; sort it and drop repeated samples")
+        raise SignalError(
+            f"{name}: does not increase after sample {back[0]}; sort it and drop repeated samples"
+        )
     return axis
 
 
 def same_length(first: Array, second: Array, names: str) -> None:
-    """Refuse two channels of different length; `names` is what the message calls them."""
+    """Refuse two channels of different length; `names` is what the message calls them.
+
+    Parameters
+    ----------
+    first
+        Samples of one channel.
+    second
+        Samples of the other channel.
+    names
+        What to call the two in an error message.
+    """
     if first.size != second.size:
         raise SignalError(f"{names}: {first.size} and {second.size} samples; both must come from one record")
 
@@ -123,7 +147,15 @@ def sample_rate_of(time: ArrayLike) -> float:
 
 
 def positive(value: float, name: str) -> float:
-    """Return `value` if it is a finite number above zero, else refuse it."""
+    """Return `value` if it is a finite number above zero, else refuse it.
+
+    Parameters
+    ----------
+    value
+        Number, any unit.
+    name
+        What to call it in an error message.
+    """
     if not np.isfinite(value) or value <= 0.0:
         raise SignalError(f"{name}: {value} (limit > 0)")
     return float(value)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Spectra of sampled signals: amplitudes, power spectral density, orders.
 
-One convention for all of them: one-sided, amplitudes are *peak* values of the sine they stand for, the effect of the
-window is corrected, the mean is taken out before windowing (otherwise it leaks into the first lines) and reported.
+One convention for all of them: one-sided, amplitudes are *peak* values of the sine they stand for, the effect
+of the window is corrected, the mean is taken out before windowing (otherwise it leaks into the first lines)
+and reported.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
+from pitchpoint.analysis.sampled import Array, Lines, SignalError, as_signal, positive
 
 # Coefficients a_k of w(n) = sum_k (-1)^k a_k cos(2 pi k n/N).
 WINDOWS: dict[str, tuple[float, ...]] = {
@@ -79,8 +80,9 @@ def window(name: str, length: int) -> Array:
 
     Notes
     -----
-    w(n) = Σ_k (-1)^k a_k cos(2πkn/N), n = 0 … N-1 [1]_. The periodic form (not the symmetric one used for filters) is
-    what makes the lines of a sine that fits the record exact. Valid for N ≥ 2·(number of coefficients).
+    w(n) = Σ_k (-1)^k a_k cos(2πkn/N), n = 0 … N-1 [1]_. The periodic form (not the symmetric one used for
+    filters) is what makes the lines of a sine that fits the record exact. Valid for N ≥ 2·(number of
+    coefficients).
 
     References
     ----------
@@ -101,9 +103,19 @@ def window(name: str, length: int) -> Array:
     return values
 
 
-def one_sided(transform: Array, length: int, gain: float) -> Array:
-    """Peak amplitudes from |rfft| of one or more windowed records (last axis), `gain` = sum of the window."""
-    amplitude = 2.0 * np.abs(transform) / gain
+def one_sided(transform: Lines, length: int, gain: float) -> Array:
+    """Peak amplitudes from |rfft| of one or more windowed records (last axis), `gain` = sum of the window.
+
+    Parameters
+    ----------
+    transform
+        Result of rfft, records along the leading axes, frequencies along the last.
+    length
+        Number of samples of one record.
+    gain
+        Sum of the window.
+    """
+    amplitude = np.asarray(2.0 * np.abs(transform) / gain, dtype=np.float64)
     # the mean and, for an even record, the line at half the sample rate have no mirror image
     amplitude[..., 0] *= 0.5
     if length % 2 == 0:
@@ -121,8 +133,8 @@ def amplitude_spectrum(values: ArrayLike, sample_rate: float, *, window_name: st
     sample_rate
         Sample rate f_s [Hz].
     window_name
-        `hann` separates neighbours, `flattop` reads amplitudes between two lines within 0.1 %, `rectangular` is exact
-        where the record holds whole periods.
+        `hann` separates neighbours, `flattop` reads amplitudes between two lines within 0.1 %, `rectangular`
+        is exact where the record holds whole periods.
 
     Returns
     -------
@@ -136,12 +148,13 @@ def amplitude_spectrum(values: ArrayLike, sample_rate: float, *, window_name: st
 
     Notes
     -----
-    A_k = 2 |Σ w_n (x_n - x̄) exp(-2πikn/N)| / Σ w_n; line 0 holds |x̄| [1]_. Valid for stationary signals; a sine that
-    lies between two lines is read too low by up to 15 % (Hann) or 36 % (rectangular).
+    A_k = 2 |Σ w_n (x_n - x̄) exp(-2πikn/N)| / Σ w_n; line 0 holds |x̄| [1]_. Valid for stationary signals; a
+    sine that lies between two lines is read too low by up to 15 % (Hann) or 36 % (rectangular).
 
     References
     ----------
-    .. [1] G. Heinzel, A. Rüdiger, R. Schilling, Spectrum and spectral density estimation by the discrete Fourier
+    .. [1] G. Heinzel, A. Rüdiger, R. Schilling, Spectrum and spectral density estimation by the discrete
+    Fourier
        transform, Max-Planck-Institut für Gravitationsphysik, 2002, sections 8 and 9.
 
     Examples
@@ -161,7 +174,7 @@ def amplitude_spectrum(values: ArrayLike, sample_rate: float, *, window_name: st
     amplitude[0] = abs(mean)
     resolution = rate / n
     return Spectrum(
-        frequency=np.arange(amplitude.size) * resolution,
+        frequency=resolution * np.arange(amplitude.size, dtype=np.float64),
         amplitude=amplitude,
         mean=mean,
         resolution=resolution,
@@ -169,11 +182,14 @@ def amplitude_spectrum(values: ArrayLike, sample_rate: float, *, window_name: st
     )
 
 
-def order_spectrum(values: ArrayLike, samples_per_revolution: float, *, window_name: str = "hann") -> Spectrum:
+def order_spectrum(
+    values: ArrayLike, samples_per_revolution: float, *, window_name: str = "hann"
+) -> Spectrum:
     """Order spectrum of a signal sampled at equal angles.
 
-    The same as `amplitude_spectrum` with revolutions in the place of seconds: order 1 is once per revolution of the
-    shaft whose angle was used. `orders.resample_over_angle` makes such a signal from a record over time.
+    The same as `amplitude_spectrum` with revolutions in the place of seconds: order 1 is once per revolution
+    of the shaft whose angle was used. `orders.resample_over_angle` makes such a signal from a record over
+    time.
 
     Parameters
     ----------
@@ -200,7 +216,8 @@ def order_spectrum(values: ArrayLike, samples_per_revolution: float, *, window_n
 
     References
     ----------
-    .. [1] A. Brandt, Noise and Vibration Analysis, Wiley, 2011, chapter on the analysis of rotating machinery.
+    .. [1] A. Brandt, Noise and Vibration Analysis, Wiley, 2011, chapter on the analysis of rotating
+    machinery.
 
     Examples
     --------
@@ -225,7 +242,8 @@ def power_spectral_density(
     sample_rate
         Sample rate f_s [Hz].
     segment
-        Samples per segment L [-]; default an eighth of the record, at least 256 and never more than the record.
+        Samples per segment L [-]; default an eighth of the record, at least 256 and never more than the
+        record.
     window_name
         See `window`.
 
@@ -237,16 +255,18 @@ def power_spectral_density(
     Raises
     ------
     SignalError
-        If the data are not a finite signal, or the segment is shorter than 4 samples or longer than the record.
+        If the data are not a finite signal, or the segment is shorter than 4 samples or longer than the
+        record.
 
     Notes
     -----
-    S_k = 2 |Σ w_n (x_n - x̄) exp(-2πikn/L)|² / (f_s Σ w_n²), mean over segments [1]_. Valid for stationary signals; the
-    scatter of each line falls with the square root of the number of segments.
+    S_k = 2 |Σ w_n (x_n - x̄) exp(-2πikn/L)|² / (f_s Σ w_n²), mean over segments [1]_. Valid for stationary
+    signals; the scatter of each line falls with the square root of the number of segments.
 
     References
     ----------
-    .. [1] P. D. Welch, The use of fast Fourier transform for the estimation of power spectra, IEEE Transactions on
+    .. [1] P. D. Welch, The use of fast Fourier transform for the estimation of power spectra, IEEE
+    Transactions on
        Audio and Electroacoustics 15(2), 1967, 70-73.
 
     Examples
@@ -262,7 +282,9 @@ def power_spectral_density(
     rate = positive(sample_rate, "sample_rate")
     length = min(x.size, max(256, x.size // 8)) if segment is None else int(segment)
     if not 4 <= length <= x.size:
-        raise SignalError(f"segment: {length} samples (limit 4 to {x.size}); choose a length inside the record")
+        raise SignalError(
+            f"segment: {length} samples (limit 4 to {x.size}); choose a length inside the record"
+        )
     w = window(window_name, length)
     starts = np.arange(0, x.size - length + 1, max(1, length // 2))
     x = x - x.mean()

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Numbers that stand for a signal, and what the flanks do: contact, separation, impact.
 
-All of them weigh by time, not by count, so that records of adaptive solvers give the same numbers as uniform ones.
+All of them weigh by time, not by count, so that records of adaptive solvers give the same numbers as uniform
+ones.
 """
 
 from __future__ import annotations
@@ -62,7 +63,8 @@ class Impact:
     flight
         Duration of the separation before it [s].
     peak
-        Largest magnitude of the force until the flanks part again (or the record ends) [N]; None without a force.
+        Largest magnitude of the force until the flanks part again (or the record ends) [N]; None without a
+        force.
     """
 
     time: float
@@ -78,8 +80,8 @@ class ContactStatistics:
     Attributes
     ----------
     loss_share, back_contact_share, front_contact_share
-        Parts of the time without contact, with contact on the back flank, with contact on the front flank [-]; where
-        both flanks touch (negative backlash) the time counts for front and for back.
+        Parts of the time without contact, with contact on the back flank, with contact on the front flank
+        [-]; where both flanks touch (negative backlash) the time counts for front and for back.
     loss_time, longest_loss
         Time without contact, and its longest stretch [s].
     separations, impacts
@@ -103,7 +105,8 @@ def signal_statistics(values: ArrayLike, time: ArrayLike | None = None) -> Signa
     values
         Samples, shape (n,), any unit.
     time
-        Times [s], shape (n,); left out, every sample weighs the same (right for uniform samples of whole periods).
+        Times [s], shape (n,); left out, every sample weighs the same (right for uniform samples of whole
+        periods).
 
     Returns
     -------
@@ -117,8 +120,8 @@ def signal_statistics(values: ArrayLike, time: ArrayLike | None = None) -> Signa
 
     Notes
     -----
-    mean = Σ w x / Σ w, rms² = Σ w (x - mean)² / Σ w; with times, w is half the distance between the neighbours
-    (trapezoidal rule) [1]_. Valid for any record; mean and rms belong to whole periods.
+    mean = Σ w x / Σ w, rms² = Σ w (x - mean)² / Σ w; with times, w is half the distance between the
+    neighbours (trapezoidal rule) [1]_. Valid for any record; mean and rms belong to whole periods.
 
     References
     ----------
@@ -168,13 +171,15 @@ def contact_statistics(
 
     Notes
     -----
-    A state holds from half-way to the sample before to half-way to the sample after, so every share is
-    Σ (its durations)/(t_n - t_1) and all front-only, back-only, both and separated parts add up to one; events lie half-way
-    between two samples, which is the least wrong place [1]_. Stretches shorter than the sample interval can be missed.
+    A state holds from half-way to the sample before to half-way to the sample after, so every share is Σ (its
+    durations)/(t_n - t_1) and all front-only, back-only, both and separated parts add up to one; events lie
+    half-way between two samples, which is the least wrong place [1]_. Stretches shorter than the sample
+    interval can be missed.
 
     References
     ----------
-    .. [1] Own rule, consistent with the trapezoidal rule of `signal_statistics`; contact states as in A. Kahraman,
+    .. [1] Own rule, consistent with the trapezoidal rule of `signal_statistics`; contact states as in A.
+    Kahraman,
        R. Singh, Non-linear dynamics of a spur gear pair, Journal of Sound and Vibration 142(1), 1990, 49-75.
 
     Examples

@@ -23,7 +23,8 @@ class TimeFrequencyMap:
     frequency
         Shape (n_line,). Frequency [Hz].
     amplitude
-        Shape (n_frame, n_line). Peak amplitude, in the unit of the signal; the mean of each frame is taken out.
+        Shape (n_frame, n_line). Peak amplitude, in the unit of the signal; the mean of each frame is taken
+        out.
     """
 
     time: Array
@@ -49,8 +50,8 @@ def time_frequency_map(
     sample_rate
         Sample rate f_s [Hz].
     frame
-        Samples per frame L [-]; default the power of two nearest to √(2n), at least 64, where time and frequency
-        resolution of the picture are alike.
+        Samples per frame L [-]; default the power of two nearest to √(2n), at least 64, where time and
+        frequency resolution of the picture are alike.
     frames
         Number of frames at most [-], evenly spread over the record; they overlap as needed.
     highest_frequency
@@ -70,12 +71,13 @@ def time_frequency_map(
 
     Notes
     -----
-    A(t_j, f_k) = 2 |Σ w_n (x_{n+s_j} - x̄_j) exp(-2πikn/L)| / Σ w_n [1]_. Only n_frame·L values are in memory once at a
-    time, not the whole transform. Valid where amplitude and frequency change little over one frame.
+    A(t_j, f_k) = 2 |Σ w_n (x_{n+s_j} - x̄_j) exp(-2πikn/L)| / Σ w_n [1]_. Only n_frame·L values are in memory
+    once at a time, not the whole transform. Valid where amplitude and frequency change little over one frame.
 
     References
     ----------
-    .. [1] J. B. Allen, L. R. Rabiner, A unified approach to short-time Fourier analysis and synthesis, Proceedings of
+    .. [1] J. B. Allen, L. R. Rabiner, A unified approach to short-time Fourier analysis and synthesis,
+    Proceedings of
        the IEEE 65(11), 1977, 1558-1564.
 
     Examples
@@ -106,7 +108,7 @@ def time_frequency_map(
         piece = x[start : start + length]
         amplitude[row] = one_sided(np.fft.rfft(w * (piece - piece.mean())), length, gain)[:n_line]
     return TimeFrequencyMap(
-        time=(starts + 0.5 * (length - 1)) / rate,
+        time=np.asarray((starts + 0.5 * (length - 1)) / rate, dtype=np.float64),
         frequency=np.arange(n_line) * rate / length,
         amplitude=amplitude,
     )

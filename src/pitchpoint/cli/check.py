@@ -145,8 +145,22 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
     """Give (group, name, key below it, default in words) of every key that stands at its default."""
     for group in ("gears", "bodies", "meshes", "bearings", "couplings", "loads", "scenarios"):
         for name, part in getattr(model, group).items():
+            idle = _idle(part)
             for key, value in _unset(part):
-                yield group, name, key, value
+                if key not in idle:
+                    yield group, name, key, value
+
+
+def _idle(part: Any) -> set[str]:
+    """Name the keys that have no effect on this component as it is described."""
+    idle = set()
+    if getattr(part, "width", "slices") != "slices":
+        idle.add("slices")
+    if getattr(part, "method", "runge_kutta") != "runge_kutta":
+        idle.add("tolerance")
+    if getattr(part, "kind", "time") != "time":
+        idle |= {"settle_time", "sample_rate", "step"}
+    return idle
 
 
 def _unset(part: Any, path: str = "") -> Iterator[tuple[str, str]]:

@@ -64,9 +64,6 @@ def _failed(error: BaseException) -> int:
     code = getattr(error, "status", st.DIED)
     interrupted = code == st.INTERRUPTED
     say(f"{'interrupted' if interrupted else 'computation failed'} (status {code}): {error}")
-    reason = st.sentence(code)
-    if reason not in str(error):
-        say(f"  {reason}")
     partial = getattr(error, "partial", None)
     if isinstance(partial, str | os.PathLike):
         say(f"  what was computed before is in {os.fspath(partial)}")

@@ -54,6 +54,7 @@ class ProgressDisplay:
         self._terminal = sys.stderr.isatty()
         self._start = time.monotonic()
         self._last = self._start
+        self._first: tuple[float, float] | None = None
         self._bar: Any = None
         self._task: Any = None
         self.lines = 0
@@ -61,14 +62,17 @@ class ProgressDisplay:
     def __call__(self, done: float, total: float, note: str = "") -> None:
         """Take notice; draws at most ten times a second."""
         now = time.monotonic()
+        if self._first is None:
+            # Compiling comes before the first report; counting it would spoil the forecast.
+            self._first = (now, done)
         if self.quiet or now - self._start < PATIENCE:
             return
         if now - self._last < (BAR_EVERY if self._terminal else LINE_EVERY) and self.lines:
             return
         self._last = now
         self.lines += 1
-        elapsed = now - self._start
-        rate = done / elapsed
+        since, before = self._first
+        rate = (done - before) / (now - since) if now > since else 0.0
         remaining = (total - done) / rate if rate > 0.0 else float("inf")
         if self._terminal:
             self._draw(done, total, self._rate_text(rate), remaining, note)
@@ -80,7 +84,7 @@ class ProgressDisplay:
             click.echo(", ".join([p for p in parts if p] + ([note] if note else [])), err=True)
 
     def _rate_text(self, rate: float) -> str:
-        return f"{rate:.3g} {self.unit}/s" if self.unit else ""
+        return f"{rate:.3g} {self.unit}/s" if self.unit and rate > 0.0 else ""
 
     def _draw(self, done: float, total: float, rate: str, remaining: float, note: str) -> None:
         if self._bar is None:

@@ -15,8 +15,17 @@ FloatArray = NDArray[np.float64]
 
 
 def plane_strain_compliance(youngs_modulus: float, poisson_ratio: float) -> float:
-    """Compliance of a thick body, (1 - nu^2)/E [1/Pa], from E [Pa] and nu.
+    """Compliance of a thick body, (1 - nu^2)/E [1/Pa].
 
+    Parameters
+    ----------
+    youngs_modulus
+        Young's modulus E [Pa].
+    poisson_ratio
+        Poisson's ratio ν [-].
+
+    Examples
+    --------
     >>> round(plane_strain_compliance(206.0e9, 0.3) * 1e12, 9)
     4.417475728
     """
@@ -75,8 +84,17 @@ def half_width(load: ArrayLike, radius: ArrayLike, compliance_1: float, complian
 
 
 def peak_pressure(load: ArrayLike, width: ArrayLike) -> FloatArray:
-    """Largest pressure of the contact, p_0 = 2 q/(pi b_H) [Pa]; load q [N/m], half width b_H [m].
+    """Largest pressure of the contact, p_0 = 2 q/(pi b_H) [Pa].
 
+    Parameters
+    ----------
+    load
+        Load per unit length q [N/m].
+    width
+        Half width of the contact b_H [m].
+
+    Examples
+    --------
     >>> round(float(peak_pressure(6370.7 / 0.04, 122.559e-6)) / 1e6, 1)
     827.3
     """

@@ -274,6 +274,15 @@ def phase_cycle(law: PhaseStiffness, n: int = 401) -> MeshCycle:
     Extremes of tables and rectangular waves are exact. Those of a Fourier series are the roots of its
     derivative, found as eigenvalues of a polynomial in exp(2 pi i psi).
 
+    Parameters
+    ----------
+    law
+        Prescribed stiffness.
+    n
+        Number of phases at which the cycle is sampled for drawing.
+
+    Examples
+    --------
     >>> cycle = phase_cycle(PhaseStiffness(mean=1e8, cosine=[-0.2, -0.1, -0.05]))
     >>> round(cycle.mean, 12), round(cycle.minimum, 9)
     (1.0, 0.65)

@@ -48,7 +48,8 @@ _STAMPS: dict[str, str] = {}
 
 def _root(file: Path) -> tuple[Path, str]:
     """Folder that holds the top-level package of a file, and the dotted name of the file's package."""
-    folder, parts = file.parent, []
+    folder = file.parent
+    parts: list[str] = []
     while (folder / "__init__.py").exists():
         parts.insert(0, folder.name)
         folder = folder.parent
@@ -199,7 +200,7 @@ def kernel(function: _F) -> _F:
     """
     function._pitchpoint = "k"  # type: ignore[attr-defined]
     cached = os.path.exists(function.__code__.co_filename)
-    return njit(cache=cached, nogil=True, **_FLAGS)(function)  # type: ignore[no-any-return]
+    return njit(cache=cached, nogil=True, **_FLAGS)(function)
 
 
 def _twin(function: Any, variant: str) -> tuple[Any, bool]:
@@ -248,7 +249,7 @@ def _caught(function: Any) -> Any:
     """A law to compile; an exception raised in compiled code would otherwise return an unmarked zero."""
     inner = njit(nogil=True, **_FLAGS)(getattr(function, "py_func", function))
 
-    def law(t, x, p):  # type: ignore[no-untyped-def]
+    def law(t, x, p):
         try:
             return float(inner(t, x, p))
         except Exception:
@@ -295,16 +296,16 @@ def law_address(function: Any) -> int:
 
 
 @intrinsic
-def _pointer(typingctx, where):  # type: ignore[no-untyped-def]
-    def generate(context, builder, signature, args):  # type: ignore[no-untyped-def]
+def _pointer(typingctx, where):
+    def generate(context, builder, signature, args):
         return builder.inttoptr(args[0], cgutils.voidptr_t)
 
     return types.voidptr(types.int64), generate
 
 
 @intrinsic
-def _call(typingctx, where, a, b, c):  # type: ignore[no-untyped-def]
-    def generate(context, builder, signature, args):  # type: ignore[no-untyped-def]
+def _call(typingctx, where, a, b, c):
+    def generate(context, builder, signature, args):
         word = ir.IntType(64)
         function = builder.inttoptr(args[0], ir.FunctionType(word, [word] * 3).as_pointer())
         return builder.call(function, args[1:])
@@ -313,8 +314,8 @@ def _call(typingctx, where, a, b, c):  # type: ignore[no-untyped-def]
 
 
 @intrinsic
-def _call_law(typingctx, where, t, x, p):  # type: ignore[no-untyped-def]
-    def generate(context, builder, signature, args):  # type: ignore[no-untyped-def]
+def _call_law(typingctx, where, t, x, p):
+    def generate(context, builder, signature, args):
         real = ir.DoubleType()
         form = ir.FunctionType(real, [real, real, real.as_pointer()])
         function = builder.inttoptr(args[0], form.as_pointer())
@@ -326,23 +327,23 @@ def _call_law(typingctx, where, t, x, p):  # type: ignore[no-untyped-def]
 if COMPILING:
 
     @kernel
-    def view(where, shape, dtype):  # type: ignore[no-untyped-def]
+    def view(where, shape, dtype):
         """Array of the given final shape over memory that somebody else owns; no copy, no reference count."""
         return carray(_pointer(where), shape, dtype)
 
     @kernel
-    def call(where, a, b, c):  # type: ignore[no-untyped-def]
+    def call(where, a, b, c):
         """Call an entry through its address."""
         return _call(where, a, b, c)
 
     @kernel
-    def call_law(where, t, x, p):  # type: ignore[no-untyped-def]
+    def call_law(where, t, x, p):
         """Call a user law through its address; p is the address of its parameters."""
         return _call_law(where, t, x, p)
 
 else:
 
-    def view(where, shape, dtype):  # type: ignore[no-untyped-def]
+    def view(where, shape, dtype):
         """Array of the given final shape over memory that somebody else owns; no copy."""
         shape = shape if isinstance(shape, tuple) else (shape,)
         dtype = np.dtype(dtype)
@@ -352,11 +353,11 @@ else:
         raw = (ctypes.c_char * size).from_address(int(where))
         return np.frombuffer(raw, dtype).reshape(shape)
 
-    def call(where, a, b, c):  # type: ignore[no-untyped-def]
+    def call(where, a, b, c):
         """Call an entry through its table key."""
         return _TABLE[int(where)](int(a), int(b), int(c))
 
-    def call_law(where, t, x, p):  # type: ignore[no-untyped-def]
+    def call_law(where, t, x, p):
         """Call a user law through its table key."""
         pointer = ctypes.cast(int(p), ctypes.POINTER(ctypes.c_double))
         return float(_TABLE[int(where)](float(t), float(x), pointer))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Linear bearing or coupling: a 6 x 6 spring and damper between two bodies (body 0 = ground).
 
-Marker i lies on the spin axis of body i, marker j on that of body j; the springs act in an assembly frame W that
-goes with the non-spinning frame of body j (world axes for ground). The displacement is
+Marker i lies on the spin axis of body i, marker j on that of body j; the springs act in an assembly frame W
+that goes with the non-spinning frame of body j (world axes for ground). The displacement is
 u = (W^T (p_i - p_j) - d0, -n_i.w_y, n_i.w_x, spin_i - spin_j) - u0: three translations, two tilts, the twist.
 The wrench on body i is the conjugate one, that on body j its exact opposite; forces act at marker i. Damping
 works with the twist between the bodies, so between two spinning bodies it rotates with them.
@@ -87,7 +87,9 @@ def _kinematics(b, f, g):
     u = b["f"]
     for k in range(3):
         u[k] = (
-            W[0, k] * (x - h * g["R"][0, 2]) + W[1, k] * (y - h * g["R"][1, 2]) + W[2, k] * (z - h * g["R"][2, 2])
+            W[0, k] * (x - h * g["R"][0, 2])
+            + W[1, k] * (y - h * g["R"][1, 2])
+            + W[2, k] * (z - h * g["R"][2, 2])
         ) - (b["d0"][k] + b["u0"][k])
         if k == 0:  # axis of a turn that raises -n.w_y
             e0 = W[1, 1] * n2 - W[2, 1] * n1

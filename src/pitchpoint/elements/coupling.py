@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Torsional coupling between two bodies (body 0 = ground): spring and damper on the difference of the spins.
 
-With a gap the spring acts beyond +-gap/2 only; the damper acts always. The torque turns about the spin axis of
-each body, so it is meant for bodies whose axes are (nearly) parallel; the sense flips where they are opposite.
+With a gap the spring acts beyond +-gap/2 only; the damper acts always. The torque turns about the spin axis
+of each body, so it is meant for bodies whose axes are (nearly) parallel; the sense flips where they are
+opposite.
 """
 
 from __future__ import annotations

@@ -65,9 +65,7 @@ def damping_records(
     return np.array(rows, RECORD).reshape(-1)
 
 
-def modal_damping(
-    M: NDArray[np.float64], K: NDArray[np.float64], ratio: float
-) -> NDArray[np.float64]:
+def modal_damping(M: NDArray[np.float64], K: NDArray[np.float64], ratio: float) -> NDArray[np.float64]:
     """Damping matrix that gives every elastic mode the same damping ratio: D = sum 2 ratio omega M x x^T M.
 
     Parameters

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Prescribed spin of a body: constant speed, speed table or angle formula, as a constraint row.
 
-g = spin - theta(t), with the time derivatives that explicit methods need. The observation is the torque that the
-drive puts on the spin.
+g = spin - theta(t), with the time derivatives that explicit methods need. The observation is the torque that
+the drive puts on the spin.
 """
 
 from __future__ import annotations

@@ -1,18 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Constant force and moment on a body at a point of its spin axis, in world axes; also weight."""
+"""Force and moment on a body at a point of its spin axis, in world axes, scaled by a signal; also weight.
+
+The signal is a factor: constant, table, formula or user law of time, angle and speed.
+"""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import OK
+from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.elements.signal import SIGNAL, signal
 from pitchpoint.multibody.channels import frame_args
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
+    + SIGNAL
     + [
-        ("F", "f8", 6),  # force [N] and moment [N m], world axes
+        ("F", "f8", 6),  # force [N] and moment [N m] at a signal of one, world axes
         ("z", "f8"),  # point of attack on the spin axis, from the origin [m]
         ("out", "i8"),
     ],
@@ -22,30 +29,36 @@ RECORD = np.dtype(
 
 @kernel
 def force(rec, ctl, fr, kk):
-    """Wrenches of all constant forces; the tangent is the turn of the arm with the axis."""
+    """Wrenches of all forces; the tangent is the turn of the arm with the axis, at frozen signal."""
     c = ctl[0]
     for e in range(rec.size):
         b = rec[e]
         f = fr[b["i"]]
         F = b["F"]
         z = b["z"]
+        w = f["tw"]
+        speed = f["R"][0, 2] * w[3] + f["R"][1, 2] * w[4] + f["R"][2, 2] * w[5]
+        scale, _, _ = signal(b, c["t"], f["phi"], f["turns"], speed, 0)
+        if not math.isfinite(scale):
+            c["bad"] = e
+            return NOT_FINITE
         n0 = f["R"][0, 2]
         n1 = f["R"][1, 2]
         n2 = f["R"][2, 2]
         for r in range(6):
-            f["F"][r] += F[r]
-        f["F"][3] += z * (n1 * F[2] - n2 * F[1])
-        f["F"][4] += z * (n2 * F[0] - n0 * F[2])
-        f["F"][5] += z * (n0 * F[1] - n1 * F[0])
+            f["F"][r] += scale * F[r]
+        f["F"][3] += scale * z * (n1 * F[2] - n2 * F[1])
+        f["F"][4] += scale * z * (n2 * F[0] - n0 * F[2])
+        f["F"][5] += scale * z * (n0 * F[1] - n1 * F[0])
         if c["jac"] == 2 and z != 0.0:
             k = kk[b["ii"]]
-            s = -c["ck"] * z
+            s = -c["ck"] * z * scale
             for a in range(3):
                 x = 1.0 if a == 0 else 0.0
                 y = 1.0 if a == 1 else 0.0
-                w = 1.0 if a == 2 else 0.0
-                h0 = y * n2 - w * n1  # change of n with a turn about axis a
-                h1 = w * n0 - x * n2
+                u = 1.0 if a == 2 else 0.0
+                h0 = y * n2 - u * n1  # change of n with a turn about axis a
+                h1 = u * n0 - x * n2
                 h2 = x * n1 - y * n0
                 k[3, 3 + a] += s * (h1 * F[2] - h2 * F[1])
                 k[4, 3 + a] += s * (h2 * F[0] - h0 * F[2])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Rigid gear coupling of two spins as a constraint row: z1 spin1 + z2 spin2 = constant.
 
-The whole turns are summed as integers, so the row is as exact after 1e5 revolutions as at the start. Numbers of
-teeth are signed: both positive for an external pair, the second negative for an internal one.
+The whole turns are summed as integers, so the row is as exact after 1e5 revolutions as at the start. Numbers
+of teeth are signed: both positive for an external pair, the second negative for an internal one.
 """
 
 from __future__ import annotations

@@ -18,6 +18,7 @@ import math
 
 from pitchpoint.contact.damping import ramp
 from pitchpoint.contact.friction import coulomb
+from pitchpoint.contact.load_correction import low_load
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_slope, pair_table, pair_table_slope
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.mesh_line import pooled
@@ -44,11 +45,10 @@ def node(b, ctl, x, z, xi, k, k_rate, limit):
     energy = 0.5 * f * x
     feed = 0.5 * x * x
     if limit > 0.0:
-        # low load: stiffness falls with the fourth root of the load, so the force grows with the power 4/3
-        if f < limit:
-            soft = math.pow(f / limit, 1.0 / 3.0)
-            f *= soft
-            kt *= soft * (4.0 / 3.0)
+        force, tangent = low_load(f, limit)
+        if force < 1.0:
+            f *= force
+            kt *= tangent
             energy = f * x * (3.0 / 7.0)
             feed = f * x * (4.0 / 7.0) / k
         else:

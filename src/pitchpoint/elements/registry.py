@@ -4,11 +4,13 @@
 A kind is imported only when a model uses it. Other packages add kinds by an entry point in the group
 ``pitchpoint.kinds`` that names a `Kind`, or by calling `register`. A kind's module has
 
-* ``RECORD``, an aligned dtype of int64, float64 and nested arrays, whose first fields are i, j, ii, ij, ji, jj
+* ``RECORD``, an aligned dtype of int64, float64 and nested arrays, whose first fields are i, j, ii, ij, ji,
+jj
   (bodies, pair blocks; filled by the layout) and whose last is out, the index of its first observation;
 * ``entry``, the kernel with the uniform signature ``int64 entry(int64 ctl, int64 records, int64 n)``;
 * ``OUTPUTS``, tuple of (name, unit, long name) per record; ``{}`` in the name stands for the element's name;
-* optionally ``EVENTS`` (the same for event functions, first index in the field event), ``ROWS`` (constraint rows
+* optionally ``EVENTS`` (the same for event functions, first index in the field event), ``ROWS`` (constraint
+rows
   per record, first index in the field row) and ``pool`` among the fields (address of a float array).
 """
 

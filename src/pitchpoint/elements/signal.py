@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A number that depends on time, angle or speed: constant, table, formula or user law. Shared by several kinds.
+"""A number that depends on time, angle or speed: constant, table, formula or user law.
 
-The fields `SIGNAL` are part of a record; tables, formula programmes and law parameters lie in the float pool of
-the kind, whose address `link` writes into ``pool``. Formula programmes keep their integers bit by bit.
+The fields `SIGNAL` are part of a record; tables, formula programmes and law parameters lie in the float pool
+of the kind, whose address `link` writes into ``pool``. Formula programmes keep their integers bit by bit.
 """
 
 from __future__ import annotations

@@ -163,6 +163,7 @@ def rounded_end(*, r_end: float, r_b: float, rho: float, psi_b: float) -> float:
             "is reached by a point instead of a flank",
             where="root_diameter",
             value=f"{2.0 * r_end:.6g} m",
+            limit=f"beyond the base diameter {2.0 * r_b:.6g} m, with a tooth space of some width",
             remedy="use a smaller dedendum, or a cutter with another number of teeth or profile shift",
         )
     rho = min(rho, 0.999 * (r_end - r_b))

@@ -103,7 +103,7 @@ def _ring(outer: float, inner: float) -> np.ndarray:
 
 def _toothed(gear: CylindricalGear, profile: str) -> tuple[np.ndarray, float]:
     """Section inside the outline by the chosen rule, and the root radius."""
-    d_f = abs(gear.d_fE)
+    d_f = gear.sign * gear.d_fE
     if profile == "exact":
         return np.array(section_integrals(tooth_form(gear))), 0.5 * d_f
     if profile == "mean_cylinder":

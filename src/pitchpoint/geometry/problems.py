@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 TIP_THICKNESS_LIMIT = 0.2
 # In modules along the path of contact: less than what tip diameters and centre distances are made to.
 INTERFERENCE_TOLERANCE = 0.01
+# Below this a pair with undercut teeth does not reliably hand over from one pair of teeth to the next.
+USABLE_CONTACT_RATIO = 1.1
 _ANGLE_TOLERANCE = 1e-6
 
 
@@ -284,15 +286,18 @@ def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
     slack = INTERFERENCE_TOLERANCE * pair.gear1.m_n
     remedy = "increase the mate's profile shift, shorten the tip (tip_diameter) or change the centre distance"
     found: list[Problem] = []
-    ends = [(-pair.T1A, names[1], names[0])]
+    ends = [(-pair.T1A, pair.gear1, names[1], names[0])]
     if not pair.is_internal:
-        ends.append((pair.T1E - pair.T1T2, names[0], names[1]))
-    for beyond, tip, mate in ends:
-        if beyond > slack:
-            message = (
-                f"interferes with the root of {mate}: it meets the line of action beyond the base circle"
-            )
+        ends.append((pair.T1E - pair.T1T2, pair.gear2, names[0], names[1]))
+    # A rack reaches deeper than any mate's tip: where it has undercut the gear, nothing is left to collide
+    # with, and the question is only whether enough involute remains to carry the motion.
+    remains = pair.eps_alpha_form + pair.eps_beta
+    for beyond, mate, tip, name in ends:
+        if beyond > slack and not (mate.undercut and remains >= USABLE_CONTACT_RATIO):
+            message = f"interferes with the root of {name}: it would touch beyond the base circle"
             limit = f"the tangent point, it is {_mm(beyond)} beyond"
+            if mate.undercut:
+                limit += f", and undercut leaves a contact ratio of {remains:.3g} of {USABLE_CONTACT_RATIO:g}"
             found.append(Problem(place, message, f"tip of {tip}", limit, remedy))
     if pair.is_internal and tip_overlap_gap(pair) < -1e-12:
         message = "cut each other outside the path of contact"

@@ -41,7 +41,7 @@ class BasicRack:
     def __post_init__(self) -> None:
         for name, words in (("h_aP_star", "addendum"), ("h_fP_star", "dedendum")):
             value = getattr(self, name)
-            if isinstance(value, bool) or not 0.0 < value <= 100.0:
+            if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 < value <= 100.0:
                 raise GeometryError(
                     f"is no {words} of a basic rack",
                     where=f"rack.{words}",
@@ -50,7 +50,7 @@ class BasicRack:
                     remedy="give it in modules, usually 1 to 1.4",
                 )
         rho = self.rho_fP_star
-        if isinstance(rho, bool) or not 0.0 <= rho <= self.h_fP_star:
+        if isinstance(rho, bool) or not isinstance(rho, (int, float)) or not 0.0 <= rho <= self.h_fP_star:
             raise GeometryError(
                 "is no root radius of a basic rack",
                 where="rack.root_radius",

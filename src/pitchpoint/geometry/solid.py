@@ -82,7 +82,7 @@ def _blank(
     gear: CylindricalGear, bore: float, rim: float | None, web: float | None
 ) -> tuple[list[tuple[float, float]], bool]:
     """Upper half of the blank's section from the root inwards as (radius, z); whether it ends at a wall."""
-    half, r_f = 0.5 * gear.b, 0.5 * abs(gear.d_fE)
+    half, r_f = 0.5 * gear.b, 0.5 * gear.sign * gear.d_fE
     if gear.is_internal:
         outer = bore if bore > 0.0 else r_f + (RIM_OF_RING * gear.m_n if rim is None else rim)
         if not r_f < outer < math.inf:

@@ -67,12 +67,14 @@ def tooth_form(gear: CylindricalGear) -> ToothForm:
     The root lies at `d_fE`, where the tool stands that also makes the thickness allowance. An internal
     gear without a cutter gets a circular fillet of the rack's root radius.
     """
-    z, m_n, r_f, r_a = abs(gear.z), gear.m_n, 0.5 * abs(gear.d_fE), 0.5 * abs(gear.d_a)
-    angles = {"alpha_n": gear.alpha_n, "beta": gear.beta}
-    sizes = {"z": z, "m_n": m_n, "s_n": gear.s_n, "r_f": r_f, "r_a": r_a, "rho": gear.rack.rho_fP_star * m_n}
+    z, m_n = abs(gear.z), gear.m_n
+    r_f, r_a = 0.5 * gear.sign * gear.d_fE, 0.5 * gear.sign * gear.d_a
+    alpha_n, beta, s_n, rho = gear.alpha_n, gear.beta, gear.s_n, gear.rack.rho_fP_star * m_n
     if gear.is_internal:
-        return internal_tooth_form(**sizes, **angles, cutter=gear.cutter)
-    return external_tooth_form(**sizes, **angles)
+        return internal_tooth_form(
+            z=z, m_n=m_n, alpha_n=alpha_n, beta=beta, s_n=s_n, r_f=r_f, r_a=r_a, rho=rho, cutter=gear.cutter
+        )
+    return external_tooth_form(z=z, m_n=m_n, alpha_n=alpha_n, beta=beta, s_n=s_n, r_f=r_f, r_a=r_a, rho=rho)
 
 
 def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:

@@ -212,9 +212,10 @@ def clear_writer_flag(path: str | os.PathLike[str]) -> None:
     """Take the mark 'open for writing' off an HDF5 file.
 
     The library sets it in byte 11 of the superblock and takes it off when the file is closed. A killed
-    process cannot, and ordinary readers then refuse a file in which nothing is wrong: SWMR keeps it consistent
-    at any moment. The mark is therefore removed after each flush; the superblock's checksum (Jenkins' lookup3 over
-    its first 44 bytes, HDF5 file format specification, version 3) is renewed with it.
+    process cannot, and ordinary readers then refuse a file in which nothing is wrong: SWMR keeps it
+    consistent at any moment. The mark is therefore removed after each flush; the superblock's checksum
+    (Jenkins' lookup3 over its first 44 bytes, HDF5 file format specification, version 3) is renewed with it.
+    Ordinary readers may fail in the instant of a flush; those that open with swmr never do.
     """
     with Path(path).open("r+b", buffering=0) as raw:
         block = bytearray(raw.read(48))

@@ -222,12 +222,15 @@ def export_gear(
             remedy="name the file accordingly or give the format",
         )
     if kind == "stl":
-        blank = {
-            "bore_diameter": bore_diameter,
-            "rim_thickness": rim_thickness,
-            "web_thickness": web_thickness,
-        }
-        path.write_bytes(solid_stl(gear, n_flank, n_slices, **blank))
+        data = solid_stl(
+            gear,
+            n_flank,
+            n_slices,
+            bore_diameter=bore_diameter,
+            rim_thickness=rim_thickness,
+            web_thickness=web_thickness,
+        )
+        path.write_bytes(data)
         return path
     if kind == "csv":
         text = points_csv(gear, n_flank)

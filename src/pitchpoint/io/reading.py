@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.io.container import FORMAT, ResultError
-from pitchpoint.io.results import BLOCK_GROUP, STATISTICS
+from pitchpoint.io.writing import BLOCK_GROUP, STATISTICS
 
 if TYPE_CHECKING:
     import h5py
@@ -50,6 +50,16 @@ def read_header(path: str | os.PathLike[str]) -> dict[str, Any]:
             header[key] = value.item() if hasattr(value, "item") and not isinstance(value, str) else value
     header["options"] = json.loads(header.get("options", "{}"))
     return header
+
+
+def open_table(path: str | os.PathLike[str], kind: str) -> h5py.File:
+    """Open a result file of one kind (`sweep`, `modes`) through h5py; use it in a `with` block."""
+    file = _open(path)
+    found = file.attrs["kind"]
+    if found != kind:
+        file.close()
+        raise ResultError(f"{os.fspath(path)}: holds {found} results, not those of {kind}")
+    return file
 
 
 def list_channels(path: str | os.PathLike[str]) -> list[str]:

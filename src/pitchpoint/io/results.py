@@ -1,322 +1,37 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Time series on their way to disk: blocks of samples, decimated, with statistics of every sample.
+"""Results on disk: everything that writes or reads a result file, under one roof.
 
-A solver hands over chunks of any size. The writer keeps at most one block in memory, writes it as one chunk
-per channel, flushes, and forgets it: the memory of a run does not grow with its length. Samples that
-decimation drops are not lost without trace: minimum, maximum, mean and rms of every block are kept at full
-rate in the group `blocks`, and `RunningStatistics` sums up the run.
+`writing` streams time series, `tables` and `sweep_store` keep tables, `reading` opens any of them;
+`container` is the netCDF-4/HDF5 file that they share.
 """
 
 from __future__ import annotations
 
-import os
-import time
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Self
+from pitchpoint.io.container import FAILED, FINISHED, INTERRUPTED, RUNNING, Header, ResultError
+from pitchpoint.io.reading import list_channels, open_result, read_blocks, read_channel, read_header
+from pitchpoint.io.sweep_store import SweepWriter, read_sweep
+from pitchpoint.io.tables import Axis, Quantity, TableWriter, write_tables
+from pitchpoint.io.writing import Channel, ResultWriter, RunningStatistics
 
-from pitchpoint.core import status as st
-from pitchpoint.core.errors import SolverError
-from pitchpoint.io.container import FAILED, FINISHED, INTERRUPTED, Container, Header, ResultError
-
-if TYPE_CHECKING:
-    from types import TracebackType
-
-    import numpy as np
-
-STATISTICS = ("min", "max", "mean", "rms")
-BLOCK_GROUP = "blocks"
-
-
-@dataclass(frozen=True)
-class Channel:
-    """One recorded quantity: `name` as in `mesh_force[stage]`, SI unit, words and symbol for axes.
-
-    Channels are stored as 32-bit floats (7 digits) unless `dtype` says otherwise; angles of a shaft grow
-    without limit, so they get 64 bits.
-    """
-
-    name: str
-    unit: str
-    long_name: str = ""
-    symbol: str = ""
-    dtype: str = ""
-
-    @property
-    def stored_as(self) -> str:
-        """Storage type: the one asked for, else float64 for angles and float32 for the rest."""
-        return self.dtype or ("f8" if self.name.startswith("angle[") else "f4")
-
-    @property
-    def attributes(self) -> dict[str, str]:
-        """Attributes of the variable in the file."""
-        words = self.long_name or self.name.partition("[")[0].replace("_", " ")
-        return {"units": self.unit, "long_name": words, "symbol": self.symbol}
-
-
-class RunningStatistics:
-    """Minimum, maximum, mean and rms of the alternating part, over samples that are not kept.
-
-    Parts are merged by their counts, means and sums of squared deviations, which loses no digits however long
-    the run is.
-
-    Parameters
-    ----------
-    n_channels
-        Number of channels.
-    since
-        Samples before this time are left out [s].
-
-    References
-    ----------
-    .. [1] Chan, Golub, LeVeque: Algorithms for computing the sample variance, The American Statistician 37
-       (1983), equation 2.1b.
-    """
-
-    def __init__(self, n_channels: int, since: float = float("-inf")) -> None:
-        import numpy as np
-
-        self.since = since
-        self.count = 0
-        self.low = np.full(n_channels, np.inf)
-        self.high = np.full(n_channels, -np.inf)
-        self.mean = np.zeros(n_channels)
-        self._squares = np.zeros(n_channels)
-
-    def add(self, t: np.ndarray, values: np.ndarray) -> None:
-        """Take in samples, shapes (n,) and (n, n_channels), in the order of time."""
-        import numpy as np
-
-        if t.size and t[0] < self.since:
-            values = values[int(np.searchsorted(t, self.since)) :]
-        n = values.shape[0]
-        if n == 0:
-            return
-        mean = values.mean(axis=0)
-        total = self.count + n
-        step = mean - self.mean
-        self._squares += ((values - mean) ** 2).sum(axis=0) + step**2 * (self.count * n / total)
-        self.mean += step * (n / total)
-        self.count = total
-        np.minimum(self.low, values.min(axis=0), out=self.low)
-        np.maximum(self.high, values.max(axis=0), out=self.high)
-
-    @property
-    def rms(self) -> np.ndarray:
-        """Rms of the alternating part, shape (n_channels,)."""
-        import numpy as np
-
-        return np.sqrt(self._squares / max(self.count, 1))
-
-
-class ResultWriter:
-    """Write the channels of one run to a file that can be read at any moment.
-
-    Parameters
-    ----------
-    path
-        File to write (netCDF-4 in HDF5).
-    header
-        Provenance.
-    channels
-        The recorded quantities, in the order of the columns handed to `append`.
-    block
-        Rows per block: what is in memory, in one chunk, and lost at most when the process is killed.
-    decimate
-        Store every n-th sample; the statistics still see all of them.
-    since
-        Start of the statistics window [s].
-
-    Examples
-    --------
-    >>> import numpy as np, tempfile, pathlib
-    >>> name = pathlib.Path(tempfile.mkdtemp()) / "run.h5"
-    >>> with ResultWriter(name, Header("time"), [Channel("mesh_force[stage]", "N")]) as writer:
-    ...     writer.append(np.array([0.0, 0.5]), np.array([[10.0], [30.0]]))
-    >>> writer.statistics()["mesh_force[stage]"]
-    {'unit': 'N', 'mean': 20.0, 'rms': 10.0, 'min': 10.0, 'max': 30.0}
-    """
-
-    def __init__(
-        self,
-        path: str | os.PathLike[str],
-        header: Header,
-        channels: Sequence[Channel],
-        *,
-        block: int = 4096,
-        decimate: int = 1,
-        since: float = float("-inf"),
-    ) -> None:
-        import numpy as np
-
-        names = [c.name for c in channels]
-        if len(set(names)) != len(names):
-            raise ResultError("two channels have the same name; every channel needs its own")
-        if block < 1 or decimate < 1:
-            raise ResultError(f"block {block} and decimate {decimate} must be at least 1")
-        self.channels = tuple(channels)
-        self.decimate = int(decimate)
-        block = -(-block // self.decimate) * self.decimate
-        self._running = RunningStatistics(len(names), since)
-        self._t = np.empty(block)
-        self._values = np.empty((block, len(names)))
-        self._filled = 0
-        self._stored = 0
-        self._seen = 0
-        self._blocks = 0
-        self._begun = time.perf_counter()
-        self._container = Container(path, header)
-        self._make_variables(block)
-        self._container.begin()
-
-    def _make_variables(self, block: int) -> None:
-        # Whole chunks are packed; blocks that decimation leaves shorter than that fill their chunk in place.
-        container, packed = self._container, block // self.decimate >= 64
-        rows = max(block // self.decimate, 64)
-        clock = {"units": "s", "long_name": "time", "symbol": "t"}
-        self._time = container.dimension("time", unlimited=True, chunk=rows, packed=packed, attributes=clock)
-        self._series = [
-            container.variable(
-                c.name,
-                [self._time],
-                dtype=c.stored_as,
-                chunks=(rows,),
-                packed=packed,
-                attributes=c.attributes,
-            )
-            for c in self.channels
-        ]
-        statistic = container.dimension("statistic", STATISTICS, group=BLOCK_GROUP)
-        start = {"units": "s", "long_name": "time of the first sample of the block", "symbol": "t"}
-        self._block_time = container.dimension(
-            "time", group=BLOCK_GROUP, unlimited=True, chunk=512, attributes=start
-        )
-        self._block_series = [
-            container.variable(
-                c.name,
-                [self._block_time, statistic],
-                group=BLOCK_GROUP,
-                dtype=c.stored_as,
-                chunks=(512, len(STATISTICS)),
-                attributes=c.attributes,
-            )
-            for c in self.channels
-        ]
-
-    @property
-    def path(self) -> str:
-        """The file."""
-        return str(self._container.path)
-
-    @property
-    def samples(self) -> int:
-        """Number of samples taken in so far, before decimation."""
-        return self._seen
-
-    def append(self, t: np.ndarray, values: np.ndarray) -> None:
-        """Take in samples: times, shape (n,) [s], and channels, shape (n, n_channels) [SI units]."""
-        n, done, block = t.shape[0], 0, self._t.shape[0]
-        self._running.add(t, values)
-        while done < n:
-            take = min(n - done, block - self._filled)
-            rows = slice(self._filled, self._filled + take)
-            self._t[rows] = t[done : done + take]
-            self._values[rows] = values[done : done + take]
-            self._filled += take
-            done += take
-            if self._filled == block:
-                self.flush()
-
-    def flush(self) -> None:
-        """Write what is buffered, as a block of its own."""
-        import numpy as np
-
-        n = self._filled
-        if n == 0:
-            return
-        self._filled = 0
-        t, values = self._t[:n], self._values[:n]
-        first = -self._seen % self.decimate
-        self._seen += n
-        keep = slice(first, None, self.decimate)
-        added = t[keep].shape[0]
-        if added:
-            here = slice(self._stored, self._stored + added)
-            self._stored += added
-            for k, series in enumerate(self._series):
-                series.resize((self._stored,))
-                series[here] = values[keep, k]
-            # Time comes last: whoever trusts the length of `time` never sees a channel that is behind it.
-            self._time.resize((self._stored,))
-            self._time[here] = t[keep]
-        summary = np.stack([values.min(axis=0), values.max(axis=0), values.mean(axis=0), values.std(axis=0)])
-        self._blocks += 1
-        for k, series in enumerate(self._block_series):
-            series.resize((self._blocks, len(STATISTICS)))
-            series[self._blocks - 1] = summary[:, k]
-        self._block_time.resize((self._blocks,))
-        self._block_time[self._blocks - 1] = t[0]
-        self._container.flush()
-
-    def statistics(self) -> dict[str, dict[str, Any]]:
-        """Sum up the samples since the start of the statistics window, channel by channel.
-
-        `rms` is that of the alternating part; without a sample in the window every number is None.
-        """
-        run = self._running
-        table = {}
-        for k, channel in enumerate(self.channels):
-            numbers = (run.mean[k], run.rms[k], run.low[k], run.high[k])
-            row: dict[str, Any] = {"unit": channel.unit}
-            for key, number in zip(("mean", "rms", "min", "max"), numbers, strict=True):
-                row[key] = float(number) if run.count else None
-            table[channel.name] = row
-        return table
-
-    def finish(
-        self,
-        status: str = FINISHED,
-        sentence: str = "",
-        *,
-        code: int = st.OK,
-        steps: int | None = None,
-        wall_s: float | None = None,
-    ) -> None:
-        """Write the rest and how the run ended, and close; a second call does nothing."""
-        self.flush()
-        elapsed = time.perf_counter() - self._begun if wall_s is None else wall_s
-        self._container.finish(
-            status,
-            sentence or st.sentence(code),
-            code=code,
-            steps=self._seen if steps is None else steps,
-            wall_s=elapsed,
-        )
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        status, sentence, code = how_it_ended(error)
-        self.finish(status, sentence, code=code)
-
-
-def how_it_ended(error: BaseException | None) -> tuple[str, str, int]:
-    """Translate what left a `with` block into status, sentence and integer status of a result file."""
-    if error is None:
-        return FINISHED, st.sentence(st.OK), st.OK
-    if isinstance(error, KeyboardInterrupt):
-        return INTERRUPTED, st.sentence(st.INTERRUPTED), st.INTERRUPTED
-    if isinstance(error, SolverError):
-        return (INTERRUPTED if error.status == st.INTERRUPTED else FAILED), str(error), error.status
-    return FAILED, f"{type(error).__name__}: {error}", st.DIED
-
-
-def channel_table(
-    rows: Sequence[tuple[str, str, str]], symbols: Mapping[str, str] | None = None
-) -> list[Channel]:
-    """Make channels from rows (name, unit, long name); `symbols` has the names before the bracket."""
-    known = symbols or {}
-    return [Channel(name, unit, words, known.get(name.partition("[")[0], "")) for name, unit, words in rows]
+__all__ = [
+    "FAILED",
+    "FINISHED",
+    "INTERRUPTED",
+    "RUNNING",
+    "Axis",
+    "Channel",
+    "Header",
+    "Quantity",
+    "ResultError",
+    "ResultWriter",
+    "RunningStatistics",
+    "SweepWriter",
+    "TableWriter",
+    "list_channels",
+    "open_result",
+    "read_blocks",
+    "read_channel",
+    "read_header",
+    "read_sweep",
+    "write_tables",
+]

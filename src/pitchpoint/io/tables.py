@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Self
 
 from pitchpoint.core import status as st
 from pitchpoint.io.container import FINISHED, Container, Header, ResultError
-from pitchpoint.io.results import how_it_ended
+from pitchpoint.io.writing import how_it_ended
 
 if TYPE_CHECKING:
     from types import TracebackType

@@ -12,10 +12,9 @@ from typing import Any
 
 from pitchpoint.core.errors import Problem
 from pitchpoint.model.keys import Place
-from pitchpoint.model.read import dotted
+from pitchpoint.model.show import dotted
 
 MAX_BYTES = 20_000_000
-MAX_VALUES = 2_000_000
 MAX_DEPTH = 60
 _TAG = "tag:yaml.org,2002:"
 
@@ -45,6 +44,7 @@ class Tree:
         self.lines: dict[Place, int] = {}
         self.problems: list[Problem] = []
         self._values = 0
+        self._most = len(text) + 10_000  # more values than characters come from nested aliases only
         self._open: set[int] = set()
         node = _compose(text)
         self.data: Any = None if node is None else self._read(node, ())
@@ -58,8 +58,11 @@ class Tree:
         line = node.start_mark.line + 1
         self.lines.setdefault(place, line)
         self._values += 1
-        if self._values > MAX_VALUES:
-            raise TreeError(Problem(dotted(place), f"holds more than {MAX_VALUES} values", line=line))
+        if self._values > self._most:
+            remedy = "write the values out, without aliases"
+            raise TreeError(
+                Problem(dotted(place), f"makes more than {self._most} values", remedy=remedy, line=line)
+            )
         if id(node) in self._open:
             raise TreeError(Problem(dotted(place), "refers to itself", remedy="remove the alias", line=line))
         if isinstance(node, ScalarNode):
@@ -67,6 +70,10 @@ class Tree:
         if len(place) > MAX_DEPTH:
             raise TreeError(
                 Problem(dotted(place[:5]), f"is nested deeper than {MAX_DEPTH} levels", line=line)
+            )
+        if str(node.tag) not in (_TAG + "map", _TAG + "seq"):
+            raise TreeError(
+                Problem(dotted(place), f"has the tag {str(node.tag)[:40]!r}", None, None, "remove it", line)
             )
         self._open.add(id(node))
         result: Any
@@ -150,7 +157,7 @@ def _compose(text: str) -> Any:
 
     if len(text) > MAX_BYTES:
         raise TreeError(Problem("", f"the file is larger than {MAX_BYTES // 10**6} MB"))
-    yaml = YAML(typ="rt", pure=True)
+    yaml = YAML(typ="safe", pure=True)
     try:
         return yaml.compose(text)
     except MarkedYAMLError as error:

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.components.bearing import Bearing
@@ -47,6 +47,24 @@ class Parts:
     names: dict[str, set[str]] = field(default_factory=dict)
     pairs: dict[str, GearPair] = field(default_factory=dict)
     misshapen: set[str] = field(default_factory=set)  # gears whose own shape is impossible
+
+    @classmethod
+    def of(cls, groups: Mapping[str, Any], damping: Damping | None) -> Parts:
+        """Parts from mappings of names to components, by group; missing groups are empty."""
+
+        def group(name: str) -> dict[str, Any]:
+            return dict(groups.get(name) or {})
+
+        return cls(
+            gears=group("gears"),
+            bodies=group("bodies"),
+            meshes=group("meshes"),
+            bearings=group("bearings"),
+            couplings=group("couplings"),
+            loads=group("loads"),
+            scenarios=group("scenarios"),
+            damping=damping,
+        )
 
     def known(self, group: str) -> set[str]:
         """All names of a group, those of unreadable parts included."""
@@ -187,17 +205,12 @@ def _places(parts: Parts, report: Reader) -> None:
     links = _links(parts)
     for name, body in parts.bodies.items():
         parts.bodies[name] = replace(body, origin=body.position)
-    queue = deque(n for n, b in parts.bodies.items() if b.origin is not None)
-    if not queue and parts.bodies:
-        first = next(iter(parts.bodies))
+    _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None])
+    # one train may go without any position: its first body is the origin
+    first = next((n for n, b in parts.bodies.items() if b.origin is None), None)
+    if first is not None:
         parts.bodies[first] = replace(parts.bodies[first], origin=(0.0, 0.0, 0.0))
-        queue.append(first)
-    while queue:
-        here = queue.popleft()
-        for kind, link in links.get(here, ()):
-            there = _place_next(parts, here, kind, link)
-            if there is not None:
-                queue.append(there)
+        _spread(parts, links, [first])
     _directions(parts, report)
     if not _all_linked_known(parts, report):
         return
@@ -205,9 +218,20 @@ def _places(parts: Parts, report: Reader) -> None:
         if body.origin is None:
             report.problem(
                 ("bodies", name),
-                "has no place: no mesh or coupling connects it to the first body",
+                "has no place: no mesh or coupling connects it to the bodies before it",
                 remedy="give position: [x, y, z]",
             )
+
+
+def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[str]) -> None:
+    """Place everything that hangs on bodies with a place."""
+    queue = deque(placed)
+    while queue:
+        here = queue.popleft()
+        for kind, link in links.get(here, ()):
+            there = _place_next(parts, here, kind, link)
+            if there is not None:
+                queue.append(there)
 
 
 def _all_linked_known(parts: Parts, report: Reader) -> bool:

@@ -44,11 +44,8 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
                 values[name] = value
     if not values.get("gears") and ("gears",) not in reader.tainted:
         reader.problem(("gears",), "is missing: a model has at least one gear", remedy="add gears:")
-    parts = Parts(
-        **{group: dict(values.get(group, {})) for group in GROUPS},
-        damping=values.get("damping"),
-        names={g: {str(n) for n in data[g]} for g in GROUPS if isinstance(data.get(g), Mapping)},
-    )
+    parts = Parts.of(values, values.get("damping"))
+    parts.names = {g: {str(n) for n in data[g]} for g in GROUPS if isinstance(data.get(g), Mapping)}
     check(parts, reader)
     if reader.problems:
         ordered = sorted(reader.problems, key=lambda p: p.line if p.line is not None else 10**9)

@@ -24,10 +24,11 @@ from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import BAD, Key, component, defaults_of, derived, key, keys_of, text
 from pitchpoint.model.pair_check import gap
 from pitchpoint.model.phasing import Phasing, assemble
-from pitchpoint.model.read import Reader, shown
+from pitchpoint.model.read import Reader
 from pitchpoint.model.recheck import recheck
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.scenario_check import start_speeds, sweep_meshes
+from pitchpoint.model.show import shown
 from pitchpoint.model.validate import check
 
 if TYPE_CHECKING:
@@ -105,7 +106,7 @@ class Model:
             object.__setattr__(self, group, Frozen(getattr(parts, group)))
 
     def _parts(self) -> Parts:
-        return Parts(**{group: dict(getattr(self, group)) for group in GROUPS}, damping=self.damping)
+        return Parts.of({group: getattr(self, group) for group in GROUPS}, self.damping)
 
     def replace(self, path: str, value: Any) -> Model:
         """New model with one value changed; everything that follows from it is settled again.

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -91,6 +92,8 @@ def check_phasing(parts: Parts, report: Reader) -> None:
     meshes = {n: m for n, m in parts.meshes.items() if n in parts.pairs}
     offsets = assemble(parts.gears, meshes).offset
     for name, offset in offsets.items():
+        if ("meshes", name) in report.tainted:
+            continue
         pair, mesh = parts.pairs[name], meshes[name]
         room = 0.5 * max(0.0, gap(pair, mesh)) + OFFSET_TOLERANCE * abs(pair.p_et)
         if abs(offset) <= room:
@@ -112,12 +115,10 @@ def gap(pair: GearPair, mesh: Mesh) -> float:
     given = mesh.backlash
     if given is None:
         return pair.j_bt
-    from math import cos
-
     if given.base_tangent is not None:
         return given.base_tangent
     if given.circumferential is not None:
-        return given.circumferential * cos(pair.alpha_wt)
+        return given.circumferential * math.cos(pair.alpha_wt)
     if given.normal is None:
         raise PitchpointError("a backlash without any of its directions")
-    return given.normal / cos(pair.gear1.beta_b)
+    return given.normal / math.cos(pair.gear1.beta_b)

@@ -15,36 +15,9 @@ from typing import Any
 
 from pitchpoint.core.errors import Problem, UnitError
 from pitchpoint.core.units import parse_quantity
-from pitchpoint.model import read_law
+from pitchpoint.model import read_forms, read_law
 from pitchpoint.model.keys import BAD, Key, Place, defaults_of, keys_of
-
-
-def dotted(path: Place) -> str:
-    """Path as people write it.
-
-    Examples
-    --------
-    >>> dotted(("gears", "pinion", "deviations", "pitch", 3))
-    'gears.pinion.deviations.pitch[3]'
-    """
-    out = ""
-    for step in path:
-        out += f"[{step}]" if isinstance(step, int) else (f".{step}" if out else str(step))
-    return out
-
-
-def shown(value: Any) -> str:
-    """A value for a message, never longer than a line."""
-    if isinstance(value, Mapping):
-        return "a mapping"
-    if isinstance(value, list | tuple):
-        return f"a list of {len(value)}"
-    if value is None:
-        return "nothing"
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    text = repr(value) if isinstance(value, str) else str(value)
-    return text if len(text) <= 60 else text[:57] + "..."
+from pitchpoint.model.show import SI, dotted, example, limit_text, shown
 
 
 @dataclass
@@ -290,106 +263,6 @@ class Reader:
             return BAD
         return self.component(laws[word], {k: v for k, v in data.items() if k != "law"}, path)
 
-    def gears(self, description: Key, data: Any, path: Place) -> Any:
-        """Read a list of gear names or a mapping of names to axial offsets."""
-        if isinstance(data, Mapping):
-            axial = Key("quantity", description.meaning, dimension="length")
-            offsets = {str(n): self.number(axial, v, (*path, str(n))) for n, v in data.items()}
-            return BAD if any(v is BAD for v in offsets.values()) else offsets
-        found = self.names(description, data, path)
-        if found is BAD:
-            return BAD
-        twice = sorted({n for n in found if found.count(n) > 1})
-        if twice:
-            return self.problem(path, f"names {', '.join(twice)} twice", remedy="name each gear once")
-        return dict.fromkeys(found, 0.0)
-
-    def speeds(self, description: Key, data: Any, path: Place) -> Any:
-        """Read a mapping of names to quantities."""
-        if not isinstance(data, Mapping):
-            return self.problem(
-                path, "is not a mapping of names", value=shown(data), remedy="write {BODY: 1500 rpm}"
-            )
-        speeds = {str(n): self.number(description, v, (*path, str(n))) for n, v in data.items()}
-        return BAD if any(v is BAD for v in speeds.values()) else speeds
-
-    def grid(self, description: Key, data: Any, path: Place) -> Any:
-        """Read a rectangular list of lists of quantities."""
-        row = Key("quantities", "", dimension=description.dimension, length=(1, 10**6))
-        rows = self.sequence(row, data, path, self.numbers)
-        if rows is not BAD and len({len(r) for r in rows}) != 1:
-            return self.problem(path, "has rows of different length", remedy="give every row the same length")
-        return rows
-
-    def matrix(self, description: Key, data: Any, path: Place) -> Any:
-        """Read a symmetric 6x6 matrix of SI numbers."""
-        row = Key("quantities", "", dimension="dimensionless", length=(6, 6))
-        rows = self.sequence(row, data, path, self.numbers)
-        if rows is BAD:
-            return BAD
-        size = max(abs(v) for r in rows for v in r)
-        for i in range(6):
-            for j in range(i):
-                if abs(rows[i][j] - rows[j][i]) > 1e-9 * size:
-                    remedy = f"entries [{i}][{j}] and [{j}][{i}] must agree"
-                    return self.problem(path, "is not symmetric", remedy=remedy)
-        return rows
-
-    def orders(self, description: Key, data: Any, path: Place) -> Any:
-        """Read a mapping of orders to [amplitude, phase]."""
-        if not isinstance(data, Mapping):
-            return self.problem(
-                path, "is not a mapping", value=shown(data), remedy="write {1: [20 um, 0 deg]}"
-            )
-        whole = Key("integer", "", minimum=1, maximum=10**6)
-        length, angle = Key("quantity", "", dimension="length"), Key("quantity", "", dimension="angle")
-        out = []
-        for order, pair in data.items():
-            at = (*path, str(order))
-            n = self.whole(whole, int(order) if str(order).isdecimal() and len(str(order)) < 9 else order, at)
-            if not isinstance(pair, list | tuple) or len(pair) != 2:
-                self.problem(
-                    at, "is not [amplitude, phase]", value=shown(pair), remedy="write [20 um, 0 deg]"
-                )
-                continue
-            found = (n, self.number(length, pair[0], (*at, 0)), self.number(angle, pair[1], (*at, 1)))
-            if BAD not in found:
-                out.append(found)
-        return tuple(out)
-
-
-SI = {"length": "metres", "angle": "radians"}
-
-
-def limit_text(description: Key) -> str:
-    """Allowed range in the units people use."""
-    from pitchpoint.core.units import format_quantity
-
-    parts = []
-    for bound, strict, loose in (
-        (description.minimum, ">" if description.above else ">=", -math.inf),
-        (description.maximum, "<" if description.below else "<=", math.inf),
-    ):
-        if bound != loose:
-            parts.append(f"{strict} {'0' if bound == 0.0 else format_quantity(bound, description.dimension)}")
-    return " and ".join(parts)
-
-
-def example(description: Key) -> str:
-    """A value that a user could write."""
-    if description.kind in ("quantity", "quantities"):
-        from pitchpoint.core.unit_table import DIMENSIONS
-
-        one = DIMENSIONS[description.dimension].example
-        one = one.split(" or ")[0]
-        if description.kind == "quantities" or description.length[0] > 1:
-            return f"[{', '.join([one] * max(2, min(description.length[0], 3)))}]"
-        return one
-    if description.choices:
-        return " or ".join(description.choices)
-    samples = {"integer": str(int(max(description.minimum, 20))), "names": "[a, b]", "text": "a name"}
-    return samples.get(description.kind, "{...}")
-
 
 _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "quantity": Reader.number,
@@ -404,11 +277,11 @@ _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "components": Reader.nested_names,
     "list": Reader.nested_list,
     "variant": Reader.variant,
-    "gears": Reader.gears,
-    "speeds": Reader.speeds,
-    "grid": Reader.grid,
-    "matrix": Reader.matrix,
-    "orders": Reader.orders,
+    "gears": read_forms.gears,
+    "speeds": read_forms.speeds,
+    "grid": read_forms.grid,
+    "matrix": read_forms.matrix,
+    "orders": read_forms.orders,
     "law": read_law.law,
     "laws": read_law.laws,
     "python": read_law.python,

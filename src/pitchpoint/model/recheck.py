@@ -9,7 +9,8 @@ from typing import Any
 
 from pitchpoint.model.components.law import Constant, TableLaw
 from pitchpoint.model.keys import Key, Place, defaults_of, keys_of
-from pitchpoint.model.read import Reader, shown
+from pitchpoint.model.read import Reader
+from pitchpoint.model.show import shown
 
 
 def recheck(part: Any, place: Place, report: Reader) -> None:

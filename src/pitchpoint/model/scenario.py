@@ -56,6 +56,11 @@ class Scenario:
         "speeds", "start speed of bodies; the others follow from the ratios", {}, dimension="angular_speed"
     )
     drive: dict[str, Drive] = key("components", "prescribed motion of bodies", {}, of=Drive)
+    start: str = choice(
+        ("equilibrium", "assembled"),
+        "equilibrium: flanks loaded by the loads at t = 0; assembled: all coordinates zero, mid-gap",
+        "equilibrium",
+    )
     hold: tuple[str, ...] = key("names", "bodies whose speed is held at its start value", ())
     duration: float | None = positive("time", "length of the time response; required without sweep", None)
     sample_rate: float | None = positive("frequency", "samples per second", None, display="every step")

@@ -171,7 +171,7 @@ def _unit(key: Key) -> str:
 
 
 def _range(key: Key) -> str:
-    from pitchpoint.model.read import limit_text
+    from pitchpoint.model.show import limit_text
 
     if key.choices:
         return ", ".join(key.choices)

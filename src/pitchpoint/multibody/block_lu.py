@@ -48,7 +48,7 @@ def plan(
         if i != j:
             near[i].add(j)
             near[j].add(i)
-    blocks = {}
+    blocks: dict[tuple[int, int], int] = {}
     for i in range(n):
         for j in sorted({i} | near[i]):
             blocks[i, j] = len(blocks) + 1
@@ -81,7 +81,8 @@ def plan(
 
 @kernel
 def invert(B, n, order):
-    """Invert an n x n block in place by Gauss-Jordan steps with row exchange; order is scratch of n integers."""
+    """Invert an n x n block in place by Gauss-Jordan steps with row exchange; order is scratch of n
+    integers."""
     if n == 1:
         if B[0, 0] == 0.0:
             return SINGULAR

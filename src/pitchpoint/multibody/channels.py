@@ -89,7 +89,13 @@ def coordinate_args(where):
     ctl = view(where, 1, CTL)
     c = ctl[0]
     nd = c["nd"]
-    return ctl, view(c["q"], nd, F8), view(c["v"], nd, F8), view(c["R"], nd, F8), view(c["A"], (c["na"], 6, 6), F8)
+    return (
+        ctl,
+        view(c["q"], nd, F8),
+        view(c["v"], nd, F8),
+        view(c["R"], nd, F8),
+        view(c["A"], (c["na"], 6, 6), F8),
+    )
 
 
 @kernel
@@ -113,7 +119,12 @@ def constraint_rates(ctl):
     """Further arrays of the constraint channel: v[nd], gt[nc], gtt[nc], frame rows Gf[nc,2,6]."""
     c = ctl[0]
     nc = c["nc"]
-    return view(c["v"], c["nd"], F8), view(c["gt"], nc, F8), view(c["gtt"], nc, F8), view(c["Gf"], (nc, 2, 6), F8)
+    return (
+        view(c["v"], c["nd"], F8),
+        view(c["gt"], nc, F8),
+        view(c["gtt"], nc, F8),
+        view(c["Gf"], (nc, 2, 6), F8),
+    )
 
 
 @kernel

@@ -92,7 +92,8 @@ def schur_factor(G, A, programme, Y, S, diag, order, used, y6):
 
 @kernel
 def schur_solve(G, g, Y, S, order, used, x, y, z):
-    """Complete a solution: x = -A^-1 R on entry, corrected for the rows on exit; y receives the multipliers."""
+    """Complete a solution: x = -A^-1 R on entry, corrected for the rows on exit; y receives the
+    multipliers."""
     n = G.shape[0]
     nd = G.shape[1]
     rank = 0

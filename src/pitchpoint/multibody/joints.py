@@ -2,8 +2,8 @@
 """The joints: which coordinates each has, in which order. The spin is always the last one.
 
 The code of a joint is its number of coordinates. Translations run along the axes of the reference frame; a
-free body turns by alpha about the first reference axis, by beta about the second axis of the turned frame, and
-spins about the third axis of the result.
+free body turns by alpha about the first reference axis, by beta about the second axis of the turned frame,
+and spins about the third axis of the result.
 """
 
 from __future__ import annotations

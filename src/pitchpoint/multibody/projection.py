@@ -2,8 +2,8 @@
 """From frames to coordinates: wrenches and pair tangents through the joint columns.
 
 The programme has one row per ordered pair of bodies (i, j) that interact and per pair of joints on their
-paths: pair block, path entry of i, path entry of j, target block, sizes, offsets inside the merged nodes, and a
-shortcut. It runs once per pair of bodies, however many elements act between them.
+paths: pair block, path entry of i, path entry of j, target block, sizes, offsets inside the merged nodes, and
+a shortcut. It runs once per pair of bodies, however many elements act between them.
 """
 
 from __future__ import annotations
@@ -67,7 +67,9 @@ def project_tangent(proj, J, kk, X, A, T):
         elif w["short"] == SHAFTS:  # translations have no rotation rows and the other way round
             for r in range(6):
                 for c in range(3):
-                    T[r, c] = kk[k, r, 0] * X[pj, 0, c] + kk[k, r, 1] * X[pj, 1, c] + kk[k, r, 2] * X[pj, 2, c]
+                    T[r, c] = (
+                        kk[k, r, 0] * X[pj, 0, c] + kk[k, r, 1] * X[pj, 1, c] + kk[k, r, 2] * X[pj, 2, c]
+                    )
                     T[r, 3 + c] = (
                         kk[k, r, 3] * X[pj, 3, 3 + c]
                         + kk[k, r, 4] * X[pj, 4, 3 + c]

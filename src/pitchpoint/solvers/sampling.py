@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a time loop leaves behind: sampled rows, running statistics, recorded events. Written by the drivers.
 
-Nothing is stored per step. A chunk fills the caller's buffers: one row of observations every n-th step, and per
-channel the running statistics over every step in which they are switched on.
+Nothing is stored per step. A chunk fills the caller's buffers: one row of observations every n-th step, and
+per channel the running statistics over every step in which they are switched on.
 """
 
 from __future__ import annotations

@@ -3,15 +3,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import CompileError
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.bearing import bearing_bank
 from pitchpoint.system.rules.bodies import bodies
+from pitchpoint.system.rules.damping import damping_bank
+from pitchpoint.system.rules.drive import drive_bank
 from pitchpoint.system.rules.gear_mesh import mesh_bank
 from pitchpoint.system.rules.load import load_banks
-from pitchpoint.system.system import System, assemble
+from pitchpoint.system.system import Law, System, assemble
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -41,11 +44,9 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     if not model.bodies:
         raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
     chosen = model.scenarios[scenario] if isinstance(scenario, str) else scenario
-    from pitchpoint.system.rules.drive import drive_bank
-
-    banks = [mesh_bank(model), bearing_bank(model), *load_banks(model)]
+    banks = [mesh_bank(model), bearing_bank(model), *load_banks(model), damping_bank(model)]
     constraints = [drive_bank(model, chosen)] if chosen is not None else []
-    return assemble(
+    system = assemble(
         bodies(model),
         {b.kind: b.records for b in banks if b.records.size},
         {b.kind: b.records for b in constraints if b.records.size},
@@ -53,7 +54,9 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
         pools={b.kind: b.pool for b in (*banks, *constraints) if b.pool is not None and b.records.size},
         laws=_laws([*banks, *constraints]),
     )
+    return replace(system, model=model, scenario=chosen)
 
 
-def _laws(banks: list[Bank]) -> dict[str, tuple[object, ...]]:
+def _laws(banks: list[Bank]) -> dict[str, tuple[Law | None, ...]]:
+    """User laws of the kinds that have any."""
     return {b.kind: b.laws for b in banks if b.laws is not None and any(law is not None for law in b.laws)}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Linear algebra on the workspace: factor the blocks, solve with constraint rows, accelerations of a state."""
+"""Linear algebra on the workspace: factor the blocks, solve with constraint rows, find accelerations."""
 
 from __future__ import annotations
 

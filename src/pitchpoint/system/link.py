@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Address tables: where the entry of every kind is, where its records are, how many. Rebuilt in each process."""
+"""Address tables: where the entry of every kind is, where its records are, how many. Rebuilt in each
+process."""
 
 from __future__ import annotations
 

@@ -94,7 +94,8 @@ def exact_rates(at, cm, cd, ck):
 
 @kernel
 def constraints(at):
-    """Evaluate all rows; add multipliers to the residual (rows on coordinates) and wrenches (rows on frames)."""
+    """Evaluate all rows; add multipliers to the residual (rows on coordinates) and wrenches (rows on
+    frames)."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nc = c["nc"]

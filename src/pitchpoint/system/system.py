@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,10 @@ from pitchpoint.multibody.bodies import Body, body_records
 from pitchpoint.system.layout import Channel, Layout, body_channels, structure
 from pitchpoint.system.link import link
 from pitchpoint.system.workspace import Workspace
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
 
 TWO_PI = 6.283185307179586
 Law = Callable[..., float] | int
@@ -74,6 +78,8 @@ class System:
         Length per unit of each coordinate in error norms.
     keep
         Further objects that must live as long as the records (arrays whose addresses they hold).
+    model, scenario
+        The description it was made from, if there was one.
     """
 
     bodies: tuple[Body, ...]
@@ -85,6 +91,8 @@ class System:
     laws: Mapping[str, Sequence[Law | None]] = field(default_factory=dict)
     weight: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     keep: tuple[Any, ...] = ()
+    model: Model | None = None
+    scenario: Scenario | None = None
 
     @cached_property
     def workspace(self) -> Workspace:

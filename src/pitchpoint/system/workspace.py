@@ -37,8 +37,10 @@ _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("y", "f8", ("nc",)),
     ("z", "f8", ("nc",)),
     ("weight", "f8", ("nd",)),  # length per unit of each coordinate in error norms [m/m, m/rad]
+    ("relative", "f8", ("nd",)),  # 0 for spins, whose size says nothing about their error
     ("x", "f8", ("nd",)),  # right-hand side and solution
     ("al", "f8", ("nd",)),  # algorithmic acceleration of the generalised-alpha family
+    ("ap", "f8", ("nd",)),  # acceleration of the step before, for the prediction
     ("stage", "f8", ("16", "nd2")),  # stages of the explicit methods
     ("clock", "i8", ("16",)),
     ("real", "f8", ("16",)),  # remembered contraction rate, step size, error of the last step
@@ -97,6 +99,8 @@ class Workspace:
         self.forces, self.cons = forces, cons
         self.arrays = {name: np.zeros([int(dims[d]) for d in shape], dtype) for name, dtype, shape in _ARRAYS}
         self.arrays["weight"][:] = weight
+        self.arrays["relative"][:] = 1.0
+        self.arrays["relative"][program["spins"][:, 0]] = 0.0
         self.ready = False  # constant parts of frames and columns written yet?
         self._fill(sizes)
 

@@ -47,33 +47,56 @@ def plot_campbell(
     top = 1.15 * float(np.nanmax(modes)) if modes.size else 1.0
     pitch = scale("Hz", [top])
     figure = go.Figure(
-        layout=theme.layout(revolutions.title("speed"), pitch.title("frequency"), height=430)
+        layout=theme.layout(
+            revolutions.title("speed"),
+            pitch.title("frequency"),
+            height=460,
+            # room for two rows of order names between picture and legend
+            margin={"t": 76},
+            legend={"y": 1.1},
+        )
     )
     for k in range(modes.shape[1]):
         name = mode_names[k] if k < len(mode_names) else f"mode {k + 1}"
         figure.add_scatter(
-            x=omega * revolutions.factor, y=modes[:, k] * pitch.factor, mode="lines", name=name,
+            x=omega * revolutions.factor,
+            y=modes[:, k] * pitch.factor,
+            mode="lines",
+            name=name,
             line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 2},
-        )  # fmt: skip
-    for name, order in orders.items():
+        )
+    for row, (name, order) in enumerate(sorted(orders.items(), key=lambda item: item[1])):
         lines = order * omega / (2.0 * np.pi)
         figure.add_scatter(
-            x=omega * revolutions.factor, y=lines * pitch.factor, mode="lines", name=name, showlegend=False,
+            x=omega * revolutions.factor,
+            y=lines * pitch.factor,
+            mode="lines",
+            name=name,
+            showlegend=False,
             line={"color": theme.GREY, "width": 1, "dash": "dash"},
-        )  # fmt: skip
+        )
         # the label sits where the line leaves the picture: at the top or at the right edge
         end = min(float(omega[-1]), 2.0 * np.pi * top / order)
         at_top = end < float(omega[-1])
         figure.add_annotation(
-            x=end * revolutions.factor, y=order * end / (2.0 * np.pi) * pitch.factor, text=name, showarrow=False,
-            xanchor="center" if at_top else "right", yanchor="bottom", yshift=1, font={"size": 11},
-        )  # fmt: skip
+            x=end * revolutions.factor,
+            y=order * end / (2.0 * np.pi) * pitch.factor,
+            text=name,
+            showarrow=False,
+            xanchor="center" if at_top else "right",
+            yanchor="bottom",
+            yshift=1 + (13 * (row % 2) if at_top else 0),
+            font={"size": 11},
+        )
     crossings = campbell_crossings(omega, modes, list(orders.values())) if modes.size and orders else ()
     if crossings:
         figure.add_scatter(
-            x=[c.speed * revolutions.factor for c in crossings], y=[c.frequency * pitch.factor for c in crossings],
-            mode="markers", name="crossings", marker={"color": theme.RED, "size": 9, "symbol": "circle-open", "line": {"width": 2}},
-        )  # fmt: skip
+            x=[c.speed * revolutions.factor for c in crossings],
+            y=[c.frequency * pitch.factor for c in crossings],
+            mode="markers",
+            name="crossings",
+            marker={"color": theme.RED, "size": 9, "symbol": "circle-open", "line": {"width": 2}},
+        )
     figure.update_yaxes(range=[0.0, top * pitch.factor])
     figure.update_xaxes(range=[float(omega[0]) * revolutions.factor, float(omega[-1]) * revolutions.factor])
     figure.update_layout(showlegend=True)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Fewer points for the screen, without losing a single peak.
 
-A line of a million points is drawn on a thousand pixels. Taking every thousandth point hides impacts that last a few
-samples; here every bucket of samples keeps its first, smallest, largest and last one, in their order.
+A line of a million points is drawn on a thousand pixels. Taking every thousandth point hides impacts that
+last a few samples; here every bucket of samples keeps its first, smallest, largest and last one, in their
+order.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-def kept_samples(values: Array, limit: int = 4000) -> NDArray[np.int64]:
+def kept_samples(values: Array, limit: int = 8000) -> NDArray[np.int64]:
     """Indices of the samples to draw.
 
     Parameters
@@ -31,11 +32,13 @@ def kept_samples(values: Array, limit: int = 4000) -> NDArray[np.int64]:
 
     Notes
     -----
-    The line through the kept samples covers the same pixels as the full line if every bucket is at most one pixel wide [1]_.
+    The line through the kept samples covers the same pixels as the full line if every bucket is at most one
+    pixel wide [1]_.
 
     References
     ----------
-    .. [1] U. Jugel, Z. Jerzak, G. Hackenbroich, V. Markl, M4: a visualization-oriented time series data aggregation,
+    .. [1] U. Jugel, Z. Jerzak, G. Hackenbroich, V. Markl, M4: a visualization-oriented time series data
+    aggregation,
        Proceedings of the VLDB Endowment 7(10), 2014, 797-808.
 
     Examples

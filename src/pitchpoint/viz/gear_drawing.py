@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Drawings of one gear, of two gears in mesh and of their mesh zone, as SVG.
 
-Lengths come in metres from `geometry`; the drawing scales them to pixels and turns the second axis downwards. Gear 1 stands at
-the origin, gear 2 at (a_w, 0), as in the transverse plane of the mesh; gear 1 drives counter-clockwise, so contact runs
-along the line of action from A to E.
+Lengths come in metres from `geometry`; the drawing scales them to pixels and turns the second axis downwards.
+Gear 1 stands at the origin, gear 2 at (a_w, 0), as in the transverse plane of the mesh; gear 1 drives
+counter-clockwise, so contact runs along the line of action from A to E.
 """
 
 from __future__ import annotations
@@ -19,7 +19,8 @@ from pitchpoint.viz.quantities import number
 from pitchpoint.viz.svg import Array
 
 WIDTH = 480.0
-# Radial thickness of the ring drawn around an internal gear without a known rim, in modules below the root circle.
+# Radial thickness of the ring drawn around an internal gear without a known rim, in modules below the root
+# circle.
 RIM_MODULES = 2.5
 
 
@@ -148,7 +149,8 @@ def _outlines(pair: Any, n_flank: int) -> tuple[Array, Array]:
 
     touch = 0.5 * pair.j_bt / (0.5 * pair.gear1.d_b)
     one = gear_outline(pair.gear1, n_flank, rotation=touch)
-    # a space of gear 2 faces tooth 0 of gear 1: on its left side for an external pair, on its right for a ring
+    # a space of gear 2 faces tooth 0 of gear 1: on its left side for an external pair, on its right for a
+    # ring
     facing = 0.0 if pair.a_w < 0.0 else pi
     two = gear_outline(pair.gear2, n_flank, rotation=facing + pi / abs(pair.gear2.z))
     return one, two + np.array([pair.a_w, 0.0])
@@ -160,9 +162,7 @@ def _outer_radius(gear: Any) -> float:
     return abs(gear.d_f) / 2.0 + RIM_MODULES * gear.m_n
 
 
-def _body(
-    gear: Any, view: View, outline: Array, css: str, window: tuple[Array, Array] | None = None
-) -> str:
+def _body(gear: Any, view: View, outline: Array, css: str, window: tuple[Array, Array] | None = None) -> str:
     """The material of a gear: inside its outline, or for an internal gear between outline and rim."""
     if gear.z > 0:
         return svg.polygon(view(outline), css)
@@ -177,7 +177,10 @@ def _body(
 
 
 def _cross(center: Array) -> str:
-    return "".join(svg.line(center - step, center + step, "pp-thin") for step in (np.array([7.0, 0.0]), np.array([0.0, 7.0])))
+    return "".join(
+        svg.line(center - step, center + step, "pp-thin")
+        for step in (np.array([7.0, 0.0]), np.array([0.0, 7.0]))
+    )
 
 
 def _caption(gear: Any, name: str) -> str:

@@ -22,7 +22,8 @@ def plot_mesh_stiffness(cycle: Any, *, name: str = "", unit: str = "c′·b") ->
     Parameters
     ----------
     cycle
-        Anything with `phase` and `stiffness_ratio`, shape (n,) over one base pitch, and `mean`, `minimum`, `maximum`.
+        Anything with `phase` and `stiffness_ratio`, shape (n,) over one base pitch, and `mean`, `minimum`,
+        `maximum`.
     name
         Name of the mesh, for the legend.
     unit
@@ -39,9 +40,12 @@ def plot_mesh_stiffness(cycle: Any, *, name: str = "", unit: str = "c′·b") ->
     )
     figure.add_hline(y=float(cycle.mean), line={"color": theme.GREY, "dash": "dash", "width": 1})
     figure.add_scatter(
-        x=[None], y=[None], mode="lines", line={"color": theme.GREY, "dash": "dash", "width": 1},
+        x=[None],
+        y=[None],
+        mode="lines",
+        line={"color": theme.GREY, "dash": "dash", "width": 1},
         name=f"mean {number(float(cycle.mean))}",
-    )  # fmt: skip
+    )
     low, high = float(cycle.minimum), float(cycle.maximum)
     margin = max(0.08 * (high - low), 0.02 * abs(float(cycle.mean)))
     figure.update_yaxes(range=[low - margin, high + margin])
@@ -63,16 +67,17 @@ def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -
     data = {name: np.asarray(values, dtype=np.float64) for name, values in errors.items()}
     shown = scale("m", np.concatenate([np.atleast_1d(v) for v in data.values()]) if data else ())
     figure = go.Figure(
-        layout=theme.layout(
-            "mesh phase ψ [base pitches]", shown.title("transmission error"), height=340
-        )
+        layout=theme.layout("mesh phase ψ [base pitches]", shown.title("transmission error"), height=340)
     )
     for index, (name, values) in enumerate(data.items()):
         x, y = _two_cycles(phase, values)
         figure.add_scatter(
-            x=x, y=y * shown.factor, mode="lines", name=name,
+            x=x,
+            y=y * shown.factor,
+            mode="lines",
+            name=name,
             line={"color": theme.SERIES[index % len(theme.SERIES)], "width": 2},
-        )  # fmt: skip
+        )
     figure.update_layout(showlegend=True)
     return figure
 

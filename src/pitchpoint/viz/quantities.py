@@ -14,8 +14,8 @@ from pitchpoint.core.units import display_unit, in_unit
 
 Array = NDArray[np.float64]
 
-# SI unit of a channel -> kind of quantity in `core.units`. Units that stand for two kinds (N/m) take the one that occurs in
-# time results. Whatever is not listed is shown as it is.
+# SI unit of a channel -> kind of quantity in `core.units`. Units that stand for two kinds (N/m) take the one
+# that occurs in time results. Whatever is not listed is shown as it is.
 _KINDS = {
     "m": "length",
     "N": "force",
@@ -90,7 +90,9 @@ def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
     kind = _KINDS.get(plain)
     if kind is None:
         return Scale(pretty(plain), 1.0)
-    data = np.abs(np.asarray(list(values) if not isinstance(values, np.ndarray) else values, dtype=np.float64))
+    data = np.abs(
+        np.asarray(list(values) if not isinstance(values, np.ndarray) else values, dtype=np.float64)
+    )
     data = data[np.isfinite(data)]
     shown = display_unit(kind, float(data.max())) if data.size and data.max() > 0.0 else display_unit(kind)
     return Scale(pretty(shown), in_unit(1.0, kind, shown))
@@ -112,20 +114,23 @@ def number(value: float, digits: int = 5) -> str:
 
     Examples
     --------
-    >>> number(0.15), number(1746485000.0), number(17), number(-0.0)
-    ('0.15', '1.7465·10⁹', '17', '0')
+    >>> number(0.15), number(1746485000.0), number(-17), number(-0.0)
+    ('0.15', '1.7465·10⁹', '−17', '0')
     """
     if isinstance(value, int | np.integer) and not isinstance(value, bool):
-        return str(value)
-    if not np.isfinite(value):
-        return str(value)
-    if value == 0.0:
-        return "0"
-    exponent = int(np.floor(np.log10(abs(value))))
+        return str(value).replace("-", "−")
+    if not np.isfinite(value) or value == 0.0:
+        return "0" if value == 0.0 else str(value)
+    plain = f"{value:.{digits - 1}e}"
+    mantissa, _, power = plain.partition("e")
+    exponent = int(power)
     if -4 <= exponent < 6:
-        return f"{value:.{max(digits - 1 - exponent, 0)}f}".rstrip("0").rstrip(".") if exponent < digits - 1 else f"{value:.0f}"
-    mantissa = f"{value / 10.0**exponent:.{digits - 1}f}".rstrip("0").rstrip(".")
-    return f"{mantissa}·10{str(exponent).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+        text = f"{value:.{max(digits - 1 - exponent, 0)}f}"
+        text = text.rstrip("0").rstrip(".") if "." in text else text
+    else:
+        raised = str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+        text = f"{mantissa.rstrip('0').rstrip('.') if '.' in mantissa else mantissa}·10{raised}"
+    return text.replace("-", "−")
 
 
 def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
@@ -134,7 +139,8 @@ def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
     Parameters
     ----------
     data
-        An `xarray.Dataset` with the coordinate `time`, or a mapping that holds `time` and arrays or `Channel`s.
+        An `xarray.Dataset` with the coordinate `time`, or a mapping that holds `time` and arrays or
+        `Channel`s.
 
     Returns
     -------

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`write_report`: everything known about a model and its results in one HTML file to look at, print and send on.
+"""`write_report`: everything known about a model and its results in one HTML file to look at, print and send
+on.
 
-The report takes data, not files: readers stand beside it in the layers. Sections appear only when their data are there.
+The report takes data, not files: readers stand beside it in the layers. Sections appear only when their data
+are there.
 """
 
 from __future__ import annotations
@@ -57,7 +59,8 @@ class MeshCycleData:
     Attributes
     ----------
     stiffness
-        `contact.mesh_cycle.MeshCycle`, or anything with `phase`, `stiffness_ratio`, `mean`, `minimum`, `maximum`.
+        `contact.mesh_cycle.MeshCycle`, or anything with `phase`, `stiffness_ratio`, `mean`, `minimum`,
+        `maximum`.
     stiffness_unit
         What the ratio refers to.
     error_phase, errors
@@ -77,7 +80,8 @@ class TimeRun:
     Attributes
     ----------
     data
-        `xarray.Dataset` over `time`, or a mapping with `time` and channels (`viz.quantities.Channel` or arrays).
+        `xarray.Dataset` over `time`, or a mapping with `time` and channels (`viz.quantities.Channel` or
+        arrays).
     settle_time
         Start of the window of statistics and spectra, after the first sample [s].
     angle
@@ -97,7 +101,8 @@ class TimeRun:
 
 @dataclass(frozen=True, kw_only=True)
 class CampbellData:
-    """Speeds [rad/s] (n_speed,), natural frequencies [Hz] (n_speed, n_mode), orders by name, names of the modes."""
+    """Speeds [rad/s] (n_speed,), natural frequencies [Hz] (n_speed, n_mode), orders by name, names of the
+    modes."""
 
     speed: ArrayLike
     mode_frequencies: ArrayLike
@@ -116,7 +121,8 @@ class ReportResults:
     runs
         Time responses by the name of the scenario.
     sweeps
-        By the name of the scenario: a mapping with `points` and `jumps`, as `pitchpoint sweep --json` prints it.
+        By the name of the scenario: a mapping with `points` and `jumps`, as `pitchpoint sweep --json` prints
+        it.
     campbell
         Natural frequencies over speed.
     """

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 # Nothing may be loaded from anywhere: the file works offline for ever and tells nobody that it was opened.
 POLICY = (
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:"
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
+    "img-src data: blob:; font-src data:"
 )
 
 
@@ -35,12 +36,13 @@ class Section:
             self.parts.append(html)
 
     def add_figure(self, figure: go.Figure, caption: str = "", *, beside: go.Figure | None = None) -> None:
-        """Append a plot, or two side by side; one without any data is dropped, so that no empty axes appear."""
+        """Append a plot, or two side by side; without data nothing, so that no empty axes appear."""
         if not any(_has_data(trace) for trace in figure.data):
             return
         html = figure_html(figure, caption)
         if beside is not None:
-            html = f'<div class="pair">{html}{figure_html(beside)}</div>'
+            end = figure_html(beside, "The last periods, magnified.")
+            html = f'<div class="pair">{html}{end}</div>'
         self.parts.append(html)
 
 
@@ -81,7 +83,8 @@ def page(title: str, facts: Sequence[tuple[str, str]], sections: Sequence[Sectio
         '<meta name="generator" content="pitchpoint">'
         f"<title>{escape(title)}</title><style>{style}</style></head>\n<body>"
         f'<header><h1>{escape(title)}</h1><ul class="facts">{items}</ul><nav>{links}</nav></header>\n'
-        f"<main>{body}</main>\n<footer>{escape(footer)}</footer>\n{_scripts() if with_plots else ''}</body></html>\n"
+        f"<main>{body}</main>\n<footer>{escape(footer)}</footer>\n"
+        f"{_scripts() if with_plots else ''}</body></html>\n"
     )
 
 
@@ -101,5 +104,7 @@ def _asset(name: str) -> str:
 
 def _has_data(trace: object) -> bool:
     """Whether a trace would draw something."""
-    values = getattr(trace, "z", None) if getattr(trace, "type", "") == "heatmap" else getattr(trace, "y", None)
+    values = (
+        getattr(trace, "z", None) if getattr(trace, "type", "") == "heatmap" else getattr(trace, "y", None)
+    )
     return values is not None and any(value is not None for value in values)

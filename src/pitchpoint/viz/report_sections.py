@@ -27,7 +27,8 @@ from pitchpoint.viz.tables import GEAR_ROWS, MESH_ROWS, plain_table, quantity_ta
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-# Quantities that are drawn over time, in this order; a report shows what is read most, the result file holds all.
+# Quantities that are drawn over time, in this order; a report shows what is read most, the result file holds
+# all.
 TIME_QUANTITIES = (
     "deflection",
     "transmission_error",
@@ -101,7 +102,9 @@ def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
                 caption = _jump_sentence(jumps) if quantity == "deflection" else ""
                 section.add_figure(plot_sweep(points, jumps, quantity=quantity, statistic=statistic), caption)
         if any(float(p.get("contact_loss_share") or 0.0) > 0.0 for p in points):
-            section.add_figure(plot_contact_shares(points), "Time without contact as a share of the time measured.")
+            section.add_figure(
+                plot_contact_shares(points), "Time without contact as a share of the time measured."
+            )
         elif any(p.get("contact_loss_share") is not None for p in points):
             section.add("<p>The flanks stay in contact at every point of this sweep.</p>")
     return section
@@ -206,7 +209,7 @@ def _settled(time: Array, settle_time: float) -> np.ndarray:
 
 
 def _last_periods(time: Array, values: Array) -> slice:
-    """The last dozen periods of what dominates a steady record; everything if there are few, or no clear period."""
+    """The last dozen periods of a steady record; everything if there are few, or no clear period."""
     tail = slice(time.size // 2, None)
     piece, rate = _uniform(time[tail], values[tail])
     if piece.size < 256 or not np.all(np.isfinite(piece)):
@@ -228,14 +231,20 @@ def _detail(time: Array, group: Sequence[Channel], state: Array | None) -> go.Fi
 
 
 def _left_out(count: int) -> str:
-    return f"{count - MOST_LINES} more channels of this kind are in the result file." if count > MOST_LINES else ""
+    return (
+        f"{count - MOST_LINES} more channels of this kind are in the result file."
+        if count > MOST_LINES
+        else ""
+    )
 
 
 def _jump_sentence(jumps: Sequence[Mapping[str, Any]]) -> str:
     if not jumps:
         return "No jump found in this sweep."
     pitch = scale("Hz", [float(j["mesh_frequency"]) for j in jumps])
-    places = ", ".join(f"{j['direction']} at {number(float(j['mesh_frequency']) * pitch.factor)}" for j in jumps)
+    places = ", ".join(
+        f"{j['direction']} at {number(float(j['mesh_frequency']) * pitch.factor)}" for j in jumps
+    )
     return f"Jumps: {places} {pitch.unit} mesh frequency."
 
 
@@ -257,7 +266,11 @@ def _contact_table(
             str(len(c.impacts)),
             f"{number(max(peaks) * peak.factor, 4)} {peak.unit}" if peak else "–",
         )
-        body.append(f'<tr><th scope="row">{escape(mesh)}</th><td></td>' + "".join(f'<td class="num">{x}</td>' for x in cells) + "</tr>")
+        body.append(
+            f'<tr><th scope="row">{escape(mesh)}</th><td></td>'
+            + "".join(f'<td class="num">{x}</td>' for x in cells)
+            + "</tr>"
+        )
     head = ("mesh", "", "contact lost", "back contact", "longest loss", "impacts", "largest impact")
     return plain_table(head, body) if body else ""
 
@@ -281,12 +294,16 @@ def _uniform(time: Array, values: Array) -> tuple[Array, float]:
         return np.interp(grid, time, values), (time.size - 1) / float(time[-1] - time[0])
 
 
-def _add_spectra(section: Section, channel: Channel, time: Array, angle: Array | None, highest: float) -> None:
+def _add_spectra(
+    section: Section, channel: Channel, time: Array, angle: Array | None, highest: float
+) -> None:
     values, rate = _uniform(time, channel.values)
     name = channel.label
     section.add_figure(
-        spectrum_plots.plot_spectrum({name: amplitude_spectrum(values, rate)}, unit=channel.unit, quantity=f"amplitude, {name}"),
-    )  # fmt: skip
+        spectrum_plots.plot_spectrum(
+            {name: amplitude_spectrum(values, rate)}, unit=channel.unit, quantity=f"amplitude, {name}"
+        ),
+    )
     if angle is None:
         return
     try:
@@ -296,8 +313,10 @@ def _add_spectra(section: Section, channel: Channel, time: Array, angle: Array |
         section.add(f"<p>No order spectrum of {escape(name)}: {escape(str(reason))}.</p>")
         return
     section.add_figure(
-        spectrum_plots.plot_spectrum({name: spectrum}, unit=channel.unit, quantity=f"amplitude, {name}", over="order"),
-    )  # fmt: skip
+        spectrum_plots.plot_spectrum(
+            {name: spectrum}, unit=channel.unit, quantity=f"amplitude, {name}", over="order"
+        ),
+    )
 
 
 def _add_maps(section: Section, channel: Channel, time: Array, angle: Array, highest: float) -> None:

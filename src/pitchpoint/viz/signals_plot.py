@@ -25,7 +25,7 @@ def plot_signals(
     channels: Sequence[Channel],
     *,
     contact_state: Array | None = None,
-    points: int = 4000,
+    points: int = 8000,
     title: str = "",
 ) -> go.Figure:
     """Channels of one unit over time, drawn so that no peak is lost.
@@ -37,10 +37,11 @@ def plot_signals(
     channels
         One or more channels of the same unit, shape (n,) each.
     contact_state
-        State of a mesh at these times: 1 front, 0 separated, -1 back, 2 both; stretches without front contact are shaded
-        as long as they can be told apart.
+        State of a mesh at these times: 1 front, 0 separated, -1 back, 2 both; stretches without front contact
+        are shaded as long as they can be told apart.
     points
-        Points per line at most; min/max decimation.
+        Points per line at most; min/max decimation. Two buckets per pixel of a wide screen leave no slits in
+        dense lines.
     title
         Name of the vertical axis; default the names of the channels.
 
@@ -76,7 +77,7 @@ def plot_signals(
     return figure
 
 
-def plot_force_parts(time: Array, channels: Sequence[Channel], *, points: int = 4000) -> go.Figure:
+def plot_force_parts(time: Array, channels: Sequence[Channel], *, points: int = 8000) -> go.Figure:
     """Circumferential, radial and axial part of a tooth force, each in its colour."""
     return plot_signals(time, channels, points=points, title="tooth force")
 
@@ -113,9 +114,23 @@ def _shade(figure: go.Figure, time: Array, state: Array) -> None:
         x = [v for a, b, _ in own for v in (a, a, b, b, None)]
         y = [v for _ in own for v in (0, 1, 1, 0, None)]
         figure.add_scatter(
-            x=x, y=y, yaxis="y2", mode="lines", fill="toself", line={"width": 0}, opacity=0.22,
-            fillcolor=colour, name=STATE_NAMES[code], hoverinfo="skip",
-        )  # fmt: skip
+            x=x,
+            y=y,
+            yaxis="y2",
+            mode="lines",
+            fill="toself",
+            line={"width": 0},
+            opacity=0.22,
+            fillcolor=colour,
+            name=STATE_NAMES[code],
+            hoverinfo="skip",
+        )
     figure.update_layout(
-        yaxis2={"overlaying": "y", "range": [0, 1], "visible": False, "fixedrange": True, "layer": "below traces"}
+        yaxis2={
+            "overlaying": "y",
+            "range": [0, 1],
+            "visible": False,
+            "fixedrange": True,
+            "layer": "below traces",
+        }
     )

@@ -43,20 +43,24 @@ def plot_spectrum(
     over
         `frequency` [Hz] or `order`.
     highest
-        End of the horizontal axis; default where the last peak above a thousandth of the largest lies.
+        End of the horizontal axis; default where the last peak above half a percent of the largest lies.
     labels
         Number of peaks with a label.
     """
     import plotly.graph_objects as go
 
-    tallest = max((float(s.amplitude[1:].max()) for s in spectra.values() if s.amplitude.size > 1), default=0.0)
+    tallest = max(
+        (float(s.amplitude[1:].max()) for s in spectra.values() if s.amplitude.size > 1), default=0.0
+    )
     shown = scale(unit, [tallest])
     end = highest or max((_last_peak(s) for s in spectra.values()), default=1.0)
     across = scale("Hz", [end]) if over == "frequency" else None
     factor = across.factor if across else 1.0
     figure = go.Figure(
         layout=theme.layout(
-            across.title("frequency") if across else "order [per revolution]", shown.title(quantity), height=340
+            across.title("frequency") if across else "order [per revolution]",
+            shown.title(quantity),
+            height=340,
         )
     )
     for index, (name, spectrum) in enumerate(spectra.items()):
@@ -86,15 +90,30 @@ def plot_order_map(data: OrderMap, *, unit: str, quantity: str = "amplitude") ->
     steady = bool(np.all(np.diff(data.speed) > 0.0) or np.all(np.diff(data.speed) < 0.0))
     axis = scale("rad/s", data.speed) if steady else scale("s", data.time)
     vertical = (data.speed if steady else data.time) * axis.factor
-    return _map(data.order, vertical, data.amplitude, "order [per revolution]", axis.title("speed" if steady else "time"),
-                unit, quantity)  # fmt: skip
+    # order 0 is the mean: it would set the scale of the whole map
+    return _map(
+        data.order[1:],
+        vertical,
+        data.amplitude[:, 1:],
+        "order [per revolution]",
+        axis.title("speed" if steady else "time"),
+        unit,
+        quantity,
+    )
 
 
 def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "amplitude") -> go.Figure:
     """Amplitude over time and frequency, in decibels below the largest one."""
     clock, pitch = scale("s", data.time), scale("Hz", data.frequency)
-    return _map(data.time * clock.factor, data.frequency * pitch.factor, data.amplitude.T,
-                clock.title("time"), pitch.title("frequency"), unit, quantity)  # fmt: skip
+    return _map(
+        data.time * clock.factor,
+        data.frequency * pitch.factor,
+        data.amplitude.T,
+        clock.title("time"),
+        pitch.title("frequency"),
+        unit,
+        quantity,
+    )
 
 
 def _map(
@@ -108,18 +127,27 @@ def _map(
     shown = scale(unit, [largest])
     figure = go.Figure(layout=theme.layout(x_title, y_title, height=430))
     figure.add_heatmap(
-        x=x.astype(np.float32), y=y.astype(np.float32),
+        x=x.astype(np.float32),
+        y=y.astype(np.float32),
         # whole decibels in one byte each: a map then weighs 0.1 MB instead of 1.2
-        z=np.clip(np.round(level), -100, 0).astype(np.int8), zmin=-theme.MAP_RANGE_DB, zmax=0.0, colorscale=theme.MAP_SCALE,
+        z=np.clip(np.round(level), -100, 0).astype(np.int8),
+        zmin=-theme.MAP_RANGE_DB,
+        zmax=0.0,
+        colorscale=theme.MAP_SCALE,
         colorbar={"title": {"text": "dB"}, "thickness": 12, "outlinewidth": 0, "x": 1.01, "xpad": 4},
         hovertemplate="%{x:.5g}, %{y:.5g}: %{z} dB<extra></extra>",
-    )  # fmt: skip
+    )
     figure.update_layout(
         title={
             "text": f"{quantity}, 0 dB = {number(largest * shown.factor, 4)} {shown.unit}".rstrip(),
-            "font": {"size": 13}, "x": 0, "xref": "paper", "xanchor": "left", "y": 0.98, "yanchor": "top",
+            "font": {"size": 13},
+            "x": 0,
+            "xref": "paper",
+            "xanchor": "left",
+            "y": 0.98,
+            "yanchor": "top",
         }
-    )  # fmt: skip
+    )
     figure.update_xaxes(showgrid=False)
     figure.update_yaxes(showgrid=False)
     return figure
@@ -144,18 +172,28 @@ def _last_peak(spectrum: Spectrum) -> float:
     a = spectrum.amplitude
     if a.size < 2 or not a[1:].max() > 0.0:
         return float(spectrum.frequency[-1])
-    last = int(np.flatnonzero(a[1:] >= 1e-3 * float(a[1:].max()))[-1]) + 1
+    last = int(np.flatnonzero(a[1:] >= 5e-3 * float(a[1:].max()))[-1]) + 1
     return float(min(spectrum.frequency[-1], 1.25 * spectrum.frequency[last] + 4.0 * spectrum.resolution))
 
 
-def _label_peaks(figure: go.Figure, spectrum: Spectrum, end: float, factor: float, gain: float, count: int) -> None:
+def _label_peaks(
+    figure: go.Figure, spectrum: Spectrum, end: float, factor: float, gain: float, count: int
+) -> None:
     """Labels at the highest peaks, none so close to another that they would overlap."""
     taken: list[float] = []
     for frequency, amplitude in largest_peaks(spectrum, 4 * count):
-        if frequency > end or any(abs(frequency - other) < 0.09 * end for other in taken) or len(taken) >= count:
+        if (
+            frequency > end
+            or any(abs(frequency - other) < 0.09 * end for other in taken)
+            or len(taken) >= count
+        ):
             continue
         taken.append(frequency)
         figure.add_annotation(
-            x=frequency * factor, y=float(np.log10(amplitude * gain)), text=number(frequency * factor, 4),
-            showarrow=False, yshift=9, font={"size": 11},
-        )  # fmt: skip
+            x=frequency * factor,
+            y=float(np.log10(amplitude * gain)),
+            text=number(frequency * factor, 4),
+            showarrow=False,
+            yshift=9,
+            font={"size": 11},
+        )

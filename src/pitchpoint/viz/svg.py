@@ -22,7 +22,8 @@ STYLE = (
     f".pp-drawing{{{_variables(theme.LIGHT)}font:14px {theme.FONT.replace(chr(39), '')}}}"
     f"@media screen and (prefers-color-scheme:dark){{.pp-drawing{{{_variables(theme.DARK)}}}}}"
     ".pp-paper{fill:var(--pp-paper)}"
-    ".pp-gear{fill:var(--pp-gear);stroke:var(--pp-edge);stroke-width:1.1;stroke-linejoin:round;fill-rule:evenodd}"
+    ".pp-gear{fill:var(--pp-gear);stroke:var(--pp-edge);stroke-width:1.1;stroke-linejoin:round;"
+    "fill-rule:evenodd}"
     ".pp-mate{fill:var(--pp-mate);fill-opacity:.82}"
     ".pp-thin{fill:none;stroke:var(--pp-soft);stroke-width:1}"
     ".pp-base{stroke-dasharray:7 4}.pp-pitch{stroke-dasharray:10 3 2 3}"
@@ -30,7 +31,7 @@ STYLE = (
     f".pp-path{{stroke:{theme.RED};stroke-width:3.2;stroke-linecap:round;fill:none}}"
     f".pp-dot{{fill:var(--pp-paper);stroke:{theme.RED};stroke-width:2}}"
     f".pp-pole{{fill:{theme.RED};stroke:{theme.RED};stroke-width:2}}"
-    ".pp-text{fill:var(--pp-ink)}.pp-small{font-size:12px;fill:var(--pp-soft)}"
+    ".pp-text{fill:var(--pp-ink)}.pp-small{font-size:13px;fill:var(--pp-soft)}"
     # a halo in the colour of the paper keeps letters readable on top of lines
     ".pp-halo{fill:var(--pp-ink);stroke:var(--pp-paper);stroke-width:4;paint-order:stroke;font-weight:600}"
 )
@@ -40,7 +41,8 @@ def document(width: float, height: float, parts: Iterable[str], title: str) -> s
     """A complete drawing that fills the width it is given and follows light or dark mode."""
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="pp-drawing" viewBox="0 0 {width:.0f} {height:.0f}" '
-        f'role="img" aria-label="{escape(title)}" style="width:100%;max-width:{1.5 * width:.0f}px;height:auto">'
+        f'role="img" aria-label="{escape(title)}" '
+        f'style="width:100%;max-width:{1.5 * width:.0f}px;height:auto">'
         f"<title>{escape(title)}</title><style>{STYLE}</style>"
         f'<rect class="pp-paper" width="100%" height="100%"/>{"".join(parts)}</svg>'
     )
@@ -49,7 +51,9 @@ def document(width: float, height: float, parts: Iterable[str], title: str) -> s
 def polygon(points: Array, css: str, hole: Array | None = None) -> str:
     """Filled closed line through `points`, shape (n, 2), in pixels; `hole` is left open."""
     rings = [points] if hole is None else [points, hole]
-    path = "".join("M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in _distinct(ring)) + "Z" for ring in rings if len(ring))
+    path = "".join(
+        "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in _distinct(ring)) + "Z" for ring in rings if len(ring)
+    )
     return f'<path class="{css}" d="{path}"/>'
 
 
@@ -60,7 +64,9 @@ def circle(center: Array, radius: float, css: str) -> str:
 
 def line(start: Array, end: Array, css: str) -> str:
     """Straight line in pixels."""
-    return f'<line class="{css}" x1="{start[0]:.1f}" y1="{start[1]:.1f}" x2="{end[0]:.1f}" y2="{end[1]:.1f}"/>'
+    return (
+        f'<line class="{css}" x1="{start[0]:.1f}" y1="{start[1]:.1f}" x2="{end[0]:.1f}" y2="{end[1]:.1f}"/>'
+    )
 
 
 def text(x: float, y: float, words: str, css: str = "pp-text", anchor: str = "middle") -> str:

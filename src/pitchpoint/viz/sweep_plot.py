@@ -30,7 +30,8 @@ def plot_sweep(
     Parameters
     ----------
     points
-        Points in the order run: `direction`, `mesh_frequency` [Hz] and, under `quantity`, its statistics in SI.
+        Points in the order run: `direction`, `mesh_frequency` [Hz] and, under `quantity`, its statistics in
+        SI.
     jumps
         `direction` and `mesh_frequency` [Hz] of each jump.
     quantity, statistic
@@ -48,9 +49,13 @@ def plot_sweep(
         frequency, level = branches[direction]
         if frequency.size:
             figure.add_scatter(
-                x=frequency * pitch.factor, y=level * shown.factor, mode="lines+markers", name=f"speed {direction}",
-                line={"color": colour, "width": 1.6}, marker={"symbol": symbol, "size": 6},
-            )  # fmt: skip
+                x=frequency * pitch.factor,
+                y=level * shown.factor,
+                mode="lines+markers",
+                name=f"speed {direction}",
+                line={"color": colour, "width": 1.6},
+                marker={"symbol": symbol, "size": 6},
+            )
     _mark_jumps(figure, branches, jumps, pitch.factor, shown.factor)
     if levels.size:
         figure.update_xaxes(range=_padded(np.concatenate([f for f, _ in branches.values()]), pitch.factor))
@@ -78,8 +83,12 @@ def plot_contact_shares(points: Sequence[Mapping[str, Any]]) -> go.Figure:
             if rows and (key == "contact_loss_share" or any(share > 0.0 for _, share in rows)):
                 x, y = zip(*rows, strict=True)
                 figure.add_scatter(
-                    x=x, y=y, mode="lines", name=f"{name}, {direction}", line={"color": colour, "width": 1.6, "dash": dash}
-                )  # fmt: skip
+                    x=x,
+                    y=y,
+                    mode="lines",
+                    name=f"{name}, {direction}",
+                    line={"color": colour, "width": 1.6, "dash": dash},
+                )
     if all_frequencies:
         figure.update_xaxes(range=_padded(all_frequencies, pitch.factor))
     figure.update_yaxes(rangemode="tozero")
@@ -101,22 +110,42 @@ def _mark_jumps(
     x_factor: float,
     y_factor: float,
 ) -> None:
-    """A vertical arrow from the old to the new level, with the frequency at its head."""
+    """An arrow from the old to the new level, the frequency above it, in the colour of the direction."""
     for jump in jumps:
         direction, middle = str(jump["direction"]), float(jump["mesh_frequency"])
         frequency, level = branches[direction]
         if frequency.size < 2:
             continue
         forward = frequency if frequency[-1] > frequency[0] else -frequency
-        after = int(np.clip(np.searchsorted(forward, middle if frequency[-1] > frequency[0] else -middle), 1, level.size - 1))
+        after = int(
+            np.clip(
+                np.searchsorted(forward, middle if frequency[-1] > frequency[0] else -middle),
+                1,
+                level.size - 1,
+            )
+        )
         colour = theme.SWEEP[direction][0]
         low, high = level[after - 1] * y_factor, level[after] * y_factor
         figure.add_annotation(
-            x=middle * x_factor, y=high, ax=middle * x_factor, ay=low, axref="x", ayref="y", text="",
-            showarrow=True, arrowhead=2, arrowsize=1.2, arrowwidth=1.8, arrowcolor=colour,
-        )  # fmt: skip
+            x=middle * x_factor,
+            y=high,
+            ax=middle * x_factor,
+            ay=low,
+            axref="x",
+            ayref="y",
+            text="",
+            showarrow=True,
+            arrowhead=2,
+            arrowsize=1.2,
+            arrowwidth=1.8,
+            arrowcolor=colour,
+        )
         figure.add_annotation(
-            x=middle * x_factor, y=max(low, high), text=f"{direction}: {number(middle * x_factor, 4)}",
-            showarrow=False, yshift=12, xanchor="right" if direction == "down" else "left",
+            x=middle * x_factor,
+            y=max(low, high),
+            text=number(middle * x_factor, 4),
+            showarrow=False,
+            yshift=10,
+            xanchor="right" if direction == "down" else "left",
             font={"size": 11, "color": colour},
-        )  # fmt: skip
+        )

@@ -13,13 +13,49 @@ from pitchpoint.viz.quantities import Channel, number, pretty, scale
 
 # What a table shows, in this order; symbol, words and unit of each come from the nomenclature.
 GEAR_ROWS = (
-    "z", "m_n", "m_t", "alpha_n", "alpha_t", "beta", "beta_b", "x", "b", "d", "d_b", "d_a", "d_f", "d_Fa", "d_Ff", "s_n",
-    "p_t", "p_et", "mass", "polar_inertia",
-)  # fmt: skip
+    "z",
+    "m_n",
+    "m_t",
+    "alpha_n",
+    "alpha_t",
+    "beta",
+    "beta_b",
+    "x",
+    "b",
+    "d",
+    "d_b",
+    "d_a",
+    "d_f",
+    "d_Fa",
+    "d_Ff",
+    "s_n",
+    "p_t",
+    "p_et",
+    "mass",
+    "polar_inertia",
+)
 MESH_ROWS = (
-    "a_w", "a_d", "alpha_wt", "x_sum", "x_sum_given", "d_w1", "d_w2", "d_Nf1", "d_Nf2", "g_alpha", "eps_alpha", "eps_beta",
-    "eps_gamma", "j_bt", "j_wt", "j_bn", "c_prime", "c_gamma_alpha", "C_R", "C_B",
-)  # fmt: skip
+    "a_w",
+    "a_d",
+    "alpha_wt",
+    "x_sum",
+    "x_sum_given",
+    "d_w1",
+    "d_w2",
+    "d_Nf1",
+    "d_Nf2",
+    "g_alpha",
+    "eps_alpha",
+    "eps_beta",
+    "eps_gamma",
+    "j_bt",
+    "j_wt",
+    "j_bn",
+    "c_prime",
+    "c_gamma_alpha",
+    "C_R",
+    "C_B",
+)
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
 
 
@@ -64,18 +100,26 @@ def statistics_table(rows: Sequence[tuple[Channel, Mapping[str, float]]]) -> str
     for channel, values in rows:
         shown = scale(channel.unit, [values["min"], values["max"]])
         cells = "".join(
-            f'<td class="num">{number(values[key] * shown.factor)}</td>' for key in ("mean", "rms", "min", "max")
+            f'<td class="num">{number(values[key] * shown.factor)}</td>'
+            for key in ("mean", "rms", "min", "max")
         )
-        body.append(f'<tr><th scope="row">{escape(channel.label)}</th><td class="unit">{shown.unit}</td>{cells}</tr>')
-    return plain_table(("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum"), body) if body else ""
+        body.append(
+            f'<tr><th scope="row">{escape(channel.label)}</th><td class="unit">{shown.unit}</td>{cells}</tr>'
+        )
+    return (
+        plain_table(("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum"), body)
+        if body
+        else ""
+    )
 
 
 def plain_table(head: Sequence[str], body: Sequence[str]) -> str:
-    """Table from ready rows; the first column is left-aligned, numbers are right-aligned from the third on."""
+    """Table from ready rows; numbers are right-aligned from the third column on."""
     cells = "".join(
         f'<th scope="col"{" class=num" if k > 1 else ""}>{escape(words)}</th>' for k, words in enumerate(head)
     )
-    return f'<div class="scroll"><table><thead><tr>{cells}</tr></thead><tbody>{"".join(body)}</tbody></table></div>'
+    rows = "".join(body)
+    return f'<div class="scroll"><table><thead><tr>{cells}</tr></thead><tbody>{rows}</tbody></table></div>'
 
 
 def symbol_html(symbol: str) -> str:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Colours, fonts and layout of every picture: one meaning, one colour, in light and in dark.
 
-Trace colours are of middle lightness, so that they stand out on white and on near-black alike; everything else (paper, ink,
-grid) comes in two sets, and a report switches between them with the reader's system.
+Trace colours are of middle lightness, so that they stand out on white and on near-black alike; everything
+else (paper, ink, grid) comes in two sets, and a report switches between them with the reader's system.
 """
 
 from __future__ import annotations
@@ -18,11 +18,28 @@ SERIES = (BLUE, ORANGE, GREEN, PURPLE, RED, TEAL, OCHRE, GREY)
 # The three parts of a tooth force keep their colour in every plot, drawing and animation.
 FORCE_PARTS = {"circumferential": BLUE, "radial": ORANGE, "axial": PURPLE}
 
-# Sweeps: upwards green, downwards red; the symbols say the same to readers who do not tell these colours apart.
+# Sweeps: upwards green, downwards red; the symbols say the same to readers who do not tell these colours
+# apart.
 SWEEP = {"up": (GREEN, "triangle-up"), "down": (RED, "triangle-down")}
 
-LIGHT = {"paper": "#ffffff", "ink": "#1f2933", "soft": "#5b6672", "grid": "#e3e7ec", "gear": "#dfe6ee", "mate": "#cfe0f2", "edge": "#51606f"}
-DARK = {"paper": "#14181d", "ink": "#e6e9ed", "soft": "#a3adb8", "grid": "#2c343d", "gear": "#2b3641", "mate": "#28455f", "edge": "#9aa9b8"}
+LIGHT = {
+    "paper": "#ffffff",
+    "ink": "#1f2933",
+    "soft": "#5b6672",
+    "grid": "#e3e7ec",
+    "gear": "#dfe6ee",
+    "mate": "#cfe0f2",
+    "edge": "#51606f",
+}
+DARK = {
+    "paper": "#14181d",
+    "ink": "#e6e9ed",
+    "soft": "#a3adb8",
+    "grid": "#2c343d",
+    "gear": "#2b3641",
+    "mate": "#28455f",
+    "edge": "#9aa9b8",
+}
 
 # Maps: perceptually even, dark = little in both modes, so that a map reads the same on screen and on paper.
 MAP_SCALE = "Cividis"
@@ -63,12 +80,12 @@ def axis(title: str, **more: Any) -> dict[str, Any]:
 
 def layout(x_title: str, y_title: str, *, height: int = 380, **more: Any) -> dict[str, Any]:
     """Layout of a figure with one pair of axes and a legend above it."""
-    look = {
+    look: dict[str, Any] = {
         "font": {"family": FONT, "size": 13, "color": LIGHT["ink"]},
         "paper_bgcolor": LIGHT["paper"],
         "plot_bgcolor": LIGHT["paper"],
         "height": height,
-        "margin": {"l": 56, "r": 16, "t": 36, "b": 48},
+        "margin": {"l": 56, "r": 16, "t": 30, "b": 48},
         "colorway": list(SERIES),
         "hovermode": "closest",
         "legend": {"orientation": "h", "x": 0, "y": 1.02, "yanchor": "bottom"},
@@ -76,5 +93,7 @@ def layout(x_title: str, y_title: str, *, height: int = 380, **more: Any) -> dic
         "yaxis": axis(y_title),
     }
     for key, value in more.items():
-        look[key] = look[key] | value if isinstance(look.get(key), dict) and isinstance(value, dict) else value
+        look[key] = (
+            look[key] | value if isinstance(look.get(key), dict) and isinstance(value, dict) else value
+        )
     return look

@@ -6,9 +6,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from tests.support.cli_files import ISO_EX1, TORSION, json_of, written
 
 from pitchpoint.cli.main import run_command
+from tests.support.cli_files import ISO_EX1, TORSION, json_of, written
 
 
 def test_says_what_will_be_simulated(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,10 +6,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from tests.support.cli_files import json_of
 
 from pitchpoint.cli import examples
 from pitchpoint.cli.main import run_command
+from tests.support.cli_files import json_of
 
 
 @pytest.fixture

@@ -100,7 +100,7 @@ def test_terminals_get_a_bar(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Cap
         display._terminal = True
         clock.now += 4.0
         display(0.0, 10.0)
-        clock.now += 1.0
+        clock.now += 5.0
         display(5.0, 10.0)
         assert display._bar.tasks[0].completed == 5.0
         assert display._bar.tasks[0].fields["rate"] == "1 points/s"

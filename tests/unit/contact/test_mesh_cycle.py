@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mesh cycle: against the compiled integral, as a moving average, symmetric, continuous towards spur gears."""
+"""Mesh cycle: against the compiled integral, as a moving average, symmetric, with the spur limit."""
 
 from __future__ import annotations
 

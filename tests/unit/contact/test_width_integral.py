@@ -22,7 +22,7 @@ slopes = st.one_of(st.just(0.0), st.floats(-60.0, 60.0).filter(lambda lam: abs(l
 
 
 def brute_force(law, psi, lam, eps_alpha, kinks):
-    """Sum over pairs by Gauss-Legendre of high order between all kinks, written without looking at the kernel."""
+    """Sum over pairs by Gauss-Legendre of high order between all kinks."""
     x, w = np.polynomial.legendre.leggauss(12)
     total = np.zeros(3)
     for j in range(-12, 13):

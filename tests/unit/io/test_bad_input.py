@@ -39,7 +39,7 @@ CASES: dict[str, tuple[str, str, int, str]] = {
     ),
     "unknown section": ("gear:\n" + gear("a") + "gears:\n" + gear("a"), "gear", 1, "did you mean gears?"),
     "missing key": (
-        "gears:\n  a: {number_of_teeth: 20}\n",
+        "gears:\n  a: {number_of_teeth: 20, face_width: 9 mm, profile_shift_coefficient: 0}\n",
         "gears.a.normal_module",
         2,
         "add normal_module: 3 mm",
@@ -68,7 +68,7 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         "shorten the tip",
     ),
     "negative tip clearance": (
-        pair(gear("a", more="tip_diameter: 99 mm"), gear("b"), "center_distance: 90 mm"),
+        pair(gear("a"), gear("b", more="rack: {dedendum: 0.9, root_radius: 0.1}")),
         "meshes.m.center_distance",
         5,
         "tip clearance of a in the root of b",
@@ -175,9 +175,12 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         "meshes.m.center_distance",
     ),
     "gear on two bodies": (
-        pair(gear("a"), gear("b"), "", "bodies:\n  one: {gears: [a, b]}\n  two: {gears: [b]}\n"),
+        "gears:\n"
+        + gear("a")
+        + gear("b")
+        + "bodies:\n  one: {gears: [a, b]}\n  two: {gears: [b], position: [1, 0, 0]}\n",
         "bodies.two.gears",
-        8,
+        6,
         "sits on one already",
     ),
     "mesh inside a body": (
@@ -267,6 +270,35 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         5,
         "exactly one of",
     ),
+    "backlash without direction": (
+        pair(gear("a"), gear("b"), "backlash: {}"),
+        "meshes.m.backlash",
+        5,
+        "none",
+    ),
+    "unsorted table": (
+        pair(
+            gear("a"),
+            gear("b"),
+            "",
+            BODIES % ("", "") + "loads:\n  l: {body: one, torque: {table: [[1, 0], [0, 1]]}}\n",
+        ),
+        "loads.l.torque.table[1]",
+        10,
+        "sort the table",
+    ),
+    "two balances": (
+        pair(
+            gear("a"),
+            gear("b"),
+            "",
+            BODIES % ("", "")
+            + "loads:\n  l: {body: one, torque: balance}\n  k: {body: two, torque: balance}\n",
+        ),
+        "loads.k.torque",
+        11,
+        "all but one",
+    ),
     "impossible assembly": (
         pair(gear("a", more="initial_angle: 0"), gear("b", more="initial_angle: 0")),
         "gears.b.initial_angle",
@@ -335,7 +367,7 @@ def test_all_problems_at_once_in_the_order_of_the_file() -> None:
 
 
 def test_deep_nesting_and_alias_bombs_are_refused() -> None:
-    (deep,) = problems("gears: " + "[" * 5000 + "]" * 5000)
+    (deep,) = problems("gears: " + "[" * 400 + "]" * 400)
     assert "nested" in deep.message
     bomb = "a0: &a0 [1, 1]\n" + "".join(
         f"a{i}: &a{i} [{', '.join([f'*a{i - 1}'] * 9)}]\n" for i in range(1, 12)

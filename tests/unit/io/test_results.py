@@ -111,6 +111,22 @@ def test_running_statistics_equal_those_of_the_whole(tmp_path: Path) -> None:
     np.testing.assert_array_equal(running.high, window.max(axis=0))
 
 
+def test_events_are_a_list_of_their_own(tmp_path: Path) -> None:
+    path = tmp_path / "run.h5"
+    with ResultWriter(
+        path, Header("time"), CHANNELS, events=["contact[stage]", "pair entry[stage]"]
+    ) as writer:
+        writer.append_events(np.array([[0.1, 1, 1], [0.2, 0, -1]]))
+        writer.append(*signals(10))
+        writer.append_events(np.zeros((0, 3)))
+        writer.append_events(np.array([[0.3, 0, 1]]))
+    with open_result(path, "events") as ds:
+        np.testing.assert_array_equal(ds["time"], [0.1, 0.2, 0.3])
+        np.testing.assert_array_equal(ds["event"], [1, 0, 0])
+        np.testing.assert_array_equal(ds["direction"], [1, -1, 1])
+        assert ds["event"].attrs["flag_meanings"] == "contact[stage] pair_entry[stage]"
+
+
 def test_statistics_without_a_sample_are_none(tmp_path: Path) -> None:
     with ResultWriter(tmp_path / "run.h5", Header("time"), CHANNELS, since=1e9) as writer:
         writer.append(*signals(10))

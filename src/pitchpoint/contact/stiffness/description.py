@@ -20,6 +20,21 @@ Array = NDArray[np.float64]
 def refuse(where: str, message: str, value: object, limit: str, remedy: str) -> ModelError:
     """Build the error for one wrong option of a stiffness source.
 
+    Parameters
+    ----------
+    where
+        Path of the option in the model.
+    message
+        What is wrong with it.
+    value
+        The value given.
+    limit
+        What is allowed.
+    remedy
+        What to do.
+
+    Examples
+    --------
     >>> str(refuse("stiffness.mean", "is no stiffness", -1.0, "> 0", "give N/m")).splitlines()[1].strip()
     'stiffness.mean: -1.0 is no stiffness (limit > 0); give N/m'
     """
@@ -29,6 +44,17 @@ def refuse(where: str, message: str, value: object, limit: str, remedy: str) -> 
 def positive(where: str, value: float, unit: str) -> float:
     """Return a number that must be positive and finite, or raise ModelError.
 
+    Parameters
+    ----------
+    where
+        Path of the option in the model.
+    value
+        The value given.
+    unit
+        Its SI unit, for the message.
+
+    Examples
+    --------
     >>> positive("stiffness.mean", 4.0e8, "N/m")
     400000000.0
     """
@@ -40,6 +66,15 @@ def positive(where: str, value: float, unit: str) -> float:
 def share(where: str, value: float) -> float:
     """Return a number that must lie in [0, 1], or raise ModelError.
 
+    Parameters
+    ----------
+    where
+        Path of the option in the model.
+    value
+        The value given.
+
+    Examples
+    --------
     >>> share("stiffness.stiffness_ratio", 0.8)
     0.8
     """
@@ -51,6 +86,17 @@ def share(where: str, value: float) -> float:
 def frozen_array(where: str, values: ArrayLike, least: int = 0) -> Array:
     """Return a read-only, contiguous copy of a finite one-dimensional array, or raise ModelError.
 
+    Parameters
+    ----------
+    where
+        Path of the option in the model.
+    values
+        The values given, shape (n,).
+    least
+        Smallest number of values.
+
+    Examples
+    --------
     >>> frozen_array("stiffness.cosine", [-0.2, -0.1])
     array([-0.2, -0.1])
     """
@@ -243,6 +289,15 @@ def require_positive(where: str, description: PhaseStiffness) -> PhaseStiffness:
 
     Fourier series are looked at on 16 points per period of the highest harmonic, at least 256.
 
+    Parameters
+    ----------
+    where
+        Path of the option in the model.
+    description
+        Prescribed stiffness to look at.
+
+    Examples
+    --------
     >>> require_positive("stiffness.cosine", PhaseStiffness(mean=1e8, cosine=[0.5])).mean
     100000000.0
     """

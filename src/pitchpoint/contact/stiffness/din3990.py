@@ -90,8 +90,17 @@ def theoretical_stiffness(z_n1: float, z_n2: float, x1: float, x2: float) -> flo
 def basic_rack_factor(h_fP_star: float, alpha_n: float) -> float:
     """Basic rack factor C_B = [1 + 0.5 (1.2 - h_fP*)] [1 - 0.02 (20 - alpha_n/deg)].
 
-    h_fP* is the dedendum of the basic rack in modules, alpha_n [rad]. Source: ISO 6336-1, single stiffness.
+    Source: ISO 6336-1, single stiffness.
 
+    Parameters
+    ----------
+    h_fP_star
+        Dedendum of the basic rack in modules, h_fP* [-].
+    alpha_n
+        Normal pressure angle α_n [rad].
+
+    Examples
+    --------
     >>> [round(basic_rack_factor(h, math.radians(20.0)), 12) for h in (1.2, 1.25, 1.4)]
     [1.0, 0.975, 0.9]
     """
@@ -124,8 +133,15 @@ def blank_factor(web_over_width: float, rim_over_module: float) -> float:
 def virtual_teeth(gear: CylindricalGear, formula: str = "iso") -> float:
     """Number of teeth of the virtual spur gear, z_n; infinite for an internal gear.
 
-    `formula` "iso": z/(cos^2 beta_b cos beta); "cos3": z/cos^3 beta (the approximation of older texts).
+    Parameters
+    ----------
+    gear
+        The gear.
+    formula
+        "iso" for z/(cos² β_b cos β), "cos3" for z/cos³ β, the approximation of older texts.
 
+    Examples
+    --------
     >>> gear = CylindricalGear(z=17, m_n=8e-3, beta=math.radians(15.8), b=0.1)
     >>> round(virtual_teeth(gear), 4), round(virtual_teeth(gear, "cos3"), 4)
     (18.9051, 19.0822)

@@ -58,7 +58,7 @@ def energy_compliance(
     moduli, poisson
         Young's moduli [Pa] and Poisson's ratios of both gears.
     bores
-        Bore diameters [m] for the body compliance; None for a solid gear.
+        Bore diameters [m] where the bodies are held; None takes half the root diameter.
     body
         Gear bodies by Sainsot, Velex and Duverger: "load_line" (their definition of the load's height),
         "contact_point" (height of the contact point, as some programs read it) or "rigid". A ring is rigid.

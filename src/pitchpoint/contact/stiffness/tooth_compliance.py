@@ -8,12 +8,14 @@ over the height run cumulatively from the root, so that every point of the path 
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 from pitchpoint.contact.stiffness.description import Array
+from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.geometry.tooth_form import ToothForm
 
 #: Coefficients A..F of L*, M*, P*, Q* (Sainsot, Velex and Duverger 2004, table 1).
@@ -26,8 +28,12 @@ BODY = np.array(
     ]
 )
 
-#: Largest ratio of root to bore radius in the fit; a solid gear is taken there.
-SOLID_RATIO = 7.0
+#: Ranges of the fit: half tooth angle at the root [rad], ratio of root to bore radius.
+THETA_RANGE = (0.01, 0.12)
+RATIO_RANGE = (1.4, 7.0)
+
+#: Ratio for a gear without bore: the fit needs a clamped circle, so it is put at half the root radius.
+SOLID_RATIO = 2.0
 
 _FILLET = leggauss(40)
 _BELOW = leggauss(16)
@@ -109,19 +115,29 @@ def body_coefficients(theta_f: float, radius_ratio: float) -> tuple[float, float
     theta_f
         Half tooth angle at the root circle [rad]; fitted for 0.01 to 0.12.
     radius_ratio
-        Root radius over bore radius, h = r_f/r_int; fitted for 1.4 to 7, larger values are taken as 7.
+        Root radius over bore radius, h = r_f/r_int; fitted for 1.4 to 7. The disc is clamped at the bore, so
+        that a smaller bore means a softer body.
 
     Notes
     -----
     X* = A/theta_f^2 + B h^2 + C h/theta_f + D/theta_f + E h + F. P. Sainsot, P. Velex and O. Duverger,
-    "Contribution of gear body to tooth deflections", J. Mech. Des. 126 (2004) 748.
+    "Contribution of gear body to tooth deflections", J. Mech. Des. 126 (2004) 748. A ValidityWarning tells
+    when an argument leaves its range.
 
     Examples
     --------
     >>> [round(c, 4) for c in body_coefficients(0.05, 3.0)]
     [6.9271, 1.19, 4.3241, 0.4378]
     """
-    h = min(radius_ratio, SOLID_RATIO)
+    h = radius_ratio
+    for name, value, (low, high) in (("theta_f", theta_f, THETA_RANGE), ("r_f/r_bore", h, RATIO_RANGE)):
+        if not low <= value <= high:
+            warnings.warn(
+                f"{name} = {value:.3g} lies outside the range {low} to {high} of the gear body formula"
+                " (Sainsot, Velex and Duverger 2004)",
+                ValidityWarning,
+                stacklevel=2,
+            )
     terms = np.array([1.0 / theta_f**2, h * h, h / theta_f, 1.0 / theta_f, h, 1.0])
     L, M, P, Q = (float(c) for c in BODY @ terms)
     return L, M, P, Q
@@ -158,7 +174,7 @@ def tooth_compliance(
     E, nu
         Young's modulus [Pa], Poisson's ratio.
     bore
-        Bore diameter [m]; None for a solid gear.
+        Bore diameter [m]; None for a solid gear, taken as held at half its root radius.
     body
         "load_line" or "contact_point": the reading of u_f, see `_body_compliance`; "rigid": none. An internal
         gear's ring is always taken as rigid, the fit holds for discs.

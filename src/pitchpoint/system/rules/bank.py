@@ -4,30 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 Law = Callable[..., float] | int
-
-
-@dataclass
-class Pool:
-    """Float array that grows while records are filled; records keep offsets into it."""
-
-    parts: list[NDArray[np.float64]] = field(default_factory=list)
-
-    def __call__(self, values: ArrayLike) -> int:
-        """Append numbers and return the offset of the first."""
-        offset = sum(part.size for part in self.parts)
-        self.parts.append(np.ravel(np.asarray(values, dtype=np.float64)))
-        return offset
-
-    def array(self) -> NDArray[np.float64]:
-        """All numbers in one array of at least one entry."""
-        return np.concatenate([*self.parts, np.zeros(1)])
 
 
 @dataclass(frozen=True)

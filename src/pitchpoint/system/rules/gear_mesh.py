@@ -14,11 +14,12 @@ from numpy.typing import NDArray
 from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
 from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.elements.mesh_line import line_of_action
+from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import inv
 from pitchpoint.model.components.stiffness import UserStiffness
 from pitchpoint.multibody.channels import FRAME
-from pitchpoint.system.rules.bank import Bank, Pool, pack
+from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.system.rules.separation import separation_grids
 from pitchpoint.system.rules.stiffness import describe_stiffness, user_law
@@ -220,11 +221,11 @@ def mesh_bank(model: Model) -> Bank:
             fixed=all(model.bodies[b].motion in ("torsion", "fixed") for b in (one, two)),
         )
         pair = model.pairs[name]
-        row = mesh_row(pair, place, mesh_laws(model, name), pool, model.backlash(name))
+        row = mesh_row(pair, place, mesh_laws(model, name), pool.add, model.backlash(name))
         row["i"], row["j"] = number[one], number[two]
         row["b1"], row["b2"] = (g.face_width for g in gears)
         row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
-        separation_grids(row, gears, pool)
+        separation_grids(row, gears, pool.add)
         law = mesh.stiffness
         laws.append(user_law(law.python).function if isinstance(law, UserStiffness) else None)
         rows.append(row)

@@ -23,9 +23,14 @@
     return update;
   }
 
-  function apply(mode, width) {
+  // Paper is white and its width is known: 182 mm between the margins, two plots in a pair.
+  const paperWidth = (node) => (node.closest(".pair") ? 325 : 680);
+
+  function apply(mode, printing) {
     for (const { node, height } of plots) {
-      const size = width ? { width, height, autosize: false } : { width: null, height, autosize: true };
+      const size = printing
+        ? { width: paperWidth(node), height, autosize: false }
+        : { width: null, height, autosize: true };
       Plotly.relayout(node, Object.assign(look(node.layout, mode), size));
     }
   }
@@ -42,8 +47,7 @@
   }
   apply(current());
   dark.addEventListener("change", () => apply(current()));
-  // Paper is white and its width is known: 182 mm between the margins.
-  window.addEventListener("beforeprint", () => apply("light", 680));
+  window.addEventListener("beforeprint", () => apply("light", true));
   window.addEventListener("afterprint", () => apply(current()));
   document.documentElement.dataset.ready = String(plots.length);
 })();

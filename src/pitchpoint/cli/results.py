@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What commands that compute share: choice of the scenario, provenance, name of the result file, tables."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.output import shown, table
+
+if TYPE_CHECKING:
+    from pitchpoint.io.container import Header
+    from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
+
+SHOWN = ("transmission_error", "deflection", "mesh_force", "contact_state", "speed", "bearing_force")
+"""Channels that people see after a run; all of them are in the file."""
+
+_DIMENSIONS = {
+    "m": "length",
+    "N": "force",
+    "rad": "angle",
+    "rad/s": "angular_speed",
+    "W": "power",
+    "N m": "torque",
+}
+
+
+def choose_scenario(model: Model, name: str | None, kind: str) -> str:
+    """Find the scenario that is meant: the named one, or the only one of the right kind."""
+    fitting = [n for n, s in model.scenarios.items() if s.kind == kind]
+    if name is None and len(fitting) == 1:
+        return fitting[0]
+    listed = ", ".join(fitting) or "none"
+    if name is None:
+        raise click.UsageError(f"say which --scenario; of the kind {kind} there are: {listed}")
+    if name not in model.scenarios:
+        import difflib
+
+        near = difflib.get_close_matches(name, model.scenarios, n=1)
+        hint = f"did you mean {near[0]!r}?" if near else f"there are: {listed}"
+        raise click.BadParameter(f"no scenario {name!r}; {hint}", param_hint="--scenario")
+    if name not in fitting:
+        is_kind = model.scenarios[name].kind
+        raise click.BadParameter(
+            f"{name!r} is of the kind {is_kind}, not {kind}; of that kind there are: {listed}",
+            param_hint="--scenario",
+        )
+    return name
+
+
+def result_path(output: str | None, file: str, scenario: str) -> Path:
+    """Name the result file: as asked, or after model file and scenario in the current folder."""
+    return Path(output) if output else Path(f"{Path(file).stem}-{scenario}.h5")
+
+
+def header_of(model: Model, file: str, scenario: str, kind: str, solver: str) -> Header:
+    """Collect the provenance of a result."""
+    from pitchpoint.core.provenance import content_hash
+    from pitchpoint.io.container import Header
+
+    chosen = model.scenarios[scenario] if scenario else None
+    return Header(
+        kind=kind,
+        title=model.title,
+        scenario=scenario,
+        solver=solver,
+        model_hash=content_hash(model),
+        model_text=Path(file).read_text(encoding="utf-8-sig"),
+        options=options_of(chosen) if chosen is not None else {},
+    )
+
+
+def options_of(scenario: Scenario) -> dict[str, Any]:
+    """Write a scenario as plain numbers and texts."""
+    options: dict[str, Any] = {
+        field.name: getattr(scenario, field.name) for field in dataclasses.fields(scenario)
+    }
+    for name in ("drive", "sweep", "quasi_static"):
+        value = options[name]
+        options[name] = dataclasses.asdict(value) if dataclasses.is_dataclass(value) else str(value or "")
+    options["settle_time"] = scenario.statistics_start
+    return options
+
+
+def how_a_status_ends(status: int) -> str:
+    """Translate a status of the solvers into the status of a result file."""
+    from pitchpoint.core import status as st
+    from pitchpoint.io.container import FAILED, FINISHED, INTERRUPTED
+
+    return {st.OK: FINISHED, st.INTERRUPTED: INTERRUPTED}.get(status, FAILED)
+
+
+def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> None:
+    """Show the statistics of the channels that people ask for first."""
+    rows = []
+    for name, row in channels.items():
+        if name.partition("[")[0] in SHOWN:
+            dimension = _DIMENSIONS.get(row["unit"], "dimensionless")
+            rows.append([name, *(shown(row[key], dimension, 5) for key in ("mean", "rms", "min", "max"))])
+    table(title, ["channel", "mean", "rms of the alternating part", "min", "max"], rows)

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint run`: time response of a scenario, streamed to a result file."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quantity, quiet, scenario
+from pitchpoint.cli.output import emit_json, show, shown
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from pitchpoint.model.model import Model
+
+
+@click.command()
+@model_file
+@scenario
+@output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if left out.")
+@quantity("--step", "time", "Time step instead of that of the scenario, as in '5 us'.")
+@click.option(
+    "--decimate", type=click.IntRange(min=1), default=1, metavar="N", help="Store every N-th sample only."
+)
+@as_json
+@allow_code
+@quiet
+@debug
+def run(
+    file: str,
+    scenario: str | None,
+    output: str | None,
+    step: float | None,
+    decimate: int,
+    as_json: bool,
+    allow_code: bool,
+    quiet: bool,
+) -> int:
+    """Compute the time response of a scenario of FILE.
+
+    The result file can be read while it grows. Ctrl-C stops and keeps what was computed.
+    """
+    from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.cli.results import choose_scenario, result_path, statistics_table
+    from pitchpoint.io.yaml_model import load_model
+
+    model = load_model(file, allow_code=allow_code)
+    name = choose_scenario(model, scenario, "time")
+    if step is not None:
+        model = model.replace(f"scenarios.{name}.step", step)
+    target = result_path(output, file, name)
+    summary, error = compute(model, file, name, target, decimate=decimate, quiet=quiet)
+    if as_json:
+        emit_json(summary)
+    elif summary["steps"] or error is None:
+        statistics_table(f"{model.title or file}: {name}", summary["channels"])
+        if not quiet:
+            step = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
+            show(f"{summary['steps']} steps{step} in {summary['wall_s']:.3g} s, written to {target}")
+            for note in summary["notes"]:
+                show(f"note: {note}")
+    return OK if error is None else exit_code_of(error)
+
+
+def compute(
+    model: Model, file: str, name: str, target: Path, *, decimate: int = 1, quiet: bool = False
+) -> tuple[dict[str, Any], BaseException | None]:
+    """Run a scenario into a file; gives the summary that `run --json` prints, and what stopped it early."""
+    from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.cli.results import header_of, how_a_status_ends
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.status import OK
+    from pitchpoint.io.writing import Channel, ResultWriter
+    from pitchpoint.solvers.time import run_time
+    from pitchpoint.system.compile import compile_model
+
+    chosen = model.scenarios[name]
+    system = compile_model(model, chosen)
+    channels = [Channel(c.name, c.unit, c.long_name) for c in system.layout.channels]
+    events = [e.name for e in system.layout.events] if chosen.events else []
+    header = header_of(model, file, name, "time", chosen.method)
+    with ResultWriter(target, header, channels, decimate=decimate, events=events) as writer:
+        with ProgressDisplay(f"run {name}", "s", quiet=quiet) as progress:
+            done = run_time(system, chosen, sink=writer, progress=progress)
+        if events:
+            writer.append_events(done.events)
+        status = how_a_status_ends(done.status)
+        writer.finish(status, done.sentence, code=done.status, steps=done.steps, wall_s=done.wall_s)
+    sentence = f"{done.sentence} (at t = {done.t_end:.6g} s)" if done.status != OK else done.sentence
+    summary = {
+        "status": status,
+        "sentence": sentence,
+        "steps": done.steps,
+        "wall_s": done.wall_s,
+        "step": done.step,
+        "t_end": done.t_end,
+        "window": done.window,
+        "output": str(target),
+        "notes": list(done.notes),
+        "events": len(done.events),
+        "channels": done.channels,
+    }
+    return summary, None if done.status == OK else SolverError(sentence, done.status, str(target))

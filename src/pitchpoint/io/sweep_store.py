@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A speed sweep on disk: a table of direction, point and statistic per quantity, filled point by point."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from types import TracebackType
+from typing import Any, Self
+
+from pitchpoint.io.container import FINISHED, Header
+from pitchpoint.io.reading import open_table
+from pitchpoint.io.tables import Axis, Quantity, TableWriter
+
+STATISTICS = ("mean", "rms", "min", "max")
+QUANTITIES = (
+    ("transmission_error", "m", "transmission error u_bt along the base tangent"),
+    ("deflection", "m", "deflection u_bt - e along the base tangent"),
+    ("mesh_force", "N", "mesh force along the base tangent"),
+)
+SHARES = (
+    ("contact_loss_share", "share of the time without contact"),
+    ("back_contact_share", "share of the time with contact on the back flank"),
+)
+
+
+class SweepWriter:
+    """Write a speed sweep that may be read while it runs.
+
+    Parameters
+    ----------
+    path, header
+        File and provenance; the kind of the header is `sweep`.
+    mesh
+        Mesh whose statistics are kept.
+    directions
+        `up`, `down` or both, in the order in which they are run.
+    speeds, mesh_frequencies
+        Speed of the swept body [rad/s] and mesh frequency [Hz] of every point, ascending, shape (n,).
+    """
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        header: Header,
+        mesh: str,
+        directions: Sequence[str],
+        speeds: Sequence[float],
+        mesh_frequencies: Sequence[float],
+    ) -> None:
+        self.mesh = mesh
+        self._directions = list(directions)
+        axes = [
+            Axis("direction", self._directions, long_name="direction of the sweep"),
+            Axis("mesh_frequency", [float(f) for f in mesh_frequencies], "Hz", "mesh frequency", "f_z"),
+            Axis("statistic", STATISTICS),
+        ]
+        point = ("direction", "mesh_frequency")
+        quantities = [
+            Quantity("speed", ("mesh_frequency",), "rad/s", "speed of the swept body", "omega"),
+            *(Quantity(f"{n}[{mesh}]", (*point, "statistic"), unit, words) for n, unit, words in QUANTITIES),
+            *(Quantity(f"{n}[{mesh}]", point, "1", words) for n, words in SHARES),
+            Quantity("point_status", point, "1", "status of the computation of the point", dtype="i4"),
+        ]
+        jumps = [("jump_direction", "", "i4"), ("jump_mesh_frequency", "Hz", "f8")]
+        self._table = TableWriter(path, header, axes, quantities, growing=jumps)
+        self._table.put("speed", ..., list(speeds))
+        self._table.flush()
+
+    @property
+    def path(self) -> str:
+        """The file."""
+        return self._table.path
+
+    def put(self, direction: str, point: int, values: Mapping[str, Any], status: int = 1) -> None:
+        """Write one point: `values` as in the JSON of a sweep, by quantity; what is missing stays NaN."""
+        at = (self._directions.index(direction), point)
+        for name, _, _ in QUANTITIES:
+            if name in values:
+                self._table.put(f"{name}[{self.mesh}]", at, [values[name][key] for key in STATISTICS])
+        for name, _ in SHARES:
+            if name in values:
+                self._table.put(f"{name}[{self.mesh}]", at, values[name])
+        self._table.put("point_status", at, status)
+        self._table.flush()
+
+    def put_jumps(self, jumps: Sequence[Mapping[str, Any]]) -> None:
+        """Write the jumps: `direction` and `mesh_frequency` [Hz] of each."""
+        for jump in jumps:
+            self._table.extend(
+                {
+                    "jump_direction": self._directions.index(jump["direction"]),
+                    "jump_mesh_frequency": jump["mesh_frequency"],
+                }
+            )
+        self._table.flush()
+
+    def finish(self, status: str = FINISHED, sentence: str = "", *, code: int = 1, steps: int = 0) -> None:
+        """Write how the computation ended and close; a second call does nothing."""
+        self._table.finish(status, sentence, code=code, steps=steps)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._table.__exit__(kind, error, trace)
+
+
+def read_sweep(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """Read a sweep as plain data: `mesh`, `points` in the order run, `jumps`; without points not computed."""
+    with open_table(path, "sweep") as file:
+        force = next(name for name in file if name.startswith("mesh_force["))
+        mesh = force[len("mesh_force[") : -1]
+        directions = [d.decode() if isinstance(d, bytes) else d for d in file["direction"][...]]
+        frequencies, speeds = file["mesh_frequency"][...], file["speed"][...]
+        tables = {name: file[f"{name}[{mesh}]"][...] for name, _, _ in QUANTITIES}
+        shares = {name: file[f"{name}[{mesh}]"][...] for name, _ in SHARES}
+        status = file["point_status"][...]
+        n = file["jump"].shape[0]
+        where, jump_at = file["jump_direction"][:n], file["jump_mesh_frequency"][:n]
+    points = []
+    for k, direction in enumerate(directions):
+        order = range(len(frequencies)) if direction == "up" else range(len(frequencies) - 1, -1, -1)
+        for i in order:
+            if status[k, i] < 0:
+                continue
+            point: dict[str, Any] = {
+                "direction": direction,
+                "speed": float(speeds[i]),
+                "mesh_frequency": float(frequencies[i]),
+            }
+            for name, unit, _ in QUANTITIES:
+                values = tables[name][k, i]
+                point[name] = {"unit": unit} | {s: float(v) for s, v in zip(STATISTICS, values, strict=True)}
+            point |= {name: float(share[k, i]) for name, share in shares.items()}
+            point["status"] = int(status[k, i])
+            points.append(point)
+    jumps = [
+        {"direction": directions[int(d)], "mesh_frequency": float(f)}
+        for d, f in zip(where, jump_at, strict=True)
+    ]
+    return {"mesh": mesh, "points": points, "jumps": jumps}

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Places, values and limits of a model file in the words of its messages."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from pitchpoint.core.unit_table import DIMENSIONS
+from pitchpoint.core.units import format_quantity
+from pitchpoint.model.keys import Key, Place
+
+SI = {"length": "metres", "angle": "radians"}
+
+
+def dotted(path: Place) -> str:
+    """Path as people write it.
+
+    Examples
+    --------
+    >>> dotted(("gears", "pinion", "deviations", "pitch", 3))
+    'gears.pinion.deviations.pitch[3]'
+    """
+    out = ""
+    for step in path:
+        out += f"[{step}]" if isinstance(step, int) else (f".{step}" if out else str(step))
+    return out
+
+
+def shown(value: Any) -> str:
+    """A value for a message, never longer than a line."""
+    if isinstance(value, Mapping):
+        return "a mapping"
+    if isinstance(value, list | tuple):
+        return f"a list of {len(value)}"
+    if value is None:
+        return "nothing"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    text = repr(value) if isinstance(value, str) else str(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def limit_text(description: Key) -> str:
+    """Allowed range in the units people use."""
+    parts = []
+    for bound, strict, loose in (
+        (description.minimum, ">" if description.above else ">=", -math.inf),
+        (description.maximum, "<" if description.below else "<=", math.inf),
+    ):
+        if bound != loose:
+            parts.append(f"{strict} {'0' if bound == 0.0 else format_quantity(bound, description.dimension)}")
+    return " and ".join(parts)
+
+
+def example(description: Key) -> str:
+    """A value that a user could write."""
+    if description.kind in ("quantity", "quantities"):
+        one = DIMENSIONS[description.dimension].example
+        one = one.split(" or ")[0]
+        if description.kind == "quantities" or description.length[0] > 1:
+            return f"[{', '.join([one] * max(2, min(description.length[0], 3)))}]"
+        return one
+    if description.choices:
+        return " or ".join(description.choices)
+    samples = {"integer": str(int(max(description.minimum, 20))), "names": "[a, b]", "text": "a name"}
+    return samples.get(description.kind, "{...}")

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Results as plain `xarray.Dataset`: fixed dimensions, never squeezed, units in the attributes.
+
+xarray is imported here, when a result is wanted, and nowhere in a loop.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.provenance import content_hash, provenance
+from pitchpoint.core.status import OK
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import System
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.solvers.equilibrium import Equilibrium
+
+
+def attributes(
+    system: System, solver: str, status: int = OK, wall_s: float = 0.0, **options: Any
+) -> dict[str, Any]:
+    """Attributes of a result: where it comes from and how it ended."""
+    model = system.model
+    title = "" if model is None else model.title
+    found = provenance(
+        model_hash=content_hash(model), solver=solver, options=options, status=status, wall_s=wall_s
+    )
+    return {"title": title, **found}
+
+
+def channel_dataset(
+    system: System,
+    dimension: str,
+    points: NDArray[np.float64],
+    rows: NDArray[np.float64],
+    attrs: dict[str, Any],
+) -> xr.Dataset:
+    """All channels over one dimension.
+
+    Parameters
+    ----------
+    system
+        Gives names and units.
+    dimension
+        Name of the dimension, `time` or `mesh_phase_position`.
+    points
+        Its values, shape (n,).
+    rows
+        Observations, shape (n, no).
+    attrs
+        Attributes, see `attributes`.
+    """
+    import xarray as xr
+
+    data = {
+        c.name: ((dimension,), rows[:, k], {"units": c.unit, "long_name": c.long_name})
+        for k, c in enumerate(system.layout.channels)
+    }
+    return xr.Dataset(data, coords={dimension: points}, attrs=attrs)
+
+
+def point_dataset(system: System, found: Equilibrium) -> xr.Dataset:
+    """An equilibrium: channels without dimension, coordinates, holding torques."""
+    import xarray as xr
+
+    row = evaluate.observe(system, found.state)
+    data: dict[str, Any] = {
+        c.name: ((), row[k], {"units": c.unit, "long_name": c.long_name})
+        for k, c in enumerate(system.layout.channels)
+    }
+    names = list(system.layout.coordinates)
+    data["position"] = (("coordinate",), found.state.q, {"units": "SI", "long_name": "coordinate"})
+    data["holding_torque"] = (
+        ("held",),
+        found.reaction,
+        {"units": "N m", "long_name": "torque that keeps the spin; zero if the loads balance"},
+    )
+    coords = {"coordinate": names, "held": [names[k] for k in found.held]}
+    return xr.Dataset(data, coords=coords, attrs=attributes(system, "equilibrium"))

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Static equilibrium: where a system stands still under its loads, gears in contact or not.
+
+Newton's method cannot start inside the backlash, where nothing resists a turn. So each step solves
+(K + M/tau^2) dq = -R: with a short pseudo-time tau the bodies drift apart along their loads until flanks touch,
+with a growing one the step becomes Newton's. Spins that nothing holds (every rigid gear train has one) are kept
+at their angle; the torque that this takes is reported: it is zero if the loads balance.
+
+Source of the idea: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM
+Journal on Numerical Analysis 35 (1998) 508-523.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import DIVERGED, SINGULAR
+from pitchpoint.system import evaluate
+from pitchpoint.system.residual import NEWTON
+from pitchpoint.system.system import State, System
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+MOST_ITERATIONS = 400
+TOLERANCE = 1e-9
+"""Residual over the sum of what acts, at which a state counts as equilibrium."""
+
+GROWTH = 1.01
+"""Factor by which the residual may grow in one accepted step."""
+
+
+@dataclass(frozen=True)
+class Equilibrium:
+    """A state at rest.
+
+    Parameters
+    ----------
+    state
+        The state; velocities are those it was asked for.
+    held
+        Coordinates that were kept.
+    reaction
+        Torque that keeps each of them [N m], shape (len(held),).
+    iterations
+        Newton steps taken.
+    """
+
+    state: State
+    held: tuple[int, ...]
+    reaction: NDArray[np.float64]
+    iterations: int
+
+
+def free_spins(system: System) -> tuple[int, ...]:
+    """One spin coordinate of every group of bodies that nothing stops from turning as a whole.
+
+    Bodies are joined by everything that puts a tangent between them; a bearing or coupling to ground holds a
+    group if it has stiffness about the axis.
+    """
+    parent = list(range(len(system.layout.bodies)))
+
+    def root(i: int) -> int:
+        while parent[i] != i:
+            i = parent[i]
+        return i
+
+    for kind, records in system.records.items():
+        names = records.dtype.names or ()
+        if "i" not in names or "j" not in names:
+            continue
+        for record in records:
+            if kind == "bearing" and record["j"] == 0 and record["K"][5, 5] == 0.0:
+                continue
+            if kind in ("torque", "force", "damping", "drive"):
+                continue
+            parent[root(int(record["i"]))] = root(int(record["j"]))
+    grounded = {root(0)} | {root(b) for b in range(1, len(parent)) if system.program["body"][b]["joint"] == 0}
+    held: dict[int, int] = {}
+    for b in range(1, len(parent)):
+        spin = int(system.program["body"][b]["spin"])
+        if spin >= 0 and root(b) not in grounded:
+            held.setdefault(root(b), spin)
+    return tuple(held.values())
+
+
+def find_equilibrium(
+    system: System,
+    start: State | None = None,
+    held: Sequence[int] | None = None,
+    *,
+    tolerance: float = TOLERANCE,
+) -> Equilibrium:
+    """Find the state at rest near a start.
+
+    Parameters
+    ----------
+    system
+        The system; constraint rows are not taken into account (they prescribe motion, not rest).
+    start
+        Where to begin; velocities are kept as they are and may carry friction. Default: the initial state.
+    held
+        Coordinates to keep. Default: `free_spins`.
+    tolerance
+        Largest residual, relative to the loads.
+
+    Returns
+    -------
+    Equilibrium
+
+    Raises
+    ------
+    SolverError
+        If no equilibrium is found: something moves without resistance, or the law has none.
+    """
+    state = (system.initial_state() if start is None else start).copy()
+    state.a[:] = 0.0
+    kept = free_spins(system) if held is None else tuple(held)
+    free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
+    evaluate.prepare(system)
+    weight = 1.0 / system.weight  # residuals as forces
+    mass = evaluate.matrix(system, state, 1.0, 0.0, 0.0, NEWTON)[np.ix_(free, free)]
+    R = evaluate.residual(system, state)
+    scale = max(float(np.abs(R * weight).max(initial=0.0)), 1e-12)
+    size = float(np.abs((R * weight)[free]).max(initial=0.0))
+    first = size
+    mu, count = 1e4, 0
+    while size > tolerance * scale and count < MOST_ITERATIONS:
+        K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
+        step = np.linalg.lstsq(K + mu * mass, -R[free], rcond=None)[0]
+        trial = state.copy()
+        trial.q[free] += step
+        try:
+            new = evaluate.residual(system, trial)
+        except SolverError:
+            mu *= 16.0
+            count += 1
+            continue
+        grown = float(np.abs((new * weight)[free]).max(initial=0.0))
+        count += 1
+        # inside the gap only dampers change with the angle: a residual that grows a little is no bad step
+        if np.isfinite(grown) and grown <= min(GROWTH * size, 2.0 * first):
+            mu = max(mu * (0.1 if grown < 0.5 * size else 0.5), 1e-3)
+            state, R, size = trial, new, grown
+        else:
+            mu *= 8.0
+            if mu > 1e30:
+                break
+    if size > tolerance * scale:
+        raise SolverError(
+            f"no equilibrium found after {count} steps: {size:.3g} N are left over on "
+            f"{system.layout.coordinates[int(free[np.argmax(np.abs((R * weight)[free]))])]}; "
+            "check that bearings hold every direction that loads act in",
+            SINGULAR if mu < 1.0 else DIVERGED,
+            state,
+        )
+    return Equilibrium(_wrapped(system, state), kept, R[list(kept)].copy(), count)
+
+
+def _wrapped(system: System, state: State) -> State:
+    """The same state with every spin as a remainder and whole turns."""
+    for b in range(1, len(system.layout.bodies)):
+        spin = int(system.program["body"][b]["spin"])
+        if spin >= 0:
+            turns = int(np.floor(state.q[spin] / (2.0 * np.pi) + 0.5))
+            if turns:
+                state.q[spin] -= 2.0 * np.pi * turns
+                state.turns[b] += turns
+    return state
+
+
+def solve_equilibrium(
+    system: System, angles: Mapping[str, float] | None = None, speeds: Mapping[str, float] | None = None
+) -> xr.Dataset:
+    """Static equilibrium of a system under its loads.
+
+    Parameters
+    ----------
+    system
+        The compiled model.
+    angles
+        Spin angle at which bodies are held, by name [rad]; every group of bodies that could turn freely
+        needs one held body and takes its first otherwise.
+    speeds
+        Speeds by body [rad/s] that friction and dampers see; default at rest.
+
+    Returns
+    -------
+    xarray.Dataset
+        All channels of the system (no dimension), the coordinates over `coordinate`, and the torque that
+        holds each kept spin over `held`.
+
+    Raises
+    ------
+    SolverError
+        If there is no equilibrium.
+    """
+    from pitchpoint.solvers.dataset import point_dataset
+
+    start = system.initial_state()
+    held = list(free_spins(system))
+    for name, angle in (angles or {}).items():
+        spin = system.spin(name)
+        start.q[spin] = angle
+        if spin not in held:
+            held = [h for h in held if not same_group(system, h, spin)] + [spin]
+    for name, speed in (speeds or {}).items():
+        start.v[system.spin(name)] = speed
+    found = find_equilibrium(system, _wrapped(system, start), held)
+    return point_dataset(system, found)
+
+
+def same_group(system: System, one: int, two: int) -> bool:
+    """Whether holding either of two spins holds the same group of bodies."""
+    names = [system.layout.coordinates[s].rsplit(".", 1)[0] for s in (one, two)]
+    return _group(system, names[0]) == _group(system, names[1])
+
+
+def _group(system: System, body: str) -> frozenset[str]:
+    """Names of all bodies that meshes, bearings and couplings join to a body."""
+    links: dict[int, set[int]] = {b: set() for b in range(len(system.layout.bodies))}
+    for records in system.records.values():
+        if {"i", "j"} <= set(records.dtype.names or ()):
+            for record in records:
+                i, j = int(record["i"]), int(record["j"])
+                if i and j:
+                    links[i].add(j)
+                    links[j].add(i)
+    found, stack = set(), [system.layout.bodies.index(body)]
+    while stack:
+        b = stack.pop()
+        if b not in found:
+            found.add(b)
+            stack.extend(links[b])
+    return frozenset(system.layout.bodies[b] for b in found)

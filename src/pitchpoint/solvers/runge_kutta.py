@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Explicit runs on the same residual: the classical fourth-order method, and `dormand_prince`.
+
+Constraint rows are kept on the level of accelerations; their drift is pulled back (Baumgarte).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.multibody.channels import CTL, F8, I8
+from pitchpoint.solvers.dormand_prince import LAST_ERROR, STEP_SIZE, advance_adaptive
+from pitchpoint.solvers.explicit import OLD, keep_state, slope
+from pitchpoint.solvers.generalized_alpha import Chunk
+from pitchpoint.solvers.sampling import EVENT_COLUMNS, crossings, take
+from pitchpoint.system import evaluate
+from pitchpoint.system.linear import solve_acceleration
+from pitchpoint.system.residual import evaluate_events, wrap
+from pitchpoint.system.system import State, System
+from pitchpoint.system.workspace import MACH, STEPS, VALID
+
+
+@kernel
+def _classical(at, t, h, rate):
+    """One step of the classical method; the state in the workspace becomes that at t + h."""
+    c = view(at, 1, CTL)[0]
+    nd = c["nd"]
+    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (16, 2 * nd), F8)
+    q = view(c["q"], nd, F8)
+    v = view(c["v"], nd, F8)
+    keep_state(at, OLD)
+    for k in range(4):
+        share = 0.0 if k == 0 else 1.0 if k == 3 else 0.5
+        if k > 0:
+            for i in range(nd):
+                q[i] = stage[OLD, i] + h * share * stage[k - 1, i]
+                v[i] = stage[OLD, nd + i] + h * share * stage[k - 1, nd + i]
+        status = slope(at, t + share * h, k, rate)
+        if status != OK:
+            return status
+    w = h / 6.0
+    for i in range(nd):
+        e = nd + i
+        q[i] = stage[OLD, i] + w * (stage[0, i] + 2.0 * (stage[1, i] + stage[2, i]) + stage[3, i])
+        v[i] = stage[OLD, e] + w * (stage[0, e] + 2.0 * (stage[1, e] + stage[2, e]) + stage[3, e])
+    return OK
+
+
+@kernel
+def advance_classical(at, t0, first, n, h, rate, every, rows, sums, stride, found, done):
+    """Take n equal steps; arguments as in `generalized_alpha.advance`, rate pulls constraint drift back."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    clock = view(m["clock"], 16, I8)
+    ev0 = view(m["ev0"], c["ne"], F8)
+    ev1 = view(m["ev1"], c["ne"], F8)
+    done[0] = 0
+    done[1] = 0
+    done[2] = 0
+    for k in range(1, n + 1):
+        t = t0 + (first + k) * h
+        status = _classical(at, t - h, h, rate)
+        if status != OK:
+            return status
+        wrap(at)
+        clock[STEPS] += 1
+        done[0] = k
+        sample = 1 if every > 0 and (first + k) % every == 0 and done[1] < rows.shape[0] else 0
+        measure = 1 if sums.shape[0] > 0 and (first + k) % stride == 0 else 0
+        if sample != 0 or measure != 0:
+            status = take(at, t, sums, measure, rows, done[1], sample)
+            if status != OK:
+                return status
+            done[1] += sample
+        if found.shape[0] > 0 and c["ne"] > 0:
+            status = evaluate_events(at, t, m["ev1"])
+            if status != OK:
+                return status
+            done[2] = crossings(ev0, ev1, t - h, h, found, done[2])
+            for i in range(ev0.size):
+                ev0[i] = ev1[i]
+    return OK
+
+
+@dataclass
+class ExplicitRun:
+    """An explicit integration under way. Made by `start_classical` or `start_adaptive`.
+
+    Parameters
+    ----------
+    system
+        The system; its workspace holds the state.
+    h
+        Step [s] of the classical method; 0 for the adaptive one.
+    tolerances
+        rtol [-], atol [m], atol_rate [m/s], rate at which constraint drift is pulled back [1/s].
+    """
+
+    system: System
+    h: float
+    tolerances: NDArray[np.float64]
+    t0: float = 0.0
+    steps: int = 0
+    t: float = 0.0
+
+    def advance(
+        self,
+        n: int,
+        *,
+        every: int = 0,
+        statistics: NDArray[np.float64] | None = None,
+        stride: int = 1,
+        events: int = 0,
+    ) -> Chunk:
+        """Take n steps of the classical method; arguments as in `generalized_alpha.Run.advance`."""
+        rows = np.empty((n // every + 1 if every else 0, self.system.sizes["no"] + 1))
+        found, done = np.empty((events, EVENT_COLUMNS)), np.zeros(3, np.int64)
+        sums = np.zeros((0, 8)) if statistics is None else statistics
+        args = (self.t0, self.steps, n, self.h, float(self.tolerances[3]), every, rows, sums, stride)
+        status = int(advance_classical(self.system.workspace.at, *args, found, done))
+        self.steps += int(done[0])
+        self.t = self.t0 + self.steps * self.h
+        return Chunk(status, int(done[0]), rows[: done[1]], found[: min(done[2], events)])
+
+    def advance_to(
+        self,
+        t_end: float,
+        *,
+        sample: float = 0.0,
+        statistics: NDArray[np.float64] | None = None,
+        events: int = 0,
+        restart: bool = False,
+        most: int = 1_000_000_000,
+    ) -> Chunk:
+        """Go to a time with step control.
+
+        Parameters
+        ----------
+        sample
+            Distance of samples [s], counted from the start of the run; statistics are fed at the same times.
+        events
+            Most events to record; their times are located on the dense output.
+        restart
+            Begin a new step at every event.
+        most
+            Most steps of this call; `t` tells how far it got.
+        """
+        room = int((t_end - self.t) / sample) + 2 if sample > 0.0 else 0
+        rows = np.empty((room, self.system.sizes["no"] + 1))
+        found, done = np.empty((events, EVENT_COLUMNS)), np.zeros(3, np.int64)
+        sums = np.zeros((0, 8)) if statistics is None else statistics
+        w = self.system.workspace
+        w.clock[VALID] = 0
+        grid = np.array([self.t0, sample])
+        args = (self.t, float(t_end), self.tolerances, grid, most, int(restart), rows, sums, found, done)
+        status = int(advance_adaptive(w.at, *args))
+        self.t = float(w.arrays["real"][4])
+        self.steps += int(done[0])
+        return Chunk(status, int(done[0]), rows[: done[1]], found[: min(done[2], events)])
+
+    def state(self) -> State:
+        """Copy of the state reached."""
+        return evaluate.store(self.system, self.t)
+
+
+def _start(system: System, state: State, rate: float) -> None:
+    evaluate.prepare(system)
+    evaluate.load(system, state)
+    w = system.workspace
+    w.clock[:] = 0
+    w.arrays["real"][:] = 0.0
+    w.ctl[0]["bad"] = w.ctl[0]["badkind"] = -1
+    evaluate.check(system, solve_acceleration(w.at, state.t, rate), state)
+    wrap(w.at)
+    if system.sizes["ne"]:
+        evaluate.check(system, evaluate_events(w.at, state.t, w.arrays["ev0"].ctypes.data), state)
+
+
+def start_classical(system: System, state: State, h: float, *, rate: float = 200.0) -> ExplicitRun:
+    """Begin a run of the classical fourth-order method.
+
+    Parameters
+    ----------
+    system, state
+        What to integrate and from where.
+    h
+        Step [s], > 0.
+    rate
+        Rate at which drift of constraints is pulled back [1/s].
+    """
+    if not (h > 0.0 and math.isfinite(h)):
+        raise SolverError(f"the step must be positive and finite, not {h!r}", NOT_FINITE)
+    _start(system, state, rate)
+    return ExplicitRun(system, h, np.array([0.0, 0.0, 0.0, rate]), state.t, 0, state.t)
+
+
+def start_adaptive(
+    system: System,
+    state: State,
+    *,
+    rtol: float = 1e-7,
+    atol: float = 1e-11,
+    atol_rate: float = 1e-7,
+    first_step: float = 1e-7,
+    rate: float = 200.0,
+) -> ExplicitRun:
+    """Begin a run of Dormand-Prince 5(4) with step control.
+
+    Parameters
+    ----------
+    system, state
+        What to integrate and from where.
+    rtol
+        Relative tolerance of rates and displacements (not of spins).
+    atol, atol_rate
+        Absolute tolerances as lengths [m] and velocities [m/s]; angles count with the weight of the system.
+    first_step
+        First trial step [s].
+    rate
+        Rate at which drift of constraints is pulled back [1/s].
+    """
+    _start(system, state, rate)
+    system.workspace.arrays["real"][STEP_SIZE] = first_step
+    system.workspace.arrays["real"][LAST_ERROR] = 1e-4
+    return ExplicitRun(system, 0.0, np.array([rtol, atol, atol_rate, rate]), state.t, 0, state.t)

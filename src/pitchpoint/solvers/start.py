@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The state a scenario starts from: speeds through the gear ratios, flanks loaded, balancing torques found."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.elements import damping as damping_element
+from pitchpoint.elements import drive as drive_element
+from pitchpoint.model.components.law import Balance
+from pitchpoint.solvers.equilibrium import Equilibrium, find_equilibrium, free_spins, same_group
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State, System
+
+if TYPE_CHECKING:
+    from pitchpoint.model.scenario import Scenario
+
+IMBALANCE = 1e-6
+"""Net torque over the largest torque from which a run says that its loads do not balance."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where a scenario begins.
+
+    Parameters
+    ----------
+    system
+        The system with balancing torques and damping filled in.
+    state
+        State at t = 0.
+    notes
+        What the user should know about it, in sentences.
+    """
+
+    system: System
+    state: State
+    notes: tuple[str, ...] = ()
+
+
+def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
+    """Speed of every body at the start [rad/s]; driven bodies start with the speed of their drive."""
+    model = system.model
+    if model is None:
+        raise SolverError("the system was not made from a model; give a state instead of a scenario", 0)
+    given = dict(scenario.speed)
+    for name, record in drive_records(system):
+        given[name] = float(drive_element.target(record, 0.0)[1])
+    return model.start_speeds(replace(scenario, speed=given))
+
+
+def drive_records(system: System) -> list[tuple[str, np.void]]:
+    """Name of the body and record of every drive."""
+    system.workspace  # noqa: B018 - fills in the pool addresses of the records
+    records = system.records.get("drive", np.zeros(0, drive_element.RECORD))
+    return [(system.layout.bodies[int(r["i"])], r) for r in records]
+
+
+def prepare_start(system: System, scenario: Scenario) -> Start:
+    """Put a system into the state its scenario starts from.
+
+    Parameters
+    ----------
+    system
+        Compiled with the same scenario.
+    scenario
+        Its speeds and drives count.
+
+    Raises
+    ------
+    SolverError
+        If there is no equilibrium to start from.
+    """
+    speeds = speeds_of(system, scenario)
+    state = system.initial_state()
+    for name, speed in speeds.items():
+        if speed != 0.0:
+            state.v[system.spin(name)] = speed
+    driven = []
+    for name, record in drive_records(system):
+        spin = system.spin(name)
+        body = system.layout.bodies.index(name)
+        angle = float(drive_element.target(record, 0.0)[0])
+        state.turns[body] = round(angle / (2.0 * np.pi))
+        state.q[spin] = angle - 2.0 * np.pi * state.turns[body]
+        driven.append(spin)
+    held = [*driven, *(h for h in free_spins(system) if not any(same_group(system, h, d) for d in driven))]
+    if scenario.start == "assembled":
+        return Start(_with_damping(system, state), state)
+    system, balanced, held = _balance(system, state, held, driven)
+    found = find_equilibrium(system, state, held)
+    notes = _notes(system, found, {*driven, *balanced})
+    return Start(_with_damping(system, found.state), found.state, notes)
+
+
+def _balance(
+    system: System, state: State, held: list[int], driven: list[int]
+) -> tuple[System, list[int], list[int]]:
+    """Fill in the torques that balance all others: what holds their body still in equilibrium."""
+    loads = {} if system.model is None else system.model.loads
+    torques = [name for name, load in loads.items() if load.torque is not None]
+    wanted = [k for k, name in enumerate(torques) if isinstance(loads[name].torque, Balance)]
+    if not wanted:
+        return system, [], held
+    spins = [system.spin(loads[torques[k]].body) for k in wanted]
+    for spin in spins:
+        if any(same_group(system, spin, d) for d in driven):
+            continue  # the drive balances this group already
+        held = [*(h for h in held if not same_group(system, h, spin)), spin]
+    found = find_equilibrium(system, state, held)
+    records = system.records["torque"].copy()
+    for k, spin in zip(wanted, spins, strict=True):
+        if spin in found.held:
+            records["value"][k] = found.reaction[found.held.index(spin)]
+    return system.with_params({"torque": records}), spins, held
+
+
+def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[str, ...]:
+    """Say when the loads do not balance: the speed will then drift."""
+    largest = (
+        max((abs(float(v)) for v in system.records["torque"]["value"]), default=0.0)
+        if ("torque" in system.records)
+        else 0.0
+    )
+    notes = []
+    for spin, reaction in zip(found.held, found.reaction, strict=True):
+        body = system.layout.coordinates[spin].rsplit(".", 1)[0]
+        if spin not in known and abs(reaction) > IMBALANCE * max(largest, 1e-9):
+            notes.append(
+                f"the loads do not balance: {-reaction:.4g} N m are left over on {body}, so the speed will "
+                "change; set one torque to `balance` or drive a body if that is not wanted"
+            )
+    return tuple(notes)
+
+
+def _with_damping(system: System, state: State) -> System:
+    """Fill the Rayleigh and modal damping about the starting state into its records."""
+    if "damping" not in system.records or system.model is None or system.model.damping is None:
+        return system
+    given = system.model.damping
+    M, _, K = evaluate.linearize(system, state)
+    D = np.zeros_like(M)
+    if given.rayleigh is not None:
+        D += given.rayleigh.mass * M + given.rayleigh.stiffness * K
+    if given.modal is not None:
+        D += damping_element.modal_damping(M, K, given.modal)
+    records = system.records["damping"].copy()
+    for record in records:
+        i, j, n, m = (int(record[k]) for k in ("dof_i", "dof_j", "n_i", "n_j"))
+        record["D"][:n, :m] = D[i : i + n, j : j + m]
+        record["v0"][:m] = state.v[j : j + m]
+    return system.with_params({"damping": records})

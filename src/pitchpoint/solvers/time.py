@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Time response of a system: chunks of compiled steps, with progress, streaming output and statistics."""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.solvers import generalized_alpha, runge_kutta
+from pitchpoint.solvers.sampling import new_statistics, read_statistics
+from pitchpoint.solvers.start import Start, prepare_start
+from pitchpoint.solvers.step_choice import choose_step
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State, System
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.scenario import Scenario
+
+CHUNK_SECONDS = 0.15
+"""Wall time that one call of the compiled loop should take: progress and Ctrl-C come between calls."""
+
+EVENT_FUNCTIONS = {
+    "pair_entry": ("pair_entry",),
+    "pair_exit": ("pair_exit",),
+    "contact": ("front_gap", "back_gap"),
+    "sliding_reversal": ("sliding_reversal",),
+}
+MOST_EVENTS = 100_000
+"""Events kept per chunk."""
+
+
+class Sink(Protocol):
+    """Anything that takes samples as they come, such as a result file."""
+
+    def append(self, t: NDArray[np.float64], values: NDArray[np.float64]) -> None:
+        """Take n samples: times [s], shape (n,), and all channels, shape (n, no)."""
+
+
+@dataclass
+class Memory:
+    """A sink that keeps everything."""
+
+    times: list[NDArray[np.float64]] = field(default_factory=list)
+    rows: list[NDArray[np.float64]] = field(default_factory=list)
+
+    def append(self, t: NDArray[np.float64], values: NDArray[np.float64]) -> None:
+        """Keep samples."""
+        self.times.append(t)
+        self.rows.append(values)
+
+
+@dataclass(frozen=True)
+class TimeSummary:
+    """What a run did.
+
+    Parameters
+    ----------
+    status, sentence
+        How it ended, as a number and in words.
+    steps, step, wall_s
+        Accepted steps, time step (0 if adaptive) [s], wall time [s].
+    t_end
+        Time reached [s].
+    window
+        Begin and end of the statistics [s].
+    channels
+        Statistics by channel: unit, mean, rms of the alternating part, min, max over every step of the window.
+    events
+        Time [s], index in `event_names`, direction; shape (n, 3).
+    event_names
+        Names of the event functions.
+    notes
+        What the user should know, in sentences.
+    state
+        State reached: a run can go on from it.
+    """
+
+    status: int
+    sentence: str
+    steps: int
+    step: float
+    wall_s: float
+    t_end: float
+    window: tuple[float, float]
+    channels: dict[str, dict[str, Any]]
+    events: NDArray[np.float64]
+    event_names: tuple[str, ...]
+    notes: tuple[str, ...]
+    state: State
+
+
+def scenario_of(system: System, scenario: Scenario | None) -> Scenario:
+    """The scenario to run: the given one or the one the system was compiled with."""
+    chosen = system.scenario if scenario is None else scenario
+    if chosen is None:
+        raise SolverError("no scenario given, and the system was compiled without one", NOT_FINITE)
+    return chosen
+
+
+def run_time(
+    system: System,
+    scenario: Scenario | None = None,
+    *,
+    sink: Sink | None = None,
+    progress: Progress = silent,
+    start: Start | None = None,
+) -> TimeSummary:
+    """Compute the time response of a scenario.
+
+    Parameters
+    ----------
+    system
+        Compiled with the scenario (`compile_model(model, scenario)`).
+    scenario
+        What to do; default the one of the system.
+    sink
+        Takes the samples; without one only statistics remain.
+    progress
+        Told the time reached after every chunk.
+    start
+        Where to begin; default the start of the scenario.
+
+    Returns
+    -------
+    TimeSummary
+        Also of a failed or interrupted run: the status says so.
+
+    Raises
+    ------
+    SolverError
+        If the run cannot start.
+    """
+    chosen = scenario_of(system, scenario)
+    if chosen.duration is None:
+        raise SolverError("the scenario has no duration; it is a sweep or a slow roll", NOT_FINITE)
+    begun = time.perf_counter()
+    begin = prepare_start(system, chosen) if start is None else start
+    loop = _Loop(begin, chosen, sink)
+    status = loop.run(progress)
+    return loop.summary(status, time.perf_counter() - begun)
+
+
+class _Loop:
+    """One run: its integrator, its statistics, what it found so far."""
+
+    def __init__(self, start: Start, scenario: Scenario, sink: Sink | None) -> None:
+        self.start, self.scenario, self.sink = start, scenario, sink
+        self.system = start.system
+        self.t0 = start.state.t
+        self.t_end = self.t0 + float(scenario.duration or 0.0)
+        self.window = self.t0 + scenario.statistics_start
+        self.sums = new_statistics(self.system.sizes["no"])
+        self.events: list[NDArray[np.float64]] = []
+        self.watched = _watched(self.system, scenario)
+        self.adaptive = scenario.method == "runge_kutta"
+        self.h, self.every = choose_step(start, scenario)
+        if self.adaptive:
+            self.run_: Any = runge_kutta.start_adaptive(self.system, start.state, rtol=scenario.tolerance)
+        elif scenario.method == "rk4":
+            self.run_ = runge_kutta.start_classical(self.system, start.state, self.h)
+        else:
+            self.run_ = generalized_alpha.start(self.system, start.state, self.h)
+
+    def run(self, progress: Progress) -> int:
+        if self.sink is not None:
+            row = evaluate.observe(self.system, evaluate.store(self.system, self.t0))
+            self.sink.append(np.array([self.t0]), row[None, :])
+        try:
+            return self._adaptive(progress) if self.adaptive else self._fixed(progress)
+        except KeyboardInterrupt:
+            return INTERRUPTED
+
+    def _fixed(self, progress: Progress) -> int:
+        total = max(1, round((self.t_end - self.t0) / self.h))
+        settle = min(total, max(0, math.ceil((self.window - self.t0) / self.h - 1e-9)))
+        n = max(self.every, 1000 // self.every * self.every)
+        while self.run_.steps < total:
+            begun = time.perf_counter()
+            stop = settle if self.run_.steps < settle else total
+            take = min(n, stop - self.run_.steps)
+            sums = None if self.run_.steps < settle else self.sums
+            every = self.every if self.sink is not None else 0
+            chunk = self.run_.advance(
+                take, every=every, statistics=sums, events=MOST_EVENTS if self.watched else 0
+            )
+            self._take(chunk)
+            if chunk.status != OK:
+                return int(chunk.status)
+            progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.run_.steps} steps")
+            n = _next_chunk(n, self.every, time.perf_counter() - begun)
+        return OK
+
+    def _adaptive(self, progress: Progress) -> int:
+        sample = 1.0 / self.scenario.sample_rate if self.scenario.sample_rate else self.h
+        part = max(sample, (self.t_end - self.t0) * 1e-3)
+        while self.run_.t < self.t_end - 1e-12 * max(1.0, abs(self.t_end)):
+            begun = time.perf_counter()
+            limit = self.window if self.run_.t < self.window - 1e-15 else self.t_end
+            chunk = self.run_.advance_to(
+                min(self.run_.t + part, limit),
+                sample=sample,
+                statistics=self.sums if self.run_.t >= self.window - 1e-15 else None,
+                events=MOST_EVENTS if self.watched else 0,
+                restart=bool(self.watched),
+            )
+            self._take(chunk)
+            if chunk.status != OK:
+                return int(chunk.status)
+            progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.run_.steps} steps")
+            part *= min(4.0, max(0.25, CHUNK_SECONDS / max(time.perf_counter() - begun, 1e-4)))
+        return OK
+
+    def _take(self, chunk: Any) -> None:
+        if self.sink is not None and len(chunk.rows):
+            self.sink.append(chunk.rows[:, 0].copy(), chunk.rows[:, 1:])
+        if len(chunk.events):
+            self.events.append(chunk.events[np.isin(chunk.events[:, 1].astype(int), self.watched)])
+
+    def summary(self, status: int, wall_s: float) -> TimeSummary:
+        found = read_statistics(self.sums)
+        channels = {
+            c.name: {
+                "unit": c.unit,
+                "mean": float(found.mean[k]),
+                "rms": float(found.rms[k]),
+                "min": float(found.least[k]),
+                "max": float(found.most[k]),
+            }
+            for k, c in enumerate(self.system.layout.channels)
+        }
+        t = float(self.run_.t)
+        return TimeSummary(
+            status=status,
+            sentence=evaluate.explain(self.system, status),
+            steps=int(self.run_.steps),
+            step=0.0 if self.adaptive else self.h,
+            wall_s=wall_s,
+            t_end=t,
+            window=(min(self.window, t), t),
+            channels=channels,
+            events=np.concatenate(self.events) if self.events else np.zeros((0, 3)),
+            event_names=tuple(e.name for e in self.system.layout.events),
+            notes=self.start.notes,
+            state=self.run_.state(),
+        )
+
+
+def _watched(system: System, scenario: Scenario) -> list[int]:
+    wanted = {name for event in scenario.events for name in EVENT_FUNCTIONS[event]}
+    return [k for k, e in enumerate(system.layout.events) if e.name.partition("[")[0] in wanted]
+
+
+def _next_chunk(n: int, every: int, seconds: float) -> int:
+    """Number of steps of the next chunk, a multiple of the sampling distance."""
+    factor = min(8.0, max(0.2, CHUNK_SECONDS / max(seconds, 1e-4)))
+    return max(every, int(n * factor) // every * every)
+
+
+def solve_time(
+    system: System,
+    scenario: Scenario | None = None,
+    *,
+    progress: Progress = silent,
+    on_failure: str = "raise",
+) -> xr.Dataset:
+    """Time response as a dataset over `time`; long runs belong in a file, see `pitchpoint run`.
+
+    Parameters
+    ----------
+    system
+        Compiled with the scenario (`compile_model(model, scenario)`).
+    scenario
+        What to do; default the one of the system.
+    progress
+        Told the time reached after every chunk.
+    on_failure
+        "raise" raises a SolverError that carries the partial dataset; "keep" returns it, status in its
+        attributes.
+
+    Returns
+    -------
+    xarray.Dataset
+        All channels over time [s], with units; statistics of the window in the attributes.
+
+    Raises
+    ------
+    SolverError
+        If the run cannot start, or fails and `on_failure` is "raise".
+    """
+    from pitchpoint.solvers.dataset import attributes, channel_dataset
+
+    chosen = scenario_of(system, scenario)
+    memory = Memory()
+    done = run_time(system, chosen, sink=memory, progress=progress)
+    attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step)
+    attrs |= {"steps": done.steps, "notes": "; ".join(done.notes)}
+    data = channel_dataset(system, "time", np.concatenate(memory.times), np.concatenate(memory.rows), attrs)
+    data["time"].attrs = {"units": "s", "long_name": "time"}
+    if done.status != OK and on_failure == "raise":
+        raise SolverError(done.sentence, done.status, data)
+    return data

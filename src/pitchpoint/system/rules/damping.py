@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Room for Rayleigh and modal damping: one block for every pair of moving bodies, filled at the start of a run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.elements import damping as element
+from pitchpoint.system.rules.bank import Bank, pack
+from pitchpoint.system.rules.bodies import body_numbers
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+def damping_bank(model: Model) -> Bank:
+    """Empty records; the matrix belongs to an operating point, which only a solver knows."""
+    moving = [n for name, n in body_numbers(model).items() if model.bodies[name].motion != "fixed"]
+    rows = []
+    if model.damping is not None:
+        for i in moving:
+            for j in moving:
+                row = np.zeros(1, element.RECORD)[0]
+                row["i"], row["j"] = i, j
+                rows.append(row)
+    return pack("damping", element.RECORD, rows, ["damping"] * len(rows))

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Torques and forces of a model as records; a torque that balances the others starts at zero."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import CompileError
+from pitchpoint.core.formula import Formula
+from pitchpoint.elements import force as force_element
+from pitchpoint.elements import signal as sig
+from pitchpoint.elements import torque as torque_element
+from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, Law, PythonLaw, TableLaw
+from pitchpoint.system.rules.bank import Bank, pack
+from pitchpoint.system.rules.bodies import body_numbers
+from pitchpoint.system.rules.stiffness import user_law
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+VARIABLES = ("t", "angle", "speed")
+"""What a formula may use, in the order of the compiled programme."""
+
+
+def set_signal(record: Any, pool: sig.Pool, law: Law) -> Any:
+    """Write a law into the signal fields of a record; returns the function of a Python law, else None."""
+    if isinstance(law, Constant):
+        sig.set_constant(record, law.value)
+    elif isinstance(law, Balance):
+        sig.set_constant(record, 0.0)
+    elif isinstance(law, TableLaw):
+        over = sig.OVER_ANGLE if law.over == "angle" else sig.OVER_TIME
+        period = law.abscissa[-1] - law.abscissa[0] if law.over == "angle" else 0.0
+        if abs(period - 2.0 * math.pi) < 1e-9:
+            period = 2.0 * math.pi
+        sig.set_table(record, pool, np.array(law.abscissa), np.array(law.values), over, period)
+    elif isinstance(law, FormulaLaw):
+        sig.set_formula(record, pool, Formula.parse(law.text, VARIABLES))
+    elif isinstance(law, PythonLaw):
+        sig.set_law(record, pool, law.parameters, sig.OVER_ANGLE)
+        return user_law(law).function
+    else:
+        raise CompileError(f"a law of type {type(law).__name__} cannot be computed")
+    return None
+
+
+def load_banks(model: Model) -> list[Bank]:
+    """All torques and forces."""
+    return [_torques(model), _forces(model)]
+
+
+def _torques(model: Model) -> Bank:
+    number = body_numbers(model)
+    pool = sig.Pool()
+    rows, names, laws = [], [], []
+    for name, load in model.loads.items():
+        if load.torque is None:
+            continue
+        row = np.zeros(1, torque_element.RECORD)[0]
+        row["i"] = number[load.body]
+        laws.append(set_signal(row, pool, load.torque))
+        rows.append(row)
+        names.append(name)
+    return pack("torque", torque_element.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
+
+
+def _forces(model: Model) -> Bank:
+    number = body_numbers(model)
+    pool = sig.Pool()
+    rows, names, laws = [], [], []
+    for name, load in model.loads.items():
+        for axis, law in enumerate(load.force or ()):
+            if isinstance(law, Constant) and law.value == 0.0:
+                continue
+            row = np.zeros(1, force_element.RECORD)[0]
+            row["i"] = number[load.body]
+            row["F"][axis] = 1.0
+            # the arm off the spin axis: the load is applied to the housing side of the body, it does not spin
+            row["F"][3:] = np.cross((*load.position[:2], 0.0), np.eye(3)[axis])
+            row["z"] = load.position[2]
+            laws.append(set_signal(row, pool, law))
+            rows.append(row)
+            names.append(f"{name}.{'xyz'[axis]}")
+    return pack("force", force_element.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))

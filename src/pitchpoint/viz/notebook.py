@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What Jupyter shows for a gear, a pair and a model: a drawing and a short table.
+
+Geometry and model know nothing of pictures. IPython lets others say how a class is displayed, and by the
+class's *name*, so registering imports neither those classes nor plotly; both happen when the first gear is
+shown.
+"""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+# module and class -> function of this module that makes its HTML
+SHOWN = {
+    ("pitchpoint.geometry.cylindrical_gear", "CylindricalGear"): "gear_html",
+    ("pitchpoint.geometry.gear_pair", "GearPair"): "pair_html",
+    ("pitchpoint.model.model", "Model"): "model_html",
+}
+# Notebooks centre and embolden the heads of rows; these tables are read from left to right.
+STYLE = (
+    "<style>.pp-shown th{font-weight:400;text-align:left}.pp-shown th.num,.pp-shown td.num{text-align:right}"
+    ".pp-shown .pp-row{display:flex;flex-wrap:wrap;gap:16px}"
+    ".pp-shown .pp-row>*{flex:1 1 300px;max-width:480px}"
+    "</style>"
+)
+
+
+def _framed(*parts: str) -> str:
+    inner = "".join(f"<div>{part}</div>" for part in parts)
+    return f'{STYLE}<div class="pp-shown"><div class="pp-row">{inner}</div></div>'
+
+
+def register() -> bool:
+    """Tell a running IPython how to show gears, pairs and models; does nothing elsewhere.
+
+    Returns
+    -------
+    bool
+        Whether there was an IPython to tell.
+    """
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython is not None and hasattr(ipython, "get_ipython") else None
+    if shell is None:
+        return False
+    formatter = shell.display_formatter.formatters["text/html"]
+    for (module, name), function in SHOWN.items():
+        formatter.for_type_by_name(module, name, globals()[function])
+    return True
+
+
+def gear_html(gear: Any) -> str:
+    """Drawing and data of one gear."""
+    from pitchpoint.viz.gear_drawing import gear_svg
+    from pitchpoint.viz.tables import GEAR_ROWS, quantity_table
+
+    name = "internal gear" if gear.z < 0 else "gear"
+    table = quantity_table(GEAR_ROWS, {name: _known(gear, GEAR_ROWS)})
+    return _framed(gear_svg(gear, name=name), table)
+
+
+def pair_html(pair: Any) -> str:
+    """Both gears in mesh, the mesh zone and the data of the pair."""
+    from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
+    from pitchpoint.viz.tables import MESH_ROWS, quantity_table
+
+    table = quantity_table(MESH_ROWS, {"pair": _known(pair, MESH_ROWS)})
+    return _framed(pair_svg(pair), mesh_zone_svg(pair), table)
+
+
+def model_html(model: Any) -> str:
+    """The tables of a model, and a drawing of every pair of gears in it."""
+    from pitchpoint.viz.gear_drawing import pair_svg
+
+    drawings = [pair_svg(pair, names=tuple(model.meshes[name].gears)) for name, pair in model.pairs.items()]
+    return model._repr_html_() + _framed(*drawings)
+
+
+def _known(thing: Any, identifiers: tuple[str, ...]) -> dict[str, Any]:
+    """Data of a gear or pair; a quantity that has no meaning for it is left out of the table."""
+    from pitchpoint.core.errors import PitchpointError
+
+    found: dict[str, Any] = {}
+    for key in identifiers:
+        try:
+            value = getattr(thing, key, None)
+        except PitchpointError:
+            continue
+        if isinstance(value, int | float) and not isinstance(value, bool):
+            # ISO 21771 counts an internal gear negative; tables for people do not
+            found[key] = value if key.startswith(("x", "beta")) else abs(value)
+    return found

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report in a real browser: every plot is drawn, nothing fails, nothing overflows on a phone."""
+
+from __future__ import annotations
+
+import html
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from pitchpoint.viz.report import write_report
+from tests.support.report_data import report_model, report_results
+
+BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+pytestmark = pytest.mark.skipif(
+    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
+)
+
+
+def in_browser(page: Path, profile: Path, *flags: str) -> str:
+    """The document after its scripts have run."""
+    assert BROWSER is not None
+    command = [
+        BROWSER,
+        *"--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-extensions".split(),
+        *"--disable-background-networking --disable-component-update --disable-sync".split(),
+        f"--user-data-dir={profile}",
+        "--virtual-time-budget=20000",
+        *flags,
+    ]
+    return subprocess.run(
+        [*command, "--dump-dom", page.as_uri()], capture_output=True, text=True, timeout=180, check=True
+    ).stdout
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write_report(
+        tmp_path_factory.mktemp("report") / "report.html", model=report_model(), results=report_results()
+    )
+
+
+def with_probe(report: Path, script: str) -> Path:
+    """The report with a script of the test at its end."""
+    text = report.read_text(encoding="utf-8")
+    page = report.with_name("probed.html")
+    page.write_text(
+        text.replace("</body>", f"<pre id='found'></pre><script>{script}</script></body>"), encoding="utf-8"
+    )
+    return page
+
+
+def found(dom: str) -> str:
+    match = re.search(r"<pre id=['\"]found['\"]>(.*?)</pre>", dom, re.DOTALL)
+    assert match
+    return html.unescape(match.group(1))
+
+
+def test_every_plot_is_drawn(report: Path, tmp_path: Path) -> None:
+    dom = in_browser(report, tmp_path)
+    expected = report.read_text(encoding="utf-8").count('<div class="plot"')
+    assert re.search(r'data-ready="(\d+)"', dom).group(1) == str(expected)  # type: ignore[union-attr]
+    assert len(re.findall(r'class="plot js-plotly-plot"', dom)) == expected
+
+
+def test_no_plot_is_empty_and_nothing_is_wider_than_the_page(report: Path, tmp_path: Path) -> None:
+    script = """
+      const bad = [];
+      for (const node of document.querySelectorAll(".plot")) {
+        const marks = node.querySelectorAll(".scatterlayer path, .heatmaplayer image").length;
+        if (!marks) bad.push("empty: " + node.layout.yaxis.title.text);
+      }
+      const page = document.documentElement;
+      const over = page.scrollWidth - page.clientWidth;
+      if (over > 0) bad.push("wider than the page by " + over);
+      document.getElementById("found").textContent = bad.join("; ") || "fine";
+    """
+    assert found(in_browser(with_probe(report, script), tmp_path, "--window-size=500,900")) == "fine"
+
+
+def test_dark_mode_has_light_ink(report: Path, tmp_path: Path) -> None:
+    script = """
+      document.getElementById("found").textContent = document.querySelector(".plot").layout.font.color
+        + " " + getComputedStyle(document.body).backgroundColor;
+    """
+    page = with_probe(report, script)
+    assert found(in_browser(page, tmp_path / "a")) == "#1f2933 rgb(255, 255, 255)"
+    dark = found(in_browser(page, tmp_path / "b", "--blink-settings=preferredColorScheme=0"))
+    assert dark == "#e6e9ed rgb(20, 24, 29)"

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Data for tests of pictures and reports: a backlash oscillator that is good enough to look at.
+
+The mesh is one equation of motion, m ẍ + c ẋ + k(ψ) g(x) = F, stepped with the semi-implicit Euler method.
+That is no oracle for physics and none is needed: what is tested is that pictures show what the data hold.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+from pitchpoint.geometry.gear_pair import GearPair
+from pitchpoint.viz.quantities import Channel
+from pitchpoint.viz.report import CampbellData, MeshCycleData, ReportModel, ReportResults, TimeRun
+from pitchpoint.viz.tables import GEAR_ROWS, MESH_ROWS
+
+TEETH, MASS, STIFFNESS, GAP, FORCE = 50, 1.158, 4.0e8, 25e-6, 2128.0
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """What a mesh cycle looks like to a plot."""
+
+    phase: np.ndarray
+    stiffness_ratio: np.ndarray
+    mean: float
+    minimum: float
+    maximum: float
+
+
+def pair() -> GearPair:
+    gear = CylindricalGear(z=TEETH, m_n=3e-3, b=0.02)
+    return GearPair(gear, gear, 0.1502)
+
+
+def cycle() -> Cycle:
+    phase = np.linspace(0.0, 1.0, 101)
+    ratio = 1.2 - 0.2 * np.cos(2.0 * np.pi * phase)
+    return Cycle(phase, ratio, 1.2, 1.0, 1.4)
+
+
+def run(first: float, last: float, duration: float, rate: float = 50e3) -> dict[str, Any]:
+    """Channels of a run whose mesh frequency goes from `first` to `last` [Hz]."""
+    n = int(duration * rate)
+    h = 1.0 / rate
+    time = np.arange(n) * h
+    psi = first * time + 0.5 * (last - first) / duration * time**2
+    k = STIFFNESS * (1.0 - 0.2 * np.cos(2.0 * np.pi * psi))
+    damping = 0.1 * float(np.sqrt(STIFFNESS * MASS))
+    x = np.empty(n)
+    force = np.empty(n)
+    here, speed = GAP + FORCE / STIFFNESS, 0.0
+    for i in range(n):
+        gap = here - GAP if here > GAP else min(here + GAP, 0.0)
+        force[i] = k[i] * gap
+        x[i] = here
+        speed += h * (FORCE - force[i] - damping * speed) / MASS
+        here += h * speed
+    angle = 2.0 * np.pi * psi / TEETH
+    made = {
+        "deflection[stage]": (x, "m", "deflection"),
+        "mesh_force[stage]": (force, "N", "mesh force"),
+        "contact_state[stage]": (np.sign(force), "", "contact state"),
+        "circumferential_force[stage]": (0.94 * force, "N", "circumferential force"),
+        "radial_force[stage]": (0.34 * force, "N", "radial force"),
+        "angle[driver]": (angle, "rad", "angle"),
+        "speed[driver]": (np.gradient(angle, time), "rad/s", "speed"),
+    }
+    return {"time": time} | {name: Channel(name, *rest) for name, rest in made.items()}
+
+
+def sweep() -> dict[str, Any]:
+    """Points of a sweep with one jump in each direction and some contact loss on the upper branch."""
+    points = []
+    for direction, frequencies in (
+        ("up", np.arange(1000.0, 3001.0, 100.0)),
+        ("down", np.arange(3000.0, 999.0, -100.0)),
+    ):
+        for f in frequencies:
+            upper = f > (2300.0 if direction == "up" else 1700.0)
+            rms = (40e-6 if upper else 6e-6) * 1000.0 / f
+            values = {"mean": 3e-5, "rms": rms, "min": 3e-5 - 2 * rms, "max": 3e-5 + 2 * rms}
+            points.append(
+                {
+                    "direction": direction,
+                    "speed": 2.0 * np.pi * f / TEETH,
+                    "mesh_frequency": float(f),
+                    "deflection": values,
+                    "transmission_error": values,
+                    "mesh_force": {key: value * 1e8 for key, value in values.items()},
+                    "contact_loss_share": 0.4 if upper else 0.0,
+                    "back_contact_share": 0.0,
+                }
+            )
+    jumps = [{"direction": "up", "mesh_frequency": 2350.0}, {"direction": "down", "mesh_frequency": 1750.0}]
+    return {"points": points, "jumps": jumps}
+
+
+def values_of(thing: Any, identifiers: tuple[str, ...]) -> dict[str, Any]:
+    return {key: getattr(thing, key) for key in identifiers if hasattr(thing, key)}
+
+
+def report_model() -> ReportModel:
+    stage = pair()
+    return ReportModel(
+        title="Pair <50/50> & its resonance",
+        model_hash="0123456789abcdef" * 4,
+        version="0.1.0",
+        gears={"g1": values_of(stage.gear1, GEAR_ROWS), "g2": values_of(stage.gear2, GEAR_ROWS)},
+        meshes={"stage": values_of(stage, MESH_ROWS)},
+        pairs={"stage": (stage, "g1", "g2")},
+        warnings=["stage: a warning with <brackets>"],
+        assumptions=["Bearings are rigid."],
+        sources=["ISO 21771"],
+    )
+
+
+def report_results() -> ReportResults:
+    phase = np.linspace(0.0, 1.0, 51)
+    return ReportResults(
+        mesh_cycles={
+            "stage": MeshCycleData(
+                stiffness=cycle(),
+                error_phase=phase,
+                errors={"unloaded": 0.0 * phase, "150 N m": 8e-6 + 1e-6 * np.cos(2 * np.pi * phase)},
+            )
+        },
+        runs={
+            "steady": TimeRun(data=run(1800.0, 1800.0, 0.2), settle_time=0.04),
+            "run-up": TimeRun(data=run(500.0, 3000.0, 0.5)),
+        },
+        sweeps={"sweep": sweep()},
+        campbell=CampbellData(
+            speed=np.linspace(0.0, 400.0, 21),
+            mode_frequencies=[2958.0],
+            orders={"stage × 1": 50.0, "stage × 2": 100.0},
+            mode_names=["mesh mode"],
+        ),
+    )

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Order tracking and time-frequency maps on chirps, whose orders and amplitudes are known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pitchpoint.analysis.orders import order_map, resample_over_angle
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.spectra import amplitude_spectrum, largest_peaks, order_spectrum
+from pitchpoint.analysis.time_frequency import time_frequency_map
+
+
+def run_up(n: int = 60001) -> tuple[np.ndarray, np.ndarray]:
+    """Time and angle of a run-up from 1 to 9 revolutions per second."""
+    t = np.linspace(0.0, 8.0, n)
+    return t, 2.0 * np.pi * (t + 0.5 * t**2)
+
+
+def test_orders_are_sharp_where_frequencies_smear() -> None:
+    t, angle = run_up()
+    x = 2.0 * np.cos(23 * angle) + 0.5 * np.cos(46 * angle)
+    signal = resample_over_angle(x, angle, samples_per_revolution=256)
+    revolutions = signal.values.size // 256 * 256
+    peaks = largest_peaks(order_spectrum(signal.values[:revolutions], 256), 2)
+    assert [(round(o, 6), round(a, 2)) for o, a in peaks] == [(23.0, 2.0), (46.0, 0.5)]
+    rate = (t.size - 1) / (t[-1] - t[0])
+    assert amplitude_spectrum(x, rate).amplitude.max() < 0.2
+
+
+def test_content_above_the_grid_does_not_fold_back() -> None:
+    """Order 100 sampled 64 times per revolution would appear as order 28."""
+    _, angle = run_up()
+    signal = resample_over_angle(np.cos(100 * angle), angle, samples_per_revolution=64)
+    middle = signal.values[400:-400]
+    assert np.abs(middle).max() < 0.02
+
+
+def test_clockwise_rotation_counts_backwards() -> None:
+    _, angle = run_up(20001)
+    forward = resample_over_angle(np.cos(5 * angle), angle, samples_per_revolution=64)
+    backward = resample_over_angle(np.cos(5 * angle), -angle, samples_per_revolution=64)
+    np.testing.assert_allclose(backward.values, forward.values)
+    np.testing.assert_allclose(backward.angle, -forward.angle)
+
+
+def test_default_grid_invents_nothing() -> None:
+    _, angle = run_up(4001)
+    signal = resample_over_angle(np.cos(angle), angle)
+    assert signal.samples_per_revolution == pytest.approx(2 * np.pi / np.diff(angle).max(), rel=0.02)
+
+
+def test_a_shaft_that_turns_back_is_refused() -> None:
+    t = np.linspace(0.0, 1.0, 100)
+    with pytest.raises(SignalError, match="turns back after sample"):
+        resample_over_angle(np.zeros(100), t - 1.5 * t**2)
+    with pytest.raises(SignalError, match="fewer|less than three steps"):
+        resample_over_angle(np.zeros(100), 0.01 * t, samples_per_revolution=10)
+
+
+def test_order_map_keeps_order_and_amplitude_over_speed() -> None:
+    t, angle = run_up()
+    m = order_map(1.5 * np.sin(31 * angle), angle, t, highest_order=40, revolutions=4)
+    assert {float(m.order[k]) for k in m.amplitude.argmax(axis=1)} == {31.0}
+    np.testing.assert_allclose(m.amplitude.max(axis=1), 1.5, rtol=5e-3)
+    np.testing.assert_allclose(m.speed, 2 * np.pi * (1.0 + m.time), rtol=2e-2)
+    assert m.amplitude.shape == (m.time.size, m.order.size)
+
+
+def test_order_map_needs_a_whole_frame() -> None:
+    t = np.linspace(0.0, 1.0, 1000)
+    with pytest.raises(SignalError, match="revolutions"):
+        order_map(np.sin(t), 2 * np.pi * t, t, highest_order=10, revolutions=3)
+
+
+def test_time_frequency_frames_are_amplitude_spectra() -> None:
+    """Every row equals the spectrum of its frame, and SciPy's transform at the same place."""
+    from scipy.signal import ShortTimeFFT, get_window
+
+    x = np.random.default_rng(3).normal(size=4096)
+    m = time_frequency_map(x, 1000.0, frame=256, frames=31)
+    row = 7
+    start = round(m.time[row] * 1000.0 - 127.5)
+    expected = amplitude_spectrum(x[start : start + 256], 1000.0).amplitude
+    np.testing.assert_allclose(m.amplitude[row, 1:], expected[1:], rtol=1e-12)
+    hann = get_window("hann", 256, fftbins=True)
+    stft = ShortTimeFFT(hann, hop=1, fs=1000.0, scale_to="magnitude", phase_shift=None)
+    piece = x[start : start + 256] - x[start : start + 256].mean()
+    reference = 2.0 * np.abs(stft.stft(piece, p0=128, p1=129, k_offset=0)[:, 0])
+    np.testing.assert_allclose(m.amplitude[row, 1:-1], reference[1:-1], rtol=1e-9)
+
+
+def test_time_frequency_map_stops_where_asked() -> None:
+    m = time_frequency_map(np.sin(np.arange(5000.0)), 1000.0, frame=200, frames=11, highest_frequency=100.0)
+    assert m.frequency[-1] == pytest.approx(100.0)
+    assert m.amplitude.shape == (11, 21)
+    with pytest.raises(SignalError, match="frame"):
+        time_frequency_map(np.ones(100), 1.0, frame=101)

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint report`: model and result files become one page; the model may come from a result file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pitchpoint.cli.main import run_command
+from pitchpoint.io.container import Header
+from pitchpoint.io.sweep_store import SweepWriter
+from pitchpoint.io.writing import Channel, ResultWriter
+from tests.support.cli_files import ISO_EX1, TORSION, written
+
+
+def write_run(path: Path, text: str = "", status: str = "finished") -> str:
+    """Write a short run with one channel."""
+    t = np.arange(0.0, 0.1, 1e-4)
+    header = Header("time", "x", "steady", model_text=text, options={"settle_time": 0.02})
+    writer = ResultWriter(path, header, [Channel("deflection[stage]", "m", "deflection")])
+    writer.append(t, 1e-6 * np.sin(2e3 * t)[:, None])
+    writer.finish(status, "the Newton iteration diverged")
+    return str(path)
+
+
+def write_sweep(path: Path) -> str:
+    """Write a sweep of two points."""
+    values = {"mean": 0.0, "rms": 1e-6, "min": -1e-6, "max": 1e-6}
+    point = dict.fromkeys(("transmission_error", "deflection", "mesh_force"), values)
+    with SweepWriter(
+        path, Header("sweep", scenario="sweep"), "stage", ["up"], [20.0, 40.0], [1e3, 2e3]
+    ) as sweep:
+        for k in range(2):
+            sweep.put("up", k, point | {"contact_loss_share": 0.1 * k, "back_contact_share": 0.0})
+    return str(path)
+
+
+def test_model_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, ISO_EX1)
+    assert run_command(["report", file]) == 0
+    page = (tmp_path / "model.html").read_text(encoding="utf-8")
+    assert "ISO/TR 6336-30 example 1" in page
+    assert "ISO 21771:2007" in page
+    assert "model.html" in capsys.readouterr().out
+
+
+def test_model_with_results(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, TORSION)
+    results = [write_run(tmp_path / "run.h5", status="failed"), write_sweep(tmp_path / "sweep.h5")]
+    target = tmp_path / "page.html"
+    assert run_command(["report", file, *results, "-o", str(target), "--quiet"]) == 0
+    assert capsys.readouterr().out == ""
+    page = target.read_text(encoding="utf-8")
+    assert "This run is not complete: failed. the Newton iteration diverged" in page
+    assert "Speed sweep" in page
+
+
+def test_the_model_of_a_result_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    result = write_run(tmp_path / "run.h5", text=TORSION)
+    assert run_command(["report", result]) == 0
+    assert "torsional pair" in (tmp_path / "run.html").read_text(encoding="utf-8")
+    bare = write_run(tmp_path / "bare.h5")
+    assert run_command(["report", bare]) == 2
+    assert "name the model file as well" in capsys.readouterr().err
+
+
+def test_bad_input(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "no.h5").write_text("no")
+    assert run_command(["report", str(tmp_path / "no.h5")]) == 2
+    one, two = written(tmp_path, ISO_EX1, "one.yaml"), written(tmp_path, ISO_EX1, "two.yaml")
+    assert run_command(["report", one, two]) == 2
+    assert "Traceback" not in capsys.readouterr().err

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint run`: the contract of its JSON, the file it leaves, failure, interruption, kill."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pitchpoint.cli.main import run_command
+from pitchpoint.io.reading import open_result, read_channel, read_header
+from tests.support.cli_files import ISO_EX1, TORSION, json_of, written
+
+SHORT = TORSION.replace("duration: 0.5 s", "duration: 0.02 s")
+LONG = TORSION.replace("duration: 0.5 s", "duration: 500 s")
+
+
+def start(file: str, target: Path) -> subprocess.Popen[str]:
+    """Start a run in a process of its own and wait until its file holds samples."""
+    code = "from pitchpoint.cli.main import main; main()"
+    command = [sys.executable, "-c", code, "run", file, "--scenario", "steady", "-o", str(target), "--json"]
+    child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 120.0
+    while time.monotonic() < deadline and child.poll() is None:
+        if target.exists() and len(read_channel(target, "mesh_force[stage]")[0]) > 1000:
+            return child
+        time.sleep(0.05)
+    child.kill()
+    raise AssertionError(child.communicate())
+
+
+def test_contract(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = tmp_path / "out.h5"
+    file = written(tmp_path, SHORT)
+    found = json_of(["run", file, "--scenario", "steady", "-o", str(target)], capsys)
+    assert found["status"] == "finished"
+    assert found["steps"] > 1000
+    assert found["wall_s"] > 0.0
+    assert found["window"] == pytest.approx([0.004, 0.02])
+    for name, unit in (("transmission_error", "m"), ("deflection", "m"), ("mesh_force", "N")):
+        row = found["channels"][f"{name}[stage]"]
+        assert row["unit"] == unit
+        assert row["min"] < row["mean"] < row["max"]
+        assert 0.0 < row["rms"] < row["max"] - row["min"]
+    # 150 N m on a base radius of 70.477 mm
+    assert found["channels"]["mesh_force[stage]"]["mean"] == pytest.approx(150.0 / 0.0704769, rel=0.05)
+    with open_result(target) as ds:
+        assert ds.sizes["time"] == 2001
+        np.testing.assert_allclose(ds["time"], 1e-5 * np.arange(2001), atol=1e-12)
+        force = ds["mesh_force[stage]"].sel(time=slice(0.004, None))
+        assert float(force.mean()) == pytest.approx(found["channels"]["mesh_force[stage]"]["mean"], rel=1e-3)
+        assert ds.attrs["status"] == "finished"
+        assert ds.attrs["solver"] == "generalized_alpha"
+        assert ds.attrs["model_text"].startswith("title: torsional pair")
+    assert read_header(target)["options"]["settle_time"] == pytest.approx(0.004)
+
+
+def test_people_get_a_table_and_the_step_can_be_set(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    file = written(tmp_path, SHORT.replace("100 kHz", "10 kHz"))
+    assert run_command(["run", file, "--step", "10 us", "--decimate", "2"]) == 0
+    out = capsys.readouterr().out
+    assert "mesh_force[stage]" in out
+    assert "2000 steps of 10 µs" in out
+    assert "model-steady.h5" in out
+    assert read_channel(tmp_path / "model-steady.h5", "mesh_force[stage]")[0].size == 101
+
+
+def test_events_are_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = tmp_path / "out.h5"
+    file = written(
+        tmp_path, SHORT.replace("sample_rate: 100 kHz", "events: [pair_entry], sample_rate: 1 kHz")
+    )
+    found = json_of(["run", file, "-o", str(target)], capsys)
+    # 25 Hz, 50 teeth, 0.02 s
+    assert found["events"] == pytest.approx(25, abs=1)
+    with open_result(target, "events") as ds:
+        assert ds.sizes["time"] == found["events"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (["--scenario", "stedy"], "did you mean 'steady'?"),
+        (["--scenario", "sweep"], "of the kind sweep"),
+        (["--step", "3 kg"], "3 kg"),
+        (["--step", "-1 us"], "greater than zero"),
+    ],
+)
+def test_bad_input(
+    arguments: list[str], expected: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run_command(["run", written(tmp_path, SHORT), *arguments]) == 2
+    assert expected in capsys.readouterr().err
+
+
+def test_a_model_without_scenarios(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run_command(["run", written(tmp_path, ISO_EX1)]) == 2
+    assert "none" in capsys.readouterr().err
+
+
+def test_a_failed_run_says_so_and_keeps_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "law.py").write_text("def torque(t, x, p):\n    return 150.0 if t < 0.01 else float('nan')\n")
+    text = SHORT.replace(
+        "input:  {body: driver, torque: 150 N m}", "input:  {body: driver, torque: {python: 'law.py:torque'}}"
+    )
+    file, target = written(tmp_path, text), tmp_path / "out.h5"
+    assert run_command(["run", file, "-s", "steady", "-o", str(target), "--json"]) == 2
+    assert "--allow-code" in capsys.readouterr().err
+    assert run_command(["run", file, "-s", "steady", "-o", str(target), "--json", "--allow-code"]) == 3
+    captured = capsys.readouterr()
+    found = json.loads(captured.out)
+    assert found["status"] == "failed"
+    assert found["t_end"] == pytest.approx(0.01, abs=1e-4)
+    assert "Traceback" not in captured.err
+    assert str(target) in captured.err
+    assert read_header(target)["status"] == "failed"
+    assert read_channel(target, "mesh_force[stage]")[0].size == pytest.approx(1000, abs=2)
+
+
+def test_ctrl_c_stops_within_a_second_and_keeps_the_result(tmp_path: Path) -> None:
+    target = tmp_path / "out.h5"
+    child = start(written(tmp_path, LONG), target)
+    begun = time.monotonic()
+    child.send_signal(signal.SIGINT)
+    out, err = child.communicate(timeout=30)
+    assert time.monotonic() - begun < 5.0  # one second on an idle machine
+    assert child.returncode == 130
+    assert json.loads(out)["status"] == "interrupted"
+    assert "interrupted" in err
+    assert "Traceback" not in err
+    head = read_header(target)
+    assert head["status"] == "interrupted"
+    assert head["steps"] > 1000
+
+
+def test_a_killed_run_leaves_a_readable_file(tmp_path: Path) -> None:
+    target = tmp_path / "out.h5"
+    child = start(written(tmp_path, LONG), target)
+    assert read_header(target)["status"] == "running"
+    child.kill()
+    child.communicate()
+    with open_result(target) as ds:
+        assert ds.attrs["status"] == "running"
+        assert ds.sizes["time"] > 1000
+        assert bool(np.isfinite(ds["mesh_force[stage]"]).all())

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The material library."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.geometry.materials import LIBRARY, Material, material
+
+
+def test_library_has_the_kinds_that_gears_are_made_of() -> None:
+    assert {"steel", "grey_iron", "nodular_iron", "tin_bronze", "POM", "PA66"} <= set(LIBRARY)
+    for name, entry in LIBRARY.items():
+        assert entry.name == name
+        assert entry.source
+        assert 1e9 < entry.youngs_modulus < 2.2e11
+        assert 1000.0 < entry.density < 9000.0
+
+
+def test_steel_is_the_one_of_the_standard() -> None:
+    # Z_E = sqrt(E / (2 pi (1 - nu^2))) = 189.8 sqrt(N/mm^2) for steel on steel (ISO 6336-2)
+    z_e = math.sqrt(material("steel").plane_strain_modulus / (2.0 * math.pi)) * 1e-3
+    assert z_e == pytest.approx(189.812, abs=1e-3)
+
+
+def test_unknown_names_get_the_nearest_spelling() -> None:
+    with pytest.raises(GeometryError, match="did you mean nodular_iron"):
+        material("nodular irn")
+
+
+@pytest.mark.parametrize(
+    "bad", [{"density": 0.0}, {"poisson_ratio": 0.5}, {"youngs_modulus": math.nan}, {"density": True}]
+)
+def test_impossible_properties_are_refused(bad: dict[str, float]) -> None:
+    with pytest.raises(GeometryError):
+        Material(**{"youngs_modulus": 2e11, "poisson_ratio": 0.3, "density": 7800.0, **bad})  # type: ignore[arg-type]

@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every plot function: the traces it should have, units in the axis titles, colours that mean something."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pitchpoint.analysis.orders import order_map
+from pitchpoint.analysis.spectra import amplitude_spectrum
+from pitchpoint.analysis.time_frequency import time_frequency_map
+from pitchpoint.viz import theme
+from pitchpoint.viz.campbell_plot import plot_campbell
+from pitchpoint.viz.mesh_cycle_plot import plot_mesh_stiffness, plot_transmission_error
+from pitchpoint.viz.quantities import Channel, channels, number, scale
+from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
+from pitchpoint.viz.spectrum_plots import plot_order_map, plot_spectrum, plot_time_frequency
+from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
+from tests.support.report_data import cycle, sweep
+
+TIME = np.arange(20_000) / 1e5
+
+
+def titles(figure: object) -> tuple[str, str]:
+    return figure.layout.xaxis.title.text, figure.layout.yaxis.title.text  # type: ignore[attr-defined]
+
+
+def test_mesh_stiffness_over_two_cycles() -> None:
+    figure = plot_mesh_stiffness(cycle(), name="stage")
+    assert titles(figure) == ("mesh phase ψ [base pitches]", "mesh stiffness [c′·b]")
+    assert figure.data[0].x[0] == 0.0
+    assert figure.data[0].x[-1] == 2.0
+    assert figure.data[1].name == "mean 1.2"
+
+
+def test_transmission_error_in_micrometres() -> None:
+    phase = np.linspace(0.0, 1.0, 11)
+    figure = plot_transmission_error(
+        phase, {"unloaded": 2e-6 * phase * (1 - phase), "loaded": 5e-6 + 0 * phase}
+    )
+    assert titles(figure)[1] == "transmission error [µm]"
+    assert [t.name for t in figure.data] == ["unloaded", "loaded"]
+    assert max(figure.data[1].y) == pytest.approx(5.0)
+
+
+def test_signals_keep_peaks_and_show_units() -> None:
+    force = 1e4 * np.ones(TIME.size)
+    force[7777] = 9e4
+    figure = plot_signals(TIME, [Channel("mesh_force[stage]", force, "N", "mesh force")], points=500)
+    assert titles(figure) == ("time [ms]", "mesh force [kN]")
+    assert max(figure.data[0].y) == pytest.approx(90.0)
+    assert len(figure.data[0].x) <= 500
+
+
+def test_contact_is_shaded_unless_it_cannot_be_told_apart() -> None:
+    channel = Channel("mesh_force[stage]", np.ones(TIME.size), "N")
+    state = np.where(TIME < 0.1, 1.0, 0.0)
+    state[-100:] = -1.0
+    names = [t.name for t in plot_signals(TIME, [channel], contact_state=state).data]
+    assert names == ["mesh force, stage", "separated", "back flank"]
+    rattling = np.where(np.arange(TIME.size) % 10 < 5, 1.0, 0.0)
+    assert len(plot_signals(TIME, [channel], contact_state=rattling).data) == 1
+
+
+def test_a_constant_with_round_off_is_drawn_as_constant() -> None:
+    values = 3120.0 + 1e-9 * np.random.default_rng(0).normal(size=TIME.size)
+    low, high = plot_signals(TIME, [Channel("speed[a]", values, "rad/s")]).layout.yaxis.range
+    assert high - low > 1.0
+
+
+def test_channels_of_different_units_do_not_share_an_axis() -> None:
+    with pytest.raises(ValueError, match="one unit"):
+        plot_signals(TIME, [Channel("a", TIME, "m"), Channel("b", TIME, "N")])
+    with pytest.raises(ValueError, match="one or more"):
+        plot_signals(TIME, [])
+
+
+def test_force_parts_have_their_colours() -> None:
+    parts = [Channel(f"{part}_force[stage]", TIME, "N") for part in theme.FORCE_PARTS]
+    figure = plot_force_parts(TIME, parts)
+    assert [t.line.color for t in figure.data] == list(theme.FORCE_PARTS.values())
+
+
+def test_spectrum_axes_and_labels() -> None:
+    x = 3e-6 * np.sin(2 * np.pi * 1000 * TIME) + 1e-6 * np.sin(2 * np.pi * 4000 * TIME)
+    figure = plot_spectrum({"u": amplitude_spectrum(x, 1e5)}, unit="m", quantity="deflection")
+    assert titles(figure) == ("frequency [Hz]", "deflection [µm]")
+    assert figure.layout.yaxis.type == "log"
+    assert {a.text for a in figure.layout.annotations} == {"1000", "4000"}
+    assert max(figure.data[0].y) == pytest.approx(3.0, rel=1e-5)
+
+
+def test_maps_have_axes_with_units_and_no_more_cells_than_a_screen() -> None:
+    angle = 2 * np.pi * (20 * TIME + 500 * TIME**2)
+    x = np.sin(10 * angle)
+    waterfall = plot_time_frequency(time_frequency_map(x, 1e5, frame=2048), unit="N", quantity="force")
+    assert titles(waterfall) == ("time [ms]", "frequency [kHz]")
+    cells = np.asarray(waterfall.data[0].z)
+    assert cells.shape[0] <= 300
+    assert cells.shape[1] <= 360
+    assert cells.max() == 0
+    orders = plot_order_map(order_map(x, angle, TIME, highest_order=20, revolutions=2), unit="N")
+    assert titles(orders) == ("order [per revolution]", "speed [rpm]")
+    column = np.asarray(orders.data[0].z).max(axis=0)
+    assert float(orders.data[0].x[column.argmax()]) == 10.0
+
+
+def test_sweep_is_green_upwards_and_red_downwards() -> None:
+    data = sweep()
+    figure = plot_sweep(data["points"], data["jumps"])
+    assert titles(figure) == ("mesh frequency [Hz]", "rms of deflection [µm]")
+    assert [(t.name, t.line.color) for t in figure.data] == [
+        ("speed up", theme.GREEN),
+        ("speed down", theme.RED),
+    ]
+    arrows = [a for a in figure.layout.annotations if a.showarrow]
+    assert [(a.x, a.arrowcolor) for a in arrows] == [(2350.0, theme.GREEN), (1750.0, theme.RED)]
+    assert arrows[0].y > arrows[0].ay
+    assert arrows[1].y < arrows[1].ay
+    assert (
+        titles(plot_sweep(data["points"], quantity="mesh_force", statistic="max"))[1]
+        == "max of mesh force [N]"
+    )
+
+
+def test_contact_shares_without_back_contact_have_no_line_for_it() -> None:
+    figure = plot_contact_shares(sweep()["points"])
+    assert titles(figure)[1] == "share of time [%]"
+    assert [t.name for t in figure.data] == ["contact lost, up", "contact lost, down"]
+    assert max(figure.data[0].y) == pytest.approx(40.0)
+
+
+def test_campbell_marks_crossings() -> None:
+    figure = plot_campbell([0.0, 400.0], [1000.0], {"× 1": 20.0, "× 2": 40.0}, mode_names=["first"])
+    assert titles(figure) == ("speed [rpm]", "frequency [Hz]")
+    assert [t.name for t in figure.data] == ["first", "× 1", "× 2", "crossings"]
+    assert list(figure.data[-1].x) == pytest.approx([1500.0, 3000.0])
+
+
+def test_units_of_axes() -> None:
+    assert scale("N m", [20.0]).title("torque") == "torque [N m]"
+    assert scale("", [1.0]).title("share") == "share"
+    assert scale("m", []).unit == "mm"
+    assert scale("N", [float("nan")]).unit == "N"
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (1e-9, "1·10⁻⁹"),
+        (999999.6, "1·10⁶"),
+        (0.00012345678, "0.00012346"),
+        (1200.0, "1200"),
+        (float("inf"), "inf"),
+    ],
+)
+def test_numbers_for_tables(value: float, shown: str) -> None:
+    assert number(value) == shown
+
+
+def test_channels_of_a_dataset() -> None:
+    import xarray as xr
+
+    data = xr.Dataset(
+        {
+            "mesh_force[stage]": (
+                "time",
+                np.ones(5),
+                {"units": "N", "long_name": "mesh force", "symbol": "F"},
+            ),
+            "pair_force": (("time", "pair"), np.ones((5, 2))),
+        },
+        coords={"time": np.arange(5.0)},
+    )
+    time, found = channels(data)
+    assert time.tolist() == [0.0, 1.0, 2.0, 3.0, 4.0]
+    assert list(found) == ["mesh_force[stage]"]
+    assert found["mesh_force[stage]"].unit == "N"
+    assert found["mesh_force[stage]"].label == "mesh force, stage"

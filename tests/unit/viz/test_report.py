@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report: one file, nothing loaded from elsewhere, sections only where data are, always the same bytes."""
+
+from __future__ import annotations
+
+import json
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pitchpoint.viz.report import ReportModel, ReportResults, TimeRun, report_html, write_report
+from pitchpoint.viz.tables import symbol_html
+from tests.support.report_data import run
+
+VOID = {"meta", "link", "br", "img", "input", "hr", "rect", "circle", "line", "path"}
+
+
+class Page(HTMLParser):
+    """Collects what the tests ask about and checks that tags are balanced."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.addresses: list[str] = []
+        self.sections: list[str] = []
+        self.headings: list[str] = []
+        self.figures: list[dict[str, object]] = []
+        self._json = False
+        self.feed(text)
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        found = dict(attrs)
+        self.addresses += [str(found[k]) for k in ("src", "href", "data", "action") if found.get(k)]
+        if tag == "section":
+            self.sections.append(str(found["id"]))
+        self._json = tag == "script" and found.get("type") == "application/json" and "id" not in found
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        pass
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag not in VOID:
+            assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if self._json:
+            self.figures.append(json.loads(data))
+        if self.open and self.open[-1] in ("h1", "h2"):
+            self.headings.append(data)
+
+
+@pytest.fixture(scope="module")
+def text(model: ReportModel, results: ReportResults) -> str:
+    return report_html(model, results)
+
+
+def test_report_has_every_section(text: str) -> None:
+    page = Page(text)
+    assert page.sections == ["gears", "drawing", "cycle", "sweep", "time", "spectra", "campbell", "notes"]
+    assert page.headings[0] == "Pair <50/50> & its resonance"
+    assert len(page.figures) >= 15
+
+
+def test_report_is_self_contained(text: str) -> None:
+    page = Page(text)
+    assert page.addresses
+    assert all(a.startswith("#") for a in page.addresses)
+    assert "default-src 'none'" in text
+    assert text.count("plotly.js v") == 1
+
+
+def test_every_figure_has_data_and_titles_with_units(text: str) -> None:
+    for figure in Page(text).figures:
+        layout = figure["layout"]
+        assert figure["data"]
+        assert isinstance(layout, dict)
+        for axis in ("xaxis", "yaxis"):
+            title = layout[axis]["title"]["text"]
+            assert "[" in title
+            assert title.endswith("]")
+
+
+def test_same_input_same_bytes_and_no_date(
+    model: ReportModel, results: ReportResults, tmp_path: Path
+) -> None:
+    first = write_report(tmp_path / "new" / "a.html", model=model, results=results)
+    second = write_report(tmp_path / "b.html", model=model, results=results)
+    assert first.read_bytes() == second.read_bytes()
+    assert first.stat().st_size < 8e6
+
+
+def test_only_gears_gives_only_gears() -> None:
+    text = report_html(
+        ReportModel(title="bare", gears={"g": {"z": 17, "m_n": 0.003}}, date="2026-11-21"), ReportResults()
+    )
+    page = Page(text)
+    assert page.sections == ["gears"]
+    assert page.figures == []
+    assert "Plotly" not in text
+    assert "2026-11-21" in text
+    assert "normal module" in text
+
+
+def test_text_of_users_is_escaped(text: str) -> None:
+    assert "<brackets>" not in text
+    assert "&lt;brackets&gt;" in text
+
+
+def test_contact_and_statistics_appear(text: str) -> None:
+    assert "contact lost" in text
+    assert "rms (alternating)" in text
+    assert "Jumps: up at 2350, down at 1750 Hz mesh frequency." in text
+
+
+def test_sweep_without_contact_loss_says_so(model: ReportModel) -> None:
+    points = [
+        {"direction": "up", "mesh_frequency": f, "deflection": {"rms": 1e-6}, "contact_loss_share": 0.0}
+        for f in (100.0, 200.0, 300.0)
+    ]
+    text = report_html(
+        model, ReportResults(sweeps={"s": {"points": points, "jumps": []}, "none": {"points": []}})
+    )
+    assert "The flanks stay in contact at every point of this sweep." in text
+    assert "No jump found" in text
+
+
+def test_short_uneven_and_standing_runs(model: ReportModel) -> None:
+    """A record of an adaptive solver, one that stopped early, and a shaft that turns back."""
+    data = run(1800.0, 1800.0, 0.02)
+    uneven = {k: v for k, v in data.items() if k == "time"}
+    uneven["time"] = data["time"] * (1.0 + 0.1 * data["time"])
+    rest = {k: v for k, v in data.items() if k in ("deflection[stage]", "contact_state[stage]")}
+    swinging = dict(data)
+    angle = data["angle[driver]"]
+    swinging["angle[driver]"] = type(angle)(angle.name, np.sin(400.0 * data["time"]), "rad", "angle")
+    short = {k: (v[:3] if k == "time" else type(v)(v.name, v.values[:3], v.unit)) for k, v in data.items()}
+    results = ReportResults(
+        runs={
+            "uneven": TimeRun(data=uneven | rest, note="stopped: <the step became too small>"),
+            "swinging": TimeRun(data=swinging),
+            "short": TimeRun(data=short),
+            "empty": TimeRun(data={"time": np.empty(0)}),
+        }
+    )
+    text = report_html(model, results)
+    Page(text)
+    assert "stopped: &lt;the step became too small&gt;" in text
+    assert "turns back" in text
+
+
+@pytest.mark.parametrize(
+    ("symbol", "html"),
+    [
+        ("m_n", "m<sub>n</sub>"),
+        ("x₁ + x₂", "x<sub>1</sub> + x<sub>2</sub>"),
+        ("ε_α", "ε<sub>α</sub>"),
+        ("", ""),
+    ],
+)
+def test_symbols(symbol: str, html: str) -> None:
+    assert symbol_html(symbol) == html

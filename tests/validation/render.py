@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One page with every published case: quantity, published value, ours, error, tolerance.
+
+Runs the tests of this folder and reads the numbers from their passing assertions, so the page cannot say
+anything that is not tested. Usage: ``python tests/validation/render.py --output validation.md``.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import re
+import sys
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+HERE = Path(__file__).parent
+MAX_ROWS = 12
+_NUMBER = r"[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?"
+_COMPARED = re.compile(rf"(?:np\.float64\()?({_NUMBER})\)? == (?:approx\()?({_NUMBER}) ± ({_NUMBER})")
+
+
+@dataclass
+class Collector:
+    """Gathers outcomes and compared numbers while pytest runs."""
+
+    outcomes: dict[str, str] = field(default_factory=dict)
+    rows: dict[str, list[tuple[str, float, float, float]]] = field(default_factory=dict)
+
+    def pytest_assertion_pass(self, item: Any, orig: str, expl: str) -> None:
+        """Keep the numbers of an assertion of the form ours == approx(published)."""
+        match = _COMPARED.search(expl)
+        if match:
+            ours, published, tolerance = (float(x) for x in match.groups())
+            quantity = orig.split("==")[0].strip()
+            self.rows.setdefault(item.nodeid, []).append((quantity, published, ours, tolerance))
+
+    def pytest_runtest_logreport(self, report: Any) -> None:
+        """Keep the outcome of a test."""
+        if report.when == "call" or report.outcome != "passed":
+            self.outcomes[report.nodeid] = report.outcome
+
+
+def run(folder: Path) -> Collector:
+    """Run the tests of a folder and collect what they compare."""
+    collector = Collector()
+    # assertions are rewritten anew, with the hook, beside the usual cache
+    sys.pycache_prefix = tempfile.mkdtemp()
+    options = ["-q", "-p", "no:cacheprovider", "-o", "enable_assertion_pass_hook=true", "-n", "0"]
+    pytest.main([*options, str(folder)], plugins=[collector])
+    return collector
+
+
+def page(collector: Collector) -> str:
+    """Write the results as Markdown, one section per file."""
+    lines = ["# Validation", "", "Made by `make validate` from the tests in `tests/validation`.", ""]
+    files = sorted({name.split("::")[0] for name in collector.outcomes})
+    for file in files:
+        lines += _section(file, collector)
+    failed = [n for n, o in collector.outcomes.items() if o == "failed"]
+    lines += [f"{len(collector.outcomes)} cases, {len(failed)} failed."]
+    return "\n".join(lines) + "\n"
+
+
+def _section(file: str, collector: Collector) -> list[str]:
+    doc = ast.get_docstring(ast.parse(Path(HERE.parents[1], file).read_text(encoding="utf-8"))) or ""
+    title, _, rest = doc.partition("\n")
+    lines = [f"## {title.rstrip('.')}", "", *rest.strip().splitlines(), ""]
+    lines += ["| case | quantity | published | ours | error | tolerance |", "|---|---|---|---|---|---|"]
+    for name, outcome in collector.outcomes.items():
+        if not name.startswith(f"{file}::"):
+            continue
+        case = name.partition("::")[2].removeprefix("test_").replace("_", " ").replace("|", "/")
+        rows = collector.rows.get(name, [])
+        for quantity, published, ours, tolerance in rows[:MAX_ROWS]:
+            cell = quantity.replace("|", "\\|")
+            error = f"{ours - published:.2g}"
+            lines.append(f"| {case} | `{cell}` | {published:.8g} | {ours:.8g} | {error} | {tolerance:.2g} |")
+        if not rows or outcome == "failed":
+            lines.append(f"| {case} | {outcome} | | | | |")
+    return [*lines, ""]
+
+
+def main() -> int:
+    """Command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--output", type=Path, required=True)
+    target = parser.parse_args().output
+    collector = run(HERE)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_text(page(collector), encoding="utf-8")
+    print(f"{target} written")
+    return 1 if "failed" in collector.outcomes.values() or not collector.outcomes else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
