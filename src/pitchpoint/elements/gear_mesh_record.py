@@ -53,8 +53,6 @@ _GEOMETRY = [
     ("xi_b", "f8"),  # the same for the back flank
     ("rho_a1", "f8"),
     ("rho_a2", "f8"),  # lengths of roll up to the tips: sqrt(r_a^2 - r_b^2)
-    ("rho_f1", "f8"),
-    ("rho_f2", "f8"),  # lengths of roll where the usable involute begins (from the form diameters)
 ]
 
 _STIFFNESS = [

@@ -138,13 +138,9 @@ def rates(b, f, g):
 
 @kernel
 def path_of_contact(b):
-    """Path positions of A and E from the pitch point, at the actual centre distance."""
+    """Path positions of A and E from the pitch point: where the tip circles cut the line of action."""
     tan_a = b["sin_a"] / b["cos_a"]
-    t1 = b["r_b1"] * tan_a
-    t2 = b["r_b2"] * tan_a
-    xi_A = max(t2 - b["rho_a2"], b["rho_f1"] - t1)
-    xi_E = min(b["rho_a1"] - t1, t2 - b["rho_f2"])
-    return xi_A, xi_E
+    return b["r_b2"] * tan_a - b["rho_a2"], b["rho_a1"] - b["r_b1"] * tan_a
 
 
 @kernel

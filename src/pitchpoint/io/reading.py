@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,24 +21,41 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+PATIENCE = 2.0
+"""How long to wait for a writer that is just making its file [s]."""
+
+
 def _open(path: str | os.PathLike[str]) -> h5py.File:
     """Open for reading, beside a writer if need be (swmr), and check that the file is one of ours."""
-    import h5py
-
     name = os.fspath(path)
     if not Path(path).exists():
         raise ResultError(f"{name}: there is no such result file")
     try:
-        try:
-            file = h5py.File(name, "r", libver="latest", swmr=True)
-        except OSError:
-            file = h5py.File(name, "r")
+        file = _open_beside_a_writer(name)
+    except BlockingIOError as error:
+        raise ResultError(f"{name}: is locked by another process; try again when it has begun") from error
     except OSError as error:
         raise ResultError(f"{name}: is no readable HDF5 file ({error})") from error
     if file.attrs.get("format") != FORMAT:
         file.close()
         raise ResultError(f"{name}: is an HDF5 file, but not a result file of the format {FORMAT}")
     return file
+
+
+def _open_beside_a_writer(name: str) -> h5py.File:
+    """Open with swmr; wait while a writer still holds the lock under which it makes the structure."""
+    import h5py
+
+    until = time.monotonic() + PATIENCE
+    while True:
+        try:
+            return h5py.File(name, "r", libver="latest", swmr=True)
+        except BlockingIOError:
+            if time.monotonic() > until:
+                raise
+            time.sleep(0.02)
+        except OSError:
+            return h5py.File(name, "r")
 
 
 def read_header(path: str | os.PathLike[str]) -> dict[str, Any]:

@@ -36,7 +36,13 @@ class Sweep:
     direction: str = choice(("up", "down", "both"), "direction of the sweep", "both")
     settle_periods: int = integer("mesh periods before each measurement", 200, minimum=0, maximum=10**8)
     measure_periods: int = integer("mesh periods of each measurement", 50, minimum=1, maximum=10**8)
-    steps_per_period: int = integer("time steps per mesh period", 100, minimum=8, maximum=100000)
+    steps_per_period: int | None = integer(
+        "time steps per mesh period",
+        None,
+        minimum=8,
+        maximum=100000,
+        display="100 per period of the mesh and of its natural frequency",
+    )
 
 
 @dataclass(frozen=True, kw_only=True)

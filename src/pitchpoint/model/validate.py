@@ -8,11 +8,13 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.assembly import Parts
 from pitchpoint.model.components.law import Balance, Constant
 from pitchpoint.model.components.stiffness import Fourier, Rectangular, Table
+from pitchpoint.model.inertia import body_inertia, gear_inertia
 from pitchpoint.model.keys import Place
+from pitchpoint.model.pair_check import hand_on
 from pitchpoint.model.read import Reader
 from pitchpoint.model.scenario_check import check_scenarios
 
@@ -205,8 +207,6 @@ def _gear_choices(name: str, gear: Any, report: Reader) -> None:
 
 def check_motions(parts: Parts, report: Reader) -> None:
     """Bodies that move have inertia; fixed bodies carry no loads and bearings."""
-    from pitchpoint.model.inertia import body_inertia
-
     for name, body in parts.bodies.items():
         needed = [k for k in INERTIAS[body.motion] if ("bodies", name, k) not in report.tainted]
         given = {k: getattr(body, k) for k in needed if getattr(body, k) is not None}
@@ -215,13 +215,9 @@ def check_motions(parts: Parts, report: Reader) -> None:
             for g in body.gears
         ):
             # the geometry is asked only for what the user left out
-            try:
-                total = body_inertia(body, parts.gears)
-            except PitchpointError as error:
-                report.problem(
-                    ("bodies", name), f"has no computable mass: {error}", remedy="give mass and inertia"
-                )
+            if not all(_has_inertia(parts, g, report) for g in body.gears):
                 continue
+            total = body_inertia(body, parts.gears)
             given = {k: getattr(total, _SUM[k]) for k in needed}
         for key, amount in given.items():
             if not amount > 0.0:
@@ -240,6 +236,16 @@ def check_motions(parts: Parts, report: Reader) -> None:
                     f"names {part.body}, which is fixed and feels nothing",
                     remedy="remove it, or give the body a motion",
                 )
+
+
+def _has_inertia(parts: Parts, gear: str, report: Reader) -> bool:
+    """Whether mass and inertia of a gear can be had; a bore that is too large, say, is reported."""
+    try:
+        gear_inertia(parts.gears[gear])
+    except GeometryError as error:
+        hand_on(report, ("gears", gear), error.problem)
+        return False
+    return True
 
 
 def check_loads(parts: Parts, report: Reader) -> None:

@@ -36,7 +36,11 @@ def plot_mesh_stiffness(cycle: Any, *, name: str = "", unit: str = "c′·b") ->
         layout=theme.layout("mesh phase ψ [base pitches]", f"mesh stiffness [{unit}]", height=340)
     )
     figure.add_scatter(
-        x=phase, y=ratio, mode="lines", name=name or "stiffness", line={"color": theme.BLUE, "width": 2}
+        x=phase,
+        y=ratio,
+        mode="lines",
+        name=name or "stiffness",
+        line={"color": theme.BLUE, "width": 2, "simplify": False},
     )
     figure.add_hline(y=float(cycle.mean), line={"color": theme.GREY, "dash": "dash", "width": 1})
     figure.add_scatter(
@@ -76,7 +80,7 @@ def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -
             y=y * shown.factor,
             mode="lines",
             name=name,
-            line={"color": theme.SERIES[index % len(theme.SERIES)], "width": 2},
+            line={"color": theme.SERIES[index % len(theme.SERIES)], "width": 2, "simplify": False},
         )
     figure.update_layout(showlegend=True)
     return figure

@@ -91,7 +91,7 @@ def test_events_are_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[st
     [
         (["--scenario", "stedy"], "did you mean 'steady'?"),
         (["--scenario", "sweep"], "of the kind sweep"),
-        (["--step", "3 kg"], "3 kg"),
+        (["--step", "3 kg"], "'kg'"),
         (["--step", "-1 us"], "greater than zero"),
     ],
 )

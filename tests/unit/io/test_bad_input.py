@@ -124,6 +124,12 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         8,
         "moves (planar)",
     ),
+    "bore larger than the root": (
+        pair(gear("a", more="bore_diameter: 90 mm"), gear("b"), "", BODIES % ("", "")),
+        "gears.a.bore_diameter",
+        2,
+        "",
+    ),
     "no inertia at all": (
         pair(gear("a"), gear("b"), "", BODIES % ("", "") + "  three: {position: [0, 0, 0]}\n"),
         "bodies.three.inertia",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report: one file, nothing loaded from elsewhere, sections only where data are, always the same bytes."""
+"""The report: one file, nothing loaded from outside, sections only where data are, always the same bytes."""
 
 from __future__ import annotations
 

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint sweep`: speed sweep up and down that carries the state, with jumps."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet, scenario
+from pitchpoint.cli.output import emit_json, show, shown, table
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from pitchpoint.model.model import Model
+
+
+@click.command()
+@model_file
+@scenario
+@output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if left out.")
+@as_json
+@allow_code
+@quiet
+@debug
+def sweep(
+    file: str, scenario: str | None, output: str | None, as_json: bool, allow_code: bool, quiet: bool
+) -> int:
+    """Sweep the speed as a scenario of FILE says, and find the jumps of the response.
+
+    Every finished point is in the result file at once. Ctrl-C stops and keeps what was computed.
+    """
+    from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.cli.results import choose_scenario, result_path
+    from pitchpoint.io.yaml_model import load_model
+
+    model = load_model(file, allow_code=allow_code)
+    name = choose_scenario(model, scenario, "sweep")
+    target = result_path(output, file, name)
+    summary, error = compute(model, file, name, target, quiet=quiet)
+    if as_json:
+        emit_json(summary)
+    elif summary["points"]:
+        _print(f"{model.title or file}: {name}", summary)
+        if not quiet:
+            show(f"{len(summary['points'])} points in {summary['wall_s']:.3g} s, written to {target}")
+            for note in summary["notes"]:
+                show(f"note: {note}")
+    return OK if error is None else exit_code_of(error)
+
+
+def compute(
+    model: Model, file: str, name: str, target: Path, *, quiet: bool = False
+) -> tuple[dict[str, Any], BaseException | None]:
+    """Run a sweep into a file; gives the summary that `sweep --json` prints, and what stopped it early."""
+    from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.cli.results import header_of, how_a_status_ends
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.status import OK
+    from pitchpoint.io.sweep_store import SweepWriter
+    from pitchpoint.sweep.speed import run_sweep
+    from pitchpoint.system.compile import compile_model
+
+    system = compile_model(model, name)
+    mesh, directions, speeds, frequencies = plan(model, name)
+    header = header_of(model, file, name, "sweep", model.scenarios[name].method)
+    with SweepWriter(target, header, mesh, directions, speeds, frequencies) as writer:
+
+        def keep(point: dict[str, Any]) -> None:
+            nearest = min(range(len(speeds)), key=lambda k: abs(speeds[k] - point["speed"]))
+            writer.put(point["direction"], nearest, point)
+
+        with ProgressDisplay(f"sweep {name}", "points", quiet=quiet) as progress:
+            done = run_sweep(system, model.scenarios[name], progress=progress, sink=keep)
+        writer.put_jumps(done.jumps)
+        status = how_a_status_ends(done.status)
+        writer.finish(status, done.sentence, code=done.status, steps=done.steps)
+    summary = {
+        "status": status,
+        "sentence": done.sentence,
+        "steps": done.steps,
+        "wall_s": done.wall_s,
+        "output": str(target),
+        "notes": list(done.notes),
+        "mesh": mesh,
+        "points": done.points,
+        "jumps": done.jumps,
+    }
+    error = None if done.status == OK else SolverError(done.sentence, done.status, str(target))
+    return summary, error
+
+
+def plan(model: Model, name: str) -> tuple[str, list[str], list[float], list[float]]:
+    """Give mesh, directions, speeds [rad/s] and mesh frequencies [Hz] of a sweep, ascending."""
+    sweep = model.scenarios[name].sweep
+    assert sweep is not None  # the kind of the scenario was checked
+    mesh, teeth = model.sweep_mesh(name)
+    per_speed = teeth / (2.0 * math.pi)
+    if sweep.mesh_frequency is not None:
+        low, high = (f / per_speed for f in sweep.mesh_frequency)
+    else:
+        low, high = sweep.speed or (0.0, 0.0)
+    step = (high - low) / max(sweep.points - 1, 1)
+    speeds = [low + k * step for k in range(sweep.points)]
+    directions = ["up", "down"] if sweep.direction == "both" else [sweep.direction]
+    return mesh, directions, speeds, [speed * per_speed for speed in speeds]
+
+
+def _print(title: str, summary: dict[str, Any]) -> None:
+    """Show jumps, and the points at which the deflection vibrates most."""
+    points = summary["points"]
+    rows = []
+    for direction in dict.fromkeys(p["direction"] for p in points):
+        here = [p for p in points if p["direction"] == direction]
+        top = max(here, key=lambda p: p["deflection"]["rms"])
+        lost = max(here, key=lambda p: p["contact_loss_share"])
+        jumps = [j["mesh_frequency"] for j in summary["jumps"] if j["direction"] == direction]
+        rows.append(
+            [
+                direction,
+                str(len(here)),
+                shown(top["deflection"]["rms"], "length", 4),
+                shown(top["mesh_frequency"], "frequency", 5),
+                shown(max(p["mesh_force"]["max"] for p in here), "force", 5),
+                f"{100.0 * lost['contact_loss_share']:.1f} %",
+                ", ".join(shown(f, "frequency", 5) for f in jumps) or "none",
+            ]
+        )
+    columns = ["direction", "points", "greatest rms of deflection", "at", "greatest mesh force"]
+    table(title, [*columns, "contact lost, at most", "jumps at"], rows)

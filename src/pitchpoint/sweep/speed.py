@@ -1,0 +1,332 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Speed sweep: point by point, up and down, each point continuing where the last one stopped.
+
+A change of speed adds the ideal motion of the gear train (all bodies in the ratio of their teeth) to the
+velocities and leaves deflections and vibration alone, so the response stays on its branch until that branch ends.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.jumps import sweep_jumps
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.sampling import new_statistics, read_statistics
+from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.time import scenario_of
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import System
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.scenario import Scenario, Sweep
+
+QUANTITIES = ("transmission_error", "deflection", "mesh_force")
+STEPS_PER_PERIOD = 100
+"""Least steps per mesh period and per period of the mesh mode, unless the scenario says otherwise."""
+CHUNK_STEPS = 200_000
+"""Steps between two looks at the keyboard."""
+
+
+@dataclass(frozen=True)
+class SweepSummary:
+    """What a sweep found.
+
+    Parameters
+    ----------
+    status, sentence
+        How it ended.
+    points
+        One mapping per point in the order run: direction, speed [rad/s], mesh_frequency [Hz], statistics of
+        the swept mesh by quantity (unit, mean, rms, min, max), contact_loss_share and back_contact_share;
+        `channels` holds the statistics of every other channel.
+    jumps
+        Direction and mesh frequency [Hz] of every jump.
+    steps, wall_s
+        Steps in all, wall time [s].
+    notes
+        What the user should know.
+    """
+
+    status: int
+    sentence: str
+    points: list[dict[str, Any]]
+    jumps: list[dict[str, Any]]
+    steps: int
+    wall_s: float
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """Speeds of a sweep and what one rad/s of the swept body means for everybody else."""
+
+    mesh: str
+    teeth: int
+    speeds: NDArray[np.float64]
+    directions: tuple[str, ...]
+    ratio: dict[str, float]
+    settle: int
+    measure: int
+    steps: int | None
+
+    def order(self) -> Iterator[tuple[str, float]]:
+        for direction in self.directions:
+            for speed in self.speeds if direction == "up" else self.speeds[::-1]:
+                yield direction, float(speed)
+
+    def steps_at(self, frequency: float, mesh_mode: float) -> int:
+        """Steps per mesh period."""
+        if self.steps is not None:
+            return self.steps
+        return max(STEPS_PER_PERIOD, math.ceil(STEPS_PER_PERIOD * mesh_mode / frequency))
+
+
+def _plan(system: System, scenario: Scenario, sweep: Sweep) -> _Plan:
+    model = system.model
+    assert model is not None  # `scenario_of` has asked for it
+    mesh, teeth = model.sweep_mesh(scenario)
+    if sweep.mesh_frequency is not None:
+        low, high = (2.0 * math.pi * f / teeth for f in sweep.mesh_frequency)
+    elif sweep.speed is not None:
+        low, high = sweep.speed
+    else:
+        raise SolverError("the sweep has neither mesh_frequency nor speed", NOT_FINITE)
+    return _Plan(
+        mesh=mesh,
+        teeth=teeth,
+        speeds=np.linspace(low, high, sweep.points),
+        directions=("up", "down") if sweep.direction == "both" else (sweep.direction,),
+        ratio=model.start_speeds(replace(scenario, speed={sweep.body: 1.0})),
+        settle=sweep.settle_periods,
+        measure=sweep.measure_periods,
+        steps=sweep.steps_per_period,
+    )
+
+
+def mesh_mode(system: System, mesh: str) -> float:
+    """Natural frequency of a mesh spring between the spins of its two bodies [Hz]."""
+    records = system.records["gear_mesh"]
+    names = [c.name for c in system.layout.channels]
+    first = names.index(f"transmission_error[{mesh}]")
+    row = records[list(records["out"]).index(first)]
+    inverse = 0.0
+    for body, r_b in ((int(row["i"]), row["r_b1"]), (int(row["j"]), row["r_b2"])):
+        polar = float(system.program["body"][body]["i_p"])
+        if system.program["body"][body]["joint"] and polar > 0.0:
+            inverse += float(r_b) ** 2 / polar
+    return math.sqrt(float(row["k_ref"]) * inverse) / (2.0 * math.pi)
+
+
+class _Walk:
+    """A sweep under way: the run, the speed it has, the points behind it."""
+
+    def __init__(self, system: System, scenario: Scenario, plan: _Plan) -> None:
+        self.plan = plan
+        first = next(plan.order())[1]
+        body = scenario.sweep.body  # type: ignore[union-attr]
+        start = prepare_start(system, replace(scenario, speed={body: first}, duration=1.0))
+        self.system, self.notes = start.system, start.notes
+        self.mode = mesh_mode(self.system, plan.mesh)
+        self.speed = first
+        self.run = generalized_alpha.start(self.system, start.state, self._step(first))
+        self.steps = 0
+
+    def _frequency(self, speed: float) -> float:
+        return abs(speed) * self.plan.teeth / (2.0 * math.pi)
+
+    def _step(self, speed: float) -> float:
+        f = self._frequency(speed)
+        return 1.0 / (f * self.plan.steps_at(f, self.mode))
+
+    def go_to(self, speed: float) -> None:
+        """Change the mean speed of the whole train; drives that hold a speed follow."""
+        w = self.system.workspace
+        for name, ratio in self.plan.ratio.items():
+            if ratio != 0.0:
+                w.v[self.system.spin(name)] += (speed - self.speed) * ratio
+        records = self.system.records.get("drive")
+        if records is not None:
+            for record in records:
+                name = self.system.layout.bodies[int(record["i"])]
+                spin = self.system.spin(name)
+                turned = w.q[spin] + 2.0 * math.pi * w.fr["turns"][int(record["i"])]
+                record["speed"] = speed * self.plan.ratio[name]
+                record["angle"] = turned - record["speed"] * self.run.t
+        self.speed = speed
+        self.run.change_step(self._step(speed))
+
+    def advance(self, periods: int, sums: NDArray[np.float64] | None) -> int:
+        f = self._frequency(self.speed)
+        left = periods * self.plan.steps_at(f, self.mode)
+        while left > 0:
+            chunk = self.run.advance(min(left, CHUNK_STEPS), statistics=sums)
+            self.steps += chunk.steps
+            left -= chunk.steps
+            if chunk.status != OK:
+                return int(chunk.status)
+        return OK
+
+    def point(self, direction: str, sums: NDArray[np.float64]) -> dict[str, Any]:
+        found = read_statistics(sums)
+        channels = {
+            c.name: {
+                "unit": c.unit,
+                "mean": float(found.mean[k]),
+                "rms": float(found.rms[k]),
+                "min": float(found.least[k]),
+                "max": float(found.most[k]),
+            }
+            for k, c in enumerate(self.system.layout.channels)
+        }
+        state = self.system.layout.channel(f"contact_state[{self.plan.mesh}]")
+        # both flanks at once (state 2) count as contact of either
+        return {
+            "direction": direction,
+            "speed": self.speed,
+            "mesh_frequency": self._frequency(self.speed),
+            **{q: channels[f"{q}[{self.plan.mesh}]"] for q in QUANTITIES},
+            "contact_loss_share": float(found.share_zero[state]),
+            "back_contact_share": float(found.share_negative[state]),
+            "channels": channels,
+        }
+
+
+def run_sweep(
+    system: System,
+    scenario: Scenario | None = None,
+    *,
+    progress: Progress = silent,
+    sink: Callable[[dict[str, Any]], None] | None = None,
+) -> SweepSummary:
+    """Run a speed sweep.
+
+    Parameters
+    ----------
+    system
+        Compiled with the scenario.
+    scenario
+        A scenario with `sweep`; default the one of the system.
+    progress
+        Told the number of points after each.
+    sink
+        Takes every point as soon as it is finished, such as a result file.
+
+    Returns
+    -------
+    SweepSummary
+        Also of a failed or interrupted sweep, with the points that were finished.
+
+    Raises
+    ------
+    SolverError
+        If the sweep cannot start.
+    """
+    chosen = scenario_of(system, scenario)
+    if chosen.sweep is None:
+        raise SolverError("the scenario is no sweep", NOT_FINITE)
+    begun = time.perf_counter()
+    plan = _plan(system, chosen, chosen.sweep)
+    walk = _Walk(system, chosen, plan)
+    points: list[dict[str, Any]] = []
+    status, total = OK, len(plan.speeds) * len(plan.directions)
+    try:
+        for direction, speed in plan.order():
+            walk.go_to(speed)
+            status = walk.advance(plan.settle, None)
+            sums = new_statistics(walk.system.sizes["no"])
+            status = status if status != OK else walk.advance(plan.measure, sums)
+            if status != OK:
+                break
+            points.append(walk.point(direction, sums))
+            if sink is not None:
+                sink(points[-1])
+            progress(len(points), total, f"{points[-1]['mesh_frequency']:.5g} Hz {direction}")
+    except KeyboardInterrupt:
+        status = INTERRUPTED
+    return SweepSummary(
+        status=status,
+        sentence=evaluate.explain(walk.system, status),
+        points=points,
+        jumps=[{"direction": j.direction, "mesh_frequency": j.frequency} for j in sweep_jumps(points)],
+        steps=walk.steps,
+        wall_s=time.perf_counter() - begun,
+        notes=walk.notes,
+    )
+
+
+def sweep_speed(
+    system: System, scenario: Scenario | None = None, *, progress: Progress = silent
+) -> xr.Dataset:
+    """Speed sweep as a dataset.
+
+    Parameters
+    ----------
+    system, scenario, progress
+        See `run_sweep`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimensions `direction` and `mesh_frequency` [Hz]; for each quantity of the swept mesh `QUANTITY_mean`,
+        `_rms`, `_min`, `_max`, and the shares of lost and of back contact; NaN where a point is missing.
+        Jumps are in the attributes.
+
+    Raises
+    ------
+    SolverError
+        If the sweep fails; `partial` holds the dataset so far.
+    """
+    import xarray as xr
+
+    from pitchpoint.solvers.dataset import attributes
+
+    found = run_sweep(system, scenario, progress=progress)
+    directions = sorted({p["direction"] for p in found.points}, reverse=True)
+    grid = sorted({p["mesh_frequency"] for p in found.points})
+    data: dict[str, Any] = {}
+    for name in QUANTITIES:
+        for key in ("mean", "rms", "min", "max"):
+            values = _on_grid(found.points, directions, grid, lambda p, n=name, k=key: p[n][k])
+            unit = found.points[0][name]["unit"] if found.points else ""
+            words = f"{name.replace('_', ' ')}, {key}"
+            data[f"{name}_{key}"] = (
+                ("direction", "mesh_frequency"),
+                values,
+                {"units": unit, "long_name": words},
+            )
+    for name in ("contact_loss_share", "back_contact_share", "speed"):
+        values = _on_grid(found.points, directions, grid, lambda p, n=name: p[n])
+        attrs = {"units": "rad/s" if name == "speed" else "1", "long_name": name.replace("_", " ")}
+        data[name] = (("direction", "mesh_frequency"), values, attrs)
+    frequency = (
+        "mesh_frequency",
+        np.array(grid),
+        {"units": "Hz", "long_name": "mesh frequency"},
+    )
+    attrs = attributes(system, "speed sweep", found.status, found.wall_s)
+    attrs |= {"jumps": [f"{j['direction']} {j['mesh_frequency']:.9g} Hz" for j in found.jumps]}
+    result = xr.Dataset(data, coords={"direction": directions, "mesh_frequency": frequency}, attrs=attrs)
+    if found.status != OK:
+        raise SolverError(found.sentence, found.status, result)
+    return result
+
+
+def _on_grid(
+    points: list[dict[str, Any]], directions: list[str], grid: list[float], pick: Any
+) -> NDArray[np.float64]:
+    values = np.full((len(directions), len(grid)), np.nan)
+    for p in points:
+        values[directions.index(p["direction"]), grid.index(p["mesh_frequency"])] = pick(p)
+    return values

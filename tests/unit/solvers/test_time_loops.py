@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Time loops: order of convergence, statistics, samples, events, reproducibility, failures."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.multibody.bodies import Body
+from pitchpoint.solvers import generalized_alpha, runge_kutta, sampling
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import assemble
+from tests.support.engine import couplings, gear_rows, rattle, torques
+
+OMEGA = 2.0 * math.pi * 50.0
+
+
+def oscillator(damping=0.02):
+    """Disc on a torsion spring, 50 Hz."""
+    inertia = 0.01
+    k, d = inertia * OMEGA**2, 2.0 * damping * inertia * OMEGA
+    system = assemble([Body(polar_inertia=inertia, name="disc")], {"coupling": couplings([(1, 0, k, d, 0.0)])})
+    state = system.initial_state()
+    state.q[0] = 0.01
+    return system, state
+
+
+def exact(t, damping=0.02):
+    decay, omega = damping * OMEGA, OMEGA * math.sqrt(1.0 - damping**2)
+    return 0.01 * math.exp(-decay * t) * (math.cos(omega * t) + decay / omega * math.sin(omega * t))
+
+
+def error(method, n):
+    system, state = oscillator()
+    t = 0.031
+    if method == "implicit":
+        run = generalized_alpha.start(system, state, t / n, rho_inf=0.9, tolerance=1e-15)
+    else:
+        run = runge_kutta.start_classical(system, state, t / n)
+    assert run.advance(n).status == OK
+    return abs(run.state().q[0] - exact(t))
+
+
+@pytest.mark.parametrize(("method", "order", "n"), [("implicit", 2, 400), ("classical", 4, 60)])
+def test_order_of_convergence_on_a_linear_oscillator(method, order, n):
+    found = math.log2(error(method, n) / error(method, 2 * n))
+    assert found == pytest.approx(order, abs=0.15)
+
+
+def test_adaptive_method_follows_its_tolerance_and_its_dense_output_is_accurate():
+    errors = []
+    for rtol in (1e-5, 1e-8):
+        system, state = oscillator()
+        run = runge_kutta.start_adaptive(system, state, rtol=rtol, atol=rtol * 1e-3, atol_rate=rtol * 1e-1)
+        chunk = run.advance_to(0.05, sample=1e-3)
+        assert chunk.status == OK
+        assert chunk.rows.shape[0] == 50
+        index = 1 + system.layout.channel("angle[disc]")
+        errors.append(max(abs(row[index] - exact(row[0])) for row in chunk.rows))
+    assert errors[0] < 1e-6
+    assert errors[1] < 1e-9
+    assert run.state().q[0] == pytest.approx(exact(0.05), abs=1e-9)
+
+
+def test_statistics_need_no_stored_series_and_agree_with_one():
+    system = rattle()
+    run = generalized_alpha.start(system, system.initial_state(), 5e-6)
+    sums = sampling.new_statistics(system.sizes["no"])
+    chunk = run.advance(2000, every=1, statistics=sums)
+    found = sampling.read_statistics(sums)
+    series = chunk.rows[:, 1:]
+    assert chunk.rows.shape[0] == found.count == 2000
+    np.testing.assert_allclose(found.mean, series.mean(axis=0), rtol=1e-9, atol=1e-14)
+    np.testing.assert_allclose(found.rms, series.std(axis=0), rtol=1e-7, atol=1e-13)
+    np.testing.assert_array_equal(found.least, series.min(axis=0))
+    np.testing.assert_array_equal(found.most, series.max(axis=0))
+    np.testing.assert_allclose(found.share_negative, (series < 0.0).mean(axis=0))
+    np.testing.assert_allclose(found.share_zero, (series == 0.0).mean(axis=0))
+
+
+def test_same_input_gives_the_same_bits_whatever_the_chunks():
+    finals = []
+    for chunks in ([3000], [1000, 1, 1999]):
+        system = rattle()
+        run = generalized_alpha.start(system, system.initial_state(), 5e-6)
+        for n in chunks:
+            assert run.advance(n).status == OK
+        finals.append(np.concatenate([run.state().q, run.state().v, run.state().a]))
+    np.testing.assert_array_equal(*finals)
+
+
+def test_round_off_does_not_grow_with_revolutions():
+    accelerations = []
+    for turns in (0, 100_000):
+        system = rattle()
+        state = system.initial_state()
+        state.v[:] = 300.0
+        state.turns[1:] = turns
+        run = generalized_alpha.start(system, state, 5e-6)
+        assert run.advance(20000).status == OK
+        final = run.state()
+        accelerations.append(np.concatenate([final.q, final.v, final.a]))
+        assert np.all(np.abs(final.q) <= math.pi)
+        assert final.turns[1] - turns == round(300.0 * 0.1 / (2.0 * math.pi))
+        angle = evaluate.observe(system, final)[system.layout.channel("angle[a]")]
+        assert angle == pytest.approx(300.0 * 0.1 + 2.0 * math.pi * turns, abs=0.01)
+    np.testing.assert_array_equal(*accelerations)
+
+
+def test_a_redundant_constraint_row_is_flagged_and_harmless():
+    bodies = [Body(polar_inertia=1.0, name="a"), Body(polar_inertia=4.0, name="b")]
+    finals = []
+    for rows in ([(1, 2, 20, 40)], [(1, 2, 20, 40), (1, 2, 10, 20)]):
+        system = assemble(bodies, {"torque": torques([(1, 3.0)])}, {"gear_constraint": gear_rows(rows)})
+        run = generalized_alpha.start(system, system.initial_state(), 1e-3)
+        assert run.advance(1000).status == OK
+        finals.append(run.state().q)
+        # rigid gears: acceleration of a is T / (i_a + i_b (z1/z2)^2), with z2/z1 = 2
+        assert run.state().a[0] == pytest.approx(3.0 / (1.0 + 4.0 / 4.0), rel=1e-9)
+        assert np.abs(system.workspace.g).max() < 1e-12
+    assert list(system.workspace.arrays["used"]) == [1, 0]
+    np.testing.assert_allclose(finals[1], finals[0], rtol=1e-12)
+
+
+def test_explicit_methods_hold_constraints_too():
+    bodies = [Body(polar_inertia=1.0, name="a"), Body(polar_inertia=4.0, name="b")]
+    banks = {"torque": torques([(1, 3.0)])}
+    system = assemble(bodies, banks, {"gear_constraint": gear_rows([(1, 2, 20, 40)])})
+    run = runge_kutta.start_classical(system, system.initial_state(), 1e-3)
+    assert run.advance(1000).status == OK
+    assert run.state().v[0] == pytest.approx(1.5, rel=1e-9)
+    assert 2.0 * run.state().v[1] == pytest.approx(-1.5, rel=1e-9)
+
+
+def test_a_law_that_returns_nan_stops_the_run_with_its_status_and_place():
+    def law(t, x, p):
+        return math.nan if t > 0.01 else 1.0
+
+    from pitchpoint.elements.signal import LAW, OVER_TIME
+
+    records = torques([(1, 1.0)])
+    records["form"], records["over"] = LAW, OVER_TIME
+    bodies = [Body(polar_inertia=1.0, name="a")]
+    pools = {"torque": np.zeros(1)}
+    system = assemble(bodies, {"torque": records}, pools=pools, laws={"torque": [law]})
+    run = generalized_alpha.start(system, system.initial_state(), 1e-3)
+    chunk = run.advance(100)
+    assert chunk.status == NOT_FINITE
+    assert 9 <= chunk.steps <= 10
+    assert "torque" in evaluate.explain(system, chunk.status)
+    with pytest.raises(SolverError, match="not a number"):
+        evaluate.check(system, chunk.status, run.state())
+
+
+def test_step_must_be_positive():
+    system, state = oscillator()
+    with pytest.raises(SolverError, match="positive"):
+        generalized_alpha.start(system, state, 0.0)
