@@ -31,22 +31,30 @@ from pitchpoint.cli.main import run_command
 with contextlib.redirect_stdout(io.StringIO()):
     status = run_command(["run", sys.argv[1], "--scenario", "steady", "-o", sys.argv[2], "--json", "--quiet"])
 assert status == 0, status
+from numba import types
 from numba.core.dispatcher import Dispatcher
 kernels = {}
 for name, module in list(sys.modules.items()):
     if name.startswith("pitchpoint"):
         kernels.update({v.py_func: v for v in vars(module).values() if isinstance(v, Dispatcher)})
-for function, kernel in sorted(kernels.items(), key=lambda item: item[0].__qualname__):
-    if len(kernel.signatures) > 1 and function.__module__ != "pitchpoint.core.kernel":
-        print(function.__module__, function.__qualname__, kernel.signatures)
+for function, kernel in kernels.items():
+    found = {tuple(types.unliteral(t) for t in signature) for signature in kernel.signatures}
+    if len(found) > 1:
+        print(function.__name__)
 """
 
+# these hand out memory of any type and shape
+GENERIC = {"view", "call", "call_law", "pooled"}
 
+
+@pytest.mark.slow
 @pytest.mark.skipif(os.environ.get("NUMBA_DISABLE_JIT") == "1", reason="nothing is compiled")
 def test_every_kernel_has_one_signature(tmp_path):
     file = tmp_path / "model.yaml"
     file.write_text(MODEL)
     command = [sys.executable, "-c", CODE, str(file), str(tmp_path / "out.h5")]
-    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    # an empty cache, because kernels that come from it do not show the signatures of those they call
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path / "cache")}
+    run = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
     assert run.returncode == 0, run.stderr
-    assert run.stdout == ""
+    assert set(run.stdout.split()) <= GENERIC

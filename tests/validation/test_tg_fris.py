@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """TG-FRIS: torsional chains of Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010).
 
-Values as in the public test-suite of openTorsion, which quotes the book; a chain of discs needs no frame mapping.
+Values as in the public test-suite of openTorsion, which quotes the book; discs need no frame mapping.
 Tolerance 0.01 Hz (a) and 0.05 Hz (b): one unit of the last printed digit.
 """
 
@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pitchpoint.multibody.bodies import Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
-from pitchpoint.multibody.bodies import Body
 from tests.support.engine import chain, couplings, frequencies, gear_rows
 
 
@@ -23,7 +23,7 @@ def test_case_a_chain_of_five_discs():
 
 
 def test_case_b_two_rotors_over_equal_gears():
-    # motor - gear shaft - (1:1 mesh as a rigid coupling) - two rotors; the constraint is eliminated by its null space
+    # motor, gear, (1:1 mesh as a rigid coupling) gear, two rotors; the null space eliminates the constraint
     names = ("motor", "gear1", "gear2", "rotor1", "rotor2")
     inertias = (400e-6, 25e-6, 25e-6, 700e-6, 700e-6)
     bodies = [Body(polar_inertia=i, name=n) for i, n in zip(inertias, names, strict=True)]

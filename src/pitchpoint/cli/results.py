@@ -38,18 +38,24 @@ def choose_scenario(model: Model, name: str | None, kind: str) -> str:
     listed = ", ".join(fitting) or "none"
     if name is None:
         raise click.UsageError(f"say which --scenario; of the kind {kind} there are: {listed}")
-    if name not in model.scenarios:
-        import difflib
-
-        near = difflib.get_close_matches(name, model.scenarios, n=1)
-        hint = f"did you mean {near[0]!r}?" if near else f"there are: {listed}"
-        raise click.BadParameter(f"no scenario {name!r}; {hint}", param_hint="--scenario")
-    if name not in fitting:
+    if known_scenario(model, name) not in fitting:
         is_kind = model.scenarios[name].kind
         raise click.BadParameter(
             f"{name!r} is of the kind {is_kind}, not {kind}; of that kind there are: {listed}",
             param_hint="--scenario",
         )
+    return name
+
+
+def known_scenario(model: Model, name: str) -> str:
+    """Check that there is a scenario of this name."""
+    if name not in model.scenarios:
+        import difflib
+
+        near = difflib.get_close_matches(name, model.scenarios, n=1)
+        listed = ", ".join(model.scenarios) or "none"
+        hint = f"did you mean {near[0]!r}?" if near else f"there are: {listed}"
+        raise click.BadParameter(f"no scenario {name!r}; {hint}", param_hint="--scenario")
     return name
 
 

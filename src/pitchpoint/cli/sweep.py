@@ -85,7 +85,7 @@ def compute(
         "output": str(target),
         "notes": list(done.notes),
         "mesh": mesh,
-        "points": done.points,
+        "points": [{k: v for k, v in point.items() if k != "channels"} for point in done.points],
         "jumps": done.jumps,
     }
     error = None if done.status == OK else SolverError(done.sentence, done.status, str(target))

@@ -8,6 +8,7 @@ The wrench on body i is the conjugate one, that on body j its exact opposite; fo
 works with the twist between the bodies, so between two spinning bodies it rotates with them.
 
 The twist is conjugate to first order in the tilt; everything else is exact for any tilt when j is ground.
+Between two bodies, which must be coaxial as assembled, the exact tangent leaves out the turn of a preload.
 """
 
 from __future__ import annotations

@@ -35,6 +35,20 @@ OUTPUTS = (
 
 
 @kernel
+def _follow(f, k, torque):
+    """Add the change of a torque that follows the spin axis: d(T n) = T dtheta x n."""
+    n0 = f["R"][0, 2]
+    n1 = f["R"][1, 2]
+    n2 = f["R"][2, 2]
+    k[3, 4] -= torque * n2
+    k[3, 5] += torque * n1
+    k[4, 5] -= torque * n0
+    k[4, 3] += torque * n2
+    k[5, 3] -= torque * n1
+    k[5, 4] += torque * n0
+
+
+@kernel
 def coupling(rec, ctl, fr, kk):
     """Torques, tangents and observations of all couplings."""
     c = ctl[0]
@@ -70,6 +84,8 @@ def coupling(rec, ctl, fr, kk):
                     q[3 + r, 3 + h] -= s * f["R"][r, 2] * g["R"][h, 2]
                     o[3 + r, 3 + h] -= s * g["R"][r, 2] * f["R"][h, 2]
                     w[3 + r, 3 + h] += s * g["R"][r, 2] * g["R"][h, 2]
+            _follow(f, p, torque * c["ck"])
+            _follow(g, w, -torque * c["ck"])
         if c["out"] != 0:
             out = observations(ctl)
             out[b["out"]] = torque

@@ -225,7 +225,7 @@ def profile_flank(b, ctl, x_0):
     fh = b["flank"] * b["tan_b"]
     middle = b["psi"] + 0.5 * b["lam"] * (b["z_lo"] + b["z_hi"])
     reach = 0.5 * abs(b["lam"]) * (b["z_hi"] - b["z_lo"])
-    q = math.ceil(-middle - reach)
+    q = float(math.ceil(-middle - reach))
     last = math.floor(b["eps"] - middle + reach)
     while q <= last:
         p_0 = b["psi"] + q

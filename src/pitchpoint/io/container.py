@@ -135,13 +135,20 @@ class Container:
         packed: bool = False,
         attributes: Mapping[str, str] | None = None,
     ) -> h5py.Dataset:
-        """Make a variable over existing dimensions; what is not written yet reads as NaN (integers: -1)."""
+        """Make a variable over existing dimensions; what is not written yet reads as NaN (integers: -1).
+
+        The type `text` is for tables that are filled before others may read: HDF5 cannot do it afterwards.
+        """
+        import h5py
         import numpy as np
 
         where = self.file.require_group(group) if group else self.file
         shape = tuple(int(s.shape[0]) for s in scales)
         limits = tuple(s.maxshape[0] for s in scales)
         growing = None in limits
+        if dtype == "text":
+            made = where.create_dataset(name, shape, dtype=h5py.string_dtype("utf-8"))
+            return self._attach(made, scales, attributes)
         made = where.create_dataset(
             name,
             shape,
@@ -151,6 +158,11 @@ class Container:
             fillvalue=np.nan if np.dtype(dtype).kind == "f" else -1,
             **(_PACKING if packed else {}),
         )
+        return self._attach(made, scales, attributes)
+
+    def _attach(
+        self, made: h5py.Dataset, scales: Sequence[h5py.Dataset], attributes: Mapping[str, str] | None
+    ) -> h5py.Dataset:
         for axis, scale in enumerate(scales):
             made.dims[axis].attach_scale(scale)
         _describe(made, attributes)

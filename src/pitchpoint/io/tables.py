@@ -60,6 +60,8 @@ class TableWriter:
     growing
         Columns (name, unit, type) of one list of unknown length, such as the jumps of a sweep; its dimension
         is called `growing_name`.
+    texts
+        Contents of the quantities of type `text`; they cannot be changed later.
 
     Examples
     --------
@@ -80,6 +82,7 @@ class TableWriter:
         *,
         growing: Sequence[tuple[str, str, str]] = (),
         growing_name: str = "jump",
+        texts: Mapping[str, Sequence[str]] | None = None,
     ) -> None:
         self._begun = time.perf_counter()
         self._container = container = Container(path, header)
@@ -112,6 +115,8 @@ class TableWriter:
                 self._columns[name] = container.variable(
                     name, [self._index], dtype=dtype, chunks=(64,), attributes={"units": unit}
                 )
+        for name, words in (texts or {}).items():
+            self._variables[name][...] = list(words)
         container.begin()
 
     @property
@@ -160,6 +165,8 @@ def write_tables(
     filled: Sequence[tuple[Quantity, Any]],
 ) -> None:
     """Write tables that are complete already, such as modes: each quantity with its array."""
-    with TableWriter(path, header, axes, [q for q, _ in filled]) as table:
+    texts = {q.name: values for q, values in filled if q.dtype == "text"}
+    with TableWriter(path, header, axes, [q for q, _ in filled], texts=texts) as table:
         for quantity, values in filled:
-            table.put(quantity.name, ..., values)
+            if quantity.dtype != "text":
+                table.put(quantity.name, ..., values)

@@ -65,10 +65,13 @@ class Channel:
         >>> Channel("mesh_force[stage]", np.zeros(1), "N", "mesh force").label
         'mesh force, stage'
         """
-        head, _, owner = self.name.partition("[")
-        words = self.long_name or head.replace("_", " ")
-        owner = owner.rstrip("]")
-        return f"{words}, {owner}" if owner and owner not in words else words
+        words, owner = self.words, self.name.partition("[")[2].rstrip("]")
+        return f"{words}, {owner}" if owner else words
+
+    @property
+    def words(self) -> str:
+        """Short name for axes, `mesh force`; the long one is a sentence and belongs below a picture."""
+        return self.quantity.replace("_", " ")
 
     @property
     def quantity(self) -> str:

@@ -43,6 +43,7 @@ TIME_QUANTITIES = (
 SPECTRUM_QUANTITIES = ("deflection", "mesh_force")
 FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
 MOST_LINES = 8
+MOST_ROWS = 30
 # Relative change of speed from which a run counts as a run-up: maps instead of one spectrum.
 RUN_UP = 0.05
 DETAIL_PERIODS = 12
@@ -123,25 +124,33 @@ def time_section(runs: Mapping[str, Any]) -> Section:
         steady = not _changes_speed(time[settled], _angle(run, found), settled)
         rows = [
             (c, vars(signal_statistics(c.values[settled], time[settled])))
+            for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
             for c in found.values()
-            if c.quantity in (*TIME_QUANTITIES, *FORCE_PARTS) and np.all(np.isfinite(c.values))
+            if c.quantity == quantity and np.all(np.isfinite(c.values))
         ]
-        section.add(statistics_table(rows[:24]))
+        section.add(statistics_table(rows[:MOST_ROWS]))
         states = {_owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
         section.add(_contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled))
         for quantity in TIME_QUANTITIES:
-            group = [c for c in found.values() if c.quantity == quantity]
+            # what is zero throughout (friction without friction) is in the table and needs no picture
+            group = [c for c in found.values() if c.quantity == quantity and np.any(c.values != 0.0)]
             for unit in dict.fromkeys(c.unit for c in group):
                 same = [c for c in group if c.unit == unit]
                 state = states.get(_owner(same[0])) if len(same) == 1 and quantity == "mesh_force" else None
                 whole = plot_signals(time, same[:MOST_LINES], contact_state=state)
                 end = _detail(time, same[:MOST_LINES], state) if steady else None
-                section.add_figure(whole, _left_out(len(same)), beside=end)
-        for mesh in dict.fromkeys(_owner(c) for c in found.values() if c.quantity in FORCE_PARTS):
-            tooth = [c for c in found.values() if c.quantity in FORCE_PARTS and _owner(c) == mesh]
+                section.add_figure(whole, _caption(same), beside=end)
+        parts = [
+            c for q in FORCE_PARTS for c in found.values() if c.quantity == q and np.any(c.values != 0.0)
+        ]
+        for mesh in dict.fromkeys(map(_owner, parts)):
+            tooth = [c for c in parts if _owner(c) == mesh]
             part = _last_periods(time, tooth[0].values) if steady else slice(None)
             shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in tooth]
-            section.add_figure(plot_force_parts(time[part], shown), f"Parts of the tooth force, {mesh}.")
+            where = "over the last periods" if part.start is not None else "over the whole run"
+            section.add_figure(
+                plot_force_parts(time[part], shown), f"Parts of the tooth force of {mesh}, {where}."
+            )
     return section
 
 
@@ -230,12 +239,12 @@ def _detail(time: Array, group: Sequence[Channel], state: Array | None) -> go.Fi
     return plot_signals(time[part], shown, contact_state=None if state is None else state[part])
 
 
-def _left_out(count: int) -> str:
-    return (
-        f"{count - MOST_LINES} more channels of this kind are in the result file."
-        if count > MOST_LINES
-        else ""
-    )
+def _caption(group: Sequence[Channel]) -> str:
+    """What a single channel is, in a sentence; of many, how many are not drawn."""
+    if len(group) > MOST_LINES:
+        return f"{len(group) - MOST_LINES} more channels of this kind are in the result file."
+    long = group[0].long_name
+    return f"{long[:1].upper()}{long[1:]}." if len(group) == 1 and long else ""
 
 
 def _jump_sentence(jumps: Sequence[Mapping[str, Any]]) -> str:

@@ -91,7 +91,7 @@ def _keep_noise_small(figure: go.Figure, values: Array) -> None:
 
 
 def _common_name(channels: Sequence[Channel]) -> str:
-    names = {c.long_name or c.quantity.replace("_", " ") for c in channels}
+    names = {c.words for c in channels}
     return names.pop() if len(names) == 1 else "value"
 
 

@@ -99,8 +99,11 @@ def statistics_table(rows: Sequence[tuple[Channel, Mapping[str, float]]]) -> str
     body = []
     for channel, values in rows:
         shown = scale(channel.unit, [values["min"], values["max"]])
+        # the alternating part of a constant is round-off, not a result
+        noise = 1e-10 * max(abs(values["min"]), abs(values["max"]))
+        known = {**values, "rms": values["rms"] if values["rms"] > noise else 0.0}
         cells = "".join(
-            f'<td class="num">{number(values[key] * shown.factor)}</td>'
+            f'<td class="num">{number(known[key] * shown.factor)}</td>'
             for key in ("mean", "rms", "min", "max")
         )
         body.append(

@@ -23,7 +23,9 @@ def oscillator(damping=0.02):
     """Disc on a torsion spring, 50 Hz."""
     inertia = 0.01
     k, d = inertia * OMEGA**2, 2.0 * damping * inertia * OMEGA
-    system = assemble([Body(polar_inertia=inertia, name="disc")], {"coupling": couplings([(1, 0, k, d, 0.0)])})
+    system = assemble(
+        [Body(polar_inertia=inertia, name="disc")], {"coupling": couplings([(1, 0, k, d, 0.0)])}
+    )
     state = system.initial_state()
     state.q[0] = 0.01
     return system, state
@@ -45,7 +47,7 @@ def error(method, n):
     return abs(run.state().q[0] - exact(t))
 
 
-@pytest.mark.parametrize(("method", "order", "n"), [("implicit", 2, 400), ("classical", 4, 60)])
+@pytest.mark.parametrize(("method", "order", "n"), [("implicit", 2, 400), ("classical", 4, 150)])
 def test_order_of_convergence_on_a_linear_oscillator(method, order, n):
     found = math.log2(error(method, n) / error(method, 2 * n))
     assert found == pytest.approx(order, abs=0.15)
@@ -120,7 +122,7 @@ def test_a_redundant_constraint_row_is_flagged_and_harmless():
         assert run.advance(1000).status == OK
         finals.append(run.state().q)
         # rigid gears: acceleration of a is T / (i_a + i_b (z1/z2)^2), with z2/z1 = 2
-        assert run.state().a[0] == pytest.approx(3.0 / (1.0 + 4.0 / 4.0), rel=1e-9)
+        assert run.state().a[0] == pytest.approx(3.0 / (1.0 + 4.0 / 4.0), rel=1e-7)
         assert np.abs(system.workspace.g).max() < 1e-12
     assert list(system.workspace.arrays["used"]) == [1, 0]
     np.testing.assert_allclose(finals[1], finals[0], rtol=1e-12)

@@ -106,9 +106,7 @@ def loads(fill, laws=()):
     records["i"] = 1
     fill(records[0], pool)
     body = Body(motion=FREE, mass=1.0, polar_inertia=0.3, transverse_inertia=0.2, name="a")
-    return assemble(
-        [body], {"torque": records}, pools={"torque": pool.array()}, laws={"torque": list(laws)}
-    )
+    return assemble([body], {"torque": records}, pools={"torque": pool.array()}, laws={"torque": list(laws)})
 
 
 def brake(t, x, p):

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint modes`: natural frequencies, damping and names of the modes about an operating point."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet
+from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
+
+if TYPE_CHECKING:
+    from pitchpoint.io.container import Header
+    from pitchpoint.solvers.modal import Modes
+
+
+@click.command()
+@model_file
+@click.option(
+    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if left out."
+)
+@click.option(
+    "--phase",
+    type=click.FloatRange(0.0, 1.0, max_open=True),
+    metavar="PSI",
+    help="Mesh phase at which the meshes are taken; the mean over the mesh cycle if left out.",
+)
+@output("Result file (netCDF-4/HDF5); none if left out.")
+@as_json
+@allow_code
+@quiet
+@debug
+def modes(
+    file: str,
+    scenario: str | None,
+    phase: float | None,
+    output: str | None,
+    as_json: bool,
+    allow_code: bool,
+    quiet: bool,
+) -> None:
+    """Compute the modes of FILE about its loaded state."""
+    from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.cli.results import header_of, known_scenario
+    from pitchpoint.io.yaml_model import load_model
+    from pitchpoint.solvers.modal import find_modes
+    from pitchpoint.system.compile import compile_model
+
+    model = load_model(file, allow_code=allow_code)
+    name = known_scenario(model, scenario) if scenario is not None else None
+    system = compile_model(model, name)
+    with ProgressDisplay("modes", "elements", quiet=quiet) as progress:
+        found = find_modes(system, name, phase=phase, progress=progress)
+    if output is not None:
+        store(output, header_of(model, file, name or "", "modes", "modal"), found)
+    if as_json:
+        emit_json({"modes": rows_of(found), "notes": list(found.notes), "output": output})
+        return
+    cells = [
+        [
+            row["name"],
+            shown(row["frequency"], "frequency", 6),
+            shown(row["damped_frequency"], "frequency", 6),
+            NOTHING if row["damping_ratio"] is None else f"{100.0 * row['damping_ratio']:.3f} %",
+        ]
+        for row in rows_of(found)
+    ]
+    title = (
+        f"{model.title or file}: modes at {'the mean stiffness' if phase is None else f'the phase {phase:g}'}"
+    )
+    table(title, ["mode", "natural frequency", "damped", "damping ratio"], cells)
+    if not quiet:
+        for note in found.notes:
+            show(f"note: {note}")
+        if output is not None:
+            show(f"written to {output}")
+
+
+def rows_of(found: Modes) -> list[dict[str, Any]]:
+    """Collect what `modes --json` prints of each mode; shapes have modal mass 1."""
+    return [
+        {
+            "mode": k + 1,
+            "name": found.names[k],
+            "frequency": float(found.frequency[k]),
+            "damped_frequency": float(found.damped_frequency[k]),
+            "damping_ratio": float(found.damping_ratio[k]) if abs(found.damping_ratio[k]) < 1e300 else None,
+            "eigenvalue": [float(found.eigenvalue[k].real), float(found.eigenvalue[k].imag)],
+            "shape": dict(zip(found.coordinates, found.shape[k].tolist(), strict=True)),
+            "kinetic_share": dict(zip(found.coordinates, found.kinetic[k].tolist(), strict=True)),
+            "potential_share": dict(zip(found.elements, found.potential[k].tolist(), strict=True)),
+        }
+        for k in range(len(found.names))
+    ]
+
+
+def store(path: str, header: Header, found: Modes) -> None:
+    """Write modes to a result file."""
+    from pitchpoint.io.tables import Axis, Quantity, write_tables
+
+    axes = [
+        Axis("mode", list(range(1, len(found.names) + 1)), long_name="number of the mode"),
+        Axis("coordinate", list(found.coordinates)),
+    ]
+    by_coordinate = ("mode", "coordinate")
+    filled = [
+        (Quantity("frequency", ("mode",), "Hz", "undamped natural frequency", "f_0"), found.frequency),
+        (
+            Quantity("damped_frequency", ("mode",), "Hz", "frequency with damping at speed"),
+            found.damped_frequency,
+        ),
+        (Quantity("damping_ratio", ("mode",), "1", "share of critical damping", "zeta"), found.damping_ratio),
+        (Quantity("eigenvalue_real", ("mode",), "1/s", "real part of the eigenvalue"), found.eigenvalue.real),
+        (
+            Quantity("eigenvalue_imag", ("mode",), "1/s", "imaginary part of the eigenvalue"),
+            found.eigenvalue.imag,
+        ),
+        (Quantity("shape", by_coordinate, "1", "undamped shape, modal mass 1"), found.shape),
+        (
+            Quantity("damped_shape_real", by_coordinate, "1", "damped shape, real part"),
+            found.damped_shape.real,
+        ),
+        (
+            Quantity("damped_shape_imag", by_coordinate, "1", "damped shape, imaginary part"),
+            found.damped_shape.imag,
+        ),
+        (Quantity("kinetic_share", by_coordinate, "1", "share in the kinetic energy"), found.kinetic),
+        (Quantity("name", ("mode",), dtype="text", long_name="what moves"), list(found.names)),
+    ]
+    if found.elements:
+        axes.append(Axis("element", list(found.elements)))
+        share = Quantity("potential_share", ("mode", "element"), "1", "share in the strain energy")
+        filled.append((share, found.potential))
+    write_tables(path, header, axes, filled)

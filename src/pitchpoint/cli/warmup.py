@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint warmup`: compile every kernel once; the machine code is kept in the user's cache."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import click
+
+from pitchpoint.cli.options import debug, quiet
+from pitchpoint.cli.output import show
+
+# Two shafts with everything that has a kernel of its own: bearings, damping, friction, laws, drives, events.
+MODEL = """
+title: warm-up
+gears:
+  one: {number_of_teeth: 20, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  two: {number_of_teeth: 30, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+bodies:
+  a: {gears: [one], motion: planar}
+  b: {gears: [two], motion: free}
+meshes:
+  m: {gears: [one, two], center_distance: 50.1 mm, damping: {ratio: 0.05}, friction: {mu: 0.05}}
+bearings:
+  at_a: {body: a, stiffness: {radial: 1e8 N/m}}
+  at_b: {body: b, stiffness: {radial: 1e8 N/m, axial: 1e8 N/m, tilt: 1e5 N m/rad}}
+loads:
+  input: {body: a, torque: 10 N m}
+  output: {body: b, torque: 15 N m}
+scenarios:
+  generalized_alpha: {speed: {a: 500 rpm}, duration: 1 ms, events: [pair_entry]}
+  rk4: {speed: {a: 500 rpm}, duration: 1 ms, method: rk4, step: 1 us, events: [pair_entry]}
+  runge_kutta: {speed: {a: 500 rpm}, duration: 1 ms, method: runge_kutta, events: [pair_entry]}
+  driven: {drive: {a: {speed: 500 rpm}}, duration: 1 ms}
+  sweep: {sweep: {body: a, mesh_frequency: [500 Hz, 600 Hz], points: 2, settle_periods: 1, measure_periods: 1}}
+"""
+
+Job = tuple[str, Callable[[], object]]
+
+
+@click.command()
+@quiet
+@debug
+def warmup(quiet: bool) -> None:
+    """Compile everything once, so that later commands start within a second."""
+    from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.core.kernel import cache_folder
+
+    begun = time.perf_counter()
+    with tempfile.TemporaryDirectory() as folder, ProgressDisplay("warm-up", "jobs", quiet=quiet) as progress:
+        found = jobs(Path(folder))
+        for k, (name, job) in enumerate(found):
+            progress(k, len(found), name)
+            job()
+    if not quiet:
+        seconds = time.perf_counter() - begun
+        show(f"{len(found)} jobs in {seconds:.1f} s; the machine code is in {cache_folder()}")
+
+
+def jobs(folder: Path) -> list[Job]:
+    """List what is to be compiled: every kind of element, then every solver on a small model."""
+    from pitchpoint.cli import run as run_command
+    from pitchpoint.cli import sweep as sweep_command
+    from pitchpoint.core.kernel import address
+    from pitchpoint.elements import registry
+    from pitchpoint.io.yaml_model import load_model
+    from pitchpoint.solvers.modal import find_modes
+    from pitchpoint.system.compile import compile_model
+
+    file = folder / "warmup.yaml"
+    file.write_text(MODEL, encoding="utf-8")
+    model = load_model(file)
+
+    def kind(name: str) -> Job:
+        return f"element {name}", lambda: address(registry.find(name).load().entry)
+
+    def time_response(name: str) -> Job:
+        target = folder / f"{name}.h5"
+        return name, lambda: run_command.compute(model, str(file), name, target, quiet=True)
+
+    listed = [kind(name) for name in registry.names()]
+    listed += [time_response(name) for name, scenario in model.scenarios.items() if scenario.kind == "time"]
+    target = folder / "sweep.h5"
+    listed.append(("sweep", lambda: sweep_command.compute(model, str(file), "sweep", target, quiet=True)))
+    listed.append(("modes", lambda: find_modes(compile_model(model))))
+    return listed

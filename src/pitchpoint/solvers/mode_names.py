@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a mode does, in words: from the shares of bodies and elements in its energies."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pitchpoint.solvers.stiffness_parts import Array, Parts
+from pitchpoint.system.layout import Layout
+
+MOTION = {
+    "x": "translation x",
+    "y": "translation y",
+    "z": "translation z",
+    "alpha": "tilt rx",
+    "beta": "tilt ry",
+    "spin": "rotation",
+}
+"""Words for the coordinates of a body."""
+
+TORSIONAL = 0.7
+"""Share of the spins in the kinetic energy from which a mode counts as torsional."""
+ENOUGH = 0.8
+"""Share of the kinetic energy that the named motions make up."""
+MOST = 3
+"""Most motions that are named."""
+
+
+def mode_names(
+    layout: Layout, parts: Parts, omega: Array, shapes: Array, kinetic: Array, potential: Array
+) -> tuple[str, ...]:
+    """Names of all modes.
+
+    Parameters
+    ----------
+    layout
+        Names of bodies and coordinates.
+    parts
+        Names of the elements and their bodies.
+    omega, shapes
+        Undamped circular frequencies (n,), zero for rigid modes, and shapes (n, nd).
+    kinetic, potential
+        Shares of coordinates (n, nd) and elements (n, ne) in the energies.
+    """
+    several = int(np.sum(omega == 0.0)) > 1
+    return tuple(
+        _rigid(layout, kinetic[j], several)
+        if omega[j] == 0.0
+        else _elastic(layout, parts, shapes[j], kinetic[j], potential[j])
+        for j in range(len(omega))
+    )
+
+
+def _rigid(layout: Layout, kinetic: Array, several: bool) -> str:
+    spins = _spin_share(layout, kinetic)
+    if spins < TORSIONAL:
+        return f"rigid motion: {_motions(layout, kinetic)}"
+    if not several:
+        return "rigid rotation"
+    bodies = [b for b, share in _bodies(layout, kinetic) if share > 0.01]
+    return f"rigid rotation of {', '.join(bodies)}"
+
+
+def _elastic(layout: Layout, parts: Parts, shape: Array, kinetic: Array, potential: Array) -> str:
+    if _spin_share(layout, kinetic) < TORSIONAL or not potential.size:
+        return _motions(layout, kinetic)
+    e = int(np.argmax(potential))
+    one, two = (layout.bodies[b] for b in parts.bodies[e])
+    share = "" if potential[e] > 0.995 else f" {100.0 * potential[e]:.0f} %"
+    if parts.bodies[e][1] == 0:
+        return f"{parts.elements[e]}: {one} against ground (torsion){share}"
+    return f"{parts.elements[e]}: {one} against {two} (torsion){share}"
+
+
+def _motions(layout: Layout, kinetic: Array) -> str:
+    """The motions that hold most of the kinetic energy, largest first."""
+    named, total = [], 0.0
+    for k in np.argsort(-kinetic, kind="stable")[:MOST]:
+        body, _, motion = layout.coordinates[k].rpartition(".")
+        named.append(f"{body} {MOTION[motion]} {100.0 * kinetic[k]:.0f} %")
+        total += float(kinetic[k])
+        if total >= ENOUGH:
+            break
+    return ", ".join(named)
+
+
+def _spin_share(layout: Layout, kinetic: Array) -> float:
+    return float(sum(s for c, s in zip(layout.coordinates, kinetic, strict=True) if c.endswith(".spin")))
+
+
+def _bodies(layout: Layout, kinetic: Sequence[float] | Array) -> list[tuple[str, float]]:
+    """Share of every body, largest first."""
+    shares: dict[str, float] = {}
+    for coordinate, share in zip(layout.coordinates, kinetic, strict=True):
+        body = coordinate.rpartition(".")[0]
+        shares[body] = shares.get(body, 0.0) + float(share)
+    return sorted(shares.items(), key=lambda item: -item[1])

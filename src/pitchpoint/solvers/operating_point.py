@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where linear analyses look: the loaded state of a scenario, with the spins that keep it there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.model.scenario import Scenario
+from pitchpoint.solvers.equilibrium import find_equilibrium, free_spins, same_group
+from pitchpoint.solvers.start import prepare_start
+from pitchpoint.system.system import State, System
+
+
+
+@dataclass(frozen=True)
+class OperatingPoint:
+    """A loaded state.
+
+    Parameters
+    ----------
+    system
+        Own copy of the system with balancing torques and damping filled in.
+    state
+        Position at equilibrium, speeds of the scenario.
+    held
+        Spins that were kept: driven ones, and one of every group that could turn freely.
+    notes
+        What the user should know, in sentences.
+    """
+
+    system: System
+    state: State
+    held: tuple[int, ...]
+    notes: tuple[str, ...] = ()
+
+
+def operating_point(system: System, scenario: Scenario | str | None = None) -> OperatingPoint:
+    """Find the state that a scenario starts from, or the system at rest under its loads.
+
+    Parameters
+    ----------
+    system
+        The compiled model, with the same scenario if it drives bodies.
+    scenario
+        Scenario or its name; default the one the system was compiled with, else at rest.
+
+    Raises
+    ------
+    SolverError
+        If there is no equilibrium.
+    """
+    if isinstance(scenario, str):
+        if system.model is None or scenario not in system.model.scenarios:
+            known = [] if system.model is None else list(system.model.scenarios)
+            raise SolverError(f"no scenario {scenario!r}; there are: {', '.join(known) or 'none'}", INCONSISTENT)
+        scenario = system.model.scenarios[scenario]
+    own = system.copy()
+    held = held_spins(own)
+    if own.model is None:
+        return OperatingPoint(own, find_equilibrium(own, None, held).state, held)
+    start = prepare_start(own, scenario or own.scenario or Scenario())
+    return OperatingPoint(start.system, start.state, held, start.notes)
+
+
+def held_spins(system: System) -> tuple[int, ...]:
+    """Spins of driven bodies, and one of every group of bodies that nothing else keeps from turning."""
+    driven = [system.spin(system.layout.bodies[int(r["i"])]) for r in system.records.get("drive", ())]
+    loose = (h for h in free_spins(system) if not any(same_group(system, h, d) for d in driven))
+    return (*driven, *loose)

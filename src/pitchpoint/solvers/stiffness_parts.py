@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Stiffness of a system split into its elements, and its mean over the mesh cycles.
+
+What an element contributes is the difference between the matrix with it and without it, so every kind keeps
+its physics in its kernel. A mesh is turned through its cycle by moving its path of contact, all bodies staying
+where they are: meshes of a train get their own mean each, whatever the periods of the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.elements import gear_mesh_record as mesh
+from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State, System
+
+Array = NDArray[np.float64]
+
+#: Field that holds the stiffness of an element, by kind; without it the element has none.
+STIFFNESS_FIELD = {"bearing": "K", "coupling": "k", "gear_mesh": "c_prime"}
+
+TOUCH = 1e-9
+"""Penetration at which an unloaded flank is looked at [m]."""
+
+_GAUSS_X, _GAUSS_W = np.polynomial.legendre.leggauss(3)
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Linearised system about one operating point, elements apart.
+
+    Parameters
+    ----------
+    M, D, K
+        Mass, damping and stiffness matrix, shape (nd, nd); D and K are those of the whole system.
+    elements
+        Names of the elements with stiffness, "KIND NAME".
+    bodies
+        The two bodies of each element, 0 is ground, shape (ne, 2).
+    K_element
+        Their shares of K, shape (ne, nd, nd).
+    """
+
+    M: Array
+    D: Array
+    K: Array
+    elements: tuple[str, ...]
+    bodies: NDArray[np.int64]
+    K_element: Array
+
+
+def mesh_names(system: System) -> tuple[str, ...]:
+    """Names of the meshes in the order of their records."""
+    return _names(system, "gear_mesh")
+
+
+def _names(system: System, kind: str) -> tuple[str, ...]:
+    """Names of the elements of a kind, read from the first observation of each."""
+    firsts = (system.layout.channels[int(r["out"])].name for r in system.records.get(kind, ()))
+    return tuple(name.partition("[")[2].rstrip("]").partition(".")[0] for name in firsts)
+
+
+def element_list(system: System) -> list[tuple[str, int, str]]:
+    """All elements with stiffness: kind, number of the record, "WORD NAME" for people."""
+    found = []
+    for kind in STIFFNESS_FIELD:
+        for k, name in enumerate(_names(system, kind)):
+            record = system.records[kind][k]
+            word = "mesh" if kind == "gear_mesh" else "bearing"
+            if kind == "coupling" or (kind == "bearing" and record["j"] != 0):
+                word = "coupling"
+            found.append((kind, k, f"{word} {name}"))
+    return found
+
+
+def matrices(system: System, state: State) -> tuple[Array, Array]:
+    """Damping and stiffness matrix at a state, exact."""
+    return evaluate.matrix(system, state, 0.0, 1.0, 0.0), evaluate.matrix(system, state, 0.0, 0.0, 1.0)
+
+
+def without(system: System, state: State, kind: str, k: int) -> tuple[Array, Array]:
+    """Damping and stiffness matrix at a state with one element left out; the system is unchanged after."""
+    bank, name = system.records[kind], STIFFNESS_FIELD[kind]
+    kept = np.copy(bank[name][k])
+    bank[name][k] = 0.0
+    try:
+        return matrices(system, state)
+    finally:
+        bank[name][k] = kept
+
+
+def shift(record: np.void, share: float) -> None:
+    """Move a mesh on by a share of its cycle; no body moves."""
+    record["xi_0"] += share * record["p_bt"]
+    record["xi_b"] -= share * record["p_bt"]
+
+
+def cycle_nodes(record: np.void, flank: int, pool: Array) -> tuple[Array, Array]:
+    """Phases of a flank and weights whose sum is the mean over one mesh cycle.
+
+    Exact for the closed forms: three Gauss points between kinks (the total is a polynomial of at most degree
+    four there), equal steps for a Fourier series, the middles of the segments of a table and of both values of
+    a rectangular wave. Slices, tables of a pair and user laws are sampled at 128 points.
+    """
+    if record["source"] == mesh.PHASE:
+        n = int(record["n_k"])
+        if record["form"] == 0:
+            return _equal(max(8, 2 * n + 2))
+        if record["form"] == 1:
+            return _equal(n if n >= 32 else n * (32 // n + 1))
+        if record["form"] == 2:
+            share = float(pool[int(record["cosine"]) + 2])
+            return np.array([0.5 * share, 0.5 + 0.5 * share]), np.array([share, 1.0 - share])
+        return _equal(128)
+    if record["slices"] > 0 or record["n_table"] > 0 or record["n_sz"] > 0:
+        return _equal(128)
+    lam = flank * record["tan_b"] / record["p_bt"]
+    eps, L = float(record["eps"]), float(record["L"])
+    edges = [lam * float(record["z_lo"]), lam * float(record["z_hi"])]
+    kinks = np.unique([(p - z) % 1.0 for p in (0.0, eps, L, eps - L, 0.5 * eps) for z in edges])
+    lengths = np.diff(np.append(kinks, kinks[0] + 1.0))
+    middle = kinks + 0.5 * lengths
+    phases = middle[:, None] + 0.5 * lengths[:, None] * _GAUSS_X
+    return phases.ravel(), (0.5 * lengths[:, None] * _GAUSS_W).ravel()
+
+
+def _equal(n: int) -> tuple[Array, Array]:
+    return (np.arange(n) + 0.5) / n, np.full(n, 1.0 / n)
+
+
+def touching(system: System, state: State) -> tuple[str, ...]:
+    """Bring separated front flanks into touch by shifting the assembly; returns the names of their meshes.
+
+    Changes the records of the system: give it a copy.
+    """
+    names = []
+    values = evaluate.observe(system, state)
+    for k, record in enumerate(system.records.get("gear_mesh", ())):
+        if values[system.layout.channel(f"contact_state[{mesh_names(system)[k]}]")] == 0.0:
+            _touch(system, state, record)
+            names.append(mesh_names(system)[k])
+    return tuple(names)
+
+
+def _touch(system: System, state: State, record: np.void) -> None:
+    for _ in range(2):  # the excitation follows the phase
+        evaluate.residual(system, state)
+        aim = 0.5 * record["gap"] + record["sep_min"] + TOUCH
+        record["u0"] += aim - (record["u"] - record["e_t"])
+
+
+def split(
+    system: System,
+    state: State,
+    held: tuple[int, ...],
+    mean: bool = True,
+    touched: tuple[str, ...] = (),
+    progress: Callable[..., None] | None = None,
+) -> Parts:
+    """Linearise about a state and split the stiffness.
+
+    Parameters
+    ----------
+    system
+        The system; its mesh records are moved to and fro, so give a copy if another thread uses it.
+    state
+        Operating point; its speeds count in D and K.
+    held
+        Spins that are kept while a mesh goes through its cycle.
+    mean
+        Take every mesh at its mean over the mesh cycle instead of at its phase.
+    touched
+        Meshes that carry nothing and are kept at the edge of contact.
+    progress
+        Told after every element.
+    """
+    M = evaluate.matrix(system, state, 1.0, 0.0, 0.0)
+    D, K = matrices(system, state)
+    listed = element_list(system)
+    shares = np.zeros((len(listed), *K.shape))
+    bodies = np.zeros((len(listed), 2), np.int64)
+    for e, (kind, k, name) in enumerate(listed):
+        bodies[e] = system.records[kind][k]["i"], system.records[kind][k]["j"]
+        d, rest = without(system, state, kind, k)
+        shares[e], d = K - rest, D - d
+        if kind == "gear_mesh" and mean:
+            loose = name.partition(" ")[2] in touched
+            D_mean, K_mean = _cycle_mean(system, state, held, k, loose)
+            D, K = D + D_mean - d, K + K_mean - shares[e]
+            shares[e] = K_mean
+        if progress is not None:
+            progress(e + 1, len(listed), name)
+    return Parts(M, D, K, tuple(name for _, _, name in listed), bodies, shares)
+
+
+def _cycle_mean(
+    system: System, state: State, held: tuple[int, ...], k: int, loose: bool
+) -> tuple[Array, Array]:
+    """Mean damping and stiffness of mesh k over its cycle, the other meshes at their phase."""
+    record = system.records["gear_mesh"][k]
+    kept = record.copy()
+    names = mesh_names(system)
+    values = evaluate.observe(system, state)
+    flank = -1 if values[system.layout.channel(f"contact_state[{names[k]}]")] < 0.0 else 1
+    now = float(values[system.layout.channel(f"mesh_phase[{names[k]}]")]) if flank > 0 else record["psi"]
+    phases, weights = cycle_nodes(record, flank, system.pools["gear_mesh"])
+    nd = system.sizes["nd"]
+    total = np.zeros((2, nd, nd))
+    at = state
+    try:
+        for psi, weight in zip(phases, weights, strict=True):
+            for name in ("xi_0", "xi_b", "u0"):
+                record[name] = kept[name]
+            shift(record, flank * (float(psi) - now))
+            if loose:
+                _touch(system, at, record)
+            else:
+                at = _rest_at(system, at, held, state)
+            whole, rest = matrices(system, at), without(system, at, "gear_mesh", k)
+            total += weight * (np.array(whole) - np.array(rest))
+    finally:
+        for name in ("xi_0", "xi_b", "u0"):
+            record[name] = kept[name]
+        evaluate.residual(system, state)
+    return total[0], total[1]
+
+
+def _rest_at(system: System, near: State, held: tuple[int, ...], like: State) -> State:
+    found = find_equilibrium(system, near, held).state
+    found.v[:] = like.v
+    return found

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Physics that every registered element kind obeys. A kind that nobody prepared a sample for fails."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pitchpoint.elements import drive, registry
+from pitchpoint.elements.damping import damping_records
+from pitchpoint.elements.force import RECORD as FORCE
+from pitchpoint.multibody.bodies import FREE, Body
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import assemble
+from tests.support.engine import bearings, couplings, differences, gear_rows, positive, torques
+
+#: Kinds with a contract suite of their own.
+ELSEWHERE = {"gear_mesh": "tests/invariants/test_gear_mesh.py"}
+
+
+def _bearing(rng):
+    K, D = positive(rng), 0.1 * positive(rng)
+    K[5, :] = K[:, 5] = D[5, :] = D[:, 5] = 0.0
+    records = bearings([(1, 0, K, D), (1, 2, K, D)])
+    records["zi"], records["zj"] = 0.1, -0.05
+    records["d0"][:, 2] = 0.15, 0.12  # assembled without force
+    return records
+
+
+def _force(rng):
+    records = np.zeros(1, FORCE)
+    records["i"], records["value"], records["z"] = 1, 1.0, 0.3
+    records["F"] = rng.normal(size=6)
+    return records
+
+
+def _torque(rng):
+    records = torques([(1, 3.0), (1, 2.0)])
+    records["j"] = [0, 2]
+    return records
+
+
+def _damping(rng):
+    return damping_records(positive(rng, 12), [(0, 0), (0, 6), (6, 6)])
+
+
+def _drive(rng):
+    records = np.zeros(1, drive.RECORD)
+    records["i"], records["speed"] = 1, 3.0
+    return records
+
+
+SAMPLES = {
+    "bearing": _bearing,
+    "coupling": lambda rng: couplings([(1, 2, 50.0, 0.5, 0.0), (1, 0, 20.0, 0.2, 0.1)]),
+    "damping": _damping,
+    "drive": _drive,
+    "force": _force,
+    "gear_constraint": lambda rng: gear_rows([(1, 2, 20, 41)]),
+    "torque": _torque,
+}
+MADE = sorted(SAMPLES)
+ON_FRAMES = [n for n in MADE if registry.find(n).channel == registry.FRAME]
+
+
+def build(name, tilt=1e-3):
+    rng = np.random.default_rng(7)
+    bodies = [
+        Body(motion=FREE, position=p, mass=1.0, polar_inertia=0.2, transverse_inertia=0.1, name=n)
+        for n, p in (("a", (0.0, 0.0, 0.0)), ("b", (0.0, 0.0, 0.03)))
+    ]
+    system = assemble(bodies, {name: SAMPLES[name](rng)})
+    state = system.initial_state()
+    state.q, state.v = tilt * rng.normal(size=12), rng.normal(size=12)
+    state.q[[5, 11]] = 0.7, -0.4
+    state.v[[0, 1, 2, 3, 4, 6, 7, 8, 9, 10]] *= tilt
+    return system, state
+
+
+def test_every_registered_kind_is_tested():
+    assert set(registry.names()) <= set(SAMPLES) | set(ELSEWHERE)
+
+
+@pytest.mark.nojit
+@pytest.mark.parametrize("name", ON_FRAMES)
+def test_action_is_reaction_about_a_common_point(name):
+    system, state = build(name, tilt=0.1)
+    state.v[:] = 0.0
+    evaluate.residual(system, state)
+    fr = system.workspace.fr
+    # at rest inertia adds nothing; ground's accumulator takes the rest of the sum about its origin
+    total = sum(f["F"][:3] for f in fr)
+    if name == "force":  # an applied load has no partner
+        return
+    np.testing.assert_allclose(total, 0.0, atol=1e-12)
+    moments = sum(f["F"][3:] + np.cross(f["r"], f["F"][:3]) for f in fr)
+    if name == "coupling":  # each side turns about its own axis: equal for parallel axes
+        moments = sum(f["R"][:, 2] @ f["F"][3:] for f in fr)
+    np.testing.assert_allclose(moments, 0.0, atol=1e-12)
+
+
+@pytest.mark.nojit
+@pytest.mark.parametrize("name", MADE)
+def test_tangents_are_derivatives_of_the_force(name):
+    system, state = build(name)
+    _, D, K = evaluate.linearize(system, state)
+    dense = np.abs(D).max() + np.abs(K).max() + 1e-3
+    np.testing.assert_allclose(D, differences(system, state, "v"), atol=1e-3 * dense)
+    np.testing.assert_allclose(K, differences(system, state, "q"), atol=5e-3 * dense)
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_observations_are_declared_and_finite(name):
+    system, state = build(name)
+    row = evaluate.observe(system, evaluate.accelerate(system, state))
+    assert row.size == len(system.layout.channels)
+    assert np.all(np.isfinite(row))
+    assert len({c.name for c in system.layout.channels}) == row.size
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_whole_turns_change_nothing(name):
+    system, state = build(name)
+    if name in ("drive", "coupling"):  # they hold the spin against time or ground
+        return
+    before = evaluate.residual(system, state)
+    state.turns[1] += 41 if name == "gear_constraint" else 5
+    state.turns[2] += -20 if name == "gear_constraint" else 5
+    np.testing.assert_array_equal(evaluate.residual(system, state), before)
+    assert np.all(np.abs(system.workspace.g) < 10.0)

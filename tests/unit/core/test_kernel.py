@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The compiler door: import closure and its stamp, addresses, user laws, the run without a compiler."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import textwrap
+
+import numpy as np
+import pytest
+
+from pitchpoint.core import kernel as door
+from pitchpoint.core.kernel import COMPILING, call_law, import_closure, kernel, law_address
+
+BASE = """
+    import numpy as np
+    from pitchpoint.core.kernel import kernel, view
+    from outsider.sub.helper import factor
+    from pitchpoint.multibody.channels import frame_args
+    RECORD = np.dtype([("value", "f8")], align=True)
+
+    @kernel
+    def entry(ctl, rec, n):
+        view(rec, n, RECORD)[0]["value"] *= factor()
+        return 1
+"""
+HELPER = """
+    from pitchpoint.core.kernel import kernel
+
+    @kernel
+    def factor():
+        return {value}
+"""
+RUN = """
+    import numpy as np
+    from outsider.kind import RECORD, entry
+    from pitchpoint.core.kernel import _COMPILED, address, call, kernel
+    rec = np.ones(1, RECORD)
+
+    @kernel
+    def go(f, where):
+        return call(f, 0, where, 1)
+
+    assert go(address(entry), rec.ctypes.data) == 1
+    hits = _COMPILED[entry].cache_hits if _COMPILED else 0
+    print(rec[0]["value"], hits)
+"""
+
+
+def write(path, text):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(textwrap.dedent(text))
+
+
+def python(code, folder, **env):
+    """Run code in a fresh interpreter with a private kernel cache; returns what it prints."""
+    full = {**os.environ, "NUMBA_CACHE_DIR": str(folder / "cache"), "PYTHONPATH": str(folder), **env}
+    done = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(code)], env=full, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.split()
+
+
+def test_closure_follows_absolute_and_relative_imports_and_stays_inside_the_packages(tmp_path):
+    write(tmp_path / "outsider/__init__.py", "")
+    write(tmp_path / "outsider/kind.py", "from .sub import helper\nimport numpy\n")
+    write(tmp_path / "outsider/sub/__init__.py", "")
+    write(tmp_path / "outsider/sub/helper.py", "from ..other import (\n    x,\n)\n")
+    write(tmp_path / "outsider/other.py", "import pitchpoint.core.status\nx = 1\n")
+    write(tmp_path / "outsider/unrelated.py", "")
+    names = {p.name for p in import_closure(tmp_path / "outsider/kind.py")}
+    assert {"kind.py", "helper.py", "other.py", "status.py"} <= names
+    assert "unrelated.py" not in names
+    assert not any("numpy" in str(p) for p in import_closure(tmp_path / "outsider/kind.py"))
+
+
+def test_driver_reaches_the_core_but_no_kind():
+    from pitchpoint.solvers import generalized_alpha
+
+    names = {p.name for p in import_closure(generalized_alpha.__file__)}
+    assert {"residual.py", "block_lu.py", "kinematics.py", "channels.py", "kernel.py"} <= names
+
+
+@pytest.mark.slow
+def test_an_edited_helper_is_noticed_and_an_unchanged_kind_is_loaded(tmp_path):
+    write(tmp_path / "outsider/__init__.py", "")
+    write(tmp_path / "outsider/sub/__init__.py", "")
+    write(tmp_path / "outsider/kind.py", BASE)
+    write(tmp_path / "outsider/sub/helper.py", HELPER.format(value=2.0))
+    assert python(RUN, tmp_path) == ["2.0", "0"]
+    assert python(RUN, tmp_path) == ["2.0", "1"]
+    write(tmp_path / "outsider/sub/helper.py", HELPER.format(value=3.0))
+    assert python(RUN, tmp_path) == ["3.0", "0"]
+    write(tmp_path / "outsider/unrelated.py", "x = 1\n")
+    assert python(RUN, tmp_path) == ["3.0", "1"]
+
+
+def compiled_law(t, x, p):
+    return p[0] * x + t
+
+
+def plain_law(t, x, p):
+    return float(str(x)) * p[0]
+
+
+def failing_law(t, x, p):
+    return {}[str(x)]
+
+
+@kernel
+def ask(where, t, x, p):
+    return call_law(where, t, x, p)
+
+
+@pytest.mark.nojit
+def test_user_laws_compiled_or_plain_give_the_same_call():
+    p = np.array([3.0])
+    assert ask(law_address(compiled_law), 1.0, 2.0, p.ctypes.data) == 7.0
+    assert ask(law_address(plain_law), 1.0, 2.0, p.ctypes.data) == 6.0
+
+
+@pytest.mark.skipif(not COMPILING, reason="without the compiler the exception itself arrives")
+def test_an_exception_in_a_plain_law_becomes_nan():
+    assert np.isnan(ask(law_address(failing_law), 0.0, 0.0, np.zeros(1).ctypes.data))
+
+
+SMALL = """
+    import sys
+    sys.path.insert(0, {root!r})
+    import numpy as np
+    from pitchpoint.multibody.bodies import FREE, Body
+    from pitchpoint.solvers import generalized_alpha
+    from pitchpoint.system.system import assemble
+    from tests.support.engine import bearings, couplings, torques
+    K = np.diag([1e7, 2e7, 1e7, 1e4, 1e4, 0.0])
+    body = [Body(motion=FREE, mass=1.0, polar_inertia=0.01, transverse_inertia=0.02, center=0.01, name=n)
+            for n in "ab"]
+    banks = {{"bearing": bearings([(1, 0, K, 1e-5 * K), (2, 0, K, 1e-5 * K)]),
+             "coupling": couplings([(1, 2, 1e4, 1.0, 1e-3)]), "torque": torques([(1, 10.0), (2, -8.0)])}}
+    s = assemble(body, banks)
+    state = s.initial_state()
+    state.v[:] = np.linspace(-0.01, 0.02, 12)
+    run = generalized_alpha.start(s, state, 1e-5)
+    assert run.advance(30).status == 1
+    print(*(x.hex() for x in np.concatenate([run.state().q, run.state().v]).tolist()))
+"""
+
+
+@pytest.mark.slow
+def test_the_run_without_the_compiler_agrees():
+    root = str(os.path.abspath(os.path.join(os.path.dirname(__file__), "../../..")))
+    results = []
+    for flag in ("0", "1"):
+        done = subprocess.run(
+            [sys.executable, "-c", textwrap.dedent(SMALL.format(root=root))],
+            env={**os.environ, "NUMBA_DISABLE_JIT": flag},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+        results.append(np.array([float.fromhex(x) for x in done.stdout.split()]))
+    scale = np.abs(results[0]).max()
+    np.testing.assert_allclose(results[1], results[0], rtol=1e-12, atol=1e-12 * scale)
+
+
+@pytest.mark.skipif(not COMPILING, reason="needs the compiler")
+def test_every_kernel_of_the_core_has_one_signature():
+    from pitchpoint.solvers import generalized_alpha
+    from tests.support.engine import rattle
+
+    run = generalized_alpha.start(rattle(), rattle().initial_state(), 1e-5)
+    run.advance(3)
+    generic = {"view", "call", "call_law"}
+    many = []
+    for name, module in list(sys.modules.items()):
+        if name.startswith("pitchpoint.") and module is not door:
+            for key, value in vars(module).items():
+                signatures = getattr(value, "signatures", None)
+                if signatures is not None and key not in generic and len(signatures) > 1:
+                    many.append(f"{name}.{key}: {len(signatures)}")
+    assert not many
