@@ -88,7 +88,8 @@ def options_of(scenario: Scenario) -> dict[str, Any]:
     }
     for name in ("drive", "sweep", "quasi_static"):
         value = options[name]
-        options[name] = dataclasses.asdict(value) if dataclasses.is_dataclass(value) else str(value or "")
+        known = dataclasses.is_dataclass(value) and not isinstance(value, type)
+        options[name] = dataclasses.asdict(value) if known else str(value or "")
     options["settle_time"] = scenario.statistics_start
     return options
 

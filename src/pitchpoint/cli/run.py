@@ -57,8 +57,8 @@ def run(
     elif summary["steps"] or error is None:
         statistics_table(f"{model.title or file}: {name}", summary["channels"])
         if not quiet:
-            step = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
-            show(f"{summary['steps']} steps{step} in {summary['wall_s']:.3g} s, written to {target}")
+            size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
+            show(f"{summary['steps']} steps{size} in {summary['wall_s']:.3g} s, written to {target}")
             for note in summary["notes"]:
                 show(f"note: {note}")
     return OK if error is None else exit_code_of(error)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import tempfile
 import time
 from collections.abc import Callable
@@ -35,7 +36,8 @@ scenarios:
   rk4: {speed: {a: 500 rpm}, duration: 1 ms, method: rk4, step: 1 us, events: [pair_entry]}
   runge_kutta: {speed: {a: 500 rpm}, duration: 1 ms, method: runge_kutta, events: [pair_entry]}
   driven: {drive: {a: {speed: 500 rpm}}, duration: 1 ms}
-  sweep: {sweep: {body: a, mesh_frequency: [500 Hz, 600 Hz], points: 2, settle_periods: 1, measure_periods: 1}}
+  sweep: {sweep: {body: a, mesh_frequency: [500 Hz, 600 Hz], points: 2,
+                  settle_periods: 1, measure_periods: 1}}
 """
 
 Job = tuple[str, Callable[[], object]]
@@ -47,6 +49,7 @@ Job = tuple[str, Callable[[], object]]
 def warmup(quiet: bool) -> None:
     """Compile everything once, so that later commands start within a second."""
     from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.core.errors import SolverError
     from pitchpoint.core.kernel import cache_folder
 
     begun = time.perf_counter()
@@ -54,7 +57,8 @@ def warmup(quiet: bool) -> None:
         found = jobs(Path(folder))
         for k, (name, job) in enumerate(found):
             progress(k, len(found), name)
-            job()
+            with contextlib.suppress(SolverError):  # compiled is compiled, whatever the numbers are
+                job()
     if not quiet:
         seconds = time.perf_counter() - begun
         show(f"{len(found)} jobs in {seconds:.1f} s; the machine code is in {cache_folder()}")

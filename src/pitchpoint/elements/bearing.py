@@ -212,6 +212,41 @@ def _damping_geometric(b, f, k, ck):
 
 
 @kernel
+def _rotating_damping(b, f, g, kk, ck):
+    """Damper that turns with a spinning body j: its rate w_a.(omega_j x arm) makes circulatory stiffness."""
+    o = g["tw"]
+    P = b["Pi"]
+    D = b["D"]
+    s = b["zi"]
+    for a in range(3):
+        g0 = o[4] * P[a, 2] - o[5] * P[a, 1]  # omega_j x w_a
+        g1 = o[5] * P[a, 0] - o[3] * P[a, 2]
+        g2 = o[3] * P[a, 1] - o[4] * P[a, 0]
+        h0 = s * (f["R"][1, 2] * g2 - f["R"][2, 2] * g1)  # arm of marker i x that
+        h1 = s * (f["R"][2, 2] * g0 - f["R"][0, 2] * g2)
+        h2 = s * (f["R"][0, 2] * g1 - f["R"][1, 2] * g0)
+        for r in range(6):
+            x = 0.0
+            y = 0.0
+            for e in range(6):
+                x += ck * P[e, r] * D[e, a]
+                y += ck * b["Pj"][e, r] * D[e, a]
+            for side in range(2):
+                w = x if side == 0 else y
+                left = kk[b["ii"]] if side == 0 else kk[b["ji"]]
+                right = kk[b["ij"]] if side == 0 else kk[b["jj"]]
+                left[r, 0] += w * g0
+                left[r, 1] += w * g1
+                left[r, 2] += w * g2
+                left[r, 3] += w * h0
+                left[r, 4] += w * h1
+                left[r, 5] += w * h2
+                right[r, 0] -= w * g0
+                right[r, 1] -= w * g1
+                right[r, 2] -= w * g2
+
+
+@kernel
 def bearing(rec, ctl, fr, kk):
     """Forces, tangents and observations of all bearings."""
     c = ctl[0]
@@ -247,6 +282,8 @@ def bearing(rec, ctl, fr, kk):
             if c["jac"] == 2 and b["j"] == 0 and c["ck"] != 0.0:
                 _geometric(b, f, kk[b["ii"]], c["ck"])
                 _damping_geometric(b, f, kk[b["ii"]], c["ck"])
+            elif c["jac"] == 2 and c["ck"] != 0.0:
+                _rotating_damping(b, f, g, kk, c["ck"])
         if c["out"] != 0:
             out = observations(ctl)
             for r in range(6):

@@ -196,7 +196,7 @@ def _events(at, t, h, found, n):
 def advance_adaptive(at, t, t_end, tol, grid, most, restart, rows, sums, found, done):
     """Go from t to t_end with step control.
 
-    tol: rtol, atol, atol_rate, constraint rate. grid: time of sample 0 and distance of samples (0: none); rows
+    tol: rtol, atol, atol_rate, constraint rate. grid: time of sample 0, distance of samples (0: none); rows
     are stored and statistics fed at grid times. restart != 0: begin anew at every event. done: steps, rows,
     events. The time reached and the next step size stay in `real`.
     """

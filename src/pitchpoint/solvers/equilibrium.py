@@ -2,9 +2,9 @@
 """Static equilibrium: where a system stands still under its loads, gears in contact or not.
 
 Newton's method cannot start inside the backlash, where nothing resists a turn. So each step solves
-(K + M/tau^2) dq = -R: with a short pseudo-time tau the bodies drift apart along their loads until flanks touch,
-with a growing one the step becomes Newton's. Spins that nothing holds (every rigid gear train has one) are kept
-at their angle; the torque that this takes is reported: it is zero if the loads balance.
+(K + M/tau^2) dq = -R: with a short pseudo-time tau the bodies drift apart along their loads until flanks
+touch, with a growing one the step becomes Newton's. Spins that nothing holds (every rigid gear train has one)
+are kept at their angle; the torque that this takes is reported: it is zero if the loads balance.
 
 Source of the idea: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM
 Journal on Numerical Analysis 35 (1998) 508-523.
@@ -130,8 +130,11 @@ def find_equilibrium(
     scale = max(float(np.abs(R * weight).max(initial=0.0)), 1e-12)
     size = float(np.abs((R * weight)[free]).max(initial=0.0))
     first = size
+    # where the terms of the residual cancel, nothing below their round-off can be asked for
+    stiffness = np.abs(evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON))
+    floor = 4e-16 * float((weight * (stiffness @ np.abs(state.q))).max(initial=0.0))
     mu, count = 1e4, 0
-    while size > tolerance * scale and count < MOST_ITERATIONS:
+    while size > max(tolerance * scale, floor) and count < MOST_ITERATIONS:
         K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
         step = np.linalg.lstsq(K + mu * mass, -R[free], rcond=None)[0]
         trial = state.copy()
@@ -152,7 +155,7 @@ def find_equilibrium(
             mu *= 8.0
             if mu > 1e30:
                 break
-    if size > tolerance * scale:
+    if size > max(tolerance * scale, floor):
         raise SolverError(
             f"no equilibrium found after {count} steps: {size:.3g} N are left over on "
             f"{system.layout.coordinates[int(free[np.argmax(np.abs((R * weight)[free]))])]}; "

@@ -49,7 +49,7 @@ class Modes:
         Complex eigenvalue with damping and gyroscopic terms [1/s], shape (n,), the one with Im >= 0; each
         stands beside the undamped mode it resembles most.
     damped_frequency, damping_ratio
-        Im/2 pi [Hz] and -Re/|eigenvalue|, shape (n,); a ratio above 1 is overdamped and has no frequency.
+        Im/2 pi [Hz] and -Re/|eigenvalue|, shape (n,); 0 Hz and no ratio (nan) where a mode creeps.
     damped_shape
         Complex shapes, shape (n, nd); largest component by mass real and positive, modal mass 1.
     kinetic
@@ -111,7 +111,8 @@ def linearise(
     notes = list(point.notes)
     if loose:
         notes.append(
-            f"no load presses the flanks of {', '.join(loose)} together: the front flanks are taken as touching"
+            f"no load presses the flanks of {', '.join(loose)} together: "
+            "the front flanks are taken as touching"
         )
     still = state.copy()
     still.v[:] = 0.0
@@ -190,7 +191,7 @@ def undamped(M: Array, K: Array, basis: Array) -> tuple[Array, Array]:
 
 
 def _settled(block: Array, root: Array) -> Array:
-    """One fixed choice among the shapes of a (multiple) root: each takes all of the component that is largest.
+    """One fixed choice among the shapes of a (multiple) root: each takes all of one component.
 
     The first shape is the projection of the coordinate that moves most in the whole space onto it, and so on;
     ties go to the first coordinate. Signs: that component is positive.
@@ -220,7 +221,7 @@ def damped(D: Array, K: Array, shapes: Array, omega: Array) -> tuple[NDArray[np.
     Parameters
     ----------
     D, K
-        Damping and stiffness matrix, shape (nd, nd), gyroscopic terms included.
+        Damping matrix, and what the speeds add to the stiffness matrix, shape (nd, nd).
     shapes, omega
         Undamped modes, shape (n, nd) and (n,): the basis in which the problem is well scaled.
 
@@ -228,30 +229,52 @@ def damped(D: Array, K: Array, shapes: Array, omega: Array) -> tuple[NDArray[np.
     -------
     eigenvalue (n,), shape in terms of the undamped modes (n, n), complex
     """
+    n = len(shapes)
+    k = np.diag(omega * np.abs(omega)) + shapes @ K @ shapes.T
+    d = shapes @ D @ shapes.T
+    unit = max(float(np.abs(omega).max(initial=0.0)), float(np.abs(d).max(initial=0.0)), 1e-300)
+    # rigid modes that nothing ties to the rest stay out: a double zero root would lose half its digits
+    size = np.abs(k) / unit**2 + np.abs(d) / unit
+    tied = (omega != 0.0) | (size.max(axis=0, initial=0.0) > 1e-12) | (size.max(axis=1, initial=0.0) > 1e-12)
+    values, z = np.zeros(n, complex), np.eye(n, dtype=complex)
+    if np.any(tied):
+        own = np.ix_(tied, tied)
+        values[tied], z[own] = _quadratic(k[own] / unit**2, d[own] / unit)
+    return values * unit, z
+
+
+def _quadratic(k: Array, d: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Roots of z'' + d z' + k z = 0, one of each pair, sorted to the coordinates; shapes of length 1."""
     from scipy.linalg import eig
     from scipy.optimize import linear_sum_assignment
 
-    n = len(shapes)
-    k, d = shapes @ K @ shapes.T, shapes @ D @ shapes.T
-    unit = max(float(np.abs(omega).max(initial=0.0)), float(np.abs(d).max(initial=0.0)), 1.0)
-    companion = np.block([[np.zeros((n, n)), np.eye(n)], [-k / unit**2, -d / unit]])
-    values, vectors = eig(companion)
-    values = np.where(np.abs(values) < 1e-6 * min(1.0, _smallest(omega, unit)), 0.0, values)
+    n = len(k)
+    values, vectors = eig(np.block([[np.zeros((n, n)), np.eye(n)], [-k, -d]]))
     upper = [j for j in range(2 * n) if values[j].imag > 1e-12]
     real = sorted((j for j in range(2 * n) if abs(values[j].imag) <= 1e-12), key=lambda j: values[j].real)
-    # real roots come in pairs too: the slowest stands for its mode
-    upper += real[1::2]
+    upper += real[1::2]  # real roots come in pairs too: the slower stands for its mode
     z = vectors[:n, upper]
     z = z / np.linalg.norm(z, axis=0)
-    rows, columns = linear_sum_assignment(-(np.abs(z) ** 2))
-    chosen = np.array(upper)[columns[np.argsort(rows)]]
-    z = vectors[:n, chosen]
-    return values[chosen] * unit, z / np.linalg.norm(z, axis=0)
+    _, columns = linear_sum_assignment(-(np.abs(z) ** 2))
+    found = values[upper][columns]
+    return np.where(np.abs(found) < 1e-12, 0.0, found), z[:, columns]
 
 
-def _smallest(omega: Array, unit: float) -> float:
-    elastic = np.abs(omega[omega != 0.0])
-    return float(elastic.min() / unit) if elastic.size else 1.0
+def energy_shares(parts: Parts, shapes: Array, omega: Array) -> tuple[Array, Array]:
+    """Shares of coordinates (n, nd) and elements (n, ne) in kinetic and strain energy (rigid modes: 0)."""
+    kinetic = shapes * (shapes @ parts.M)
+    potential = np.einsum("ni,eij,nj->ne", shapes, parts.K_element, shapes)
+    potential = np.where(omega[:, None] == 0.0, 0.0, potential)
+    total = potential.sum(axis=1, keepdims=True)
+    return kinetic, np.divide(potential, total, out=np.zeros_like(potential), where=total > 0.0)
+
+
+def ratio_of(values: NDArray[np.complex128]) -> Array:
+    """Share of critical damping of eigenvalues; 0 for a rigid mode, nan for one that creeps."""
+    size = np.abs(values)
+    ratio = np.divide(-values.real, size, out=np.zeros(size.shape), where=size > 0.0)
+    ratio[(values.imag <= 0.0) & (size > 0.0)] = np.nan
+    return np.asarray(ratio)
 
 
 def find_modes(
@@ -290,22 +313,15 @@ def find_modes(
     linear = linearise(system, scenario, phase=phase, mean=mean, progress=progress)
     parts = linear.at_rest
     omega, shapes = undamped(parts.M, parts.K, linear.basis)
-    values, z = damped(linear.D, linear.K, shapes, omega)
+    values, z = damped(linear.D, linear.K - parts.K, shapes, omega)
     complex_shapes = _turned(z.T @ shapes, parts.M)
-    kinetic = shapes * (shapes @ parts.M)
-    potential = np.einsum("ni,eij,nj->ne", shapes, parts.K_element, shapes)
-    potential = np.where(omega[:, None] == 0.0, 0.0, potential)
-    total = potential.sum(axis=1, keepdims=True)
-    potential = np.divide(potential, total, out=np.zeros_like(potential), where=total > 0.0)
-    size = np.abs(values)
-    ratio = np.divide(-values.real, size, out=np.zeros(size.size), where=size > 0.0)
-    ratio = np.where(values.imag > 0.0, ratio, np.where(size > 0.0, np.inf * np.sign(ratio), 0.0))
+    kinetic, potential = energy_shares(parts, shapes, omega)
     return Modes(
         frequency=omega / (2.0 * np.pi),
         shape=shapes,
         eigenvalue=values,
         damped_frequency=values.imag / (2.0 * np.pi),
-        damping_ratio=ratio,
+        damping_ratio=ratio_of(values),
         damped_shape=complex_shapes,
         kinetic=kinetic,
         potential=potential,

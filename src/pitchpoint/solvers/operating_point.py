@@ -5,14 +5,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.equilibrium import find_equilibrium, free_spins, same_group
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system.system import State, System
-
 
 
 @dataclass(frozen=True)
@@ -55,7 +53,9 @@ def operating_point(system: System, scenario: Scenario | str | None = None) -> O
     if isinstance(scenario, str):
         if system.model is None or scenario not in system.model.scenarios:
             known = [] if system.model is None else list(system.model.scenarios)
-            raise SolverError(f"no scenario {scenario!r}; there are: {', '.join(known) or 'none'}", INCONSISTENT)
+            raise SolverError(
+                f"no scenario {scenario!r}; there are: {', '.join(known) or 'none'}", INCONSISTENT
+            )
         scenario = system.model.scenarios[scenario]
     own = system.copy()
     held = held_spins(own)

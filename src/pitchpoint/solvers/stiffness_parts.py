@@ -2,8 +2,8 @@
 """Stiffness of a system split into its elements, and its mean over the mesh cycles.
 
 What an element contributes is the difference between the matrix with it and without it, so every kind keeps
-its physics in its kernel. A mesh is turned through its cycle by moving its path of contact, all bodies staying
-where they are: meshes of a train get their own mean each, whatever the periods of the others.
+its physics in its kernel. A mesh is turned through its cycle by moving its path of contact, all bodies
+staying where they are: meshes of a train get their own mean each, whatever the periods of the others.
 """
 
 from __future__ import annotations
@@ -104,8 +104,8 @@ def cycle_nodes(record: np.void, flank: int, pool: Array) -> tuple[Array, Array]
     """Phases of a flank and weights whose sum is the mean over one mesh cycle.
 
     Exact for the closed forms: three Gauss points between kinks (the total is a polynomial of at most degree
-    four there), equal steps for a Fourier series, the middles of the segments of a table and of both values of
-    a rectangular wave. Slices, tables of a pair and user laws are sampled at 128 points.
+    four there), equal steps for a Fourier series, the middles of the segments of a table and of both values
+    of a rectangular wave. Slices, tables of a pair and user laws are sampled at 128 points.
     """
     if record["source"] == mesh.PHASE:
         n = int(record["n_k"])
@@ -207,7 +207,7 @@ def _cycle_mean(
     names = mesh_names(system)
     values = evaluate.observe(system, state)
     flank = -1 if values[system.layout.channel(f"contact_state[{names[k]}]")] < 0.0 else 1
-    now = float(values[system.layout.channel(f"mesh_phase[{names[k]}]")]) if flank > 0 else record["psi"]
+    now = _phase(system, state, k, flank)
     phases, weights = cycle_nodes(record, flank, system.pools["gear_mesh"])
     nd = system.sizes["nd"]
     total = np.zeros((2, nd, nd))
@@ -220,7 +220,9 @@ def _cycle_mean(
             if loose:
                 _touch(system, at, record)
             else:
-                at = _rest_at(system, at, held, state)
+                for _ in range(2):  # the deflection there moves the phase a little
+                    at = _rest_at(system, at, held, state)
+                    shift(record, flank * _nearest(float(psi) - _phase(system, at, k, flank)))
             whole, rest = matrices(system, at), without(system, at, "gear_mesh", k)
             total += weight * (np.array(whole) - np.array(rest))
     finally:
@@ -228,6 +230,19 @@ def _cycle_mean(
             record[name] = kept[name]
         evaluate.residual(system, state)
     return total[0], total[1]
+
+
+def _phase(system: System, state: State, k: int, flank: int) -> float:
+    """Phase of one flank of mesh k; that of the back flank is left in the record by its own sum."""
+    values = evaluate.observe(system, state)
+    if flank < 0:
+        return float(system.records["gear_mesh"][k]["psi"])
+    return float(values[system.layout.channel(f"mesh_phase[{mesh_names(system)[k]}]")])
+
+
+def _nearest(difference: float) -> float:
+    """Difference of two phases in [-1/2, 1/2)."""
+    return (difference + 0.5) % 1.0 - 0.5
 
 
 def _rest_at(system: System, near: State, held: tuple[int, ...], like: State) -> State:

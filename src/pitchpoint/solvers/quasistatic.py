@@ -1,0 +1,334 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Slow roll through whole mesh periods: transmission error with and without load, stiffness, load sharing.
+
+One spin is held at equal steps of its angle and everything else comes to rest under the loads. Nothing moves
+fast enough for inertia, damping or friction to count: speeds are zero, so this is the limit of the dynamics
+for vanishing speed (the smoothed Coulomb friction vanishes there too).
+
+Without load means that the torque vanishes while the flanks keep touching, bearings undeformed: what is left
+is the kinematic error of the flanks themselves (modifications, deviations, prescribed error) and half the
+backlash.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import DIVERGED, INCONSISTENT
+from pitchpoint.model.scenario import Scenario
+from pitchpoint.solvers.equilibrium import find_equilibrium, same_group
+from pitchpoint.solvers.operating_point import held_spins, operating_point
+from pitchpoint.solvers.stiffness_parts import STIFFNESS_FIELD, Array, mesh_names
+from pitchpoint.system import evaluate
+from pitchpoint.system.residual import NEWTON
+from pitchpoint.system.system import State, System
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+DEPTH = 1e-13
+"""Penetration at which an unloaded flank counts as just touching [m]."""
+DIMENSION = "mesh_phase_position"
+
+
+@dataclass(frozen=True)
+class MeshRoll:
+    """One mesh over the roll; arrays of shape (n,).
+
+    Parameters
+    ----------
+    unloaded
+        Transmission error with vanishing torque [m], from mid-gap along the base tangent.
+    tangent_stiffness
+        Derivative of the mesh force by the transmission error, all else kept [N/m].
+    share
+        Share of every tooth pair in the mesh force, shape (n, n_pair).
+    """
+
+    unloaded: Array
+    tangent_stiffness: Array
+    share: Array
+
+
+@dataclass(frozen=True)
+class Roll:
+    """A quasi-static roll.
+
+    Parameters
+    ----------
+    mesh
+        The mesh whose periods count.
+    position
+        Periods rolled so far, shape (n,), n = points * periods + 1.
+    rows
+        All observations, shape (n, no), in the order of the channels of the system.
+    meshes
+        What else there is to say, by mesh.
+    reaction
+        Torque that held the turned spin [N m], shape (n,).
+    notes
+        What the user should know, in sentences.
+    """
+
+    mesh: str
+    position: Array
+    rows: Array
+    meshes: dict[str, MeshRoll]
+    reaction: Array
+    notes: tuple[str, ...] = ()
+
+
+def roll_through(
+    system: System,
+    what: Scenario | str | None = None,
+    points: int = 100,
+    periods: int = 1,
+    *,
+    progress: Progress = silent,
+) -> Roll:
+    """Roll slowly through mesh periods; parameters as in `solve_quasistatic`."""
+    scenario, mesh, points, periods = _plan(system, what, points, periods)
+    if system.model is None:
+        raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
+    point = operating_point(system, scenario)
+    own = point.system.copy()
+    k = mesh_names(own).index(mesh)
+    record = own.records["gear_mesh"][k]
+    body = next(int(record[e]) for e in ("i", "j") if own.program["body"][record[e]]["spin"] >= 0)
+    z = record["z1"] if body == record["i"] else record["z2"]
+    turned = own.layout.bodies[body]
+    spin = own.spin(turned)
+    held = (spin, *(h for h in held_spins(own) if not same_group(own, h, spin)))
+    direction = -1.0 if point.state.v[spin] < 0.0 else 1.0
+    rates = _rates(own, turned)
+    step = direction * 2.0 * np.pi / (abs(int(z)) * points)
+    state = point.state.copy()
+    state.v[:] = 0.0
+    n = points * periods + 1
+    rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros(n)
+    names = mesh_names(own)
+    unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
+    state = find_equilibrium(own, state, held).state
+    clear = _assembled(own, state)
+    for s in range(n):
+        found = find_equilibrium(own, state, held)
+        state = found.state
+        rows[s] = evaluate.observe(own, state)
+        reaction[s] = found.reaction[0]
+        for m in range(len(names)):
+            tangent[m, s] = _tangent(own, state, m)
+            unloaded[m, s] = _touching_error(
+                own, clear, m, rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
+            )
+        state, clear = _turn(own, state, step * rates), _turn(own, clear, step * rates)
+        progress(s + 1, n, f"{mesh}: roll")
+    meshes = {
+        name: MeshRoll(
+            unloaded[m], tangent[m], _shares(own, rows, name, int(own.records["gear_mesh"][m]["n_pair"]))
+        )
+        for m, name in enumerate(names)
+    }
+    return Roll(mesh, np.arange(n) / points, rows, meshes, reaction, point.notes)
+
+
+def _plan(
+    system: System, what: Scenario | str | None, points: int, periods: int
+) -> tuple[Scenario, str, int, int]:
+    """Find out which scenario and which mesh are meant."""
+    names = mesh_names(system)
+    scenarios = {} if system.model is None else system.model.scenarios
+    mesh = None
+    if isinstance(what, str) and what in names:
+        mesh, what = what, None
+    elif isinstance(what, str) and what not in scenarios:
+        known = ", ".join((*names, *scenarios)) or "none"
+        raise SolverError(f"no mesh or scenario {what!r}; there are: {known}", INCONSISTENT)
+    chosen = scenarios[what] if isinstance(what, str) else what
+    chosen = chosen or system.scenario or Scenario()
+    if chosen.quasi_static is not None:
+        q = chosen.quasi_static
+        mesh, points, periods = mesh or q.mesh, q.points, q.periods
+    if mesh is None and len(names) != 1:
+        raise SolverError(f"say which mesh is rolled; there are: {', '.join(names) or 'none'}", INCONSISTENT)
+    mesh = mesh or names[0]
+    if mesh not in names:
+        raise SolverError(
+            f"no mesh {mesh!r} between bodies; there are: {', '.join(names) or 'none'}", INCONSISTENT
+        )
+    if points < 2 or periods < 1:
+        raise SolverError("a roll needs at least 2 points and 1 period", INCONSISTENT)
+    return chosen, mesh, points, periods
+
+
+def _rates(system: System, turned: str) -> Array:
+    """Turn of every coordinate per turn of one body, through the gear ratios."""
+    assert system.model is not None
+    rates = np.zeros(system.sizes["nd"])
+    for name, speed in system.model.start_speeds(Scenario(speed={turned: 1.0})).items():
+        if speed != 0.0:
+            rates[system.spin(name)] = speed
+    return rates
+
+
+def _turn(system: System, state: State, by: Array) -> State:
+    """The state with its spins moved on, remainders kept small."""
+    new = state.copy()
+    new.q += by
+    for spin, body in system.program["spins"]:
+        turns = round(new.q[spin] / (2.0 * np.pi))
+        new.q[spin] -= 2.0 * np.pi * turns
+        new.turns[body] += turns
+    return new
+
+
+def _assembled(system: System, state: State) -> State:
+    """The same spins with all other coordinates at zero."""
+    new = state.copy()
+    spins = system.program["spins"][:, 0]
+    new.q[:] = 0.0
+    new.q[spins] = state.q[spins]
+    return new
+
+
+def _tangent(system: System, state: State, m: int) -> float:
+    """Slope of the force of mesh m over the travel of one of its gears along the base tangent."""
+    record = system.records["gear_mesh"][m]
+    body, radius = (record["i"], record["r_b1"])
+    if system.program["body"][body]["spin"] < 0:
+        body, radius = record["j"], record["r_b2"]
+    spin = int(system.program["body"][body]["spin"])
+    field = STIFFNESS_FIELD["gear_mesh"]
+    whole = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
+    kept = float(record[field])
+    record[field] = 0.0
+    try:
+        rest = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
+    finally:
+        record[field] = kept
+    return float((whole - rest) / radius**2)
+
+
+def _touching_error(system: System, clear: State, m: int, contact: float) -> float:
+    """Transmission error of mesh m alone where its flank just touches, gear 1 turned as in `clear`.
+
+    The force is a convex function of the travel, so Newton's method from inside the material cannot miss.
+    """
+    record = system.records["gear_mesh"][m]
+    flank = -1.0 if contact < 0.0 else 1.0
+    which, radius = ("j", float(record["r_b2"]))
+    if system.program["body"][record["j"]]["spin"] < 0:
+        which, radius = "i", float(record["r_b1"])
+    spin = int(system.program["body"][record[which]]["spin"])
+    names = mesh_names(system)
+    u = system.layout.channel(f"transmission_error[{names[m]}]")
+    aim = DEPTH * float(record["k_ref"])
+    state = clear.copy()
+    evaluate.residual(system, state)
+    span = abs(float(record["gap"])) + 1e-6
+    for _ in range(200):
+        # force against depth beyond any gap: go in until it bites, then down to the edge
+        values = evaluate.observe(system, state)
+        force = flank * float(values[u + 2])
+        if force > 0.0:
+            break
+        state.q[spin] += flank * span / radius
+        span *= 1.2
+    reach = span
+    for _ in range(200):
+        values = evaluate.observe(system, state)
+        force = flank * float(values[u + 2])
+        if force > 0.0:
+            change = (force - aim) / abs(_tangent(system, state, m))
+            if abs(change) < DEPTH:
+                return float(values[u])
+            reach = 0.01 * abs(change)
+            state.q[spin] -= flank * change / radius
+        else:
+            # the edge moves a little with the phase: a small step back in
+            state.q[spin] += flank * reach / radius
+            reach *= 4.0
+    raise SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, state)
+
+
+def _shares(system: System, rows: Array, name: str, n_pair: int) -> Array:
+    if n_pair == 0:
+        return np.zeros((len(rows), 0))
+    first = system.layout.channel(f"pair_force[{name}.0]")
+    forces = np.abs(rows[:, first : first + n_pair])
+    total = forces.sum(axis=1, keepdims=True)
+    return np.divide(forces, total, out=np.zeros_like(forces), where=total > 0.0)
+
+
+def solve_quasistatic(
+    system: System,
+    what: Scenario | str | None = None,
+    points: int = 100,
+    periods: int = 1,
+    *,
+    progress: Progress = silent,
+) -> xr.Dataset:
+    """Slow roll through whole periods of one mesh.
+
+    Parameters
+    ----------
+    system
+        The compiled model.
+    what
+        Name of a mesh, or a scenario (or its name) with `quasi_static`; loads at t = 0 count. Default: the
+        scenario the system was compiled with, else the only mesh.
+    points, periods
+        Points per mesh period and number of periods, unless the scenario says so.
+    progress
+        Told after every point.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `mesh_phase_position` (periods rolled): all channels of the system, and by mesh
+        unloaded_transmission_error [m], tangent_stiffness [N/m], load_share[MESH.PAIR]; without dimension
+        transmission_error_mean and transmission_error_peak_to_peak, loaded and unloaded [m].
+
+    Raises
+    ------
+    SolverError
+        If there is no such mesh, or no equilibrium at some point.
+    """
+    from pitchpoint.solvers.dataset import attributes, channel_dataset
+
+    began = time.perf_counter()
+    roll = roll_through(system, what, points, periods, progress=progress)
+    options = {"mesh": roll.mesh, "points": points, "periods": periods}
+    attrs = attributes(system, "quasistatic", wall_s=time.perf_counter() - began, **options)
+    data = channel_dataset(
+        system, DIMENSION, roll.position, roll.rows, {**attrs, "notes": "; ".join(roll.notes)}
+    )
+    data[DIMENSION].attrs = {"units": "1", "long_name": f"periods of {roll.mesh} rolled"}
+    for name, mesh in roll.meshes.items():
+        loaded = roll.rows[:, system.layout.channel(f"transmission_error[{name}]")]
+        along = (DIMENSION,)
+        new = {
+            "unloaded_transmission_error": (along, mesh.unloaded, "m", "transmission error without load"),
+            "tangent_stiffness": (along, mesh.tangent_stiffness, "N/m", "slope of the mesh force"),
+        }
+        for word, values in (("", loaded), ("unloaded_", mesh.unloaded)):
+            text = f"{word.replace('_', ' ')}transmission error"
+            new[f"{word}transmission_error_mean"] = ((), values[:-1].mean(), "m", f"mean of the {text}")
+            new[f"{word}transmission_error_peak_to_peak"] = ((), np.ptp(values), "m", f"range of the {text}")
+        for pair in range(mesh.share.shape[1]):
+            new[f"load_share.{pair}"] = (
+                along,
+                mesh.share[:, pair],
+                "1",
+                f"share of pair {pair} in the force",
+            )
+        for key, (dims, values, unit, text) in new.items():
+            word, _, pair = key.partition(".")
+            label = f"{word}[{name}.{pair}]" if pair else f"{word}[{name}]"
+            data[label] = (dims, values, {"units": unit, "long_name": text})
+    return data

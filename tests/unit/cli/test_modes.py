@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint modes` and `pitchpoint warmup`."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from pitchpoint.cli import warmup
+from pitchpoint.cli.main import run_command
+from pitchpoint.elements import registry
+from pitchpoint.io.reading import open_result
+from tests.support.cli_files import TORSION, json_of, written
+
+
+def test_torsional_pair(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """f = sqrt(k (r_b1^2/I_1 + r_b2^2/I_2))/2 pi with the mean stiffness; damping ratio as in the file."""
+    target = tmp_path / "modes.h5"
+    found = json_of(["modes", written(tmp_path, TORSION), "-o", str(target)], capsys)
+    rigid, mesh = found["modes"]
+    r_b = 0.075 * math.cos(math.radians(20.0))
+    expected = math.sqrt(4.0e8 * 2.0 * r_b**2 / 0.0115) / (2.0 * math.pi)
+    assert rigid["frequency"] == 0.0
+    assert mesh["frequency"] == pytest.approx(expected, rel=1e-6)
+    assert mesh["damping_ratio"] == pytest.approx(0.05, rel=1e-5)
+    assert mesh["damped_frequency"] == pytest.approx(expected * math.sqrt(1.0 - 0.05**2), rel=1e-5)
+    assert "stage" in mesh["name"]
+    with open_result(target) as ds:
+        assert ds["frequency"].values.tolist() == [rigid["frequency"], mesh["frequency"]]
+        assert ds["name"].values.tolist() == [rigid["name"], mesh["name"]]
+        assert ds["shape"].sel(mode=2, coordinate="driver.spin") == mesh["shape"]["driver.spin"]
+        assert ds.attrs["kind"] == "modes"
+
+
+def test_a_phase_gives_the_stiffness_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, TORSION)
+    mean, at_zero = (
+        json_of(["modes", file, "--scenario", "steady", *more], capsys)["modes"][1]["frequency"]
+        for more in ([], ["--phase", "0"])
+    )
+    assert at_zero / mean == pytest.approx(math.sqrt(0.65), rel=1e-4)
+
+
+def test_people_get_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run_command(["modes", written(tmp_path, TORSION)]) == 0
+    out = capsys.readouterr().out
+    assert "natural frequency" in out
+    assert "5.000 %" in out
+
+
+def test_unknown_scenario(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run_command(["modes", written(tmp_path, TORSION), "--scenario", "stedy"]) == 2
+    assert "did you mean 'steady'?" in capsys.readouterr().err
+
+
+def test_warmup_lists_every_kind_and_method(tmp_path: Path) -> None:
+    names = [name for name, _ in warmup.jobs(tmp_path)]
+    assert {f"element {kind}" for kind in registry.names()} <= set(names)
+    assert {"generalized_alpha", "rk4", "runge_kutta", "driven", "sweep", "modes"} <= set(names)
+
+
+def test_warmup_runs_its_jobs(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    done: list[int] = []
+    monkeypatch.setattr(warmup, "jobs", lambda folder: [("one", lambda: done.append(1))])
+    assert run_command(["warmup"]) == 0
+    assert done == [1]
+    assert "1 jobs in" in capsys.readouterr().out
