@@ -15,6 +15,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from pitchpoint.contact.pair_shape import phase_stiffness
 from pitchpoint.core.kernel import call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
@@ -37,67 +39,26 @@ from pitchpoint.elements.mesh_line import (
     rates,
 )
 from pitchpoint.elements.mesh_nodes import phase_flank, profile_flank
+from pitchpoint.elements.mesh_wrench import (
+    add_spin_tangent,
+    add_spin_torque,
+    add_tangent,
+    add_wrench,
+    directions,
+    flank_rates,
+    mesh_damper,
+    spin_flank_rates,
+    spin_rates,
+)
 from pitchpoint.multibody.channels import events, frame_args, observations
 
 __all__ = ["EVENTS", "MAX_PAIRS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
 
-def outputs(record):
+def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
     """Observations of one record: those of every mesh and the forces of its tooth pairs."""
     pairs = range(int(record["n_pair"]))
     return (*OUTPUTS, *((f"pair_force[{{}}.{k}]", "N", f"force of tooth pair {k}") for k in pairs))
-
-
-@kernel
-def _directions(b, f, g, flank):
-    """Wrench basis of one flank on both bodies: normal force (1, y), friction (1, z, xi)."""
-    m = b["m"]
-    e = b["e"]
-    t = b["t"]
-    P = b["P"]
-    ca = flank * b["cos_a"]
-    sa = b["sin_a"]
-    h = flank * b["tan_b"]
-    for side in range(2):
-        B = b["basis_i"] if side == 0 else b["basis_j"]
-        o = f["r"] if side == 0 else g["r"]
-        sign = -1.0 if side == 0 else 1.0
-        x = P[0] - o[0]
-        y = P[1] - o[1]
-        z = P[2] - o[2]
-        for k in range(3):
-            k1 = (k + 1) % 3
-            k2 = (k + 2) % 3
-            n = ca * t[k] + sa * e[k]
-            n1 = ca * t[k1] + sa * e[k1]
-            n2 = ca * t[k2] + sa * e[k2]
-            tau = m[k1] * n2 - m[k2] * n1
-            B[0, k] = sign * (n - h * m[k])
-            B[1, k] = 0.0
-            B[1, 3 + k] = sign * tau
-            B[2, k] = sign * tau
-            B[3, k] = 0.0
-            B[3, 3 + k] = -sign * n
-            B[4, k] = 0.0
-            B[4, 3 + k] = sign * m[k]
-        for r in (0, 2):
-            B[r, 3] = y * B[r, 2] - z * B[r, 1]
-            B[r, 4] = z * B[r, 0] - x * B[r, 2]
-            B[r, 5] = x * B[r, 1] - y * B[r, 0]
-
-
-@kernel
-def _flank_rates(b):
-    """Normal and sliding rates of the current flank at the pitch point, with their slopes."""
-    B = b["basis_j"]
-    dv = b["dv"]
-    dw = b["dw"]
-    r = b["rate"]
-    r[0] = B[0, 0] * dv[0] + B[0, 1] * dv[1] + B[0, 2] * dv[2] - b["flank"] * b["e_rate"]
-    r[1] = B[1, 3] * dw[0] + B[1, 4] * dw[1] + B[1, 5] * dw[2]
-    r[2] = B[2, 0] * dv[0] + B[2, 1] * dv[1] + B[2, 2] * dv[2]
-    r[3] = B[3, 3] * dw[0] + B[3, 4] * dw[1] + B[3, 5] * dw[2]
-    r[4] = B[4, 3] * dw[0] + B[4, 4] * dw[1] + B[4, 5] * dw[2]
 
 
 @kernel
@@ -133,15 +94,23 @@ def _stiffness_ratio(b):
 
 
 @kernel
-def _flank(b, ctl, f, g, flank, x_0):
-    """Sum one flank into `acc`."""
+def _flank(b, ctl, f, g, flank, x_0, spins, rate):
+    """Sum one flank into `acc`; `spins` 1: the gears only spin and their travel rate is `rate`."""
+    for k in range(N_ACC):
+        b["acc"][k] = 0.0
+    for k in range(b["n_pair"]):
+        b["pair"][k] = 0.0
     _place(b, flank)
-    _directions(b, f, g, flank)
-    _flank_rates(b)
-    B = b["basis_j"]
-    dn = b["dn"]
-    # n_f is minus the moment of B[3]
-    b["kappa"] = -(B[3, 3] * dn[0] + B[3, 4] * dn[1] + B[3, 5] * dn[2])
+    b["kappa"] = 0.0
+    if spins == 1:
+        spin_flank_rates(b, rate)
+    else:
+        directions(b, f, g, flank)
+        flank_rates(b)
+        B = b["basis_j"]
+        dn = b["dn"]
+        # n_f is minus the moment of B[3]
+        b["kappa"] = -(B[3, 3] * dn[0] + B[3, 4] * dn[1] + B[3, 5] * dn[2])
     b["tilt"] = b["kappa"]
     if b["source"] == PHASE:
         ratio, slope = _stiffness_ratio(b)
@@ -155,85 +124,11 @@ def _flank(b, ctl, f, g, flank, x_0):
 
 
 @kernel
-def _add_wrench(b, f, g):
-    acc = b["acc"]
-    n = 5 if b["mu"] > 0.0 else 2
-    for p in range(n):
-        s = acc[p]
-        for k in range(6):
-            f["F"][k] += s * b["basis_i"][p, k]
-            g["F"][k] += s * b["basis_j"][p, k]
-
-
-@kernel
-def _coefficient(acc, p, q):
-    """Entry (p, q) of the tangent in the wrench basis."""
-    if p < 2:
-        return acc[5 + p + q] if q < 2 else 0.0
-    r = p - 2
-    if q < 2:
-        return acc[8 + 2 * r + q]
-    s = q - 2
-    lo = min(r, s)
-    hi = max(r, s)
-    return acc[14 + hi] if lo == 0 else acc[16 + lo + hi - 1] if lo == 1 else acc[19]
-
-
-@kernel
-def _add_tangent(b, kk):
-    acc = b["acc"]
-    size = 5 if b["mu"] > 0.0 else 2
-    for p in range(size):
-        for q in range(size):
-            c = _coefficient(acc, p, q)
-            if c == 0.0:
-                continue
-            for k in range(6):
-                ci = c * b["basis_i"][p, k]
-                cj = c * b["basis_j"][p, k]
-                for n in range(6):
-                    kk[b["ii"], k, n] += ci * b["basis_i"][q, n]
-                    kk[b["ij"], k, n] += ci * b["basis_j"][q, n]
-                    kk[b["ji"], k, n] += cj * b["basis_i"][q, n]
-                    kk[b["jj"], k, n] += cj * b["basis_j"][q, n]
-
-
-@kernel
-def _mesh_damper(b, ctl, f, g, kk):
-    """Damper along the base tangent, in the gap too; returns its force and power."""
-    m = b["m"]
-    t = b["t"]
-    P = b["P"]
-    Bi = b["basis_i"]
-    Bj = b["basis_j"]
-    rate = -b["e_rate"]
-    for k in range(3):
-        d = b["cos_a"] * t[k] - b["tan_b"] * m[k]
-        Bi[0, k] = -d
-        Bj[0, k] = d
-        rate += d * b["dv"][k]
-    for side in range(2):
-        B = Bi if side == 0 else Bj
-        o = f["r"] if side == 0 else g["r"]
-        x = P[0] - o[0]
-        y = P[1] - o[1]
-        z = P[2] - o[2]
-        B[0, 3] = y * B[0, 2] - z * B[0, 1]
-        B[0, 4] = z * B[0, 0] - x * B[0, 2]
-        B[0, 5] = x * B[0, 1] - y * B[0, 0]
-    s = b["d_gap"] * rate
-    for k in range(6):
-        f["F"][k] += s * Bi[0, k]
-        g["F"][k] += s * Bj[0, k]
-    if ctl["jac"] != 0:
-        c = ctl["cd"] * b["d_gap"]
-        for k in range(6):
-            for n in range(6):
-                kk[b["ii"], k, n] += c * Bi[0, k] * Bi[0, n]
-                kk[b["ij"], k, n] += c * Bi[0, k] * Bj[0, n]
-                kk[b["ji"], k, n] += c * Bj[0, k] * Bi[0, n]
-                kk[b["jj"], k, n] += c * Bj[0, k] * Bj[0, n]
-    return s, s * rate
+def _slack(b, xi_A, xi_E):
+    """How much deeper than the middle of the face a tilted flank can reach."""
+    dn = b["dn"]
+    lever = 0.5 * (b["b1"] + b["b2"]) + abs(b["tan_b"]) * (abs(xi_A) + abs(xi_E) + b["b1"] + b["b2"])
+    return lever * (abs(dn[0]) + abs(dn[1]) + abs(dn[2]))
 
 
 @kernel
@@ -269,73 +164,98 @@ def _write_flank(b, out, flank):
 
 
 @kernel
-def _roots(b, ev, psi, front, back, spin):
-    """Event functions: gaps of both flanks, entry and exit of a pair, change of the sliding direction."""
+def _roots(b, ev, psi, front, back):
+    """Event functions: gaps of both flanks; entry, exit, pitch point of a pair, rising where it happens."""
     k = b["ev"]
+    way = 1.0 if b["phase_rate"] >= 0.0 else -1.0
     ev[k] = front
     ev[k + 1] = back
-    ev[k + 2] = math.sin(2.0 * math.pi * psi)
-    ev[k + 3] = math.sin(2.0 * math.pi * (psi - b["eps"]))
-    ev[k + 4] = math.sin(2.0 * math.pi * (psi + b["xi_A"] / b["p_bt"])) * spin
+    ev[k + 2] = way * math.sin(2.0 * math.pi * psi)
+    ev[k + 3] = way * math.sin(2.0 * math.pi * (psi - b["eps"]))
+    ev[k + 4] = way * math.sin(2.0 * math.pi * (psi + b["xi_A"] / b["p_bt"]))
+
+
+@kernel
+def _one_mesh(b, ctl, fr, kk):
+    """Wrenches, tangents and observations of one mesh."""
+    c = ctl[0]
+    f = fr[b["i"]]
+    g = fr[b["j"]]
+    status = line_of_action(b, f, g)
+    if status != OK:
+        return status
+    spins = 1 if b["fixed"] == 1 and b["mu"] == 0.0 else 0
+    travel_rate = 0.0
+    if spins == 1:
+        o1, o2, travel_rate = spin_rates(b, f, g)
+    else:
+        o1, o2 = rates(b, f, g)
+    xi_A, xi_E = path_of_contact(b)
+    b["xi_A"] = xi_A
+    b["eps"] = (xi_E - xi_A) / b["p_bt"]
+    psi = (mean_position(b, 1) - xi_A + b["tan_b"] * (b["w1"] - 0.5) * b["dz"]) / b["p_bt"]
+    psi -= math.floor(psi)
+    excitation(b, f, g, psi, o1, o2)
+    travel_rate -= b["e_rate"]
+    _width(b)
+    watch = c["out"] != 0
+    if watch:
+        out = observations(ctl)
+        for k in range(N_OUT + b["n_pair"]):
+            out[b["out"] + k] = 0.0
+    x = b["u"] - b["e_t"]
+    slack = 0.0 if spins == 1 else _slack(b, xi_A, xi_E)
+    force = 0.0
+    tangent = 0.0
+    if b["eps"] > 0.0 and b["z_hi"] > b["z_lo"]:
+        for flank in (1, -1):
+            x_0 = flank * x - 0.5 * b["gap"]
+            # a flank cannot touch while even its deepest corner is open
+            if x_0 + slack <= b["sep_min"]:
+                continue
+            status = _flank(b, c, f, g, flank, x_0, spins, travel_rate)
+            if status != OK:
+                return status
+            if spins == 1:
+                force += flank * b["acc"][0]
+                tangent += b["acc"][5]
+            else:
+                add_wrench(b, f, g)
+                if c["jac"] != 0:
+                    add_tangent(b, kk)
+            if watch:
+                _write_flank(b, observations(ctl), flank)
+    damper = 0.0
+    power = 0.0
+    if b["d_gap"] > 0.0:
+        if spins == 1:
+            damper = b["d_gap"] * travel_rate
+            power = damper * travel_rate
+            force += damper
+            tangent += c["cd"] * b["d_gap"]
+        else:
+            damper, power = mesh_damper(b, c, f, g, kk)
+    if spins == 1:
+        add_spin_torque(b, f, g, force)
+        if c["jac"] != 0:
+            add_spin_tangent(b, kk, tangent)
+    if watch:
+        out = observations(ctl)
+        out[b["out"] + 2] += damper
+        _write(b, out, psi, power)
+    if c["ev"] != 0:
+        _roots(b, events(ctl), psi, x - 0.5 * b["gap"], -x - 0.5 * b["gap"])
+    return OK
 
 
 @kernel
 def gear_mesh(rec, ctl, fr, kk):
     """Wrenches, tangents and observations of all meshes; see the module text."""
-    c = ctl[0]
     for r in range(rec.size):
-        b = rec[r]
-        f = fr[b["i"]]
-        g = fr[b["j"]]
-        status = line_of_action(b, f, g)
+        status = _one_mesh(rec[r], ctl, fr, kk)
         if status != OK:
-            c["bad"] = r
+            ctl[0]["bad"] = r
             return status
-        o1, o2 = rates(b, f, g)
-        xi_A, xi_E = path_of_contact(b)
-        b["xi_A"] = xi_A
-        b["eps"] = (xi_E - xi_A) / b["p_bt"]
-        psi = (mean_position(b, 1) - xi_A) / b["p_bt"] + b["tan_b"] * (b["w1"] - 0.5) * b["dz"] / b["p_bt"]
-        psi -= math.floor(psi)
-        excitation(b, f, g, psi, o1, o2)
-        _width(b)
-        watch = c["out"] != 0
-        if watch:
-            out = observations(ctl)
-            for k in range(N_OUT + b["n_pair"]):
-                out[b["out"] + k] = 0.0
-        x = b["u"] - b["e_t"]
-        # a flank cannot touch while even its deepest corner is open
-        slack = abs(b["dn"][0]) + abs(b["dn"][1]) + abs(b["dn"][2])
-        slack *= 0.5 * (b["b1"] + b["b2"]) + abs(b["tan_b"]) * (abs(xi_A) + abs(xi_E) + b["b1"] + b["b2"])
-        if b["eps"] > 0.0 and b["z_hi"] > b["z_lo"]:
-            for flank in (1, -1):
-                x_0 = flank * x - 0.5 * b["gap"]
-                if x_0 + slack <= b["sep_min"]:
-                    continue
-                for k in range(N_ACC):
-                    b["acc"][k] = 0.0
-                for k in range(b["n_pair"]):
-                    b["pair"][k] = 0.0
-                status = _flank(b, c, f, g, flank, x_0)
-                if status != OK:
-                    c["bad"] = r
-                    return status
-                _add_wrench(b, f, g)
-                if c["jac"] != 0:
-                    _add_tangent(b, kk)
-                if watch:
-                    _write_flank(b, observations(ctl), flank)
-        power = 0.0
-        force = 0.0
-        if b["d_gap"] > 0.0:
-            force, power = _mesh_damper(b, c, f, g, kk)
-        if watch:
-            out = observations(ctl)
-            out[b["out"] + 2] += force
-            _write(b, out, psi, power)
-        if c["ev"] != 0:
-            _roots(b, events(ctl), psi, x - 0.5 * b["gap"], -x - 0.5 * b["gap"], o1 - o2)
     return OK
 
 

@@ -41,7 +41,7 @@ class Sweep:
         None,
         minimum=8,
         maximum=100000,
-        display="100 per period of the mesh and of its natural frequency",
+        display="200 per period of the mesh and of its natural frequency",
     )
 
 

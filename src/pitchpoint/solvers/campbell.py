@@ -14,7 +14,15 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.modal import Linearised, damped, energy_shares, linearise, ratio_of, undamped
+from pitchpoint.solvers.modal import (
+    Linearised,
+    damped,
+    energy_shares,
+    linearise,
+    ratio_of,
+    rigid_rotations,
+    undamped,
+)
 from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
 from pitchpoint.system import evaluate
@@ -71,7 +79,7 @@ def follow_modes(
     omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     linear = linearise(system, scenario)
     parts = linear.at_rest
-    values, shapes = undamped(parts.M, parts.K, linear.basis)
+    values, shapes = undamped(parts.M, parts.K, linear.basis, rigid_rotations(linear.system))
     ratios = system.model.start_speeds(Scenario(speed={body: 1.0}))
     n = len(values)
     found, last = np.zeros((omega.size, n), complex), np.eye(n, dtype=complex)

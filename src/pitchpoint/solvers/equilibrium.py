@@ -130,9 +130,9 @@ def find_equilibrium(
     scale = max(float(np.abs(R * weight).max(initial=0.0)), 1e-12)
     size = float(np.abs((R * weight)[free]).max(initial=0.0))
     first = size
-    # where the terms of the residual cancel, nothing below their round-off can be asked for
+    # positions are rounded to 2e-16 of about 1 m and 1 rad: nothing below the forces of that can be asked for
     stiffness = np.abs(evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON))
-    floor = 4e-16 * float((weight * (stiffness @ np.abs(state.q))).max(initial=0.0))
+    floor = 2.2e-16 * float((weight * (stiffness @ (np.abs(state.q) + 1.0))).max(initial=0.0))
     mu, count = 1e4, 0
     while size > max(tolerance * scale, floor) and count < MOST_ITERATIONS:
         K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]

@@ -18,8 +18,10 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
+from pitchpoint.model.scenario import Scenario
+from pitchpoint.solvers.equilibrium import find_equilibrium, free_spins, same_group
 from pitchpoint.solvers.mode_names import mode_names
-from pitchpoint.solvers.operating_point import operating_point
+from pitchpoint.solvers.operating_point import held_spins, operating_point
 from pitchpoint.solvers.stiffness_parts import Array, Parts, mesh_names, shift, split, touching
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -27,10 +29,12 @@ from pitchpoint.system.system import State, System
 if TYPE_CHECKING:
     import xarray as xr
 
-    from pitchpoint.model.scenario import Scenario
-
 RIGID = 1e-11
 """Strain energy over what its terms sum up to without signs, below which a mode counts as rigid."""
+OVERLAP = 1e-4
+"""Part of a shape outside the rigid rotations up to which it counts as one of them."""
+SLOW = 1e-4
+"""Eigenvalue over the largest up to which that is asked."""
 SAME = 1e-9
 """Relative distance of eigenvalues that count as one multiple root."""
 
@@ -124,8 +128,6 @@ def linearise(
 
 def _at_phase(system: System, state: State, phase: float, held: tuple[int, ...]) -> State:
     """Put every mesh at one phase; the records of the system change."""
-    from pitchpoint.solvers.equilibrium import find_equilibrium
-
     for _ in range(2):  # the deflection of the new place moves the phase a little
         values = evaluate.observe(system, state)
         for name, record in zip(mesh_names(system), system.records.get("gear_mesh", ()), strict=True):
@@ -150,7 +152,34 @@ def _free_directions(system: System, state: State) -> Array:
     return np.asarray(rows[rank:].T)
 
 
-def undamped(M: Array, K: Array, basis: Array) -> tuple[Array, Array]:
+def rigid_rotations(system: System) -> Array:
+    """Turns of the spins that nothing resists: one row per group of bodies that turns freely, shape (r, nd)."""
+    if system.model is None:
+        return np.zeros((0, system.sizes["nd"]))
+    driven = held_spins(system)[: len(system.records.get("drive", ()))]
+    found = []
+    for spin in free_spins(system):
+        if any(same_group(system, spin, d) for d in driven):
+            continue
+        body = system.layout.coordinates[spin].rpartition(".")[0]
+        row = np.zeros(system.sizes["nd"])
+        for name, ratio in system.model.start_speeds(Scenario(speed={body: 1.0})).items():
+            if ratio != 0.0:
+                row[system.spin(name)] = ratio
+        found.append(row)
+    return np.array(found).reshape(-1, system.sizes["nd"])
+
+
+def _are_rigid(shapes: Array, rigid: Array, M: Array) -> NDArray[np.bool_]:
+    """Which mass-normalised shapes (n, nd) lie in the space of the rigid rotations."""
+    if not len(rigid):
+        return np.zeros(len(shapes), bool)
+    L = np.linalg.cholesky(rigid @ M @ rigid.T)
+    within = np.linalg.solve(L, rigid @ M @ shapes.T)
+    return np.asarray((within**2).sum(axis=0) > 1.0 - OVERLAP)
+
+
+def undamped(M: Array, K: Array, basis: Array, rigid: Array) -> tuple[Array, Array]:
     """Circular frequencies [rad/s] and mass-normalised shapes (n, nd) of M x'' + K x = 0.
 
     Parameters
@@ -159,6 +188,9 @@ def undamped(M: Array, K: Array, basis: Array) -> tuple[Array, Array]:
         Mass and stiffness matrix, shape (nd, nd); their symmetric parts count.
     basis
         Columns that span the free directions, shape (nd, n).
+    rigid
+        Rotations that nothing resists, shape (r, nd): the tangents of tilted gears hold at a frozen line of
+        action and would leave a small frequency on them.
 
     Raises
     ------
@@ -177,6 +209,9 @@ def undamped(M: Array, K: Array, basis: Array) -> tuple[Array, Array]:
         x = vectors[:, j]
         if abs(x @ k @ x) <= RIGID * float(np.abs(x) @ np.abs(k) @ np.abs(x)):
             values[j] = 0.0
+    unsorted = (basis @ (scale[:, None] * vectors)).T
+    small = np.abs(values) < SLOW * np.abs(values).max(initial=0.0)
+    values[small & _are_rigid(unsorted, rigid, M)] = 0.0
     root = np.linalg.cholesky(m).T
     order = np.argsort(values, kind="stable")
     values, vectors = values[order], vectors[:, order]
@@ -312,7 +347,7 @@ def find_modes(
     """
     linear = linearise(system, scenario, phase=phase, mean=mean, progress=progress)
     parts = linear.at_rest
-    omega, shapes = undamped(parts.M, parts.K, linear.basis)
+    omega, shapes = undamped(parts.M, parts.K, linear.basis, rigid_rotations(linear.system))
     values, z = damped(linear.D, linear.K - parts.K, shapes, omega)
     complex_shapes = _turned(z.T @ shapes, parts.M)
     kinetic, potential = energy_shares(parts, shapes, omega)

@@ -162,6 +162,7 @@ class _Loop:
         self.sums = new_statistics(self.system.sizes["no"])
         self.events: list[NDArray[np.float64]] = []
         self.watched = _watched(self.system, scenario)
+        self.rising = [k for k in self.watched if "gap" not in self.system.layout.events[k].name]
         self.adaptive = scenario.method == "runge_kutta"
         self.h, self.every = choose_step(start, scenario)
         if self.adaptive:
@@ -224,7 +225,10 @@ class _Loop:
         if self.sink is not None and len(chunk.rows):
             self.sink.append(chunk.rows[:, 0].copy(), chunk.rows[:, 1:])
         if len(chunk.events):
-            self.events.append(chunk.events[np.isin(chunk.events[:, 1].astype(int), self.watched)])
+            found = chunk.events
+            index = found[:, 1].astype(int)
+            kept = np.isin(index, self.watched) & ((found[:, 2] > 0.0) | ~np.isin(index, self.rising))
+            self.events.append(found[kept])
 
     def summary(self, status: int, wall_s: float) -> TimeSummary:
         found = read_statistics(self.sums)
