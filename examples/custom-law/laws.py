@@ -1,7 +1,7 @@
 """Two laws of one's own: a torque over the angle of its body, and a mesh stiffness over the mesh phase.
 
-Every law is a function f(t, x, p): time, the quantity it depends on, and the numbers under `parameters` in the
-model file. It is compiled; what the compiler does not know runs as plain Python, ten times slower.
+Every law is a function f(t, x, p): time, the quantity it depends on, and the numbers under `parameters` in
+the model file. It is compiled; what the compiler does not know runs as plain Python, ten times slower.
 """
 
 from math import cos, pi, sin
@@ -13,7 +13,7 @@ def cam_torque(t, angle, p):
 
 
 def tooth_stiffness(t, psi, p):
-    """Mesh stiffness [N/m] at psi base pitches after a pair has come into contact: mean p[0], three harmonics."""
+    """Mesh stiffness [N/m], psi base pitches after a pair came into contact: mean p[0], three harmonics."""
     w = 2.0 * pi * psi
     return p[0] * (1.0 + p[1] * cos(w) + p[2] * cos(2.0 * w) + p[3] * cos(3.0 * w))
 
@@ -22,4 +22,4 @@ def broken(t, angle, p):
     """A law with a fault: it knows no torque after p[0] seconds."""
     if t > p[0]:
         raise ValueError("the table of the test rig ends here")
-    return -150.0
+    return 150.0

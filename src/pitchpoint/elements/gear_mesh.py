@@ -55,6 +55,10 @@ from pitchpoint.multibody.channels import events, frame_args, observations
 __all__ = ["EVENTS", "MAX_PAIRS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
 
+#: Half the step of phase for the slope of a user's stiffness law; only the parametric power needs it.
+_STEP = 1e-5
+
+
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
     """Observations of one record: those of every mesh and the forces of its tooth pairs."""
     pairs = range(int(record["n_pair"]))
@@ -85,10 +89,19 @@ def _place(b, flank):
 
 
 @kernel
-def _stiffness_ratio(b):
-    """k(psi)/mean of a prescribed stiffness and its slope; user laws have no slope."""
+def _user_ratio(b, psi):
+    """k(psi)/mean by a user's law."""
+    return call_law(b["law"], 0.0, psi - math.floor(psi), b["pool"] + 8 * b["params"]) / b["c_prime"]
+
+
+@kernel
+def _stiffness_ratio(b, watch):
+    """k(psi)/mean of a prescribed stiffness and its slope; that of a user's law (by differences) if asked."""
     if b["form"] == USER:
-        return call_law(b["law"], 0.0, b["psi"], b["pool"] + 8 * b["params"]) / b["c_prime"], 0.0
+        slope = 0.0
+        if watch:
+            slope = (_user_ratio(b, b["psi"] + _STEP) - _user_ratio(b, b["psi"] - _STEP)) / (2.0 * _STEP)
+        return _user_ratio(b, b["psi"]), slope
     n = b["n_k"]
     return phase_stiffness(b["psi"], b["form"], n, pooled(b, b["cosine"], n), pooled(b, b["sine"], n))
 
@@ -113,7 +126,7 @@ def _flank(b, ctl, f, g, flank, x_0, spins, rate):
         b["kappa"] = -(B[3, 3] * dn[0] + B[3, 4] * dn[1] + B[3, 5] * dn[2])
     b["tilt"] = b["kappa"]
     if b["source"] == PHASE:
-        ratio, slope = _stiffness_ratio(b)
+        ratio, slope = _stiffness_ratio(b, ctl["out"] != 0)
         if not math.isfinite(ratio):
             return NOT_FINITE
         phase_flank(b, ctl, x_0, ratio, slope)

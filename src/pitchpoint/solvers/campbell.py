@@ -14,15 +14,8 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.modal import (
-    Linearised,
-    damped,
-    energy_shares,
-    linearise,
-    ratio_of,
-    rigid_rotations,
-    undamped,
-)
+from pitchpoint.solvers.eigen import damped, ratio_of, undamped
+from pitchpoint.solvers.modal import Linearised, energy_shares, linearise, rigid_rotations
 from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
 from pitchpoint.system import evaluate

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -303,8 +303,14 @@ def solve_quasistatic(
 
     began = time.perf_counter()
     roll = roll_through(system, what, points, periods, progress=progress)
-    options = {"mesh": roll.mesh, "points": points, "periods": periods}
-    attrs = attributes(system, "quasistatic", wall_s=time.perf_counter() - began, **options)
+    attrs = attributes(
+        system,
+        "quasistatic",
+        wall_s=time.perf_counter() - began,
+        mesh=roll.mesh,
+        points=points,
+        periods=periods,
+    )
     data = channel_dataset(
         system, DIMENSION, roll.position, roll.rows, {**attrs, "notes": "; ".join(roll.notes)}
     )
@@ -312,23 +318,22 @@ def solve_quasistatic(
     for name, mesh in roll.meshes.items():
         loaded = roll.rows[:, system.layout.channel(f"transmission_error[{name}]")]
         along = (DIMENSION,)
-        new = {
-            "unloaded_transmission_error": (along, mesh.unloaded, "m", "transmission error without load"),
-            "tangent_stiffness": (along, mesh.tangent_stiffness, "N/m", "slope of the mesh force"),
-        }
-        for word, values in (("", loaded), ("unloaded_", mesh.unloaded)):
-            text = f"{word.replace('_', ' ')}transmission error"
-            new[f"{word}transmission_error_mean"] = ((), values[:-1].mean(), "m", f"mean of the {text}")
-            new[f"{word}transmission_error_peak_to_peak"] = ((), np.ptp(values), "m", f"range of the {text}")
-        for pair in range(mesh.share.shape[1]):
-            new[f"load_share.{pair}"] = (
+        new: dict[str, tuple[Any, Any, str, str]] = {
+            f"unloaded_transmission_error[{name}]": (
                 along,
-                mesh.share[:, pair],
-                "1",
-                f"share of pair {pair} in the force",
-            )
-        for key, (dims, values, unit, text) in new.items():
-            word, _, pair = key.partition(".")
-            label = f"{word}[{name}.{pair}]" if pair else f"{word}[{name}]"
+                mesh.unloaded,
+                "m",
+                "transmission error without load",
+            ),
+            f"tangent_stiffness[{name}]": (along, mesh.tangent_stiffness, "N/m", "slope of the mesh force"),
+        }
+        for word, te in (("", loaded), ("unloaded_", mesh.unloaded)):
+            text = f"{word.replace('_', ' ')}transmission error"
+            key = f"{word}transmission_error"
+            new[f"{key}_mean[{name}]"] = ((), te[:-1].mean(), "m", f"mean of the {text}")
+            new[f"{key}_peak_to_peak[{name}]"] = ((), np.ptp(te), "m", f"range of the {text}")
+        for k in range(mesh.share.shape[1]):
+            new[f"load_share[{name}.{k}]"] = (along, mesh.share[:, k], "1", f"share of tooth pair {k}")
+        for label, (dims, values, unit, text) in new.items():
             data[label] = (dims, values, {"units": unit, "long_name": text})
     return data

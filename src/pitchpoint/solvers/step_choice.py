@@ -17,8 +17,12 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.system.system import System
 
-STEPS_PER_PERIOD = 100
-"""Steps in the period of the fastest mode and of the fastest mesh."""
+STEPS_PER_PERIOD = 200
+"""Steps in the period of the fastest mode and of the fastest mesh.
+
+On a spur pair whose mesh excites its resonance 200 steps leave 3e-4 in the rms of the deflection, 100 steps
+1.1e-3; the error falls with the square.
+"""
 
 
 def natural_frequencies(start: Start) -> NDArray[np.float64]:

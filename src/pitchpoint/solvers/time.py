@@ -166,7 +166,11 @@ class _Loop:
         self.adaptive = scenario.method == "runge_kutta"
         self.h, self.every = choose_step(start, scenario)
         if self.adaptive:
-            self.run_: Any = runge_kutta.start_adaptive(self.system, start.state, rtol=scenario.tolerance)
+            # absolute tolerances follow, or no request below their defaults would have an effect
+            rtol = scenario.tolerance
+            self.run_: Any = runge_kutta.start_adaptive(
+                self.system, start.state, rtol=rtol, atol=1e-4 * rtol, atol_rate=rtol
+            )
         elif scenario.method == "rk4":
             self.run_ = runge_kutta.start_classical(self.system, start.state, self.h)
         else:

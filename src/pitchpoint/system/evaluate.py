@@ -7,9 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.core.status import OK, sentence
+from pitchpoint.core.status import NOT_FINITE, OK, sentence
 from pitchpoint.multibody.kinematics import rest_pose
 from pitchpoint.system import residual as kernels
+from pitchpoint.system.law_fault import law_fault
 from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.link import kind_of_row
 from pitchpoint.system.system import State, System
@@ -36,6 +37,8 @@ def explain(system: System, status: int) -> str:
     if row >= 0:
         text += f" (element kind {kind_of_row(system.records, row)}"
         text += f", number {record + 1})" if record >= 0 else ")"
+        if status == NOT_FINITE and record >= 0:
+            text += law_fault(system, kind_of_row(system.records, row), record)
     return text
 
 

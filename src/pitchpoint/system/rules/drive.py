@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import CompileError
+from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.formula import Formula
+from pitchpoint.core.status import NOT_FINITE
 from pitchpoint.elements import drive as element
 from pitchpoint.elements.signal import Pool
 from pitchpoint.model.components.law import Constant, FormulaLaw, Law, PythonLaw, TableLaw
@@ -18,6 +19,7 @@ from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.system.rules.stiffness import user_law
 
 if TYPE_CHECKING:
+    from pitchpoint.core.user_law import UserLaw
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Drive, Scenario
 
@@ -75,5 +77,13 @@ def speed_table(law: Law, duration: float) -> tuple[NDArray[np.float64], NDArray
         return t, np.broadcast_to(np.asarray(Formula.parse(law.text, ("t",))(t), dtype=float), t.shape)
     if isinstance(law, PythonLaw):
         own = user_law(law)
-        return t, np.array([own(s, 0.0) for s in t])
+        return t, np.array([_value(own, s) for s in t])
     raise CompileError(f"a speed cannot be prescribed by {type(law).__name__}")
+
+
+def _value(law: UserLaw, t: float) -> float:
+    """Speed by a user's law; one that fails is a failed computation, not a wrong file."""
+    said = law.diagnose(t, 0.0)
+    if said:
+        raise SolverError(f"{said} (t = {t:.6g} s)", NOT_FINITE)
+    return law(t, 0.0)

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.law import PythonLaw
     from pitchpoint.model.model import Model
 
+N_TRIES = 1024
+"""Mesh phases at which a user's stiffness law is called once before anything is computed with it."""
+
 
 def gear_blank_factor(gear: Gear) -> float:
     """C_R of one gear; 1 without rim and web."""
@@ -72,7 +75,20 @@ def describe_stiffness(model: Model, mesh: str) -> Description:
         return source(pair, mean=law.mean, cosine=law.cosine, sine=law.sine)
     if isinstance(law, laws.Table):
         return source(pair, values=law.values)
-    return source(pair, function=lambda psi: user_law(law.python)(0.0, psi))
+    own = user_law(law.python)
+    _try(own)
+    return source(pair, function=lambda psi: own(0.0, psi))
+
+
+def _try(law: UserLaw) -> None:
+    """Go once through the mesh cycle: a law that fails is a failed computation, not a wrong file."""
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.status import NOT_FINITE
+
+    for k in range(N_TRIES):
+        said = law.diagnose(0.0, k / N_TRIES)
+        if said:
+            raise SolverError(f"{said} (mesh phase {k / N_TRIES:.4f})", NOT_FINITE)
 
 
 def _energy_options(model: Model, mesh: str, law: laws.Energy) -> dict[str, Any]:

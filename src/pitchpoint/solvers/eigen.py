@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Eigenvalues of small vibrations: undamped and damped, multiple and zero roots settled. Matrices only."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import SINGULAR
+
+Array = NDArray[np.float64]
+
+RIGID = 1e-11
+"""Strain energy over what its terms sum up to without signs, below which a mode counts as rigid."""
+OVERLAP = 1e-4
+"""Part of a shape outside the rigid rotations up to which it counts as one of them."""
+SLOW = 1e-4
+"""Eigenvalue over the largest up to which that is asked."""
+SAME = 1e-9
+"""Relative distance of eigenvalues that count as one multiple root."""
+
+
+def _are_rigid(shapes: Array, rigid: Array, M: Array) -> NDArray[np.bool_]:
+    """Which mass-normalised shapes (n, nd) lie in the space of the rigid rotations."""
+    if not len(rigid):
+        return np.zeros(len(shapes), bool)
+    L = np.linalg.cholesky(rigid @ M @ rigid.T)
+    within = np.linalg.solve(L, rigid @ M @ shapes.T)
+    return np.asarray((within**2).sum(axis=0) > 1.0 - OVERLAP)
+
+
+def undamped(M: Array, K: Array, basis: Array, rigid: Array) -> tuple[Array, Array]:
+    """Circular frequencies [rad/s] and mass-normalised shapes (n, nd) of M x'' + K x = 0.
+
+    Parameters
+    ----------
+    M, K
+        Mass and stiffness matrix, shape (nd, nd); their symmetric parts count.
+    basis
+        Columns that span the free directions, shape (nd, n).
+    rigid
+        Rotations that nothing resists, shape (r, nd): the tangents of tilted gears hold at a frozen line of
+        action and would leave a small frequency on them.
+
+    Raises
+    ------
+    SolverError
+        If a free direction has no mass.
+    """
+    from scipy.linalg import eigh
+
+    m, k = (basis.T @ (0.5 * (A + A.T)) @ basis for A in (M, K))
+    scale = 1.0 / np.sqrt(np.diag(m)) if np.all(np.diag(m) > 0.0) else np.zeros(0)
+    if scale.size != m.shape[0]:
+        raise SolverError("a free direction has no mass, so it has no frequency", SINGULAR)
+    m, k = scale[:, None] * m * scale, scale[:, None] * k * scale
+    values, vectors = eigh(k, m)
+    for j in range(values.size):
+        x = vectors[:, j]
+        if abs(x @ k @ x) <= RIGID * float(np.abs(x) @ np.abs(k) @ np.abs(x)):
+            values[j] = 0.0
+    unsorted = (basis @ (scale[:, None] * vectors)).T
+    small = np.abs(values) < SLOW * np.abs(values).max(initial=0.0)
+    values[small & _are_rigid(unsorted, rigid, M)] = 0.0
+    root = np.asarray(np.linalg.cholesky(m).T, dtype=np.float64)
+    order = np.argsort(values, kind="stable")
+    values, vectors = values[order], vectors[:, order]
+    start = 0
+    while start < values.size:
+        stop = start + 1
+        while stop < values.size and values[stop] - values[stop - 1] <= SAME * abs(values[stop]):
+            stop += 1
+        vectors[:, start:stop] = _settled(vectors[:, start:stop], root)
+        start = stop
+    return np.sign(values) * np.sqrt(np.abs(values)), (basis @ (scale[:, None] * vectors)).T
+
+
+def _settled(block: Array, root: Array) -> Array:
+    """One fixed choice among the shapes of a (multiple) root: each takes all of one component.
+
+    The first shape is the projection of the coordinate that moves most in the whole space onto it, and so on;
+    ties go to the first coordinate. Signs: that component is positive.
+    """
+    rest, found = block.copy(), []
+    for _ in range(block.shape[1]):
+        weighted = root @ rest
+        sizes = np.linalg.norm(weighted, axis=1)
+        row = int(np.flatnonzero(sizes >= sizes.max() * (1.0 - 1e-6))[0])
+        turn = weighted[row] / sizes[row]
+        found.append(rest @ turn)
+        rest = rest @ _complement(turn)
+    return np.column_stack(found)
+
+
+def _complement(turn: Array) -> Array:
+    """Orthonormal columns that stand on a unit vector (its Householder reflection without one column)."""
+    v = turn.copy()
+    v[0] += np.copysign(1.0, v[0])
+    reflection = np.eye(v.size) - 2.0 * np.outer(v, v) / (v @ v)
+    return np.asarray(reflection[:, 1:])
+
+
+def damped(
+    D: Array, K: Array, shapes: Array, omega: Array
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Eigenvalues and shapes with damping, each beside the undamped mode it resembles most.
+
+    Parameters
+    ----------
+    D, K
+        Damping matrix, and what the speeds add to the stiffness matrix, shape (nd, nd).
+    shapes, omega
+        Undamped modes, shape (n, nd) and (n,): the basis in which the problem is well scaled.
+
+    Returns
+    -------
+    eigenvalue (n,), shape in terms of the undamped modes (n, n), complex
+    """
+    n = len(shapes)
+    k = np.diag(omega * np.abs(omega)) + shapes @ K @ shapes.T
+    d = shapes @ D @ shapes.T
+    unit = max(float(np.abs(omega).max(initial=0.0)), float(np.abs(d).max(initial=0.0)), 1e-300)
+    # rigid modes that nothing ties to the rest stay out: a double zero root would lose half its digits
+    size = np.abs(k) / unit**2 + np.abs(d) / unit
+    tied = (omega != 0.0) | (size.max(axis=0, initial=0.0) > 1e-12) | (size.max(axis=1, initial=0.0) > 1e-12)
+    values = np.zeros(n, np.complex128)
+    z: NDArray[np.complex128] = np.eye(n, dtype=np.complex128)
+    if np.any(tied):
+        own = np.ix_(tied, tied)
+        values[tied], z[own] = _quadratic(k[own] / unit**2, d[own] / unit)
+    return np.asarray(values * unit, dtype=np.complex128), z
+
+
+def _quadratic(k: Array, d: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Roots of z'' + d z' + k z = 0, one of each pair, sorted to the coordinates; shapes of length 1."""
+    from scipy.linalg import eig
+    from scipy.optimize import linear_sum_assignment
+
+    n = len(k)
+    values, vectors = eig(np.block([[np.zeros((n, n)), np.eye(n)], [-k, -d]]))
+    upper = [j for j in range(2 * n) if values[j].imag > 1e-12]
+    real = sorted((j for j in range(2 * n) if abs(values[j].imag) <= 1e-12), key=lambda j: values[j].real)
+    upper += real[1::2]  # real roots come in pairs too: the slower stands for its mode
+    z = vectors[:n, upper]
+    z = z / np.linalg.norm(z, axis=0)
+    _, columns = linear_sum_assignment(-(np.abs(z) ** 2))
+    found = values[upper][columns]
+    return np.where(np.abs(found) < 1e-12, 0.0, found), z[:, columns]
+
+
+def ratio_of(values: NDArray[np.complex128]) -> Array:
+    """Share of critical damping of eigenvalues; 0 for a rigid mode, nan for one that creeps."""
+    size = np.abs(values)
+    ratio = np.divide(-values.real, size, out=np.zeros(size.shape), where=size > 0.0)
+    ratio[(values.imag <= 0.0) & (size > 0.0)] = np.nan
+    return np.asarray(ratio)

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a user's law has to say when a computation stopped in it: compiled code can only hand back NaN."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+from pitchpoint.core.user_law import UserLaw
+from pitchpoint.elements import signal
+from pitchpoint.system.system import System
+
+
+def law_fault(system: System, kind: str, number: int) -> str:
+    """Sentence about the law of one record, "" if it has none or answers now.
+
+    Parameters
+    ----------
+    system
+        The system right after the element stopped: time, frames and scratch are those of the failed call.
+    kind, number
+        Name of the kind and number of the record.
+    """
+    laws = system.laws.get(kind, ())
+    function = laws[number] if number < len(laws) else None
+    if not callable(function):
+        return ""
+    record = system.records[kind][number]
+    t, x, first, count = _arguments(system, record)
+    pool = system.pools.get(kind)
+    p = pool[first : first + count] if pool is not None and count else signal.Pool().array()
+    said = UserLaw(_plain(function), p, _name(function)).diagnose(t, x)
+    return f": {said} (t = {t:.6g} s, x = {x:.6g})" if said else ""
+
+
+def _arguments(system: System, record: Any) -> tuple[float, float, int, int]:
+    """Time, second argument, place and number of the parameters in the failed call."""
+    t = float(system.workspace.ctl[0]["t"])
+    if "psi" in record.dtype.names:  # a mesh: the stiffness law is no function of time
+        return 0.0, float(record["psi"]), int(record["params"]), len(system.pools["gear_mesh"])
+    frame = system.workspace.fr[int(record["i"])]
+    x = float(frame["phi"]) + 2.0 * math.pi * int(frame["turns"])
+    if record["over"] == signal.OVER_TIME:
+        x = t
+    elif record["over"] == signal.OVER_SPEED:
+        x = float(frame["R"][:, 2] @ frame["tw"][3:])
+    return t, x, int(record["start"]), int(record["n"])
+
+
+def _plain(function: Any) -> Any:
+    return getattr(function, "py_func", function)
+
+
+def _name(function: Any) -> str:
+    """File and function, as a model file names them."""
+    plain = _plain(function)
+    code = getattr(plain, "__code__", None)
+    file = f"{Path(code.co_filename).name}:" if code is not None else ""
+    return f"{file}{getattr(plain, '__name__', 'law')}"

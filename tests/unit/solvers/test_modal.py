@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Modes: closed forms of small machines, names, multiple roots, operating points."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.solvers.campbell import campbell
+from pitchpoint.solvers.modal import find_modes, solve_modal
+from tests.support.machines import R_B1, chain, compiled, pair
+
+REDUCED = 1.0 / (R_B1**2 / 0.002 + (1.5 * R_B1) ** 2 / 0.01)
+"""Mass of the pair of `machines.pair` on its line of action [kg]."""
+FOURIER = "{law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1]}"
+
+
+def hertz(k):
+    return math.sqrt(k / REDUCED) / (2.0 * math.pi)
+
+
+@pytest.fixture(scope="module")
+def torsional():
+    return compiled(pair(FOURIER))[1]
+
+
+def test_mean_over_the_mesh_cycle_is_exact(torsional):
+    modes = find_modes(torsional)
+    assert modes.frequency[0] == 0.0
+    assert modes.frequency[1] == pytest.approx(hertz(4e8), rel=1e-9)
+    assert modes.names == ("rigid rotation", "mesh stage: driver against driven (torsion)")
+
+
+@pytest.mark.parametrize("phase", [0.0, 0.25, 0.5, 0.9])
+def test_stiffness_at_a_phase(torsional, phase):
+    ratio = 1.0 - 0.2 * math.cos(2 * math.pi * phase) - 0.1 * math.cos(4 * math.pi * phase)
+    assert find_modes(torsional, phase=phase).frequency[1] == pytest.approx(hertz(4e8 * ratio), rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("law", "mean"),
+    [
+        ("{law: rectangular, high: 3.0e8 N/m, low: 2.0e8 N/m, duty: 0.3}", 2.3e8),
+        ("{law: constant, value: 3.0e8 N/m}", 3e8),
+    ],
+)
+def test_other_waves(law, mean):
+    assert find_modes(compiled(pair(law))[1]).frequency[1] == pytest.approx(hertz(mean), rel=1e-9)
+
+
+@pytest.mark.parametrize("beta", ["", "17 deg"])
+def test_mean_of_the_parabola_is_that_of_the_mesh_cycle(beta):
+    from pitchpoint.contact.mesh_cycle import mesh_cycle
+
+    model, system = compiled(pair("{law: din3990, stiffness_ratio: 0.7, tip_relief_factor: 0.4}", beta=beta))
+    geometry = model.pairs["stage"]
+    record = system.records["gear_mesh"][0]
+    cycle = mesh_cycle(geometry.eps_alpha_form, geometry.eps_beta, 0.7, 0.4)
+    k = cycle.mean * record["c_prime"] * geometry.b_w
+    inverse = record["r_b1"] ** 2 / 0.002 + record["r_b2"] ** 2 / 0.01
+    assert find_modes(system).frequency[1] == pytest.approx(math.sqrt(k * inverse) / (2 * math.pi), rel=1e-9)
+
+
+def test_without_load_the_front_flank_is_taken_as_touching():
+    text = pair(FOURIER).partition("loads:")[0]
+    modes = find_modes(compiled(text)[1])
+    assert "stage" in modes.notes[0]
+    assert modes.frequency[1] == pytest.approx(hertz(4e8), rel=1e-6)
+
+
+def test_damping_ratio_of_a_damped_disc_on_a_spring():
+    text = (
+        "bodies:\n  disc: {motion: torsion, inertia: 2.0}\n"
+        "bearings:\n  spring: {body: disc, stiffness: {torsion: 800}, damping: {torsion: 4}}\n"
+    )
+    modes = find_modes(compiled(text)[1])
+    assert modes.frequency[0] == pytest.approx(20.0 / (2 * math.pi), rel=1e-14)
+    assert modes.damping_ratio[0] == pytest.approx(0.05, rel=1e-12)
+    assert modes.eigenvalue[0] == pytest.approx(complex(-1.0, math.sqrt(399.0)), rel=1e-12)
+    assert modes.names == ("bearing spring: disc against ground (torsion)",)
+    assert modes.shape[0, 0] == pytest.approx(1.0 / math.sqrt(2.0), rel=1e-14)
+
+
+def test_a_creeping_mode_has_no_ratio():
+    text = (
+        "bodies:\n  disc: {motion: torsion, inertia: 2.0}\n"
+        "bearings:\n  spring: {body: disc, stiffness: {torsion: 800}, damping: {torsion: 400}}\n"
+    )
+    modes = find_modes(compiled(text)[1])
+    assert modes.damped_frequency[0] == 0.0
+    assert math.isnan(modes.damping_ratio[0])
+    assert modes.eigenvalue[0].real == pytest.approx(-100.0 + math.sqrt(9600.0), rel=1e-9)
+
+
+def test_multiple_roots_are_settled_and_reproducible():
+    text = (
+        "bodies:\n  disc: {motion: planar, inertia: 0.1, mass: 4}\n"
+        "bearings:\n  support: {body: disc, stiffness: {radial: 4e6 N/m, torsion: 1e3}}\n"
+    )
+    system = compiled(text)[1]
+    one, two = find_modes(system), find_modes(system)
+    assert one.shape.tobytes() == two.shape.tobytes()
+    double = [k for k, f in enumerate(one.frequency) if abs(f - 1000.0 / (2 * math.pi)) < 1e-9]
+    assert len(double) == 2
+    assert np.abs(one.shape[double]).max(axis=1) == pytest.approx([0.5, 0.5], rel=1e-12)
+    assert one.names[double[0]] == "disc translation x 100 %"
+    assert one.names[double[1]] == "disc translation y 100 %"
+
+
+def test_several_free_groups_have_a_zero_each():
+    text = chain([1.0, 2.0], [50.0]).replace(
+        "coupl", "  lone: {motion: torsion, inertia: 3, position: [0, 1, 0]}\ncoupl"
+    )
+    modes = find_modes(compiled(text)[1])
+    assert list(modes.frequency[:2]) == [0.0, 0.0]
+    assert sorted(modes.names[:2]) == ["rigid rotation of b2, b1", "rigid rotation of lone"]
+
+
+def test_shapes_are_mass_normalised_and_energies_complete(torsional):
+    modes = find_modes(torsional)
+    M = np.diag([0.002, 0.01])
+    assert modes.shape @ M @ modes.shape.T == pytest.approx(np.eye(2), abs=1e-12)
+    assert modes.kinetic.sum(axis=1) == pytest.approx([1.0, 1.0], rel=1e-12)
+    assert modes.potential[1].sum() == pytest.approx(1.0, rel=1e-12)
+
+
+def test_a_driven_spin_does_not_vibrate():
+    text = pair(FOURIER, rest="scenarios:\n  turn: {drive: {driver: {speed: 100 rpm}}, duration: 1 s}\n")
+    modes = find_modes(compiled(text, "turn")[1])
+    assert len(modes.frequency) == 1
+    assert modes.frequency[0] == pytest.approx(
+        math.sqrt(4e8 * (1.5 * R_B1) ** 2 / 0.01) / (2 * math.pi), rel=1e-9
+    )
+
+
+def test_dataset(torsional):
+    data = solve_modal(torsional)
+    assert data["frequency"].dims == ("mode",)
+    assert data["frequency"].attrs["units"] == "Hz"
+    assert data["shape"].dims == ("mode", "coordinate")
+    assert data["name"].values[1].startswith("mesh stage")
+    assert data.attrs["status"] == 1
+
+
+def test_unknown_scenario_is_named(torsional):
+    with pytest.raises(SolverError, match="no scenario 'x'"):
+        find_modes(torsional, "x")
+
+
+def test_gyroscopic_split_of_a_tilting_disc():
+    """Forward and backward precession of a disc on two equal tilt springs, the body frame does not spin.
+
+    I_t a'' + I_p W b' + k a = 0, I_t b'' - I_p W a' + k b = 0:
+    w = +-g/2 + sqrt(g^2/4 + k/I_t), g = I_p W/I_t.
+    """
+    text = (
+        "bodies:\n  disc: {motion: free, inertia: 0.02, transverse_inertia: 0.012, mass: 3}\n"
+        "bearings:\n  support: {body: disc, stiffness: "
+        "{radial: 1e8 N/m, axial: 1e8 N/m, tilt: 1e4, torsion: 1}}\n"
+    )
+    system = compiled(text)[1]
+    speeds = np.array([0.0, 100.0, 400.0])
+    data = campbell(system, speeds, "disc")
+    g = 0.02 * speeds / 0.012
+    root = np.sqrt(0.25 * g**2 + 1e4 / 0.012)
+    tilts = [k for k, name in enumerate(data["name"].values) if "tilt" in name]
+    found = np.sort(data["frequency"].values[:, tilts], axis=1) * 2 * math.pi
+    assert found == pytest.approx(np.column_stack([root - 0.5 * g, root + 0.5 * g]), rel=1e-9)
+    steps = np.abs(np.diff(data["frequency"].values, axis=0))
+    assert steps.max() < 100.0  # modes are followed, not re-sorted

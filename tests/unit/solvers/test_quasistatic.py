@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Slow roll against closed forms: TE = gap/2 + e + T/(r_b k), tangent stiffness, sharing, unloaded error."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from pitchpoint.contact.mesh_cycle import mesh_cycle
+from pitchpoint.core.errors import SolverError
+from pitchpoint.solvers.quasistatic import roll_through, solve_quasistatic
+from tests.support.machines import R_B1, compiled, pair
+
+E_COS = (1e-6, 0.5e-6)
+WAVE = "{law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1]}, transmission_error: {cosine: [1.0e-6, 0.5e-6]}"
+
+
+def channel(system, roll, name):
+    return roll.rows[:, system.layout.channel(name)]
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_transmission_error_of_a_torsional_pair(sign):
+    """Both flanks: u = +-(gap/2 + T/(r_b k)) + e at the phase of the loaded flank."""
+    system = compiled(pair(WAVE, torque=f"{sign * 200.0} N m"))[1]
+    roll = roll_through(system, "stage", 24)
+    te = channel(system, roll, "transmission_error[stage]")
+    k = channel(system, roll, "mesh_stiffness[stage]")
+    psi = channel(system, roll, "mesh_phase[stage]")
+    e = sum(a * np.cos(2 * math.pi * (h + 1) * psi) for h, a in enumerate(E_COS))
+    assert te == pytest.approx(sign * (5e-5 + 200.0 / R_B1 / k) + e, abs=1e-13)
+    if sign > 0:
+        ratio = 1 - 0.2 * np.cos(2 * math.pi * psi) - 0.1 * np.cos(4 * math.pi * psi)
+        assert k == pytest.approx(4e8 * ratio, rel=1e-9)
+    unloaded = roll.meshes["stage"].unloaded
+    # the touching flank stands a little earlier in its cycle than the loaded one
+    shift = sign * 0.5 * 200.0 / R_B1 / 4e8 / (2 * math.pi * R_B1 / 30)
+    assert unloaded == pytest.approx(sign * 5e-5 + e, abs=2 * math.pi * 3e-6 * abs(shift))
+    assert roll.meshes["stage"].tangent_stiffness == pytest.approx(k, rel=1e-9)
+    assert np.abs(roll.reaction).max() < 1e-6
+
+
+@pytest.mark.parametrize("beta", ["", "17 deg"])
+@pytest.mark.parametrize("relief", [0.0, 0.5])
+def test_stiffness_is_that_of_the_mesh_cycle(beta, relief):
+    model, system = compiled(
+        pair(f"{{law: din3990, stiffness_ratio: 0.8, tip_relief_factor: {relief}}}", beta=beta)
+    )
+    geometry = model.pairs["stage"]
+    roll = roll_through(system, "stage", 25)
+    record = system.records["gear_mesh"][0]
+    psi = channel(system, roll, "mesh_phase[stage]")
+    cycle = mesh_cycle(geometry.eps_alpha_form, geometry.eps_beta, 0.8, relief, 4001)
+    for stiffness in (channel(system, roll, "mesh_stiffness[stage]"), roll.meshes["stage"].tangent_stiffness):
+        ratio = stiffness / (record["c_prime"] * geometry.b_w)
+        assert ratio == pytest.approx(np.interp(psi, cycle.phase, cycle.stiffness_ratio), abs=1e-4)
+        exact = [at(geometry, relief, p) for p in psi]
+        assert ratio == pytest.approx(exact, rel=1e-9)
+    share = roll.meshes["stage"].share
+    assert share.sum(axis=1) == pytest.approx(np.ones(len(psi)), rel=1e-12)
+
+
+def at(geometry, relief, psi):
+    """Total stiffness at one phase, from the exact pieces of the mesh cycle instead of its samples."""
+    from pitchpoint.contact.mesh_cycle import _line, _pieces
+    from pitchpoint.contact.stiffness.description import PairShape
+
+    pieces = _pieces(
+        _line(PairShape(c_prime=1.0, S_R=0.8, T_R=relief), geometry.eps_alpha_form), geometry.eps_beta
+    )
+    for piece in pieces:
+        for turn in (psi, psi + 1.0):
+            if piece.start <= turn < piece.end:
+                return float(piece.at(turn))
+    raise AssertionError(psi)
+
+
+def test_unloaded_error_shows_tip_relief_only_where_it_is_alone():
+    """With relief on a spur pair the unloaded error keeps the unrelieved flank: zero relief somewhere."""
+    text = pair("{law: din3990}")
+    relieved = text.replace(
+        "profile_shift_coefficient: 0}",
+        "profile_shift_coefficient: 0, modifications: {both: {tip_relief: {amount: 20 um, length: 0.5 mm}}}}",
+    )
+    system = compiled(relieved)[1]
+    roll = roll_through(system, "stage", 30)
+    unloaded = roll.meshes["stage"].unloaded - 5e-5
+    assert unloaded.min() > -1e-9
+    assert unloaded.min() == pytest.approx(0.0, abs=1e-7)
+    loaded = channel(system, roll, "transmission_error[stage]") - 5e-5
+    assert np.all(loaded > unloaded)
+
+
+def test_dataset_and_scenario():
+    text = pair(WAVE, rest="scenarios:\n  slow: {quasi_static: {points: 10, periods: 2}}\n")
+    system = compiled(text)[1]
+    data = solve_quasistatic(system, "slow")
+    assert data.sizes == {"mesh_phase_position": 21}
+    assert data["transmission_error[stage]"].attrs["units"] == "m"
+    te = data["transmission_error[stage]"].values
+    assert float(data["transmission_error_peak_to_peak[stage]"]) == pytest.approx(np.ptp(te), rel=1e-15)
+    assert te[:11] == pytest.approx(te[10:], abs=1e-13)
+
+
+def test_what_cannot_be_rolled():
+    system = compiled(pair(WAVE))[1]
+    with pytest.raises(SolverError, match="no mesh or scenario 'gear'"):
+        roll_through(system, "gear")
+    with pytest.raises(SolverError, match="at least 2 points"):
+        roll_through(system, "stage", 1)
