@@ -29,6 +29,7 @@ from llvmlite import ir
 from numba import carray, cfunc, config, njit, types
 from numba.core import cgutils
 from numba.core.caching import CompileResultCacheImpl, _CacheLocator
+from numba.core.registry import CPUDispatcher
 from numba.extending import intrinsic
 
 COMPILING = not config.DISABLE_JIT
@@ -195,14 +196,39 @@ def register_package(name: str) -> None:
 # ------------------------------------------------------------------------------------ decorator and addresses
 
 
+class Kernel(CPUDispatcher):
+    """A compiled function that is cheap to compile for other kernels and still callable from Python.
+
+    Calls from kernels need neither the Python nor the C wrapper, a quarter of the compile time; they share one
+    compilation whether an argument is a constant or not. A call from Python goes to a twin with a wrapper.
+    """
+
+    _outer: Any = None
+
+    def __call__(self, *args: Any) -> Any:
+        if self._outer is None:
+            copy, cached = _twin(self, "p")
+            self._outer = njit(cache=cached, nogil=True, **_FLAGS)(copy)
+        return self._outer(*args)
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        plain = {name: types.unliteral(kind) for name, kind in kws.items()}
+        return super().get_call_template(tuple(types.unliteral(kind) for kind in args), plain)
+
+
 def kernel(function: _F) -> _F:
     """Compile a function at its first call, without the interpreter lock, cached on disk.
 
     Kernels take floats, integers and arrays, allocate nothing, raise nothing and return integer statuses.
     """
+    if not COMPILING:
+        return function
     function._pitchpoint = "k"  # type: ignore[attr-defined]
-    cached = os.path.exists(function.__code__.co_filename)
-    return njit(cache=cached, nogil=True, **_FLAGS)(function)
+    options = {"nopython": True, "nogil": True, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    made = Kernel(py_func=function, targetoptions={**options, **_FLAGS})
+    if os.path.exists(function.__code__.co_filename):
+        made.enable_caching()
+    return made  # type: ignore[return-value]
 
 
 def _twin(function: Any, variant: str) -> tuple[Any, bool]:
