@@ -5,13 +5,15 @@ Source: FZG test gears and H_V as published in the reports and the library of GE
 H_V = pi (u + 1)/(z1 u cos beta_b) (1 - eps_alpha + eps_1^2 + eps_2^2). With equal stiffness of all pairs
 (S_R = 1, T_R = 0) a spur mesh shares its load as the formula assumes: all of it or one half.
 
-Contact lines of a helical mesh share the load by their length, which the formula does not describe: with a width
-of whole overlap ratios the load per length is constant and the last factor is (eps_1^2 + eps_2^2)/eps_alpha
-(the sliding speed averaged over the path). As the overlap ratio goes to zero the formula holds, with its cos
-beta_b from the force normal to the flank.
+Contact lines of a helical mesh share the load by their length, which the formula does not describe: with a
+width of whole overlap ratios the load per length is constant and the last factor is
+(eps_1^2 + eps_2^2)/eps_alpha (the sliding speed averaged over the path). As the overlap ratio goes
+to zero the formula holds, with its cos beta_b from the force normal to the flank.
 
 How: gear 1 at constant speed, constant torque on gear 2, friction 1e-3 so that it hardly changes the normal
-force; the slow speed keeps the vibration after each change of pairs short. Loss/(mu P) to 1e-3.
+force; the slow speed keeps the vibration after each change of pairs short, the small load keeps the
+deflection small against the base pitch. The gap is given: the rounded profile shifts of the source leave a
+slightly negative one, and both flanks would rub. Loss/(mu P) to 1e-3.
 """
 
 from __future__ import annotations
@@ -33,12 +35,12 @@ FZG_C = (
     "profile_shift_coefficient: 0.1817, tip_diameter: 82.636 mm}",
     "g2: {number_of_teeth: 24, normal_module: 4.5 mm, face_width: 14 mm, "
     "profile_shift_coefficient: 0.1715, tip_diameter: 118.544 mm}",
-    "center_distance: 91.5 mm",
+    "center_distance: 91.5 mm, backlash: {normal: 0.1 mm}",
 )
 S30 = (
     "g1: {number_of_teeth: 30, normal_module: 2 mm, face_width: 14 mm, profile_shift_coefficient: 0}",
     "g2: {number_of_teeth: 30, normal_module: 2 mm, face_width: 14 mm, profile_shift_coefficient: 0}",
-    "center_distance: 60 mm",
+    "center_distance: 60 mm, backlash: {normal: 0.1 mm}",
 )
 
 
@@ -51,11 +53,11 @@ def helical(overlap):
     return (
         "g1: " + gear.format(20, beta, "left", width),
         "g2: " + gear.format(30, beta, "right", width),
-        "backlash: {normal: 0 mm}",
+        "backlash: {normal: 0.1 mm}",
     )
 
 
-def simulated(gears, drive="speed"):
+def simulated(gears, torque=1.0):
     """Friction loss over mu P, from the friction itself and from the torques, and the pair."""
     one, two, mesh = gears
     z1, z2 = (int(g.split("number_of_teeth: ")[1].split(",")[0]) for g in (one, two))
@@ -69,7 +71,7 @@ def simulated(gears, drive="speed"):
         f"meshes:\n  stage: {{gears: [g1, g2], {mesh}, damper: {{ratio: 0.1}}, "
         "friction: {mu: 0.001, v_eps: 0.02 mm/s},\n"
         "    stiffness: {law: din3990, stiffness_ratio: 1.0, tip_relief_factor: 0.0}}\n"
-        "loads:\n  brake: {body: driven, torque: 20 N m}\n"
+        f"loads:\n  brake: {{body: driven, torque: {torque!r} N m}}\n"
         f"scenarios:\n  run: {{{motion}, duration: {(PERIODS + 1) * period!r} s, "
         f"settle_time: {period!r} s, step: {step!r} s}}\n"
     )
@@ -79,7 +81,7 @@ def simulated(gears, drive="speed"):
     mean = {name: values["mean"] for name, values in done.channels.items()}
     omega = RPM * math.pi / 30.0
     power = mean["torque[driver]"] * omega
-    out = -20.0 * mean["speed[driven]"]
+    out = -torque * mean["speed[driven]"]
     scale = MU * power
     return mean["friction_power[stage]"] / scale, (power - out) / scale, model.pairs["stage"]
 
@@ -104,7 +106,7 @@ def ohlendorf(pair):
 @pytest.mark.parametrize(("gears", "H_V"), [(FZG_C, 0.198620), (S30, 0.149443)], ids=["C14", "S30"])
 def test_spur(gears, H_V):
     friction, torques, pair = simulated(gears)
-    assert ohlendorf(pair) == pytest.approx(H_V, rel=2e-5)
+    assert ohlendorf(pair) == pytest.approx(H_V, rel=1e-4)
     assert friction == pytest.approx(H_V, rel=1e-3)
     assert torques == pytest.approx(H_V, rel=1e-3)
 
@@ -119,6 +121,6 @@ def test_helical_with_whole_overlap():
 
 
 def test_helical_without_overlap():
-    friction, torques, pair = simulated(helical(0.002))
+    friction, torques, pair = simulated(helical(0.002), torque=0.002)
     assert friction == pytest.approx(ohlendorf(pair), rel=1e-3)
     assert torques == pytest.approx(ohlendorf(pair), rel=1e-3)

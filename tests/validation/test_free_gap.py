@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """FREE-GAP: free vibration through the backlash of a gear that was loaded and is let go.
 
-A mass on a spring with the total gap j along the base tangent starts at rest at its static deflection
-delta_0 = T/(r_b k). It leaves the flank with v = omega delta_0, needs j/v for the gap, and stays pi/omega on each
+A mass on a spring with the total gap j along the base tangent starts at rest at its static deflection delta_0
+= T/(r_b k). It leaves the flank with v = omega delta_0, needs j/v for the gap, and stays pi/omega on each
 flank. With r = j/delta_0 the share of the time without contact is r/(pi + r) and the frequency pi/(pi + r) of
-that without gap. The case is the second gear of a camshaft drive (Master's thesis, NTNU 2015; load cases of its
-parameter study): I 3.06 kg m^2, z 68, m 8 mm, k 1e5 N/m; the first gear stands still, the damper is left out.
+that without gap. The case is the second gear of a camshaft drive (Master's thesis, NTNU 2015; load cases of
+its parameter study): I 3.06 kg m^2, z 68, m 8 mm, k 1e5 N/m; the first gear stands still, the damper is left
+out.
 
-Two methods. The adaptive one locates every contact on its interpolant: 1e-6. The default one, at a fixed step,
-finds it between two steps by a straight line: h = 10 us is 1/13600 of a period and leaves some 1e-6. The source
-of the closed form asks for 1e-4.
+Two methods. The adaptive one locates every contact on its interpolant: 1e-6. The default one, at a fixed
+step, finds it between two steps by a straight line: h = 10 us is 1/13600 of a period and leaves some 1e-6.
+The source of the closed form asks for 1e-4.
 """
 
 from __future__ import annotations

@@ -2,11 +2,11 @@
 """NL-KS90: oscillator with backlash, constant stiffness and internal excitation, swept up and down.
 
 Source: A. Kahraman, R. Singh, Non-linear dynamics of a spur gear pair, Journal of Sound and Vibration 142
-(1990) 49-75: x'' + 2 zeta x' + g(x) = F_m + F_a Omega^2 sin(Omega tau), g = x -+ 1 outside |x| <= 1, here with
-zeta 0.05, F_m 0.1, F_a 0.05. The numbers were computed independently of this package by a fourth-order
-Runge-Kutta method with 2000 to 8000 steps per period and by harmonic balance with 30 harmonics, which agree in
-six digits. `examples/backlash-oscillator/constant-twin.yaml` maps them to a gear pair: x is the deflection over
-half the backlash, Omega the mesh frequency over 3000 Hz, the excitation the static transmission error.
+(1990) 49-75: x'' + 2 zeta x' + g(x) = F_m + F_a Omega^2 sin(Omega tau), g = x -+ 1 outside |x| <= 1, here
+with zeta 0.05, F_m 0.1, F_a 0.05. The numbers were computed independently of this package by a fourth-order
+Runge-Kutta method with 2000 to 8000 steps per period and by harmonic balance with 30 harmonics, which agree
+in six digits. `examples/backlash-oscillator/constant-twin.yaml` maps them to a gear pair: x is the deflection
+over half the backlash, Omega the mesh frequency over 3000 Hz, the excitation the static transmission error.
 
 Tolerances. rms 1e-4 and jumps 0.001 in Omega as the source gives them. Extremes 2e-4: they are taken at the
 steps, 400 or more per period, and the response turns sharply where the flanks meet. Jumps are the midpoint of
@@ -102,7 +102,9 @@ def test_flanks_part_only_inside_the_closed_form_band(branches, jumps):
     for (direction, omega), point in {**branches, **jumps[0]}.items():
         if direction == "up":  # the linear branch, then the only one
             assert (point["contact_loss_share"] > 0.0) == (low < omega < high), omega
-    lost = [omega for (direction, omega), p in jumps[0].items() if direction == "up" and p["contact_loss_share"]]
+    lost = [
+        omega for (direction, omega), p in jumps[0].items() if direction == "up" and p["contact_loss_share"]
+    ]
     assert min(lost) - low == pytest.approx(0.0005, abs=0.0005)  # one step of the sweep
 
 
@@ -110,5 +112,7 @@ def test_linear_outside_the_band(branches):
     for (direction, omega), point in branches.items():
         if point["contact_loss_share"] == 0.0:
             x = point["deflection"]
-            assert x["rms"] / HALF_GAP == pytest.approx(amplitude(omega) / math.sqrt(2.0), abs=1.5e-5), direction
+            assert x["rms"] / HALF_GAP == pytest.approx(amplitude(omega) / math.sqrt(2.0), abs=1.5e-5), (
+                direction
+            )
             assert x["mean"] / HALF_GAP == pytest.approx(1.0 + F_M, abs=1e-6)

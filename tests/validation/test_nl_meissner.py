@@ -2,18 +2,18 @@
 """NL-MEISSNER: where a mesh stiffness that jumps between two values makes an undamped pair unstable.
 
 Closed form for x'' + k(t) x = 0 with k_1 for the time T_1 and k_2 for T_2 (E. Meissner, Schweizerische
-Bauzeitung 72 (1918) 95-98): unstable where |2 cos phi_1 cos phi_2 - (w_1/w_2 + w_2/w_1) sin phi_1 sin phi_2| is
-greater than 2, phi = w T. For k_1 : k_2 = 3 : 2 and equal times, in units of sqrt(mean k / m): [0.98495, 1.00493]
-and [1.87105, 2.12527].
+Bauzeitung 72 (1918) 95-98): unstable where |2 cos phi_1 cos phi_2 - (w_1/w_2 + w_2/w_1) sin phi_1 sin phi_2|
+is greater than 2, phi = w T. For k_1 : k_2 = 3 : 2 and equal times, in units of sqrt(mean k / m): [0.98495,
+1.00493] and [1.87105, 2.12527].
 
 The engine is asked the same question. Two gears carry a large torque, so that the flanks never part; the
-difference of two runs over one mesh period then obeys the equation above exactly, and two differences make the
-matrix over one period. Undamped means that its determinant is one; a trace beyond 2 means growth. The stiffness
-jumps at mesh phase 0 and 1/2, the zeros of the function behind the event `pair_entry`: the adaptive method starts
-anew there.
+difference of two runs over one mesh period then obeys the equation above exactly, and two differences make
+the matrix over one period. Undamped means that its determinant is one; a trace beyond 2 means growth. The
+stiffness jumps at mesh phase 0 and 1/2, the zeros of the function behind the event `pair_entry`: the adaptive
+method starts anew there.
 
-Tolerance 1e-4 as the source gives it. The method is better: its trace is good to some 1e-6, and so the boundaries
-agree with the closed form to 1e-5.
+Tolerance 1e-4 as the source gives it. The method is better: its trace is good to some 1e-6, and so the
+boundaries agree with the closed form to 1e-5.
 """
 
 from __future__ import annotations
@@ -49,7 +49,8 @@ loads:
   input:  {body: driver, torque: 15 kN m}
   output: {body: driven, torque: 15 kN m}
 scenarios:
-  period: {speed: {driver: 1500 rpm}, duration: 1 ms, method: runge_kutta, tolerance: 1e-10, events: [pair_entry]}
+  period: {speed: {driver: 1500 rpm}, duration: 1 ms, method: runge_kutta, tolerance: 1e-10,
+           events: [pair_entry]}
 """
 
 
@@ -81,7 +82,8 @@ class Pair:
         start = prepare_start(self.system, scenario)
         size = float(evaluate.observe(start.system, start.state)[0]) * 0.1
         ends = [
-            self.end(start, scenario, *nudge) for nudge in ((0.0, 0.0), (size, 0.0), (0.0, size * self.natural))
+            self.end(start, scenario, *nudge)
+            for nudge in ((0.0, 0.0), (size, 0.0), (0.0, size * self.natural))
         ]
         return np.array([(end - ends[0]) / size for end in ends[1:]]).T
 

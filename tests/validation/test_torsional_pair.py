@@ -6,9 +6,9 @@ m d'' + c d' + k(psi) g(d) = T/r_b - m e'', with m = I/(2 r_b^2), psi = f t, g =
 k, e the Fourier series of the file. It is solved here with SciPy's DOP853 at rtol 1e-9: another method, other
 code, and none of the package's geometry.
 
-Tolerances: 1e-3 of the rms for what vibrates, 1e-3 of the mean force for forces, of half the gap for means. What
-limits them is the step of the engine, 1/200 of the period of the mesh mode: it leaves 3e-4. Extremes are taken at
-the steps. The reference agrees with itself to 1e-6.
+Tolerances: 1e-3 of the rms for what vibrates, 1e-3 of the mean force for forces, of half the gap for means.
+What limits them is the step of the engine, 1/200 of the period of the mesh mode: it leaves 3e-4. Extremes are
+taken at the steps. The reference agrees with itself to 1e-6.
 """
 
 from __future__ import annotations
@@ -59,9 +59,7 @@ class Reference:
 
         end = periods / frequency
         t = np.arange(samples * periods + 1) / (samples * frequency) if samples else None
-        found = solve_ivp(
-            rates, (0.0, end), self.state, "DOP853", t_eval=t, rtol=1e-9, atol=[1e-15, 1e-11]
-        )
+        found = solve_ivp(rates, (0.0, end), self.state, "DOP853", t_eval=t, rtol=1e-9, atol=[1e-15, 1e-11])
         assert found.success
         self.state = found.y[:, -1]
         if not samples:

@@ -73,7 +73,9 @@ class Scenario:
     settle_time: float | None = quantity(
         "time", "start of the window of the statistics", None, minimum=0.0, display="20 % of duration"
     )
-    step: float | None = positive("time", "time step", None, display="1/200 of the shortest period of mesh and modes")
+    step: float | None = positive(
+        "time", "time step", None, display="1/200 of the shortest period of mesh and modes"
+    )
     tolerance: float = positive("dimensionless", "relative tolerance of runge_kutta", 1e-7, maximum=0.1)
     method: str = choice(METHODS, "time integration", "generalized_alpha")
     events: tuple[str, ...] = key("words", "root events to locate and record", (), choices=EVENTS)

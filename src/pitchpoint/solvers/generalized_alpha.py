@@ -22,7 +22,6 @@ from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.newton import newton_step, rows_hold
 from pitchpoint.solvers.sampling import EVENT_COLUMNS, crossings, take
 from pitchpoint.system import evaluate
-from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, wrap
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import MACH, STEPS, VALID
@@ -232,10 +231,9 @@ def start(system: System, state: State, h: float, *, rho_inf: float = 0.8, toler
     w.arrays["real"][:] = 0.0
     w.arrays["real"][0] = 0.1
     w.ctl[0]["bad"] = w.ctl[0]["badkind"] = -1
-    evaluate.check(system, solve_acceleration(w.at, state.t, 0.0), state)
-    wrap(w.at)
+    evaluate.check(system, evaluate.accelerations(system, state.t, 0.0), state)
     w.arrays["al"][:] = w.a
     w.arrays["ap"][:] = w.a
     if system.sizes["ne"]:
-        evaluate.check(system, evaluate_events(w.at, state.t, w.arrays["ev0"].ctypes.data), state)
+        evaluate.check(system, evaluate.fill_events(system, state.t, w.arrays["ev0"]), state)
     return Run(system, h, rho_inf, tolerance, state.t)

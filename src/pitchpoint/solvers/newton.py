@@ -5,10 +5,10 @@ The matrix is kept over steps and factored again when the iteration slows down. 
 the error that is left, |dq| theta / (1 - theta) with the last measured contraction rate theta, is below the
 tolerance.
 
-Where a force jumps, as when a tooth pair enters a mesh whose stiffness is a rectangular wave, a step may end so
-close to the jump that neither side has a solution: the force of one side pushes the state to the other. The
-iteration then swings between both. It is accepted there: each side is a solution to within the swing, beta h^2
-times the jump over the mass, which is the error of any step across a jump.
+Where a force jumps, as when a tooth pair enters a mesh whose stiffness is a rectangular wave, a step may end
+so close to the jump that neither side has a solution: the force of one side pushes the state to the other.
+The iteration then swings between both. It is accepted there: each side is a solution to within the swing,
+beta h^2 times the jump over the mass, which is the error of any step across a jump.
 """
 
 from __future__ import annotations

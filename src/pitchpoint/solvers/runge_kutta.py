@@ -21,7 +21,6 @@ from pitchpoint.solvers.explicit import OLD, keep_state, slope
 from pitchpoint.solvers.generalized_alpha import Chunk
 from pitchpoint.solvers.sampling import EVENT_COLUMNS, crossings, take
 from pitchpoint.system import evaluate
-from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, wrap
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import MACH, STEPS, VALID
@@ -177,10 +176,9 @@ def _start(system: System, state: State, rate: float) -> None:
     w.clock[:] = 0
     w.arrays["real"][:] = 0.0
     w.ctl[0]["bad"] = w.ctl[0]["badkind"] = -1
-    evaluate.check(system, solve_acceleration(w.at, state.t, rate), state)
-    wrap(w.at)
+    evaluate.check(system, evaluate.accelerations(system, state.t, rate), state)
     if system.sizes["ne"]:
-        evaluate.check(system, evaluate_events(w.at, state.t, w.arrays["ev0"].ctypes.data), state)
+        evaluate.check(system, evaluate.fill_events(system, state.t, w.arrays["ev0"]), state)
 
 
 def start_classical(system: System, state: State, h: float, *, rate: float = 200.0) -> ExplicitRun:

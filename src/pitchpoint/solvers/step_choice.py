@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The time step of a run: small against the shortest period that matters, and a divisor of the sample period."""
+"""The time step of a run: small against the shortest period that matters, and a divisor of the sample
+period."""
 
 from __future__ import annotations
 

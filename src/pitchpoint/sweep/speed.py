@@ -2,7 +2,8 @@
 """Speed sweep: point by point, up and down, each point continuing where the last one stopped.
 
 A change of speed adds the ideal motion of the gear train (all bodies in the ratio of their teeth) to the
-velocities and leaves deflections and vibration alone, so the response stays on its branch until that branch ends.
+velocities and leaves deflections and vibration alone, so the response stays on its branch until that branch
+ends.
 """
 
 from __future__ import annotations
@@ -36,8 +37,8 @@ QUANTITIES = ("transmission_error", "deflection", "mesh_force")
 STEPS_PER_PERIOD = 200
 """Least steps per mesh period and per period of the mesh mode, unless the scenario says otherwise.
 
-On the backlash oscillator of Kahraman and Singh 200 steps leave 5e-5 of half the backlash in the rms, 100 steps
-1.0e-4; the error falls with the square.
+On the backlash oscillator of Kahraman and Singh 200 steps leave 5e-5 of half the backlash in the rms, 100
+steps 1.0e-4; the error falls with the square.
 """
 CHUNK_STEPS = 200_000
 """Steps between two looks at the keyboard."""

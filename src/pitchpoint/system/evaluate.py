@@ -8,11 +8,10 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import NOT_FINITE, OK, sentence
-from pitchpoint.multibody.kinematics import rest_pose
-from pitchpoint.system import residual as kernels
 from pitchpoint.system.law_fault import law_fault
-from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.link import kind_of_row
+from pitchpoint.system.perform import ACCELERATE, EVENTS, OBSERVE, RESIDUAL, REST, WRAP, ask
+from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System
 
 
@@ -52,8 +51,23 @@ def prepare(system: System) -> None:
     """Write the constant parts of the workspace; needed once after it was made."""
     w = system.workspace
     if not w.ready:
-        rest_pose(w.program["body"], w.fr, w.arrays["J"])
+        ask(w.at, REST)
         w.ready = True
+
+
+def accelerations(system: System, t: float, rate: float = 0.0) -> int:
+    """Solve accelerations and multipliers at the state in the workspace and wrap the spins; returns the status.
+
+    `rate` pulls drifted constraints back [1/s].
+    """
+    status = ask(system.workspace.at, ACCELERATE, t, factors=(0.0, 0.0, rate))
+    ask(system.workspace.at, WRAP)
+    return status
+
+
+def fill_events(system: System, t: float, target: NDArray[np.float64]) -> int:
+    """Write all event functions at the state in the workspace into an array of theirs; returns the status."""
+    return ask(system.workspace.at, EVENTS, t, where=target.ctypes.data)
 
 
 def residual(system: System, state: State) -> NDArray[np.float64]:
@@ -66,12 +80,12 @@ def residual(system: System, state: State) -> NDArray[np.float64]:
     """
     prepare(system)
     load(system, state)
-    check(system, kernels.residual(system.workspace.at, state.t, kernels.FORCES, 0.0, 0.0, 0.0))
+    check(system, ask(system.workspace.at, RESIDUAL, state.t))
     return system.workspace.R.copy()
 
 
 def matrix(
-    system: System, state: State, cm: float, cd: float, ck: float, jac: int = kernels.EXACT
+    system: System, state: State, cm: float, cd: float, ck: float, jac: int = EXACT
 ) -> NDArray[np.float64]:
     """Dense matrix cm M + cd D + ck K at a state, shape (nd, nd).
 
@@ -85,7 +99,7 @@ def matrix(
     prepare(system)
     load(system, state)
     w = system.workspace
-    check(system, kernels.residual(w.at, state.t, jac, cm, cd, ck))
+    check(system, ask(w.at, RESIDUAL, state.t, jac, (cm, cd, ck)))
     nd = system.sizes["nd"]
     dense = np.zeros((nd, nd))
     layout = system.layout
@@ -120,7 +134,7 @@ def observe(system: System, state: State) -> NDArray[np.float64]:
     prepare(system)
     load(system, state)
     row = np.zeros(system.sizes["no"])
-    check(system, kernels.observe(system.workspace.at, state.t, row.ctypes.data))
+    check(system, ask(system.workspace.at, OBSERVE, state.t, where=row.ctypes.data))
     return row
 
 
@@ -129,7 +143,7 @@ def event_values(system: System, state: State) -> NDArray[np.float64]:
     prepare(system)
     load(system, state)
     row = np.zeros(system.sizes["ne"])
-    check(system, kernels.evaluate_events(system.workspace.at, state.t, row.ctypes.data))
+    check(system, ask(system.workspace.at, EVENTS, state.t, where=row.ctypes.data))
     return row
 
 
@@ -137,5 +151,5 @@ def accelerate(system: System, state: State) -> State:
     """Same state with the accelerations and multipliers that its forces cause."""
     prepare(system)
     load(system, state)
-    check(system, solve_acceleration(system.workspace.at, state.t, 0.0))
+    check(system, ask(system.workspace.at, ACCELERATE, state.t))
     return store(system, state.t)

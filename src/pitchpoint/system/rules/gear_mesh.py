@@ -12,13 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
+from pitchpoint.core.errors import CompileError
+from pitchpoint.core.kernel import invoke
+from pitchpoint.core.status import OK, sentence
 from pitchpoint.elements import gear_mesh_record as layout
-from pitchpoint.elements.mesh_line import line_of_action
+from pitchpoint.elements.gear_mesh import entry
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import inv
 from pitchpoint.model.components.stiffness import UserStiffness
-from pitchpoint.multibody.channels import FRAME
+from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.system.rules.separation import separation_grids
@@ -285,10 +288,23 @@ def _reduced_mass(model: Model, name: str) -> float:
 
 
 def _freeze(row: Any, place: Placement) -> None:
-    """Fill the line of action once, for gears that only spin."""
+    """Fill the line of action once, for gears that only spin: one call of the element with it loose."""
     frames = np.zeros(2, FRAME)
     frames["r"] = place.origin1, place.origin2
     frames["R"] = np.eye(3)
-    rows = row.reshape(1) if hasattr(row, "reshape") else np.array([row])
-    line_of_action(rows[0], frames[0], frames[1])
+    rows = np.zeros(1, layout.RECORD)
+    rows[0] = row
+    for name in ("source", "n_pair", "n_e", "n_e1", "n_e2", "n_sz", "i"):
+        rows[name] = 0  # geometry alone
+    rows["j"], rows["inv_w0"] = 1, -1e9  # a gap so wide that no flank is looked at
+    ctl = np.zeros(1, CTL)
+    ctl["fr"], ctl["nb"] = frames.ctypes.data, 2
+    tangents = np.zeros((1, 6, 6))
+    ctl["kk"], ctl["np"] = tangents.ctypes.data, 1
+    status = invoke(entry, ctl.ctypes.data, rows.ctypes.data, 1)
+    if status != OK:
+        raise CompileError(f"a mesh cannot be placed: {sentence(status)}")
+    for name in ("m", "e", "t", "P", "dn", "cos_a", "sin_a", "inv_a", "dz"):
+        row[name] = rows[name][0]
+    row["gap"] = 2.0 * (row["r_b1"] + row["r_b2"]) * (row["inv_a"] - row["inv_w0"])
     row["fixed"] = 1
