@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Two laws of one's own: a torque over the angle of its body, and a mesh stiffness over the mesh phase.
 
 Every law is a function f(t, x, p): time, the quantity it depends on, and the numbers under `parameters` in

@@ -99,8 +99,8 @@ def test_natural_frequencies_of_the_train():
     stiffness = k1 * np.outer(one, one) + k2 * np.outer(two, two)
     inertia = np.array([4.034, 3.06 + 0.998, 4.503])
     by_hand = np.sqrt(np.abs(np.sort(np.linalg.eigvals(stiffness / inertia[:, None]).real))) / (2.0 * math.pi)
-    assert found.frequency[1:] == pytest.approx(by_hand[1:], rel=2e-3)
-    assert found.frequency[1:] == pytest.approx([911.6, 1379.3], rel=1e-3)
+    assert found.frequency[1:] == pytest.approx(by_hand[1:], rel=1e-6)
+    assert found.frequency[1:] == pytest.approx([928.65, 1404.64], rel=1e-4)
 
 
 def mean_stiffness(model, name):

@@ -2,8 +2,8 @@
 """The example `nearly-driven`: flanks cross the backlash in j_bt/|u_bt rate|.
 
 Source: SIMPACK User Meeting 2006, external spur pair "kinematical driven by a transmission ratio which is not
-exactly the ratio of the teeth numbers"; the time is closed form. Tolerance 1e-6: the travel is linear in time,
-so linear interpolation of the roots is exact but for round-off of the angles.
+exactly the ratio of the teeth numbers"; the time is closed form. Tolerance 1e-6: the travel is linear in
+time, so linear interpolation of the roots is exact but for round-off of the angles.
 """
 
 from __future__ import annotations

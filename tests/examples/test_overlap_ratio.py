@@ -2,8 +2,9 @@
 """The example `overlap-ratio`: stiffness and dynamic force of helical pairs over the overlap ratio.
 
 Source: L. Mauer, "The new, powerful gearwheel module", SIMPACK User Meeting 2006, "What is the best overlap
-ratio?". The oracle is the pair as a single mass on k(psi(t)), integrated by SciPy: m x'' + d x' + k x = T/r_b,
-with the phase at nominal speed. That neglects the speed ripple in the phase, 5e-4 of the speed; tolerance 1e-3.
+ratio?". The oracle is the pair as a single mass on k(psi(t)), integrated by SciPy: m x'' + d x' + k x =
+T/r_b, with the phase at nominal speed. That neglects the speed ripple in the phase, 5e-4 of the speed;
+tolerance 1e-3.
 """
 
 from __future__ import annotations

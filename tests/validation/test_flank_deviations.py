@@ -20,7 +20,7 @@ from scipy.spatial import cKDTree
 
 from pitchpoint.geometry import CylindricalGear
 from pitchpoint.geometry.modifications import flank_range
-from pitchpoint.geometry.placement import mesh_offset, mesh_outlines
+from pitchpoint.geometry.placement import mesh_outlines
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.quasistatic import solve_quasistatic
 from pitchpoint.system import evaluate
@@ -58,8 +58,10 @@ def rolled(model, points, periods):
     return error, data["angle[driver]"].values[:-1], data
 
 
-def teeth_in_contact(model, angle1):
+def teeth_in_contact(model, angle1, margin=0.0):
     """(tooth of gear 1, tooth of gear 2, path position from the pitch point) of all pairs on the path.
+
+    `margin` adds pairs that are as close to its ends [m].
 
     From the angles of the teeth alone: flanks at the pitch point when the arcs on both base circles agree.
     """
@@ -75,7 +77,7 @@ def teeth_in_contact(model, angle1):
     for k in range(gear1.z):
         arc = math.remainder(tooth0 + 2 * math.pi * k / gear1.z + angle1 - theta, 2 * math.pi)
         xi = r_b1 * (arc + gear1.psi_b - inv)  # its left flank along the line of action
-        if not pair.T1A - pair.T1C <= xi <= pair.T1E - pair.T1C:
+        if not pair.T1A - pair.T1C - margin <= xi <= pair.T1E - pair.T1C + margin:
             continue
         # its mate: the tooth beside the space into which this tooth reaches, on the side of its left flank
         want = (-1 if gear2.z > 0 else 1) * abs(r_b1 / r_b2) * arc
@@ -93,25 +95,28 @@ def test_teeth_in_contact_are_those_of_the_drawing(z2, internal):
     model = machine(21, z2, internal=internal)
     pair = model.pairs["stage"]
     theta = math.pi if internal else 0.0
+    first, second = (model.phasing.tooth_angle[g] for g in ("g1", "g2"))
     for angle in (0.0, 0.05, 0.13, 0.21):
-        other = (pair.j_bt - angle * pair.gear1.d_b) / pair.gear2.d_b
-        one, two = mesh_outlines(pair, angle, 300, phi2=other, direction=theta)
-        at = np.array([pair.a_w * math.cos(theta), pair.a_w * math.sin(theta)])
+        drawn = first + angle - theta
+        phi2 = (pair.j_bt - drawn * pair.gear1.d_b) / pair.gear2.d_b
+        turned = (pair.j_bt - angle * pair.gear1.d_b) / pair.gear2.d_b
+        one, two = mesh_outlines(pair, drawn, 300, phi2=phi2, direction=theta)
+        at = pair.a_w * np.array([math.cos(theta), math.sin(theta)])
         near, mate = cKDTree(two).query(one)
         found = set()
         for i in np.nonzero(near < 12e-6)[0]:
-            k, side1 = which_flank(one[i], 21, theta + angle)
-            m, side2 = which_flank(two[mate[i]] - at, z2, mesh_offset(pair, theta) + other)
+            k, side1 = which_flank(one[i], 21, first + angle)
+            m, side2 = which_flank(two[mate[i]] - at, z2, second + turned)
             found.add((k, side1, m, side2))
-        # the model turns gear 2 less at the assembly: its tooth 0 may stand some teeth away from that of the drawing
-        shift = (mesh_offset(pair, theta) - model.phasing.tooth_angle["g2"]) * z2 / math.tau
-        shift1 = (theta - model.phasing.tooth_angle["g1"]) * 21 / math.tau
-        turn = model.phasing.tooth_angle["g1"] - theta
-        expected = {
-            ((k - round(shift1)) % 21, 1, (m - round(shift)) % z2, -1 if internal else 1)
-            for k, m, _ in teeth_in_contact(model, angle - turn - round(shift1) * 0.0)
-        }
-        assert found == expected
+        side = -1 if internal else 1
+        touching, close = (
+            {(k, 1, m, side) for k, m, _ in teeth_in_contact(model, angle, margin)}
+            for margin in (0.0, 1.5e-3)
+        )
+        # flanks inside a ring are all but congruent: the next pair is within micrometres before it touches
+        assert touching <= found <= close
+        if not internal:
+            assert found == touching
 
 
 def which_flank(point, z, angle):

@@ -180,14 +180,15 @@ def split(
         Told after every element.
     """
     M = evaluate.matrix(system, state, 1.0, 0.0, 0.0)
-    D, K = matrices(system, state)
+    D_all, K_all = matrices(system, state)
+    D, K = D_all.copy(), K_all.copy()
     listed = element_list(system)
     shares = np.zeros((len(listed), *K.shape))
     bodies = np.zeros((len(listed), 2), np.int64)
     for e, (kind, k, name) in enumerate(listed):
         bodies[e] = system.records[kind][k]["i"], system.records[kind][k]["j"]
         d, rest = without(system, state, kind, k)
-        shares[e], d = K - rest, D - d
+        shares[e], d = K_all - rest, D_all - d
         if kind == "gear_mesh" and mean:
             loose = name.partition(" ")[2] in touched
             D_mean, K_mean = _cycle_mean(system, state, held, k, loose)
