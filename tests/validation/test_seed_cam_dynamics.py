@@ -5,8 +5,8 @@ Released loads (figures 4.1 to 4.5): the closed form of a free vibration through
 without contact r/(pi + r) with r = backlash / static deflection; 1e-4. Run-up (figures 4.10 to 4.13): the
 thesis prints no value that its own data reproduce, so its statements are gates, with bounds around our
 numbers: the resonance peak with backlash lies below the natural frequency, contact is lost and the other
-flank reached through the gap only with backlash, contact loss grows with backlash. Stiffness and damper are the
-printed numbers read about the axis of gear 2 (see the page of the example `camshaft-drive`).
+flank reached through the gap only with backlash, contact loss grows with backlash. Stiffness and damper are
+the printed numbers read about the axis of gear 2 (see the page of the example `camshaft-drive`).
 """
 
 from __future__ import annotations

@@ -124,11 +124,39 @@ class Model:
         ModelError
             If there is no such key, the value cannot be read, or the changed model is not possible.
         """
+        return self.replace_all({path: value})
+
+    def replace_all(self, changes: Mapping[str, Any]) -> Model:
+        """New model with several values changed at once: only the whole must be possible, no step to it.
+
+        Parameters
+        ----------
+        changes
+            New values by path, both as in `replace`.
+
+        Raises
+        ------
+        ModelError
+            With every path that does not exist and every value that cannot be read, or with what makes the
+            changed model impossible.
+        """
         report = Reader(allow_code=True, directory=str(Path(self.file).parent) if self.file else ".")
-        changed = replace_at(self, tuple(path.split(".")), value, report)
-        if report.problems:
-            raise ModelError(report.problems)
-        return changed
+        tops: dict[str, Any] = {}
+        problems: list[Problem] = []
+        for path, value in changes.items():
+            name, *rest = path.split(".")
+            if rest and name in keys_of(Model):
+                part = tops.get(name, getattr(self, name))
+                tops[name] = replace_at(part, tuple(rest), value, report, (name,))
+            else:
+                whole = replace_at(self, (name, *rest), value, report)
+                if not report.problems:
+                    tops[name] = getattr(whole, name)
+            problems += report.problems
+            report.problems.clear()
+        if problems:
+            raise ModelError(problems)
+        return dataclasses.replace(self, **tops)
 
     # --- what follows ----------------------------------------------------------------------------------
     def backlash(self, mesh: str) -> float:
@@ -195,8 +223,11 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
     if name not in keys:
         report.unknown({name: value}, keys, at)
         return part
-    if len(path) > 1:
-        new = replace_at(getattr(part, name), path[1:], value, report, here)
+    old = getattr(part, name)
+    if len(path) == 2 and isinstance(old, Mapping) and keys[name].kind != "components":
+        new = report.value(keys[name], {**old, path[1]: value}, here)  # numbers by name, such as speeds
+    elif len(path) > 1:
+        new = replace_at(old, path[1:], value, report, here)
     elif value is None and defaults_of(type(part)).get(name, ...) is None:
         new = None
     elif _is_component(keys[name], value):

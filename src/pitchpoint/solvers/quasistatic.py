@@ -20,7 +20,7 @@ import numpy as np
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import DIVERGED, INCONSISTENT
+from pitchpoint.core.status import DIVERGED, INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.equilibrium import find_equilibrium, same_group
 from pitchpoint.solvers.operating_point import held_spins, operating_point
@@ -74,6 +74,8 @@ class Roll:
         Torque that held the turned spin [N m], shape (n,).
     notes
         What the user should know, in sentences.
+    status, sentence
+        How it ended; a roll that stopped early holds the points before.
     """
 
     mesh: str
@@ -82,6 +84,8 @@ class Roll:
     meshes: dict[str, MeshRoll]
     reaction: Array
     notes: tuple[str, ...] = ()
+    status: int = OK
+    sentence: str = ""
 
 
 def roll_through(
@@ -116,25 +120,35 @@ def roll_through(
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
     clear = _assembled(own, state)
-    for s in range(n):
-        found = find_equilibrium(own, state, held)
-        state = found.state
-        rows[s] = evaluate.observe(own, state)
-        reaction[s] = found.reaction[0]
-        for m in range(len(names)):
-            tangent[m, s] = _tangent(own, state, m)
-            unloaded[m, s] = _touching_error(
-                own, clear, m, rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
-            )
-        state, clear = _turn(own, state, step * rates), _turn(own, clear, step * rates)
-        progress(s + 1, n, f"{mesh}: roll")
+    done, status, text = 0, OK, sentence(OK)
+    try:
+        for s in range(n):
+            found = find_equilibrium(own, state, held)
+            state = found.state
+            rows[s] = evaluate.observe(own, state)
+            reaction[s] = found.reaction[0]
+            for m in range(len(names)):
+                contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
+                tangent[m, s] = _tangent(own, state, m)
+                unloaded[m, s] = _touching_error(own, clear, m, contact)
+            state, clear = _turn(own, state, step * rates), _turn(own, clear, step * rates)
+            done = s + 1
+            progress(done, n, f"{mesh}: roll")
+    except KeyboardInterrupt:
+        status, text = INTERRUPTED, sentence(INTERRUPTED)
+    except SolverError as error:
+        status, text = error.status, f"{error} (after {done} of {n} points)"
+    rows = rows[:done]
     meshes = {
         name: MeshRoll(
-            unloaded[m], tangent[m], _shares(own, rows, name, int(own.records["gear_mesh"][m]["n_pair"]))
+            unloaded[m, :done],
+            tangent[m, :done],
+            _shares(own, rows, name, int(own.records["gear_mesh"][m]["n_pair"])),
         )
         for m, name in enumerate(names)
     }
-    return Roll(mesh, np.arange(n) / points, rows, meshes, reaction, point.notes)
+    position = np.arange(done) / points
+    return Roll(mesh, position, rows, meshes, reaction[:done], point.notes, status, text)
 
 
 def _plan(
@@ -299,41 +313,55 @@ def solve_quasistatic(
     SolverError
         If there is no such mesh, or no equilibrium at some point.
     """
-    from pitchpoint.solvers.dataset import attributes, channel_dataset
+    import xarray as xr
+
+    from pitchpoint.solvers.dataset import attributes
 
     began = time.perf_counter()
     roll = roll_through(system, what, points, periods, progress=progress)
-    attrs = attributes(
-        system,
-        "quasistatic",
-        wall_s=time.perf_counter() - began,
-        mesh=roll.mesh,
-        points=points,
-        periods=periods,
+    options = {"mesh": roll.mesh, "points": points, "periods": periods}
+    attrs = attributes(system, "quasistatic", roll.status, time.perf_counter() - began, **options)
+    words = {"units": "1", "long_name": f"periods of {roll.mesh} rolled"}
+    data = xr.Dataset(
+        {
+            t.name: ((DIMENSION,) * np.ndim(t.values), t.values, {"units": t.unit, "long_name": t.long_name})
+            for t in tables(system, roll)
+        },
+        coords={DIMENSION: ((DIMENSION,), roll.position, words)},
+        attrs={**attrs, "notes": "; ".join(roll.notes)},
     )
-    data = channel_dataset(
-        system, DIMENSION, roll.position, roll.rows, {**attrs, "notes": "; ".join(roll.notes)}
-    )
-    data[DIMENSION].attrs = {"units": "1", "long_name": f"periods of {roll.mesh} rolled"}
+    if roll.status != OK:
+        raise SolverError(roll.sentence, roll.status, data)
+    return data
+
+
+@dataclass(frozen=True)
+class Table:
+    """One quantity of a roll: a number, or values over the positions, shape (n,)."""
+
+    name: str
+    values: Any
+    unit: str
+    long_name: str
+
+
+def tables(system: System, roll: Roll) -> list[Table]:
+    """Everything a roll found: all channels, and what `MeshRoll` and its statistics say of every mesh."""
+    found = [Table(c.name, roll.rows[:, k], c.unit, c.long_name) for k, c in enumerate(system.layout.channels)]
     for name, mesh in roll.meshes.items():
         loaded = roll.rows[:, system.layout.channel(f"transmission_error[{name}]")]
-        along = (DIMENSION,)
-        new: dict[str, tuple[Any, Any, str, str]] = {
-            f"unloaded_transmission_error[{name}]": (
-                along,
-                mesh.unloaded,
-                "m",
-                "transmission error without load",
-            ),
-            f"tangent_stiffness[{name}]": (along, mesh.tangent_stiffness, "N/m", "slope of the mesh force"),
-        }
+        without = "transmission error without load"
+        found += [
+            Table(f"unloaded_transmission_error[{name}]", mesh.unloaded, "m", without),
+            Table(f"tangent_stiffness[{name}]", mesh.tangent_stiffness, "N/m", "slope of the mesh force"),
+        ]
         for word, te in (("", loaded), ("unloaded_", mesh.unloaded)):
-            text = f"{word.replace('_', ' ')}transmission error"
-            key = f"{word}transmission_error"
-            new[f"{key}_mean[{name}]"] = ((), te[:-1].mean(), "m", f"mean of the {text}")
-            new[f"{key}_peak_to_peak[{name}]"] = ((), np.ptp(te), "m", f"range of the {text}")
+            text, key = f"{word.replace('_', ' ')}transmission error", f"{word}transmission_error"
+            # the last point is the first one again
+            mean = float(te[: max(len(te) - 1, 1)].mean()) if len(te) else float("nan")
+            span = float(np.ptp(te)) if len(te) else float("nan")
+            found.append(Table(f"{key}_mean[{name}]", mean, "m", f"mean of the {text}"))
+            found.append(Table(f"{key}_peak_to_peak[{name}]", span, "m", f"range of the {text}"))
         for k in range(mesh.share.shape[1]):
-            new[f"load_share[{name}.{k}]"] = (along, mesh.share[:, k], "1", f"share of tooth pair {k}")
-        for label, (dims, values, unit, text) in new.items():
-            data[label] = (dims, values, {"units": unit, "long_name": text})
-    return data
+            found.append(Table(f"load_share[{name}.{k}]", mesh.share[:, k], "1", f"share of tooth pair {k}"))
+    return found
