@@ -19,7 +19,7 @@ COMMANDS = {
     "gears": "Geometry of gears and pairs; drawings.",
     "mesh": "Mesh stiffness over the mesh cycle.",
     "modes": "Natural frequencies and mode shapes.",
-    "run": "Time response of a scenario.",
+    "run": "Time response or slow roll of a scenario.",
     "sweep": "Speed sweep up and down, with jumps.",
     "report": "One HTML file with drawings and curves.",
     "examples": "List or copy the examples.",

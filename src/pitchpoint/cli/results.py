@@ -30,9 +30,10 @@ _DIMENSIONS = {
 }
 
 
-def choose_scenario(model: Model, name: str | None, kind: str) -> str:
-    """Find the scenario that is meant: the named one, or the only one of the right kind."""
-    fitting = [n for n, s in model.scenarios.items() if s.kind == kind]
+def choose_scenario(model: Model, name: str | None, *kinds: str) -> str:
+    """Find the scenario that is meant: the named one, or the only one of the right kinds."""
+    fitting = [n for n, s in model.scenarios.items() if s.kind in kinds]
+    kind = " or ".join(kinds)
     if name is None and len(fitting) == 1:
         return fitting[0]
     listed = ", ".join(fitting) or "none"

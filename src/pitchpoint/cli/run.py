@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint run`: time response of a scenario, streamed to a result file."""
+"""`pitchpoint run`: time response of a scenario, streamed to a result file, or a slow roll."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def run(
     allow_code: bool,
     quiet: bool,
 ) -> int:
-    """Compute the time response of a scenario of FILE.
+    """Compute the time response, or the slow roll, of a scenario of FILE.
 
     The result file can be read while it grows. Ctrl-C stops and keeps what was computed.
     """
@@ -47,7 +47,9 @@ def run(
     from pitchpoint.io.yaml_model import load_model
 
     model = load_model(file, allow_code=allow_code)
-    name = choose_scenario(model, scenario, "time")
+    name = choose_scenario(model, scenario, "time", "quasi_static")
+    if model.scenarios[name].kind == "quasi_static":
+        return _roll(model, file, name, output, as_json=as_json, quiet=quiet)
     if step is not None:
         model = model.replace(f"scenarios.{name}.step", step)
     target = result_path(output, file, name)
@@ -59,6 +61,25 @@ def run(
         if not quiet:
             size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
             show(f"{summary['steps']} steps{size} in {summary['wall_s']:.3g} s, written to {target}")
+            for note in summary["notes"]:
+                show(f"note: {note}")
+    return OK if error is None else exit_code_of(error)
+
+
+def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bool, quiet: bool) -> int:
+    """Do the slow roll of a scenario."""
+    from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.cli.results import result_path
+    from pitchpoint.cli.roll import compute, show_roll
+
+    target = result_path(output, file, name)
+    summary, error = compute(model, file, name, target, quiet=quiet)
+    if as_json:
+        emit_json(summary)
+    elif summary["steps"]:
+        show_roll(f"{model.title or file}: {name}", summary)
+        if not quiet:
+            show(f"{summary['steps']} points in {summary['wall_s']:.3g} s, written to {target}")
             for note in summary["notes"]:
                 show(f"note: {note}")
     return OK if error is None else exit_code_of(error)

@@ -103,6 +103,25 @@ def unit(name: str) -> str:
     return lookup(name).unit
 
 
+def symbol(name: str) -> str:
+    """Symbol of an identifier or result channel; empty if the table has none.
+
+    Parameters
+    ----------
+    name
+        Identifier or result channel.
+
+    Examples
+    --------
+    >>> symbol("transmission_error[stage]"), symbol("no_such_channel")
+    ('u_bt', '')
+    """
+    try:
+        return lookup(name).symbol
+    except PitchpointError:
+        return ""
+
+
 def attributes(name: str) -> dict[str, str]:
     """Attributes of a variable in a dataset: units, long_name, symbol.
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Self
 
 from pitchpoint.core import status as st
+from pitchpoint.core.nomenclature import symbol
 from pitchpoint.io.container import FINISHED, Container, Header, ResultError
 from pitchpoint.io.writing import how_it_ended
 
@@ -34,7 +35,10 @@ class Axis:
 
 @dataclass(frozen=True)
 class Quantity:
-    """One variable: its name, the names of its dimensions, unit, words and storage type."""
+    """One variable: its name, the names of its dimensions, unit, words and storage type.
+
+    Without a symbol of its own it takes that of the nomenclature.
+    """
 
     name: str
     axes: tuple[str, ...]
@@ -105,7 +109,11 @@ class TableWriter:
                 q.name,
                 [scales[name] for name in q.axes],
                 dtype=q.dtype,
-                attributes={"units": q.unit, "long_name": q.long_name, "symbol": q.symbol},
+                attributes={
+                    "units": q.unit,
+                    "long_name": q.long_name,
+                    "symbol": q.symbol or symbol(q.name),
+                },
             )
         self._length = 0
         self._columns: dict[str, Any] = {}
@@ -163,10 +171,16 @@ def write_tables(
     header: Header,
     axes: Sequence[Axis],
     filled: Sequence[tuple[Quantity, Any]],
+    *,
+    status: str = FINISHED,
+    sentence: str = "",
+    code: int = st.OK,
+    steps: int = 0,
 ) -> None:
-    """Write tables that are complete already, such as modes: each quantity with its array."""
+    """Write tables that are complete already, such as modes: each quantity with its array, and how it ended."""
     texts = {q.name: values for q, values in filled if q.dtype == "text"}
     with TableWriter(path, header, axes, [q for q, _ in filled], texts=texts) as table:
         for quantity, values in filled:
             if quantity.dtype != "text":
                 table.put(quantity.name, ..., values)
+        table.finish(status, sentence, code=code, steps=steps)

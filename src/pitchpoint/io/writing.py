@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Self
 
 from pitchpoint.core import status as st
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.nomenclature import symbol
 from pitchpoint.io.container import FAILED, FINISHED, INTERRUPTED, Container, Header, ResultError
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ EVENT_GROUP = "events"
 class Channel:
     """One recorded quantity: `name` as in `mesh_force[stage]`, SI unit, words and symbol for axes.
 
+    Without a symbol of its own it takes that of the nomenclature.
     Channels are stored as 32-bit floats (7 digits) unless `dtype` says otherwise; angles of a shaft grow
     without limit, so they get 64 bits.
     """
@@ -52,7 +54,7 @@ class Channel:
     def attributes(self) -> dict[str, str]:
         """Attributes of the variable in the file."""
         words = self.long_name or self.name.partition("[")[0].replace("_", " ")
-        return {"units": self.unit, "long_name": words, "symbol": self.symbol}
+        return {"units": self.unit, "long_name": words, "symbol": self.symbol or symbol(self.name)}
 
 
 class RunningStatistics:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.nomenclature import symbol
 from pitchpoint.core.provenance import content_hash, provenance
 from pitchpoint.core.status import OK
 from pitchpoint.system import evaluate
@@ -32,6 +33,11 @@ def attributes(
         model_hash=content_hash(model), solver=solver, options=options, status=status, wall_s=wall_s
     )
     return {"title": title, **found}
+
+
+def channel_attributes(channel: Any) -> dict[str, str]:
+    """Attributes of a variable: unit and words of the channel, symbol of the nomenclature."""
+    return {"units": channel.unit, "long_name": channel.long_name, "symbol": symbol(channel.name)}
 
 
 def channel_dataset(
@@ -59,7 +65,7 @@ def channel_dataset(
     import xarray as xr
 
     data = {
-        c.name: ((dimension,), rows[:, k], {"units": c.unit, "long_name": c.long_name})
+        c.name: ((dimension,), rows[:, k], channel_attributes(c))
         for k, c in enumerate(system.layout.channels)
     }
     return xr.Dataset(data, coords={dimension: points}, attrs=attrs)
@@ -71,7 +77,7 @@ def point_dataset(system: System, found: Equilibrium) -> xr.Dataset:
 
     row = evaluate.observe(system, found.state)
     data: dict[str, Any] = {
-        c.name: ((), row[k], {"units": c.unit, "long_name": c.long_name})
+        c.name: ((), row[k], channel_attributes(c))
         for k, c in enumerate(system.layout.channels)
     }
     names = list(system.layout.coordinates)

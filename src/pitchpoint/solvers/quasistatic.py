@@ -315,7 +315,7 @@ def solve_quasistatic(
     """
     import xarray as xr
 
-    from pitchpoint.solvers.dataset import attributes
+    from pitchpoint.solvers.dataset import attributes, channel_attributes
 
     began = time.perf_counter()
     roll = roll_through(system, what, points, periods, progress=progress)
@@ -324,7 +324,7 @@ def solve_quasistatic(
     words = {"units": "1", "long_name": f"periods of {roll.mesh} rolled"}
     data = xr.Dataset(
         {
-            t.name: ((DIMENSION,) * np.ndim(t.values), t.values, {"units": t.unit, "long_name": t.long_name})
+            t.name: ((DIMENSION,) * np.ndim(t.values), t.values, channel_attributes(t))
             for t in tables(system, roll)
         },
         coords={DIMENSION: ((DIMENSION,), roll.position, words)},

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The state a scenario starts from: speeds through the gear ratios, flanks loaded, balancing torques found."""
+"""The state a scenario starts from: speeds through the ratios, flanks loaded, balancing torques found."""
 
 from __future__ import annotations
 

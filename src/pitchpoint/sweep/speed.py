@@ -313,16 +313,15 @@ def sweep_speed(
             )
     for name in ("contact_loss_share", "back_contact_share", "speed"):
         values = _on_grid(found.points, directions, grid, lambda p, n=name: p[n])
-        attrs = {"units": "rad/s" if name == "speed" else "1", "long_name": name.replace("_", " ")}
-        data[name] = (("direction", "mesh_frequency"), values, attrs)
-    frequency = (
-        "mesh_frequency",
-        np.array(grid),
-        {"units": "Hz", "long_name": "mesh frequency"},
-    )
+        described = {"units": "rad/s" if name == "speed" else "1", "long_name": name.replace("_", " ")}
+        data[name] = (("direction", "mesh_frequency"), values, described)
+    coords: dict[str, Any] = {
+        "direction": directions,
+        "mesh_frequency": ("mesh_frequency", np.array(grid), {"units": "Hz", "long_name": "mesh frequency"}),
+    }
     attrs = attributes(system, "speed sweep", found.status, found.wall_s)
-    attrs |= {"jumps": [f"{j['direction']} {j['mesh_frequency']:.9g} Hz" for j in found.jumps]}
-    result = xr.Dataset(data, coords={"direction": directions, "mesh_frequency": frequency}, attrs=attrs)
+    attrs["jumps"] = [f"{j['direction']} {j['mesh_frequency']:.9g} Hz" for j in found.jumps]
+    result = xr.Dataset(data, coords=coords, attrs=attrs)
     if found.status != OK:
         raise SolverError(found.sentence, found.status, result)
     return result

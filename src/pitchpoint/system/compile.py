@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From a model to a system: every rule turns one kind of component into records; the assembler does the rest."""
+"""From a model to a system: every rule turns one kind of component into records for the assembler."""
 
 from __future__ import annotations
 

@@ -50,16 +50,16 @@ def bearing_bank(model: Model) -> Bank:
 
 
 def _damping(model: Model, part: Bearing | Coupling, ends: tuple[str, ...]) -> NDArray[np.float64]:
-    """Damping matrix; a ratio is of critical damping of the (reduced) inertia on the spring, per direction."""
+    """Damping matrix; a ratio is that of critical damping of the (reduced) inertia on the spring."""
     if part.damping is None:
         return np.zeros((6, 6))
     if part.damping.ratio is None:
         return np.array(part.damping.matrix6())
     inverse = np.zeros(6)
     for end in ends:
-        inertia = model.body_inertia(end)
-        values = (*3 * (inertia.mass,), *2 * (inertia.transverse,), inertia.polar)
-        inverse += [1.0 / v if v > 0.0 else 0.0 for v in values]
+        part_of = model.body_inertia(end)
+        masses = (*3 * (part_of.mass,), *2 * (part_of.transverse,), part_of.polar)
+        inverse += np.array([1.0 / v if v > 0.0 else 0.0 for v in masses])
     K = np.array(part.stiffness.matrix6())
     # a full matrix is damped along its own directions: square root of M^(-1/2) K M^(-1/2), scaled back
     scale = np.where(inverse > 0.0, np.sqrt(inverse), 0.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Room for Rayleigh and modal damping: one block for every pair of moving bodies, filled at the start of a run."""
+"""Room for Rayleigh and modal damping: a block for every pair of moving bodies, filled when a run starts."""
 
 from __future__ import annotations
 
