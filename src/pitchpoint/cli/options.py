@@ -27,7 +27,11 @@ scenario = click.option(
     "--scenario", "-s", metavar="NAME", help="Scenario of the file; the only fitting one if left out."
 )
 jobs = click.option(
-    "--jobs", "-j", type=click.IntRange(min=1), metavar="N", help="Processes to use; all cores if left out."
+    "--jobs",
+    "-j",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Threads for --vary; one per core if left out.",
 )
 
 

@@ -53,9 +53,7 @@ def table(
     from rich.markup import escape
     from rich.table import Table
 
-    made = Table(
-        title=escape(title), box=box.SIMPLE_HEAD, title_justify="left", title_style="bold", pad_edge=False
-    )
+    made = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for k, name in enumerate(columns):
         made.add_column(escape(name), justify="left" if k == 0 else "right", overflow="fold")
     for row in rows:
@@ -67,6 +65,8 @@ def table(
     if not console.is_terminal:
         # A pipe has no width of its own; a table cut at 80 columns would lose numbers.
         console = Console(highlight=False, width=160)
+    # A title inside the table would be broken at the width of the columns.
+    console.print(f"[bold]{escape(title)}[/bold]", soft_wrap=True)
     console.print(made)
     for note in notes:
         console.print(f"  {escape(note)}", soft_wrap=True)

@@ -23,7 +23,7 @@ def compute(
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import OK
-    from pitchpoint.solvers.quasistatic import roll_through, tables
+    from pitchpoint.solvers.quasistatic import roll_through, statistics, tables
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
@@ -44,7 +44,7 @@ def compute(
         "notes": list(roll.notes),
         "periods_rolled": roll.position,
         "meshes": {name: numbers(name, roll, found) for name in roll.meshes},
-        "channels": {t.name: statistics(t) for t in found if getattr(t.values, "size", 0)},
+        "channels": {t.name: statistics(t) for t in found if t.rolled and len(t.values)},
     }
     return summary, None if roll.status == OK else SolverError(roll.sentence, roll.status, str(target))
 
@@ -56,10 +56,7 @@ def store(path: Path, header: Any, roll: Roll, found: list[Table], status: str) 
 
     words = f"periods of {roll.mesh} rolled"
     axis = Axis(DIMENSION, [float(p) for p in roll.position], "1", words)
-    filled = [
-        (Quantity(t.name, (DIMENSION,) if hasattr(t.values, "shape") else (), t.unit, t.long_name), t.values)
-        for t in found
-    ]
+    filled = [(Quantity(t.name, (DIMENSION,) * t.rolled, t.unit, t.long_name), t.values) for t in found]
     write_tables(
         path,
         header,
@@ -70,19 +67,6 @@ def store(path: Path, header: Any, roll: Roll, found: list[Table], status: str) 
         code=roll.status,
         steps=len(roll.position),
     )
-
-
-def statistics(found: Table) -> dict[str, Any]:
-    """Mean, rms of the alternating part and extremes of one channel over whole periods."""
-    # the last point repeats the first one
-    values = found.values[:-1] if len(found.values) > 1 else found.values
-    return {
-        "unit": found.unit,
-        "mean": float(values.mean()),
-        "rms": float(values.std()),
-        "min": float(found.values.min()),
-        "max": float(found.values.max()),
-    }
 
 
 def numbers(mesh: str, roll: Roll, found: list[Table]) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quantity, quiet, scenario
 from pitchpoint.cli.output import emit_json, show, shown
 
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 @click.option(
     "--decimate", type=click.IntRange(min=1), default=1, metavar="N", help="Store every N-th sample only."
 )
+@vary_option
 @as_json
 @allow_code
 @quiet
@@ -34,6 +36,8 @@ def run(
     output: str | None,
     step: float | None,
     decimate: int,
+    vary: tuple[str, ...],
+    jobs: int | None,
     as_json: bool,
     allow_code: bool,
     quiet: bool,
@@ -48,10 +52,15 @@ def run(
 
     model = load_model(file, allow_code=allow_code)
     name = choose_scenario(model, scenario, "time", "quasi_static")
-    if model.scenarios[name].kind == "quasi_static":
-        return _roll(model, file, name, output, as_json=as_json, quiet=quiet)
     if step is not None:
         model = model.replace(f"scenarios.{name}.step", step)
+    if vary:
+        from pitchpoint.cli.cases import run_varied
+
+        goal = result_path(output, file, f"{name}-cases")
+        return run_varied(model, file, name, goal, vary, jobs=jobs, as_json=as_json, quiet=quiet)
+    if model.scenarios[name].kind == "quasi_static":
+        return _roll(model, file, name, output, as_json=as_json, quiet=quiet)
     target = result_path(output, file, name)
     summary, error = compute(model, file, name, target, decimate=decimate, quiet=quiet)
     if as_json:

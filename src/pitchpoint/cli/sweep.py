@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet, scenario
 from pitchpoint.cli.output import emit_json, show, shown, table
 
@@ -21,12 +22,20 @@ if TYPE_CHECKING:
 @model_file
 @scenario
 @output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if left out.")
+@vary_option
 @as_json
 @allow_code
 @quiet
 @debug
 def sweep(
-    file: str, scenario: str | None, output: str | None, as_json: bool, allow_code: bool, quiet: bool
+    file: str,
+    scenario: str | None,
+    output: str | None,
+    vary: tuple[str, ...],
+    jobs: int | None,
+    as_json: bool,
+    allow_code: bool,
+    quiet: bool,
 ) -> int:
     """Sweep the speed as a scenario of FILE says, and find the jumps of the response.
 
@@ -38,6 +47,11 @@ def sweep(
 
     model = load_model(file, allow_code=allow_code)
     name = choose_scenario(model, scenario, "sweep")
+    if vary:
+        from pitchpoint.cli.cases import run_varied
+
+        goal = result_path(output, file, f"{name}-cases")
+        return run_varied(model, file, name, goal, vary, jobs=jobs, as_json=as_json, quiet=quiet)
     target = result_path(output, file, name)
     summary, error = compute(model, file, name, target, quiet=quiet)
     if as_json:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 DIED = 0
 OK = 1
+REFUSED = 2
 SINGULAR = 3
 NOT_FINITE = 4
 DIVERGED = 5
@@ -22,6 +23,7 @@ TABLE_RANGE = 11
 _SENTENCES = {
     DIED: "an element kernel stopped with an exception",
     OK: "finished",
+    REFUSED: "these values describe no possible model",
     SINGULAR: "the iteration matrix is singular: some motion has neither inertia nor stiffness",
     NOT_FINITE: "a force or coordinate became infinite or not a number",
     DIVERGED: "the Newton iteration diverged; try a smaller step",

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from pitchpoint.core.errors import Problem
+from pitchpoint.core.errors import ModelError, Problem
 from pitchpoint.model.keys import Place
 from pitchpoint.model.show import dotted
 
@@ -130,6 +130,24 @@ class Tree:
         elif not tag.startswith(_TAG) or tag[len(_TAG) :] not in ("timestamp", "value", "merge"):
             self._problem(place, f"has the tag {tag[:40]!r}", line, "remove the tag")
         return text
+
+
+def value_of(text: str) -> Any:
+    """Read one value written as it could stand behind a key.
+
+    Examples
+    --------
+    >>> value_of("0.05"), value_of("50 N m"), value_of("[1, 2]")
+    (0.05, '50 N m', [1, 2])
+    """
+    try:
+        tree = Tree(f"value: {text}")
+    except TreeError as error:
+        raise ModelError([error.problem]) from None
+    if tree.problems or not isinstance(tree.data, dict) or list(tree.data) != ["value"]:
+        problems = tree.problems or [Problem("value", "is no single value", value=text)]
+        raise ModelError(problems)
+    return tree.data["value"]
 
 
 def _number(text: str) -> int | float | None:

@@ -77,8 +77,7 @@ def point_dataset(system: System, found: Equilibrium) -> xr.Dataset:
 
     row = evaluate.observe(system, found.state)
     data: dict[str, Any] = {
-        c.name: ((), row[k], channel_attributes(c))
-        for k, c in enumerate(system.layout.channels)
+        c.name: ((), row[k], channel_attributes(c)) for k, c in enumerate(system.layout.channels)
     }
     names = list(system.layout.coordinates)
     data["position"] = (("coordinate",), found.state.q, {"units": "SI", "long_name": "coordinate"})

@@ -323,10 +323,7 @@ def solve_quasistatic(
     attrs = attributes(system, "quasistatic", roll.status, time.perf_counter() - began, **options)
     words = {"units": "1", "long_name": f"periods of {roll.mesh} rolled"}
     data = xr.Dataset(
-        {
-            t.name: ((DIMENSION,) * np.ndim(t.values), t.values, channel_attributes(t))
-            for t in tables(system, roll)
-        },
+        {t.name: ((DIMENSION,) * t.rolled, t.values, channel_attributes(t)) for t in tables(system, roll)},
         coords={DIMENSION: ((DIMENSION,), roll.position, words)},
         attrs={**attrs, "notes": "; ".join(roll.notes)},
     )
@@ -344,10 +341,30 @@ class Table:
     unit: str
     long_name: str
 
+    @property
+    def rolled(self) -> bool:
+        """Whether it has a value per position."""
+        return bool(np.ndim(self.values))
+
+
+def statistics(found: Table) -> dict[str, Any]:
+    """Mean, rms of the alternating part and extremes of a quantity over whole periods."""
+    # the last point repeats the first one
+    once = found.values[:-1] if len(found.values) > 1 else found.values
+    return {
+        "unit": found.unit,
+        "mean": float(once.mean()),
+        "rms": float(once.std()),
+        "min": float(once.min()),
+        "max": float(once.max()),
+    }
+
 
 def tables(system: System, roll: Roll) -> list[Table]:
     """Everything a roll found: all channels, and what `MeshRoll` and its statistics say of every mesh."""
-    found = [Table(c.name, roll.rows[:, k], c.unit, c.long_name) for k, c in enumerate(system.layout.channels)]
+    found = [
+        Table(c.name, roll.rows[:, k], c.unit, c.long_name) for k, c in enumerate(system.layout.channels)
+    ]
     for name, mesh in roll.meshes.items():
         loaded = roll.rows[:, system.layout.channel(f"transmission_error[{name}]")]
         without = "transmission error without load"

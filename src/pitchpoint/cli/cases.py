@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`--vary` of `run` and `sweep`: many variants of a model on all cores, into one table."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
+    from pitchpoint.sweep.cases import CaseResult
+
+_OPEN, _CLOSE = "([{", ")]}"
+MOST_ROWS = 60
+
+
+def vary_option(function: Any) -> Any:
+    """Add `--vary` and `--jobs` to a command."""
+    from pitchpoint.cli.options import jobs
+
+    vary = click.option(
+        "--vary",
+        multiple=True,
+        metavar="PATH=V1,V2,...",
+        help="Run every value of a key, as in --vary 'loads.input.torque=50 N m,150 N m'; "
+        "several --vary run all combinations, on all cores, into one table.",
+    )
+    return vary(jobs(function))
+
+
+def values_of(text: str) -> tuple[str, list[Any]]:
+    """Read one `PATH=V1,V2`; commas inside brackets belong to a value.
+
+    Examples
+    --------
+    >>> values_of("meshes.stage.damper.ratio=0.05,0.1")
+    ('meshes.stage.damper.ratio', [0.05, 0.1])
+    >>> values_of("loads.input.torque=50 N m, 10 N m * min(t, 1)")[1]
+    ['50 N m', '10 N m * min(t, 1)']
+    """
+    path, sign, rest = text.partition("=")
+    parts, depth = [""], 0
+    for letter in rest:
+        depth += (letter in _OPEN) - (letter in _CLOSE)
+        if letter == "," and depth <= 0:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    if not sign or not path.strip() or not all(part.strip() for part in parts):
+        raise click.BadParameter(f"{text!r} is not of the form PATH=V1,V2,...", param_hint="--vary")
+    return path.strip(), [_scalar(part.strip()) for part in parts]
+
+
+def _scalar(text: str) -> Any:
+    """Read a value as a model file would: number, list, mapping or text."""
+    from pitchpoint.core.errors import PitchpointError
+    from pitchpoint.io.yaml_tree import value_of
+
+    try:
+        return value_of(text)
+    except PitchpointError as error:
+        raise click.BadParameter(f"{text!r}: {error}", param_hint="--vary") from None
+
+
+def run_varied(
+    model: Model,
+    file: str,
+    name: str,
+    target: Path,
+    vary: Sequence[str],
+    *,
+    jobs: int | None,
+    as_json: bool,
+    quiet: bool,
+) -> int:
+    """Run all combinations of the values, write the table, show or print it; gives the exit code."""
+    from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.sweep.cases import grid
+
+    paths: dict[str, list[Any]] = {}
+    for text in vary:
+        path, values = values_of(text)
+        if path in paths:
+            raise click.BadParameter(f"{path} is varied twice", param_hint="--vary")
+        paths[path] = values
+    cases = grid(paths)
+    refuse_the_impossible(model, cases)
+    begun = time.perf_counter()
+    results, status, error = compute(model, file, name, target, cases, jobs=jobs, quiet=quiet)
+    wall_s = time.perf_counter() - begun
+    if as_json:
+        emit_json(
+            {
+                "status": status,
+                "wall_s": wall_s,
+                "output": str(target),
+                "vary": paths,
+                "cases": [as_data(result) for result in results],
+            }
+        )
+    else:
+        _print(f"{model.title or file}: {name}", results, list(paths))
+        if not quiet:
+            show(f"{len(results)} cases in {wall_s:.3g} s, written to {target}")
+    return OK if error is None else exit_code_of(error)
+
+
+def refuse_the_impossible(model: Model, cases: Sequence[dict[str, Any]]) -> None:
+    """Stop with all problems if no case can be run; single impossible cases only get a status."""
+    from pitchpoint.core.errors import ModelError, Problem
+
+    problems: dict[Problem, None] = {}
+    for case in cases:
+        try:
+            model.replace_all(case)
+        except ModelError as error:
+            problems |= dict.fromkeys(error.problems)
+        else:
+            return
+    raise ModelError(list(problems), "--vary")
+
+
+def compute(
+    model: Model,
+    file: str,
+    name: str,
+    target: Path,
+    cases: Sequence[dict[str, Any]],
+    *,
+    jobs: int | None = None,
+    quiet: bool = False,
+) -> tuple[list[CaseResult], str, BaseException | None]:
+    """Run cases into a file; gives the results, how it ended, and what stopped it or made cases fail."""
+    from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.cli.results import header_of, how_a_status_ends
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.status import INTERRUPTED, OK, sentence
+    from pitchpoint.io.case_store import CaseWriter
+    from pitchpoint.sweep.cases import run_cases
+
+    chosen = model.scenarios[name]
+    header = header_of(model, file, name, "cases", chosen.method)
+    texts = {path: [str(case[path]) for case in cases] for path in cases[0]}
+    channels, plan = kept(model, chosen)
+    with CaseWriter(target, header, texts, channels, **plan) as writer:
+        with ProgressDisplay(f"run {name}", "cases", quiet=quiet) as progress:
+            results = run_cases(model, cases, name, jobs=jobs, progress=progress, sink=writer.put)
+        bad = [r for r in results if r.status != OK]
+        stopped = any(r.status == INTERRUPTED for r in bad)
+        code = INTERRUPTED if stopped else bad[0].status if bad else OK
+        words = sentence(code)
+        if bad:
+            done = len(results) - len(bad)
+            words = f"{done} of {len(results)} cases finished; case {bad[0].index}: {bad[0].sentence}"
+        status = how_a_status_ends(code)
+        writer.finish(status, words, code=code, steps=sum(r.steps for r in results))
+    return results, status, SolverError(words, code, str(target)) if bad else None
+
+
+def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], dict[str, Any]]:
+    """Channels whose statistics go into the table, and the size of the sweeps."""
+    from pitchpoint.system.compile import compile_model
+
+    if scenario.sweep is not None:
+        both = scenario.sweep.direction == "both"
+        directions = ["up", "down"] if both else [scenario.sweep.direction]
+        return [], {"directions": directions, "n_points": scenario.sweep.points}
+    channels = [(c.name, c.unit, c.long_name) for c in compile_model(model, scenario).layout.channels]
+    if scenario.kind == "quasi_static":
+        for mesh in model.meshes:
+            words = "transmission error without load"
+            channels.append((f"unloaded_transmission_error[{mesh}]", "m", words))
+            channels.append((f"tangent_stiffness[{mesh}]", "N/m", "slope of the mesh force"))
+    return channels, {}
+
+
+def as_data(result: CaseResult) -> dict[str, Any]:
+    """Write a case as `--json` prints it."""
+    from pitchpoint.cli.results import how_a_status_ends
+
+    found: dict[str, Any] = {
+        "case": result.index,
+        "values": result.values,
+        "numbers": {path: number for path, (number, _) in result.numbers.items()},
+        "status": how_a_status_ends(result.status),
+        "status_code": result.status,
+        "sentence": result.sentence,
+        "steps": result.steps,
+        "wall_s": result.wall_s,
+        "notes": list(result.notes),
+    }
+    if result.points or result.jumps:
+        return found | {"points": result.points, "jumps": result.jumps}
+    return found | {"channels": result.channels}
+
+
+def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> None:
+    """Show one row per case: its values, and what the meshes did."""
+    from pitchpoint.core.status import OK
+
+    meshes = list(dict.fromkeys(m for r in results for m in meshes_of(r)))
+    columns = [*(shortest(path, paths) for path in paths)]
+    columns += [f"{word} {mesh}".rstrip() for mesh in (meshes if len(meshes) > 1 else [""]) for word in WORDS]
+    rows = []
+    for result in results[:MOST_ROWS]:
+        values = [str(result.values[path]) for path in paths]
+        if result.status != OK and not result.points and not result.channels:
+            rows.append(
+                [*values, f"failed ({result.status})", *([NOTHING] * (len(columns) - len(paths) - 1))]
+            )
+            continue
+        rows.append([*values, *(cell for mesh in meshes for cell in mesh_cells(result, mesh))])
+    notes = [f"{len(results) - MOST_ROWS} more cases are in the file"] if len(results) > MOST_ROWS else []
+    table(title, columns, rows, notes)
+    for result in results:
+        if result.status != OK:
+            show(
+                f"case {result.index} ({', '.join(f'{p} = {v}' for p, v in result.values.items())}): "
+                f"{result.sentence}"
+            )
+
+
+WORDS = ("rms of deflection", "greatest force", "contact lost")
+
+
+def meshes_of(result: CaseResult) -> list[str]:
+    """Names of the meshes of a case; a sweep has one without a name."""
+    if result.points:
+        return [""]
+    return [n[len("deflection[") : -1] for n in result.channels if n.startswith("deflection[")]
+
+
+def mesh_cells(result: CaseResult, mesh: str) -> list[str]:
+    """Greatest rms of the deflection, greatest force and share of lost contact of one mesh, for people."""
+    if result.points:
+        rms = max(p["deflection"]["rms"] for p in result.points)
+        force = max(p["mesh_force"]["max"] for p in result.points)
+        lost = f"{100.0 * max(p['contact_loss_share'] for p in result.points):.1f} %"
+    elif f"deflection[{mesh}]" in result.channels:
+        rms = result.channels[f"deflection[{mesh}]"]["rms"]
+        force = result.channels[f"mesh_force[{mesh}]"]["max"]
+        lost = "yes" if result.channels[f"contact_state[{mesh}]"]["min"] < 1.0 else "no"
+    else:
+        return [NOTHING] * len(WORDS)
+    return [shown(rms, "length", 4), shown(force, "force", 5), lost]
+
+
+def shortest(path: str, paths: Sequence[str]) -> str:
+    """Shortest end of a path that no other path shares.
+
+    Examples
+    --------
+    >>> shortest("loads.input.torque", ["loads.input.torque", "loads.output.torque"])
+    'input.torque'
+    """
+    steps = path.split(".")
+    for count in range(1, len(steps)):
+        end = ".".join(steps[-count:])
+        if sum(p == end or p.endswith(f".{end}") for p in paths) == 1:
+            return end
+    return path

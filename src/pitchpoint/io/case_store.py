@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Independent cases on disk: one table over the cases, filled case by case in any order."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from types import TracebackType
+from typing import Any, Self
+
+from pitchpoint.io.container import FINISHED, Header
+from pitchpoint.io.reading import open_table
+from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
+from pitchpoint.io.tables import Axis, Quantity, TableWriter
+
+
+class CaseWriter:
+    """Write the results of independent cases; the file may be read while it fills.
+
+    Parameters
+    ----------
+    path, header
+        File and provenance; the kind of the header is `cases`.
+    values
+        Values of every varied path as texts, one per case.
+    channels
+        Name, SI unit and words of the channels whose statistics are kept.
+    directions, n_points
+        Of speed sweeps: their directions and the number of speeds; no points for other scenarios.
+    """
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        header: Header,
+        values: Mapping[str, Sequence[str]],
+        channels: Sequence[tuple[str, str, str]],
+        *,
+        directions: Sequence[str] = (),
+        n_points: int = 0,
+    ) -> None:
+        count = max((len(v) for v in values.values()), default=0)
+        self._channels = {name for name, _, _ in channels}
+        self._directions = list(directions)
+        axes = [Axis("case", list(range(count)), "", "number of the case"), Axis("statistic", STATISTICS)]
+        quantities = [
+            *(Quantity(f"given[{p}]", ("case",), "", f"{p} as given", dtype="text") for p in values),
+            *(Quantity(f"value[{p}]", ("case",), "", f"{p} in SI units") for p in values),
+            *(Quantity(name, ("case", "statistic"), unit, words) for name, unit, words in channels),
+            Quantity("case_status", ("case",), "1", "status of the case; 1 is fine", dtype="i4"),
+            Quantity("wall_s", ("case",), "s", "wall time of the case"),
+        ]
+        if n_points:
+            axes += [Axis("direction", self._directions), Axis("point", list(range(n_points)))]
+            at = ("case", "direction", "point")
+            quantities += [
+                Quantity("speed", at, "rad/s", "speed of the swept body"),
+                Quantity("mesh_frequency", at, "Hz", "mesh frequency"),
+                *(Quantity(name, (*at, "statistic"), unit, words) for name, unit, words in QUANTITIES),
+                *(Quantity(name, at, "1", words) for name, words in SHARES),
+            ]
+        texts = {f"given[{p}]": list(v) for p, v in values.items()}
+        self._table = TableWriter(path, header, axes, quantities, texts=texts)
+
+    def put(self, result: Any) -> None:
+        """Write one case: a `CaseResult`, or anything with its attributes."""
+        k = result.index
+        for path, (number, _) in result.numbers.items():
+            self._table.put(f"value[{path}]", k, number)
+        for name, row in result.channels.items():
+            if name in self._channels:
+                self._table.put(name, k, [row[s] for s in STATISTICS])
+        for d, direction in enumerate(self._directions):
+            here = sorted(
+                (p for p in result.points if p["direction"] == direction), key=lambda p: p["mesh_frequency"]
+            )
+            for i, point in enumerate(here):
+                for name in ("speed", "mesh_frequency", *(share for share, _ in SHARES)):
+                    self._table.put(name, (k, d, i), point[name])
+                for name, _, _ in QUANTITIES:
+                    self._table.put(name, (k, d, i), [point[name][s] for s in STATISTICS])
+        self._table.put("case_status", k, result.status)
+        self._table.put("wall_s", k, result.wall_s)
+        self._table.flush()
+
+    def finish(self, status: str = FINISHED, sentence: str = "", *, code: int = 1, steps: int = 0) -> None:
+        """Write how the computation ended and close; a second call does nothing."""
+        self._table.finish(status, sentence, code=code, steps=steps)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._table.__exit__(kind, error, trace)
+
+
+def read_cases(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
+    """Read cases as plain data, those that were computed: `case`, `values`, `numbers`, `status`, `channels`.
+
+    Cases of a speed sweep also have `points`.
+    """
+    with open_table(path, "cases") as file:
+        status = file["case_status"][...]
+        given = {_inside(n): _texts(file[n][...]) for n in file if n.startswith("given[")}
+        numbers = {_inside(n): file[n][...] for n in file if n.startswith("value[")}
+        tables = {
+            n: (v[...], _text(v.attrs.get("units", "")))
+            for n, v in file.items()
+            if hasattr(v, "shape") and v.ndim == 2 and v.shape[1] == len(STATISTICS)
+        }
+        swept = "mesh_frequency" in file
+        directions = _texts(file["direction"][...]) if swept else []
+        names = ("speed", "mesh_frequency", *(n for n, _ in SHARES), *(n for n, _, _ in QUANTITIES))
+        points = {n: file[n][...] for n in names} if swept else {}
+    found = []
+    for k, code in enumerate(status):
+        if code < 0:
+            continue
+        found.append(
+            {
+                "case": k,
+                "values": {p: texts[k] for p, texts in given.items()},
+                "numbers": {p: float(v[k]) for p, v in numbers.items()},
+                "status": int(code),
+                "channels": {
+                    n: {"unit": unit} | {s: float(x) for s, x in zip(STATISTICS, v[k], strict=True)}
+                    for n, (v, unit) in tables.items()
+                },
+                "points": _points(points, directions, k),
+            }
+        )
+    return found
+
+
+def _points(tables: Mapping[str, Any], directions: Sequence[str], case: int) -> list[dict[str, Any]]:
+    """Points of the sweep of one case in the order in which they were run."""
+    found = []
+    for d, direction in enumerate(directions):
+        frequencies = tables["mesh_frequency"][case, d]
+        order = range(len(frequencies)) if direction == "up" else range(len(frequencies) - 1, -1, -1)
+        for i in order:
+            if not frequencies[i] > 0.0:
+                continue
+            point: dict[str, Any] = {"direction": direction}
+            for name in ("speed", "mesh_frequency", *(n for n, _ in SHARES)):
+                point[name] = float(tables[name][case, d, i])
+            for name, unit, _ in QUANTITIES:
+                values = tables[name][case, d, i]
+                point[name] = {"unit": unit} | {s: float(x) for s, x in zip(STATISTICS, values, strict=True)}
+            found.append(point)
+    return found
+
+
+def _inside(name: str) -> str:
+    return name.partition("[")[2].removesuffix("]")
+
+
+def _text(value: Any) -> str:
+    return value.decode("utf-8") if isinstance(value, bytes) else str(value)
+
+
+def _texts(values: Any) -> list[str]:
+    return [_text(v) for v in values]

@@ -1,0 +1,467 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Signs, frames and definitions: one test for every line of docs/conventions.md, no line without a test."""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
+from pitchpoint.cli.main import run_command
+from pitchpoint.cli.numbers import geometry_of_model
+from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
+from pitchpoint.core import status
+from pitchpoint.core.errors import ModelError
+from pitchpoint.core.units import parse_quantity
+from pitchpoint.elements.gear_mesh_record import N_OUT
+from pitchpoint.geometry import CylindricalGear, GearPair
+from pitchpoint.geometry.deviations import Deviations, Runout, separation
+from pitchpoint.geometry.tooth_form import gear_outline
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.phasing import tooth_twist
+from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.sampling import accumulate, new_statistics, read_statistics
+from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.time import run_time
+from pitchpoint.system import evaluate
+from pitchpoint.system.compile import compile_model
+from pitchpoint.system.rules.gear_mesh import MeshLaws
+from tests.support.model_files import TORSIONAL_PAIR, gear, pair
+from tests.support.one_mesh import OneMesh, make_pair, moved
+
+PAGE = Path(__file__).parents[2] / "docs" / "conventions.md"
+FOURIER = PhaseStiffness(mean=4e8, cosine=[-0.2, 0.1], sine=[0.15, 0.0])
+PARABOLA = PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)
+FREE = """\
+gears: {g: {number_of_teeth: 30, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}}
+bodies: {rotor: {gears: [g], motion: free}}
+bearings:
+  b: {body: rotor, stiffness: {radial: 1e8 N/m, axial: 1e8 N/m, tilt: 1e6 N m/rad, torsion: 1e5 N m/rad}}
+"""
+
+
+def one(beta: float = 0.3, stiffness: PairShape | PhaseStiffness = PARABOLA, **more):
+    """A mesh element of its own; `more` is for the pair or for the laws."""
+    shape = {k: more.pop(k) for k in ("internal", "z2", "b") if k in more}
+    place = {k: more.pop(k) for k in ("offset", "n_pair") if k in more}
+    return OneMesh(make_pair(beta=beta, **shape), MeshLaws(stiffness=stiffness, **more), **place)
+
+
+def loaded(text: str, scenario: str | None = None):
+    """Equilibrium of a text: a function that gives a channel."""
+    model = loads_model(text)
+    found = solve_equilibrium(compile_model(model, scenario))
+    return lambda name: float(found[name])
+
+
+# ------------------------------------------------------------------------------------- the page itself
+
+
+def test_the_page_names_every_test_once_and_nothing_else() -> None:
+    named = re.findall(r"`(test_\w+)`", PAGE.read_text(encoding="utf-8"))
+    own = re.findall(r"^def (test_\w+)", Path(__file__).read_text(encoding="utf-8"), re.MULTILINE)
+    assert len(named) == len(set(named))
+    assert set(named) == set(own) - {"test_the_page_names_every_test_once_and_nothing_else"}
+    assert len(named) == sum(
+        line.startswith("| ") for line in PAGE.read_text().splitlines() if "`test_" in line
+    )
+
+
+# --------------------------------------------------------------------------------------- units, frames
+
+
+def test_bare_numbers_are_si_and_radians() -> None:
+    assert parse_quantity(0.5, "angle") == 0.5
+    assert parse_quantity("180 deg", "angle") == pytest.approx(math.pi, rel=1e-15)
+    assert parse_quantity("60 rpm", "angular_speed") == pytest.approx(2.0 * math.pi, rel=1e-15)
+    assert parse_quantity("1 Hz", "angular_speed") == pytest.approx(2.0 * math.pi, rel=1e-15)
+
+
+def test_spin_axis_is_the_third_axis_of_a_right_handed_frame() -> None:
+    system = compile_model(loads_model(FREE))
+    evaluate.prepare(system)
+    R = system.workspace.fr["R"][1]
+    assert np.allclose(np.cross(R[:, 0], R[:, 1]), R[:, 2])
+    assert np.allclose(R[:, 2], [0.0, 0.0, 1.0])
+
+
+def test_line_of_centres_runs_from_gear_1_to_gear_2() -> None:
+    text = pair(gear("a"), gear("b"), "direction: 90 deg", "bodies: {one: {gears: [a]}, two: {gears: [b]}}\n")
+    model = loads_model(text)
+    way = np.subtract(model.bodies["two"].origin, model.bodies["one"].origin)
+    assert np.allclose(way, [0.0, model.pairs["m"].a_w, 0.0], atol=1e-15)
+    assert loads_model(pair(gear("a"), gear("b"))).meshes["m"].theta == 0.0
+
+
+def test_positive_torque_turns_counter_clockwise_seen_from_plus_z() -> None:
+    get = loaded(FREE + "loads: {t: {body: rotor, torque: 10 N m}}\n")
+    assert get("angle[rotor]") == pytest.approx(10.0 / 1e5, rel=1e-6)
+    # counter-clockwise seen from +z: x turns towards y
+    system = compile_model(loads_model(FREE))
+    evaluate.prepare(system)
+    x, y, z = system.workspace.fr["R"][1].T
+    assert np.allclose(np.cross(z, x), y)
+
+
+def test_displacements_are_those_of_the_body_origin_in_world_axes() -> None:
+    get = loaded(FREE + "loads: {f: {body: rotor, force: [100 N, 50 N, -20 N]}}\n")
+    found = [get(f"displacement[rotor.{k}]") for k in "xyz"]
+    assert found == pytest.approx([100.0 / 1e8, 50.0 / 1e8, -20.0 / 1e8], rel=1e-6)
+
+
+def test_tilts_are_right_handed_about_x_and_y() -> None:
+    # a force along y at z = 0.1 m has the moment -10 N m about x
+    get = loaded(FREE + "loads: {f: {body: rotor, force: [0 N, 100 N, 0 N], position: [0, 0, 100 mm]}}\n")
+    assert get("displacement[rotor.rx]") == pytest.approx(-10.0 / 1e6, rel=1e-4)
+
+
+def test_bearing_force_acts_on_the_body() -> None:
+    get = loaded(FREE + "loads: {f: {body: rotor, force: [100 N, 50 N, -20 N], position: [0, 0, 100 mm]}}\n")
+    force = [get(f"bearing_force[b.{k}]") for k in ("fx", "fy", "fz", "mx", "my")]
+    assert force == pytest.approx([-100.0, -50.0, 20.0, 5.0, -10.0], rel=1e-3)
+
+
+def test_angles_are_unwrapped() -> None:
+    text = TORSIONAL_PAIR.replace("duration: 0.5 s", "duration: 0.2 s")
+    model = loads_model(text)
+    system = compile_model(model, "steady")
+    done = run_time(system, model.scenarios["steady"])
+    turned = 2.0 * math.pi * 1500.0 / 60.0 * done.t_end
+    assert done.channels["angle[driver]"]["max"] == pytest.approx(turned, abs=0.05)
+    assert done.channels["angle[driven]"]["min"] == pytest.approx(-turned, abs=0.05)
+
+
+# ---------------------------------------------------------------------------------------------- gears
+
+
+def test_hand_is_the_sign_of_beta() -> None:
+    text = pair(
+        gear("a", more="helix_angle: 15 deg, hand: right"), gear("b", more="helix_angle: 15 deg, hand: left")
+    )
+    model = loads_model(text)
+    assert model.gears["a"].geometry.beta == pytest.approx(math.radians(15.0))
+    assert model.gears["b"].geometry.beta == pytest.approx(-math.radians(15.0))
+
+
+def test_right_hand_teeth_turn_counter_clockwise_along_z() -> None:
+    model = loads_model(
+        pair(
+            gear("a", more="helix_angle: 15 deg, hand: right"),
+            gear("b", more="helix_angle: 15 deg, hand: left"),
+        )
+    )
+    assert tooth_twist(model.gears["a"], 1e-3) > 0.0 > tooth_twist(model.gears["b"], 1e-3)
+
+
+def test_hands_are_opposite_for_external_and_equal_for_internal_pairs() -> None:
+    right, left = "helix_angle: 15 deg, hand: right", "helix_angle: 15 deg, hand: left"
+    ring = f"type: internal, {right}"
+    loads_model(pair(gear("a", more=right), gear("b", more=left)))
+    loads_model(pair(gear("a", more=right), gear("b", z=90, more=ring)))
+    with pytest.raises(ModelError, match="hand"):
+        loads_model(pair(gear("a", more=right), gear("b", more=right)))
+    with pytest.raises(ModelError, match="hand"):
+        loads_model(pair(gear("a", more=left), gear("b", z=90, more=ring)))
+
+
+def test_internal_gears_are_negative_inside_and_positive_outside() -> None:
+    model = loads_model(pair(gear("a"), gear("b", z=90, more="type: internal")))
+    ring = model.gears["b"].geometry
+    assert ring.z == -90
+    assert max(ring.d, ring.d_b, ring.d_a, ring.d_f, model.pairs["m"].a_w, model.pairs["m"].d_w2) < 0.0
+    numbers = geometry_of_model(model)
+    assert numbers["gears"]["b"]["z"] == 90
+    assert min(numbers["gears"]["b"]["d_a"], numbers["meshes"]["m"]["a_w"]) > 0.0
+
+
+def test_positive_x_thickens_teeth_of_external_and_internal_gears() -> None:
+    for z in (30, -90):
+        thin, thick = (CylindricalGear(z=z, m_n=3e-3, x=x) for x in (0.0, 0.3))
+        assert thick.s_n > thin.s_n
+        assert thick.d_a > thin.d_a  # signed: the tip circle of an internal gear shrinks
+    # printed pair with the opposite sign for internal gears: x +0.5 there is -0.5 here
+    printed = GearPair(CylindricalGear(z=16, m_n=3e-3), CylindricalGear(z=-24, m_n=3e-3, x=-0.5), -0.0131683)
+    assert printed.x_sum == pytest.approx(-0.5, abs=5e-5)
+
+
+def test_teeth_count_counter_clockwise_from_tooth_0_on_the_x_axis() -> None:
+    wheel = CylindricalGear(z=20, m_n=3e-3, b=0.02)
+    points = gear_outline(wheel, 40)
+    tip = points[np.hypot(*points.T) > 0.499 * wheel.d_a]
+    angle = np.arctan2(tip[:, 1], tip[:, 0])
+    nearest = angle[abs(angle) < math.pi / 20]
+    assert nearest.mean() == pytest.approx(0.0, abs=1e-6)
+    # runout towards a quarter turn: tooth 5 of 20 stands there and moves outwards
+    gap = separation(
+        wheel, "left", [0.0], [0.02], deviations=Deviations(runout=Runout(amount=2e-6, phase=math.pi / 2))
+    )
+    other = separation(
+        wheel, "right", [0.0], [0.02], deviations=Deviations(runout=Runout(amount=2e-6, phase=math.pi / 2))
+    )
+    middle = 0.5 * (gap + other)[:, 0, 0]
+    assert int(np.argmin(middle)) == 5
+
+
+def test_left_flank_is_on_the_counter_clockwise_side() -> None:
+    # a tooth displaced counter-clockwise brings its left flank forward and takes its right flank back
+    wheel = CylindricalGear(z=20, m_n=3e-3, b=0.02)
+    late = Deviations(pitch=[0.0] * 10 + [5e-6, -5e-6] + [0.0] * 8)
+    left, right = (separation(wheel, f, [0.0], [0.02], deviations=late)[:, 0, 0] for f in ("left", "right"))
+    assert left[10] - left[9] < 0.0 < right[10] - right[9]
+
+
+def test_gear_1_of_the_first_mesh_stands_with_tooth_0_at_angle_0() -> None:
+    model = loads_model(pair(gear("a", 31), gear("b", 30), "direction: 90 deg"))
+    assert model.phasing.tooth_angle["a"] == 0.0
+    assert model.phasing.offset["m"] == pytest.approx(0.0, abs=1e-15)
+    turned = loads_model(pair(gear("a", 31, more="initial_angle: 3 deg"), gear("b", 30)))
+    assert turned.phasing.tooth_angle["a"] == pytest.approx(math.radians(3.0))
+
+
+# ----------------------------------------------------------------------------------------------- mesh
+
+
+def test_backlash_is_the_total_gap_in_a_named_direction() -> None:
+    helix = "helix_angle: 15 deg, hand: {}"
+    gears = gear("a", more=helix.format("right")), gear("b", more=helix.format("left"))
+    for name in ("normal", "base_tangent", "circumferential"):
+        model = loads_model(pair(*gears, f"backlash: {{{name}: 0.1 mm}}"))
+        p = model.pairs["m"]
+        factor = {
+            "normal": 1.0 / math.cos(p.gear1.beta_b),
+            "base_tangent": 1.0,
+            "circumferential": math.cos(p.alpha_wt),
+        }
+        assert model.backlash("m") == pytest.approx(1e-4 * factor[name], rel=1e-12)
+    geometric = GearPair(p.gear1, p.gear2, p.a_w + 1e-4)
+    assert geometric.j_wt == pytest.approx(geometric.j_bt / math.cos(geometric.alpha_wt))
+    assert geometric.j_bn == pytest.approx(geometric.j_bt * math.cos(p.gear1.beta_b))
+
+
+def test_travel_is_r_b1_phi1_plus_r_b2_phi2_from_mid_gap() -> None:
+    for internal in (False, True):
+        m = one(internal=internal, z2=70)
+        m.evaluate()
+        assert m.get("transmission_error") == pytest.approx(0.0, abs=1e-15)
+        m.frames["phi"] = [2e-4, 1e-4]
+        m.evaluate()
+        r1, r2 = 0.5 * m.pair.gear1.d_b, 0.5 * m.pair.gear2.d_b
+        assert (r2 < 0.0) == internal
+        assert m.get("transmission_error") == pytest.approx(2e-4 * r1 + 1e-4 * r2, rel=1e-9)
+
+
+def test_axial_shift_adds_tan_beta_b_times_z2_less_z1() -> None:
+    m = one(beta=0.3)
+    m.evaluate(moved(m.frames, 1, np.array([0, 0, 1e-4, 0, 0, 0.0])))
+    assert m.get("transmission_error") == pytest.approx(1e-4 * math.tan(m.pair.gear1.beta_b), rel=1e-9)
+
+
+def test_front_flank_touches_beyond_plus_half_the_gap() -> None:
+    m = one()
+    for side in (1, -1):
+        m.press(1e-7, side)
+        assert m.get("contact_state") == side
+        assert side * m.get("deflection") > 0.5 * m.row["gap"]
+        m.press(-1e-7, side)
+        assert m.get("contact_state") == 0.0
+
+
+def test_contact_state_is_2_where_both_flanks_carry() -> None:
+    m = OneMesh(make_pair(widening=-2e-5), MeshLaws(stiffness=PARABOLA))
+    m.evaluate()
+    assert m.row["gap"] < 0.0
+    assert m.get("contact_state") == 2.0
+
+
+def test_mesh_force_is_positive_on_the_front_flank_and_brakes_gear_1() -> None:
+    for internal in (False, True):
+        m = one(beta=0.0, internal=internal, z2=70)
+        m.press(5e-6)
+        F, force = m.evaluate(), m.get("mesh_force")
+        assert force > 0.0
+        assert F[:, 5] == pytest.approx([-force * m.row["r_b1"], -force * m.row["r_b2"]], rel=1e-9)
+        m.press(5e-6, -1)
+        assert m.get("mesh_force") < 0.0
+
+
+def test_deflection_is_travel_less_excitation_and_counts_the_gap() -> None:
+    m = one(beta=0.0, stiffness=FOURIER, e_cos=np.array([3e-6]), e_sin=np.array([0.0]))
+    m.press(5e-6)
+    e = 3e-6 * math.cos(2.0 * math.pi * m.get("mesh_phase"))
+    assert m.get("transmission_error") - m.get("deflection") == pytest.approx(e, rel=1e-9)
+    stretch = m.get("mesh_force") / m.get("mesh_stiffness")
+    assert m.get("deflection") == pytest.approx(0.5 * m.row["gap"] + stretch, rel=1e-9)
+
+
+def test_mesh_phase_counts_base_pitches_from_point_A() -> None:
+    m = one(beta=0.0)
+    psi, state = [], []
+    for k in range(5):
+        m.frames["phi"] = [k * 0.1 * 2 * math.pi / m.pair.gear1.z, -k * 0.1 * 2 * math.pi / m.pair.gear2.z]
+        m.evaluate()
+        psi.append(m.get("mesh_phase"))
+        state.append(0.0 <= psi[-1] < 1.0)
+    assert np.diff(psi) % 1.0 == pytest.approx(0.1, abs=1e-9)  # grows counter-clockwise, 1 per tooth
+    assert all(state)
+    # psi = 0: a pair stands at A, where the tip circle of gear 2 cuts the line of action
+    m.frames["phi"] -= psi[-1] * 2 * math.pi * np.array([1.0 / m.pair.gear1.z, -1.0 / m.pair.gear2.z])
+    m.evaluate()
+    assert (m.get("mesh_phase") + 0.5) % 1.0 == pytest.approx(0.5, abs=1e-9)
+    assert m.row["xi_A"] == pytest.approx(m.pair.T1A - m.pair.T1C, rel=1e-9)
+
+
+def test_mesh_phase_is_the_mean_travel_of_both_gears() -> None:
+    m = one(beta=0.0)
+    m.evaluate()
+    before = m.get("mesh_phase")
+    s = 0.1 * m.row["p_bt"]
+    m.frames["phi"] = [s / m.row["r_b1"], s / m.row["r_b2"]]  # opposite travel: deflection only
+    m.evaluate()
+    assert m.get("mesh_phase") == pytest.approx(before, abs=1e-12)
+    m.frames["phi"] = [s / m.row["r_b1"], 0.0]
+    m.evaluate()
+    assert (m.get("mesh_phase") - before) % 1.0 == pytest.approx(0.05, abs=1e-9)
+
+
+def test_back_flank_has_its_own_phase_and_runs_the_other_way() -> None:
+    m = one(beta=0.0, stiffness=FOURIER)
+    turn = 2.0 * math.pi * np.array([1.0 / m.pair.gear1.z, -1.0 / m.pair.gear2.z])
+    for share in (0.07, 0.31):
+        values = []
+        for flank in (1, -1):
+            m.frames["phi"] = flank * share * turn
+            m.press(5e-6, flank)
+            values.append(m.get("mesh_stiffness"))
+        assert values[1] == pytest.approx(values[0], rel=1e-9)
+
+
+def test_excitation_over_shaft_angle_counts_turns_of_its_gear() -> None:
+    m = one(beta=0.0, stiffness=FOURIER, orders1=np.array([[2.0, 1e-6, 0.5]]))
+    m.frames["phi"] = [0.3, -0.3 * m.row["r_b1"] / m.row["r_b2"]]
+    m.evaluate()
+    e = m.get("transmission_error") - m.get("deflection")
+    assert e == pytest.approx(1e-6 * math.cos(2.0 * 0.3 + 0.5), rel=1e-6)
+
+
+def test_force_parts_are_those_on_gear_2() -> None:
+    m = one(beta=0.3)
+    for flank in (1, -1):
+        m.press(5e-6, flank)
+        F = m.evaluate()[1]
+        e = np.array([math.cos(m.theta), math.sin(m.theta), 0.0])
+        t = np.cross([0.0, 0.0, 1.0], e)
+        assert m.get("circumferential_force") == pytest.approx(F[:3] @ t, rel=1e-9)
+        assert m.get("radial_force") == pytest.approx(F[:3] @ e, rel=1e-9)
+        assert m.get("radial_force") > 0.0
+        assert m.get("axial_force") == pytest.approx(F[2], rel=1e-9)
+        assert m.get("normal_force") == pytest.approx(np.linalg.norm(F[:3]), rel=1e-9)
+        assert flank * m.get("circumferential_force") > 0.0
+
+
+def test_mesh_damper_is_part_of_mesh_force_alone() -> None:
+    m = one(beta=0.0, d_gap=1e3)
+    m.frames["tw"][0, 5] = 10.0
+    m.evaluate()
+    assert m.get("contact_state") == 0.0
+    assert m.get("mesh_force") == pytest.approx(1e3 * 10.0 * m.row["r_b1"], rel=1e-9)
+    assert m.get("normal_force") == m.get("circumferential_force") == 0.0
+
+
+def test_pair_forces_add_up_to_the_force_of_the_flanks() -> None:
+    m = one(beta=0.3, n_pair=4)
+    m.press(5e-6, -1)
+    assert m.out[N_OUT : N_OUT + 4].sum() == pytest.approx(m.get("mesh_force"), rel=1e-9)
+
+
+# ----------------------------------------------------------------------------------- loads and drives
+
+
+def test_positive_torques_on_both_gears_load_the_front_flank() -> None:
+    assert loaded(TORSIONAL_PAIR)("contact_state[stage]") == 1.0
+    assert loaded(TORSIONAL_PAIR.replace("150 N m", "-150 N m"))("contact_state[stage]") == -1.0
+
+
+def test_balance_holds_the_train_where_a_run_starts() -> None:
+    text = TORSIONAL_PAIR.replace(
+        "output: {body: driven, torque: 150 N m}", "output: {body: driven, torque: balance}"
+    ).replace("g2: {number_of_teeth: 50", "g2: {number_of_teeth: 75")
+    text = text.replace("center_distance: 150 mm", "center_distance: 187.5 mm")
+    model = loads_model(text)
+    start = prepare_start(compile_model(model, "steady"), model.scenarios["steady"])
+    row = evaluate.observe(start.system, start.state)
+    assert row[start.system.layout.channel("torque[output]")] == pytest.approx(150.0 * 75 / 50, rel=1e-6)
+
+
+def test_speeds_of_mating_gears_have_opposite_signs_if_external() -> None:
+    model = loads_model(TORSIONAL_PAIR)
+    speeds = model.start_speeds("steady")
+    assert speeds["driven"] == pytest.approx(-speeds["driver"])
+    bodies = "bodies: {one: {gears: [a]}, two: {gears: [b]}}\n"
+    bodies += "scenarios: {s: {speed: {one: 10 rad/s}, duration: 1 s}}\n"
+    ring = loads_model(pair(gear("a"), gear("b", z=90, more="type: internal"), "", bodies))
+    assert ring.start_speeds("s")["two"] == pytest.approx(10.0 * 30 / 90)
+
+
+# ----------------------------------------------------------------------------------------- statistics
+
+
+def test_rms_is_that_of_the_alternating_part() -> None:
+    t = np.arange(1000) / 1000.0
+    found = signal_statistics(7.0 + 3.0 * np.sin(2 * np.pi * 5 * t))
+    assert found.mean == pytest.approx(7.0)
+    assert found.rms == pytest.approx(3.0 / math.sqrt(2.0))
+    assert (found.min, found.max) == pytest.approx((4.0, 10.0))
+
+
+def test_window_starts_at_a_fifth_of_the_duration() -> None:
+    model = loads_model(TORSIONAL_PAIR)
+    assert model.scenarios["steady"].statistics_start == pytest.approx(0.1)
+    given = loads_model(TORSIONAL_PAIR.replace("duration: 0.5 s", "duration: 0.5 s, settle_time: 30 ms"))
+    assert given.scenarios["steady"].statistics_start == pytest.approx(0.03)
+
+
+def test_every_step_of_the_window_counts_once_stored_or_not() -> None:
+    text = TORSIONAL_PAIR.replace("duration: 0.5 s", "duration: 0.02 s, step: 5 us")
+    model = loads_model(text)
+    found = []
+    for rate in ("100 kHz", "10 kHz"):
+        scenario = loads_model(text.replace("100 kHz", rate)).scenarios["steady"]
+        found.append(run_time(compile_model(model, scenario), scenario).channels["mesh_force[stage]"])
+    assert found[0] == pytest.approx({k: v for k, v in found[1].items() if k != "unit"} | {"unit": "N"})
+
+
+def test_shares_count_separation_and_the_back_flank_alone() -> None:
+    sums = new_statistics(1)
+    for state in (1.0, 0.0, 0.0, -1.0, 2.0, 1.0, 1.0, 1.0):
+        accumulate(np.array([state]), sums)
+    found = read_statistics(sums)
+    assert found.share_zero[0] == pytest.approx(2 / 8)
+    assert found.share_negative[0] == pytest.approx(1 / 8)
+    # of a stored signal both flanks at once count for front and back
+    both = contact_statistics(np.arange(4.0), [2, 2, 2, 2])
+    assert (both.front_contact_share, both.back_contact_share, both.loss_share) == (1.0, 1.0, 0.0)
+
+
+# -------------------------------------------------------------------------------------------- statuses
+
+
+def test_statuses_and_their_sentences() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    names = {k: v for k, v in vars(status).items() if k.isupper() and isinstance(v, int)}
+    for name, value in names.items():
+        assert f"{value} `{name}`" in page, name
+    assert (status.DIED, status.OK) == (0, 1)
+
+
+def test_exit_codes(tmp_path: Path) -> None:
+    good, bad, law = (tmp_path / f"{n}.yaml" for n in ("good", "bad", "law"))
+    good.write_text(pair(gear("a"), gear("b")))
+    bad.write_text(pair(gear("a"), gear("c")))
+    law.write_text(TORSIONAL_PAIR.replace("torque: 150 N m}      #", 'torque: "1 N m / (t - t)"}      #'))
+    assert run_command(["check", str(good)]) == 0
+    assert run_command(["check", str(bad)]) == 2
+    assert run_command(["run", str(law), "-s", "steady", "-o", str(tmp_path / "x.h5"), "-q"]) == 3
