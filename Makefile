@@ -16,7 +16,7 @@ help:
 	@echo "make demo      install, compile, run the main example, write a report"
 	@echo "make test      style, import contracts, types, all tests"
 	@echo "make bench     speed table, build/bench.json"
-	@echo "make validate  published cases as one page, build/docs/validation.md"
+	@echo "make validate  published cases as one page, docs/validation.md"
 	@echo "make docs      generated pages of the documentation, build/docs"
 	@echo "make lint      style, import contracts and types only"
 	@echo "make clean     remove build products (keeps $(VENV))"
@@ -68,8 +68,7 @@ bench: $(STAMP)
 	$(BIN)/python -m benchmarks --json build/bench.json
 
 validate: $(STAMP)
-	@mkdir -p build/docs
-	$(BIN)/python tests/validation/render.py --output build/docs/validation.md
+	$(BIN)/python tests/validation/render.py --output docs/validation.md
 
 docs: $(STAMP)
 	@mkdir -p build/docs

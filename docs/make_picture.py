@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The picture on the first page, drawn from a real run: teeth in mesh, and a speed sweep up and down.
 
-Usage: ``python docs/make_picture.py docs/images/overview.svg``. Nothing in it is typed in: the outlines come from
-the geometry of `examples/backlash-oscillator/model.yaml`, the curves from its sweep.
+Usage: ``python docs/make_picture.py docs/images/overview.svg``. Nothing in it is typed in: the outlines come
+from the geometry of `examples/backlash-oscillator/model.yaml`, the curves from its sweep.
 """
 
 from __future__ import annotations
@@ -113,9 +113,8 @@ def sweep(found: Any) -> list[str]:
         parts.append(line(curve, colour, 2.2, 'stroke-linejoin="round"'))
         tip = -3.6 if direction == "up" else 3.6
         for x, y in curve[::3]:
-            parts.append(
-                f'<path d="M{x - 3.6:.1f} {y - tip:.1f}L{x + 3.6:.1f} {y - tip:.1f}L{x:.1f} {y + tip:.1f}Z" fill="{colour}"/>'
-            )
+            foot = f"M{x - 3.6:.1f} {y - tip:.1f}L{x + 3.6:.1f} {y - tip:.1f}"
+            parts.append(f'<path d="{foot}L{x:.1f} {y + tip:.1f}Z" fill="{colour}"/>')
     x, y = left + width - 8.0, top + 20.0
     parts.append(words(x, y, "▲ speed rising", "end", SWEEP["up"][0]))
     parts.append(words(x, y + 20.0, "▼ speed falling", "end", SWEEP["down"][0]))
@@ -132,10 +131,12 @@ def main(target: Path) -> None:
     body = "".join([*teeth(model.pairs["stage"]), *sweep(found)])
     title = "Two gears in mesh, and their vibration while the speed rises and falls"
     target.parent.mkdir(parents=True, exist_ok=True)
+    size = f'width="{WIDTH}" height="{HEIGHT}"'
+    font = FONT.replace("'", "")
     target.write_text(
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{HEIGHT}" viewBox="0 0 {WIDTH} {HEIGHT}" '
-        f'font-family="{FONT.replace(chr(39), "")}" font-size="14" role="img"><title>{title}</title>'
-        f'<rect width="{WIDTH}" height="{HEIGHT}" fill="#fff"/>{body}</svg>\n',
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="0 0 {WIDTH} {HEIGHT}" '
+        f'font-family="{font}" font-size="14" role="img"><title>{title}</title>'
+        f'<rect {size} fill="#fff"/>{body}</svg>\n',
         encoding="utf-8",
     )
     jumps = ", ".join(f"{j['direction']} {j['mesh_frequency']:.0f} Hz" for j in found.jumps)

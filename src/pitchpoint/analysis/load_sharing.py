@@ -2,10 +2,12 @@
 """Load sharing of one tooth pair on its way through the mesh, put together from a roll through one period.
 
 During a roll several pairs are in contact at once, each seen on a part of its way. Pairs take turns in a
-fixed number of slots; each slot's share, moved to the place of its pair, is a piece of one and the same curve.
+fixed number of slots; each slot's share, moved to the place of its pair, is a piece of one curve.
 """
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,9 +16,29 @@ TOLERANCE = 0.02
 """Share that may lie outside the zone of contact before the pieces count as not fitting."""
 
 
+@dataclass(frozen=True)
+class LoadSharing:
+    """Share of one tooth pair in the load over its way.
+
+    Parameters
+    ----------
+    way
+        Way since the beginning of contact at mid-face [base pitches], shape (m,), ascending; empty if the
+        slots fit no succession of pairs.
+    share
+        Share in the load, shape (m,).
+    offset
+        What the given phase lags behind the beginning of contact [base pitches].
+    """
+
+    way: NDArray[np.float64]
+    share: NDArray[np.float64]
+    offset: float = 0.0
+
+
 def share_along_path(
-    phase: ArrayLike, share: ArrayLike, eps_alpha: float, eps_beta: float = 0.0
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    phase: ArrayLike, share: ArrayLike, eps_alpha: float, eps_beta: float = 0.0, *, other_flank: bool = False
+) -> LoadSharing:
     """Share of one tooth pair in the load over its way.
 
     Parameters
@@ -28,41 +50,51 @@ def share_along_path(
     eps_alpha, eps_beta
         Transverse contact ratio and overlap ratio: a pair carries from -eps_beta/2 to
         eps_alpha + eps_beta/2.
-
-    Returns
-    -------
-    tuple
-        Way since the beginning of contact at mid-face [base pitches] and share, shape (m,), ascending; empty
-        if the slots fit no succession of pairs.
+    other_flank
+        The phase is that of the flank that does not carry; where contact begins is then found from the
+        shares, as exactly as the points stand.
 
     Examples
     --------
     Two pairs, each alone half of the time:
 
-    >>> p, s = share_along_path([0.1, 0.4, 0.6, 0.9], [[0.5, 0.5], [0.5, 0.5], [1, 0], [1, 0]], 1.5)
-    >>> [(float(a), float(b)) for a, b in zip(p, s)]
+    >>> s = share_along_path([0.1, 0.4, 0.6, 0.9], [[0.5, 0.5], [0.5, 0.5], [1, 0], [1, 0]], 1.5)
+    >>> [(float(a), float(b)) for a, b in zip(s.way, s.share)]
     [(0.1, 0.5), (0.4, 0.5), (0.6, 1.0), (0.9, 1.0), (1.1, 0.5), (1.4, 0.5)]
     """
     psi = np.asarray(phase, dtype=np.float64)
     shares = np.atleast_2d(np.asarray(share, dtype=np.float64))
     n_slot = shares.shape[1] if shares.size else 0
+    nothing = LoadSharing(np.zeros(0), np.zeros(0))
     if psi.size == 0 or n_slot == 0:
-        return np.zeros(0), np.zeros(0)
-    wraps = np.concatenate([[0], np.cumsum(np.round(np.diff(psi)).astype(int))])
-    low, high = -0.5 * eps_beta, eps_alpha + 0.5 * eps_beta
+        return nothing
+    best = (TOLERANCE, nothing)
+    for offset in np.concatenate([[0.0], psi + 1e-9]) if other_flank else (0.0,):
+        moved = (psi - offset) % 1.0
+        for first in range(n_slot):
+            for turn in (1, -1):
+                wrong, found = _fit(moved, shares, (eps_alpha, eps_beta), first, turn)
+                if wrong < best[0] - 1e-12:
+                    best = wrong, LoadSharing(*found, float(offset))
+    return best[1]
+
+
+def _fit(
+    psi: NDArray[np.float64],
+    shares: NDArray[np.float64],
+    ratios: tuple[float, float],
+    first: int,
+    turn: int,
+) -> tuple[float, tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Curve if the youngest pair begins in slot `first`, and the share that then lies outside the zone."""
+    low, high = -0.5 * ratios[1], ratios[0] + 0.5 * ratios[1]
+    wraps = -np.concatenate([[0], np.cumsum(np.round(np.diff(psi)).astype(int))])
     ages = np.arange(int(np.floor(low)) - 1, int(np.ceil(high)) + 1)
-    best: tuple[float, NDArray[np.float64], NDArray[np.float64]] | None = None
-    for first in range(n_slot):
-        for turn in (1, -1):
-            slot = (first - turn * wraps[:, None] - turn * ages[None, :]) % n_slot
-            way = psi[:, None] + ages[None, :]
-            value = np.take_along_axis(shares, slot, axis=1)
-            inside = (way >= low - 1e-9) & (way <= high + 1e-9)
-            # what the slots hold beyond the zone of contact, or do not show inside it, does not fit
-            wrong = float(np.abs(np.where(inside, value, 0.0).sum(axis=1) - shares.sum(axis=1)).max())
-            if best is None or wrong < best[0] - 1e-12:
-                best = wrong, way[inside], value[inside]
-    if best is None or best[0] > TOLERANCE:
-        return np.zeros(0), np.zeros(0)
-    order = np.argsort(best[1], kind="stable")
-    return best[1][order], best[2][order]
+    slot = (first + turn * (wraps[:, None] - ages[None, :])) % shares.shape[1]
+    way = psi[:, None] + ages[None, :]
+    value = np.take_along_axis(shares, slot, axis=1)
+    inside = (way >= low - 1e-9) & (way <= high + 1e-9)
+    # what the slots hold beyond the zone of contact does not fit
+    wrong = float(np.abs(np.where(inside, value, 0.0).sum(axis=1) - shares.sum(axis=1)).max())
+    order = np.argsort(way[inside], kind="stable")
+    return wrong, (way[inside][order], value[inside][order])

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -144,10 +145,13 @@ def compute(
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import INTERRUPTED, OK, sentence
     from pitchpoint.io.case_store import CaseWriter
-    from pitchpoint.sweep.cases import run_cases
+    from pitchpoint.sweep.cases import number_at, run_cases
 
     chosen = model.scenarios[name]
     header = header_of(model, file, name, "cases", chosen.method)
+    known = {path: number_at(model, path) for path in cases[0]}
+    units = {path: number[1] for path, number in known.items() if number is not None}
+    header = replace(header, options={**header.options, "vary_units": units})
     texts = {path: [str(case[path]) for case in cases] for path in cases[0]}
     channels, plan = kept(model, chosen)
     with CaseWriter(target, header, texts, channels, **plan) as writer:

@@ -141,4 +141,6 @@ def _print_pairs(model: Model, only: str | None) -> None:
             )
         if numbers[n]["j_bt"] < 0.0:
             notes.append(f"{n}: negative backlash, both flanks carry")
+        pair = model.pairs[n]
+        notes += [f"{n}: {w}" for w in pair.warnings(names=model.meshes[n].gears)]
     table("Pairs", ["", *heads], rows, notes)

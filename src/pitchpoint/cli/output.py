@@ -90,4 +90,4 @@ def shown(value: Any, dimension: str = "dimensionless", digits: int = 7) -> str:
         return str(value)
     from pitchpoint.core.units import format_quantity
 
-    return format_quantity(float(value), dimension, digits)
+    return format_quantity(float(value) + 0.0, dimension, digits)  # no "-0"

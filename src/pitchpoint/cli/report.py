@@ -14,6 +14,7 @@ from pitchpoint.cli.options import allow_code, debug, output, quiet
 from pitchpoint.cli.output import show
 
 if TYPE_CHECKING:
+    from pitchpoint.core.progress import Progress
     from pitchpoint.model.model import Model
     from pitchpoint.viz.report import ReportModel, ReportResults
 
@@ -36,6 +37,7 @@ def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: 
 
     FILES: the model file may be left out; it is then taken from the first result file.
     """
+    from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.viz.report import write_report
 
     results = [name for name in files if name.lower().endswith(RESULT_ENDINGS)]
@@ -46,8 +48,9 @@ def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: 
         warnings.simplefilter("always")
         model = _model(models[0] if models else None, results, allow_code)
         about = describe(model)
-        found = collect(model, results)
-    about = _with_warnings(about, heard)
+        with ProgressDisplay("report", "meshes", quiet=quiet) as progress:
+            found, remarks = collect(model, results, progress)
+    about = _with_warnings(about, heard, remarks)
     target = Path(output) if output else Path(models[0] if models else results[0]).with_suffix(".html")
     write_report(target, model=about, results=found)
     if not quiet:
@@ -89,44 +92,85 @@ def describe(model: Model) -> ReportModel:
     )
 
 
-def _with_warnings(about: ReportModel, heard: Sequence[warnings.WarningMessage]) -> ReportModel:
-    """Add the validity warnings that came up, each once."""
+def _with_warnings(
+    about: ReportModel, heard: Sequence[warnings.WarningMessage], remarks: Sequence[str]
+) -> ReportModel:
+    """Add the validity warnings that came up and other remarks, each once."""
     from dataclasses import replace
 
     from pitchpoint.core.errors import ValidityWarning
 
     texts = dict.fromkeys(str(w.message) for w in heard if issubclass(w.category, ValidityWarning))
-    return replace(about, warnings=list(texts))
+    return replace(about, warnings=[*texts, *dict.fromkeys(remarks)])
 
 
-def collect(model: Model, files: Sequence[str]) -> ReportResults:
-    """Collect what a report shows: mesh cycles of the model, and the contents of result files."""
+def collect(model: Model, files: Sequence[str], progress: Progress) -> tuple[ReportResults, list[str]]:
+    """Collect what a report shows: what follows from the model, the contents of result files, and remarks."""
     from pitchpoint.cli.numbers import C_PRIME_B, cycles_of_model
-    from pitchpoint.io.reading import open_result, read_header
-    from pitchpoint.io.sweep_store import read_sweep
-    from pitchpoint.viz.report import MeshCycleData, ReportResults, TimeRun
+    from pitchpoint.cli.statics import linear_parts, with_rolls
+    from pitchpoint.core.provenance import content_hash
+    from pitchpoint.io.reading import read_header
+    from pitchpoint.viz.report import MeshCycleData, ReportResults
 
     cycles = {
-        name: MeshCycleData(stiffness=cycle, stiffness_unit="c′·b" if relative_to == C_PRIME_B else "mean")
-        for name, (cycle, relative_to, _) in cycles_of_model(model, 401).items()
+        name: (
+            MeshCycleData(stiffness=cycle, stiffness_unit="c′·b" if relative_to == C_PRIME_B else "mean"),
+            unit,
+        )
+        for name, (cycle, relative_to, unit) in cycles_of_model(model, 401).items()
     }
-    runs: dict[str, TimeRun] = {}
-    sweeps: dict[str, dict[str, Any]] = {}
+    filled, notes = with_rolls(model, cycles, progress)
+    modes, campbell, more = linear_parts(model)
+    found = ReportResults(mesh_cycles=filled, modes=modes, campbell=campbell, runs={}, sweeps={}, cases={})
     for file in files:
         header = read_header(file)
-        name = str(header["scenario"] or Path(file).stem)
-        if header["kind"] == "sweep":
-            sweeps[_free(name, file, sweeps)] = read_sweep(file)
-        elif header["kind"] == "time":
-            whole = header["status"] == "finished"
-            with open_result(file) as data:
-                data.load()
-            runs[_free(name, file, runs)] = TimeRun(
-                data=data,
-                settle_time=float(header["options"].get("settle_time", 0.0)),
-                note="" if whole else f"This run is not complete: {header['status']}. {header['sentence']}",
-            )
-    return ReportResults(mesh_cycles=cycles, runs=runs, sweeps=sweeps)
+        if str(header.get("model_hash", "")) not in ("", content_hash(model)):
+            more.append(f"{Path(file).name} was computed with another state of the model.")
+        _add_file(found, file, header)
+    return found, [*notes, *more]
+
+
+def _add_file(found: ReportResults, file: str, header: dict[str, Any]) -> None:
+    """Put the contents of one result file where the report looks for it."""
+    from pitchpoint.io.case_store import read_cases
+    from pitchpoint.io.reading import open_result
+    from pitchpoint.io.sweep_store import read_sweep
+    from pitchpoint.viz.report import CaseTable, TimeRun
+
+    runs, sweeps, tables = (dict_of(d) for d in (found.runs, found.sweeps, found.cases))
+    name = str(header["scenario"] or Path(file).stem)
+    if header["kind"] == "sweep":
+        sweeps[_free(name, file, sweeps)] = read_sweep(file)
+    elif header["kind"] == "cases":
+        cases = read_cases(file)
+        tables[_free(name, file, tables)] = CaseTable(cases=cases, units=_units(file))
+        for case in cases:
+            if case["points"]:
+                words = ", ".join(f"{path} = {text}" for path, text in case["values"].items())
+                sweeps[_free(f"{name}: {words}", file, sweeps)] = {"points": case["points"], "jumps": ()}
+    elif header["kind"] == "time":
+        whole = header["status"] == "finished"
+        with open_result(file) as data:
+            data.load()
+        runs[_free(name, file, runs)] = TimeRun(
+            data=data,
+            settle_time=float(header["options"].get("settle_time", 0.0)),
+            note="" if whole else f"This run is not complete: {header['status']}. {header['sentence']}",
+        )
+
+
+def dict_of(found: Any) -> dict[str, Any]:
+    """The dictionary behind a read-only view of it."""
+    assert isinstance(found, dict)
+    return found
+
+
+def _units(file: str) -> dict[str, str]:
+    """SI units of the varied numbers of a file of cases."""
+    from pitchpoint.io.reading import read_header
+
+    units: dict[str, str] = read_header(file)["options"].get("vary_units", {})
+    return units
 
 
 def _free(name: str, file: str, taken: dict[str, Any]) -> str:

@@ -177,7 +177,7 @@ def write_tables(
     code: int = st.OK,
     steps: int = 0,
 ) -> None:
-    """Write tables that are complete already, such as modes: each quantity with its array, and how it ended."""
+    """Write tables that are complete already, such as modes: quantities with arrays, and how it ended."""
     texts = {q.name: values for q, values in filled if q.dtype == "text"}
     with TableWriter(path, header, axes, [q for q, _ in filled], texts=texts) as table:
         for quantity, values in filled:

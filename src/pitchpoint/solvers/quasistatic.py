@@ -94,10 +94,11 @@ def roll_through(
     points: int = 100,
     periods: int = 1,
     *,
+    mesh: str | None = None,
     progress: Progress = silent,
 ) -> Roll:
-    """Roll slowly through mesh periods; parameters as in `solve_quasistatic`."""
-    scenario, mesh, points, periods = _plan(system, what, points, periods)
+    """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, `mesh` beside a scenario."""
+    scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
         raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
     point = operating_point(system, scenario)
@@ -152,12 +153,11 @@ def roll_through(
 
 
 def _plan(
-    system: System, what: Scenario | str | None, points: int, periods: int
+    system: System, what: Scenario | str | None, points: int, periods: int, mesh: str | None = None
 ) -> tuple[Scenario, str, int, int]:
     """Find out which scenario and which mesh are meant."""
     names = mesh_names(system)
     scenarios = {} if system.model is None else system.model.scenarios
-    mesh = None
     if isinstance(what, str) and what in names:
         mesh, what = what, None
     elif isinstance(what, str) and what not in scenarios:

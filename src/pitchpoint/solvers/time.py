@@ -298,7 +298,7 @@ def solve_time(
     Returns
     -------
     xarray.Dataset
-        All channels over time [s], with units; statistics of the window in the attributes.
+        All channels over time [s], with units; provenance, steps and status in the attributes.
 
     Raises
     ------

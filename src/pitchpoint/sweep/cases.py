@@ -14,7 +14,7 @@ import queue
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, is_dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -350,7 +350,11 @@ def number_at(model: Model, path: str) -> tuple[float, str] | None:
         if isinstance(part, Mapping):
             part = part.get(name)
             continue
-        key = keys_of(type(part))[name]
+        if not is_dataclass(part):
+            return None
+        key = keys_of(type(part)).get(name)
+        if key is None:
+            return None
         unit = DIMENSIONS[key.dimension].si if key.dimension else ""
         part = getattr(part, name)
     if isinstance(part, Constant):

@@ -16,7 +16,13 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 
-def plot_mesh_stiffness(cycle: Any, *, name: str = "", unit: str = "c′·b") -> go.Figure:
+def plot_mesh_stiffness(
+    cycle: Any,
+    *,
+    name: str = "",
+    unit: str = "c′·b",
+    loaded: tuple[ArrayLike, ArrayLike] | None = None,
+) -> go.Figure:
     """Stiffness over two mesh cycles, with its mean.
 
     Parameters
@@ -28,6 +34,8 @@ def plot_mesh_stiffness(cycle: Any, *, name: str = "", unit: str = "c′·b") ->
         Name of the mesh, for the legend.
     unit
         What the ratio refers to: c′·b for tooth pair laws, the mean for prescribed stiffness.
+    loaded
+        Phases and slopes of the force under load, in the same unit, where they differ from the law.
     """
     import plotly.graph_objects as go
 
@@ -42,6 +50,9 @@ def plot_mesh_stiffness(cycle: Any, *, name: str = "", unit: str = "c′·b") ->
         name=name or "stiffness",
         line={"color": theme.BLUE, "width": 2, "simplify": False},
     )
+    if loaded is not None:
+        x, y = _two_cycles(*loaded)
+        figure.add_scatter(x=x, y=y, mode="lines", name="under load", line={"color": theme.RED, "width": 2})
     figure.add_hline(y=float(cycle.mean), line={"color": theme.GREY, "dash": "dash", "width": 1})
     figure.add_scatter(
         x=[None],
@@ -51,13 +62,18 @@ def plot_mesh_stiffness(cycle: Any, *, name: str = "", unit: str = "c′·b") ->
         name=f"mean {number(float(cycle.mean))}",
     )
     low, high = float(cycle.minimum), float(cycle.maximum)
+    if loaded is not None:
+        low, high = min(low, float(np.min(loaded[1]))), max(high, float(np.max(loaded[1])))
     margin = max(0.08 * (high - low), 0.02 * abs(float(cycle.mean)))
     figure.update_yaxes(range=[low - margin, high + margin])
     return figure
 
 
 def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -> go.Figure:
-    """Transmission error over two mesh cycles, one line per load case.
+    """Transmission error over two mesh cycles about its mean, one line per load case.
+
+    The means, half the backlash and the deflection under load, are many times larger than what excites
+    vibration; they stand in the legend.
 
     Parameters
     ----------
@@ -69,20 +85,55 @@ def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -
     import plotly.graph_objects as go
 
     data = {name: np.asarray(values, dtype=np.float64) for name, values in errors.items()}
-    shown = scale("m", np.concatenate([np.atleast_1d(v) for v in data.values()]) if data else ())
+    means = {name: float(values.mean()) if values.size else 0.0 for name, values in data.items()}
+    # below a nanometre there is nothing but round-off
+    sizes = [np.atleast_1d(v - means[name]) for name, v in data.items()]
+    shown = scale("m", np.concatenate([*sizes, [1e-9]]))
     figure = go.Figure(
-        layout=theme.layout("mesh phase ψ [base pitches]", shown.title("transmission error"), height=340)
+        layout=theme.layout(
+            "mesh phase ψ [base pitches]", shown.title("transmission error less its mean"), height=340
+        )
     )
     for index, (name, values) in enumerate(data.items()):
-        x, y = _two_cycles(phase, values)
+        x, y = _two_cycles(phase, values - means[name])
+        whole = scale("m", [means[name]])
         figure.add_scatter(
             x=x,
             y=y * shown.factor,
             mode="lines",
-            name=name,
+            name=f"{name} (mean {number(means[name] * whole.factor, 4)} {whole.unit})",
             line={"color": theme.SERIES[index % len(theme.SERIES)], "width": 2, "simplify": False},
         )
     figure.update_layout(showlegend=True)
+    return figure
+
+
+def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
+    """Share of one tooth pair in the load, from its first to its last contact.
+
+    Parameters
+    ----------
+    way
+        Way since the beginning of contact at mid-face [base pitches], shape (n,).
+    share
+        Share in the load, shape (n,).
+    """
+    import plotly.graph_objects as go
+
+    figure = go.Figure(
+        layout=theme.layout(
+            "way of a tooth pair since the beginning of contact [base pitches]",
+            "share in the load [%]",
+            height=340,
+        )
+    )
+    figure.add_scatter(
+        x=np.asarray(way, dtype=np.float64),
+        y=100.0 * np.asarray(share, dtype=np.float64),
+        mode="lines",
+        line={"color": theme.BLUE, "width": 2, "simplify": False},
+    )
+    figure.update_yaxes(range=[0.0, 105.0])
     return figure
 
 

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.viz import report_sections as parts
 from pitchpoint.viz.report_page import page
+from pitchpoint.viz.report_tables import case_section, mode_section
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,12 +66,44 @@ class MeshCycleData:
         What the ratio refers to.
     error_phase, errors
         Phases [base pitches], shape (n,), and transmission errors [m], shape (n,), by load case.
+    loaded_ratio
+        Slope of the force under load at the same phases, in the unit of the stiffness, if it is of interest.
+    share_way, share
+        Way of a tooth pair since the beginning of contact [base pitches] and its share in the load.
     """
 
     stiffness: Any = None
     stiffness_unit: str = "c′·b"
     error_phase: ArrayLike = ()
     errors: Mapping[str, ArrayLike] = field(default_factory=dict)
+    loaded_ratio: ArrayLike = ()
+    share_way: ArrayLike = ()
+    share: ArrayLike = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ModeData:
+    """Modes about the loaded state: names, frequencies [Hz], shares of critical damping (nan: none)."""
+
+    names: Sequence[str]
+    frequency: Sequence[float]
+    damping_ratio: Sequence[float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class CaseTable:
+    """Independent cases.
+
+    Attributes
+    ----------
+    cases
+        Mappings with `values` (texts by path), `numbers` (SI by path), `status` and `channels` (statistics).
+    units
+        SI unit of the numbers by path.
+    """
+
+    cases: Sequence[Mapping[str, Any]]
+    units: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -125,12 +158,18 @@ class ReportResults:
         it.
     campbell
         Natural frequencies over speed.
+    modes
+        Modes about the loaded state.
+    cases
+        Independent cases by the name of the scenario.
     """
 
     mesh_cycles: Mapping[str, MeshCycleData] = field(default_factory=dict)
     runs: Mapping[str, TimeRun] = field(default_factory=dict)
     sweeps: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     campbell: CampbellData | None = None
+    modes: ModeData | None = None
+    cases: Mapping[str, CaseTable] = field(default_factory=dict)
 
 
 def write_report(
@@ -167,10 +206,12 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         parts.gear_section(model.gears, model.meshes),
         parts.drawing_section(model.pairs),
         parts.mesh_cycle_section(results.mesh_cycles),
+        mode_section(results.modes),
+        parts.campbell_section(results.campbell),
         parts.sweep_section(results.sweeps),
+        case_section(results.cases),
         parts.time_section(results.runs),
         parts.spectrum_section(results.runs, highest),
-        parts.campbell_section(results.campbell),
         parts.notes_section(model.warnings, model.assumptions, model.sources),
     ]
     footer = f"Made by pitchpoint {model.version}".rstrip()

@@ -17,7 +17,11 @@ from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.viz import spectrum_plots
 from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
-from pitchpoint.viz.mesh_cycle_plot import plot_mesh_stiffness, plot_transmission_error
+from pitchpoint.viz.mesh_cycle_plot import (
+    plot_load_sharing,
+    plot_mesh_stiffness,
+    plot_transmission_error,
+)
 from pitchpoint.viz.quantities import Array, Channel, channels, number, scale
 from pitchpoint.viz.report_page import Section
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
@@ -81,11 +85,18 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
                 f"Mesh stiffness over two mesh cycles: mean {number(float(s.mean))}, "
                 f"from {number(float(s.minimum))} to {number(float(s.maximum))} {cycle.stiffness_unit}."
             )
-            section.add_figure(plot_mesh_stiffness(s, name=mesh, unit=cycle.stiffness_unit), caption)
+            loaded = (cycle.error_phase, cycle.loaded_ratio) if np.size(cycle.loaded_ratio) else None
+            drawn = plot_mesh_stiffness(s, name=mesh, unit=cycle.stiffness_unit, loaded=loaded)
+            section.add_figure(drawn, caption)
         if cycle.errors:
             section.add_figure(
                 plot_transmission_error(cycle.error_phase, cycle.errors),
                 "Quasi-static transmission error along the line of action over two mesh cycles.",
+            )
+        if np.size(cycle.share):
+            section.add_figure(
+                plot_load_sharing(cycle.share_way, cycle.share),
+                "Share of one tooth pair in the load, from its first to its last contact.",
             )
     return section
 

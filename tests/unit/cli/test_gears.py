@@ -93,6 +93,23 @@ def test_people_read_millimetres_and_degrees(tmp_path: Path, capsys: pytest.Capt
     assert captured.err == ""
 
 
+def test_a_form_circle_that_ends_the_involute_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Internal pair of the KHK tables, whose pinion is undercut: the tip circles promise 1.6795."""
+    common = "normal_module: 3 mm, face_width: 20 mm"
+    file = written(
+        tmp_path,
+        f"gears:\n  a: {{number_of_teeth: 16, profile_shift_coefficient: 0, {common}}}\n"
+        f"  b: {{number_of_teeth: 24, profile_shift_coefficient: -0.5, type: internal, {common}}}\n"
+        "meshes: {m: {gears: [a, b], center_distance: 13.1683 mm}}\n",
+    )
+    assert run_command(["gears", file]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "tip of b reaches below the root form circle of a (undercut)" in said
+    assert "contact ratio left is 1.645" in said
+
+
 def test_only_one_gear(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path, ISO_EX1)
     assert run_command(["gears", file, "--gear", "pinion"]) == 0

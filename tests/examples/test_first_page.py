@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The first page: its model file, its commands, its Python and its numbers are tried as they stand there."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from pitchpoint.cli.main import COMMANDS, run_command
+from pitchpoint.geometry import GearPair
+from pitchpoint.io.yaml_model import load_model
+
+ROOT = Path(__file__).parents[2]
+TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def block(language: str) -> str:
+    """Contents of the first code block in a language."""
+    found = re.search(rf"^```{language}\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)
+    assert found
+    return found[1]
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / "pair.yaml").write_text(block("yaml"), encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_commands_run_and_numbers_are_right(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    lines = re.findall(r"^pitchpoint (\w+ pair\.yaml.*)$", TEXT, re.MULTILINE)
+    assert [line.split()[0] for line in lines] == [
+        "check",
+        "gears",
+        "mesh",
+        "modes",
+        "run",
+        "sweep",
+        "report",
+    ]
+    for line in lines:
+        assert run_command(shlex.split(line)) == 0, line
+    assert (folder / "pair.html").stat().st_size > 1e5
+    capsys.readouterr()
+
+    def numbers(*arguments: str) -> dict:
+        assert run_command([*arguments, "--json"]) == 0
+        return json.loads(capsys.readouterr().out)
+
+    assert "2731 Hz" in TEXT
+    assert numbers("modes", "pair.yaml")["modes"][1]["frequency"] == pytest.approx(2731.0, abs=0.5)
+    deflection = numbers("run", "pair.yaml", "-s", "steady")["channels"]["deflection[stage]"]
+    assert "The mean deflection is 51 µm: 38.5 µm" in " ".join(TEXT.split())
+    assert deflection["mean"] == pytest.approx(51e-6, abs=0.5e-6)
+    sweep = numbers("sweep", "pair.yaml", "-s", "sweep")
+    assert "jumps at 2225 Hz upwards, at 1525 Hz downwards" in " ".join(TEXT.split())
+    jumps = [(j["direction"], j["mesh_frequency"]) for j in sweep["jumps"]]
+    assert jumps == [("up", pytest.approx(2225.0)), ("down", pytest.approx(1525.0))]
+    assert max(p["contact_loss_share"] for p in sweep["points"]) == pytest.approx(2 / 3, abs=0.02)
+
+
+def test_geometry_is_right(folder: Path) -> None:
+    pair: GearPair = load_model("pair.yaml").pairs["stage"]
+    assert "contact ratio 1.568, backlash 77.0 µm" in TEXT
+    assert pair.eps_alpha == pytest.approx(1.568, abs=5e-4)
+    assert pair.j_bt == pytest.approx(77.0e-6, abs=5e-8)
+    assert run_command(shlex.split("gears pair.yaml --export pinion.dxf --gear pinion")) == 0
+    assert (folder / "pinion.dxf").exists()
+
+
+def test_python_runs(folder: Path) -> None:
+    assert run_command(shlex.split("run pair.yaml -s steady -o steady.h5 -q")) == 0
+    code = compile(block("python"), "README.md", "exec")
+    names: dict = {}
+    exec(code, names)
+    assert names["pp"].open_result("steady.h5").sizes["time"] > 1000
+
+
+def test_links_and_commands_exist() -> None:
+    for page in (ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))):
+        for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
+            assert (page.parent / link).exists(), f"{page.name}: {link}"
+    for command in re.findall(r"^pitchpoint (\w+) pair|`pitchpoint (\w+)", TEXT, re.MULTILINE):
+        assert set(command) - {""} <= set(COMMANDS)
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    for target in re.findall(r"^make (\w+)|`make (\w+)", TEXT, re.MULTILINE):
+        assert re.search(rf"^{''.join(target)}:", makefile, re.MULTILINE), target
