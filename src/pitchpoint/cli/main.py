@@ -11,6 +11,7 @@ import importlib
 import sys
 import warnings
 from collections.abc import Sequence
+from functools import partial
 
 import click
 
@@ -99,7 +100,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
 def run_command(arguments: list[str]) -> int:
     """Run one command and return its exit code; errors become sentences on stderr."""
     from pitchpoint.cli.failure import exit_code_of, show_warnings_plainly
+    from pitchpoint.core import companion
 
+    if not {"-q", "--quiet"} & set(arguments):
+        companion.listen(partial(click.echo, err=True))
     with warnings.catch_warnings():
         show_warnings_plainly()
         try:

@@ -62,7 +62,7 @@ def modes(
             row["name"],
             shown(row["frequency"], "frequency", 6),
             shown(row["damped_frequency"], "frequency", 6),
-            NOTHING if row["damping_ratio"] is None else f"{100.0 * row['damping_ratio']:.3f} %",
+            damping_text(row["damping_ratio"], row["frequency"]),
         ]
         for row in rows_of(found)
     ]
@@ -75,6 +75,19 @@ def modes(
             show(f"note: {note}")
         if output is not None:
             show(f"written to {output}")
+
+
+def damping_text(ratio: float | None, frequency: float) -> str:
+    """Write a damping ratio in per cent; none for modes that do not vibrate.
+
+    Examples
+    --------
+    >>> damping_text(0.05, 100.0), damping_text(-1e-12, 100.0), damping_text(0.0, 0.0)
+    ('5.000 %', '0.000 %', '–')
+    """
+    if ratio is None or frequency == 0.0:
+        return NOTHING
+    return f"{round(100.0 * ratio, 3) + 0.0:.3f} %"
 
 
 def rows_of(found: Modes) -> list[dict[str, Any]]:

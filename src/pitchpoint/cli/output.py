@@ -11,6 +11,9 @@ from typing import Any
 import click
 
 NOTHING = "–"
+SHORT = 30
+"""Length up to which the names in a first column are never broken."""
+_NUMBER = tuple("0123456789-+–")
 
 
 def emit_json(data: Mapping[str, Any]) -> None:
@@ -47,7 +50,7 @@ def show(text: str = "") -> None:
 def table(
     title: str, columns: Sequence[str], rows: Sequence[Sequence[str]], notes: Sequence[str] = ()
 ) -> None:
-    """Print a table: first column left, the others right; rows of one empty text are rules."""
+    """Print a table: words left, numbers right; rows of one empty text are rules."""
     from rich import box
     from rich.console import Console
     from rich.markup import escape
@@ -55,7 +58,12 @@ def table(
 
     made = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for k, name in enumerate(columns):
-        made.add_column(escape(name), justify="left" if k == 0 else "right", overflow="fold")
+        cells = [row[k] for row in rows if any(row)]
+        words = k == 0 or 2 * sum(cell[:1] in _NUMBER for cell in cells) < len(cells)
+        short = k == 0 and max(map(len, cells), default=0) <= SHORT
+        made.add_column(
+            escape(name), justify="left" if words else "right", overflow="fold", no_wrap=short or None
+        )
     for row in rows:
         if not any(row):
             made.add_section()

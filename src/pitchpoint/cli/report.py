@@ -132,6 +132,7 @@ def collect(model: Model, files: Sequence[str], progress: Progress) -> tuple[Rep
 
 def _add_file(found: ReportResults, file: str, header: dict[str, Any]) -> None:
     """Put the contents of one result file where the report looks for it."""
+    from pitchpoint.analysis.jumps import sweep_jumps
     from pitchpoint.io.case_store import read_cases
     from pitchpoint.io.reading import open_result
     from pitchpoint.io.sweep_store import read_sweep
@@ -147,7 +148,11 @@ def _add_file(found: ReportResults, file: str, header: dict[str, Any]) -> None:
         for case in cases:
             if case["points"]:
                 words = ", ".join(f"{path} = {text}" for path, text in case["values"].items())
-                sweeps[_free(f"{name}: {words}", file, sweeps)] = {"points": case["points"], "jumps": ()}
+                jumps = [
+                    {"direction": j.direction, "mesh_frequency": j.frequency}
+                    for j in sweep_jumps(case["points"])
+                ]
+                sweeps[_free(f"{name}: {words}", file, sweeps)] = {"points": case["points"], "jumps": jumps}
     elif header["kind"] == "time":
         whole = header["status"] == "finished"
         with open_result(file) as data:

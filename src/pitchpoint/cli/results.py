@@ -110,4 +110,4 @@ def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> N
         if name.partition("[")[0] in SHOWN:
             dimension = _DIMENSIONS.get(row["unit"], "dimensionless")
             rows.append([name, *(shown(row[key], dimension, 5) for key in ("mean", "rms", "min", "max"))])
-    table(title, ["channel", "mean", "rms of the alternating part", "min", "max"], rows)
+    table(title, ["channel", "mean", "alternating rms", "min", "max"], rows)

@@ -75,6 +75,11 @@ def run(
     return OK if error is None else exit_code_of(error)
 
 
+def nothing(channels: dict[str, dict[str, Any]]) -> dict[str, dict[str, Any]]:
+    """Statistics of a run that stopped before their window began: no numbers."""
+    return {name: {k: v if k == "unit" else None for k, v in row.items()} for name, row in channels.items()}
+
+
 def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bool, quiet: bool) -> int:
     """Do the slow roll of a scenario."""
     from pitchpoint.cli.failure import OK, exit_code_of
@@ -130,6 +135,6 @@ def compute(
         "output": str(target),
         "notes": list(done.notes),
         "events": len(done.events),
-        "channels": done.channels,
+        "channels": done.channels if done.window[1] > done.window[0] else nothing(done.channels),
     }
     return summary, None if done.status == OK else SolverError(sentence, done.status, str(target))

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 POINTS = 96
 SPEEDS = 41
 HARMONICS = 3
+NAMED = 6
+"""Modes up to which a Campbell diagram has their names in its legend."""
 SAME = 1e-3
 """Relative difference up to which the stiffness under load counts as that of the law."""
 
@@ -40,11 +42,15 @@ def with_rolls(
     plain = {name: data for name, (data, _) in cycles.items()}
     scenario = loaded_scenario(model)
     found, notes = dict(plain), []
+    try:
+        steady = at_start(model, scenario) if model.bodies else model
+    except PitchpointError as error:
+        return found, [f"No slow roll: {error}."]
     for k, (name, (data, unit)) in enumerate(cycles.items()):
         if not rolls(model, name):
             continue
         try:
-            system = compile_model(model, scenario)
+            system = compile_model(steady, scenario)
             still = replace(scenario, quasi_static=None) if scenario is not None else None
             roll = roll_through(system, still, POINTS, mesh=name)
             if roll.sentence != "finished":
@@ -91,12 +97,14 @@ def from_roll(
     phase = (channel("mesh_phase") - sharing.offset) % 1.0
     order = np.argsort(phase[:-1], kind="stable")
     loaded = bool(np.all(channel("mesh_force") != 0.0))
-    errors = {"without load": closed(one.unloaded[order])}
+    shared = loaded and bool(np.any(one.share))  # a prescribed stiffness knows no single pairs
+    where = phase[order]
+    errors = {"without load": closed(where, one.unloaded[order])}
     if loaded:
         title = f"mesh force {format_quantity(abs(force), 'force', 4)}"
-        errors[title] = closed(channel("transmission_error")[order])
-    slope = closed(one.tangent_stiffness[order]) / unit
-    where = closed(phase[order], 1.0)
+        errors[title] = closed(where, channel("transmission_error")[order])
+    slope = closed(where, one.tangent_stiffness[order]) / unit
+    where = np.concatenate([[0.0], where, [1.0]])
     law = np.interp(where, data.stiffness.phase, data.stiffness.stiffness_ratio)
     # a jump of the law lies between two points of the roll
     differs = float(np.median(np.abs(slope - law))) > SAME * float(data.stiffness.mean)
@@ -105,14 +113,35 @@ def from_roll(
         error_phase=where,
         errors=errors,
         loaded_ratio=slope if loaded and differs else (),
-        share_way=sharing.way if loaded else (),
-        share=sharing.share if loaded else (),
+        share_way=sharing.way if shared else (),
+        share=sharing.share if shared else (),
     )
 
 
-def closed(values: np.ndarray, further: float = 0.0) -> np.ndarray:
-    """One cycle with its first value again at the end."""
-    return np.append(values, values[0] + further)
+def closed(phase: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Values of one cycle, shape (n,), with those at its ends, the phases 0 and 1, before and behind them."""
+    end = np.interp(0.0, [phase[-1] - 1.0, phase[0]], [values[-1], values[0]])
+    return np.concatenate([[end], values, [end]])
+
+
+def at_start(model: Model, scenario: Scenario | None) -> Model:
+    """The model with loads that stay as they are at the start: those over angle would change on the way."""
+    from pitchpoint.model.components.law import Balance, Constant
+    from pitchpoint.solvers.operating_point import operating_point
+    from pitchpoint.system import evaluate
+    from pitchpoint.system.compile import compile_model
+
+    changing = [
+        name
+        for name, load in model.loads.items()
+        if load.torque is not None and not isinstance(load.torque, Constant | Balance)
+    ]
+    if not changing:
+        return model
+    point = operating_point(compile_model(model, scenario), scenario)
+    row = evaluate.observe(point.system, point.state)
+    found = {n: float(row[point.system.layout.channel(f"torque[{n}]")]) for n in changing}
+    return model.replace_all({f"loads.{name}.torque": value for name, value in found.items()})
 
 
 def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, list[str]]:
@@ -138,7 +167,7 @@ def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, li
         data = follow_modes(system, np.linspace(0.0, top, SPEEDS), body, scenario)
     except PitchpointError as error:
         return None, None, [f"No modes: {error}."]
-    vibrating = data.frequency.max(axis=0) > 1e-6 * max(float(data.frequency.max()), 1e-300)
+    vibrating = found.frequency > 1e-6 * max(float(np.max(found.frequency, initial=0.0)), 1e-300)
     orders = {
         f"{mesh} × {k}": k * order
         for mesh, order in data.orders.items()
@@ -149,7 +178,12 @@ def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, li
         speed=data.speed,
         mode_frequencies=data.frequency[:, vibrating],
         orders=orders,
-        mode_names=[name for name, moves in zip(data.names, vibrating, strict=True) if moves],
+        # numbers where names would cover the picture; the table of modes has both
+        mode_names=[
+            name if vibrating.sum() <= NAMED else f"{k}"
+            for k, (name, moves) in enumerate(zip(data.names, vibrating, strict=True), start=1)
+            if moves
+        ],
     )
     return modes, campbell if vibrating.any() and orders else None, []
 

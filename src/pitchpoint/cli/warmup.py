@@ -65,7 +65,7 @@ def warmup(quiet: bool) -> None:
 
 
 def jobs(folder: Path) -> list[Job]:
-    """List what is to be compiled: every kind of element, then every solver on a small model."""
+    """List what is to be compiled: core and kinds in two processes, then every solver on a small model."""
     from pitchpoint.cli import run as run_command
     from pitchpoint.cli import sweep as sweep_command
     from pitchpoint.core.kernel import address
@@ -73,6 +73,7 @@ def jobs(folder: Path) -> list[Job]:
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.solvers.modal import find_modes
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.link import prepare_kernels
 
     file = folder / "warmup.yaml"
     file.write_text(MODEL, encoding="utf-8")
@@ -85,9 +86,9 @@ def jobs(folder: Path) -> list[Job]:
         target = folder / f"{name}.h5"
         return name, lambda: run_command.compute(model, str(file), name, target, quiet=True)
 
-    listed = [kind(name) for name in registry.names()]
+    listed: list[Job] = [("core", lambda: prepare_kernels(registry.names()))]
     listed += [time_response(name) for name, scenario in model.scenarios.items() if scenario.kind == "time"]
     target = folder / "sweep.h5"
     listed.append(("sweep", lambda: sweep_command.compute(model, str(file), "sweep", target, quiet=True)))
     listed.append(("modes", lambda: find_modes(compile_model(model))))
-    return listed
+    return listed + [kind(name) for name in registry.names()]

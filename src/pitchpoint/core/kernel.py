@@ -14,23 +14,42 @@ from __future__ import annotations
 
 import ctypes
 import hashlib
-import importlib.util
 import math
 import os
-import re
 import sys
 import types as pytypes
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
 from llvmlite import ir
-from numba import carray, cfunc, config, njit, types
+from numba import cfunc, config, njit, types
 from numba.core import cgutils
-from numba.core.caching import CompileResultCacheImpl, _CacheLocator
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
 from numba.core.registry import CPUDispatcher
 from numba.extending import intrinsic
+from numba.np.arrayobj import populate_array
+
+from pitchpoint.core.companion import announce, await_entry, delegate
+from pitchpoint.core.import_closure import import_closure, register_package
+
+__all__ = [
+    "COMPILING",
+    "address",
+    "cache_folder",
+    "call",
+    "call_law",
+    "import_closure",
+    "invoke",
+    "is_compiled",
+    "kernel",
+    "law_address",
+    "prepare",
+    "register_package",
+    "view",
+]
 
 COMPILING = not config.DISABLE_JIT
 
@@ -41,88 +60,7 @@ _F = TypeVar("_F", bound=Callable[..., Any])
 
 # ---------------------------------------------------------------------------------------------- cache stamp
 
-_PACKAGES = {"pitchpoint"}
-_FROM = re.compile(r"^[ \t]*from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#;]*)", re.MULTILINE)
-_IMPORT = re.compile(r"^[ \t]*import[ \t]+([^\n#;]+)", re.MULTILINE)
 _STAMPS: dict[str, str] = {}
-
-
-def _root(file: Path) -> tuple[Path, str]:
-    """Folder that holds the top-level package of a file, and the dotted name of the file's package."""
-    folder = file.parent
-    parts: list[str] = []
-    while (folder / "__init__.py").exists():
-        parts.insert(0, folder.name)
-        folder = folder.parent
-    return folder, ".".join(parts)
-
-
-def _locate(name: str, roots: dict[str, Path]) -> Path | None:
-    """File of a dotted module name if its top-level package is one of ours, else None."""
-    top, _, rest = name.partition(".")
-    folder = roots.get(top)
-    if folder is None:
-        return None
-    base = folder / top if not rest else (folder / top).joinpath(*rest.split("."))
-    for candidate in (base.with_suffix(".py"), base / "__init__.py"):
-        if candidate.is_file():
-            return candidate
-    return None
-
-
-def _imported(text: str, package: str) -> set[str]:
-    """Dotted names that a source text may import; `from a import b` yields both a and a.b."""
-    names: set[str] = set()
-    for match in _IMPORT.finditer(text):
-        names.update(part.split(" as ")[0].strip() for part in match.group(1).split(","))
-    for match in _FROM.finditer(text):
-        base, what = match.group(1), match.group(2).strip("()")
-        dots = len(base) - len(base.lstrip("."))
-        if dots:
-            stem = package.split(".")[: len(package.split(".")) - dots + 1]
-            base = ".".join([*stem, *filter(None, [base.lstrip(".")])])
-        names.add(base)
-        names.update(f"{base}.{part.split(' as ')[0].strip()}" for part in what.replace("\n", ",").split(","))
-    return names
-
-
-def import_closure(file: str | os.PathLike[str]) -> list[Path]:
-    """List every source file that a file reaches by import statements inside the registered packages.
-
-    Parameters
-    ----------
-    file
-        Source file to start from.
-
-    Returns
-    -------
-    list of Path
-        The file itself and all it reaches, sorted. Packages outside (numpy, the standard library) are not
-        followed: their versions are the business of the environment.
-    """
-    start = Path(file).resolve()
-    folder, package = _root(start)
-    own = package.split(".")[0] if package else start.stem
-    roots = {own: folder}
-    for name in _PACKAGES - {own}:
-        spec = importlib.util.find_spec(name)
-        if spec is not None and spec.origin:
-            roots[name] = Path(spec.origin).resolve().parent.parent
-    if not package:  # a loose file may import its neighbours
-        roots.update({p.stem: folder for p in folder.glob("*.py") if p.stem not in roots})
-    seen: set[Path] = set()
-    stack = [start]
-    while stack:
-        path = stack.pop()
-        if path in seen:
-            continue
-        seen.add(path)
-        text = path.read_text(encoding="utf-8", errors="replace")
-        for name in _imported(text, _root(path)[1]):
-            found = _locate(name, roots)
-            if found is not None:
-                stack.append(found)
-    return sorted(seen)
 
 
 def _stamp(file: str) -> str:
@@ -188,11 +126,6 @@ class Locator(_CacheLocator):
 CompileResultCacheImpl._locator_classes = [Locator, *CompileResultCacheImpl._locator_classes]
 
 
-def register_package(name: str) -> None:
-    """Let the cache stamp follow imports into another package (one that brings its own kinds)."""
-    _PACKAGES.add(name.partition(".")[0])
-
-
 # ------------------------------------------------------------------------------------ decorator and addresses
 
 
@@ -200,7 +133,7 @@ class Kernel(CPUDispatcher):
     """A compiled function that is cheap to compile for other kernels and still callable from Python.
 
     Calls from kernels need neither the Python nor the C wrapper, a quarter of the compile time; they share
-    one compilation whether an argument is a constant or not. A call from Python goes to a twin with a wrapper.
+    one compilation whether an argument is a constant or not. Python calls a twin that has a wrapper.
     """
 
     _outer: Any = None
@@ -212,23 +145,34 @@ class Kernel(CPUDispatcher):
         return self._outer(*args)
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
+        """Type a call from another kernel as if no argument were a constant."""
         plain = {name: types.unliteral(kind) for name, kind in kws.items()}
         return super().get_call_template(tuple(types.unliteral(kind) for kind in args), plain)
 
 
-def kernel(function: _F) -> _F:
+def kernel(function: Any = None, *, inline: bool = False) -> Any:
     """Compile a function at its first call, without the interpreter lock, cached on disk.
 
     Kernels take floats, integers and arrays, allocate nothing, raise nothing and return integer statuses.
+
+    Parameters
+    ----------
+    function
+        The function; left out in ``@kernel(inline=True)``.
+    inline
+        Put the body into every caller. An array travels as seven words and more, so a kernel with several
+        arrays and one caller belongs there.
     """
+    if function is None:
+        return partial(kernel, inline=inline)
     if not COMPILING:
         return function
-    function._pitchpoint = "k"  # type: ignore[attr-defined]
+    function._pitchpoint = "k"
     options = {"nopython": True, "nogil": True, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    made = Kernel(py_func=function, targetoptions={**options, **_FLAGS})
+    made = Kernel(py_func=function, targetoptions={**options, **_FLAGS, "forceinline": inline})
     if os.path.exists(function.__code__.co_filename):
         made.enable_caching()
-    return made  # type: ignore[return-value]
+    return made
 
 
 def _twin(function: Any, variant: str) -> tuple[Any, bool]:
@@ -255,13 +199,60 @@ def address(entry: Any) -> int:
         _TABLE[id(entry)] = entry
         return id(entry)
     if entry not in _COMPILED:
+        await_entry(label(entry))
         copy, cached = _twin(entry, "c")
         _COMPILED[entry] = cfunc(_ENTRY, cache=cached, **_FLAGS)(copy)
     return int(_COMPILED[entry].address)
 
 
+def label(entry: Any) -> str:
+    """Name of an entry for another process: "module:function"."""
+    return f"{entry.__module__}:{entry.__name__}"
+
+
+def is_compiled(entry: Any) -> bool:
+    """Whether the machine code of an entry is at hand: made in this process or kept in the cache."""
+    if not COMPILING or entry in _COMPILED:
+        return True
+    copy, cached = _twin(entry, "c")
+    return cached and bool(FunctionCache(copy)._cache_file._load_index())
+
+
+def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
+    """Compile what the cache lacks of two lists of entries; `address` waits for those of the second.
+
+    Parameters
+    ----------
+    mine
+        Entries to compile here, before this returns.
+    theirs
+        Entries that a second process compiles meanwhile.
+    """
+    missing = [e for e in theirs if not is_compiled(e)]
+    here = [e for e in mine if not is_compiled(e)]
+    if missing or here:
+        announce()
+    if missing and here:
+        delegate([label(e) for e in missing])
+    for entry in here:
+        address(entry)
+
+
 def invoke(entry: Any, ctl: int, records: int, n: int) -> int:
-    """Call the entry of a kind from Python, through the address that the drivers use; returns its status."""
+    """Call an entry from Python, through the address that the drivers use.
+
+    Parameters
+    ----------
+    entry
+        The kernel.
+    ctl, records, n
+        Its three arguments: addresses and a number.
+
+    Returns
+    -------
+    int
+        Its status.
+    """
     if not COMPILING:
         return int(entry(ctl, records, n))
     call_type = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_int64, ctypes.c_int64)
@@ -331,51 +322,50 @@ def law_address(function: Any) -> int:
     return int(ctypes.cast(made, ctypes.c_void_p).value or 0)
 
 
-@intrinsic
-def _pointer(typingctx, where):
-    def generate(context, builder, signature, args):
-        return builder.inttoptr(args[0], cgutils.voidptr_t)
-
-    return types.voidptr(types.int64), generate
-
-
-@intrinsic
-def _call(typingctx, where, a, b, c):
-    def generate(context, builder, signature, args):
-        word = ir.IntType(64)
-        function = builder.inttoptr(args[0], ir.FunctionType(word, [word] * 3).as_pointer())
-        return builder.call(function, args[1:])
-
-    return types.int64(*[types.int64] * 4), generate
-
-
-@intrinsic
-def _call_law(typingctx, where, t, x, p):
-    def generate(context, builder, signature, args):
-        real = ir.DoubleType()
-        form = ir.FunctionType(real, [real, real, real.as_pointer()])
-        function = builder.inttoptr(args[0], form.as_pointer())
-        return builder.call(function, [args[1], args[2], builder.inttoptr(args[3], real.as_pointer())])
-
-    return types.float64(types.int64, types.float64, types.float64, types.int64), generate
-
-
 if COMPILING:
 
-    @kernel
-    def view(where, shape, dtype):
+    @intrinsic
+    def view(typingctx, where, shape, dtype):
         """Array of the given final shape over memory that somebody else owns; no copy, no reference count."""
-        return carray(_pointer(where), shape, dtype)
+        n = len(shape) if isinstance(shape, types.BaseTuple) else 1
+        form = types.UniTuple(types.int64, n) if isinstance(shape, types.BaseTuple) else types.int64
+        made = types.Array(dtype.dtype, n, "C")
 
-    @kernel
-    def call(where, a, b, c):
+        def generate(context, builder, signature, args):
+            extents = cgutils.unpack_tuple(builder, args[1]) if form is not types.int64 else [args[1]]
+            item = context.get_abi_sizeof(context.get_data_type(made.dtype))
+            strides = [context.get_constant(types.intp, item)]
+            for extent in reversed(extents[1:]):
+                strides.insert(0, builder.mul(extent, strides[0]))
+            array = context.make_array(made)(context, builder)
+            data = builder.inttoptr(args[0], context.get_data_type(made.dtype).as_pointer())
+            populate_array(array, data, extents, strides, strides[-1], None)
+            return array._getvalue()
+
+        return made(types.int64, form, dtype), generate
+
+    @intrinsic
+    def call(typingctx, where, a, b, c):
         """Call an entry through its address."""
-        return _call(where, a, b, c)
 
-    @kernel
-    def call_law(where, t, x, p):
+        def generate(context, builder, signature, args):
+            word = ir.IntType(64)
+            function = builder.inttoptr(args[0], ir.FunctionType(word, [word] * 3).as_pointer())
+            return builder.call(function, args[1:])
+
+        return types.int64(*[types.int64] * 4), generate
+
+    @intrinsic
+    def call_law(typingctx, where, t, x, p):
         """Call a user law through its address; p is the address of its parameters."""
-        return _call_law(where, t, x, p)
+
+        def generate(context, builder, signature, args):
+            real = ir.DoubleType()
+            form = ir.FunctionType(real, [real, real, real.as_pointer()])
+            function = builder.inttoptr(args[0], form.as_pointer())
+            return builder.call(function, [args[1], args[2], builder.inttoptr(args[3], real.as_pointer())])
+
+        return types.float64(types.int64, types.float64, types.float64, types.int64), generate
 
 else:
 

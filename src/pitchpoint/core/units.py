@@ -69,8 +69,12 @@ def parse_quantity(
     kind = _dimension(dimension)
     if isinstance(value, str):
         number, unit = _split(value, kind)
-        result = _product_of(number, ONE if unit == "" else _factor(unit, dimension))
         shown = value.strip()
+        try:
+            factor = ONE if unit == "" else _factor(unit, dimension)
+        except UnitError as error:
+            raise UnitError(f"'{shown}': {error}") from None
+        result = _product_of(number, factor)
     elif isinstance(value, Real) and not isinstance(value, bool):
         result, shown = float(value), f"{value}"
     elif hasattr(value, "magnitude") and hasattr(value, "units"):

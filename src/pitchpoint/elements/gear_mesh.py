@@ -32,9 +32,8 @@ from pitchpoint.elements.gear_mesh_record import (
 )
 from pitchpoint.elements.mesh_line import (
     excitation,
+    flank_phase,
     line_of_action,
-    mean_position,
-    path_of_contact,
     pooled,
     rates,
 )
@@ -48,9 +47,8 @@ from pitchpoint.elements.mesh_wrench import (
     flank_rates,
     mesh_damper,
     spin_flank_rates,
-    spin_rates,
 )
-from pitchpoint.multibody.channels import events, frame_args, observations
+from pitchpoint.multibody.channels import F8, events, frame_args, observations
 
 __all__ = ["EVENTS", "MAX_PAIRS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
@@ -66,26 +64,20 @@ def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
 
 
 @kernel
-def _width(b):
-    """Shared face width from the plane of the pitch point."""
-    shift = b["w1"] * b["dz"]
-    b["z_lo"] = max(-0.5 * b["b1"], b["dz"] - 0.5 * b["b2"]) - shift
-    b["z_hi"] = min(0.5 * b["b1"], b["dz"] + 0.5 * b["b2"]) - shift
-
-
-@kernel
-def _place(b, flank):
-    """Phase and contact-line slope of one flank, into the scratch."""
+def _begin(b, flank, watch):
+    """Phase and contact-line slope of one flank, into the scratch; empty sums."""
     b["flank"] = flank
-    p_bt = b["p_bt"]
-    fh = flank * b["tan_b"]
-    xi = mean_position(b, flank) + fh * (b["w1"] - 0.5) * b["dz"]
-    psi = (xi - b["xi_A"]) / p_bt
+    psi = flank_phase(b, flank)
     whole = math.floor(psi)
     b["psi"] = psi - whole
     b["tooth"] = int(whole) + flank * b["turn"]
-    b["lam"] = fh / p_bt
-    b["L"] = b["T_R"] * (b["eps"] - math.floor(b["eps"]))
+    b["lam"] = flank * b["tan_b"] / b["p_bt"]
+    acc = b["acc"]
+    for k in range(N_ACC):
+        acc[k] = 0.0
+    if watch:
+        for k in range(b["n_pair"]):
+            b["pair"][k] = 0.0
 
 
 @kernel
@@ -105,17 +97,14 @@ def _stiffness_ratio(b, watch):
             slope = (_user_ratio(b, b["psi"] + _STEP) - _user_ratio(b, b["psi"] - _STEP)) / (2.0 * _STEP)
         return _user_ratio(b, b["psi"]), slope
     n = b["n_k"]
-    return phase_stiffness(b["psi"], b["form"], n, pooled(b, b["cosine"], n), pooled(b, b["sine"], n))
+    cosine = view(pooled(b, b["cosine"]), n, F8)
+    return phase_stiffness(b["psi"], b["form"], n, cosine, view(pooled(b, b["sine"]), n, F8))
 
 
 @kernel
 def _flank(b, ctl, f, g, flank, x_0, spins, rate):
     """Sum one flank into `acc`; `spins` 1: the gears only spin and their travel rate is `rate`."""
-    for k in range(N_ACC):
-        b["acc"][k] = 0.0
-    for k in range(b["n_pair"]):
-        b["pair"][k] = 0.0
-    _place(b, flank)
+    _begin(b, flank, ctl["out"] != 0)
     b["kappa"] = 0.0
     if spins == 1:
         spin_flank_rates(b, rate)
@@ -139,9 +128,11 @@ def _flank(b, ctl, f, g, flank, x_0, spins, rate):
 
 
 @kernel
-def _slack(b, xi_A, xi_E):
+def _slack(b):
     """How much deeper than the middle of the face a tilted flank can reach."""
     dn = b["dn"]
+    xi_A = b["xi_A"]
+    xi_E = xi_A + b["eps"] * b["p_bt"]
     lever = 0.5 * (b["b1"] + b["b2"]) + abs(b["tan_b"]) * (abs(xi_A) + abs(xi_E) + b["b1"] + b["b2"])
     return lever * (abs(dn[0]) + abs(dn[1]) + abs(dn[2]))
 
@@ -190,7 +181,7 @@ def _roots(b, ev, psi, front, back):
     ev[k + 4] = way * math.sin(2.0 * math.pi * (psi + b["xi_A"] / b["p_bt"]))
 
 
-@kernel
+@kernel(inline=True)
 def _one_mesh(b, ctl, fr, kk):
     """Wrenches, tangents and observations of one mesh."""
     c = ctl[0]
@@ -202,24 +193,23 @@ def _one_mesh(b, ctl, fr, kk):
     spins = 1 if b["fixed"] == 1 and b["mu"] == 0.0 else 0
     travel_rate = 0.0
     if spins == 1:
-        o1, o2, travel_rate = spin_rates(b, f, g)
+        o1 = f["spin"]
+        o2 = g["spin"]
+        travel_rate = b["r_b1"] * o1 + b["r_b2"] * o2
+        b["phase_rate"] = 0.5 * (b["r_b1"] * o1 - b["r_b2"] * o2) / b["p_bt"]
     else:
         o1, o2 = rates(b, f, g)
-    xi_A, xi_E = path_of_contact(b)
-    b["xi_A"] = xi_A
-    b["eps"] = (xi_E - xi_A) / b["p_bt"]
-    psi = (mean_position(b, 1) - xi_A + b["tan_b"] * (b["w1"] - 0.5) * b["dz"]) / b["p_bt"]
+    psi = flank_phase(b, 1)
     psi -= math.floor(psi)
     excitation(b, f, g, psi, o1, o2)
     travel_rate -= b["e_rate"]
-    _width(b)
     watch = c["out"] != 0
     if watch:
         out = observations(ctl)
         for k in range(N_OUT + b["n_pair"]):
             out[b["out"] + k] = 0.0
     x = b["u"] - b["e_t"]
-    slack = 0.0 if spins == 1 else _slack(b, xi_A, xi_E)
+    slack = 0.0 if spins == 1 else _slack(b)
     force = 0.0
     tangent = 0.0
     if b["eps"] > 0.0 and b["z_hi"] > b["z_lo"]:
@@ -263,7 +253,7 @@ def _one_mesh(b, ctl, fr, kk):
     return OK
 
 
-@kernel
+@kernel(inline=True)
 def gear_mesh(rec, ctl, fr, kk):
     """Wrenches, tangents and observations of all meshes; see the module text."""
     for r in range(rec.size):

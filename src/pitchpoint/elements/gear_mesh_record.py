@@ -126,13 +126,14 @@ _SCRATCH = [
     ("e_t", "f8"),
     ("e_rate", "f8"),  # excitation and its rate
     ("phase_rate", "f8"),  # d psi/dt of the front flank
-    ("flank", "i8"),  # the flank being summed: +1 front, -1 back
     ("xi_A", "f8"),
     ("eps", "f8"),  # path of contact: start from the pitch point [m], length [base pitches]
+    ("L", "f8"),  # ramp at both ends of the path [base pitches]
+    ("start", "f8", 2),  # share of the place of the gears in the mesh phase of either flank [base pitches]
+    ("flank", "i8"),  # the flank being summed: +1 front, -1 back
     ("psi", "f8"),
     ("tooth", "i8"),  # mesh phase in [0, 1) and the whole base pitches that belong to it
     ("lam", "f8"),  # base pitches per metre of face width along a contact line
-    ("L", "f8"),  # ramp at both ends of the path [base pitches]
     ("kappa", "f8"),  # n_f . dn, loss of penetration per lever y
     ("tilt", "f8"),  # loss of penetration per width along a contact line
     ("z_lo", "f8"),

@@ -24,9 +24,9 @@ from pitchpoint.multibody.channels import F8
 
 
 @kernel
-def pooled(b, offset, shape):
-    """Table of a mesh: `shape` numbers from `offset` on in the pool of the kind."""
-    return view(b["pool"] + 8 * offset, shape, F8)
+def pooled(b, offset):
+    """Address of a table of a mesh, `offset` numbers into the pool of the kind."""
+    return b["pool"] + 8 * offset
 
 
 @kernel
@@ -89,6 +89,7 @@ def line_of_action(b, f, g):
     turn2 = math.atan2(b["cos2"] * y - b["sin2"] * x, b["cos2"] * x + b["sin2"] * y)
     b["dz"] = dz
     b["gap"] = 2.0 * rb * (b["inv_a"] - b["inv_w0"])
+    _place(b)
     _travel(b, f, g, f["phi"] - turn1, g["phi"] - turn2)
     return OK
 
@@ -137,17 +138,33 @@ def rates(b, f, g):
 
 
 @kernel
-def path_of_contact(b):
-    """Path positions of A and E from the pitch point: where the tip circles cut the line of action."""
+def _place(b):
+    """Fill what follows from where the gears stand: path of contact, face width, a share of the phases.
+
+    A and E are where the tip circles cut the line of action; widths count from the plane of the pitch point.
+    """
     tan_a = b["sin_a"] / b["cos_a"]
-    return b["r_b2"] * tan_a - b["rho_a2"], b["rho_a1"] - b["r_b1"] * tan_a
+    xi_A = b["r_b2"] * tan_a - b["rho_a2"]
+    eps = (b["rho_a1"] - b["r_b1"] * tan_a - xi_A) / b["p_bt"]
+    b["xi_A"] = xi_A
+    b["eps"] = eps
+    b["L"] = b["T_R"] * (eps - math.floor(eps))
+    dz = b["dz"]
+    shift = b["w1"] * dz
+    b["z_lo"] = max(-0.5 * b["b1"], dz - 0.5 * b["b2"]) - shift
+    b["z_hi"] = min(0.5 * b["b1"], dz + 0.5 * b["b2"]) - shift
+    middle = -0.5 * (b["r_b1"] - b["r_b2"]) * b["inv_a"] - xi_A
+    skew = b["tan_b"] * (b["w1"] - 0.5) * dz
+    b["start"][0] = (middle + skew) / b["p_bt"]
+    b["start"][1] = (middle - skew) / b["p_bt"]
 
 
 @kernel
-def mean_position(b, flank):
-    """Mean path position of the flanks `flank` (+1 front, -1 back) at mid-face, from the pitch point."""
-    xi = b["xi_0"] if flank > 0 else b["xi_b"]
-    return xi + flank * b["travel"] - 0.5 * (b["r_b1"] - b["r_b2"]) * b["inv_a"]
+def flank_phase(b, flank):
+    """Mesh phase of the front (+1) or back (-1) flank, whole base pitches included up to `turn`."""
+    if flank > 0:
+        return b["start"][0] + (b["xi_0"] + b["travel"]) / b["p_bt"]
+    return b["start"][1] + (b["xi_b"] - b["travel"]) / b["p_bt"]
 
 
 @kernel
@@ -157,13 +174,15 @@ def excitation(b, f, g, psi, o1, o2):
     b["e_rate"] = 0.0
     if b["n_e"] > 0:
         n = b["n_e"]
-        value, slope = phase_stiffness(psi, 0, n, pooled(b, b["e_cos"], n), pooled(b, b["e_sin"], n))
+        value, slope = phase_stiffness(
+            psi, 0, n, view(pooled(b, b["e_cos"]), n, F8), view(pooled(b, b["e_sin"]), n, F8)
+        )
         b["e_t"] = value - 1.0
         b["e_rate"] = slope * b["phase_rate"]
     if b["n_e1"] > 0:
-        _shaft_orders(b, pooled(b, b["e1"], (b["n_e1"], 3)), f["phi"], f["turns"], o1)
+        _shaft_orders(b, view(pooled(b, b["e1"]), (b["n_e1"], 3), F8), f["phi"], f["turns"], o1)
     if b["n_e2"] > 0:
-        _shaft_orders(b, pooled(b, b["e2"], (b["n_e2"], 3)), g["phi"], g["turns"], o2)
+        _shaft_orders(b, view(pooled(b, b["e2"]), (b["n_e2"], 3), F8), g["phi"], g["turns"], o2)
 
 
 @kernel

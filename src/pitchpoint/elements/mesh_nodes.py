@@ -20,9 +20,10 @@ from pitchpoint.contact.damping import ramp
 from pitchpoint.contact.friction import coulomb
 from pitchpoint.contact.load_correction import low_load
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_slope, pair_table, pair_table_slope
-from pitchpoint.core.kernel import kernel
+from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.mesh_line import pooled
 from pitchpoint.elements.mesh_separation import pair_separation
+from pitchpoint.multibody.channels import F8
 
 _G = math.sqrt(0.6)
 
@@ -117,7 +118,7 @@ def _pair_node(b, ctl, p_0, x_q, z, weight, tooth1, tooth2):
     p = p_0 + b["lam"] * z
     slope = 0.0
     if b["n_table"] > 0:
-        table = pooled(b, b["table"], b["n_table"])
+        table = view(pooled(b, b["table"]), b["n_table"], F8)
         c = pair_table(p, b["eps"], b["n_table"], table, b["L"])
         if ctl["out"] != 0:
             slope = pair_table_slope(p, b["eps"], b["n_table"], table, b["L"])

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-from pitchpoint.core.kernel import kernel
+from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.mesh_line import pooled
+from pitchpoint.multibody.channels import F8
 
 
 @kernel
@@ -16,8 +17,8 @@ def pair_separation(b, tooth1, tooth2, z, xi):
     nx = b["n_sx"]
     # z counts from the plane of the pitch point; each grid has its own mid-face
     z1 = z + b["w1"] * b["dz"]
-    grid1 = pooled(b, b["sep1"], (2, b["n_t1"], nz, nx))
-    grid2 = pooled(b, b["sep2"], (2, b["n_t2"], nz, nx))
+    grid1 = view(pooled(b, b["sep1"]), (2, b["n_t1"], nz, nx), F8)
+    grid2 = view(pooled(b, b["sep2"]), (2, b["n_t2"], nz, nx), F8)
     rho1 = abs(xi + b["r_b1"] * tan_a)
     rho2 = abs(b["r_b2"] * tan_a - xi)
     gap = _grid(grid1, flank, tooth1 % b["n_t1"], z1 / b["b1"] + 0.5, _share(rho1, b["roll1"]))

@@ -11,18 +11,6 @@ from pitchpoint.core.kernel import kernel
 
 
 @kernel
-def spin_rates(b, f, g):
-    """Rates of two gears that only spin: both speeds, phase rate; returns the speeds and the travel rate."""
-    m = b["m"]
-    v = f["tw"]
-    w = g["tw"]
-    o1 = v[3] * m[0] + v[4] * m[1] + v[5] * m[2]
-    o2 = w[3] * m[0] + w[4] * m[1] + w[5] * m[2]
-    b["phase_rate"] = 0.5 * (b["r_b1"] * o1 - b["r_b2"] * o2) / b["p_bt"]
-    return o1, o2, b["r_b1"] * o1 + b["r_b2"] * o2
-
-
-@kernel
 def spin_flank_rates(b, rate):
     """Normal rate of the current flank when the gears only spin."""
     r = b["rate"]

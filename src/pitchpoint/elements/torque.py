@@ -13,7 +13,7 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.signal import SIGNAL, signal
+from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
 from pitchpoint.multibody.channels import frame_args, observations
 
 RECORD = np.dtype(
@@ -48,7 +48,7 @@ def _tangent(f, k, s, torque, by_angle, by_speed, ck, cd):
     k[5, 4] -= t * n0
 
 
-@kernel
+@kernel(inline=True)
 def torque(rec, ctl, fr, kk):
     """Torques, tangents and observations of all loads."""
     c = ctl[0]
@@ -58,8 +58,12 @@ def torque(rec, ctl, fr, kk):
         g = fr[b["j"]]
         R = f["R"]
         w = f["tw"]
-        speed = R[0, 2] * w[3] + R[1, 2] * w[4] + R[2, 2] * w[5]
-        value, by_angle, by_speed = signal(b, c["t"], f["phi"], f["turns"], speed, c["jac"])
+        value = b["value"]
+        by_angle = 0.0
+        by_speed = 0.0
+        if b["form"] != CONSTANT or b["ramp"] > 0.0:
+            speed = R[0, 2] * w[3] + R[1, 2] * w[4] + R[2, 2] * w[5]
+            value, by_angle, by_speed = signal(b, c["t"], f["phi"], f["turns"], speed, c["jac"])
         if not math.isfinite(value):
             c["bad"] = e
             return NOT_FINITE

@@ -183,7 +183,7 @@ def factorise(programme, A, T, order):
     return OK
 
 
-@kernel
+@kernel(inline=True)
 def substitute(programme, A, x, y):
     """Solve in place: x holds the right-hand side and becomes the solution; y is scratch of six."""
     for row in range(programme.size):

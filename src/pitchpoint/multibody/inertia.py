@@ -155,9 +155,9 @@ def attitude_tangent(o, f, k, ck):
             k[5, 3 + c] += ck * s * (h0 * e[1] - h1 * e[0])
 
 
-@kernel
-def inertia(body, fr, kk, jac, cm, cd, ck):
-    """Set every wrench to the inertia forces; with jac > 0 add their tangents (jac 2: exact)."""
+@kernel(inline=True)
+def inertia(body, fr, kk, jac, cm, cd):
+    """Set every wrench to the inertia forces; with jac > 0 add their tangents by a and v."""
     for b in range(body.size):
         o = body[b]
         f = fr[b]
@@ -168,8 +168,6 @@ def inertia(body, fr, kk, jac, cm, cd, ck):
                 mass_tangent(o, f, k, cm)
                 if cd != 0.0:
                     gyro_tangent(o, f, k, cd)
-                if jac == 2 and ck != 0.0:
-                    attitude_tangent(o, f, k, ck)
         else:
             # a body that only spins about a fixed axis feels no gyroscopic moment it could follow
             for i in range(3):
@@ -180,3 +178,11 @@ def inertia(body, fr, kk, jac, cm, cd, ck):
                 for i in range(3):
                     k[i, i] += cm * o["mass"]
                     k[3 + i, 3 + i] += cm * o["i_p"]
+
+
+@kernel
+def attitude(body, fr, kk, ck):
+    """Add the tangents of the inertia forces by the attitude of free bodies (exact linearisation)."""
+    for b in range(body.size):
+        if body[b]["joint"] == FREE:
+            attitude_tangent(body[b], fr[b], kk[body[b]["ii"]], ck)

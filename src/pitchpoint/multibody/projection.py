@@ -22,7 +22,7 @@ PROJ = np.dtype(
 )
 
 
-@kernel
+@kernel(inline=True)
 def project_force(path, fr, J, R):
     """R -= J^T F for every joint on the way to every body."""
     for p in range(path.size):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Dormand-Prince 5(4) with step control, dense output for samples, and location of events.
+"""Dormand-Prince 5(4) and 8(5,3) with step control, dense output for samples, and location of events.
 
 Sources: J. R. Dormand, P. J. Prince, J. Comp. Appl. Math. 6 (1980) 19-26; dense output and step control of
 E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5-II.6 (DOPRI5).
@@ -9,126 +9,111 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK, STEP_UNDERFLOW
 from pitchpoint.multibody.channels import CTL, F8, I8
-from pitchpoint.solvers.explicit import DENSE, NEW, OLD, bring_state, keep_state, slope
+from pitchpoint.solvers.explicit import DENSE, NEW, OLD, ROWS, bring_state, keep_state, slope
 from pitchpoint.solvers.sampling import take
 from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STEPS, VALID
-
-_A = np.array(
-    [
-        [0, 0, 0, 0, 0, 0],
-        [1 / 5, 0, 0, 0, 0, 0],
-        [3 / 40, 9 / 40, 0, 0, 0, 0],
-        [44 / 45, -56 / 15, 32 / 9, 0, 0, 0],
-        [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729, 0, 0],
-        [9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656, 0],
-        [35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84],
-    ]
-)
-_C = np.array([0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1, 1])
-_E = np.array([71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
-_D = np.array(
-    [
-        -12715105075 / 11282082432,
-        0,
-        87487479700 / 32700410799,
-        -10690763975 / 1880347072,
-        701980252875 / 199316789632,
-        -1453857185 / 822651844,
-        69997945 / 29380423,
-    ]
-)
 
 # slots of `real` that outlive a call
 STEP_SIZE, LAST_ERROR = 2, 3
 
 
 @kernel
-def _stages(at, t, h, rate):
-    """Six new stages of Dormand-Prince from stage 0; the new state lies in row NEW and in the workspace."""
+def _stages(at, t, h, rate, A, C, begin, end, last):
+    """Stages `begin` to `end` - 1 from the ones before; stage `last` stands at the new state, row NEW."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
-    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (16, 2 * nd), F8)
+    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
     q = view(c["q"], nd, F8)
     v = view(c["v"], nd, F8)
-    for k in range(1, 7):
+    for k in range(begin, end):
         for i in range(nd):
             s = 0.0
             p = 0.0
             for j in range(k):
-                s += _A[k, j] * stage[j, i]
-                p += _A[k, j] * stage[j, nd + i]
+                s += A[k, j] * stage[j, i]
+                p += A[k, j] * stage[j, nd + i]
             q[i] = stage[OLD, i] + h * s
             v[i] = stage[OLD, nd + i] + h * p
-        if k == 6:
+        if k == last:
             keep_state(at, NEW)
-        status = slope(at, t + _C[k] * h, k, rate)
+        status = slope(at, t + C[k] * h, k, rate)
         if status != OK:
             return status
     return OK
 
 
 @kernel
-def _error(at, h, rtol, atol, atol_rate):
-    """Error of the step in units of the tolerance, root mean square over all coordinates and rates."""
+def _error(at, h, E, rtol, atol, atol_rate):
+    """Error of the step in units of the tolerance, root mean square over all coordinates and rates.
+
+    With two rows of E the errors e of fifth and d of third order make |e|^2 / sqrt(|e|^2 + 0.01 |d|^2).
+    """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
-    stage = view(m["stage"], (16, 2 * nd), F8)
+    stage = view(m["stage"], (ROWS, 2 * nd), F8)
     weight = view(m["weight"], nd, F8)
     relative = view(m["relative"], nd, F8)
     total = 0.0
+    lower = 0.0
     for i in range(2 * nd):
         s = 0.0
-        for k in range(7):
-            s += _E[k] * stage[k, i]
+        p = 0.0
+        for k in range(E.shape[1]):
+            s += E[0, k] * stage[k, i]
+            p += E[1, k] * stage[k, i]
         size = max(abs(stage[OLD, i]), abs(stage[NEW, i]))
         if i < nd:
             allowed = atol / weight[i] + rtol * size * relative[i]
         else:
             allowed = atol_rate / weight[i - nd] + rtol * size
         s *= h / allowed
+        p *= h / allowed
         total += s * s
-    return math.sqrt(total / max(2 * nd, 1))
+        lower += p * p
+    if total == 0.0:
+        return 0.0
+    return total / math.sqrt((total + 0.01 * lower) * max(2 * nd, 1))
 
 
 @kernel
-def _prepare_dense(at, h):
-    """Coefficients of the fourth-order interpolant of the step just made."""
+def _prepare_dense(at, h, D, last):
+    """Coefficients of the interpolant of the step just made; returns their number."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
-    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (16, 2 * nd), F8)
+    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
     for i in range(2 * nd):
         d = stage[NEW, i] - stage[OLD, i]
         b = h * stage[0, i] - d
-        s = 0.0
-        for k in range(7):
-            s += _D[k] * stage[k, i]
         stage[DENSE, i] = d
         stage[DENSE + 1, i] = b
-        stage[DENSE + 2, i] = d - h * stage[6, i] - b
-        stage[DENSE + 3, i] = h * s
+        stage[DENSE + 2, i] = d - h * stage[last, i] - b
+        for r in range(D.shape[0]):
+            s = 0.0
+            for k in range(D.shape[1]):
+                s += D[r, k] * stage[k, i]
+            stage[DENSE + 3 + r, i] = h * s
+    return 3 + D.shape[0]
 
 
 @kernel
-def _interpolate(at, x):
-    """Put the state at the share x of the step into the workspace."""
+def _interpolate(at, x, n):
+    """Put the state at the share x of the step into the workspace; n coefficients."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
-    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (16, 2 * nd), F8)
+    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
     q = view(c["q"], nd, F8)
     v = view(c["v"], nd, F8)
-    y = 1.0 - x
     for i in range(2 * nd):
-        s = stage[DENSE + 2, i] + y * stage[DENSE + 3, i]
-        s = stage[DENSE, i] + y * (stage[DENSE + 1, i] + x * s)
-        s = stage[OLD, i] + x * s
+        s = 0.0
+        for r in range(n - 1, -1, -1):
+            s = (s + stage[DENSE + r, i]) * (x if r % 2 == 0 else 1.0 - x)
+        s += stage[OLD, i]
         if i < nd:
             q[i] = s
         else:
@@ -136,7 +121,7 @@ def _interpolate(at, x):
 
 
 @kernel
-def _locate(at, t, h, k, low, high):
+def _locate(at, t, h, n, k, low, high):
     """Share of the step, just behind the sign change of event function k (regula falsi, Illinois variant)."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -149,7 +134,7 @@ def _locate(at, t, h, k, low, high):
         x = b - high * (b - a) / (high - low)
         if not (a < x < b):
             x = 0.5 * (a + b)
-        _interpolate(at, x)
+        _interpolate(at, x, n)
         if evaluate_events(at, t + x * h, m["ev1"]) != OK:
             break
         f = ev[k]
@@ -167,7 +152,7 @@ def _locate(at, t, h, k, low, high):
 
 
 @kernel
-def _events(at, t, h, found, n):
+def _events(at, t, h, dense, found, n):
     """Find all sign changes of the step, in order of the functions; returns count and the earliest share."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -175,13 +160,13 @@ def _events(at, t, h, found, n):
     ev1 = view(m["ev1"], c["ne"], F8)
     first = 2.0
     for k in range(ev0.size):
-        _interpolate(at, 1.0)
+        _interpolate(at, 1.0, dense)
         if evaluate_events(at, t + h, m["ev1"]) != OK:
             return n, -1.0
         low = ev0[k]
         high = ev1[k]
         if (low < 0.0 and high >= 0.0) or (low > 0.0 and high <= 0.0):
-            x = _locate(at, t, h, k, low, high)
+            x = _locate(at, t, h, dense, k, low, high)
             if x < first:
                 first = x
             if n < found.shape[0]:
@@ -193,8 +178,8 @@ def _events(at, t, h, found, n):
 
 
 @kernel
-def advance_adaptive(at, t, t_end, tol, grid, most, restart, rows, sums, found, done):
-    """Go from t to t_end with step control.
+def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, rows, sums, found, done):
+    """Go from t to t_end with step control; `pair` holds the coefficients (`dormand_prince_pairs.Pair`).
 
     tol: rtol, atol, atol_rate, constraint rate. grid: time of sample 0, distance of samples (0: none); rows
     are stored and statistics fed at grid times. restart != 0: begin anew at every event. done: steps, rows,
@@ -206,7 +191,10 @@ def advance_adaptive(at, t, t_end, tol, grid, most, restart, rows, sums, found, 
     clock = view(m["clock"], 16, I8)
     nd = c["nd"]
     ne = c["ne"]
-    stage = view(m["stage"], (16, 2 * nd), F8)
+    stage = view(m["stage"], (ROWS, 2 * nd), F8)
+    A = pair.A
+    last_stage = pair.E.shape[1] - 1
+    dense = 0
     measure = 1 if sums.shape[0] > 0 else 0
     watch = ne > 0 and found.shape[0] > 0
     done[0] = 0
@@ -224,25 +212,31 @@ def advance_adaptive(at, t, t_end, tol, grid, most, restart, rows, sums, found, 
         if not h > 1e-14 * max(abs(t), 1e-9):
             return STEP_UNDERFLOW
         keep_state(at, OLD)
-        status = _stages(at, t, h, tol[3])
+        status = _stages(at, t, h, tol[3], A, pair.C, 1, last_stage + 1, last_stage)
         error = 1e10
         if status == OK:
-            error = _error(at, h, tol[0], tol[1], tol[2])
+            error = _error(at, h, pair.E, tol[0], tol[1], tol[2])
         elif status != NOT_FINITE:
             return status
         if not error <= 1.0:
             clock[REJECTED] += 1
-            real[STEP_SIZE] = h * (max(0.2, 0.9 * error**-0.2) if math.isfinite(error) else 0.2)
+            real[STEP_SIZE] = h * (
+                max(0.2, 0.9 * error ** (-1.0 / pair.order)) if math.isfinite(error) else 0.2
+            )
             if not real[STEP_SIZE] > 1e-14 * max(abs(t), 1e-9):
                 return STEP_UNDERFLOW if status == OK else NOT_FINITE
             bring_state(at, OLD)
             continue
         end = t_end if last else t + h
         share = 2.0
-        _prepare_dense(at, h)
+        if watch or grid[1] > 0.0:
+            status = _stages(at, t, h, tol[3], A, pair.C, last_stage + 1, A.shape[0], last_stage)
+            if status != OK:
+                return status
+            dense = _prepare_dense(at, h, pair.D, last_stage)
         if watch:
             before = done[2]
-            done[2], share = _events(at, t, h, found, done[2])
+            done[2], share = _events(at, t, h, dense, found, done[2])
             if share < 0.0:
                 return NOT_FINITE
             if restart != 0 and share <= 1.0:
@@ -258,7 +252,7 @@ def advance_adaptive(at, t, t_end, tol, grid, most, restart, rows, sums, found, 
             k = math.floor((t - grid[0]) / grid[1] + 1e-9) + 1
             while grid[0] + k * grid[1] <= end * (1.0 + 1e-15):
                 s = grid[0] + k * grid[1]
-                _interpolate(at, (s - t) / h)
+                _interpolate(at, (s - t) / h, dense)
                 status = solve_acceleration(at, s, tol[3])
                 if status == OK:
                     sample = 1 if done[1] < rows.shape[0] else 0
@@ -269,14 +263,14 @@ def advance_adaptive(at, t, t_end, tol, grid, most, restart, rows, sums, found, 
                 clock[VALID] = 1
                 k += 1
         if restart != 0 and share <= 1.0:
-            _interpolate(at, share)
+            _interpolate(at, share, dense)
             status = slope(at, end, 0, tol[3])
             if status != OK:
                 return status
         else:
             bring_state(at, NEW)
             for i in range(2 * nd):
-                stage[0, i] = stage[6, i]
+                stage[0, i] = stage[last_stage, i]
         if watch:
             status = evaluate_events(at, end, m["ev0"])
             if status != OK:
@@ -286,7 +280,12 @@ def advance_adaptive(at, t, t_end, tol, grid, most, restart, rows, sums, found, 
         wrap(at)
         clock[STEPS] += 1
         done[0] += 1
-        growth = 0.9 * max(error, 1e-10) ** -0.17 * max(real[LAST_ERROR], 1e-4) ** 0.04
+        # the exponents of DOPRI5 damp the change of the step, those of DOP853 do not
+        damped = 0.04 if pair.order < 8.0 else 0.0
+        growth = (
+            max(error, 1e-10) ** (0.75 * damped - 1.0 / pair.order) * max(real[LAST_ERROR], 1e-4) ** damped
+        )
+        growth *= 0.9
         real[LAST_ERROR] = max(error, 1e-4)
         if not last:
             real[STEP_SIZE] = h * min(5.0, max(0.2, growth))

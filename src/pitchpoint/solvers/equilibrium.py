@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
+from pitchpoint.model.components.law import Balance
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
 MOST_ITERATIONS = 400
 TOLERANCE = 1e-9
 """Residual over the sum of what acts, at which a state counts as equilibrium."""
+JUMP_WIDTH = 1e-11
+"""Distance [m] between two states pushing towards each other at which the jump of a force lies between."""
 
 GROWTH = 1.01
 """Factor by which the residual may grow in one accepted step."""
@@ -124,17 +127,40 @@ def find_equilibrium(
     kept = free_spins(system) if held is None else tuple(held)
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
+    state, R, count, failure = _pseudo_time(system, state, free, tolerance)
+    if failure:
+        left = np.abs(R / system.weight)[free]
+        raise SolverError(
+            f"no equilibrium found after {count} steps: {left.max():.3g} N are left over on "
+            f"{system.layout.coordinates[int(free[np.argmax(left)])]}; "
+            "check that bearings hold every direction that loads act in",
+            failure,
+            state,
+        )
+    return Equilibrium(_wrapped(system, state), kept, R[list(kept)].copy(), count)
+
+
+def _pseudo_time(
+    system: System, state: State, free: NDArray[np.int64], tolerance: float
+) -> tuple[State, NDArray[np.float64], int, int]:
+    """Iterate the free coordinates to rest; gives state, residual, steps, and 0 or the status of a failure.
+
+    Where the stiffness jumps with the phase (a spur pair without relief as a pair enters), the force may jump
+    past the load: both sides push towards the jump. The state at the jump is the equilibrium then, its force
+    anything between the two.
+    """
     weight = 1.0 / system.weight  # residuals as forces
     mass = evaluate.matrix(system, state, 1.0, 0.0, 0.0, NEWTON)[np.ix_(free, free)]
     R = evaluate.residual(system, state)
-    scale = max(float(np.abs(R * weight).max(initial=0.0)), 1e-12)
-    size = float(np.abs((R * weight)[free]).max(initial=0.0))
-    first = size
+    size = first = float(np.abs((R * weight)[free]).max(initial=0.0))
     # positions are rounded to 2e-16 of about 1 m and 1 rad: nothing below the forces of that can be asked for
     stiffness = np.abs(evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON))
     floor = 2.2e-16 * float((weight * (stiffness @ (np.abs(state.q) + 1.0))).max(initial=0.0))
-    mu, count = 1e4, 0
-    while size > max(tolerance * scale, floor) and count < MOST_ITERATIONS:
+    goal = max(tolerance * max(float(np.abs(R * weight).max(initial=0.0)), 1e-12), floor)
+    mu = 1e4
+    for count in range(MOST_ITERATIONS):
+        if size <= goal:
+            return state, R, count, 0
         K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
         step = np.linalg.lstsq(K + mu * mass, -R[free], rcond=None)[0]
         trial = state.copy()
@@ -143,27 +169,21 @@ def find_equilibrium(
             new = evaluate.residual(system, trial)
         except SolverError:
             mu *= 16.0
-            count += 1
             continue
         grown = float(np.abs((new * weight)[free]).max(initial=0.0))
-        count += 1
+        beyond = float(new[free] @ step) > 0.0  # the forces push back: the step went past the goal
         # inside the gap only dampers change with the angle: a residual that grows a little is no bad step
-        if np.isfinite(grown) and grown <= min(GROWTH * size, 2.0 * first):
+        small = np.isfinite(grown) and grown <= min(GROWTH * size, 2.0 * first)
+        if small and (grown < 0.9 * size or not beyond):
             mu = max(mu * (0.1 if grown < 0.5 * size else 0.5), 1e-3)
             state, R, size = trial, new, grown
-        else:
-            mu *= 8.0
-            if mu > 1e30:
-                break
-    if size > max(tolerance * scale, floor):
-        raise SolverError(
-            f"no equilibrium found after {count} steps: {size:.3g} N are left over on "
-            f"{system.layout.coordinates[int(free[np.argmax(np.abs((R * weight)[free]))])]}; "
-            "check that bearings hold every direction that loads act in",
-            SINGULAR if mu < 1.0 else DIVERGED,
-            state,
-        )
-    return Equilibrium(_wrapped(system, state), kept, R[list(kept)].copy(), count)
+            continue
+        if beyond and float(np.abs(step * system.weight[free]).max(initial=0.0)) < JUMP_WIDTH:
+            return state, R, count, 0
+        mu *= 8.0
+        if mu > 1e30:
+            break
+    return state, R, count, SINGULAR if mu < 1.0 else DIVERGED
 
 
 def _wrapped(system: System, state: State) -> State:
@@ -176,6 +196,50 @@ def _wrapped(system: System, state: State) -> State:
                 state.q[spin] -= 2.0 * np.pi * turns
                 state.turns[b] += turns
     return state
+
+
+def balance_torques(
+    system: System, state: State, held: Sequence[int], driven: Sequence[int] = ()
+) -> tuple[System, tuple[int, ...], list[int]]:
+    """Fill in the torques that the model leaves to balance all others.
+
+    Each is what holds its body still in equilibrium, with the drives of its gear train let go.
+
+    Parameters
+    ----------
+    system, state
+        The system and where to look for the equilibrium.
+    held
+        Spins kept, one for every group of bodies that can turn freely.
+    driven
+        Those of them whose motion is prescribed.
+
+    Returns
+    -------
+    tuple
+        The system with its torques, the spins of the balancing bodies, and the spins to keep from now on:
+        drives stay, other groups keep their balancing body.
+
+    Raises
+    ------
+    SolverError
+        If there is no equilibrium.
+    """
+    loads = {} if system.model is None else system.model.loads
+    torques = [name for name, load in loads.items() if load.torque is not None]
+    wanted = [k for k, name in enumerate(torques) if isinstance(loads[name].torque, Balance)]
+    if not wanted:
+        return system, (), list(held)
+    spins = [system.spin(loads[torques[k]].body) for k in wanted]
+    let_go = list(held)
+    for spin in spins:
+        let_go = [*(h for h in let_go if not same_group(system, h, spin)), spin]
+    found = find_equilibrium(system, state, let_go)
+    records = system.records["torque"].copy()
+    for k, spin in zip(wanted, spins, strict=True):
+        records["value"][k] = found.reaction[found.held.index(spin)]
+    kept = [*driven, *(h for h in let_go if not any(same_group(system, h, d) for d in driven))]
+    return system.with_params({"torque": records}), tuple(spins), kept
 
 
 def solve_equilibrium(
@@ -215,8 +279,8 @@ def solve_equilibrium(
             held = [h for h in held if not same_group(system, h, spin)] + [spin]
     for name, speed in (speeds or {}).items():
         start.v[system.spin(name)] = speed
-    found = find_equilibrium(system, _wrapped(system, start), held)
-    return point_dataset(system, found)
+    settled, _, _ = balance_torques(system, _wrapped(system, start), held)
+    return point_dataset(settled, find_equilibrium(settled, _wrapped(settled, start), held))
 
 
 def same_group(system: System, one: int, two: int) -> bool:

@@ -10,9 +10,10 @@ from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.system.linear import solve, solve_acceleration
 from pitchpoint.system.residual import FORCES, residual
-from pitchpoint.system.workspace import EVALUATIONS, MACH, VALID
+from pitchpoint.system.workspace import EVALUATIONS, MACH, STAGE_ROWS, VALID
 
-OLD, NEW, DENSE = 8, 9, 10  # rows of `stage`: state before and after the step, dense coefficients 10 ... 13
+#: Rows of `stage`: 16 stages, state before and after the step, coefficients of the dense output; all in all.
+OLD, NEW, DENSE, ROWS = 16, 17, 18, STAGE_ROWS
 
 
 @kernel
@@ -21,7 +22,7 @@ def slope(at, t, k, rate):
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
-    stage = view(m["stage"], (16, 2 * nd), F8)
+    stage = view(m["stage"], (ROWS, 2 * nd), F8)
     v = view(c["v"], nd, F8)
     a = view(c["a"], nd, F8)
     clock = view(m["clock"], 16, I8)
@@ -56,7 +57,7 @@ def keep_state(at, k):
     """Copy the state of the workspace into a row of the stages."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
-    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (16, 2 * nd), F8)
+    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
     q = view(c["q"], nd, F8)
     v = view(c["v"], nd, F8)
     for i in range(nd):
@@ -69,7 +70,7 @@ def bring_state(at, k):
     """Copy a row of the stages into the state of the workspace."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
-    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (16, 2 * nd), F8)
+    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
     q = view(c["q"], nd, F8)
     v = view(c["v"], nd, F8)
     for i in range(nd):

@@ -9,7 +9,7 @@ mean of their stiffness over the mesh cycle, or with the value at one phase. Und
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,7 +20,8 @@ from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.eigen import damped, ratio_of, undamped
 from pitchpoint.solvers.equilibrium import find_equilibrium, free_spins, same_group
 from pitchpoint.solvers.mode_names import mode_names
-from pitchpoint.solvers.operating_point import held_spins, operating_point
+from pitchpoint.solvers.operating_point import OperatingPoint, held_spins, operating_point
+from pitchpoint.solvers.start import without_friction
 from pitchpoint.solvers.stiffness_parts import Array, Parts, mesh_names, shift, split, touching
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -88,6 +89,15 @@ class Linearised:
     notes: tuple[str, ...]
 
 
+def _without_friction(point: OperatingPoint) -> OperatingPoint:
+    """The same point with frictionless flanks, and a note if that changes something."""
+    smooth = without_friction(point.system)
+    if smooth is point.system:
+        return point
+    note = "friction of the flanks is left out of the modes; it belongs to the motion, not to a state"
+    return replace(point, system=smooth, notes=(*point.notes, note))
+
+
 def linearise(
     system: System,
     scenario: Scenario | str | None = None,
@@ -97,7 +107,7 @@ def linearise(
     progress: Progress = silent,
 ) -> Linearised:
     """Matrices of small vibrations about the loaded state of a scenario; arguments as in `find_modes`."""
-    point = operating_point(system, scenario)
+    point = _without_friction(operating_point(system, scenario))
     own, state = point.system.copy(), point.state
     if phase is not None:
         state = _at_phase(own, state, phase, point.held)

@@ -17,7 +17,8 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.dormand_prince import LAST_ERROR, STEP_SIZE, advance_adaptive
-from pitchpoint.solvers.explicit import OLD, keep_state, slope
+from pitchpoint.solvers.dormand_prince_pairs import EIGHTH, FIFTH, Pair
+from pitchpoint.solvers.explicit import OLD, ROWS, keep_state, slope
 from pitchpoint.solvers.generalized_alpha import Chunk
 from pitchpoint.solvers.sampling import EVENT_COLUMNS, crossings, take
 from pitchpoint.system import evaluate
@@ -31,7 +32,7 @@ def _classical(at, t, h, rate):
     """One step of the classical method; the state in the workspace becomes that at t + h."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
-    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (16, 2 * nd), F8)
+    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
     q = view(c["q"], nd, F8)
     v = view(c["v"], nd, F8)
     keep_state(at, OLD)
@@ -100,6 +101,8 @@ class ExplicitRun:
         Step [s] of the classical method; 0 for the adaptive one.
     tolerances
         rtol [-], atol [m], atol_rate [m/s], rate at which constraint drift is pulled back [1/s].
+    pair
+        Coefficients of the adaptive method.
     """
 
     system: System
@@ -108,6 +111,7 @@ class ExplicitRun:
     t0: float = 0.0
     steps: int = 0
     t: float = 0.0
+    pair: Pair = FIFTH
 
     def advance(
         self,
@@ -158,7 +162,19 @@ class ExplicitRun:
         w = self.system.workspace
         w.clock[VALID] = 0
         grid = np.array([self.t0, sample])
-        args = (self.t, float(t_end), self.tolerances, grid, most, int(restart), rows, sums, found, done)
+        args = (
+            self.t,
+            float(t_end),
+            self.pair,
+            self.tolerances,
+            grid,
+            most,
+            int(restart),
+            rows,
+            sums,
+            found,
+            done,
+        )
         status = int(advance_adaptive(w.at, *args))
         self.t = float(w.arrays["real"][4])
         self.steps += int(done[0])
@@ -208,8 +224,9 @@ def start_adaptive(
     atol_rate: float = 1e-7,
     first_step: float = 1e-7,
     rate: float = 200.0,
+    order: int | None = None,
 ) -> ExplicitRun:
-    """Begin a run of Dormand-Prince 5(4) with step control.
+    """Begin a run of Dormand-Prince 5(4) or 8(5,3) with step control.
 
     Parameters
     ----------
@@ -223,8 +240,12 @@ def start_adaptive(
         First trial step [s].
     rate
         Rate at which drift of constraints is pulled back [1/s].
+    order
+        5 or 8; default 8 for rtol up to 1e-7, where it needs half the evaluations.
     """
     _start(system, state, rate)
     system.workspace.arrays["real"][STEP_SIZE] = first_step
     system.workspace.arrays["real"][LAST_ERROR] = 1e-4
-    return ExplicitRun(system, 0.0, np.array([rtol, atol, atol_rate, rate]), state.t, 0, state.t)
+    pair = EIGHTH if order == 8 or (order is None and rtol <= 1e-7) else FIFTH
+    tolerances = np.array([rtol, atol, atol_rate, rate])
+    return ExplicitRun(system, 0.0, tolerances, state.t, 0, state.t, pair)

@@ -69,27 +69,24 @@ def read_statistics(sums: NDArray[np.float64]) -> Statistics:
     )
 
 
-@kernel
+@kernel(inline=True)
 def accumulate(row, sums):
     """Add one row of observations to the running statistics."""
+    if row.size > 0 and sums[0, COUNT] == 0.0:
+        for k in range(row.size):
+            sums[k, REFERENCE] = row[k]
+            sums[k, LEAST] = row[k]
+            sums[k, MOST] = row[k]
     for k in range(row.size):
         x = row[k]
-        if sums[k, COUNT] == 0.0:
-            sums[k, REFERENCE] = x
-            sums[k, LEAST] = x
-            sums[k, MOST] = x
         d = x - sums[k, REFERENCE]
         sums[k, COUNT] += 1.0
         sums[k, SUM] += d
         sums[k, SQUARES] += d * d
-        if x < sums[k, LEAST]:
-            sums[k, LEAST] = x
-        if x > sums[k, MOST]:
-            sums[k, MOST] = x
-        if x < 0.0:
-            sums[k, NEGATIVE] += 1.0
-        elif x == 0.0:
-            sums[k, ZERO] += 1.0
+        sums[k, LEAST] = min(sums[k, LEAST], x)
+        sums[k, MOST] = max(sums[k, MOST], x)
+        sums[k, NEGATIVE] += 1.0 if x < 0.0 else 0.0
+        sums[k, ZERO] += 1.0 if x == 0.0 else 0.0
 
 
 @kernel

@@ -11,8 +11,13 @@ import numpy as np
 from pitchpoint.core.errors import SolverError
 from pitchpoint.elements import damping as damping_element
 from pitchpoint.elements import drive as drive_element
-from pitchpoint.model.components.law import Balance
-from pitchpoint.solvers.equilibrium import Equilibrium, find_equilibrium, free_spins, same_group
+from pitchpoint.solvers.equilibrium import (
+    Equilibrium,
+    balance_torques,
+    find_equilibrium,
+    free_spins,
+    same_group,
+)
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -91,32 +96,10 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     held = [*driven, *(h for h in free_spins(system) if not any(same_group(system, h, d) for d in driven))]
     if scenario.start == "assembled":
         return Start(_with_damping(system, state), state)
-    system, balanced, held = _balance(system, state, held, driven)
+    system, balanced, held = balance_torques(system, state, held, driven)
     found = find_equilibrium(system, state, held)
     notes = _notes(system, found, {*driven, *balanced})
     return Start(_with_damping(system, found.state), found.state, notes)
-
-
-def _balance(
-    system: System, state: State, held: list[int], driven: list[int]
-) -> tuple[System, list[int], list[int]]:
-    """Fill in the torques that balance all others: what holds their body still in equilibrium."""
-    loads = {} if system.model is None else system.model.loads
-    torques = [name for name, load in loads.items() if load.torque is not None]
-    wanted = [k for k, name in enumerate(torques) if isinstance(loads[name].torque, Balance)]
-    if not wanted:
-        return system, [], held
-    spins = [system.spin(loads[torques[k]].body) for k in wanted]
-    for spin in spins:
-        if any(same_group(system, spin, d) for d in driven):
-            continue  # the drive balances this group already
-        held = [*(h for h in held if not same_group(system, h, spin)), spin]
-    found = find_equilibrium(system, state, held)
-    records = system.records["torque"].copy()
-    for k, spin in zip(wanted, spins, strict=True):
-        if spin in found.held:
-            records["value"][k] = found.reaction[found.held.index(spin)]
-    return system.with_params({"torque": records}), spins, held
 
 
 def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[str, ...]:
@@ -142,7 +125,8 @@ def _with_damping(system: System, state: State) -> System:
     if "damping" not in system.records or system.model is None or system.model.damping is None:
         return system
     given = system.model.damping
-    M, _, K = evaluate.linearize(system, state)
+    smooth = without_friction(system)
+    M, _, K = evaluate.linearize(smooth, state)
     D = np.zeros_like(M)
     if given.rayleigh is not None:
         D += given.rayleigh.mass * M + given.rayleigh.stiffness * K
@@ -154,3 +138,16 @@ def _with_damping(system: System, state: State) -> System:
         record["D"][:n, :m] = D[i : i + n, j : j + m]
         record["v0"][:m] = state.v[j : j + m]
     return system.with_params({"damping": records})
+
+
+def without_friction(system: System) -> System:
+    """The same system with frictionless flanks.
+
+    Sliding friction follows the normal force but acts across it: in a stiffness matrix it would feed energy
+    into modes that real sliding does not.
+    """
+    if "gear_mesh" not in system.records or not system.records["gear_mesh"]["mu"].any():
+        return system
+    records = system.records["gear_mesh"].copy()
+    records["mu"] = 0.0
+    return system.with_params({"gear_mesh": records})

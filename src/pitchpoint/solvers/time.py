@@ -74,7 +74,7 @@ class TimeSummary:
     window
         Begin and end of the statistics [s].
     channels
-        Statistics by channel over every step of the window: unit, mean, rms of the alternating part, min, max.
+        Statistics by channel over all steps of the window: unit, mean, rms of the alternating part, min, max.
     events
         Time [s], index in `event_names`, direction; shape (n, 3).
     event_names

@@ -196,7 +196,7 @@ def run_case(
         wall_s = time.perf_counter() - begun
         return CaseResult(index, dict(values), status, str(words), numbers, wall_s=wall_s)
 
-    def listen(_: float, __: float, ___: str = "") -> None:
+    def listen(done: float, total: float, note: str = "") -> None:
         if stop is not None and stop.is_set():
             raise KeyboardInterrupt
 
@@ -297,8 +297,8 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
             data[name] = (dims, values, {"units": unit, "long_name": name.replace("_", " ")})
     data["status"] = ("case", [r.status for r in results], {"long_name": "how the case ended; 1 is fine"})
     for path in paths_of(results):
-        values, unit = column(results, path)
-        coords[path] = ("case", values, {"units": unit} if unit else {})
+        entries, unit = column(results, path)
+        coords[path] = ("case", entries, {"units": unit} if unit else {})
     return xr.Dataset(data, coords=coords, attrs={"sentences": [r.sentence for r in results]})
 
 

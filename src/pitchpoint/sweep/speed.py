@@ -24,6 +24,7 @@ from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.time import scenario_of
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import System
@@ -120,18 +121,11 @@ def _plan(system: System, scenario: Scenario, sweep: Sweep) -> _Plan:
     )
 
 
-def mesh_mode(system: System, mesh: str) -> float:
-    """Natural frequency of a mesh spring between the spins of its two bodies [Hz]."""
+def _row_of(system: System, mesh: str) -> np.void:
+    """Record of a mesh by name."""
+    first = system.layout.channel(f"transmission_error[{mesh}]")
     records = system.records["gear_mesh"]
-    names = [c.name for c in system.layout.channels]
-    first = names.index(f"transmission_error[{mesh}]")
-    row = records[list(records["out"]).index(first)]
-    inverse = 0.0
-    for body, r_b in ((int(row["i"]), row["r_b1"]), (int(row["j"]), row["r_b2"])):
-        polar = float(system.program["body"][body]["i_p"])
-        if system.program["body"][body]["joint"] and polar > 0.0:
-            inverse += float(r_b) ** 2 / polar
-    return math.sqrt(float(row["k_ref"]) * inverse) / (2.0 * math.pi)
+    return records[list(records["out"]).index(first)]
 
 
 class _Walk:
@@ -143,7 +137,7 @@ class _Walk:
         body = scenario.sweep.body  # type: ignore[union-attr]
         start = prepare_start(system, replace(scenario, speed={body: first}, duration=1.0))
         self.system, self.notes = start.system, start.notes
-        self.mode = mesh_mode(self.system, plan.mesh)
+        self.mode = mesh_mode(_row_of(self.system, plan.mesh), self.system)
         self.speed = first
         self.run = generalized_alpha.start(self.system, start.state, self._step(first))
         self.steps = 0

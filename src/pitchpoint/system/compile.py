@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import CompileError
+from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.bearing import bearing_bank
 from pitchpoint.system.rules.bodies import bodies
@@ -44,8 +45,11 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     if not model.bodies:
         raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
     chosen = model.scenarios[scenario] if isinstance(scenario, str) else scenario
-    banks = [mesh_bank(model), bearing_bank(model), *load_banks(model), damping_bank(model)]
+    others = [bearing_bank(model), *load_banks(model), damping_bank(model)]
     constraints = [drive_bank(model, chosen)] if chosen is not None else []
+    used = {b.kind for b in (*others, *constraints) if b.records.size}
+    prepare_kernels(used | {"gear_mesh"} if model.meshes else used)
+    banks = [mesh_bank(model), *others]
     system = assemble(
         bodies(model),
         {b.kind: b.records for b in banks if b.records.size},

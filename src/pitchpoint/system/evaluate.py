@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import NOT_FINITE, OK, sentence
+from pitchpoint.system import linearise
 from pitchpoint.system.law_fault import law_fault
 from pitchpoint.system.link import kind_of_row
-from pitchpoint.system.perform import ACCELERATE, EVENTS, OBSERVE, RESIDUAL, REST, WRAP, ask
+from pitchpoint.system.perform import ACCELERATE, EVENTS, OBSERVE, RESIDUAL, REST, WRAP, ask, perform
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System
 
@@ -51,23 +52,23 @@ def prepare(system: System) -> None:
     """Write the constant parts of the workspace; needed once after it was made."""
     w = system.workspace
     if not w.ready:
-        ask(w.at, REST)
+        ask(w, REST)
         w.ready = True
 
 
 def accelerations(system: System, t: float, rate: float = 0.0) -> int:
-    """Solve accelerations and multipliers at the state in the workspace and wrap the spins; returns the status.
+    """Solve accelerations and multipliers at the state in the workspace, wrap the spins; returns the status.
 
     `rate` pulls drifted constraints back [1/s].
     """
-    status = ask(system.workspace.at, ACCELERATE, t, factors=(0.0, 0.0, rate))
-    ask(system.workspace.at, WRAP)
+    status = ask(system.workspace, ACCELERATE, t, factors=(0.0, 0.0, rate))
+    ask(system.workspace, WRAP)
     return status
 
 
 def fill_events(system: System, t: float, target: NDArray[np.float64]) -> int:
     """Write all event functions at the state in the workspace into an array of theirs; returns the status."""
-    return ask(system.workspace.at, EVENTS, t, where=target.ctypes.data)
+    return ask(system.workspace, EVENTS, t, where=target.ctypes.data)
 
 
 def residual(system: System, state: State) -> NDArray[np.float64]:
@@ -80,7 +81,7 @@ def residual(system: System, state: State) -> NDArray[np.float64]:
     """
     prepare(system)
     load(system, state)
-    check(system, ask(system.workspace.at, RESIDUAL, state.t))
+    check(system, ask(system.workspace, RESIDUAL, state.t))
     return system.workspace.R.copy()
 
 
@@ -99,7 +100,8 @@ def matrix(
     prepare(system)
     load(system, state)
     w = system.workspace
-    check(system, ask(w.at, RESIDUAL, state.t, jac, (cm, cd, ck)))
+    entry = linearise.entry if jac == EXACT else perform
+    check(system, ask(w, RESIDUAL, state.t, jac, (cm, cd, ck), entry=entry))
     nd = system.sizes["nd"]
     dense = np.zeros((nd, nd))
     layout = system.layout
@@ -134,7 +136,7 @@ def observe(system: System, state: State) -> NDArray[np.float64]:
     prepare(system)
     load(system, state)
     row = np.zeros(system.sizes["no"])
-    check(system, ask(system.workspace.at, OBSERVE, state.t, where=row.ctypes.data))
+    check(system, ask(system.workspace, OBSERVE, state.t, where=row.ctypes.data))
     return row
 
 
@@ -143,7 +145,7 @@ def event_values(system: System, state: State) -> NDArray[np.float64]:
     prepare(system)
     load(system, state)
     row = np.zeros(system.sizes["ne"])
-    check(system, ask(system.workspace.at, EVENTS, state.t, where=row.ctypes.data))
+    check(system, ask(system.workspace, EVENTS, state.t, where=row.ctypes.data))
     return row
 
 
@@ -151,5 +153,5 @@ def accelerate(system: System, state: State) -> State:
     """Same state with the accelerations and multipliers that its forces cause."""
     prepare(system)
     load(system, state)
-    check(system, ask(system.workspace.at, ACCELERATE, state.t))
+    check(system, ask(system.workspace, ACCELERATE, state.t))
     return store(system, state.t)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 
-from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.kernel import call, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.multibody.block_lu import FACTOR, SOLVE, factorise, substitute
 from pitchpoint.multibody.channels import CTL, F8, I8
@@ -15,7 +15,7 @@ from pitchpoint.system.workspace import FACTORISATIONS, MACH, REDUNDANT
 
 
 @kernel
-def factor(at):
+def factor_entry(at, spare, other):
     """Factor the matrix in the workspace and, with constraints, their Schur complement."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -44,7 +44,13 @@ def factor(at):
 
 
 @kernel
-def solve(at):
+def factor(at):
+    """Factor the matrix in the workspace, through the address of `factor_entry`."""
+    return call(view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["factor_entry"], at, 0, 0)
+
+
+@kernel
+def solve_entry(at, spare, other):
     """Solve A x + G^T y = -R, G x = -g with the factors in the workspace; x and y stay in the workspace."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -69,6 +75,13 @@ def solve(at):
             view(m["y"], nc, F8),
             view(m["z"], nc, F8),
         )
+    return OK
+
+
+@kernel
+def solve(at):
+    """Solve with the factors in the workspace, through the address of `solve_entry`."""
+    call(view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["solve_entry"], at, 0, 0)
 
 
 @kernel

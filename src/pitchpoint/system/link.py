@@ -4,14 +4,16 @@ process."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.kernel import address, law_address
+from pitchpoint.core.kernel import address, law_address, prepare
 from pitchpoint.elements import registry
+from pitchpoint.system import linear, residual
+from pitchpoint.system.perform import perform
 
 _CHANNEL = {registry.FRAME: 0, registry.COORDINATE: 1, registry.CONSTRAINT: 2}
 
@@ -42,6 +44,24 @@ def link(
         np.array(forces, np.int64).reshape(-1, 4),
         np.array(constraints, np.int64).reshape(-1, 4),
     )
+
+
+#: Parts of the core that every driver calls: fields of MACH and their kernels.
+_PARTS = {"residual": residual.entry, "factor_entry": linear.factor_entry, "solve_entry": linear.solve_entry}
+
+
+def prepare_kernels(kinds: Iterable[str]) -> None:
+    """Compile what is not in the cache: the core here, the kinds of elements in a second process.
+
+    The mesh goes first: it is the largest kind, and the records of a model need it before all others.
+    """
+    ordered = sorted(kinds, key=lambda name: (name != "gear_mesh", name))
+    prepare([*_PARTS.values(), perform], [registry.find(name).load().entry for name in ordered])
+
+
+def link_parts() -> dict[str, int]:
+    """Addresses of the parts of the core."""
+    return {name: address(kernel) for name, kernel in _PARTS.items()}
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The one kernel through which Python asks a system questions.
+"""All questions that Python asks about one state, behind one kernel.
 
-Every kernel that Python calls is linked and optimised together with all that it calls. One door for all
-questions makes that happen once instead of five times: a quarter of the cold start.
+Time and factors travel in the control record, so the kernel has the signature of an entry and needs no
+wrapper of its own.
 """
 
 from __future__ import annotations
 
-from pitchpoint.core.kernel import kernel, view
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.multibody.bodies import BODY
 from pitchpoint.multibody.channels import CTL, F8, FRAME
@@ -16,30 +18,34 @@ from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, observe, residual, wrap
 from pitchpoint.system.workspace import MACH
 
+if TYPE_CHECKING:
+    from pitchpoint.system.workspace import Workspace
+
 #: Questions.
 REST, RESIDUAL, OBSERVE, EVENTS, ACCELERATE, WRAP = range(6)
 
 
 @kernel
-def perform(at, question, t, jac, cm, cd, ck, where):
-    """Answer one question about the state in the workspace.
+def perform(at, question, where):
+    """Answer one question about the state in the workspace, at the time and with the factors in the control.
 
     REST: write what never changes. RESIDUAL: residual and matrix (jac, cm, cd, ck). OBSERVE, EVENTS: fill the
     array at `where`. ACCELERATE: accelerations and multipliers (ck = rate that pulls constraints back).
     WRAP: bring spins into (-pi, pi].
     """
+    c = view(at, 1, CTL)[0]
+    t = c["t"]
     if question == RESIDUAL:
-        return residual(at, t, jac, cm, cd, ck)
+        return residual(at, t, c["jac"], c["cm"], c["cd"], c["ck"])
     if question == OBSERVE:
         return observe(at, t, where)
     if question == EVENTS:
         return evaluate_events(at, t, where)
     if question == ACCELERATE:
-        return solve_acceleration(at, t, ck)
+        return solve_acceleration(at, t, c["ck"])
     if question == WRAP:
         wrap(at)
         return OK
-    c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nb = c["nb"]
     rest_pose(view(m["body"], nb, BODY), view(c["fr"], nb, FRAME), view(m["J"], (m["npath"], 6, 6), F8))
@@ -47,15 +53,16 @@ def perform(at, question, t, jac, cm, cd, ck, where):
 
 
 def ask(
-    at: int,
+    workspace: Workspace,
     question: int,
     t: float = 0.0,
     jac: int = 0,
     factors: tuple[float, float, float] = (0.0, 0.0, 0.0),
     where: int = 0,
+    entry: Any = perform,
 ) -> int:
-    """Call `perform` with plain numbers; returns its status."""
-    cm, cd, ck = factors
-    return int(
-        perform(int(at), int(question), float(t), int(jac), float(cm), float(cd), float(ck), int(where))
-    )
+    """Put a question with plain numbers, to `perform` or to another entry; returns the status."""
+    ctl = workspace.ctl[0]
+    ctl["t"], ctl["jac"] = t, jac
+    ctl["cm"], ctl["cd"], ctl["ck"] = factors
+    return invoke(entry, workspace.at, question, int(where))

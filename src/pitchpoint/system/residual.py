@@ -14,8 +14,8 @@ from pitchpoint.multibody.bodies import BODY, PATH
 from pitchpoint.multibody.channels import CTL, F8, FRAME, I8
 from pitchpoint.multibody.constraints import add_multipliers, frame_rows
 from pitchpoint.multibody.inertia import inertia
-from pitchpoint.multibody.kinematics import joint_rates, kinematics
-from pitchpoint.multibody.projection import PROJ, project_force, project_geometry, project_tangent
+from pitchpoint.multibody.kinematics import kinematics
+from pitchpoint.multibody.projection import PROJ, project_force, project_tangent
 from pitchpoint.system.workspace import MACH
 
 FORCES, NEWTON, EXACT, MASS = 0, 1, 2, 3
@@ -48,47 +48,6 @@ def run_kinds(at, table, frames_only):
             if status != OK:
                 view(at, 1, CTL)[0]["badkind"] = e
                 return status
-    return OK
-
-
-@kernel
-def exact_rates(at, cm, cd, ck):
-    """Parts of the exact matrix that a frame tangent alone cannot carry.
-
-    Twists depend on q and accelerations on q and v through the moving joint axes:
-    A += ck J^T D (d twist/dq) + J^T M (cd d acc/dv + ck d acc/dq). Needs its own pass over the elements.
-    """
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    n = m["npath"]
-    body = view(m["body"], c["nb"], BODY)
-    fr = view(c["fr"], c["nb"], FRAME)
-    J = view(m["J"], (n, 6, 6), F8)
-    Tq = view(m["Tq"], (n, 6, 6), F8)
-    Av = view(m["Av"], (n, 6, 6), F8)
-    Aq = view(m["Aq"], (n, 6, 6), F8)
-    T = view(m["T"], (6, 6), F8)
-    kk = view(c["kk"], (c["np"], 6, 6), F8)
-    A = view(c["A"], (c["na"], 6, 6), F8)
-    proj = view(m["proj"], m["nproj"], PROJ)
-    joint_rates(body, fr, J, Tq, Av, Aq, view(c["v"], c["nd"], F8), view(c["a"], c["nd"], F8))
-    zero_blocks(kk)
-    inertia(body, fr, kk, EXACT, 0.0, 1.0, 0.0)
-    c["ck"] = 0.0
-    c["cd"] = 1.0
-    c["jac"] = EXACT
-    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 1)
-    if status != OK:
-        return status
-    for p in range(n):
-        for i in range(6):
-            for k in range(6):
-                Tq[p, i, k] *= ck
-                Aq[p, i, k] = cd * Av[p, i, k] + ck * Aq[p, i, k]
-    project_tangent(proj, J, kk, Tq, A, T)
-    zero_blocks(kk)
-    inertia(body, fr, kk, EXACT, 1.0, 0.0, 0.0)
-    project_tangent(proj, J, kk, Aq, A, T)
     return OK
 
 
@@ -131,8 +90,8 @@ def constraints(at):
 
 
 @kernel
-def residual(at, t, jac, cm, cd, ck):
-    """Evaluate R, and with jac > 0 the blocks of cm M + cd D + ck K, at the state in the workspace."""
+def entry(at, jac, spare):
+    """Evaluate R, and with jac > 0 the matrix, at the state, time and factors in the workspace."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
@@ -144,22 +103,12 @@ def residual(at, t, jac, cm, cd, ck):
     R = view(c["R"], nd, F8)
     kk = view(c["kk"], (c["np"], 6, 6), F8)
     A = view(c["A"], (c["na"], 6, 6), F8)
-    path = view(m["path"], n, PATH)
-    c["t"] = t
     kinematics(body, fr, J, view(c["q"], nd, F8), view(c["v"], nd, F8), view(c["a"], nd, F8))
     zero(R)
     if jac != FORCES:
         zero_blocks(A)
-        if jac == EXACT:
-            status = exact_rates(at, cm, cd, ck)
-            if status != OK:
-                return status
-            zero(R)
         zero_blocks(kk)
-    inertia(body, fr, kk, jac, cm, cd, ck)
-    c["ck"] = ck
-    c["cd"] = cd
-    c["cm"] = cm
+    inertia(body, fr, kk, jac, c["cm"], c["cd"])
     c["jac"] = FORCES if jac == MASS else jac
     status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 0)
     if status != OK:
@@ -168,13 +117,24 @@ def residual(at, t, jac, cm, cd, ck):
         status = constraints(at)
         if status != OK:
             return status
-    project_force(path, fr, J, R)
+    project_force(view(m["path"], n, PATH), fr, J, R)
     if jac != FORCES:
-        proj = view(m["proj"], m["nproj"], PROJ)
-        project_tangent(proj, J, kk, J, A, view(m["T"], (6, 6), F8))
-        if jac == EXACT:
-            project_geometry(proj, path, fr, J, A, ck)
+        project_tangent(view(m["proj"], m["nproj"], PROJ), J, kk, J, A, view(m["T"], (6, 6), F8))
     return OK
+
+
+@kernel
+def residual(at, t, jac, cm, cd, ck):
+    """Evaluate R, and with jac > 0 the blocks of cm M + cd D + ck K, at the state in the workspace.
+
+    Through the address of `entry`: its code is compiled once and not again inside every driver.
+    """
+    c = view(at, 1, CTL)[0]
+    c["t"] = t
+    c["cm"] = cm
+    c["cd"] = cd
+    c["ck"] = ck
+    return call(view(c["mach"], 1, MACH)[0]["residual"], at, jac, 0)
 
 
 @kernel

@@ -15,7 +15,7 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
 from pitchpoint.multibody.bodies import Body, body_records
 from pitchpoint.system.layout import Channel, Layout, body_channels, structure
-from pitchpoint.system.link import link
+from pitchpoint.system.link import link, link_parts
 from pitchpoint.system.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ class System:
     def workspace(self) -> Workspace:
         """Memory and addresses, made at first use in this process."""
         forces, cons = link(self.records, self.pools, self.laws)
-        return Workspace(dict(self.program), dict(self.sizes), forces, cons, self.weight)
+        return Workspace(dict(self.program), dict(self.sizes), forces, cons, link_parts(), self.weight)
 
     def __getstate__(self) -> dict[str, Any]:
         state = dict(self.__dict__)

@@ -20,6 +20,9 @@ from pitchpoint.multibody.projection import PROJ
 # slots of the clock (int64): what a driver counts and remembers between chunks
 STEPS, EVALUATIONS, FACTORISATIONS, ITERATIONS, VALID, BAD_KIND, BAD_RECORD, REDUNDANT, REJECTED = range(9)
 
+#: Rows of the array of stages: 16 stages, two states, 7 coefficients of the dense output.
+STAGE_ROWS = 25
+
 #: Private arrays of the drivers: (name, dtype, shape in terms of the sizes). Address and sizes go to MACH.
 _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("J", "f8", ("npath", "6", "6")),  # joint columns
@@ -41,7 +44,7 @@ _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("x", "f8", ("nd",)),  # right-hand side and solution
     ("al", "f8", ("nd",)),  # algorithmic acceleration of the generalised-alpha family
     ("ap", "f8", ("nd",)),  # acceleration of the step before, for the prediction
-    ("stage", "f8", ("16", "nd2")),  # stages of the explicit methods
+    ("stage", "f8", ("stages", "nd2")),  # of the explicit methods
     ("clock", "i8", ("16",)),
     ("real", "f8", ("16",)),  # remembered contraction rate, step size, error of the last step
     ("row", "f8", ("no",)),  # observation of the step
@@ -57,6 +60,7 @@ MACH = np.dtype(
             *("forces", "cons"),
             *(name for name, _, _ in _ARRAYS),
             *("npath", "nproj", "nfactor", "nsolve", "nspins", "nbody_out", "nforces", "ncons"),
+            *("residual", "factor_entry", "solve_entry"),  # addresses of the parts that all drivers share
             "constant_mass",  # 1: M does not depend on q
         )
     ],
@@ -75,6 +79,10 @@ class Workspace:
         nb, nd, np, na, nc, no, ne.
     forces, cons
         Address tables of the kinds: rows (entry, records, count, channel).
+    parts
+        Addresses of the residual and of the linear algebra (`link.link_parts`).
+    weight
+        Length per unit of each coordinate in error norms.
     """
 
     def __init__(
@@ -83,10 +91,12 @@ class Workspace:
         sizes: dict[str, int],
         forces: NDArray[np.int64],
         cons: NDArray[np.int64],
+        parts: dict[str, int],
         weight: NDArray[np.float64],
     ) -> None:
         nb, nd, nc = sizes["nb"], sizes["nd"], sizes["nc"]
         dims = {**sizes, "npath": program["path"].size, "nd2": 2 * nd, "6": 6, "16": 16}
+        dims["stages"] = STAGE_ROWS
         self.ctl = np.zeros(1, CTL)
         self.mach = np.zeros(1, MACH)
         self.fr = np.zeros(nb, FRAME)
@@ -102,9 +112,9 @@ class Workspace:
         self.arrays["relative"][:] = 1.0
         self.arrays["relative"][program["spins"][:, 0]] = 0.0
         self.ready = False  # constant parts of frames and columns written yet?
-        self._fill(sizes)
+        self._fill(sizes, parts)
 
-    def _fill(self, sizes: dict[str, int]) -> None:
+    def _fill(self, sizes: dict[str, int], parts: dict[str, int]) -> None:
         ctl, mach, program = self.ctl[0], self.mach[0], self.program
         for name in ("nb", "nd", "np", "na", "nc", "no", "ne"):
             ctl[name] = sizes[name]
@@ -115,6 +125,8 @@ class Workspace:
         for name in ("path", "proj", "factor", "solve", "spins", "body_out"):
             mach[f"n{name}"] = len(program[name])
         mach["nforces"], mach["ncons"] = len(self.forces), len(self.cons)
+        for name, where in parts.items():
+            mach[name] = where
         mach["constant_mass"] = int(np.all(program["body"]["joint"] < 6))
         ctl["mach"] = self.mach.ctypes.data
         ctl["at"] = self.ctl.ctypes.data

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 
+MOST_NAMES = 6
+"""Modes up to which the legend names them; more are labelled at their lines."""
+
+
 def plot_campbell(
     speed: ArrayLike,
     mode_frequencies: ArrayLike,
@@ -56,13 +60,26 @@ def plot_campbell(
             legend={"y": 1.1},
         )
     )
+    crowded = modes.shape[1] > MOST_NAMES
     for k in range(modes.shape[1]):
         name = mode_names[k] if k < len(mode_names) else f"mode {k + 1}"
+        if crowded:
+            figure.add_annotation(
+                x=float(omega[0]) * revolutions.factor,
+                y=float(modes[0, k]) * pitch.factor,
+                text=name,
+                showarrow=False,
+                xanchor="left",
+                yanchor="bottom",
+                xshift=4 + 24 * (k % 3),
+                font={"size": 11},
+            )
         figure.add_scatter(
             x=omega * revolutions.factor,
             y=modes[:, k] * pitch.factor,
             mode="lines",
             name=name,
+            showlegend=not crowded,
             line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 2},
         )
     for row, (name, order) in enumerate(sorted(orders.items(), key=lambda item: item[1])):

@@ -91,7 +91,7 @@ def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -
     shown = scale("m", np.concatenate([*sizes, [1e-9]]))
     figure = go.Figure(
         layout=theme.layout(
-            "mesh phase ψ [base pitches]", shown.title("transmission error less its mean"), height=340
+            "mesh phase ψ [base pitches]", shown.title("transmission error − mean"), height=340
         )
     )
     for index, (name, values) in enumerate(data.items()):

@@ -83,10 +83,12 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
             s = cycle.stiffness
             caption = (
                 f"Mesh stiffness over two mesh cycles: mean {number(float(s.mean))}, "
-                f"from {number(float(s.minimum))} to {number(float(s.maximum))} {cycle.stiffness_unit}."
+                f"from {number(float(s.minimum))} to {number(float(s.maximum))}, "
+                f"in units of {'its mean' if cycle.stiffness_unit == 'mean' else cycle.stiffness_unit}."
             )
+            unit = "× mean" if cycle.stiffness_unit == "mean" else cycle.stiffness_unit
             loaded = (cycle.error_phase, cycle.loaded_ratio) if np.size(cycle.loaded_ratio) else None
-            drawn = plot_mesh_stiffness(s, name=mesh, unit=cycle.stiffness_unit, loaded=loaded)
+            drawn = plot_mesh_stiffness(s, name=mesh, unit=unit, loaded=loaded)
             section.add_figure(drawn, caption)
         if cycle.errors:
             section.add_figure(

@@ -28,15 +28,16 @@ def mode_section(modes: Any) -> Section:
     if modes is None or not len(modes.names):
         return section
     body = []
-    for name, frequency, ratio in zip(modes.names, modes.frequency, modes.damping_ratio, strict=True):
+    rows = zip(modes.names, modes.frequency, modes.damping_ratio, strict=True)
+    for k, (name, frequency, ratio) in enumerate(rows, start=1):
         known = math.isfinite(ratio) and frequency > 0.0
         damping = f"{number(100.0 * ratio, 3)} %" if known else "–"
         body.append(
-            f'<tr><th scope="row">{escape(name)}</th><td class="unit">Hz</td>'
-            f'<td class="num">{number(frequency)}</td><td class="num">{damping}</td></tr>'
+            f'<tr><th scope="row">{k}</th><td>{escape(name)}</td>'
+            f'<td class="num">{number(frequency)} Hz</td><td class="num">{damping}</td></tr>'
         )
     section.add("<p>About the loaded state, meshes with the mean of their stiffness.</p>")
-    section.add(plain_table(("mode", "unit", "natural frequency", "damping ratio"), body[:MOST_ROWS]))
+    section.add(plain_table(("mode", "what moves", "natural frequency", "damping ratio"), body[:MOST_ROWS]))
     return section
 
 

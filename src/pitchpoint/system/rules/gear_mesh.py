@@ -304,7 +304,23 @@ def _freeze(row: Any, place: Placement) -> None:
     status = invoke(entry, ctl.ctypes.data, rows.ctypes.data, 1)
     if status != OK:
         raise CompileError(f"a mesh cannot be placed: {sentence(status)}")
-    for name in ("m", "e", "t", "P", "dn", "cos_a", "sin_a", "inv_a", "dz"):
+    for name in (
+        "m",
+        "e",
+        "t",
+        "P",
+        "dn",
+        "cos_a",
+        "sin_a",
+        "inv_a",
+        "dz",
+        "xi_A",
+        "eps",
+        "L",
+        "z_lo",
+        "z_hi",
+    ):
         row[name] = rows[name][0]
+    row["start"] = rows["start"][0]
     row["gap"] = 2.0 * (row["r_b1"] + row["r_b2"]) * (row["inv_a"] - row["inv_w0"])
     row["fixed"] = 1

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A second process that compiles entries while this one compiles others: half the wait on an empty cache.
+
+Both write the same cache on disk. The companion reports every entry that it has finished; who needs one waits
+for that report and loads it. A companion that fails only costs time: what it did not report is compiled here.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import subprocess
+
+_pending: dict[str, subprocess.Popen[str]] = {}
+
+_listeners: list[Callable[[str], None]] = []
+
+
+def listen(function: Callable[[str], None]) -> None:
+    """Let a function be told, once and in a sentence, that kernels are being compiled."""
+    _listeners[:] = [function]
+
+
+def announce() -> None:
+    """Tell people, once, why the first start takes longer."""
+    while _listeners:
+        _listeners.pop()("compiling kernels for this machine: about 20 s, once")
+
+
+def cores() -> int:
+    """Number of processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def delegate(entries: Sequence[str]) -> None:
+    """Let another process compile entries, named "module:function", in this order."""
+    import subprocess  # only on a cold cache: every command pays for the import of this module
+
+    wanted = [e for e in entries if e not in _pending]
+    if not wanted or not sys.executable or cores() < 2:
+        return
+    try:
+        process = subprocess.Popen(
+            [sys.executable, "-m", __name__, *wanted],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(p or os.curdir for p in sys.path)},
+        )
+    except OSError:
+        return
+    _pending.update(dict.fromkeys(wanted, process))
+
+
+def await_entry(entry: str) -> None:
+    """Wait until the companion has finished an entry, or has ended; at once if it was not asked for it."""
+    while entry in _pending:
+        process = _pending[entry]
+        assert process.stdout is not None
+        line = process.stdout.readline()
+        left = [n for n, p in _pending.items() if p is process and n != line.strip()]
+        for name in [n for n, p in _pending.items() if p is process and (not line or n not in left)]:
+            del _pending[name]
+        if not line or not left:
+            process.stdout.close()
+            process.wait()
+
+
+def main(entries: Sequence[str]) -> None:
+    """Compile entries and report each on stdout; the work of the companion."""
+    from pitchpoint.core.kernel import address
+
+    for entry in entries:
+        module, _, name = entry.partition(":")
+        kind: Any = getattr(importlib.import_module(module), name)
+        address(kind)
+        sys.stdout.write(entry + "\n")
+        sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which source files a source file depends on, found by a scan of its import statements.
+
+The cache of compiled kernels is stamped with this closure (see `pitchpoint.core.kernel`): what a kernel calls
+lies in a file that its own file imports, directly or on the way.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import re
+from pathlib import Path
+
+_PACKAGES = {"pitchpoint"}
+_FROM = re.compile(r"^[ \t]*from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#;]*)", re.MULTILINE)
+_IMPORT = re.compile(r"^[ \t]*import[ \t]+([^\n#;]+)", re.MULTILINE)
+
+
+def _root(file: Path) -> tuple[Path, str]:
+    """Folder that holds the top-level package of a file, and the dotted name of the file's package."""
+    folder = file.parent
+    parts: list[str] = []
+    while (folder / "__init__.py").exists():
+        parts.insert(0, folder.name)
+        folder = folder.parent
+    return folder, ".".join(parts)
+
+
+def _locate(name: str, roots: dict[str, Path]) -> Path | None:
+    """File of a dotted module name if its top-level package is one of ours, else None."""
+    top, _, rest = name.partition(".")
+    folder = roots.get(top)
+    if folder is None:
+        return None
+    base = folder / top if not rest else (folder / top).joinpath(*rest.split("."))
+    for candidate in (base.with_suffix(".py"), base / "__init__.py"):
+        if candidate.is_file():
+            return candidate
+    return None
+
+
+def _imported(text: str, package: str) -> set[str]:
+    """Dotted names that a source text may import; `from a import b` yields both a and a.b."""
+    names: set[str] = set()
+    for match in _IMPORT.finditer(text):
+        names.update(part.split(" as ")[0].strip() for part in match.group(1).split(","))
+    for match in _FROM.finditer(text):
+        base, what = match.group(1), match.group(2).strip("()")
+        dots = len(base) - len(base.lstrip("."))
+        if dots:
+            stem = package.split(".")[: len(package.split(".")) - dots + 1]
+            base = ".".join([*stem, *filter(None, [base.lstrip(".")])])
+        names.add(base)
+        names.update(f"{base}.{part.split(' as ')[0].strip()}" for part in what.replace("\n", ",").split(","))
+    return names
+
+
+def import_closure(file: str | os.PathLike[str]) -> list[Path]:
+    """List every source file that a file reaches by import statements inside the registered packages.
+
+    Parameters
+    ----------
+    file
+        Source file to start from.
+
+    Returns
+    -------
+    list of Path
+        The file itself and all it reaches, sorted. Packages outside (numpy, the standard library) are not
+        followed: their versions are the business of the environment.
+    """
+    start = Path(file).resolve()
+    folder, package = _root(start)
+    own = package.split(".")[0] if package else start.stem
+    roots = {own: folder}
+    for name in _PACKAGES - {own}:
+        spec = importlib.util.find_spec(name)
+        if spec is not None and spec.origin:
+            roots[name] = Path(spec.origin).resolve().parent.parent
+    if not package:  # a loose file may import its neighbours
+        roots.update({p.stem: folder for p in folder.glob("*.py") if p.stem not in roots})
+    seen: set[Path] = set()
+    stack = [start]
+    while stack:
+        path = stack.pop()
+        if path in seen:
+            continue
+        seen.add(path)
+        text = path.read_text(encoding="utf-8", errors="replace")
+        for name in _imported(text, _root(path)[1]):
+            found = _locate(name, roots)
+            if found is not None:
+                stack.append(found)
+    return sorted(seen)
+
+
+def register_package(name: str) -> None:
+    """Let the scan follow imports into another package (one that brings its own kinds)."""
+    _PACKAGES.add(name.partition(".")[0])

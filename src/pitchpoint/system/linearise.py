@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What an exact linearisation adds to the matrix of the integrators: moving axes, turned loads, gyration.
+
+Integrators never ask for it, so it has its own entry, compiled only when modes or damping need it.
+"""
+
+from __future__ import annotations
+
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.multibody.bodies import BODY, PATH
+from pitchpoint.multibody.channels import CTL, F8, FRAME, I8
+from pitchpoint.multibody.inertia import attitude, inertia
+from pitchpoint.multibody.joint_rates import joint_rates
+from pitchpoint.multibody.projection import PROJ, project_geometry, project_tangent
+from pitchpoint.system.residual import EXACT, residual, run_kinds, zero_blocks
+from pitchpoint.system.workspace import MACH
+
+
+@kernel
+def exact_rates(at, cm, cd, ck):
+    """Parts of the exact matrix that a frame tangent alone cannot carry.
+
+    Twists depend on q and accelerations on q and v through the moving joint axes:
+    A += ck J^T D (d twist/dq) + J^T M (cd d acc/dv + ck d acc/dq). Needs its own pass over the elements.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    n = m["npath"]
+    body = view(m["body"], c["nb"], BODY)
+    fr = view(c["fr"], c["nb"], FRAME)
+    J = view(m["J"], (n, 6, 6), F8)
+    Tq = view(m["Tq"], (n, 6, 6), F8)
+    Av = view(m["Av"], (n, 6, 6), F8)
+    Aq = view(m["Aq"], (n, 6, 6), F8)
+    T = view(m["T"], (6, 6), F8)
+    kk = view(c["kk"], (c["np"], 6, 6), F8)
+    A = view(c["A"], (c["na"], 6, 6), F8)
+    proj = view(m["proj"], m["nproj"], PROJ)
+    joint_rates(body, fr, J, Tq, Av, Aq, view(c["v"], c["nd"], F8), view(c["a"], c["nd"], F8))
+    zero_blocks(kk)
+    attitude(body, fr, kk, ck)
+    project_tangent(proj, J, kk, J, A, T)
+    zero_blocks(kk)
+    inertia(body, fr, kk, EXACT, 0.0, 1.0)
+    c["ck"] = 0.0
+    c["cd"] = 1.0
+    c["jac"] = EXACT
+    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 1)
+    if status != OK:
+        return status
+    for p in range(n):
+        for i in range(6):
+            for k in range(6):
+                Tq[p, i, k] *= ck
+                Aq[p, i, k] = cd * Av[p, i, k] + ck * Aq[p, i, k]
+    project_tangent(proj, J, kk, Tq, A, T)
+    zero_blocks(kk)
+    inertia(body, fr, kk, EXACT, 1.0, 0.0)
+    project_tangent(proj, J, kk, Aq, A, T)
+    return OK
+
+
+@kernel
+def entry(at, spare, other):
+    """Exact blocks of cm M + cd D + ck K at the state, time and factors in the workspace."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    n = m["npath"]
+    cm = c["cm"]
+    cd = c["cd"]
+    ck = c["ck"]
+    status = residual(at, c["t"], EXACT, cm, cd, ck)
+    if status != OK:
+        return status
+    fr = view(c["fr"], c["nb"], FRAME)
+    J = view(m["J"], (n, 6, 6), F8)
+    A = view(c["A"], (c["na"], 6, 6), F8)
+    project_geometry(view(m["proj"], m["nproj"], PROJ), view(m["path"], n, PATH), fr, J, A, ck)
+    return exact_rates(at, cm, cd, ck)

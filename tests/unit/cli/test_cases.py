@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`run --vary` and `sweep --vary`: one table of all combinations, kept whatever happens."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from pitchpoint.cli.cases import values_of
+from pitchpoint.cli.main import run_command
+from pitchpoint.io.case_store import read_cases
+from pitchpoint.io.reading import open_result, read_header
+from pitchpoint.io.sweep_store import read_sweep
+from tests.support.cli_files import TORSION, json_of, written
+
+SHORT = TORSION.replace("duration: 0.5 s", "duration: 0.01 s")
+SMALL = TORSION.replace("points: 81", "points: 3").replace(
+    "settle_periods: 200, measure_periods: 50", "settle_periods: 2, measure_periods: 2"
+)
+VARY = ["--vary", "loads.input.torque=100 N m,150 N m", "--vary", "meshes.stage.damper.ratio=0.05,0.1"]
+
+
+def test_table_and_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = tmp_path / "cases.h5"
+    file = written(tmp_path, SHORT)
+    found = json_of(["run", file, "-s", "steady", *VARY, "-j", "2", "-o", str(target)], capsys)
+    assert found["status"] == "finished"
+    assert [c["values"]["loads.input.torque"] for c in found["cases"]] == ["100 N m"] * 2 + ["150 N m"] * 2
+    assert [c["numbers"]["meshes.stage.damper.ratio"] for c in found["cases"]] == [0.05, 0.1] * 2
+    kept = read_cases(target)
+    assert [c["case"] for c in kept] == [0, 1, 2, 3]
+    for one, two in zip(kept, found["cases"], strict=True):
+        assert one["channels"]["mesh_force[stage]"] == two["channels"]["mesh_force[stage]"]
+        assert one["numbers"] == two["numbers"]
+    assert read_header(target)["kind"] == "cases"
+    with open_result(target) as data:
+        assert data["deflection[stage]"].dims == ("case", "statistic")
+        assert data["deflection[stage]"].attrs["symbol"] == "u_bt − e"
+
+
+def test_sweeps(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = tmp_path / "cases.h5"
+    file = written(tmp_path, SMALL)
+    found = json_of(
+        ["sweep", file, "--vary", "meshes.stage.damper.ratio=0.05,0.1", "-o", str(target)], capsys
+    )
+    kept = read_cases(target)
+    for one, two in zip(kept, found["cases"], strict=True):
+        assert [p["deflection"] for p in one["points"]] == [p["deflection"] for p in two["points"]]
+        assert [p["direction"] for p in one["points"]] == ["up"] * 3 + ["down"] * 3
+    assert run_command(["report", file, str(target), "-o", str(tmp_path / "page.html")]) == 0
+    assert "meshes.stage.damper.ratio = 0.1" in (tmp_path / "page.html").read_text(encoding="utf-8")
+
+
+def test_people_get_a_table_and_failed_cases_a_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    file = written(tmp_path, SHORT)
+    assert run_command(["run", file, "-s", "steady", "--vary", "meshes.stage.damper.ratio=0.05,1e9"]) == 3
+    captured = capsys.readouterr()
+    assert "rms of deflection" in captured.out
+    assert "out of range" in captured.out
+    assert "1 of 2 cases finished" in captured.err
+    assert [c["status"] for c in read_cases(tmp_path / "model-steady-cases.h5")] == [1, 2]
+    assert run_command(["report", file, "model-steady-cases.h5"]) == 0
+    assert "these values describe no possible model" in (tmp_path / "model.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("vary", "expected"),
+    [
+        (["loads"], "PATH=V1,V2"),
+        (["loads.input.torque=1,,2"], "PATH=V1,V2"),
+        (["loads.inptu.torque=3 N m", "meshes.stage.damper.ratio=3 kg"], "loads.inptu: does not exist"),
+        (["loads.inptu.torque=3 N m", "meshes.stage.damper.ratio=3 kg"], "'3 kg'"),
+        (["gears.g1.z=20"], "unknown key"),
+        (["title=a", "title=b"], "varied twice"),
+        (["loads.input.torque={a: [}"], "--vary"),
+    ],
+)
+def test_bad_input(
+    vary: list[str], expected: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    options = [word for text in vary for word in ("--vary", text)]
+    assert run_command(["run", written(tmp_path, SHORT), "-s", "steady", *options, "--json"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert expected in captured.err
+    assert "Traceback" not in captured.err
+
+
+def test_commas_in_brackets_belong_to_the_value() -> None:
+    assert values_of("a.b=[1, 2],[3]") == ("a.b", [[1, 2], [3]])
+    assert values_of("a=min(t, 1), 2 mm,true") == ("a", ["min(t, 1)", "2 mm", True])
+
+
+def start(arguments: list[str], target: Path, ready: int) -> subprocess.Popen[str]:
+    """Start a command in a process of its own and wait until its table holds this many entries."""
+    code = "from pitchpoint.cli.main import main; main()"
+    child = subprocess.Popen(
+        [sys.executable, "-c", code, *arguments, "-o", str(target), "--json"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    deadline = time.monotonic() + 120.0
+    while time.monotonic() < deadline and child.poll() is None:
+        if target.exists() and entries(target) >= ready:
+            return child
+        time.sleep(0.05)
+    child.kill()
+    raise AssertionError(child.communicate())
+
+
+def entries(target: Path) -> int:
+    kind = read_header(target)["kind"]
+    return len(read_cases(target)) if kind == "cases" else len(read_sweep(target)["points"])
+
+
+@pytest.mark.parametrize("command", ["cases", "sweep"])
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
+def test_stopped_by_ctrl_c_or_killed_it_keeps_what_was_computed(
+    command: str, how: signal.Signals, tmp_path: Path
+) -> None:
+    target = tmp_path / "out.h5"
+    if command == "sweep":
+        arguments = ["sweep", written(tmp_path, TORSION.replace("points: 81", "points: 8001"))]
+    else:
+        many = ",".join(f"{0.02 + 1e-5 * k:.5f}" for k in range(2000))
+        arguments = ["run", written(tmp_path, TORSION), "-s", "steady"]
+        arguments += ["--vary", f"meshes.stage.damper.ratio={many}", "-j", "2"]
+    child = start(arguments, target, 3)
+    begun = time.monotonic()
+    child.send_signal(how)
+    out, err = child.communicate(timeout=60)
+    assert entries(target) >= 3
+    if how == signal.SIGKILL:
+        assert read_header(target)["status"] == "running"
+        return
+    assert time.monotonic() - begun < 5.0  # one second on an idle machine
+    assert child.returncode == 130
+    assert json.loads(out)["status"] == "interrupted"
+    assert "interrupted" in err
+    assert "Traceback" not in err
+    assert read_header(target)["status"] == "interrupted"

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bad input and faults as a user meets them: exit codes, sentences, no traceback, results that are kept."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from pitchpoint.cli.main import run_command
+from pitchpoint.core import status as st
+from pitchpoint.io.reading import read_channel, read_header
+from tests.support.cli_files import ISO_EX1, TORSION, written
+from tests.support.model_files import gear, pair
+
+# row: (file, what is replaced, by what, words of the message)
+ISO, PAIR, SMALL = "iso", "pair", "small"
+RACK = "rack: {dedendum: 1.0, root_radius: 0.1}"
+FILES = {
+    ISO: ISO_EX1,
+    PAIR: TORSION,
+    SMALL: pair(gear("a", 8, more=RACK), gear("b", 120), "center_distance: 192 mm"),
+}
+BAD_INPUT = {
+    "wrong unit": (ISO, "500 mm", "500 kg", "line 8): '500 kg'"),
+    "unknown key": (ISO, "face_width: 100 mm, tip", "face_widht: 100 mm, tip", "did you mean face_width?"),
+    "missing gear": (ISO, "gears: [pinion, wheel]", "gears: [pinion, weel]", "'weel'"),
+    "no contact": (ISO, "500 mm", "525 mm", "keeps the tips apart"),
+    "interference": (SMALL, "", "", "shorten the tip"),
+    "negative tip clearance": (ISO, "dedendum: 1.4", "dedendum: 0.8", "tip clearance of"),
+    "pointed tooth": (
+        PAIR,
+        "g1: {number_of_teeth: 50",
+        "g3: {number_of_teeth: 20, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 1.4}\n"
+        "  g1: {number_of_teeth: 50",
+        "use at most",
+    ),
+    "equal hands": (ISO, "hand: right", "hand: left", "change the hand"),
+    "internal smaller than pinion": (
+        ISO,
+        "wheel:  {number_of_teeth: 103",
+        "wheel:  {type: internal, number_of_teeth: 15",
+        "wheel",
+    ),
+    "two internals": (
+        PAIR,
+        ": {number_of_teeth: 50",
+        ": {type: internal, number_of_teeth: 50",
+        "both internal",
+    ),
+    "zero inertia": (PAIR, "inertia: 0.0115 kg m^2", "inertia: 0", "inertia"),
+    "negative inertia": (PAIR, "inertia: 0.0115 kg m^2", "inertia: -1 kg m^2", ">= 0"),
+    "zero mass": (PAIR, "motion: torsion, inertia", "motion: planar, mass: 0 kg, inertia", "planar"),
+    "not a number": (PAIR, "torque: 150 N m", "torque: .nan", "not a finite number"),
+    "infinite": (PAIR, "mean: 4.0e8 N/m", "mean: .inf", "finite"),
+    "duplicate names": (PAIR, "  g2:", "  g1:", "line 3 and line 4"),
+    "YAML syntax": (PAIR, "bodies:", "bodies: {", "YAML syntax"),
+    "Python code": (PAIR, "torque: 150 N m", "torque: {python: 'law.py:f'}", "--allow-code"),
+    "formula that is Python": (PAIR, "torque: 150 N m", "torque: t.__class__", "a formula may use"),
+}
+
+
+@pytest.mark.parametrize("row", BAD_INPUT)
+@pytest.mark.parametrize("command", [["check"], ["gears"], ["run", "-s", "steady"]])
+def test_bad_input_exits_2(
+    row: str, command: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    which, old, new, words = BAD_INPUT[row]
+    text = FILES[which]
+    assert old in text
+    file = written(tmp_path, text.replace(old, new))
+    assert run_command([*command, file, "--json"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "Traceback" not in captured.err
+    assert words in captured.err
+    assert "(line " in captured.err
+    assert file in captured.err
+
+
+def test_every_problem_at_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = TORSION
+    for old, new in (
+        ("g1: {number_of_teeth: 50", "g1: {colour: red, number_of_teeth: 50"),
+        ("center_distance: 150 mm", "center_distance: 150 kg"),
+        ("damper: {ratio: 0.05}", "damper: {ratio: -1}"),
+        ("{body: driven, torque", "{body: drivne, torque"),
+    ):
+        text = text.replace(old, new)
+    assert run_command(["run", written(tmp_path, text), "-s", "steady"]) == 2
+    err = capsys.readouterr().err
+    assert "4 problems" in err
+    for words in (
+        "gears.g1.colour (line 3): is an unknown key",
+        "meshes.stage.center_distance (line 11): '150 kg'",
+        "such as 3 mm",
+        "meshes.stage.damper.ratio (line 14): -1 is out of range (limit >= 0",
+        "loads.output.body (line 18)",
+        "did you mean driver",
+    ):
+        assert words in err, words
+
+
+INPUT = "input:  {body: driver, torque: 150 N m}"
+FAULTS = {
+    "Newton": (st.SLOW, "150 N m * exp(1e4 * angle^2)", "", "Newton"),
+    "step underflow": (
+        st.STEP_UNDERFLOW,
+        "150 N m + 1e3 N m * (0.01 / (0.01000001 - t))^3",
+        ", method: runge_kutta",
+        "step size",
+    ),
+    "NaN of a formula": (st.NOT_FINITE, "150 N m * sqrt(0.01 - t)", "", "not a number"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_failed_computations_exit_3_and_keep_what_was_computed(
+    fault: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, torque, method, words = FAULTS[fault]
+    text = TORSION.replace(INPUT, f'input: {{body: driver, torque: "{torque}"}}')
+    text = text.replace("duration: 0.5 s", f"duration: 0.02 s, settle_time: 0 s{method}")
+    target = tmp_path / "out.h5"
+    assert run_command(["run", written(tmp_path, text), "-s", "steady", "-o", str(target), "--json"]) == 3
+    captured = capsys.readouterr()
+    found = json.loads(captured.out)
+    assert found["status"] == "failed"
+    assert 0.0 < found["t_end"] < 0.02
+    assert words in found["sentence"]
+    assert f"(status {code})" in captured.err
+    assert str(target) in captured.err
+    assert "Traceback" not in captured.err
+    head = read_header(target)
+    assert (head["status"], head["status_code"]) == ("failed", code)
+    assert words in head["sentence"]
+    t, _ = read_channel(target, "mesh_force[stage]")
+    assert t.size > 10
+    assert t[-1] == pytest.approx(found["t_end"], abs=2e-5)
+
+
+def test_a_failure_before_the_window_has_no_statistics(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = TORSION.replace(INPUT, 'input: {body: driver, torque: "150 N m * sqrt(0.001 - t)"}')
+    file, target = written(tmp_path, text), tmp_path / "out.h5"
+    assert run_command(["run", file, "-s", "steady", "-o", str(target), "--json"]) == 3
+    row = json.loads(capsys.readouterr().out)["channels"]["mesh_force[stage]"]
+    assert row == {"unit": "N", "mean": None, "rms": None, "min": None, "max": None}
+    assert run_command(["run", file, "-s", "steady", "-o", str(target)]) == 3
+    assert "–" in capsys.readouterr().out
+
+
+def test_a_sweep_that_fails_keeps_its_points(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "law.py").write_text("def torque(t, x, p):\n    return 150.0 if t < 0.3 else float('nan')\n")
+    text = TORSION.replace(INPUT, "input: {body: driver, torque: {python: 'law.py:torque'}}")
+    text = text.replace("settle_periods: 200", "settle_periods: 20")
+    file, target = written(tmp_path, text), tmp_path / "out.h5"
+    assert run_command(["sweep", file, "-o", str(target), "--json", "--allow-code"]) == 3
+    captured = capsys.readouterr()
+    found = json.loads(captured.out)
+    assert found["status"] == "failed"
+    assert 1 < len(found["points"]) < 162
+    assert f"(status {st.NOT_FINITE})" in captured.err
+    assert read_header(target)["status"] == "failed"
