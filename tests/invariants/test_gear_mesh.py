@@ -330,3 +330,17 @@ def test_backlash_follows_the_centre_distance(internal):
     fr = moved(m.frames, 1, np.append(sign * -4e-5 * out, [0, 0, 0]))
     m.evaluate(fr)
     assert m.row["gap"] < 0.0 and m.get("contact_state") == 2.0
+
+
+@pytest.mark.parametrize("smooth, share", [(False, 0.25), (True, 0.15625)])
+def test_contact_damping_grows_with_the_penetration(smooth, share):
+    """At a quarter of s_0: a quarter of the damping, or t^2 (3 - 2 t) = 0.15625 of it."""
+    m = OneMesh(
+        make_pair(beta=0.0),
+        MeshLaws(stiffness=SHAPES["constant"], d_in=2e4, d_out=2e4, s_0=4e-5, smooth=smooth),
+    )
+    m.press(1e-5)
+    at_rest = m.get("mesh_force")
+    m.frames["tw"][0, 5] = 0.01 / m.row["r_b1"]
+    m.evaluate()
+    assert m.get("mesh_force") - at_rest == pytest.approx(share * 2e4 * 0.01, rel=1e-6)

@@ -15,7 +15,15 @@ import numpy as np
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.viz.quantities import Channel
-from pitchpoint.viz.report import CampbellData, MeshCycleData, ReportModel, ReportResults, TimeRun
+from pitchpoint.viz.report import (
+    CampbellData,
+    CaseTable,
+    MeshCycleData,
+    ModeData,
+    ReportModel,
+    ReportResults,
+    TimeRun,
+)
 from pitchpoint.viz.tables import GEAR_ROWS, MESH_ROWS
 
 TEETH, MASS, STIFFNESS, GAP, FORCE = 50, 1.158, 4.0e8, 25e-6, 2128.0
@@ -104,6 +112,24 @@ def values_of(thing: Any, identifiers: tuple[str, ...]) -> dict[str, Any]:
     return {key: getattr(thing, key) for key in identifiers if hasattr(thing, key)}
 
 
+def cases() -> CaseTable:
+    """Three cases over one number, the last of which failed."""
+    path, found = "loads.input.torque", []
+    for k, (torque, status) in enumerate(((100.0, 1), (150.0, 1), (200.0, 4))):
+        row = {"unit": "m", "mean": 5e-5, "rms": 1e-8 * torque, "min": 4e-5, "max": 6e-5}
+        force = {"unit": "N", "mean": 14.0 * torque, "rms": 1.0, "min": 0.0, "max": 20.0 * torque}
+        found.append(
+            {
+                "case": k,
+                "values": {path: f"{torque} N m"},
+                "numbers": {path: torque},
+                "status": status,
+                "channels": {"deflection[stage]": row, "mesh_force[stage]": force} if status == 1 else {},
+            }
+        )
+    return CaseTable(cases=found, units={path: "N m"})
+
+
 def report_model() -> ReportModel:
     stage = pair()
     return ReportModel(
@@ -126,6 +152,9 @@ def report_results() -> ReportResults:
             "stage": MeshCycleData(
                 stiffness=cycle(),
                 error_phase=phase,
+                loaded_ratio=1.19 - 0.2 * np.cos(2.0 * np.pi * phase),
+                share_way=1.75 * phase,
+                share=np.where(abs(phase - 0.5) < 0.07, 1.0, 0.5),
                 errors={"unloaded": 0.0 * phase, "150 N m": 8e-6 + 1e-6 * np.cos(2 * np.pi * phase)},
             )
         },
@@ -134,6 +163,10 @@ def report_results() -> ReportResults:
             "run-up": TimeRun(data=run(500.0, 3000.0, 0.5)),
         },
         sweeps={"sweep": sweep()},
+        modes=ModeData(
+            names=["rigid rotation", "mesh mode"], frequency=[0.0, 2958.0], damping_ratio=[float("nan"), 0.05]
+        ),
+        cases={"steady": cases()},
         campbell=CampbellData(
             speed=np.linspace(0.0, 400.0, 21),
             mode_frequencies=[2958.0],

@@ -61,9 +61,7 @@ def table(
         cells = [row[k] for row in rows if any(row)]
         words = k == 0 or 2 * sum(cell[:1] in _NUMBER for cell in cells) < len(cells)
         short = k == 0 and max(map(len, cells), default=0) <= SHORT
-        made.add_column(
-            escape(name), justify="left" if words else "right", overflow="fold", no_wrap=short or None
-        )
+        made.add_column(escape(name), justify="left" if words else "right", overflow="fold", no_wrap=short)
     for row in rows:
         if not any(row):
             made.add_section()

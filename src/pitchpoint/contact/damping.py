@@ -32,6 +32,24 @@ def ramp(u, s_0):
 
 
 @kernel
+def linear_ramp(u, s_0):
+    """Share of the full damping at penetration u, growing in proportion up to s_0, and its derivative [1/m].
+
+    The simplest law with a penetration of full damping, L. Mauer, SIMPACK User Meeting 2006; its slope jumps
+    at both ends, which `ramp` avoids.
+
+    >>> value, slope = linear_ramp(5.0e-6, 2.0e-5)
+    >>> round(float(value), 12), round(float(slope), 6)
+    (0.25, 50000.0)
+    """
+    if u <= 0.0:
+        return 0.0, 0.0
+    if u >= s_0:
+        return 1.0, 0.0
+    return u / s_0, 1.0 / s_0
+
+
+@kernel
 def damping_force(u, w, d_in, d_out, s_0):
     """Contact damping force at penetration u [m] and rate w [m/s], and its derivatives by u and by w.
 

@@ -77,6 +77,7 @@ _LOSSES = [
     ("d_in", "f8"),
     ("d_out", "f8"),  # contact damping at k_ref [N s/m]
     ("s_0", "f8"),  # penetration of full damping
+    ("smooth", "i8"),  # 0: the damping grows in proportion up to s_0, 1: by a smooth cubic
     ("d_gap", "f8"),  # mesh damper, acts inside the gap too [N s/m]
     ("mu", "f8"),
     ("v_eps", "f8"),  # friction

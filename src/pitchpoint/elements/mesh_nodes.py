@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 
-from pitchpoint.contact.damping import ramp
+from pitchpoint.contact.damping import linear_ramp, ramp
 from pitchpoint.contact.friction import coulomb
 from pitchpoint.contact.load_correction import low_load
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_slope, pair_table, pair_table_slope
@@ -56,12 +56,14 @@ def node(b, ctl, x, z, xi, k, k_rate, limit):
             energy -= limit * limit / (14.0 * k)
             feed += limit * limit / (14.0 * k * k)
     elastic = f
+    stiffness = kt
     d = (b["d_in"] if w > 0.0 else b["d_out"]) * k / b["k_ref"]
     if d > 0.0:
-        share, slope = ramp(x, b["s_0"])
+        share, slope = ramp(x, b["s_0"]) if b["smooth"] == 1 else linear_ramp(x, b["s_0"])
+        full = d
         d *= share
         f += d * w
-        kt += d * w * slope / share
+        kt += full * w * slope
     acc[23] += feed * k_rate
     acc[24] += energy
     if f <= 0.0:
@@ -70,7 +72,7 @@ def node(b, ctl, x, z, xi, k, k_rate, limit):
         return 0.0
     acc[0] += f
     acc[1] += f * y
-    acc[20] += k
+    acc[20] += stiffness
     acc[22] += (f - elastic) * w
     c = ctl["ck"] * kt + ctl["cd"] * d
     if ctl["jac"] != 0:

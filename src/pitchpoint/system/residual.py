@@ -8,6 +8,8 @@ asked for is `jac`: FORCES (0), NEWTON (1, tangents may be approximate), EXACT (
 
 from __future__ import annotations
 
+import math
+
 from pitchpoint.core.kernel import call, kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.multibody.bodies import BODY, PATH
@@ -183,6 +185,11 @@ def wrap(at):
     fr = view(c["fr"], c["nb"], FRAME)
     for e in range(spins.shape[0]):
         d = spins[e, 0]
+        if abs(q[d]) > 2.0 * TWO_PI and math.isfinite(q[d]):
+            # a runaway body: many turns in one step, no point in counting them one by one
+            n = math.floor(q[d] / TWO_PI + 0.5)
+            q[d] -= n * TWO_PI
+            fr[spins[e, 1]]["turns"] += int(n)
         while q[d] > 0.5 * TWO_PI:
             q[d] -= TWO_PI
             fr[spins[e, 1]]["turns"] += 1

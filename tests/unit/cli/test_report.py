@@ -72,3 +72,42 @@ def test_bad_input(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     one, two = written(tmp_path, ISO_EX1, "one.yaml"), written(tmp_path, ISO_EX1, "two.yaml")
     assert run_command(["report", one, two]) == 2
     assert "Traceback" not in capsys.readouterr().err
+
+
+def test_the_model_alone_has_what_follows_from_it(tmp_path: Path) -> None:
+    """Errors with and without load, load sharing, modes, Campbell diagram: computed by the report itself."""
+    text = TORSION.replace(
+        "{law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1, -0.05]}", "{law: din3990}"
+    ).replace(
+        "output: {body: driven, torque: 150 N m}", "output: {body: driven, torque: 150 N m * cos(angle)}"
+    )
+    assert run_command(["report", written(tmp_path, text), "-o", str(tmp_path / "page.html")]) == 0
+    page = (tmp_path / "page.html").read_text(encoding="utf-8")
+    for words in (
+        "without load (mean 50",
+        "mesh force 2128 N (mean 5",
+        "share in the load",
+        "mesh stage: driver against driven",
+        "stage \\u00d7 3",
+        "Campbell diagram",
+    ):
+        assert words in page, words
+
+
+def test_what_cannot_be_computed_is_said(tmp_path: Path) -> None:
+    (tmp_path / "law.py").write_text("def torque(t, x, p):\n    return float('nan')\n")
+    text = TORSION.replace("driven, torque: 150 N m", "driven, torque: {python: 'law.py:torque'}")
+    target = tmp_path / "page.html"
+    assert run_command(["report", written(tmp_path, text), "-o", str(target), "--allow-code"]) == 0
+    assert "No slow roll: " in target.read_text(encoding="utf-8")
+
+
+def test_results_of_another_state_of_the_model_are_marked(tmp_path: Path) -> None:
+    file, target = written(tmp_path, TORSION.replace("0.5 s", "0.01 s")), tmp_path / "page.html"
+    result = str(tmp_path / "run.h5")
+    assert run_command(["run", file, "-s", "steady", "-o", result, "-q"]) == 0
+    assert run_command(["report", file, result, "-o", str(target)]) == 0
+    assert "another state of the model" not in target.read_text(encoding="utf-8")
+    written(tmp_path, TORSION.replace("150 N m", "100 N m"))
+    assert run_command(["report", file, result, "-o", str(target)]) == 0
+    assert "run.h5 was computed with another state" in target.read_text(encoding="utf-8")

@@ -11,7 +11,7 @@ from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.viz import theme
 from pitchpoint.viz.campbell_plot import plot_campbell
-from pitchpoint.viz.mesh_cycle_plot import plot_mesh_stiffness, plot_transmission_error
+from pitchpoint.viz.mesh_cycle_plot import plot_load_sharing, plot_mesh_stiffness, plot_transmission_error
 from pitchpoint.viz.quantities import Channel, channels, number, scale
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
 from pitchpoint.viz.spectrum_plots import plot_order_map, plot_spectrum, plot_time_frequency
@@ -38,9 +38,23 @@ def test_transmission_error_in_micrometres() -> None:
     figure = plot_transmission_error(
         phase, {"unloaded": 2e-6 * phase * (1 - phase), "loaded": 5e-6 + 0 * phase}
     )
-    assert titles(figure)[1] == "transmission error [µm]"
-    assert [t.name for t in figure.data] == ["unloaded", "loaded"]
-    assert max(figure.data[1].y) == pytest.approx(5.0)
+    assert titles(figure)[1] == "transmission error − mean [µm]"
+    assert [t.name for t in figure.data] == ["unloaded (mean 0.3 µm)", "loaded (mean 5 µm)"]
+    assert max(figure.data[0].y) == pytest.approx(0.2)
+    assert max(figure.data[1].y) == pytest.approx(0.0)
+
+
+def test_load_sharing_in_per_cent() -> None:
+    figure = plot_load_sharing([0.0, 0.5, 1.5], [0.5, 1.0, 0.5])
+    assert titles(figure)[1] == "share in the load [%]"
+    assert list(figure.data[0].y) == [50.0, 100.0, 50.0]
+
+
+def test_many_modes_are_labelled_at_their_lines() -> None:
+    names = [str(k) for k in range(1, 10)]
+    figure = plot_campbell([0.0, 100.0], 100.0 * np.arange(1, 10), {"stage × 1": 30.0}, mode_names=names)
+    assert not any(t.showlegend for t in figure.data if t.name in names)
+    assert {a.text for a in figure.layout.annotations} >= set(names)
 
 
 def test_signals_keep_peaks_and_show_units() -> None:

@@ -74,6 +74,7 @@ class MeshLaws:
     d_in: float = 0.0
     d_out: float = 0.0
     s_0: float = 1e-6
+    smooth: bool = False
     d_gap: float = 0.0
     mu: float = 0.0
     v_eps: float = 0.01
@@ -188,7 +189,7 @@ def mesh_row(
     _stiffness(row, laws.stiffness, keep)
     row["slices"] = laws.slices
     row["k_ref"] = laws.k_ref or mean_stiffness(pair, laws.stiffness)
-    for name in ("d_in", "d_out", "s_0", "d_gap", "mu", "v_eps"):
+    for name in ("d_in", "d_out", "s_0", "smooth", "d_gap", "mu", "v_eps"):
         row[name] = getattr(laws, name)
     if laws.user is not None:
         row["form"], row["params"] = layout.USER, keep(laws.user)
@@ -226,7 +227,9 @@ def mesh_bank(model: Model) -> Bank:
         row = mesh_row(pair, place, mesh_laws(model, name), pool.add, model.backlash(name))
         row["i"], row["j"] = number[one], number[two]
         row["b1"], row["b2"] = (g.face_width for g in gears)
-        row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
+        # a prescribed total stiffness knows no tooth pairs
+        pairs = math.ceil(pair.eps_gamma) + 1 if row["source"] == layout.PROFILE else 0
+        row["n_pair"] = min(layout.MAX_PAIRS, pairs)
         separation_grids(row, gears, pool.add)
         law = mesh.stiffness
         laws.append(user_law(law.python).function if isinstance(law, UserStiffness) else None)
@@ -250,6 +253,7 @@ def mesh_laws(model: Model, name: str) -> MeshLaws:
         d_in = mesh.damping.d_in if mesh.damping.ratio is None else mesh.damping.ratio * critical
         d_out = d_in if mesh.damping.d_out is None else mesh.damping.d_out
         found |= {"d_in": d_in or 0.0, "d_out": d_out or 0.0, "s_0": mesh.damping.s_0}
+        found["smooth"] = mesh.damping.law == "smooth"
     if mesh.damper is not None:
         value = mesh.damper.value if mesh.damper.ratio is None else mesh.damper.ratio * critical
         found["d_gap"] = value or 0.0
