@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.modal import solve_modal
     from pitchpoint.solvers.quasistatic import solve_quasistatic
     from pitchpoint.solvers.time import solve_time
+    from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
     from pitchpoint.system.compile import compile_model
     from pitchpoint.viz.report import write_report
@@ -46,9 +47,11 @@ __all__ = [
     "UnitError",
     "ValidityWarning",
     "__version__",
+    "cases_dataset",
     "compile_model",
     "load_model",
     "open_result",
+    "run_cases",
     "solve_equilibrium",
     "solve_modal",
     "solve_quasistatic",
@@ -77,6 +80,7 @@ _HOMES = {
     "solvers.modal": ("solve_modal",),
     "solvers.quasistatic": ("solve_quasistatic",),
     "solvers.time": ("solve_time",),
+    "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),
     "system.compile": ("compile_model",),
     "viz.report": ("write_report",),

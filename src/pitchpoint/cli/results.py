@@ -17,7 +17,15 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
 
-SHOWN = ("transmission_error", "deflection", "mesh_force", "contact_state", "speed", "bearing_force")
+SHOWN = (
+    "transmission_error",
+    "deflection",
+    "mesh_force",
+    "contact_state",
+    "speed",
+    "bearing_force",
+    "coupling_force",
+)
 """Channels that people see after a run; all of them are in the file."""
 
 _DIMENSIONS = {

@@ -66,6 +66,7 @@ def store(path: Path, header: Any, roll: Roll, found: list[Table], status: str) 
         sentence=roll.sentence,
         code=roll.status,
         steps=len(roll.position),
+        notes=roll.notes,
     )
 
 

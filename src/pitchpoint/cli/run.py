@@ -122,7 +122,14 @@ def compute(
         if events:
             writer.append_events(done.events)
         status = how_a_status_ends(done.status)
-        writer.finish(status, done.sentence, code=done.status, steps=done.steps, wall_s=done.wall_s)
+        writer.finish(
+            status,
+            done.sentence,
+            code=done.status,
+            steps=done.steps,
+            wall_s=done.wall_s,
+            notes=done.notes,
+        )
     sentence = f"{done.sentence} (at t = {done.t_end:.6g} s)" if done.status != OK else done.sentence
     summary = {
         "status": status,

@@ -115,6 +115,20 @@ UNITS: dict[str, Unit] = {
     p + n: u._replace(factor=u.factor * f) for p, f in _PREFIX.items() for n, u in _PREFIXED.items()
 }
 UNITS.update(_PLAIN)
+# Products that people write as one word. All begin with the newton, so no product can be taken for another
+# unit: "Nms" is N m s, and "mm", "ms" and "mN" stay what they are. Case counts: MNm is not mNm.
+JOINED: dict[str, Unit] = {
+    f"{p}N{word}": UNITS[p + "N"].times(rest)
+    for p in ("", "m", "k", "M")
+    for word, rest in (
+        ("m", UNITS["m"]),
+        ("mm", UNITS["mm"]),
+        ("s", UNITS["s"]),
+        ("ms", UNITS["m"].times(UNITS["s"])),
+        ("mms", UNITS["mm"].times(UNITS["s"])),
+    )
+}
+UNITS.update(JOINED)
 
 DIMENSIONS: dict[str, Dimension] = {
     "dimensionless": Dimension("a plain number", (0, 0, 0, 0), "", "0.05 or 5 %"),

@@ -18,7 +18,7 @@ from functools import lru_cache
 from numbers import Real
 
 from pitchpoint.core.errors import UnitError
-from pitchpoint.core.unit_table import DIMENSIONS, ONE, UNITS, Dimension, Unit
+from pitchpoint.core.unit_table import DIMENSIONS, JOINED, ONE, UNITS, Dimension, Unit
 
 TWO_PI = 2.0 * math.pi
 
@@ -248,7 +248,7 @@ def parse_unit(text: str) -> Unit:
     Parameters
     ----------
     text
-        For instance "kg m^2", "N/(mm um)", "N·m·s/rad", "min^-1".
+        For instance "kg m^2", "N/(mm um)", "N·m·s/rad", "N.m", "kNm/rad", "min^-1".
 
     Examples
     --------
@@ -258,6 +258,7 @@ def parse_unit(text: str) -> Unit:
     if len(text) > _MAX_TEXT:
         raise UnitError("the unit is too long")
     clean = text.replace("μ", "µ").replace("·", "*").replace("⋅", "*").replace("−", "-")
+    clean = re.sub(r"(?<=[\w)])\s*\.\s*(?=[^\W\d_(])", "*", clean)
     clean = re.sub(r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: "^" + m.group().translate(_SUPERSCRIPTS), clean)
     tokens: list[tuple[str, str]] = []
     at = 0
@@ -321,7 +322,7 @@ def _lookup(name: str) -> Unit:
         return UNITS[name]
     if name in ("C", "degC", "°C", "F", "degF", "°F"):
         raise UnitError(f"'{name}' is refused: a temperature is given as a difference in K")
-    if name.endswith("s") and name[:-1] in UNITS and len(name) > 4:
+    if name.endswith("s") and name[:-1] in UNITS and len(name) > 4 and name[:-1] not in JOINED:
         return UNITS[name[:-1]]
     from pitchpoint.core._pint import foreign_unit
 

@@ -50,6 +50,16 @@ OUTPUTS = (
 )
 
 
+def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
+    """Names of the observations of one record: bearing on ground, or coupling between two bodies."""
+    if record["j"] == 0:
+        return OUTPUTS
+    return tuple(
+        (name.replace("bearing", "coupling"), unit, words.replace("the body", "the first body"))
+        for name, unit, words in OUTPUTS
+    )
+
+
 @kernel
 def _columns(P, sign, W, k, x, y, z, e0, e1, e2):
     """Row k of P for a force along W's axis k at the arm (x, y, z), and row 3 + k for the moment axis e."""

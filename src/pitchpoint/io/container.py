@@ -4,9 +4,9 @@
 Dimension scales, one variable per quantity and text attributes make the file netCDF-4; HDF5's single-writer
 multiple-reader mode (SWMR) orders what reaches the disk, so that another process may read while it grows and
 a killed process leaves everything that was flushed. In that mode no object and no attribute may be added,
-therefore all of them are made first and `begin` freezes the structure; `status` and `sentence` are text
-attributes of fixed length and may still change. They say `running` from the start: a file that still says
-so, with no process behind it, was cut off.
+therefore all of them are made first and `begin` freezes the structure; `status`, `sentence` and `notes` are
+text attributes of fixed length and may still change. `status` says `running` from the start: a file that
+still says so, with no process behind it, was cut off.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 FORMAT = "pitchpoint-1"
 RUNNING, FINISHED, FAILED, INTERRUPTED = "running", "finished", "failed", "interrupted"
-_STATUS_LENGTH, _SENTENCE_LENGTH = 16, 512
+_LENGTHS = {"status": 16, "sentence": 512, "notes": 4096}
 # Every netCDF reader has these two filters; faster ones (lzf, blosc) are refused by the C library.
 _PACKING: dict[str, Any] = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
 _CHUNK_CACHE = 65536  # bytes per variable: whole chunks are written, so a cache only costs memory
@@ -92,7 +92,7 @@ class Container:
         attributes["wall_s"] = 0.0
         attributes["status_code"] = 0
         self._text = {}
-        for name, length in (("status", _STATUS_LENGTH), ("sentence", _SENTENCE_LENGTH)):
+        for name, length in _LENGTHS.items():
             self._text[name] = (h5py.string_dtype("utf-8", length), length)
             attributes.create(name, _cut("", length), dtype=self._text[name][0])
         self._set_text("status", RUNNING)
@@ -158,6 +158,10 @@ class Container:
             fillvalue=np.nan if np.dtype(dtype).kind == "f" else -1,
             **(_PACKING if packed else {}),
         )
+        if not growing:
+            # Space is given before others may read: a table that grows the file later would lie beyond the
+            # end that a reader has just been told.
+            made[...] = made.fillvalue
         return self._attach(made, scales, attributes)
 
     def _attach(
@@ -186,12 +190,14 @@ class Container:
         code: int = 1,
         steps: int = 0,
         wall_s: float = 0.0,
+        notes: Sequence[str] = (),
     ) -> None:
-        """Write how the computation ended and close; a second call does nothing."""
+        """Write how the computation ended and what is to be known, and close; a second call does nothing."""
         if not self._open:
             return
         self._set_text("status", status)
         self._set_text("sentence", sentence)
+        self._set_text("notes", "; ".join(notes))
         self.file.attrs.modify("status_code", int(code))
         self.file.attrs.modify("steps", int(steps))
         self.file.attrs.modify("wall_s", float(wall_s))

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.io.container import FORMAT, ResultError
-from pitchpoint.io.writing import BLOCK_GROUP, STATISTICS
+from pitchpoint.io.writing import BLOCK_GROUP, EVENT_GROUP, STATISTICS
 
 if TYPE_CHECKING:
     import h5py
@@ -135,8 +135,9 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
     -------
     xarray.Dataset
         One variable per channel over `time`, or the tables of a sweep or of modes over their own dimensions.
-        `attrs["status"]` says finished, failed, interrupted or running. Close it, or use it in a
-        `with` block.
+        A run that watched events has `event_time` [s], `event_name` and `event_direction` over `event`.
+        `attrs["status"]` says finished, failed, interrupted or running, `attrs["notes"]` what is to be known.
+        Close it, or use it in a `with` block.
     """
     import h5netcdf
     import xarray as xr
@@ -145,12 +146,27 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
         where = file[group] if group else file
         lengths = [v.shape[0] for v in where.values() if hasattr(v, "maxshape") and v.maxshape[:1] == (None,)]
         growing = "time" if "time" in where else ""
+        events = None if group else _events(file)
     store = xr.backends.H5NetCDFStore(h5netcdf.File(_open(path), "r"), group=group)
     dataset = xr.open_dataset(store, decode_times=False)
     if growing and dataset.sizes.get(growing, 0) > min(lengths, default=0):
         dataset = dataset.isel({growing: slice(0, min(lengths))})
+    for name, variable in (events or {}).items():
+        dataset[name] = variable
     dataset.encoding["source"] = os.fspath(path)
     return dataset
+
+
+def _events(file: h5py.File) -> dict[str, Any] | None:
+    """Events of a run as variables, None for a file without them."""
+    from pitchpoint.core.event_list import event_variables
+
+    if EVENT_GROUP not in file:
+        return None
+    group = file[EVENT_GROUP]
+    n = min(group[name].shape[0] for name in ("time", "event", "direction"))
+    names = group["event"].attrs["flag_meanings"].split(" ")
+    return event_variables(group["time"][:n], group["event"][:n], group["direction"][:n], names)
 
 
 def _suggest(name: str, file: h5py.File) -> str:

@@ -150,11 +150,19 @@ class TableWriter:
         self._container.flush()
 
     def finish(
-        self, status: str = FINISHED, sentence: str = "", *, code: int = st.OK, steps: int = 0
+        self,
+        status: str = FINISHED,
+        sentence: str = "",
+        *,
+        code: int = st.OK,
+        steps: int = 0,
+        notes: Sequence[str] = (),
     ) -> None:
         """Write how the computation ended and close; a second call does nothing."""
         elapsed = time.perf_counter() - self._begun
-        self._container.finish(status, sentence or st.sentence(code), code=code, steps=steps, wall_s=elapsed)
+        self._container.finish(
+            status, sentence or st.sentence(code), code=code, steps=steps, wall_s=elapsed, notes=notes
+        )
 
     def __enter__(self) -> Self:
         return self
@@ -176,6 +184,7 @@ def write_tables(
     sentence: str = "",
     code: int = st.OK,
     steps: int = 0,
+    notes: Sequence[str] = (),
 ) -> None:
     """Write tables that are complete already, such as modes: quantities with arrays, and how it ended."""
     texts = {q.name: values for q, values in filled if q.dtype == "text"}
@@ -183,4 +192,4 @@ def write_tables(
         for quantity, values in filled:
             if quantity.dtype != "text":
                 table.put(quantity.name, ..., values)
-        table.finish(status, sentence, code=code, steps=steps)
+        table.finish(status, sentence, code=code, steps=steps, notes=notes)

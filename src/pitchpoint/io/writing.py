@@ -311,8 +311,9 @@ class ResultWriter:
         code: int = st.OK,
         steps: int | None = None,
         wall_s: float | None = None,
+        notes: Sequence[str] = (),
     ) -> None:
-        """Write the rest and how the run ended, and close; a second call does nothing."""
+        """Write the rest, how the run ended and what is to be known of it; a second call does nothing."""
         self.flush()
         elapsed = time.perf_counter() - self._begun if wall_s is None else wall_s
         self._container.finish(
@@ -321,6 +322,7 @@ class ResultWriter:
             code=code,
             steps=self._seen if steps is None else steps,
             wall_s=elapsed,
+            notes=notes,
         )
 
     def __enter__(self) -> Self:

@@ -235,7 +235,9 @@ def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[
 
 
 def _all_linked_known(parts: Parts, report: Reader) -> bool:
-    """False when something unreadable may have been the missing link."""
+    """False when something unreadable or impossible may have been the missing link."""
+    if parts.misshapen:
+        return False
     groups = ("meshes", "couplings", "bodies", "gears")
     return all(set(getattr(parts, g)) == parts.known(g) for g in groups) and not any(
         (g,) in report.tainted for g in groups

@@ -117,7 +117,7 @@ class Model:
             Dotted path of the keys of a file, such as "gears.pinion.profile_shift_coefficient".
         value
             What a file could hold there (number in SI, text with unit, mapping), or a component; None takes
-            an optional key away.
+            an optional key, or a component such as "loads.input", away.
 
         Raises
         ------
@@ -208,6 +208,8 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
         if name not in part:
             report.problem(here, "does not exist", remedy=f"there are {', '.join(map(str, part)) or 'none'}")
             return part
+        if len(path) == 1 and value is None:
+            return {k: v for k, v in part.items() if k != name}
         if len(path) == 1:
             cls = type(part[name])
             new = report.component(cls, value, here) if isinstance(value, Mapping) else value
@@ -225,7 +227,9 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
         return part
     old = getattr(part, name)
     if len(path) == 2 and isinstance(old, Mapping) and keys[name].kind != "components":
-        new = report.value(keys[name], {**old, path[1]: value}, here)  # numbers by name, such as speeds
+        # numbers by name, such as speeds
+        kept = {k: v for k, v in old.items() if k != path[1]}
+        new = report.value(keys[name], kept if value is None else {**old, path[1]: value}, here)
     elif len(path) > 1:
         new = replace_at(old, path[1:], value, report, here)
     elif value is None and defaults_of(type(part)).get(name, ...) is None:

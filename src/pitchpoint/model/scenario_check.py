@@ -176,6 +176,9 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
         report.problem((*at, key), "does not rise", remedy="write [lowest, highest]; direction says the rest")
     if ("meshes",) in report.tainted or ("bodies",) in report.tainted:
         return
+    own = parts.bodies[sweep.body].gears if sweep.body in parts.bodies else {}
+    if not parts.gears.keys() >= set(own):
+        return  # a gear that cannot be read may be the one in mesh
     teeth = sweep_meshes(parts, sweep.body)
     if not teeth:
         report.problem(

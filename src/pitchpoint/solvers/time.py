@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.solvers import generalized_alpha, runge_kutta
@@ -298,7 +299,8 @@ def solve_time(
     Returns
     -------
     xarray.Dataset
-        All channels over time [s], with units; provenance, steps and status in the attributes.
+        All channels over time [s], with units; provenance, steps and status in the attributes. With events
+        in the scenario also `event_time` [s], `event_name` and `event_direction` over `event`.
 
     Raises
     ------
@@ -314,6 +316,9 @@ def solve_time(
     attrs |= {"steps": done.steps, "notes": "; ".join(done.notes)}
     data = channel_dataset(system, "time", np.concatenate(memory.times), np.concatenate(memory.rows), attrs)
     data["time"].attrs = {"units": "s", "long_name": "time"}
+    if chosen.events:
+        when, index, direction = done.events.T
+        data = data.assign(event_variables(when, index, direction, done.event_names))
     if done.status != OK and on_failure == "raise":
         raise SolverError(done.sentence, done.status, data)
     return data

@@ -15,6 +15,7 @@ from typing import Any
 SHOWN = {
     ("pitchpoint.geometry.cylindrical_gear", "CylindricalGear"): "gear_html",
     ("pitchpoint.geometry.gear_pair", "GearPair"): "pair_html",
+    ("pitchpoint.model.components.gear", "Gear"): "component_html",
     ("pitchpoint.model.model", "Model"): "model_html",
 }
 # Notebooks centre and embolden the heads of rows; these tables are read from left to right.
@@ -57,6 +58,11 @@ def gear_html(gear: Any) -> str:
     name = "internal gear" if gear.z < 0 else "gear"
     table = quantity_table(GEAR_ROWS, {name: _known(gear, GEAR_ROWS)})
     return _framed(gear_svg(gear, name=name), table)
+
+
+def component_html(gear: Any) -> str:
+    """Drawing and data of a gear of a model."""
+    return gear_html(gear.geometry)
 
 
 def pair_html(pair: Any) -> str:

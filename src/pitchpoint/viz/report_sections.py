@@ -41,6 +41,7 @@ TIME_QUANTITIES = (
     "speed",
     "displacement",
     "bearing_force",
+    "coupling_force",
     "torque",
     "friction_power",
 )

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -51,3 +54,17 @@ def test_nearest_spelling(shelf: Path, capsys: pytest.CaptureFixture[str]) -> No
 
 def test_the_source_tree_has_a_folder_of_examples() -> None:
     assert examples.examples_folder().name == "examples"
+
+
+def test_a_wheel_brings_the_examples_and_everything_else_that_is_no_code(tmp_path: Path) -> None:
+    pytest.importorskip("hatchling", reason="builds the wheel; installed packages are built elsewhere")
+    root = examples.examples_folder().parent
+    command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(tmp_path)]
+    subprocess.run(command, cwd=root, check=True, capture_output=True)
+    (wheel,) = tmp_path.glob("*.whl")
+    names = set(zipfile.ZipFile(wheel).namelist())
+    for name in ("py.typed", "core/nomenclature.csv", "viz/assets/report.css", "viz/assets/report.js"):
+        assert f"pitchpoint/{name}" in names
+    for name in examples.example_names():
+        assert f"pitchpoint/examples/{name}/README.md" in names
+    assert not [n for n in names if n.endswith((".h5", ".html", ".pyc"))]

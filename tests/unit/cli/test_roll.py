@@ -38,6 +38,7 @@ def test_json_and_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
         assert data["transmission_error[stage]"].values == pytest.approx(stage["transmission_error"])
         assert data["transmission_error[stage]"].attrs["symbol"] == "u_bt"
     assert read_header(target)["kind"] == "quasi_static"
+    assert read_header(target)["notes"] == "; ".join(found["notes"])
     assert run_command(["report", str(target)]) == 0
 
 

@@ -84,6 +84,10 @@ def test_events_are_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[st
     with open_result(target, "events") as ds:
         assert ds.sizes["time"] == found["events"]
         assert int((ds["direction"] == 1).sum()) == pytest.approx(25, abs=1)
+    with open_result(target) as ds:
+        assert ds.sizes["event"] == found["events"]
+        assert set(ds["event_name"].values) == {"pair_entry[stage]"}
+        assert ds.attrs["notes"] == "; ".join(found["notes"])
 
 
 @pytest.mark.parametrize(

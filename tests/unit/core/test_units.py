@@ -47,6 +47,22 @@ from pitchpoint.core.units import (
         ("−3 mm", "length", -0.003),
         ("2 yards", "length", 1.8288),
         ("0.5 1/s", "rate", 0.5),
+        ("150 Nm", "torque", 150.0),
+        ("1.5 kNm", "torque", 1500.0),
+        ("3 Nmm", "torque", 0.003),
+        ("3 mNm", "torque", 0.003),
+        ("2 MNm", "torque", 2e6),
+        ("150 N.m", "torque", 150.0),
+        ("1.5 kN.mm", "torque", 1.5),
+        ("0.5 kg.m^2", "inertia", 0.5),
+        ("5. N.m.s/rad", "torsional_damping", 5.0),
+        ("2000 Ns/m", "damping", 2000.0),
+        ("2 kNs/m", "damping", 2000.0),
+        ("0.1 Nms/rad", "torsional_damping", 0.1),
+        ("0.1 kNmms/rad", "torsional_damping", 0.1),
+        ("8 kNm/rad", "torsional_stiffness", 8000.0),
+        ("3 ms", "time", 0.003),
+        ("3 mN", "force", 0.003),
         ("3", "length", 3.0),
         (3, "length", 3.0),
         (np.float64(0.25), "length", 0.25),
@@ -120,6 +136,12 @@ def test_refusals_say_what_was_expected(bad):
         parse_quantity(bad, "length")
 
 
+@pytest.mark.parametrize("text", ["3 nm", "3 NM", "3 nN m/s", "3 Nms", "3 kNmss", "3 N.", "3 .N m", "3 N..m"])
+def test_joined_units_are_read_by_their_case_and_nothing_is_guessed(text):
+    with pytest.raises(UnitError, match="expected a torque"):
+        parse_quantity(text, "torque")
+
+
 def test_signs():
     with pytest.raises(UnitError, match="greater than zero"):
         parse_quantity("0 mm", "length", positive=True)
@@ -144,7 +166,7 @@ def test_quantity_objects_of_pint_are_accepted():
 def test_literals_of_formulas():
     assert natural_si("Hz") == 1.0
     assert natural_si("rpm") == pytest.approx(2 * math.pi / 60)
-    assert natural_si("N m") == 1.0
+    assert natural_si("N m") == natural_si("Nm") == natural_si("N.m") == 1.0
 
 
 @pytest.mark.parametrize("name", sorted(DIMENSIONS))

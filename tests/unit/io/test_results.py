@@ -125,6 +125,23 @@ def test_events_are_a_list_of_their_own(tmp_path: Path) -> None:
         np.testing.assert_array_equal(ds["event"], [1, 0, 0])
         np.testing.assert_array_equal(ds["direction"], [1, -1, 1])
         assert ds["event"].attrs["flag_meanings"] == "contact[stage] pair_entry[stage]"
+    with open_result(path) as ds:
+        assert ds.sizes["event"] == 3
+        np.testing.assert_array_equal(ds["event_time"], [0.1, 0.2, 0.3])
+        assert ds["event_name"].values.tolist() == ["pair_entry[stage]", "contact[stage]", "contact[stage]"]
+        np.testing.assert_array_equal(ds["event_direction"], [1, -1, 1])
+        assert ds["angle[driver]"].dims == ("time",)
+
+
+def test_notes_are_in_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "run.h5"
+    with ResultWriter(path, Header("time"), CHANNELS) as writer:
+        writer.append(*signals(10))
+        writer.finish(notes=("the backlash of stage is zero", "no drive ½"))
+    assert read_header(path)["notes"] == "the backlash of stage is zero; no drive ½"
+    with open_result(path) as ds:
+        assert ds.attrs["notes"] == "the backlash of stage is zero; no drive ½"
+        assert "event_time" not in ds
 
 
 def test_statistics_without_a_sample_are_none(tmp_path: Path) -> None:

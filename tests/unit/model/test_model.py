@@ -123,6 +123,18 @@ def test_replace_gives_a_new_checked_model() -> None:
     assert model.replace("meshes.stage.damper", None).meshes["stage"].damper is None
 
 
+def test_replace_by_none_takes_components_away() -> None:
+    model = loads_model(TORSIONAL_PAIR)
+    assert list(model.replace("loads.input", None).loads) == ["output"]
+    assert list(model.loads) == ["input", "output"]
+    assert list(model.replace("scenarios.sweep", None).scenarios) == ["steady"]
+    assert dict(model.replace("scenarios.steady.speed.driver", None).scenarios["steady"].speed) == {}
+    with pytest.raises(ModelError, match="names the gear 'g1', which does not exist"):
+        model.replace("gears.g1", None)
+    with pytest.raises(ModelError, match="does not exist"):
+        model.replace("loads.brake", None)
+
+
 @pytest.mark.parametrize(
     ("path", "value", "words"),
     [

@@ -53,11 +53,14 @@ def test_order_of_convergence_on_a_linear_oscillator(method, order, n):
     assert found == pytest.approx(order, abs=0.15)
 
 
-def test_adaptive_method_follows_its_tolerance_and_its_dense_output_is_accurate():
+@pytest.mark.parametrize("order", [5, 8])
+def test_adaptive_method_follows_its_tolerance_and_its_dense_output_is_accurate(order):
     errors = []
     for rtol in (1e-5, 1e-8):
         system, state = oscillator()
-        run = runge_kutta.start_adaptive(system, state, rtol=rtol, atol=rtol * 1e-3, atol_rate=rtol * 1e-1)
+        run = runge_kutta.start_adaptive(
+            system, state, rtol=rtol, atol=rtol * 1e-3, atol_rate=rtol * 1e-1, order=order
+        )
         chunk = run.advance_to(0.05, sample=1e-3)
         assert chunk.status == OK
         assert chunk.rows.shape[0] == 50
@@ -66,6 +69,19 @@ def test_adaptive_method_follows_its_tolerance_and_its_dense_output_is_accurate(
     assert errors[0] < 1e-6
     assert errors[1] < 1e-9
     assert run.state().q[0] == pytest.approx(exact(0.05), abs=1e-9)
+
+
+@pytest.mark.parametrize(("order", "expected"), [(5, 5.0), (8, 8.0)])
+def test_a_step_of_an_adaptive_method_has_its_order(order, expected):
+    errors = []
+    for h in (2e-3, 1e-3):
+        system, state = oscillator()
+        run = runge_kutta.start_adaptive(system, state, rtol=1.0, atol=1e6, atol_rate=1e6, order=order)
+        for k in range(1, round(0.032 / h) + 1):
+            system.workspace.arrays["real"][runge_kutta.STEP_SIZE] = h
+            assert run.advance_to(k * h).steps == 1
+        errors.append(abs(run.state().q[0] - exact(0.032)))
+    assert math.log2(errors[0] / errors[1]) == pytest.approx(expected, abs=0.3)
 
 
 def test_statistics_need_no_stored_series_and_agree_with_one():

@@ -12,6 +12,7 @@ import pytest
 
 from pitchpoint.core.errors import CompileError
 from pitchpoint.core.formula import Formula
+from pitchpoint.core.nomenclature import unit
 from pitchpoint.core.status import OK
 from pitchpoint.elements import drive, torque
 from pitchpoint.elements.damping import damping_records, modal_damping
@@ -192,3 +193,23 @@ def test_bearing_between_bodies_is_in_the_matrix_of_both():
     expected = np.block([[K, -K], [-K, K]])
     np.testing.assert_allclose(found, expected, atol=1e-12)
     np.testing.assert_allclose(D, 0.1 * expected, atol=1e-12)
+
+
+def test_forces_between_bodies_are_those_of_a_coupling():
+    bodies = [
+        Body(motion=FREE, mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, name=n) for n in ("a", "b")
+    ]
+    K = np.eye(6)
+    system = assemble(
+        bodies,
+        {"bearing": bearings([(1, 2, K, K), (1, 0, K, K)])},
+        names={"bearing": ("shaft", "front")},
+    )
+    found = {c.name: c for c in system.layout.channels}
+    assert [n for n in found if n.startswith("coupling")] == [
+        f"coupling_force[shaft.{k}]" for k in ("fx", "fy", "fz", "mx", "my", "mz")
+    ]
+    assert "bearing_force[front.mz]" in found
+    assert found["coupling_force[shaft.fx]"].long_name == "force on the first body, x"
+    for name, channel in found.items():
+        assert unit(name) == channel.unit
