@@ -18,7 +18,8 @@ CHANNELS = """
 transmission_error[m] deflection[m] mesh_force[m] mesh_stiffness[m] mesh_phase[m] contact_state[m]
 circumferential_force[m] radial_force[m] axial_force[m] normal_force[m] pair_force[m.1]
 friction_power[m] damping_power[m] parametric_power[m] angle[b] speed[b] displacement[b.x]
-displacement[b.ry] bearing_force[n.fx] bearing_force[n.mz] coupling_force[n.fx] coupling_force[n.mz] torque[l] contact_loss_share
+displacement[b.ry] bearing_force[n.fx] bearing_force[n.mz] coupling_force[n.fx] coupling_force[n.mz]
+torque[l] contact_loss_share
 back_contact_share mesh_frequency
 """.split()
 JSON_NAMES = """
