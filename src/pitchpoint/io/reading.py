@@ -55,7 +55,10 @@ def _open_beside_a_writer(name: str) -> h5py.File:
                 raise
             time.sleep(0.02)
         except OSError:
-            return h5py.File(name, "r")
+            # a file without content is one whose writer has only just begun
+            if Path(name).stat().st_size > 0 or time.monotonic() > until:
+                return h5py.File(name, "r")
+            time.sleep(0.02)
 
 
 def read_header(path: str | os.PathLike[str]) -> dict[str, Any]:

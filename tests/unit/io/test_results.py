@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -372,3 +373,16 @@ def test_reading_does_not_import_xarray() -> None:
     code = textwrap.dedent(code)
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert out.strip() == str([False] * 4)
+
+
+def test_a_reader_waits_for_a_writer_that_has_only_just_begun(tmp_path, monkeypatch):
+    """An empty file is no fault for a while, and then it is one."""
+    from pitchpoint.io import reading
+
+    monkeypatch.setattr(reading, "PATIENCE", 0.1)
+    target = tmp_path / "new.h5"
+    target.touch()
+    begun = time.monotonic()
+    with pytest.raises(ResultError, match="no readable HDF5 file"):
+        reading.read_header(target)
+    assert time.monotonic() - begun >= 0.1
