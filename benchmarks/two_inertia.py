@@ -209,7 +209,7 @@ def _against_exudyn(n: int, taken: dict[str, float]) -> list[Row]:
     try:
         import exudyn
     except ImportError:
-        return [Row("exudyn", float("nan"), "", "", "not installed: pip install pitchpoint[peers]")]
+        return [Row("exudyn", float("nan"), "", "", "not installed, see the extra `peers`")]
     part = n // 10
     version = f"exudyn {exudyn.__version__}, Python user function, same step"
     rows_ = []

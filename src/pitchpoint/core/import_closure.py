@@ -10,6 +10,7 @@ from __future__ import annotations
 import importlib.util
 import os
 import re
+from functools import cache
 from pathlib import Path
 
 _PACKAGES = {"pitchpoint"}
@@ -56,6 +57,15 @@ def _imported(text: str, package: str) -> set[str]:
     return names
 
 
+@cache
+def _neighbours(path: Path, _age: int, roots: tuple[tuple[str, Path], ...]) -> tuple[Path, ...]:
+    """Files that a file imports directly; the closures of one package share most of theirs."""
+    text = path.read_text(encoding="utf-8", errors="replace")
+    known = dict(roots)
+    found = (_locate(name, known) for name in _imported(text, _root(path)[1]))
+    return tuple(f for f in found if f is not None)
+
+
 def import_closure(file: str | os.PathLike[str]) -> list[Path]:
     """List every source file that a file reaches by import statements inside the registered packages.
 
@@ -80,6 +90,7 @@ def import_closure(file: str | os.PathLike[str]) -> list[Path]:
             roots[name] = Path(spec.origin).resolve().parent.parent
     if not package:  # a loose file may import its neighbours
         roots.update({p.stem: folder for p in folder.glob("*.py") if p.stem not in roots})
+    key = tuple(sorted(roots.items()))
     seen: set[Path] = set()
     stack = [start]
     while stack:
@@ -87,11 +98,7 @@ def import_closure(file: str | os.PathLike[str]) -> list[Path]:
         if path in seen:
             continue
         seen.add(path)
-        text = path.read_text(encoding="utf-8", errors="replace")
-        for name in _imported(text, _root(path)[1]):
-            found = _locate(name, roots)
-            if found is not None:
-                stack.append(found)
+        stack.extend(_neighbours(path, path.stat().st_mtime_ns, key))
     return sorted(seen)
 
 
