@@ -15,7 +15,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
-from pitchpoint.solvers import generalized_alpha, runge_kutta
+from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step
@@ -166,6 +166,8 @@ class _Loop:
         self.rising = [k for k in self.watched if "gap" not in self.system.layout.events[k].name]
         self.adaptive = scenario.method == "runge_kutta"
         self.h, self.every = choose_step(start, scenario)
+        if scenario.method != "generalized_alpha":
+            from pitchpoint.solvers import runge_kutta  # only those who use it wait for it
         if self.adaptive:
             # absolute tolerances follow, or no request below their defaults would have an effect
             rtol = scenario.tolerance
