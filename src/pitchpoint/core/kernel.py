@@ -137,6 +137,15 @@ class Kernel(CPUDispatcher):
     """
 
     _outer: Any = None
+    #: Whether the disk cache is still to be switched on: most kernels of a warm start never compile.
+    cache_waits: bool = False
+
+    def compile(self, sig: Any) -> Any:
+        """Compile for a signature, or load what was compiled before."""
+        if self.cache_waits:
+            self.cache_waits = False
+            self.enable_caching()
+        return super().compile(sig)
 
     def __call__(self, *args: Any) -> Any:
         if self._outer is None:
@@ -170,8 +179,7 @@ def kernel(function: Any = None, *, inline: bool = False) -> Any:
     function._pitchpoint = "k"
     options = {"nopython": True, "nogil": True, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     made = Kernel(py_func=function, targetoptions={**options, **_FLAGS, "forceinline": inline})
-    if os.path.exists(function.__code__.co_filename):
-        made.enable_caching()
+    made.cache_waits = os.path.exists(function.__code__.co_filename)
     return made
 
 
