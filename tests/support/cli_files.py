@@ -10,41 +10,10 @@ from typing import Any
 import pytest
 
 from pitchpoint.cli.main import run_command
+from tests.support.model_files import ISO_EXAMPLE as ISO_EX1
+from tests.support.model_files import TORSIONAL_PAIR as TORSION
 
-ISO_EX1 = """\
-title: ISO/TR 6336-30 example 1
-gears:
-  pinion: {number_of_teeth: 17, normal_module: 8 mm, normal_pressure_angle: 20 deg, helix_angle: 15.8 deg, hand: left,
-           profile_shift_coefficient: 0.145, face_width: 100 mm, tip_diameter: 159.66 mm, rack: {addendum: 1.0, dedendum: 1.4, root_radius: 0.39}}
-  wheel:  {number_of_teeth: 103, normal_module: 8 mm, normal_pressure_angle: 20 deg, helix_angle: 15.8 deg, hand: right,
-           profile_shift_coefficient: 0.0, face_width: 100 mm, tip_diameter: 872.35 mm, rack: {addendum: 1.0, dedendum: 1.4, root_radius: 0.39}}
-meshes:
-  stage: {gears: [pinion, wheel], center_distance: 500 mm, stiffness: {law: din3990, stiffness_ratio: 0.8, tip_relief_factor: 0.0}}
-"""  # noqa: E501 - verbatim
-
-TORSION = """\
-title: torsional pair through its resonance
-gears:
-  g1: {number_of_teeth: 50, normal_module: 3 mm, normal_pressure_angle: 20 deg, face_width: 20 mm, profile_shift_coefficient: 0}
-  g2: {number_of_teeth: 50, normal_module: 3 mm, normal_pressure_angle: 20 deg, face_width: 20 mm, profile_shift_coefficient: 0}
-bodies:
-  driver: {gears: [g1], motion: torsion, inertia: 0.0115 kg m^2}
-  driven: {gears: [g2], motion: torsion, inertia: 0.0115 kg m^2}
-meshes:
-  stage:
-    gears: [g1, g2]
-    center_distance: 150 mm
-    backlash: {normal: 0.1 mm}
-    stiffness: {law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1, -0.05]}        # k(psi) along the base tangent, relative to the mean
-    damper: {ratio: 0.05}                                                           # mesh damper, also inside the gap; of critical at the mean stiffness
-    transmission_error: {cosine: [1.0e-6, 0.5e-6]}                                  # e(psi) [m]: spring and damper act on u_bt - e
-loads:
-  input:  {body: driver, torque: 150 N m}
-  output: {body: driven, torque: 150 N m}      # counter-clockwise positive: the driven gear turns clockwise, so this resists
-scenarios:
-  steady: {speed: {driver: 1500 rpm}, duration: 0.5 s, sample_rate: 100 kHz}
-  sweep:  {sweep: {body: driver, mesh_frequency: [1000 Hz, 5000 Hz], points: 81, direction: both, settle_periods: 200, measure_periods: 50}}
-"""  # noqa: E501 - verbatim
+__all__ = ["ISO_EX1", "TORSION", "json_of", "written"]
 
 
 def written(folder: Path, text: str, name: str = "model.yaml") -> str:

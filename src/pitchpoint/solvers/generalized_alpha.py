@@ -20,9 +20,9 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.newton import newton_step, rows_hold
-from pitchpoint.solvers.sampling import EVENT_COLUMNS, crossings, take
+from pitchpoint.solvers.sampling import EVENT_COLUMNS, record_step
 from pitchpoint.system import evaluate
-from pitchpoint.system.residual import evaluate_events, wrap
+from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import MACH, STEPS, VALID
 
@@ -61,8 +61,6 @@ def advance(at, t0, first, n, h, rho, tol, every, rows, sums, stride, found, don
     al = view(m["al"], nd, F8)
     ap = view(m["ap"], nd, F8)
     clock = view(m["clock"], 16, I8)
-    ev0 = view(m["ev0"], c["ne"], F8)
-    ev1 = view(m["ev1"], c["ne"], F8)
     alpha_m = (2.0 * rho - 1.0) / (rho + 1.0)
     alpha_f = rho / (rho + 1.0)
     gamma = 0.5 - alpha_m + alpha_f
@@ -73,7 +71,6 @@ def advance(at, t0, first, n, h, rho, tol, every, rows, sums, stride, found, don
     done[0] = 0
     done[1] = 0
     done[2] = 0
-    watch = found.shape[0] > 0 and c["ne"] > 0
     for k in range(1, n + 1):
         t = t0 + (first + k) * h
         _predict(q, v, a, al, ap, h, beta, gamma, alpha_m, alpha_f)
@@ -91,22 +88,9 @@ def advance(at, t0, first, n, h, rho, tol, every, rows, sums, stride, found, don
         wrap(at)
         clock[STEPS] += 1
         done[0] = k
-        sample = 1 if every > 0 and (first + k) % every == 0 else 0
-        if sample != 0 and done[1] >= rows.shape[0]:
-            sample = 0
-        measure = 1 if sums.shape[0] > 0 and (first + k) % stride == 0 else 0
-        if sample != 0 or measure != 0:
-            status = take(at, t, sums, measure, rows, done[1], sample)
-            if status != OK:
-                return status
-            done[1] += sample
-        if watch:
-            status = evaluate_events(at, t, m["ev1"])
-            if status != OK:
-                return status
-            done[2] = crossings(ev0, ev1, t - h, h, found, done[2])
-            for i in range(ev0.size):
-                ev0[i] = ev1[i]
+        status = record_step(at, t, h, first + k, every, rows, sums, stride, found, done)
+        if status != OK:
+            return status
     return OK
 
 

@@ -20,9 +20,9 @@ from pitchpoint.solvers.dormand_prince import LAST_ERROR, STEP_SIZE, advance_ada
 from pitchpoint.solvers.dormand_prince_pairs import EIGHTH, FIFTH, Pair
 from pitchpoint.solvers.explicit import OLD, ROWS, keep_state, slope
 from pitchpoint.solvers.generalized_alpha import Chunk
-from pitchpoint.solvers.sampling import EVENT_COLUMNS, crossings, take
+from pitchpoint.solvers.sampling import EVENT_COLUMNS, record_step
 from pitchpoint.system import evaluate
-from pitchpoint.system.residual import evaluate_events, wrap
+from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import MACH, STEPS, VALID
 
@@ -59,8 +59,6 @@ def advance_classical(at, t0, first, n, h, rate, every, rows, sums, stride, foun
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     clock = view(m["clock"], 16, I8)
-    ev0 = view(m["ev0"], c["ne"], F8)
-    ev1 = view(m["ev1"], c["ne"], F8)
     done[0] = 0
     done[1] = 0
     done[2] = 0
@@ -72,20 +70,9 @@ def advance_classical(at, t0, first, n, h, rate, every, rows, sums, stride, foun
         wrap(at)
         clock[STEPS] += 1
         done[0] = k
-        sample = 1 if every > 0 and (first + k) % every == 0 and done[1] < rows.shape[0] else 0
-        measure = 1 if sums.shape[0] > 0 and (first + k) % stride == 0 else 0
-        if sample != 0 or measure != 0:
-            status = take(at, t, sums, measure, rows, done[1], sample)
-            if status != OK:
-                return status
-            done[1] += sample
-        if found.shape[0] > 0 and c["ne"] > 0:
-            status = evaluate_events(at, t, m["ev1"])
-            if status != OK:
-                return status
-            done[2] = crossings(ev0, ev1, t - h, h, found, done[2])
-            for i in range(ev0.size):
-                ev0[i] = ev1[i]
+        status = record_step(at, t, h, first + k, every, rows, sums, stride, found, done)
+        if status != OK:
+            return status
     return OK
 
 

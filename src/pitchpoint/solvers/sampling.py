@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.multibody.channels import CTL, F8
-from pitchpoint.system.residual import observe
+from pitchpoint.system.residual import evaluate_events, observe
 from pitchpoint.system.workspace import MACH
 
 #: Columns of the running statistics. Sums are of x - reference, so that a large mean costs no digits.
@@ -123,3 +123,30 @@ def crossings(ev0, ev1, t0, h, found, n):
                 found[n, 2] = 1.0 if b > a else -1.0
             n += 1
     return n
+
+
+@kernel(inline=True)
+def record_step(at, t, h, number, every, rows, sums, stride, found, done):
+    """What a fixed-step loop leaves behind after step `number` of its run, accepted at t; returns a status.
+
+    Arguments as in `generalized_alpha.advance`; done[1] and done[2] count stored rows and events.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    sample = 1 if every > 0 and number % every == 0 and done[1] < rows.shape[0] else 0
+    measure = 1 if sums.shape[0] > 0 and number % stride == 0 else 0
+    if sample != 0 or measure != 0:
+        status = take(at, t, sums, measure, rows, done[1], sample)
+        if status != OK:
+            return status
+        done[1] += sample
+    if found.shape[0] > 0 and c["ne"] > 0:
+        status = evaluate_events(at, t, m["ev1"])
+        if status != OK:
+            return status
+        ev0 = view(m["ev0"], c["ne"], F8)
+        ev1 = view(m["ev1"], c["ne"], F8)
+        done[2] = crossings(ev0, ev1, t - h, h, found, done[2])
+        for i in range(ev0.size):
+            ev0[i] = ev1[i]
+    return OK
