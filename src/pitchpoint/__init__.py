@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from pitchpoint.io.results import open_result
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.model.model import Model
+    from pitchpoint.report.write import write_report
     from pitchpoint.solvers.equilibrium import solve_equilibrium
     from pitchpoint.solvers.modal import solve_modal
     from pitchpoint.solvers.quasistatic import solve_quasistatic
@@ -32,7 +33,6 @@ if TYPE_CHECKING:
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
     from pitchpoint.system.compile import compile_model
-    from pitchpoint.viz.report import write_report
 
 __all__ = [
     "BasicRack",
@@ -76,6 +76,7 @@ _HOMES = {
     "io.results": ("open_result",),
     "io.yaml_model": ("load_model",),
     "model.model": ("Model",),
+    "report.write": ("write_report",),
     "solvers.equilibrium": ("solve_equilibrium",),
     "solvers.modal": ("solve_modal",),
     "solvers.quasistatic": ("solve_quasistatic",),
@@ -83,7 +84,6 @@ _HOMES = {
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),
     "system.compile": ("compile_model",),
-    "viz.report": ("write_report",),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 

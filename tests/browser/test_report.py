@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from pitchpoint.viz.report import write_report
+from pitchpoint.viz.report import report_html
 from tests.support.report_data import report_model, report_results
 
 BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -38,9 +38,9 @@ def in_browser(page: Path, profile: Path, *flags: str) -> str:
 
 @pytest.fixture(scope="module")
 def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return write_report(
-        tmp_path_factory.mktemp("report") / "report.html", model=report_model(), results=report_results()
-    )
+    page = tmp_path_factory.mktemp("report") / "report.html"
+    page.write_text(report_html(report_model(), report_results()), encoding="utf-8")
+    return page
 
 
 def with_probe(report: Path, script: str) -> Path:
@@ -90,3 +90,27 @@ def test_dark_mode_has_light_ink(report: Path, tmp_path: Path) -> None:
     assert found(in_browser(page, tmp_path / "a")) == "#1f2933 rgb(255, 255, 255)"
     dark = found(in_browser(page, tmp_path / "b", "--blink-settings=preferredColorScheme=0"))
     assert dark == "#e6e9ed rgb(20, 24, 29)"
+
+
+def test_reader_chooses_whose_orders_a_picture_shows(report: Path, tmp_path: Path) -> None:
+    """The driven shaft turns half as fast in these data: orders double, speeds halve, titles follow."""
+    script = """
+      const look = (node) => [node._fullData[0].x[10], node.layout.xaxis.range[1],
+        (node.layout.annotations || []).map((a) => Number(a.text))[0] || 0, node._fullData[0].y[3]];
+      const said = [];
+      for (const select of document.querySelectorAll(".shaft select")) {
+        const node = select.parentNode.nextElementSibling;
+        const before = look(node);
+        select.value = "driven";
+        select.dispatchEvent(new Event("change"));
+        const ratio = look(node).map((v, k) => (before[k] ? (v / before[k]).toFixed(2) : "-"));
+        said.push(node.layout.xaxis.title.text + " " + ratio.join(" "));
+        select.value = "driver";
+        select.dispatchEvent(new Event("change"));
+        if (String(look(node)) !== String(before)) said.push("not back");
+      }
+      document.getElementById("found").textContent = said.join("; ");
+    """
+    said = found(in_browser(with_probe(report, script), tmp_path)).split("; ")
+    title = "order [per revolution of driven]"
+    assert said == [f"{title} 2.00 2.00 2.00 1.00"] * 2 + [f"{title} 2.00 2.00 - 0.50"] * 2

@@ -12,7 +12,6 @@ import pytest
 
 from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
 from pitchpoint.cli.main import run_command
-from pitchpoint.cli.numbers import geometry_of_model
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.core import status
 from pitchpoint.core.errors import ModelError
@@ -23,6 +22,7 @@ from pitchpoint.geometry.deviations import Deviations, Runout, separation
 from pitchpoint.geometry.tooth_form import gear_outline
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.phasing import tooth_twist
+from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.solvers.equilibrium import solve_equilibrium
 from pitchpoint.solvers.sampling import accumulate, new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start

@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from pitchpoint.cli.numbers import cycles_of_model
 from pitchpoint.io.yaml_model import load_model
+from pitchpoint.report.numbers import cycles_of_model
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system.compile import compile_model
 

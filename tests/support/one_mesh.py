@@ -77,6 +77,16 @@ class OneMesh:
         self.kept.append(np.ravel(array))
         return offset
 
+    def separate(self, grid1, grid2):
+        """Give both gears grids of gaps [flank, tooth, width, roll] over their whole flanks."""
+        for k, grid in enumerate((grid1, grid2), start=1):
+            self.rec[f"n_t{k}"], self.rec[f"sep{k}"] = grid.shape[1], self._keep(grid)
+            reach = abs(float(self.row[f"rho_a{k}"]))
+            self.rec[f"roll{k}"] = 0.3 * reach, 1.1 * reach
+        self.rec["n_sz"], self.rec["n_sx"] = grid1.shape[2:]
+        self.pool = np.concatenate([*self.kept, np.zeros(1)])
+        self.rec["pool"] = self.pool.ctypes.data
+
     @property
     def row(self):
         return self.rec[0]

@@ -76,6 +76,7 @@ def run(first: float, last: float, duration: float, rate: float = 50e3) -> dict[
         "circumferential_force[stage]": (0.94 * force, "N", "circumferential force"),
         "radial_force[stage]": (0.34 * force, "N", "radial force"),
         "angle[driver]": (angle, "rad", "angle"),
+        "angle[driven]": (-0.5 * angle, "rad", "angle"),
         "speed[driver]": (np.gradient(angle, time), "rad/s", "speed"),
     }
     return {"time": time} | {name: Channel(name, *rest) for name, rest in made.items()}
@@ -139,6 +140,7 @@ def report_model() -> ReportModel:
         gears={"g1": values_of(stage.gear1, GEAR_ROWS), "g2": values_of(stage.gear2, GEAR_ROWS)},
         meshes={"stage": values_of(stage, MESH_ROWS)},
         pairs={"stage": (stage, "g1", "g2")},
+        shafts={"stage": "driver"},
         warnings=["stage: a warning with <brackets>"],
         assumptions=["Bearings are rigid."],
         sources=["ISO 21771"],

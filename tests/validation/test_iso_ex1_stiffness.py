@@ -63,6 +63,15 @@ def test_iso_example_1():
     assert found.c_gamma_alpha * pair.b_w == pytest.approx(1.746485e9, rel=1e-6)
 
 
+def test_given_root_diameters_make_the_dedendum_of_the_rack():
+    """The same gears with the usual rack, but with the root diameters that the dedendum 1.4 makes."""
+    pair = iso_example_1()
+    gears = (g.replace(rack=BasicRack(), root_diameter=g.d_f) for g in (pair.gear1, pair.gear2))
+    found = single_stiffness(GearPair(*gears, 0.5))
+    assert found.C_B == pytest.approx(0.9, abs=1e-12)
+    assert found.c_prime / 1e9 == pytest.approx(12.370472, rel=1e-6)
+
+
 def test_seed_rule_for_virtual_teeth():
     found = single_stiffness(iso_example_1(), virtual_teeth_formula="cos3")
     assert found.c_th / 1e9 == pytest.approx(17.88424, rel=1e-6)

@@ -10,7 +10,8 @@ them.
 The source takes the height of the contact point for the height u_f of the load. With that reading the table's
 start follows to 0.3 %; the printed mean then agrees to 0.2 % with ours over the double-contact part of the
 cycle, while ours over the whole cycle is 9.5 % lower. Sainsot's own definition, up to the crossing of load
-line and centre line, is this package's default; its mean over the whole cycle is 4.7 % below the printed one.
+line and centre line, is this package's default; its mean over the whole cycle is 4.7 % below the printed one,
+inside the 5 % by which such methods differ.
 """
 
 from __future__ import annotations
@@ -57,7 +58,7 @@ def cycle_parts(body):
 def test_default_mean():
     mean, _, _ = cycle_parts("load_line")
     assert mean == pytest.approx(4.0966e8, rel=0.05)
-    assert mean == pytest.approx(3.9043e8, rel=1e-4)
+    assert 0.0465 < 1.0 - mean / 4.0966e8 < 0.0475
 
 
 def test_reading_of_the_source():

@@ -52,7 +52,7 @@ def gears(file: str, target: str | None, only: str | None, as_json: bool, allow_
     elif only is not None:
         _chosen(model, only)
     if as_json:
-        from pitchpoint.cli.numbers import geometry_of_model
+        from pitchpoint.report.numbers import geometry_of_model
 
         emit_json(geometry_of_model(model))
         return
@@ -95,7 +95,7 @@ def _export(model: Model, name: str, target: Path) -> None:
 
 
 def _print_gears(model: Model, only: str | None) -> None:
-    from pitchpoint.cli.numbers import GEAR_ROWS, gear_numbers, measure_numbers
+    from pitchpoint.report.numbers import GEAR_ROWS, gear_numbers, measure_numbers
 
     names = [only] if only is not None else list(model.gears)
     numbers = {name: gear_numbers(model, name) for name in names}
@@ -118,7 +118,7 @@ def _print_gears(model: Model, only: str | None) -> None:
 
 
 def _print_pairs(model: Model, only: str | None) -> None:
-    from pitchpoint.cli.numbers import PAIR_ROWS, SLIDING_ROWS, STIFFNESS_ROWS, mesh_numbers
+    from pitchpoint.report.numbers import PAIR_ROWS, SLIDING_ROWS, STIFFNESS_ROWS, mesh_numbers
 
     names = [n for n, m in model.meshes.items() if only is None or only in m.gears]
     if not names:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.cli.output import shown, table
@@ -20,7 +21,7 @@ def compute(
 ) -> tuple[dict[str, Any], BaseException | None]:
     """Roll through a scenario into a file; gives what `run --json` prints, and what stopped it early."""
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import header_of, how_a_status_ends
+    from pitchpoint.cli.results import header_of, how_a_status_ends, notes_of
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import OK
     from pitchpoint.solvers.quasistatic import roll_through, statistics, tables
@@ -32,6 +33,8 @@ def compute(
     with ProgressDisplay(f"run {name}", "points", quiet=quiet) as progress:
         roll = roll_through(system, chosen, progress=progress)
     found = tables(system, roll)
+    channels = {t.name: statistics(t) for t in found if t.rolled and len(t.values)}
+    roll = replace(roll, notes=tuple(notes_of(model, roll.notes, [channels])))
     status = how_a_status_ends(roll.status)
     store(target, header_of(model, file, name, "quasi_static", "quasistatic"), roll, found, status)
     summary = {
@@ -44,7 +47,7 @@ def compute(
         "notes": list(roll.notes),
         "periods_rolled": roll.position,
         "meshes": {name: numbers(name, roll, found) for name in roll.meshes},
-        "channels": {t.name: statistics(t) for t in found if t.rolled and len(t.values)},
+        "channels": channels,
     }
     return summary, None if roll.status == OK else SolverError(roll.sentence, roll.status, str(target))
 

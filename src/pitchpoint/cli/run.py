@@ -104,7 +104,7 @@ def compute(
 ) -> tuple[dict[str, Any], BaseException | None]:
     """Run a scenario into a file; gives the summary that `run --json` prints, and what stopped it early."""
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import header_of, how_a_status_ends
+    from pitchpoint.cli.results import header_of, how_a_status_ends, notes_of
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import OK
     from pitchpoint.io.writing import Channel, ResultWriter
@@ -121,6 +121,8 @@ def compute(
             done = run_time(system, chosen, sink=writer, progress=progress)
         if events:
             writer.append_events(done.events)
+        statistics = done.channels if done.window[1] > done.window[0] else nothing(done.channels)
+        notes = notes_of(model, done.notes, [statistics])
         status = how_a_status_ends(done.status)
         writer.finish(
             status,
@@ -128,7 +130,7 @@ def compute(
             code=done.status,
             steps=done.steps,
             wall_s=done.wall_s,
-            notes=done.notes,
+            notes=notes,
         )
     sentence = f"{done.sentence} (at t = {done.t_end:.6g} s)" if done.status != OK else done.sentence
     summary = {
@@ -140,8 +142,8 @@ def compute(
         "t_end": done.t_end,
         "window": done.window,
         "output": str(target),
-        "notes": list(done.notes),
+        "notes": notes,
         "events": len(done.events),
-        "channels": done.channels if done.window[1] > done.window[0] else nothing(done.channels),
+        "channels": statistics,
     }
     return summary, None if done.status == OK else SolverError(sentence, done.status, str(target))

@@ -25,3 +25,23 @@ def low_load(load, limit):
         return 0.0, 0.0
     factor = (load / limit) ** (1.0 / 3.0)
     return factor, 4.0 / 3.0 * factor
+
+
+@kernel
+def stored_energy(x, k, limit):
+    """Energy of a spring k [N/m] pressed by x [m], and its derivative by k at the same x.
+
+    Below the force `limit` [N] the spring softens as `low_load` says (force proportional to x^(4/3)); limit 0
+    is a linear spring.
+
+    >>> energy, slope = stored_energy(2.0, 3.0, 0.0)
+    >>> float(energy), float(slope)
+    (6.0, 2.0)
+    """
+    q = k * x
+    if limit <= 0.0:
+        return 0.5 * q * x, 0.5 * x * x
+    if q < limit:
+        energy = low_load(q, limit)[0] * q * x * (3.0 / 7.0)
+        return energy, 4.0 / 3.0 * energy / k
+    return 0.5 * q * x - limit * limit / (14.0 * k), 0.5 * x * x + limit * limit / (14.0 * k * k)

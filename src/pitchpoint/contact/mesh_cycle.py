@@ -271,8 +271,7 @@ def mesh_cycle(
 def phase_cycle(law: PhaseStiffness, n: int = 401) -> MeshCycle:
     """Mesh cycle of a prescribed stiffness, relative to its mean.
 
-    Extremes of tables and rectangular waves are exact. Those of a Fourier series are the roots of its
-    derivative, found as eigenvalues of a polynomial in exp(2 pi i psi).
+    Its extremes are those of `PhaseStiffness.extremes`, not of the samples.
 
     Parameters
     ----------
@@ -287,20 +286,14 @@ def phase_cycle(law: PhaseStiffness, n: int = 401) -> MeshCycle:
     >>> round(cycle.mean, 12), round(cycle.minimum, 9)
     (1.0, 0.65)
     """
-    count, first, second = law.arrays()
+    count, first, _ = law.arrays()
     breakpoints = np.empty(0)
     mean = 1.0
-    values = np.ones(1)
     if law.form == 1:
-        mean, values, breakpoints = float(first.mean()), first, np.arange(count) / count
+        mean, breakpoints = float(first.mean()), np.arange(count) / count
     elif law.form == 2:
         mean = float(first[0] * first[2] + first[1] * (1.0 - first[2]))
-        values, breakpoints = first[:2], np.array([0.0, first[2]])
-    elif count and (np.any(first) or np.any(second)):
-        h = np.arange(1, count + 1)
-        upper = 0.5 * h * (second + 1j * first)  # derivative = sum of upper z^h and its conjugate z^-h
-        roots = np.roots(np.concatenate((upper[::-1], [0.0], np.conj(upper))))
-        values = law.ratio(np.angle(roots[np.abs(np.abs(roots) - 1.0) < 1e-5]) / (2.0 * math.pi))
+        breakpoints = np.array([0.0, first[2]])
     phase = np.linspace(0.0, 1.0, n)
-    low, high = float(values.min()), float(values.max())
+    low, high = law.extremes()
     return MeshCycle(phase, law.ratio(phase), mean, low, high, high - low, breakpoints, law.jumps())

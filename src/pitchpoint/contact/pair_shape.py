@@ -41,24 +41,42 @@ def pair_shape(p, eps_alpha, S_R, L):
 
 
 @kernel
-def pair_shape_slope(p, eps_alpha, S_R, L):
-    """Derivative of `pair_shape` with respect to p (per base pitch), zero outside the path.
+def pair_shape_rate(p, p_rate, eps_alpha, eps_rate, S_R, L, L_rate):
+    """Rate of `pair_shape` where its place p, the length of the path and the ramp change at given rates.
 
-    At a kink (end of a ramp) the derivative of the plateau side is returned; jumps at A and E (L = 0) are
-    not part of it.
+    At a kink (end of a ramp) that of the plateau side is returned; jumps at A and E (L = 0) are not part of
+    it. Zero outside the path.
 
-    >>> round(float(pair_shape_slope(0.325, 1.3, 0.8, 0.0)), 12)
-    0.307692307692
+    >>> round(float(pair_shape_rate(0.325, 2.0, 1.3, 0.0, 0.8, 0.0, 0.0)), 12)
+    0.615384615385
     """
     if p < 0.0 or p > eps_alpha:
         return 0.0
     zeta = 2.0 * p / eps_alpha - 1.0
-    slope = -4.0 * (1.0 - S_R) * zeta / eps_alpha
-    reach = min(p, eps_alpha - p)
+    zeta_rate = 2.0 * (p_rate - p * eps_rate / eps_alpha) / eps_alpha
+    rate = -2.0 * (1.0 - S_R) * zeta * zeta_rate
+    return _with_ramp(p, p_rate, eps_alpha, eps_rate, L, L_rate, 1.0 - (1.0 - S_R) * zeta * zeta, rate)
+
+
+@kernel
+def _with_ramp(p, p_rate, eps_alpha, eps_rate, L, L_rate, c, rate):
+    """Rate of c times the ramp, c changing at `rate`."""
+    first = p < eps_alpha - p
+    reach = p if first else eps_alpha - p
     if reach < L:
-        sign = 1.0 if p < eps_alpha - p else -1.0
-        slope = slope * reach / L + (1.0 - (1.0 - S_R) * zeta * zeta) * sign / L
-    return slope
+        reach_rate = p_rate if first else eps_rate - p_rate
+        return rate * reach / L + c * (reach_rate - reach * L_rate / L) / L
+    return rate
+
+
+@kernel
+def pair_shape_slope(p, eps_alpha, S_R, L):
+    """Derivative of `pair_shape` with respect to p (per base pitch); see `pair_shape_rate`.
+
+    >>> round(float(pair_shape_slope(0.325, 1.3, 0.8, 0.0)), 12)
+    0.307692307692
+    """
+    return pair_shape_rate(p, 1.0, eps_alpha, 0.0, S_R, L, 0.0)
 
 
 @kernel
@@ -83,6 +101,23 @@ def pair_table(p, eps_alpha, n, table, L):
 
 
 @kernel
+def pair_table_rate(p, p_rate, eps_alpha, eps_rate, n, table, L, L_rate):
+    """Rate of `pair_table` where its place p, the length of the path and the ramp change at given rates.
+
+    >>> import numpy as np
+    >>> round(float(pair_table_rate(0.3, 2.0, 1.2, 0.0, 3, np.array([0.6, 1.0, 0.8]), 0.0, 0.0)), 12)
+    1.333333333333
+    """
+    if p < 0.0 or p > eps_alpha:
+        return 0.0
+    s = p / eps_alpha * (n - 1)
+    i = min(int(s), n - 2)
+    step = table[i + 1] - table[i]
+    rate = step * (n - 1) * (p_rate - p * eps_rate / eps_alpha) / eps_alpha
+    return _with_ramp(p, p_rate, eps_alpha, eps_rate, L, L_rate, table[i] + step * (s - i), rate)
+
+
+@kernel
 def pair_table_slope(p, eps_alpha, n, table, L):
     """Derivative of `pair_table` with respect to p (per base pitch), zero outside the path.
 
@@ -90,17 +125,7 @@ def pair_table_slope(p, eps_alpha, n, table, L):
     >>> round(float(pair_table_slope(0.3, 1.2, 3, np.array([0.6, 1.0, 0.8]), 0.0)), 12)
     0.666666666667
     """
-    if p < 0.0 or p > eps_alpha:
-        return 0.0
-    s = p / eps_alpha * (n - 1)
-    i = min(int(s), n - 2)
-    slope = (table[i + 1] - table[i]) * (n - 1) / eps_alpha
-    reach = min(p, eps_alpha - p)
-    if reach < L:
-        c = table[i] + (table[i + 1] - table[i]) * (s - i)
-        sign = 1.0 if p < eps_alpha - p else -1.0
-        slope = slope * reach / L + c * sign / L
-    return slope
+    return pair_table_rate(p, 1.0, eps_alpha, 0.0, n, table, L, 0.0)
 
 
 @kernel

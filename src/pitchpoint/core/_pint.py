@@ -48,6 +48,6 @@ def foreign_unit(name: str) -> tuple[float, int, int, int, int]:
     if shift != 0.0:
         raise UnitError(f"'{name}' is refused: it has a zero point of its own")
     if powers[0] == powers[1] == powers[3] == 0:
-        raise UnitError(f"'{name}' is refused: write rad, deg, rpm, Hz or rad/s")
+        raise UnitError(f"'{name}' is refused: write angles and rates in rad, deg, rpm, Hz or rad/s")
     m, kg, s, kelvin = (int(p) for p in powers)
     return float(quantity.magnitude), m, kg, s, kelvin

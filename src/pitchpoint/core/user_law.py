@@ -139,7 +139,7 @@ def _execute(path: Path, where: str, reference: str) -> Any:
     module = importlib.util.module_from_spec(spec)
     try:
         spec.loader.exec_module(module)
-    except Exception as error:  # noqa: BLE001 - a user's file may raise anything
+    except (Exception, SystemExit) as error:  # noqa: BLE001 - a user's file may raise anything, and exit
         _refuse(
             where,
             reference,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Prescribed spin of a body: constant speed, speed table or angle formula, as a constraint row.
+"""Prescribed spin of a body: constant speed, speed in pieces or angle formula, as a constraint row.
 
 g = spin - theta(t), with the time derivatives that explicit methods need. The observation is the torque that
 the drive puts on the spin.
@@ -14,23 +14,27 @@ from pitchpoint.core.formula_kernel import evaluate_slope
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.signal import Pool
+from pitchpoint.elements.speed_pieces import SpeedPieces, straight_pieces
 from pitchpoint.multibody.channels import F8, I8, constraint_args, constraint_rates, observations
 
 TWO_PI = 6.283185307179586
-SPEED, SPEED_TABLE, ANGLE_FORMULA = 0, 1, 2
+SPEED, SPEED_PIECES, ANGLE_FORMULA = 0, 1, 2
 ROWS = 1
+STENCIL = 1e-5
+"""Distance of the points from which a formula of the angle gets its acceleration [s]."""
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
-        ("form", "i8"),  # SPEED, SPEED_TABLE or ANGLE_FORMULA
+        ("form", "i8"),  # SPEED, SPEED_PIECES or ANGLE_FORMULA
         ("spin_i", "i8"),  # coordinate; written by the layout
         ("row", "i8"),  # constraint row; written by the layout
         ("angle", "f8"),  # spin at t = 0 [rad]
         ("speed", "f8"),  # SPEED: [rad/s]
         ("pool", "i8"),
         ("start", "i8"),
-        ("n", "i8"),
+        ("n", "i8"),  # pieces or programme words
+        ("degree", "i8"),  # SPEED_PIECES: degree of the polynomials
         ("out", "i8"),
     ],
     align=True,
@@ -41,21 +45,14 @@ OUTPUTS = (("torque", "N m", "torque of the drive on its body"),)
 
 def set_speed_table(record: np.void, pool: Pool, times: ArrayLike, speeds: ArrayLike) -> None:
     """Prescribe a speed by a table over time; the angle is its exact integral, quadratic between points."""
-    t, w = np.asarray(times, float), np.asarray(speeds, float)
-    if t.ndim != 1 or t.shape != w.shape or t.size < 2 or np.any(np.diff(t) <= 0.0):
-        raise ValueError("a speed table needs at least two points with increasing time")
-    angle = np.concatenate([[0.0], np.cumsum(0.5 * (w[1:] + w[:-1]) * np.diff(t))])
-    angle -= _at_zero(t, w, angle)
-    record["form"] = SPEED_TABLE
-    record["start"], record["n"] = pool.add(np.concatenate([t, w, angle])), t.size
+    set_speed_pieces(record, pool, straight_pieces(times, speeds))
 
 
-def _at_zero(t: np.ndarray, w: np.ndarray, angle: np.ndarray) -> float:
-    if t[0] >= 0.0:
-        return float(angle[0] - w[0] * t[0])
-    k = min(int(np.searchsorted(t, 0.0, side="right")) - 1, t.size - 2)
-    slope = (w[k + 1] - w[k]) / (t[k + 1] - t[k])
-    return float(angle[k] + w[k] * -t[k] + 0.5 * slope * t[k] ** 2)
+def set_speed_pieces(record: np.void, pool: Pool, pieces: SpeedPieces) -> None:
+    """Prescribe a speed by polynomials; the angle is their exact integral."""
+    record["form"], record["n"] = SPEED_PIECES, len(pieces.powers)
+    record["degree"] = pieces.powers.shape[1] - 1
+    record["start"] = pool.add(np.concatenate([pieces.edges, pieces.angles(), pieces.powers.ravel()]))
 
 
 def set_angle_formula(record: np.void, pool: Pool, formula: object) -> None:
@@ -71,33 +68,42 @@ def target(b, t):
     """Prescribed angle and its first two derivatives by time."""
     n = b["n"]
     where = b["pool"] + 8 * b["start"]
-    if b["form"] == SPEED_TABLE:
-        ts = view(where, n, F8)
-        ws = view(where + 8 * n, n, F8)
-        cs = view(where + 16 * n, n, F8)
-        if t <= ts[0]:
-            return b["angle"] + cs[0] + ws[0] * (t - ts[0]), ws[0], 0.0
-        if t >= ts[n - 1]:
-            return b["angle"] + cs[n - 1] + ws[n - 1] * (t - ts[n - 1]), ws[n - 1], 0.0
+    if b["form"] == SPEED_PIECES:
+        most = b["degree"]
+        edges = view(where, n + 1, F8)
+        angles = view(where + 8 * (n + 1), n + 1, F8)
+        powers = view(where + 16 * (n + 1), (n, most + 1), F8)
         low = 0
-        high = n - 1
+        high = n
         while high - low > 1:
             mid = (low + high) // 2
-            if ts[mid] <= t:
+            if edges[mid] <= t:
                 low = mid
             else:
                 high = mid
-        slope = (ws[low + 1] - ws[low]) / (ts[low + 1] - ts[low])
-        d = t - ts[low]
-        return b["angle"] + cs[low] + d * (ws[low] + 0.5 * slope * d), ws[low] + slope * d, slope
+        half = 0.5 * (edges[low + 1] - edges[low])
+        x = min(max((t - edges[low]) / half - 1.0, -1.0), 1.0)
+        angle = 0.0
+        speed = 0.0
+        acceleration = 0.0
+        for k in range(most, -1, -1):
+            acceleration = acceleration * x + speed
+            speed = speed * x + powers[low, k]
+            angle += powers[low, k] / (k + 1) * (x ** (k + 1) - (-1.0) ** (k + 1))
+        beyond = t - edges[low] - (x + 1.0) * half
+        outside = t < edges[0] or t > edges[n]
+        angle = angles[low] + half * angle + (speed * beyond if outside else 0.0)
+        return b["angle"] + angle, speed, 0.0 if outside else acceleration / half
     if b["form"] == ANGLE_FORMULA:
         ops = view(where, n, I8)
         room = view(where + 8 * n, 1 << 20, F8)
-        h = 1e-5 * max(1.0, abs(t))
         x, s = evaluate_slope(ops, n, room, t, 0.0, 0.0, 0)
-        _, above = evaluate_slope(ops, n, room, t + h, 0.0, 0.0, 0)
-        _, below = evaluate_slope(ops, n, room, t - h, 0.0, 0.0, 0)
-        return b["angle"] + x, s, (above - below) / (2.0 * h)
+        acceleration = 0.0
+        for k in range(-2, 3):  # fourth order: 1e-6 for a ripple of 1 kHz
+            if k != 0:
+                _, slope = evaluate_slope(ops, n, room, t + k * STENCIL, 0.0, 0.0, 0)
+                acceleration += slope * (8.0 if abs(k) == 1 else -1.0) * (1.0 if k > 0 else -1.0)
+        return b["angle"] + x, s, acceleration / (12.0 * STENCIL)
     return b["angle"] + b["speed"] * t, b["speed"], 0.0
 
 

@@ -17,7 +17,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.contact.pair_shape import phase_stiffness
+from pitchpoint.contact.pair_shape import RECTANGULAR, phase_stiffness
 from pitchpoint.core.kernel import call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.gear_mesh_record import (
@@ -30,21 +30,22 @@ from pitchpoint.elements.gear_mesh_record import (
     RECORD,
     USER,
 )
+from pitchpoint.elements.mesh_gradient import normal_directions
 from pitchpoint.elements.mesh_line import (
     excitation,
     flank_phase,
     line_of_action,
     pooled,
-    rates,
 )
+from pitchpoint.elements.mesh_motion import motion, spin_motion
 from pitchpoint.elements.mesh_nodes import phase_flank, profile_flank
 from pitchpoint.elements.mesh_wrench import (
     add_spin_tangent,
     add_spin_torque,
     add_tangent,
     add_wrench,
-    directions,
     flank_rates,
+    friction_directions,
     mesh_damper,
     spin_flank_rates,
 )
@@ -52,6 +53,9 @@ from pitchpoint.multibody.channels import F8, events, frame_args, observations
 
 __all__ = ["EVENTS", "MAX_PAIRS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
+
+#: Added to the event functions of the flank that is farther from contact: no sign changes there.
+AWAY = 10.0
 
 #: Half the step of phase for the slope of a user's stiffness law; only the parametric power needs it.
 _STEP = 1e-5
@@ -109,21 +113,29 @@ def _flank(b, ctl, f, g, flank, x_0, spins, rate):
     if spins == 1:
         spin_flank_rates(b, rate)
     else:
-        directions(b, f, g, flank)
-        flank_rates(b)
-        B = b["basis_j"]
-        dn = b["dn"]
-        # n_f is minus the moment of B[3]
-        b["kappa"] = -(B[3, 3] * dn[0] + B[3, 4] * dn[1] + B[3, 5] * dn[2])
+        normal_directions(b, f, g, flank)
+        if b["mu"] > 0.0:
+            friction_directions(b, f, g, flank)
+        flank_rates(b, f, g)
+    if ctl["out"] != 0:
+        return _sum(b, ctl, 1, x_0)
+    return _sum(b, ctl, None, x_0)
+
+
+@kernel
+def _sum(b, ctl, watch, x_0):
+    """Sum the nodes of one flank; see `mesh_nodes` for `watch`."""
     b["tilt"] = b["kappa"]
+    b["growth"] = 0.0
     if b["source"] == PHASE:
-        ratio, slope = _stiffness_ratio(b, ctl["out"] != 0)
+        ratio, slope = _stiffness_ratio(b, watch is not None)
         if not math.isfinite(ratio):
             return NOT_FINITE
-        phase_flank(b, ctl, x_0, ratio, slope)
+        phase_flank(b, ctl, watch, x_0, ratio, slope)
     else:
         b["tilt"] = b["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
-        profile_flank(b, ctl, x_0)
+        b["growth"] = (b["hi_rate"] - b["lo_rate"]) / (b["z_hi"] - b["z_lo"])
+        profile_flank(b, ctl, watch, x_0)
     return OK
 
 
@@ -138,13 +150,15 @@ def _slack(b):
 
 
 @kernel
-def _write(b, out, psi, damper_power):
+def _write(b, out, psi, damper, rate):
     """Observations that do not depend on the flank; sums were added by `_write_flank`."""
     k = b["out"]
+    out[k + 2] += damper
     out[k] = b["u"]
     out[k + 1] = b["u"] - b["e_t"]
     out[k + 4] = psi
-    out[k + 11] += damper_power
+    out[k + 11] += damper * rate
+    out[k + 12] -= damper * b["e_rate"]
 
 
 @kernel
@@ -163,22 +177,35 @@ def _write_flank(b, out, flank):
     out[k + 9] -= flank * F * b["tan_b"]
     out[k + 10] += acc[21]
     out[k + 11] += acc[22]
-    out[k + 12] += acc[23]
+    out[k + 12] += acc[23] - flank * F * b["e_rate"]
     out[k + 13] += acc[24]
     for p in range(b["n_pair"]):
         out[k + N_OUT + p] += b["pair"][p]
 
 
 @kernel
-def _roots(b, ev, psi, front, back):
-    """Event functions: gaps of both flanks; entry, exit, pitch point of a pair, rising where it happens."""
+def _place(psi):
+    """Distance from the nearest whole base pitch, in [-1/2, 1/2]."""
+    return psi - math.floor(psi + 0.5)
+
+
+@kernel
+def _roots(b, ev, x):
+    """Event functions at the deflection x; see `gear_mesh_record`."""
     k = b["ev"]
-    way = 1.0 if b["phase_rate"] >= 0.0 else -1.0
-    ev[k] = front
-    ev[k + 1] = back
-    ev[k + 2] = way * math.sin(2.0 * math.pi * psi)
-    ev[k + 3] = way * math.sin(2.0 * math.pi * (psi - b["eps"]))
-    ev[k + 4] = way * math.sin(2.0 * math.pi * (psi + b["xi_A"] / b["p_bt"]))
+    ev[k] = x - 0.5 * b["gap"]
+    ev[k + 1] = -x - 0.5 * b["gap"]
+    ev[k + 2] = 0.25 * b["travel_rate"] / (1.0 + abs(b["travel_rate"]))
+    leaves = b["eps"]
+    if b["source"] == PHASE and b["form"] == RECTANGULAR:
+        leaves = view(pooled(b, b["cosine"]), 3, F8)[2]  # the second jump of the wave
+    for flank in (1, -1):
+        away = AWAY if flank * x < 0.0 else 0.0
+        psi = flank_phase(b, flank)
+        k += 3
+        ev[k] = away + _place(psi)
+        ev[k + 1] = away + _place(psi - leaves)
+        ev[k + 2] = away + _place(psi + b["xi_A"] / b["p_bt"])
 
 
 @kernel(inline=True)
@@ -191,18 +218,16 @@ def _one_mesh(b, ctl, fr, kk):
     if status != OK:
         return status
     spins = 1 if b["fixed"] == 1 and b["mu"] == 0.0 else 0
-    travel_rate = 0.0
-    if spins == 1:
-        o1 = f["spin"]
-        o2 = g["spin"]
-        travel_rate = b["r_b1"] * o1 + b["r_b2"] * o2
-        b["phase_rate"] = 0.5 * (b["r_b1"] * o1 - b["r_b2"] * o2) / b["p_bt"]
-    else:
-        o1, o2 = rates(b, f, g)
+    u_rate = 0.0
+    if b["fixed"] == 1:
+        spin_motion(b, f["spin"], g["spin"])
+        u_rate = b["r_b1"] * f["spin"] + b["r_b2"] * g["spin"]
+    elif b["n_e"] > 0 or c["out"] != 0 or c["ev"] != 0:
+        motion(b, f, g)
     psi = flank_phase(b, 1)
     psi -= math.floor(psi)
-    excitation(b, f, g, psi, o1, o2)
-    travel_rate -= b["e_rate"]
+    excitation(b, f, g, psi)
+    u_rate -= b["e_rate"]
     watch = c["out"] != 0
     if watch:
         out = observations(ctl)
@@ -218,7 +243,7 @@ def _one_mesh(b, ctl, fr, kk):
             # a flank cannot touch while even its deepest corner is open
             if x_0 + slack <= b["sep_min"]:
                 continue
-            status = _flank(b, c, f, g, flank, x_0, spins, travel_rate)
+            status = _flank(b, c, f, g, flank, x_0, spins, u_rate)
             if status != OK:
                 return status
             if spins == 1:
@@ -231,25 +256,21 @@ def _one_mesh(b, ctl, fr, kk):
             if watch:
                 _write_flank(b, observations(ctl), flank)
     damper = 0.0
-    power = 0.0
     if b["d_gap"] > 0.0:
         if spins == 1:
-            damper = b["d_gap"] * travel_rate
-            power = damper * travel_rate
+            damper = b["d_gap"] * u_rate
             force += damper
             tangent += c["cd"] * b["d_gap"]
         else:
-            damper, power = mesh_damper(b, c, f, g, kk)
+            damper, u_rate = mesh_damper(b, c, f, g, kk)
     if spins == 1:
         add_spin_torque(b, f, g, force)
         if c["jac"] != 0:
             add_spin_tangent(b, kk, tangent)
     if watch:
-        out = observations(ctl)
-        out[b["out"] + 2] += damper
-        _write(b, out, psi, power)
+        _write(b, observations(ctl), psi, damper, u_rate)
     if c["ev"] != 0:
-        _roots(b, events(ctl), psi, x - 0.5 * b["gap"], -x - 0.5 * b["gap"])
+        _roots(b, events(ctl), x)
     return OK
 
 

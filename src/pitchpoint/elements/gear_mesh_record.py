@@ -35,6 +35,7 @@ _GEOMETRY = [
     ("r_b2", "f8"),  # signed base radii
     ("p_bt", "f8"),  # transverse base pitch
     ("w1", "f8"),  # z1 / (z1 + z2): where the pitch point divides the line from gear 1 to gear 2
+    ("w_z", "f8"),  # how far the shared width moves from the pitch point per axial offset of the gears
     ("tan_b", "f8"),  # tan beta_b of gear 1, right hand positive
     ("zc1", "f8"),
     ("zc2", "f8"),  # mid-face positions along the spin axes of the bodies
@@ -113,9 +114,14 @@ _SCRATCH = [
     ("e", "f8", 3),  # from gear 1 towards the pitch point
     ("t", "f8", 3),  # m x e
     ("P", "f8", 3),  # pitch point in the plane of zero tilt gap
-    ("dv", "f8", 3),  # velocity of gear 1 less that of gear 2 at P
-    ("dw", "f8", 3),  # angular velocity of gear 1 less that of gear 2
     ("dn", "f8", 3),  # axis of gear 2 less axis of gear 1
+    ("a", "f8"),  # centre distance, signed
+    ("c1", "f8"),
+    ("c2", "f8"),  # e . n of either axis n, zero for parallel axes
+    ("inv_m", "f8"),  # 1 / length of the weighted sum of both axes
+    ("q_e", "f8", 3),
+    ("q_m", "f8", 3),
+    ("q_n", "f8", 3),  # coefficients of a gradient over e, m and dn
     ("cos_a", "f8"),
     ("sin_a", "f8"),
     ("inv_a", "f8"),
@@ -126,7 +132,16 @@ _SCRATCH = [
     ("gap", "f8"),  # total backlash along the base tangent at the actual centre distance
     ("e_t", "f8"),
     ("e_rate", "f8"),  # excitation and its rate
-    ("phase_rate", "f8"),  # d psi/dt of the front flank
+    ("travel_rate", "f8"),
+    ("phase_rate", "f8", 2),  # d psi/dt of front and back flank
+    ("dz_rate", "f8"),
+    ("xi_A_rate", "f8"),
+    ("eps_rate", "f8"),
+    ("lo_rate", "f8"),
+    ("hi_rate", "f8"),  # rates of the fields without `_rate`
+    ("line_rate", "f8", 3),
+    ("m_rate", "f8", 3),
+    ("dir_rate", "f8", 3),  # rates of the line between the mid-faces, of m and of e
     ("xi_A", "f8"),
     ("eps", "f8"),  # path of contact: start from the pitch point [m], length [base pitches]
     ("L", "f8"),  # ramp at both ends of the path [base pitches]
@@ -137,8 +152,11 @@ _SCRATCH = [
     ("lam", "f8"),  # base pitches per metre of face width along a contact line
     ("kappa", "f8"),  # n_f . dn, loss of penetration per lever y
     ("tilt", "f8"),  # loss of penetration per width along a contact line
+    ("growth", "f8"),  # rate of the shared width over itself, where the stiffness grows with it
     ("z_lo", "f8"),
     ("z_hi", "f8"),  # shared face width
+    ("lo_slope", "f8"),
+    ("hi_slope", "f8"),  # their change per axial offset of the gears
     ("rate", "f8", 5),  # normal rate at the pitch point and its slope over y; sliding likewise over z and xi
     ("pair", "f8", MAX_PAIRS),
     ("acc", "f8", N_ACC),
@@ -176,17 +194,23 @@ OUTPUTS = (
     ("axial_force", "N", "axial part on gear 2"),
     ("friction_power", "W", "power lost to sliding friction"),
     ("damping_power", "W", "power lost to contact damping and mesh damper"),
-    ("parametric_power", "W", "power fed in by the change of the stiffness over the mesh phase"),
+    ("parametric_power", "W", "power fed in by what moves with the mesh phase: stiffness and excitation"),
     ("elastic_energy", "J", "energy stored in the flanks"),
 )
 N_OUT = len(OUTPUTS)
 
-#: Event functions of one mesh: they change sign at the instants that users ask for.
+#: Event functions of one mesh: they change sign at the instants that users ask for. Those of pairs rise where
+#: the mesh phase goes on and fall where it goes back: a pair that passes A backwards leaves there. Each wraps
+#: round from 1/2 to -1/2 half a base pitch away, which is no event, and counts on the nearer flank only.
 EVENTS = (
     ("front_gap", "front flank touches or parts"),
     ("back_gap", "back flank touches or parts"),
-    ("pair_entry", "a tooth pair enters the path of contact at mid-face"),
-    ("pair_exit", "a tooth pair leaves the path of contact at mid-face"),
-    ("sliding_reversal", "a pair passes the pitch point at mid-face, or the gears reverse"),
+    ("turning_reversal", "the mean travel of the gears reverses"),
+    ("pair_entry", "a tooth pair passes the start A of the path of the front flanks at mid-face"),
+    ("pair_exit", "a tooth pair passes the end E of the path of the front flanks at mid-face"),
+    ("sliding_reversal", "a tooth pair of the front flanks passes the pitch point at mid-face"),
+    ("back_pair_entry", "a tooth pair passes the start A of the path of the back flanks at mid-face"),
+    ("back_pair_exit", "a tooth pair passes the end E of the path of the back flanks at mid-face"),
+    ("back_sliding_reversal", "a tooth pair of the back flanks passes the pitch point at mid-face"),
 )
 N_EVENTS = len(EVENTS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where two gears touch: line of action, travel, phase and rates from two moving frames.
+"""Where two gears touch: line of action, travel and phase from two frames.
 
 Everything follows from invariants of the two gears - the distance of their axes, the direction of the line of
 centres seen from each gear, the axial offset - so moving the whole gearbox changes nothing. Both flanks share
@@ -56,6 +56,7 @@ def line_of_action(b, f, g):
         m[k] = w1 * Rf[k, 2] + w2 * Rg[k, 2]
         dn[k] = Rg[k, 2] - Rf[k, 2]
     s = 1.0 / math.sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2])
+    b["inv_m"] = s
     m[0] *= s
     m[1] *= s
     m[2] *= s
@@ -70,6 +71,9 @@ def line_of_action(b, f, g):
     e[0] = ex / signed_a
     e[1] = ey / signed_a
     e[2] = ez / signed_a
+    b["a"] = signed_a
+    b["c1"] = e[0] * Rf[0, 2] + e[1] * Rf[1, 2] + e[2] * Rf[2, 2]
+    b["c2"] = e[0] * Rg[0, 2] + e[1] * Rg[1, 2] + e[2] * Rg[2, 2]
     t[0] = m[1] * e[2] - m[2] * e[1]
     t[1] = m[2] * e[0] - m[0] * e[2]
     t[2] = m[0] * e[1] - m[1] * e[0]
@@ -109,35 +113,6 @@ def _travel(b, f, g, phi1, phi2):
 
 
 @kernel
-def rates(b, f, g):
-    """Fill relative velocity at the pitch point and relative angular velocity (gear 1 less gear 2)."""
-    P = b["P"]
-    dv = b["dv"]
-    dw = b["dw"]
-    v = f["tw"]
-    w = g["tw"]
-    x = P[0] - f["r"][0]
-    y = P[1] - f["r"][1]
-    z = P[2] - f["r"][2]
-    dv[0] = v[0] + v[4] * z - v[5] * y
-    dv[1] = v[1] + v[5] * x - v[3] * z
-    dv[2] = v[2] + v[3] * y - v[4] * x
-    x = P[0] - g["r"][0]
-    y = P[1] - g["r"][1]
-    z = P[2] - g["r"][2]
-    dv[0] -= w[0] + w[4] * z - w[5] * y
-    dv[1] -= w[1] + w[5] * x - w[3] * z
-    dv[2] -= w[2] + w[3] * y - w[4] * x
-    m = b["m"]
-    o1 = v[3] * m[0] + v[4] * m[1] + v[5] * m[2]
-    o2 = w[3] * m[0] + w[4] * m[1] + w[5] * m[2]
-    for k in range(3):
-        dw[k] = v[3 + k] - w[3 + k]
-    b["phase_rate"] = 0.5 * (b["r_b1"] * o1 - b["r_b2"] * o2) / b["p_bt"]
-    return o1, o2
-
-
-@kernel
 def _place(b):
     """Fill what follows from where the gears stand: path of contact, face width, a share of the phases.
 
@@ -151,8 +126,12 @@ def _place(b):
     b["L"] = b["T_R"] * (eps - math.floor(eps))
     dz = b["dz"]
     shift = b["w1"] * dz
-    b["z_lo"] = max(-0.5 * b["b1"], dz - 0.5 * b["b2"]) - shift
-    b["z_hi"] = min(0.5 * b["b1"], dz + 0.5 * b["b2"]) - shift
+    lo2 = dz - 0.5 * b["b2"]
+    hi2 = dz + 0.5 * b["b2"]
+    b["z_lo"] = max(-0.5 * b["b1"], lo2) - shift
+    b["z_hi"] = min(0.5 * b["b1"], hi2) - shift
+    b["lo_slope"] = (1.0 if lo2 >= -0.5 * b["b1"] else 0.0) - b["w1"]
+    b["hi_slope"] = (1.0 if hi2 < 0.5 * b["b1"] else 0.0) - b["w1"]
     middle = -0.5 * (b["r_b1"] - b["r_b2"]) * b["inv_a"] - xi_A
     skew = b["tan_b"] * (b["w1"] - 0.5) * dz
     b["start"][0] = (middle + skew) / b["p_bt"]
@@ -168,7 +147,7 @@ def flank_phase(b, flank):
 
 
 @kernel
-def excitation(b, f, g, psi, o1, o2):
+def excitation(b, f, g, psi):
     """Static transmission error e(psi, phi1, phi2) and its rate, into the scratch."""
     b["e_t"] = 0.0
     b["e_rate"] = 0.0
@@ -178,11 +157,11 @@ def excitation(b, f, g, psi, o1, o2):
             psi, 0, n, view(pooled(b, b["e_cos"]), n, F8), view(pooled(b, b["e_sin"]), n, F8)
         )
         b["e_t"] = value - 1.0
-        b["e_rate"] = slope * b["phase_rate"]
+        b["e_rate"] = slope * b["phase_rate"][0]
     if b["n_e1"] > 0:
-        _shaft_orders(b, view(pooled(b, b["e1"]), (b["n_e1"], 3), F8), f["phi"], f["turns"], o1)
+        _shaft_orders(b, view(pooled(b, b["e1"]), (b["n_e1"], 3), F8), f["phi"], f["turns"], f["spin"])
     if b["n_e2"] > 0:
-        _shaft_orders(b, view(pooled(b, b["e2"]), (b["n_e2"], 3), F8), g["phi"], g["turns"], o2)
+        _shaft_orders(b, view(pooled(b, b["e2"]), (b["n_e2"], 3), F8), g["phi"], g["turns"], g["spin"])
 
 
 @kernel

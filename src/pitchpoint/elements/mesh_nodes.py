@@ -7,6 +7,8 @@ points on every piece between kinks (start and end of contact, ends of the relie
 point where sliding turns) integrate force, moments and tangent exactly. Slices are the same sum with one node
 in the middle of each slice; separation grids of modified flanks need them.
 
+Where nothing is observed, `watch` is None and energy and powers are left out when the kernels are compiled.
+
 Sums go to the scratch field `acc` (see gear_mesh_record). The normal force at (z, xi) has the moment y tau
 about the pitch point, y = z + f tan(beta_b) xi: axial force times path and transverse force times width turn
 the gears about the same axis tau = m x n_f. Penetration and its rate therefore change with y too.
@@ -18,8 +20,8 @@ import math
 
 from pitchpoint.contact.damping import linear_ramp, ramp
 from pitchpoint.contact.friction import coulomb
-from pitchpoint.contact.load_correction import low_load
-from pitchpoint.contact.pair_shape import pair_shape, pair_shape_slope, pair_table, pair_table_slope
+from pitchpoint.contact.load_correction import low_load, stored_energy
+from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.mesh_line import pooled
 from pitchpoint.elements.mesh_separation import pair_separation
@@ -29,11 +31,11 @@ _G = math.sqrt(0.6)
 
 
 @kernel
-def node(b, ctl, x, z, xi, k, k_rate, limit):
+def node(b, ctl, watch, x, x_rate, z, xi, k, k_rate, limit):
     """Add one node and return its normal force [N].
 
-    `x` penetration [m] at (z, xi) [m], `k` stiffness [N/m] changing at `k_rate` [N/(m s)] with the phase,
-    `limit` force below which the pair softens [N].
+    `x` penetration [m] at (z, xi) [m], `k` stiffness [N/m], changing at `x_rate` [m/s] and `k_rate`
+    [N/(m s)] where no force pushes: with the phase; `limit` force below which the pair softens [N].
     """
     if x <= 0.0 or k <= 0.0:
         return 0.0
@@ -43,18 +45,10 @@ def node(b, ctl, x, z, xi, k, k_rate, limit):
     w = rate[0] + rate[1] * y
     f = k * x
     kt = k
-    energy = 0.5 * f * x
-    feed = 0.5 * x * x
     if limit > 0.0:
         force, tangent = low_load(f, limit)
-        if force < 1.0:
-            f *= force
-            kt *= tangent
-            energy = f * x * (3.0 / 7.0)
-            feed = f * x * (4.0 / 7.0) / k
-        else:
-            energy -= limit * limit / (14.0 * k)
-            feed += limit * limit / (14.0 * k * k)
+        f *= force
+        kt *= tangent
     elastic = f
     stiffness = kt
     d = (b["d_in"] if w > 0.0 else b["d_out"]) * k / b["k_ref"]
@@ -64,28 +58,31 @@ def node(b, ctl, x, z, xi, k, k_rate, limit):
         d *= share
         f += d * w
         kt += full * w * slope
-    acc[23] += feed * k_rate
-    acc[24] += energy
-    if f <= 0.0:
-        # the flank would have to pull: it lets go, and the work of its elastic force is lost
-        acc[22] -= elastic * w
+    # a flank that would have to pull lets go, and the work of its elastic force is lost
+    f = max(f, 0.0)
+    if watch is not None:
+        energy, feed = stored_energy(x, k, limit)
+        acc[22] += (f - elastic) * w
+        acc[23] += feed * k_rate + elastic * x_rate + energy * b["growth"]
+        acc[24] += energy
+        if f > 0.0:
+            acc[20] += stiffness
+    if f == 0.0:
         return 0.0
     acc[0] += f
     acc[1] += f * y
-    acc[20] += stiffness
-    acc[22] += (f - elastic) * w
     c = ctl["ck"] * kt + ctl["cd"] * d
     if ctl["jac"] != 0:
         acc[5] += c
         acc[6] += c * y
         acc[7] += c * y * y
     if b["mu"] > 0.0:
-        _friction(b, ctl, f, c, y, z, xi)
+        _friction(b, ctl, watch, f, c, y, z, xi)
     return f
 
 
 @kernel
-def _friction(b, ctl, f, c, y, z, xi):
+def _friction(b, ctl, watch, f, c, y, z, xi):
     """Coulomb friction of a node with normal force `f` and normal tangent `c`, against its local sliding."""
     acc = b["acc"]
     rate = b["rate"]
@@ -96,7 +93,8 @@ def _friction(b, ctl, f, c, y, z, xi):
     acc[2] += q
     acc[3] += q * z
     acc[4] += q * xi
-    acc[21] += q * v
+    if watch is not None:
+        acc[21] += q * v
     if ctl["jac"] != 0:
         p = mu * s * c
         acc[8] += p
@@ -115,26 +113,60 @@ def _friction(b, ctl, f, c, y, z, xi):
 
 
 @kernel
-def _pair_node(b, ctl, p_0, x_q, z, weight, tooth1, tooth2):
+def _pair_node(b, ctl, watch, p_0, x_q, z, weight, tooth1, tooth2):
     """One node of the pair whose contact line is p_0 + lam z; `x_q` is its penetration at z = 0 [m]."""
     p = p_0 + b["lam"] * z
-    slope = 0.0
     if b["n_table"] > 0:
-        table = view(pooled(b, b["table"]), b["n_table"], F8)
-        c = pair_table(p, b["eps"], b["n_table"], table, b["L"])
-        if ctl["out"] != 0:
-            slope = pair_table_slope(p, b["eps"], b["n_table"], table, b["L"])
+        c = pair_table(p, b["eps"], b["n_table"], view(pooled(b, b["table"]), b["n_table"], F8), b["L"])
     else:
         c = pair_shape(p, b["eps"], b["S_R"], b["L"])
-        if ctl["out"] != 0:
-            slope = pair_shape_slope(p, b["eps"], b["S_R"], b["L"])
     x = x_q - b["tilt"] * z
     xi = b["xi_A"] + p * b["p_bt"]
-    if b["n_sz"] > 0:
-        x -= pair_separation(b, tooth1, tooth2, z, xi)
     scale = b["c_prime"] * weight
-    k_rate = slope * scale * b["flank"] * b["phase_rate"]
-    return node(b, ctl, x, z, xi, c * scale, k_rate, b["load_limit"] * weight)
+    k_rate = 0.0
+    x_rate = 0.0
+    z_rate = 0.0
+    xi_rate = 0.0
+    if watch is not None:
+        p_rate = line_rate(b, z)
+        k_rate = scale * _shape_rate(b, p, p_rate)
+        xi_rate = b["xi_A_rate"] + p_rate * b["p_bt"]
+        z_rate = width_rate(b, z)
+        x_rate = -b["kappa"] * (_drift(b, z) + b["flank"] * b["tan_b"] * xi_rate)
+    if b["n_sz"] > 0:
+        gap, gap_rate = pair_separation(b, watch, tooth1, tooth2, z, xi, z_rate, xi_rate)
+        x -= gap
+        x_rate -= gap_rate
+    return node(b, ctl, watch, x, x_rate, z, xi, c * scale, k_rate, b["load_limit"] * weight)
+
+
+@kernel
+def _shape_rate(b, p, p_rate):
+    """Rate of the ratio c/c' of a pair."""
+    L_rate = b["T_R"] * b["eps_rate"]
+    if b["n_table"] > 0:
+        table = view(pooled(b, b["table"]), b["n_table"], F8)
+        return pair_table_rate(p, p_rate, b["eps"], b["eps_rate"], b["n_table"], table, b["L"], L_rate)
+    return pair_shape_rate(p, p_rate, b["eps"], b["eps_rate"], b["S_R"], b["L"], L_rate)
+
+
+@kernel
+def width_rate(b, z):
+    """Rate of a place on the shared width, seen from the pitch point: places keep their share of it."""
+    share = (z - b["z_lo"]) / (b["z_hi"] - b["z_lo"])
+    return b["lo_rate"] + share * (b["hi_rate"] - b["lo_rate"])
+
+
+@kernel
+def _drift(b, z):
+    """Rate of that place over the one the normal force is conjugate to."""
+    return width_rate(b, z) - b["w_z"] * b["dz_rate"]
+
+
+@kernel
+def line_rate(b, z):
+    """Rate of the path position of the contact lines [base pitches/s] at a place on the shared width."""
+    return b["phase_rate"][0 if b["flank"] > 0 else 1] + b["lam"] * width_rate(b, z)
 
 
 @kernel
@@ -146,18 +178,18 @@ def _nearer(start, end, stop):
 
 
 @kernel
-def _gauss(b, ctl, p_0, x_q, z_a, z_c):
+def _gauss(b, ctl, watch, p_0, x_q, z_a, z_c):
     """Three Gauss points on the piece from z_a to z_c of a contact line."""
     z = 0.5 * (z_a + z_c)
     half = 0.5 * (z_c - z_a)
     r = _G * half
-    f = _pair_node(b, ctl, p_0, x_q, z - r, half * (5.0 / 9.0), 0, 0)
-    f += _pair_node(b, ctl, p_0, x_q, z, half * (8.0 / 9.0), 0, 0)
-    return f + _pair_node(b, ctl, p_0, x_q, z + r, half * (5.0 / 9.0), 0, 0)
+    f = _pair_node(b, ctl, watch, p_0, x_q, z - r, half * (5.0 / 9.0), 0, 0)
+    f += _pair_node(b, ctl, watch, p_0, x_q, z, half * (8.0 / 9.0), 0, 0)
+    return f + _pair_node(b, ctl, watch, p_0, x_q, z + r, half * (5.0 / 9.0), 0, 0)
 
 
 @kernel
-def exact_line(b, ctl, p_0, x_q):
+def exact_line(b, ctl, watch, p_0, x_q):
     """Sum over one contact line, split at its kinks."""
     lam = b["lam"]
     eps = b["eps"]
@@ -167,7 +199,7 @@ def exact_line(b, ctl, p_0, x_q):
     if lam != 0.0:
         u = -p_0 / lam
         v = (eps - p_0) / lam
-        if ctl["out"] != 0 and b["L"] == 0.0 and b["n_table"] == 0:
+        if watch is not None and b["L"] == 0.0:
             _moving_ends(b, x_q, u, v)
         z_1 = (b["L"] - p_0) / lam
         z_2 = (eps - b["L"] - p_0) / lam
@@ -180,7 +212,7 @@ def exact_line(b, ctl, p_0, x_q):
     f = 0.0
     while a < end:
         c = _nearer(a, _nearer(a, _nearer(a, _nearer(a, end, z_1), z_2), z_3), z_4)
-        f += _gauss(b, ctl, p_0, x_q, a, c)
+        f += _gauss(b, ctl, watch, p_0, x_q, a, c)
         a = c
     return f
 
@@ -189,19 +221,29 @@ def exact_line(b, ctl, p_0, x_q):
 def _moving_ends(b, x_q, u, v):
     """Energy fed in where a contact line without relief ramp grows at A and shrinks at E.
 
-    The stiffness per length jumps by c' S_R at both ends, which travel along the width at 1/lam per phase.
+    The stiffness per length jumps at both ends, u and v, which travel at 1/lam per base pitch.
     """
-    feed = 0.5 * b["c_prime"] * b["S_R"] * b["flank"] * b["phase_rate"] / abs(b["lam"])
-    x = x_q - b["tilt"] * u
-    if u > b["z_lo"] and u < b["z_hi"] and x > 0.0:
-        b["acc"][23] += feed * x * x
-    x = x_q - b["tilt"] * v
-    if v > b["z_lo"] and v < b["z_hi"] and x > 0.0:
-        b["acc"][23] -= feed * x * x
+    first = b["S_R"]
+    last = b["S_R"]
+    if b["n_table"] > 0:
+        table = view(pooled(b, b["table"]), b["n_table"], F8)
+        first = table[0]
+        last = table[b["n_table"] - 1]
+    if u > b["z_lo"] and u < b["z_hi"]:
+        b["acc"][23] += _line_energy(b, x_q - b["tilt"] * u, first) * line_rate(b, u) / abs(b["lam"])
+    if v > b["z_lo"] and v < b["z_hi"]:
+        leaves = line_rate(b, v) - b["eps_rate"]
+        b["acc"][23] -= _line_energy(b, x_q - b["tilt"] * v, last) * leaves / abs(b["lam"])
 
 
 @kernel
-def sliced_line(b, ctl, p_0, x_q, q):
+def _line_energy(b, x, c):
+    """Energy per length of a contact line [J/m] with penetration `x` and ratio `c`."""
+    return stored_energy(x, b["c_prime"] * c, b["load_limit"])[0] if x > 0.0 and c > 0.0 else 0.0
+
+
+@kernel
+def sliced_line(b, ctl, watch, p_0, x_q, q):
     """Sum over one contact line with one node in the middle of each slice."""
     n = b["slices"]
     step = (b["z_hi"] - b["z_lo"]) / n
@@ -218,12 +260,12 @@ def sliced_line(b, ctl, p_0, x_q, q):
             tooth2 += side
     f = 0.0
     for s in range(n):
-        f += _pair_node(b, ctl, p_0, x_q, b["z_lo"] + (s + 0.5) * step, step, tooth1, tooth2)
+        f += _pair_node(b, ctl, watch, p_0, x_q, b["z_lo"] + (s + 0.5) * step, step, tooth1, tooth2)
     return f
 
 
 @kernel
-def profile_flank(b, ctl, x_0):
+def profile_flank(b, ctl, watch, x_0):
     """All pairs of the current flank; `x_0` penetration at the pitch point."""
     fh = b["flank"] * b["tan_b"]
     middle = b["psi"] + 0.5 * b["lam"] * (b["z_lo"] + b["z_hi"])
@@ -233,28 +275,32 @@ def profile_flank(b, ctl, x_0):
     while q <= last:
         p_0 = b["psi"] + q
         x_q = x_0 - b["kappa"] * fh * (b["xi_A"] + p_0 * b["p_bt"])
-        f = exact_line(b, ctl, p_0, x_q) if b["slices"] == 0 else sliced_line(b, ctl, p_0, x_q, q)
-        if b["n_pair"] > 0 and ctl["out"] != 0:
+        f = (
+            exact_line(b, ctl, watch, p_0, x_q)
+            if b["slices"] == 0
+            else sliced_line(b, ctl, watch, p_0, x_q, q)
+        )
+        if watch is not None and b["n_pair"] > 0:
             b["pair"][(b["tooth"] - int(q)) % b["n_pair"]] += b["flank"] * f
         q += 1.0
 
 
 @kernel
-def phase_flank(b, ctl, x_0, ratio, slope):
+def phase_flank(b, ctl, watch, x_0, ratio, slope):
     """A prescribed total stiffness, spread evenly over the shared face width, acting at the pitch point."""
     k = b["c_prime"] * ratio
-    k_rate = b["c_prime"] * slope * b["flank"] * b["phase_rate"]
+    k_rate = b["c_prime"] * slope * b["phase_rate"][0 if b["flank"] > 0 else 1]
     lo = b["z_lo"]
     hi = b["z_hi"]
     if b["tilt"] == 0.0 and b["fixed"] == 1:
-        node(b, ctl, x_0, 0.5 * (lo + hi), 0.0, k, k_rate, b["load_limit"] * (hi - lo))
+        node(b, ctl, watch, x_0, 0.0, 0.5 * (lo + hi), 0.0, k, k_rate, b["load_limit"] * (hi - lo))
         return
     if b["slices"] > 0:
         step = (hi - lo) / b["slices"]
         part = 1.0 / b["slices"]
         for s in range(b["slices"]):
             z = lo + (s + 0.5) * step
-            node(b, ctl, x_0 - b["tilt"] * z, z, 0.0, k * part, k_rate * part, b["load_limit"] * step)
+            _phase_node(b, ctl, watch, x_0, z, k * part, k_rate * part, b["load_limit"] * step)
         return
     stop = hi
     if b["tilt"] != 0.0:
@@ -268,5 +314,12 @@ def phase_flank(b, ctl, x_0, ratio, slope):
             y = z + (s - 1) * _G * half
             wt = half * ((8.0 / 9.0) if s == 1 else (5.0 / 9.0))
             part = wt / (hi - lo)
-            node(b, ctl, x_0 - b["tilt"] * y, y, 0.0, k * part, k_rate * part, b["load_limit"] * wt)
+            _phase_node(b, ctl, watch, x_0, y, k * part, k_rate * part, b["load_limit"] * wt)
         a = c
+
+
+@kernel
+def _phase_node(b, ctl, watch, x_0, z, k, k_rate, limit):
+    """One node of a prescribed stiffness, at the width z and at the pitch point."""
+    x_rate = -b["kappa"] * _drift(b, z) if watch is not None else 0.0
+    node(b, ctl, watch, x_0 - b["tilt"] * z, x_rate, z, 0.0, k, k_rate, limit)

@@ -8,6 +8,7 @@ both axes (signed r_b). All others get the full wrench in the basis of `mesh_nod
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
+from pitchpoint.elements.mesh_gradient import travel_direction
 
 
 @kernel
@@ -48,55 +49,55 @@ def add_spin_tangent(b, kk, c):
 
 
 @kernel
-def directions(b, f, g, flank):
-    """Wrench basis of one flank on both bodies: normal force (1, y), friction (1, z, xi)."""
+def friction_directions(b, f, g, flank):
+    """Rows 2 to 4 of the wrench basis: friction along tau = m x n_f at the pitch point, per z and per xi."""
     m = b["m"]
     e = b["e"]
     t = b["t"]
     P = b["P"]
     ca = flank * b["cos_a"]
     sa = b["sin_a"]
-    h = flank * b["tan_b"]
     for side in range(2):
         B = b["basis_i"] if side == 0 else b["basis_j"]
         o = f["r"] if side == 0 else g["r"]
         sign = -1.0 if side == 0 else 1.0
-        x = P[0] - o[0]
-        y = P[1] - o[1]
-        z = P[2] - o[2]
         for k in range(3):
             k1 = (k + 1) % 3
             k2 = (k + 2) % 3
-            n = ca * t[k] + sa * e[k]
             n1 = ca * t[k1] + sa * e[k1]
             n2 = ca * t[k2] + sa * e[k2]
-            tau = m[k1] * n2 - m[k2] * n1
-            B[0, k] = sign * (n - h * m[k])
-            B[1, k] = 0.0
-            B[1, 3 + k] = sign * tau
-            B[2, k] = sign * tau
+            B[2, k] = sign * (m[k1] * n2 - m[k2] * n1)
             B[3, k] = 0.0
-            B[3, 3 + k] = -sign * n
+            B[3, 3 + k] = -sign * (ca * t[k] + sa * e[k])
             B[4, k] = 0.0
             B[4, 3 + k] = sign * m[k]
-        for r in (0, 2):
-            B[r, 3] = y * B[r, 2] - z * B[r, 1]
-            B[r, 4] = z * B[r, 0] - x * B[r, 2]
-            B[r, 5] = x * B[r, 1] - y * B[r, 0]
+        x = P[0] - o[0]
+        y = P[1] - o[1]
+        z = P[2] - o[2]
+        B[2, 3] = y * B[2, 2] - z * B[2, 1]
+        B[2, 4] = z * B[2, 0] - x * B[2, 2]
+        B[2, 5] = x * B[2, 1] - y * B[2, 0]
 
 
 @kernel
-def flank_rates(b):
+def _along(b, f, g, p):
+    """Rate of both bodies against row `p` of the wrench basis: the power it takes from them."""
+    s = 0.0
+    for k in range(6):
+        s -= b["basis_i"][p, k] * f["tw"][k] + b["basis_j"][p, k] * g["tw"][k]
+    return s
+
+
+@kernel
+def flank_rates(b, f, g):
     """Normal and sliding rates of the current flank at the pitch point, with their slopes."""
-    B = b["basis_j"]
-    dv = b["dv"]
-    dw = b["dw"]
     r = b["rate"]
-    r[0] = B[0, 0] * dv[0] + B[0, 1] * dv[1] + B[0, 2] * dv[2] - b["flank"] * b["e_rate"]
-    r[1] = B[1, 3] * dw[0] + B[1, 4] * dw[1] + B[1, 5] * dw[2]
-    r[2] = B[2, 0] * dv[0] + B[2, 1] * dv[1] + B[2, 2] * dv[2]
-    r[3] = B[3, 3] * dw[0] + B[3, 4] * dw[1] + B[3, 5] * dw[2]
-    r[4] = B[4, 3] * dw[0] + B[4, 4] * dw[1] + B[4, 5] * dw[2]
+    r[0] = _along(b, f, g, 0) - b["flank"] * b["e_rate"]
+    r[1] = _along(b, f, g, 1)
+    if b["mu"] > 0.0:
+        r[2] = _along(b, f, g, 2)
+        r[3] = _along(b, f, g, 3)
+        r[4] = _along(b, f, g, 4)
 
 
 @kernel
@@ -147,27 +148,11 @@ def add_tangent(b, kk):
 
 @kernel
 def mesh_damper(b, ctl, f, g, kk):
-    """Damper along the base tangent, in the gap too; returns its force and power."""
-    m = b["m"]
-    t = b["t"]
-    P = b["P"]
+    """Damper along the travel, in the gap too; returns its force and its rate."""
+    travel_direction(b, f, g)
     Bi = b["basis_i"]
     Bj = b["basis_j"]
-    rate = -b["e_rate"]
-    for k in range(3):
-        d = b["cos_a"] * t[k] - b["tan_b"] * m[k]
-        Bi[0, k] = -d
-        Bj[0, k] = d
-        rate += d * b["dv"][k]
-    for side in range(2):
-        B = Bi if side == 0 else Bj
-        o = f["r"] if side == 0 else g["r"]
-        x = P[0] - o[0]
-        y = P[1] - o[1]
-        z = P[2] - o[2]
-        B[0, 3] = y * B[0, 2] - z * B[0, 1]
-        B[0, 4] = z * B[0, 0] - x * B[0, 2]
-        B[0, 5] = x * B[0, 1] - y * B[0, 0]
+    rate = _along(b, f, g, 0) - b["e_rate"]
     s = b["d_gap"] * rate
     for k in range(6):
         f["F"][k] += s * Bi[0, k]
@@ -180,4 +165,4 @@ def mesh_damper(b, ctl, f, g, kk):
                 kk[b["ij"], k, n] += c * Bi[0, k] * Bj[0, n]
                 kk[b["ji"], k, n] += c * Bj[0, k] * Bi[0, n]
                 kk[b["jj"], k, n] += c * Bj[0, k] * Bj[0, n]
-    return s, s * rate
+    return s, rate

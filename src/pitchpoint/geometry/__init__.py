@@ -6,7 +6,7 @@ Symbols follow the standard; internal gears have negative tooth numbers, diamete
 
 from pitchpoint.geometry.backlash import Backlash, backlash_at
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-from pitchpoint.geometry.form_diameter import root_form_diameter_cutter, root_form_diameter_rack
+from pitchpoint.geometry.form_diameter import root_form_diameter_internal, root_form_diameter_rack
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import (
     base_helix_angle,
@@ -87,7 +87,7 @@ __all__ = [
     "profile_shift_for_center_distance",
     "radial_dimension_over_ball",
     "reference_center_distance",
-    "root_form_diameter_cutter",
+    "root_form_diameter_internal",
     "root_form_diameter_rack",
     "sliding_factor_at",
     "sliding_factors",

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.geometry.bisection import bisect
 from pitchpoint.geometry.involute import inv, inverse_inv, transverse_pressure_angle
 
 FloatArray = NDArray[np.float64]
@@ -227,22 +228,22 @@ def cutter_fillet(
     the fillet a plain circular arc: that is how the fillet of an internal gear without a cutter is made.
     """
     r_b0 = r_b * z_0 / z
-    if r_a0 <= r_b0 or psi_b0 - inv(math.acos(r_b0 / r_a0)) <= 0.0:
-        raise GeometryError(
-            "the cutter that makes this root circle has pointed teeth",
-            where="cutter",
-            value=f"tip diameter {2e3 * r_a0:.4f} mm",
-            remedy="use a smaller dedendum (root_diameter) or a cutter with other teeth",
-        )
 
     def centre_angle(radius: float) -> float:
         return psi_b0 - radius / r_b0 - inv(math.acos(min(1.0, r_b0 / (r_a0 - radius))))
 
+    if not r_a0 > r_b0 or centre_angle(0.0) <= 0.0:
+        pointed = "the cutter's teeth" if z_0 < z else "the tooth space"
+        raise GeometryError(
+            f"lies beyond the point of {pointed}",
+            where="cutter" if z_0 < z else "root_diameter",
+            value=f"{'tip diameter ' if z_0 < z else ''}{2e3 * r_a0:.4f} mm",
+            limit=f"above the base diameter {2e3 * r_b0:.4f} mm, with flanks that do not meet",
+            remedy="use a smaller dedendum (root_diameter), or a cutter with other teeth or profile shift",
+        )
     rho = min(rho, 0.999 * (r_a0 - r_b0))
     if centre_angle(rho) < 0.0:
-        from scipy.optimize import brentq
-
-        rho = float(brentq(centre_angle, 0.0, rho, xtol=1e-18))
+        rho = bisect(centre_angle, 0.0, rho)
     alpha_wt0, a_0 = position
     r_c = r_a0 - rho
     r_w0 = r_b0 / math.cos(alpha_wt0)
@@ -255,3 +256,76 @@ def cutter_fillet(
         rho=rho,
         theta_flank=math.asin(r_b0 / r_c),
     )
+
+
+def shaped_root(
+    *,
+    z: int,
+    m_n: float,
+    alpha_n: float,
+    beta: float,
+    s_n: float,
+    r_f: float | None,
+    rho: float,
+    cutter: PinionCutter | None,
+) -> tuple[CutterFillet, float, float]:
+    """Root of an internal gear as a pinion-type cutter, or a plain circular fillet, leaves it.
+
+    Parameters
+    ----------
+    z
+        Number of teeth [-], positive.
+    m_n
+        Normal module [m].
+    alpha_n, beta
+        Normal pressure angle and helix angle [rad].
+    s_n
+        Normal tooth thickness at the reference circle [m].
+    r_f
+        Root radius that is made [m], where the cutter's tip circle is taken to reach; None = as deep as the
+        cutter's own addendum reaches (needs a cutter).
+    rho
+        Fillet radius without a cutter [m].
+    cutter
+        The tool; None joins flank and root by a circle, which is the limit of a cutter with z₀ = z.
+
+    Returns
+    -------
+    fillet : CutterFillet
+    r_Ff, r_f : float
+        Root form and root radius [m].
+
+    Raises
+    ------
+    GeometryError
+        If the cutter has too many teeth, does not fit, or is pointed.
+
+    Notes
+    -----
+    Generation without backlash, see `generating_position`. The involute ends at the roll length
+    L = √(r_c² − r_b0²) + ρ of the cutter flank, that is at r_Ff² = r_b² + (L + a₀ sin α_wt0)²  (ISO 21771).
+
+    Examples
+    --------
+    The ring of stage 1 of the 5 MW gearbox; KISSsoft prints the root form diameter 2662.682 mm:
+
+    >>> s_n = 45e-3 * (math.pi / 2 - 2 * 0.5013 * math.tan(math.radians(20)))
+    >>> _, r_Ff, r_f = shaped_root(z=56, m_n=45e-3, alpha_n=math.radians(20), beta=0.0, s_n=s_n,
+    ...     r_f=1.3388085, rho=0.0, cutter=PinionCutter(z_0=36, rho_aP0_star=0.3))
+    >>> round(2e3 * r_Ff, 2)
+    2662.68
+    """
+    alpha_t = transverse_pressure_angle(alpha_n, beta)
+    r_b = 0.5 * z * m_n / math.cos(beta) * math.cos(alpha_t)
+    space_b = math.pi / z - s_n / (z * m_n) + inv(alpha_t)
+    z_0, psi_b0, position = z, space_b, (alpha_t, 0.0)
+    if cutter is not None:
+        z_0, psi_b0 = cutter.z_0, cutter.base_half_angle(alpha_n, beta)
+        rho = cutter.rho_aP0_star * m_n
+        position = generating_position(z, z_0, r_b, space_b, psi_b0)
+        if r_f is None:
+            r_f = cutter.tip_radius(m_n, beta) + position[1]
+    assert r_f is not None
+    fillet = cutter_fillet(z, z_0, r_b, r_f - position[1], rho, position, psi_b0)
+    roll = fillet.r_c * math.cos(fillet.theta_flank) + fillet.rho + position[1] * math.sin(position[0])
+    return fillet, math.hypot(r_b, roll), r_f

@@ -13,11 +13,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError, Problem
-from pitchpoint.geometry.form_diameter import (
-    root_form_diameter_cutter,
-    root_form_diameter_rack,
-    rounded_end,
-)
+from pitchpoint.geometry.form_diameter import root_form_diameter_internal, root_form_diameter_rack
 from pitchpoint.geometry.involute import base_helix_angle, inv, transverse_pressure_angle
 from pitchpoint.geometry.rack import BasicRack
 
@@ -306,37 +302,28 @@ class CylindricalGear:
     @cached_property
     def _root_form(self) -> tuple[float, bool]:
         if self.is_internal:
-            if self.cutter is not None:
-                return self._shaped(self.x_E)[0], False
-            r_Ff = rounded_end(
-                r_end=-0.5 * self.d_fE,
-                r_b=-self.r_b,
-                rho=self.rack.rho_fP_star * self.m_n,
-                psi_b=self.psi_b - math.pi / self.z,
-            )
-            return -2.0 * r_Ff, False
+            return self._shaped(self.x_E, None if self.cutter is not None else self.d_fE)[0], False
         return root_form_diameter_rack(
-            d=self.d,
+            z=self.z,
             m_n=self.m_n,
             alpha_n=self.alpha_n,
             beta=self.beta,
             x_E=self.x_E,
             h_fP_star=self.h_fP_star,
             rho_fP_star=self.rack.rho_fP_star,
-            s_t=self.s_t,
         )
 
-    def _shaped(self, x: float) -> tuple[float, float]:
-        """Root form and root diameter as the pinion cutter leaves them with the generating shift x."""
-        assert self.cutter is not None
-        return root_form_diameter_cutter(
+    def _shaped(self, x: float, d_f: float | None = None) -> tuple[float, float]:
+        """Root form and root diameter of an internal gear made with the generating shift x."""
+        return root_form_diameter_internal(
             z=self.z,
             m_n=self.m_n,
             alpha_n=self.alpha_n,
             beta=self.beta,
             x_E=x,
             cutter=self.cutter,
-            d_f=self.root_diameter,
+            d_f=self.root_diameter if d_f is None else d_f,
+            rho_fP_star=self.rack.rho_fP_star,
         )
 
     # --- tooth thickness ------------------------------------------------------------------------------

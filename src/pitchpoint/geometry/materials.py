@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Elastic properties and densities of gear materials: one dataclass and a small library.
 
-The constants are the usual handbook values at 20 °C. E and ν of the metals follow the table of elastic
-constants of ISO 6336-2 (steel 206 GPa, cast steel 202 GPa, nodular iron 173 GPa, grey iron 118 to 126 GPa,
-tin bronze 103 to 113 GPa; ν = 0.3), the plastics follow VDI 2736 and makers' data sheets of dry granulate.
-The modulus of a plastic falls steeply with temperature, and that of a polyamide with humidity: give
-measured values where it matters.
+The constants are the usual values at 20 °C. E and ν of steels, grey irons and tin bronzes are those of the
+table of elastic constants in ISO 6336-2 and DIN 3990-2 (steel 206 GPa, cast steel 202 GPa, nodular iron
+173 GPa, grey iron 118 to 126 GPa, tin bronze 103 to 113 GPa; ν = 0.3), so that Z_E and c' agree with rated
+gears. The nodular grades take what their own standard EN 1563 states. The modulus of grey iron falls with
+the stress, EN 1561 gives 88 to 118 GPa for the grades here; that of a plastic falls steeply with
+temperature, and that of a polyamide with humidity: give measured values where it matters.
 """
 
 from __future__ import annotations
@@ -74,10 +75,9 @@ class Material:
         return self.youngs_modulus / (1.0 - self.poisson_ratio**2)
 
 
-_STEEL = "E, ν: ISO 6336-2; ρ: usual for low-alloy steel"
-_IRON = "E, ν: ISO 6336-2; ρ: typical of the grade in EN 1561 / EN 1563"
-_BRONZE = "E, ν: ISO 6336-2; ρ: typical of the alloy in EN 1982"
-_PLASTIC = "VDI 2736 and makers' data, dry, 23 °C"
+_STEEL = "E, ν: ISO 6336-2; ρ: 7830 kg/m³ as in KISSsoft's gear reports"
+_GREY = "E, ν: ISO 6336-2; ρ: EN 1561, typical"
+_BRONZE = "E, ν: ISO 6336-2; ρ: typical of CuSn12 in EN 1982 and CuSn8 in EN 12163 (8.7 to 8.8 g/cm³)"
 
 _ROWS: tuple[tuple[str, float, float, float, str], ...] = (
     ("steel", 206e9, 0.30, 7830.0, _STEEL),
@@ -87,19 +87,19 @@ _ROWS: tuple[tuple[str, float, float, float, str], ...] = (
     ("42CrMo4", 206e9, 0.30, 7830.0, _STEEL),
     ("34CrNiMo6", 206e9, 0.30, 7830.0, _STEEL),
     ("C45", 206e9, 0.30, 7830.0, _STEEL),
-    ("X20Cr13", 215e9, 0.30, 7700.0, "EN 10088-1, martensitic stainless steel"),
+    ("X20Cr13", 215e9, 0.30, 7700.0, "E, ρ: EN 10088-1, martensitic stainless steel"),
     ("cast_steel", 202e9, 0.30, 7830.0, _STEEL),
-    ("grey_iron", 118e9, 0.30, 7200.0, _IRON),
-    ("EN-GJL-200", 118e9, 0.30, 7200.0, _IRON),
-    ("EN-GJL-250", 126e9, 0.30, 7200.0, _IRON),
-    ("nodular_iron", 173e9, 0.30, 7100.0, _IRON),
-    ("EN-GJS-400", 173e9, 0.30, 7100.0, _IRON),
-    ("EN-GJS-700", 173e9, 0.30, 7200.0, _IRON),
-    ("cast_tin_bronze", 103e9, 0.30, 8800.0, _BRONZE),
+    ("grey_iron", 118e9, 0.30, 7200.0, _GREY),
+    ("EN-GJL-200", 118e9, 0.30, 7150.0, _GREY),
+    ("EN-GJL-250", 126e9, 0.30, 7200.0, _GREY),
+    ("nodular_iron", 173e9, 0.30, 7100.0, "E, ν: ISO 6336-2; ρ: EN 1563, typical"),
+    ("EN-GJS-400", 169e9, 0.275, 7100.0, "EN 1563, typical properties"),
+    ("EN-GJS-700", 176e9, 0.275, 7200.0, "EN 1563, typical properties"),
+    ("cast_tin_bronze", 103e9, 0.30, 8700.0, _BRONZE),
     ("tin_bronze", 113e9, 0.30, 8800.0, _BRONZE),
     ("aluminium_bronze", 118e9, 0.34, 7600.0, "typical of CuAl10Fe5Ni5 in EN 1982"),
-    ("POM", 2.8e9, 0.35, 1410.0, _PLASTIC),
-    ("PA66", 3.0e9, 0.38, 1140.0, _PLASTIC),
+    ("POM", 2.8e9, 0.35, 1410.0, "makers' data, 23 °C; copolymers 2.5 to 2.9 GPa, homopolymers 3.0 GPa"),
+    ("PA66", 3.0e9, 0.38, 1140.0, "makers' data, dry, 23 °C; half of it at 50 % humidity"),
 )
 
 LIBRARY: dict[str, Material] = {
@@ -125,7 +125,7 @@ def material(name: str) -> Material:
     Examples
     --------
     >>> material("en-gjs-400").youngs_modulus, material("POM").density
-    (173000000000.0, 1410.0)
+    (169000000000.0, 1410.0)
     """
     plain = {_plain(known): known for known in LIBRARY}
     found = plain.get(_plain(name))

@@ -10,6 +10,7 @@ import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.geometry.bisection import bisect
 from pitchpoint.geometry.involute import inverse_inv
 from pitchpoint.geometry.tooth_thickness import pressure_angle_at
 
@@ -67,12 +68,13 @@ def span(gear: CylindricalGear, k: int) -> float:
     Raises
     ------
     GeometryError
-        If k < 1.
+        If k is no such number.
 
     Notes
     -----
-    W_k = (k − 1) p_bn + s_bn, the same as m_n cos α_n ((k − 0.5) π + z inv α_t) + 2 x m_n sin α_n
-    (ISO 21771). Measurable on a helical gear only if b > W_k sin |β_b|.
+    W_k = (k − 1) p_bn + s_bn, the same as m_n cos α_n ((k − 0.5) π + z inv α_t) + 2 x m_n sin α_n for an
+    external gear (ISO 21771). An internal one has the base space width in place of s_bn, which puts |z| and
+    −x into the formula. Measurable on a helical gear only if b > W_k sin |β_b|.
 
     Examples
     --------
@@ -81,8 +83,9 @@ def span(gear: CylindricalGear, k: int) -> float:
     >>> round(span(pinion, 4) * 1e3, 3)
     154.167
     """
-    if k < 1:
-        raise GeometryError("teeth cannot be spanned", where="k", value=f"{k!r}", limit="at least 1")
+    if isinstance(k, bool) or not isinstance(k, int) or k < 1:
+        limit = "a whole number, at least 1"
+        raise GeometryError("teeth cannot be spanned", where="k", value=f"{k!r}", limit=limit)
     return (k - 1) * gear.p_bn + _base_first(gear)
 
 
@@ -110,7 +113,7 @@ def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
     Parameters
     ----------
     gear
-        The gear.
+        The gear; its thickness allowance counts.
     D_M
         Diameter of the ball or pin [m], > 0.
 
@@ -122,7 +125,8 @@ def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
     Raises
     ------
     GeometryError
-        If the ball falls through to the bottom of the space (no flank contact).
+        If the ball would not touch the usable flanks: one too small lies on the root fillets, one too large
+        on the tips.
 
     Notes
     -----
@@ -131,15 +135,27 @@ def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
     if not 0.0 < D_M < math.inf:
         raise GeometryError("is no ball diameter", where="D_M", value=f"{D_M!r} m", limit="above 0")
     value = gear.psi_b - math.pi / gear.z + D_M / (gear.d_b * math.cos(gear.beta_b))
-    if value < 0.0:
+    # Inside the base circle there is no flank: the root of an external gear, the tips of an internal one.
+    at_root, at_tip = not gear.is_internal, gear.is_internal
+    alpha, contact = 0.0, 0.0
+    if value >= 0.0:
+        alpha = inverse_inv(value)
+        reach = math.tan(alpha) - D_M * math.cos(gear.beta_b) / gear.d_b
+        if reach >= 0.0:
+            contact = gear.d_b * math.hypot(1.0, reach)
+            # signed diameters grow from root to tip, for internal gears too
+            slack = 1e-9 * abs(gear.d)
+            at_root, at_tip = contact < gear.d_Ff - slack, contact > gear.d_Fa + slack
+    if at_root or at_tip:
+        low, high = sorted((abs(gear.d_Ff), abs(gear.d_Fa)))
         raise GeometryError(
-            "does not touch both flanks",
+            "does not touch the usable flanks",
             where="D_M",
-            value=f"{D_M:.6g} m",
-            limit="above" if not gear.is_internal else "below",
-            remedy=f"use a {'smaller' if gear.is_internal else 'larger'} ball",
+            value=f"{1e3 * D_M:.6g} mm",
+            limit=f"contact between the diameters {1e3 * low:.6g} and {1e3 * high:.6g} mm",
+            remedy=f"use a {'larger' if at_root else 'smaller'} ball",
         )
-    return inverse_inv(value)
+    return alpha
 
 
 def radial_dimension_over_ball(gear: CylindricalGear, D_M: float) -> float:
@@ -147,10 +163,8 @@ def radial_dimension_over_ball(gear: CylindricalGear, D_M: float) -> float:
 
     Parameters
     ----------
-    gear
-        The gear; its thickness allowance counts.
-    D_M
-        Diameter of the ball or pin [m].
+    gear, D_M
+        As in `ball_center_angle`.
 
     Returns
     -------
@@ -165,10 +179,8 @@ def dimension_over_balls(gear: CylindricalGear, D_M: float) -> float:
 
     Parameters
     ----------
-    gear
-        The gear; its thickness allowance counts.
-    D_M
-        Diameter of the balls [m].
+    gear, D_M
+        As in `ball_center_angle`.
 
     Returns
     -------
@@ -200,10 +212,8 @@ def dimension_over_pins(gear: CylindricalGear, D_M: float) -> float:
 
     Parameters
     ----------
-    gear
-        The gear; its thickness allowance counts.
-    D_M
-        Diameter of the ball or pin [m].
+    gear, D_M
+        As in `ball_center_angle`.
 
     Returns
     -------
@@ -220,10 +230,8 @@ def ball_contact_diameter(gear: CylindricalGear, D_M: float) -> float:
 
     Parameters
     ----------
-    gear
-        The gear; its thickness allowance counts.
-    D_M
-        Diameter of the ball or pin [m].
+    gear, D_M
+        As in `ball_center_angle`.
 
     Returns
     -------
@@ -269,10 +277,4 @@ def ideal_ball_diameter(gear: CylindricalGear) -> float:
         return t - math.atan(t) - offset - (t - tan_v) / cos2
 
     low, high = (0.0, tan_v) if gear.is_internal else (tan_v, tan_v + 10.0)
-    for _ in range(100):
-        middle = 0.5 * (low + high)
-        if residual(middle) > 0.0:
-            low = middle
-        else:
-            high = middle
-    return gear.d_b * (0.5 * (low + high) - tan_v) / math.cos(gear.beta_b)
+    return gear.d_b * (bisect(residual, low, high) - tan_v) / math.cos(gear.beta_b)

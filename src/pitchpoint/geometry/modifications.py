@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.errors import GeometryError, Problem
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 
 SHAPES = {"linear": 1, "parabolic": 2}
+
+# Lengths may reach exactly to the end of the flank, as far as the digits of a file go.
+_FIT = 1e-6
 
 
 def _length(where: str, value: float, limit: str, low: float = -math.inf, strict: bool = False) -> None:
@@ -185,6 +188,72 @@ def base_tangent(normal: ArrayLike, gear: CylindricalGear) -> FloatArray:
     return np.asarray(normal, dtype=float) / math.cos(gear.beta_b)
 
 
+def modification_problems(
+    modifications: FlankModifications, gear: CylindricalGear, where: str = ""
+) -> list[Problem]:
+    """Everything in the modifications that does not fit the flanks of a gear.
+
+    Parameters
+    ----------
+    modifications
+        Modifications of one kind of flank.
+    gear
+        External or internal gear.
+    where
+        Place of the modifications in their description, put before the name of the offending key.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=50, m_n=3e-3, b=0.02)
+    >>> long = FlankModifications(tip_relief=Relief(amount=2e-5, length=0.04))
+    >>> print(modification_problems(long, gear, "both")[0])
+    both.tip_relief.length: 40 mm is longer than the flank (limit 16.5412 mm of roll); shorten it
+    """
+    place = f"{where}." if where else ""
+    root, tip = flank_range(gear)
+    flank = abs(tip - root)
+    found: list[Problem] = []
+    for key, relief in (("tip_relief", modifications.tip_relief), ("root_relief", modifications.root_relief)):
+        if relief is None:
+            continue
+        if relief.length is not None and relief.length > flank * (1.0 + _FIT):
+            found.append(
+                Problem(
+                    f"{place}{key}.length",
+                    "is longer than the flank",
+                    f"{1e3 * relief.length:.6g} mm",
+                    f"{1e3 * flank:.6g} mm of roll",
+                    "shorten it",
+                )
+            )
+        d = relief.start_diameter
+        low, high = sorted((abs(gear.d_Ff), abs(gear.d_Fa)))
+        own_end = abs(gear.d_Fa if key == "tip_relief" else gear.d_Ff)
+        if d is not None and (not low * (1.0 - _FIT) <= d <= high * (1.0 + _FIT) or d == own_end):
+            found.append(
+                Problem(
+                    f"{place}{key}.start_diameter",
+                    "does not lie on the usable flank",
+                    f"{1e3 * d:.6g} mm",
+                    f"{1e3 * low:.6g} to {1e3 * high:.6g} mm",
+                    "give a diameter between root form and tip form circle, or a length",
+                )
+            )
+    ends = modifications.end_relief
+    if ends is not None and ends.length > 0.5 * gear.b * (1.0 + _FIT):
+        found.append(
+            Problem(
+                f"{place}end_relief.length",
+                "reaches over the middle of the teeth",
+                f"{1e3 * ends.length:.6g} mm",
+                f"half the face width, {500.0 * gear.b:.6g} mm",
+                "shorten it, or use lead_crowning",
+            )
+        )
+    return found
+
+
 def _relief(
     relief: Relief | None, gear: CylindricalGear, length: FloatArray, end: float, out: int
 ) -> FloatArray:
@@ -196,13 +265,6 @@ def _relief(
     else:
         assert relief.start_diameter is not None
         extent = out * (end - float(roll_length(gear, relief.start_diameter)))
-        if extent <= 0.0:
-            raise GeometryError(
-                "starts beyond the end of the usable flank",
-                where="start_diameter",
-                value=f"{1e3 * relief.start_diameter:.6g} mm",
-                limit=f"inside {1e3 * abs(gear.d_Ff):.6g} and {1e3 * abs(gear.d_Fa):.6g} mm",
-            )
     share = np.maximum(0.0, 1.0 - out * (end - length) / extent)
     return relief.amount * share ** SHAPES[relief.shape]
 
@@ -238,7 +300,7 @@ def deviation(
     Raises
     ------
     GeometryError
-        If a relief starts outside the flank, or `coordinate` is unknown.
+        If a relief does not fit the flank (see `modification_problems`), or `coordinate` is unknown.
 
     Notes
     -----
@@ -263,6 +325,14 @@ def deviation(
             "is unknown", where="coordinate", value=f"{coordinate!r}", limit="roll_length or diameter"
         )
     m = modifications
+    for problem in modification_problems(m, gear):
+        raise GeometryError(
+            problem.message,
+            where=problem.where,
+            value=problem.value,
+            limit=problem.limit,
+            remedy=problem.remedy,
+        )
     root, tip = flank_range(gear)
     t = (length - root) / (tip - root)
     zeta = np.asarray(z, dtype=float) / (0.5 * gear.b)

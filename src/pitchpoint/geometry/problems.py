@@ -10,6 +10,7 @@ import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.geometry.bisection import bisect
 from pitchpoint.geometry.involute import inv
 from pitchpoint.geometry.tooth_thickness import tip_thickness
 
@@ -43,16 +44,15 @@ def _largest_shift(gear: CylindricalGear) -> str:
     """Advice for a pointed tooth: the largest shift that keeps the tip thick enough, if there is one."""
     if gear.tip_diameter is not None:
         return "reduce tip_diameter" if not gear.is_internal else "increase tip_diameter"
-    low, high = gear.x - 0.05, gear.x
+    limit, low = TIP_THICKNESS_LIMIT * gear.m_n, gear.x - 0.05
+
+    def spare(x: float) -> float:
+        return tip_thickness(gear.replace(x=x)) - limit
+
     try:
-        while tip_thickness(gear.replace(x=low)) < TIP_THICKNESS_LIMIT * gear.m_n:
-            low, high = low - 0.05, low
-        for _ in range(30):
-            middle = 0.5 * (low + high)
-            if tip_thickness(gear.replace(x=middle)) < TIP_THICKNESS_LIMIT * gear.m_n:
-                high = middle
-            else:
-                low = middle
+        while spare(low) < 0.0:
+            low -= 0.05
+        low = bisect(spare, low, low + 0.05)
     except GeometryError:
         return "reduce the profile shift or set tip_diameter"
     return f"use at most {math.floor(100.0 * low) / 100.0:.2f} or set tip_diameter"

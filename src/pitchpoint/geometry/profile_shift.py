@@ -85,10 +85,8 @@ def pressure_angle_at_center_distance(
 
     Parameters
     ----------
-    z_sum
-        Sum of the signed numbers of teeth.
-    m_n, alpha_n, beta
-        Normal module [m], normal pressure angle and helix angle [rad].
+    z_sum, m_n, alpha_n, beta
+        As in `center_distance_for_profile_shift`.
     a_w
         Working centre distance [m], signed like z_sum.
 
@@ -129,12 +127,8 @@ def profile_shift_for_center_distance(
 
     Parameters
     ----------
-    z_sum
-        Sum of the signed numbers of teeth.
-    m_n, alpha_n, beta
-        Normal module [m], normal pressure angle and helix angle [rad].
-    a_w
-        Working centre distance [m], signed like z_sum.
+    z_sum, m_n, alpha_n, beta, a_w
+        As in `pressure_angle_at_center_distance`.
 
     Returns
     -------

@@ -9,6 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.geometry.bisection import bisect
+from pitchpoint.geometry.involute import inv, transverse_pressure_angle
+
 FloatArray = NDArray[np.float64]
 
 
@@ -60,40 +63,88 @@ class RackFillet:
         return np.hypot(across, height), np.arctan2(across, height) - rolled / self.r
 
 
-def undercut_crossing(fillet: RackFillet, r_b: float, psi_b: float, half_pitch: float) -> tuple[float, float]:
-    """Fillet parameter and radius [m] at which an undercutting trochoid crosses the involute.
+def rack_root(
+    *, z: float, m_n: float, alpha_n: float, beta: float, s_n: float, depth: float, rho: float
+) -> tuple[RackFillet, float, float, bool]:
+    """Root of an external tooth as a rack-type tool leaves it.
 
     Parameters
     ----------
-    fillet
-        Fillet of an undercut gear.
-    r_b
-        Base radius [m].
-    psi_b
-        Half tooth angle at the base circle [rad].
-    half_pitch
-        π/z [rad].
+    z
+        Number of teeth [-].
+    m_n
+        Normal module [m].
+    alpha_n, beta
+        Normal pressure angle and helix angle [rad].
+    s_n
+        Normal tooth thickness at the reference circle [m]; the tool's space makes it.
+    depth
+        How far the tool reaches below the reference circle [m].
+    rho
+        Tip radius of the tool in the normal section [m]; what does not fit is replaced by the full rounding.
 
     Returns
     -------
-    theta, r_Ff : float
-        The involute remains from r_Ff outwards.
-    """
-    from scipy.optimize import brentq
+    fillet : RackFillet
+    theta_form : float
+        Parameter of the fillet where the involute begins [rad].
+    r_Ff : float
+        Radius there [m].
+    undercut : bool
+        True when the fillet cuts the involute instead of touching it.
 
-    def clearance(theta: float) -> float:
-        r, delta = (float(value) for value in fillet.polar(theta))
-        roll = math.sqrt(max(0.0, (r / r_b) ** 2 - 1.0))
-        return half_pitch - delta - (psi_b - roll + math.atan(roll))
+    Notes
+    -----
+    The straight flank of the tool ends at the depth h below the reference circle. It makes the involute down
+    to r_Ff² = (h/tan α_t)² + (r − h)², the same as d_Ff² = d_b² + (d sin α_t − 2 h/sin α_t)² of ISO 21771,
+    unless it passes the tangent point of the line of action, h > r sin² α_t: then the trochoid of the
+    rounding cuts the involute, which begins at their crossing.
+
+    Examples
+    --------
+    >>> s_n = 14e-3 * (math.pi / 2 + 0.96 * math.tan(math.radians(20)))
+    >>> fillet, theta, r_Ff, undercut = rack_root(z=24, m_n=14e-3, alpha_n=math.radians(20),
+    ...     beta=math.radians(10), s_n=s_n, depth=10.78e-3, rho=5.32e-3)
+    >>> round(2e3 * r_Ff, 3), undercut    # KISSsoft prints 328.991 mm
+    (328.991, False)
+    """
+    alpha_t = transverse_pressure_angle(alpha_n, beta)
+    cos_beta = math.cos(beta)
+    r = 0.5 * z * m_n / cos_beta
+    slope = (1.0 - math.sin(alpha_n)) / math.cos(alpha_n)
+    half_tip = 0.5 * (math.pi * m_n - s_n) - depth * math.tan(alpha_n)
+    rho = max(0.0, min(rho, half_tip / slope))
+    fillet = RackFillet(r, depth - rho, max(0.0, half_tip - rho * slope), rho, cos_beta, alpha_n)
+    end = fillet.depth_c + rho * math.sin(alpha_n)
+    if end - r * math.sin(alpha_t) ** 2 <= 1e-12 * r:
+        return (
+            fillet,
+            alpha_n,
+            max(math.hypot(end / math.tan(alpha_t), r - end), r * math.cos(alpha_t)),
+            False,
+        )
+    psi_b = s_n / (z * m_n) + inv(alpha_t)
+    theta, r_Ff = _undercut_crossing(fillet, r * math.cos(alpha_t), psi_b, math.pi / z)
+    return fillet, theta, r_Ff, True
+
+
+def _undercut_crossing(
+    fillet: RackFillet, r_b: float, psi_b: float, half_pitch: float
+) -> tuple[float, float]:
+    """Fillet parameter and radius [m] at which an undercutting trochoid crosses the involute."""
+
+    def clearance(theta: FloatArray | float) -> FloatArray:
+        r, delta = fillet.polar(theta)
+        roll = np.sqrt(np.maximum(0.0, (r / r_b) ** 2 - 1.0))
+        return np.asarray(half_pitch - delta - (psi_b - roll + np.arctan(roll)))
 
     # The trochoid passes the base circle once. From the end of the tool flank down to there it is first
     # clear of the involute and then, behind the crossing, inside the tooth.
-    at_base = float(brentq(lambda t: float(fillet.polar(t)[0]) - r_b, fillet.theta_flank, fillet.theta_root))
+    at_base = bisect(lambda t: float(fillet.polar(t)[0]) - r_b, fillet.theta_flank, fillet.theta_root)
     theta = np.linspace(fillet.theta_flank, at_base, 257)
-    cut = np.array([clearance(t) for t in theta]) < 0.0
-    first = int(np.argmax(cut))
+    first = int(np.argmax(clearance(theta) < 0.0))
     if first == 0:
         # So slight that it ends at the base circle, within round-off of the limit.
         return at_base, r_b
-    root = float(brentq(clearance, theta[first - 1], theta[first], xtol=1e-15, rtol=1e-14))
-    return root, float(fillet.polar(root)[0])
+    root = bisect(lambda t: float(clearance(t)), float(theta[first - 1]), float(theta[first]))
+    return root, max(r_b, float(fillet.polar(root)[0]))

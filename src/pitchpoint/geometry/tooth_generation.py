@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.geometry.cutter import CutterFillet, PinionCutter, cutter_fillet, generating_position
+from pitchpoint.geometry.cutter import CutterFillet, PinionCutter, shaped_root
 from pitchpoint.geometry.involute import inv, transverse_pressure_angle
-from pitchpoint.geometry.rack_fillet import RackFillet, undercut_crossing
+from pitchpoint.geometry.rack_fillet import RackFillet, rack_root
 
 FloatArray = NDArray[np.float64]
 
@@ -145,33 +145,17 @@ def external_tooth_form(
 
     Parameters
     ----------
-    z
-        Number of teeth [-].
-    m_n
-        Normal module [m].
-    alpha_n, beta
-        Normal pressure angle and helix angle [rad].
-    s_n
-        Normal tooth thickness at the reference circle [m]; the tool's space makes it.
+    z, m_n, alpha_n, beta, s_n
+        As in `pitchpoint.geometry.rack_fillet.rack_root`.
     r_f, r_a
         Root and tip radius [m]; the tool reaches to the root circle.
     rho
         Tip radius of the tool in the normal section [m]; what does not fit is replaced by the full rounding.
 
-    Returns
-    -------
-    ToothForm
-
     Raises
     ------
     GeometryError
         If the tool or the tooth is pointed, or undercut leaves no involute or no tooth.
-
-    Notes
-    -----
-    ISO 21771 for thickness and form diameter; the trochoid is exact. Undercut begins where the straight
-    flank of the tool passes the tangent point of the line of action; the involute then starts where the
-    trochoid of the rounding crosses it.
 
     Examples
     --------
@@ -181,16 +165,9 @@ def external_tooth_form(
     >>> round(2e3 * t.r_Ff, 3)    # KISSsoft prints 328.991 mm
     328.991
     """
-    alpha_t = transverse_pressure_angle(alpha_n, beta)
-    cos_beta = math.cos(beta)
-    r = 0.5 * z * m_n / cos_beta
-    r_b = r * math.cos(alpha_t)
-    psi_b = 0.5 * s_n / cos_beta / r + inv(alpha_t)
-    depth = r - r_f
-    half_tip = 0.5 * (math.pi * m_n - s_n) - depth * math.tan(alpha_n)
-    slope = (1.0 - math.sin(alpha_n)) / math.cos(alpha_n)
-    if half_tip <= 0.0 or not 0.0 < r_f < r_a:
-        lowest = r - 0.5 * (math.pi * m_n - s_n) / math.tan(alpha_n)
+    r = 0.5 * z * m_n / math.cos(beta)
+    lowest = r - 0.5 * (math.pi * m_n - s_n) / math.tan(alpha_n)
+    if not max(0.0, lowest) < r_f < r_a:
         raise GeometryError(
             "leaves no tool tooth that could make this root",
             where="root_diameter",
@@ -198,16 +175,12 @@ def external_tooth_form(
             limit=f"above {2e3 * lowest:.4f} mm, below the tip",
             remedy="use a smaller dedendum or a larger root diameter",
         )
-    rho = min(rho, half_tip / slope)
-    fillet = RackFillet(r, depth - rho, max(0.0, half_tip - rho * slope), rho, cos_beta, alpha_n)
-    flank_depth = fillet.depth_c + rho * math.sin(alpha_n)
-    excess = flank_depth - r * math.sin(alpha_t) ** 2
-    undercut = excess > 1e-12 * r
-    theta = alpha_n
-    r_Ff = math.hypot(flank_depth / math.tan(alpha_t), r - flank_depth)
-    if undercut:
-        theta, r_Ff = undercut_crossing(fillet, r_b, psi_b, math.pi / z)
-    form = ToothForm(z, False, r_b, r_a, r_f, max(r_Ff, r_b), psi_b, fillet, theta, undercut)
+    fillet, theta, r_Ff, undercut = rack_root(
+        z=z, m_n=m_n, alpha_n=alpha_n, beta=beta, s_n=s_n, depth=r - r_f, rho=rho
+    )
+    alpha_t = transverse_pressure_angle(alpha_n, beta)
+    psi_b = s_n / (z * m_n) + inv(alpha_t)
+    form = ToothForm(z, False, r * math.cos(alpha_t), r_a, r_f, r_Ff, psi_b, fillet, theta, undercut)
     _check(form)
     return form
 
@@ -228,14 +201,8 @@ def internal_tooth_form(
 
     Parameters
     ----------
-    z
-        Number of teeth [-], positive.
-    m_n
-        Normal module [m].
-    alpha_n, beta
-        Normal pressure angle and helix angle [rad].
-    s_n
-        Normal tooth thickness at the reference circle [m].
+    z, m_n, alpha_n, beta, s_n
+        As in `pitchpoint.geometry.cutter.shaped_root`.
     r_f, r_a
         Root and tip radius [m], r_f > r_a.
     rho
@@ -247,37 +214,14 @@ def internal_tooth_form(
     ------
     GeometryError
         If the cutter cannot make this gear, or the tooth is pointed.
-
-    Notes
-    -----
-    Generation without backlash, see `pitchpoint.geometry.cutter`. The involute ends at the roll length
-    L = √(r_c² − r_b0²) + ρ of the cutter flank, that is at r_Ff² = r_b² + (L + a₀ sin α_wt0)².
-
-    Examples
-    --------
-    The ring of stage 1 of the 5 MW gearbox; KISSsoft prints the root form diameter 2662.682 mm:
-
-    >>> tan20 = math.tan(math.radians(20))
-    >>> t = internal_tooth_form(z=56, m_n=45e-3, alpha_n=math.radians(20), beta=0.0,
-    ...     s_n=45e-3 * (math.pi / 2 - 2 * 0.5013 * tan20), r_f=1.3388085, r_a=1.2375585,
-    ...     rho=0.0, cutter=PinionCutter(z_0=36, rho_aP0_star=0.3))
-    >>> round(2e3 * t.r_Ff, 2)
-    2662.68
     """
+    fillet, r_Ff, r_f = shaped_root(
+        z=z, m_n=m_n, alpha_n=alpha_n, beta=beta, s_n=s_n, r_f=r_f, rho=rho, cutter=cutter
+    )
     alpha_t = transverse_pressure_angle(alpha_n, beta)
-    r = 0.5 * z * m_n / math.cos(beta)
-    r_b = r * math.cos(alpha_t)
-    psi_b = 0.5 * s_n / math.cos(beta) / r - inv(alpha_t)
-    space_b = math.pi / z - psi_b
-    space_b = math.pi / z - psi_b
-    if cutter is None:
-        z_0, psi_b0, position, rho_0 = z, space_b, (alpha_t, 0.0), rho
-    else:
-        z_0, psi_b0, rho_0 = cutter.z_0, cutter.base_half_angle(alpha_n, beta), cutter.rho_aP0_star * m_n
-        position = generating_position(z, z_0, r_b, space_b, psi_b0)
-    fillet = cutter_fillet(z, z_0, r_b, r_f - position[1], rho_0, position, psi_b0)
-    roll = fillet.r_c * math.cos(fillet.theta_flank) + fillet.rho + position[1] * math.sin(position[0])
-    form = ToothForm(z, True, r_b, r_a, r_f, math.hypot(r_b, roll), psi_b, fillet, fillet.theta_flank, False)
+    r_b = 0.5 * z * m_n / math.cos(beta) * math.cos(alpha_t)
+    psi_b = s_n / (z * m_n) - inv(alpha_t)
+    form = ToothForm(z, True, r_b, r_a, r_f, r_Ff, psi_b, fillet, fillet.theta_flank, False)
     _check(form)
     return form
 

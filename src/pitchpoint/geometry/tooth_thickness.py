@@ -51,10 +51,8 @@ def helix_angle_at(gear: CylindricalGear, d_y: float) -> float:
 
     Parameters
     ----------
-    gear
-        The gear.
-    d_y
-        Diameter [m], signed like the gear's.
+    gear, d_y
+        As in `pressure_angle_at`.
 
     Returns
     -------
@@ -69,10 +67,8 @@ def transverse_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
 
     Parameters
     ----------
-    gear
-        The gear.
-    d_y
-        Diameter [m], signed like the gear's.
+    gear, d_y
+        As in `pressure_angle_at`.
 
     Returns
     -------
@@ -103,10 +99,8 @@ def normal_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
 
     Parameters
     ----------
-    gear
-        The gear.
-    d_y
-        Diameter [m], signed like the gear's.
+    gear, d_y
+        As in `pressure_angle_at`.
 
     Returns
     -------
@@ -121,10 +115,8 @@ def normal_space_width(gear: CylindricalGear, d_y: float) -> float:
 
     Parameters
     ----------
-    gear
-        The gear.
-    d_y
-        Diameter [m], signed like the gear's.
+    gear, d_y
+        As in `pressure_angle_at`.
 
     Returns
     -------

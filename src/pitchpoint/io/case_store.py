@@ -13,6 +13,9 @@ from pitchpoint.io.reading import open_table
 from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
 from pitchpoint.io.tables import Axis, Quantity, TableWriter
 
+LETTERS = 500
+"""Bytes kept of the sentence of a case."""
+
 
 class CaseWriter:
     """Write the results of independent cases; the file may be read while it fills.
@@ -43,11 +46,13 @@ class CaseWriter:
         self._channels = {name for name, _, _ in channels}
         self._directions = list(directions)
         axes = [Axis("case", list(range(count)), "", "number of the case"), Axis("statistic", STATISTICS)]
+        axes.append(Axis("letter", LETTERS))
         quantities = [
             *(Quantity(f"given[{p}]", ("case",), "", f"{p} as given", dtype="text") for p in values),
             *(Quantity(f"value[{p}]", ("case",), "", f"{p} in SI units") for p in values),
             *(Quantity(name, ("case", "statistic"), unit, words) for name, unit, words in channels),
             Quantity("case_status", ("case",), "1", "status of the case; 1 is fine", dtype="i4"),
+            Quantity("case_sentence", ("case", "letter"), "", "how the case ended", dtype="S1"),
             Quantity("wall_s", ("case",), "s", "wall time of the case"),
         ]
         if n_points:
@@ -80,6 +85,7 @@ class CaseWriter:
                 for name, _, _ in QUANTITIES:
                     self._table.put(name, (k, d, i), [point[name][s] for s in STATISTICS])
         self._table.put("case_status", k, result.status)
+        self._table.put("case_sentence", k, _letters(result.sentence))
         self._table.put("wall_s", k, result.wall_s)
         self._table.flush()
 
@@ -97,12 +103,14 @@ class CaseWriter:
 
 
 def read_cases(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
-    """Read cases as plain data, those that were computed: `case`, `values`, `numbers`, `status`, `channels`.
+    """Read cases as plain data, those that were computed: `case`, `values`, `numbers`, `status`, `sentence`
+    and `channels`.
 
     Cases of a speed sweep also have `points`.
     """
     with open_table(path, "cases") as file:
         status = file["case_status"][...]
+        sentences = [_sentence(row) for row in file["case_sentence"][...]]
         given = {_inside(n): _texts(file[n][...]) for n in file if n.startswith("given[")}
         numbers = {_inside(n): file[n][...] for n in file if n.startswith("value[")}
         tables = {
@@ -124,6 +132,7 @@ def read_cases(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
                 "values": {p: texts[k] for p, texts in given.items()},
                 "numbers": {p: float(v[k]) for p, v in numbers.items()},
                 "status": int(code),
+                "sentence": sentences[k],
                 "channels": {
                     n: {"unit": unit} | {s: float(x) for s, x in zip(STATISTICS, v[k], strict=True)}
                     for n, (v, unit) in tables.items()
@@ -151,6 +160,16 @@ def _points(tables: Mapping[str, Any], directions: Sequence[str], case: int) -> 
                 point[name] = {"unit": unit} | {s: float(x) for s, x in zip(STATISTICS, values, strict=True)}
             found.append(point)
     return found
+
+
+def _letters(text: str) -> list[bytes]:
+    """A text as single bytes (UTF-8) that fill a row."""
+    data = text.encode("utf-8")[:LETTERS].decode("utf-8", "ignore").encode("utf-8").ljust(LETTERS, b"\0")
+    return [data[k : k + 1] for k in range(LETTERS)]
+
+
+def _sentence(row: Any) -> str:
+    return b"".join(row.tolist()).decode("utf-8")
 
 
 def _inside(name: str) -> str:

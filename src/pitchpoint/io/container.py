@@ -29,6 +29,8 @@ RUNNING, FINISHED, FAILED, INTERRUPTED = "running", "finished", "failed", "inter
 _LENGTHS = {"status": 16, "sentence": 512, "notes": 4096}
 # Every netCDF reader has these two filters; faster ones (lzf, blosc) are refused by the C library.
 _PACKING: dict[str, Any] = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
+# NetCDF-4 knows dimensions without a variable by this name of their scale.
+_NO_COORDINATE = "This is a netCDF dimension but not a netCDF variable."
 _CHUNK_CACHE = 65536  # bytes per variable: whole chunks are written, so a cache only costs memory
 
 
@@ -109,10 +111,17 @@ class Container:
         dtype: str = "f8",
         attributes: Mapping[str, str] | None = None,
     ) -> h5py.Dataset:
-        """Make a dimension with its coordinate; texts are stored as variable-length UTF-8."""
+        """Make a dimension with its coordinate; texts are stored as variable-length UTF-8.
+
+        A number as `values` makes a dimension of that length without a coordinate.
+        """
         import h5py
 
         where = self.file.require_group(group) if group else self.file
+        if isinstance(values, int):
+            bare = where.create_dataset(name, (values,), dtype="i1")
+            bare.make_scale(f"{_NO_COORDINATE}{values:10d}")
+            return bare
         if unlimited:
             filters = _PACKING if packed else {}
             made = where.create_dataset(name, (0,), maxshape=(None,), chunks=(chunk,), dtype=dtype, **filters)
@@ -138,6 +147,7 @@ class Container:
         """Make a variable over existing dimensions; what is not written yet reads as NaN (integers: -1).
 
         The type `text` is for tables that are filled before others may read: HDF5 cannot do it afterwards.
+        Texts that come later are rows of letters, type `S1`, over a dimension of their own.
         """
         import h5py
         import numpy as np
@@ -155,7 +165,7 @@ class Container:
             maxshape=limits if growing else None,
             chunks=chunks if (growing or packed) else None,
             dtype=dtype,
-            fillvalue=np.nan if np.dtype(dtype).kind == "f" else -1,
+            fillvalue={"f": np.nan, "S": b""}.get(np.dtype(dtype).kind, -1),
             **(_PACKING if packed else {}),
         )
         if not growing:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.geometry.mass_properties import RIM_OF_RING
 from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.geometry.tooth_form import REGIONS, gear_outline, tooth_form, tooth_profile
 
@@ -41,6 +42,13 @@ def points_csv(gear: CylindricalGear, n_flank: int = 40) -> str:
     return "\n".join(["x [mm],y [mm],tooth,region", *rows]) + "\n"
 
 
+def _bore_radius(gear: CylindricalGear, bore_diameter: float) -> float:
+    """Radius of the bore, or of the outside of an internal gear: with the usual rim if none is given [m]."""
+    if gear.is_internal and bore_diameter == 0.0:
+        return tooth_form(gear).r_f + RIM_OF_RING * gear.m_n
+    return 0.5 * bore_diameter
+
+
 def drawing_dxf(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float = 0.0) -> str:
     """Outline of the gear as DXF R12 text: one closed polyline, reference and base circle, bore.
 
@@ -51,7 +59,7 @@ def drawing_dxf(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float =
     n_flank
         Points per flank.
     bore_diameter
-        Bore, or outer diameter of an internal gear [m]; 0 = not drawn.
+        Bore, or outer diameter of an internal gear [m]; 0 = none, or a ring of the usual rim.
 
     Examples
     --------
@@ -76,8 +84,9 @@ def drawing_dxf(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float =
         pairs((0, "VERTEX"), (8, "OUTLINE"), (10, float(x)), (20, float(y)), (30, 0.0))
     pairs((0, "SEQEND"), (8, "OUTLINE"))
     circles = [("REFERENCE", abs(gear.d)), ("BASE", abs(gear.d_b))]
-    if bore_diameter > 0.0:
-        circles.append(("BORE", bore_diameter))
+    bore = 2.0 * _bore_radius(gear, bore_diameter)
+    if bore > 0.0:
+        circles.append(("RING" if gear.is_internal else "BORE", bore))
     for layer, diameter in circles:
         pairs((0, "CIRCLE"), (8, layer), (10, 0.0), (20, 0.0), (30, 0.0), (40, 0.5 * diameter * _MM))
     pairs((0, "ENDSEC"), (0, "EOF"))
@@ -108,9 +117,9 @@ def drawing_svg(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float =
     """
     form = tooth_form(gear)
     outer = _MM * form.r_a
-    hole = 0.5 * bore_diameter * _MM
+    hole = _MM * _bore_radius(gear, bore_diameter)
     if gear.is_internal:
-        outer = hole = hole or _MM * (form.r_f + 3.5 * gear.m_n)
+        outer = hole
     points = gear_outline(gear, n_flank)[:-1] * _MM
     path = "M" + "L".join(f"{x:.6f} {-y:.6f}" for x, y in points) + "Z"
     if hole > 0.0:

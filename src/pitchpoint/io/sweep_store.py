@@ -95,9 +95,17 @@ class SweepWriter:
             )
         self._table.flush()
 
-    def finish(self, status: str = FINISHED, sentence: str = "", *, code: int = 1, steps: int = 0) -> None:
-        """Write how the computation ended and close; a second call does nothing."""
-        self._table.finish(status, sentence, code=code, steps=steps)
+    def finish(
+        self,
+        status: str = FINISHED,
+        sentence: str = "",
+        *,
+        code: int = 1,
+        steps: int = 0,
+        notes: Sequence[str] = (),
+    ) -> None:
+        """Write how the computation ended, what is to be known, and close; a second call does nothing."""
+        self._table.finish(status, sentence, code=code, steps=steps, notes=notes)
 
     def __enter__(self) -> Self:
         return self

@@ -24,10 +24,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Axis:
-    """One dimension: its name, its coordinate values (numbers or texts), unit and words."""
+    """One dimension: its name, its coordinate values (numbers or texts), unit and words.
+
+    A single number as `values` is a length: such a dimension has no coordinate.
+    """
 
     name: str
-    values: Sequence[Any]
+    values: Sequence[Any] | int
     unit: str = ""
     long_name: str = ""
     symbol: str = ""
@@ -94,7 +97,7 @@ class TableWriter:
             axis.name: container.dimension(
                 axis.name,
                 axis.values,
-                dtype="i8" if all(isinstance(v, int) for v in axis.values) else "f8",
+                dtype="i8" if _whole(axis.values) else "f8",
                 attributes={"units": axis.unit, "long_name": axis.long_name, "symbol": axis.symbol},
             )
             for axis in axes
@@ -113,6 +116,7 @@ class TableWriter:
                     "units": q.unit,
                     "long_name": q.long_name,
                     "symbol": q.symbol or symbol(q.name),
+                    "_Encoding": "utf-8" if q.dtype == "S1" else "",
                 },
             )
         self._length = 0
@@ -172,6 +176,10 @@ class TableWriter:
     ) -> None:
         status, sentence, code = how_it_ended(error)
         self.finish(status, sentence, code=code)
+
+
+def _whole(values: Sequence[Any] | int) -> bool:
+    return not isinstance(values, int) and all(isinstance(v, int) for v in values)
 
 
 def write_tables(

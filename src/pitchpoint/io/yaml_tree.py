@@ -172,6 +172,7 @@ def _number(text: str) -> int | float | None:
 def _compose(text: str) -> Any:
     from ruamel.yaml import YAML
     from ruamel.yaml.error import MarkedYAMLError, YAMLError
+    from ruamel.yaml.reader import ReaderError
 
     if len(text) > MAX_BYTES:
         raise TreeError(Problem("", f"the file is larger than {MAX_BYTES // 10**6} MB"))
@@ -186,6 +187,11 @@ def _compose(text: str) -> Any:
         raise TreeError(Problem("YAML syntax", what, remedy=remedy, line=line)) from None
     except RecursionError:
         raise TreeError(Problem("YAML syntax", "the file is nested too deeply")) from None
+    except ReaderError as error:
+        line = text[: error.position].count("\n") + 1
+        what = f"holds the character #x{error.character:04x}, which no text file has"
+        remedy = "remove it; is this a YAML text file?"
+        raise TreeError(Problem("YAML syntax", what, remedy=remedy, line=line)) from None
     except (YAMLError, ValueError, AttributeError, TypeError, IndexError, KeyError, AssertionError) as error:
         # ruamel.yaml lets a few plain exceptions escape on broken input
         what = " ".join(str(error).split())[:200] or type(error).__name__

@@ -143,7 +143,10 @@ class Reader:
         """Read a whole number."""
         number = isinstance(data, Real) and not isinstance(data, bool)
         if not number or data != data or data in (math.inf, -math.inf):
-            return self.problem(path, "is not a whole number", value=shown(data), limit=description.limit)
+            remedy = f"write {data.strip()} without quotes" if _is_quoted_number(data) else None
+            return self.problem(
+                path, "is not a whole number", value=shown(data), limit=description.limit, remedy=remedy
+            )
         value = int(data)
         if data != value:
             remedy = f"write {round(data)}"
@@ -262,6 +265,10 @@ class Reader:
         if word is BAD:
             return BAD
         return self.component(laws[word], {k: v for k, v in data.items() if k != "law"}, path)
+
+
+def _is_quoted_number(data: Any) -> bool:
+    return isinstance(data, str) and data.strip().isascii() and data.strip().isdigit()
 
 
 _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {

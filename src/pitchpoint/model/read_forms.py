@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.keys import BAD, Key, Place
@@ -11,6 +11,10 @@ from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
     from pitchpoint.model.read import Reader
+
+
+ROUNDED = 1e-3
+"""Negative eigenvalue of a scaled matrix that may come from entries written with few digits."""
 
 
 def gears(reader: Reader, key: Key, data: Any, path: Place) -> Any:
@@ -59,7 +63,24 @@ def matrix(reader: Reader, key: Key, data: Any, path: Place) -> Any:
             if abs(rows[i][j] - rows[j][i]) > 1e-9 * size:
                 remedy = f"entries [{i}][{j}] and [{j}][{i}] must agree"
                 return reader.problem(path, "is not symmetric", remedy=remedy)
+    least = _least_eigenvalue(rows)
+    if least < -ROUNDED:
+        return reader.problem(
+            path,
+            "pushes away in some direction: one of its eigenvalues is negative",
+            remedy="correct the signs, or the entries beside the diagonal",
+        )
     return rows
+
+
+def _least_eigenvalue(rows: Sequence[Sequence[float]]) -> float:
+    """Smallest eigenvalue of a symmetric matrix with its diagonal scaled to 1: it mixes N/m and N m/rad."""
+    import numpy as np
+
+    matrix = np.array(rows)
+    size = np.abs(matrix.diagonal())
+    scale = np.sqrt(np.where(size > 0.0, size, max(float(np.max(np.abs(matrix))), 1e-300)))
+    return float(np.linalg.eigvalsh(matrix / np.outer(scale, scale))[0])
 
 
 def orders(reader: Reader, key: Key, data: Any, path: Place) -> Any:

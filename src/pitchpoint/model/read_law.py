@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 VARIABLES = ("t", "angle", "speed")
 _WORDS = re.compile(r"(?<![\w.])(?:[a-zA-Z_]\w*)")
+_CALL = re.compile(r"[a-zA-Z_]\w*\s*\(")
 _MAX_COLUMN_BYTES = 10_000_000
 
 
@@ -41,7 +42,9 @@ def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     if data == "balance" and key.dimension == "torque":
         return Balance()
     variables = ("t",) if motion else VARIABLES
-    if isinstance(data, str) and any(w in variables for w in _WORDS.findall(data)):
+    if isinstance(data, str) and (
+        any(w in variables for w in _WORDS.findall(data)) or _CALL.search(data) is not None
+    ):
         return _formula(reader, data, path, variables)
     value = reader.number(key, data, path)
     return BAD if value is BAD else Constant(value)

@@ -16,8 +16,15 @@ EVENTS = ("pair_entry", "pair_exit", "contact", "sliding_reversal")
 class Drive:
     """Prescribed motion of a body: its speed or its angle, exactly one of them."""
 
-    speed: Law | None = key("law", "speed over t, or a table over time", None, dimension="angular_speed")
-    angle: Law | None = key("law", "angle over t, or a table over time", None, dimension="angle")
+    speed: Law | None = key(
+        "law",
+        "speed: a value, a formula of t, {table: [[t, speed], ...]} or {python: 'file.py:function'}",
+        None,
+        dimension="angular_speed",
+    )
+    angle: Law | None = key(
+        "law", "angle: a value, a formula of t or {table: [[t, angle], ...]}", None, dimension="angle"
+    )
 
 
 @dataclass(frozen=True, kw_only=True)

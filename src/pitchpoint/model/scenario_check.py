@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.components.law import PythonLaw
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
@@ -16,26 +17,50 @@ if TYPE_CHECKING:
 
 SPEED_TOLERANCE = 1e-6
 """Relative difference up to which two given speeds fit a gear ratio."""
+MOST_STEPS = 1e12
+"""Steps of a run beyond which a time step or a sample rate can only be a slip: days of computing."""
+
+
+Link = tuple[Place, str, str, float]
+"""Mesh or coupling by its place, the two bodies it joins, speed of the second per speed of the first."""
+
+
+def links_of(parts: Parts) -> list[Link]:
+    """Everything that gives two bodies a speed ratio: meshes, and couplings that carry torque."""
+    found: list[Link] = []
+    for name, mesh in parts.meshes.items():
+        bodies = [parts.body_of(g) for g in mesh.gears]
+        if None in bodies or bodies[0] == bodies[1] or not all(g in parts.gears for g in mesh.gears):
+            continue
+        z_1, z_2 = (parts.gears[g].sign * parts.gears[g].number_of_teeth for g in mesh.gears)
+        found.append((("meshes", name), str(bodies[0]), str(bodies[1]), -z_1 / z_2))
+    for name, coupling in parts.couplings.items():
+        one, two = coupling.bodies
+        if one != two and one in parts.bodies and two in parts.bodies and coupling.carries_torque:
+            found.append((("couplings", name), one, two, 1.0))
+    return found
 
 
 def ratios(parts: Parts) -> dict[str, list[tuple[str, float]]]:
     """Speed ratios between neighbouring bodies: body -> [(neighbour, speed of it per own speed)]."""
     out: dict[str, list[tuple[str, float]]] = {}
-
-    def add(one: str, two: str, ratio: float) -> None:
+    for _, one, two, ratio in links_of(parts):
         out.setdefault(one, []).append((two, ratio))
         out.setdefault(two, []).append((one, 1.0 / ratio))
-
-    for mesh in parts.meshes.values():
-        bodies = [parts.body_of(g) for g in mesh.gears]
-        if None in bodies or bodies[0] == bodies[1] or not all(g in parts.gears for g in mesh.gears):
-            continue
-        z_1, z_2 = (parts.gears[g].sign * parts.gears[g].number_of_teeth for g in mesh.gears)
-        add(str(bodies[0]), str(bodies[1]), -z_1 / z_2)
-    for coupling in parts.couplings.values():
-        if coupling.bodies[0] != coupling.bodies[1] and all(b in parts.bodies for b in coupling.bodies):
-            add(*coupling.bodies, 1.0)
     return out
+
+
+def locked_links(parts: Parts, body: str) -> list[Link]:
+    """Links that close a loop with a body and contradict the ratios of the rest of it: nothing can turn."""
+    turning = start_speeds(parts, {body: 1.0})[0]
+    return [
+        link
+        for link in links_of(parts)
+        for one, two, ratio in [link[1:]]
+        if turning[one] != 0.0
+        and turning[two] != 0.0
+        and abs(turning[two] - ratio * turning[one]) > SPEED_TOLERANCE * abs(turning[two])
+    ]
 
 
 def start_speeds(
@@ -121,14 +146,32 @@ def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
 
 def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     free = {b: s for b, s in scenario.speed.items() if b not in scenario.drive}
+    _locked(parts, scenario, at, report)
     for body in scenario.speed:
         part = parts.bodies.get(body)
         if part is not None and part.motion == "fixed" and scenario.speed[body] != 0.0:
             report.problem((*at, "speed", body), "is the speed of a fixed body", remedy="remove it")
-    for body in scenario.hold:
+    for k, body in enumerate(scenario.hold):
         if body in scenario.drive:
             report.problem(
                 (*at, "hold"), f"names {body}, which is driven", remedy="hold or drive it, not both"
+            )
+        if body in scenario.hold[:k]:
+            report.problem((*at, "hold"), f"names {body} twice", remedy="name each body once")
+    for key, bodies in (("drive", tuple(scenario.drive)), ("hold", scenario.hold)):
+        for body in bodies:
+            if body in parts.bodies and parts.bodies[body].motion == "fixed":
+                report.problem(
+                    (*at, key, body) if key == "drive" else (*at, key),
+                    f"names {body}, which is fixed and cannot turn",
+                    remedy="remove it, or give the body motion: torsion",
+                )
+    for body, drive in scenario.drive.items():
+        if isinstance(drive.angle, PythonLaw):
+            report.problem(
+                (*at, "drive", body, "angle"),
+                "is a Python function; only a speed can be one, its angle follows without differencing",
+                remedy="give speed: {python: ...}, or the angle as a formula or table",
             )
     for body, fitting in start_speeds(parts, free)[1]:
         report.problem(
@@ -138,6 +181,25 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
             limit=f"{fitting:.6g} rad/s",
             remedy="correct it or leave it out; the other speeds follow from the ratios (a drive may differ)",
         )
+
+
+def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
+    """Speeds inside a loop whose ratios contradict each other."""
+    turned: dict[str, Place] = {b: (*at, "speed", b) for b, speed in scenario.speed.items() if speed != 0.0}
+    turned |= {b: (*at, "drive", b) for b in scenario.drive}
+    if scenario.sweep is not None:
+        turned[scenario.sweep.body] = (*at, "sweep", "body")
+    told: set[Place] = set()
+    for body, place in turned.items():
+        for link, one, two, _ in locked_links(parts, body) if body in parts.bodies else ():
+            if link not in told:
+                told.add(link)
+                report.problem(
+                    place,
+                    f"cannot turn {body}: {'.'.join(map(str, link))} locks {one} and {two}, which other "
+                    "meshes and couplings turn at another ratio",
+                    remedy="take one of the loop out, or leave the speed at zero",
+                )
 
 
 def _time(scenario: Scenario, at: Place, report: Reader) -> None:
@@ -154,13 +216,26 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
             limit=f"< {scenario.duration:g} s",
             remedy="shorten it or lengthen duration",
         )
-    if scenario.step is not None and scenario.step > scenario.duration:
+    window = scenario.duration - scenario.statistics_start
+    if scenario.step is not None and scenario.step > 0.5 * window > 0.0:
         report.problem(
             (*at, "step"),
-            "is longer than duration",
+            "is longer than half the time that is measured, from settle_time to duration",
             value=f"{scenario.step:g} s",
-            limit=f"{scenario.duration:g} s",
+            limit=f"<= {0.5 * window:g} s",
+            remedy="write a shorter step, or leave it out",
         )
+    for key, count in (
+        ("step", scenario.duration / scenario.step if scenario.step else 0.0),
+        ("sample_rate", scenario.duration * (scenario.sample_rate or 0.0)),
+    ):
+        if count > MOST_STEPS:
+            report.problem(
+                (*at, key),
+                f"makes {count:.2g} steps out of the duration",
+                limit=f"<= {MOST_STEPS:g} steps",
+                remedy=f"correct {key} or duration, or leave {key} out",
+            )
 
 
 def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
@@ -170,6 +245,12 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     if sweep is None:
         return
     exactly_one(sweep, ("mesh_frequency", "speed"), at, report)
+    if scenario.drive:
+        report.problem(
+            (*at[:-1], "drive"),
+            "stands beside sweep, which prescribes the speed itself",
+            remedy=f"write hold: [{', '.join(scenario.drive)}] for bodies that keep the speed of each point",
+        )
     bounds = sweep.mesh_frequency or sweep.speed
     key = "mesh_frequency" if sweep.mesh_frequency is not None else "speed"
     if bounds is not None and bounds[0] >= bounds[1]:

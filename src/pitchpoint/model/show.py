@@ -62,6 +62,9 @@ def example(description: Key) -> str:
         if description.kind == "quantities" or description.length[0] > 1:
             return f"[{', '.join([one] * max(2, min(description.length[0], 3)))}]"
         return one
+    if description.kind in ("law", "laws"):
+        one = DIMENSIONS[description.dimension].example.split(" or ")[0]
+        return one if description.kind == "law" else f"[0, 0, {one}]"
     if description.choices:
         return " or ".join(description.choices)
     samples = {"integer": str(int(max(description.minimum, 20))), "names": "[a, b]", "text": "a name"}

@@ -38,6 +38,7 @@ def check_references(parts: Parts, report: Reader) -> None:
             known(parts, "gears", gear, at, report)
         if mesh.gears[0] == mesh.gears[1]:
             report.problem(at, f"names {mesh.gears[0]} twice", remedy="name two gears")
+    _same_pairs(parts, report)
     for group in ("bearings", "loads"):
         for name, part in getattr(parts, group).items():
             known(parts, "bodies", part.body, (group, name, "body"), report)
@@ -47,6 +48,20 @@ def check_references(parts: Parts, report: Reader) -> None:
             known(parts, "bodies", body_name, at, report)
         if coupling.bodies[0] == coupling.bodies[1]:
             report.problem(at, f"names {coupling.bodies[0]} twice", remedy="name two bodies")
+
+
+def _same_pairs(parts: Parts, report: Reader) -> None:
+    """Two gears mesh once; a second mesh between them would carry the load a second time."""
+    seen: dict[frozenset[str], str] = {}
+    for name, mesh in parts.meshes.items():
+        first = seen.setdefault(frozenset(mesh.gears), name)
+        if first != name:
+            report.problem(
+                ("meshes", name, "gears"),
+                f"are the gears of {first} already",
+                value=" and ".join(mesh.gears),
+                remedy="leave one of the two meshes out",
+            )
 
 
 def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> bool:

@@ -10,16 +10,18 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import NOT_FINITE, OK, STEP_UNDERFLOW
+from pitchpoint.core.status import DIED, NOT_FINITE, OK, STEP_UNDERFLOW
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.explicit import DENSE, NEW, OLD, ROWS, bring_state, keep_state, slope
-from pitchpoint.solvers.sampling import take
+from pitchpoint.solvers.sampling import changes_sign, take
 from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STEPS, VALID
 
 # slots of `real` that outlive a call
-STEP_SIZE, LAST_ERROR = 2, 3
+STEP_SIZE, LAST_ERROR, TIME, SLOPE_AT = 2, 3, 4, 5
+# places in the tolerances: relative, of positions, of rates; pull on constraint drift, largest step
+RTOL, ATOL, ATOL_RATE, RATE, LARGEST = range(5)
 
 
 @kernel
@@ -128,6 +130,7 @@ def _locate(at, t, h, n, k, low, high):
     ev = view(m["ev1"], c["ne"], F8)
     a = 0.0
     b = 1.0
+    side = 0
     for _ in range(80):
         if (b - a) * abs(h) <= 1e-13 * max(abs(t), abs(h)):
             break
@@ -141,13 +144,17 @@ def _locate(at, t, h, n, k, low, high):
         if (f < 0.0) == (low < 0.0) and f != 0.0:
             a = x
             low = f
-            high *= 0.5
+            if side == -1:  # the other end has stayed twice
+                high *= 0.5
+            side = -1
         else:
             b = x
             high = f
-            low *= 0.5
             if f == 0.0:
                 break
+            if side == 1:
+                low *= 0.5
+            side = 1
     return b
 
 
@@ -165,7 +172,7 @@ def _events(at, t, h, dense, found, n):
             return n, -1.0
         low = ev0[k]
         high = ev1[k]
-        if (low < 0.0 and high >= 0.0) or (low > 0.0 and high <= 0.0):
+        if changes_sign(low, high):
             x = _locate(at, t, h, dense, k, low, high)
             if x < first:
                 first = x
@@ -178,12 +185,42 @@ def _events(at, t, h, dense, found, n):
 
 
 @kernel
-def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, rows, sums, found, done):
+def _up_to(at, end, share, dense, found, before, n):
+    """Drop the events of a step that have not happened where it is cut; returns the number of records.
+
+    Several functions may change sign at one instant, located a little apart: all that have changed count.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    ev0 = view(m["ev0"], c["ne"], F8)
+    ev1 = view(m["ev1"], c["ne"], F8)
+    _interpolate(at, share, dense)
+    if evaluate_events(at, end, m["ev1"]) != OK:
+        return n
+    kept = before
+    for r in range(before, min(n, found.shape[0])):
+        k = int(found[r, 1])
+        if found[r, 0] <= end or (ev1[k] > 0.0) != (ev0[k] > 0.0):
+            for j in range(3):
+                found[kept, j] = found[r, j]
+            kept += 1
+    return kept
+
+
+@kernel
+def _stop(at, status):
+    """Go back to the state before a step that cannot be finished."""
+    bring_state(at, OLD)
+    return status
+
+
+@kernel
+def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
     """Go from t to t_end with step control; `pair` holds the coefficients (`dormand_prince_pairs.Pair`).
 
-    tol: rtol, atol, atol_rate, constraint rate. grid: time of sample 0, distance of samples (0: none); rows
-    are stored and statistics fed at grid times. restart != 0: begin anew at every event. done: steps, rows,
-    events. The time reached and the next step size stay in `real`.
+    tol: see the places above. grid: time of sample 0, distance of samples (0: none); rows are stored and
+    statistics fed at grid times. restart != 0: begin anew at every event. The time reached and the next step
+    size stay in `real`.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -195,78 +232,77 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, rows, sums, f
     A = pair.A
     last_stage = pair.E.shape[1] - 1
     dense = 0
-    measure = 1 if sums.shape[0] > 0 else 0
+    found = harvest.found
+    done = harvest.done
+    rate = tol[RATE]
+    measure = 1 if harvest.sums.shape[0] > 0 else 0
     watch = ne > 0 and found.shape[0] > 0
-    done[0] = 0
-    done[1] = 0
-    done[2] = 0
-    real[4] = t
-    status = slope(at, t, 0, tol[3])
-    if status != OK:
-        return status
+    real[TIME] = t
+    if real[SLOPE_AT] != t:  # else it is still there: a run cut into chunks has the same bits
+        status = slope(at, t, 0, rate)
+        if status != OK:
+            return status
     while t < t_end and done[0] < most:
-        h = real[STEP_SIZE]
+        h = min(real[STEP_SIZE], tol[LARGEST])
         last = t + 1.01 * h >= t_end
         if last:
             h = t_end - t
         if not h > 1e-14 * max(abs(t), 1e-9):
+            if last:  # an event just before the end
+                t = t_end
+                real[TIME] = t
+                break
             return STEP_UNDERFLOW
         keep_state(at, OLD)
-        status = _stages(at, t, h, tol[3], A, pair.C, 1, last_stage + 1, last_stage)
+        status = _stages(at, t, h, rate, A, pair.C, 1, last_stage + 1, last_stage)
         error = 1e10
         if status == OK:
-            error = _error(at, h, pair.E, tol[0], tol[1], tol[2])
-        elif status != NOT_FINITE:
-            return status
+            error = _error(at, h, pair.E, tol[RTOL], tol[ATOL], tol[ATOL_RATE])
+        elif status == DIED:
+            return _stop(at, status)
         if not error <= 1.0:
             clock[REJECTED] += 1
             real[STEP_SIZE] = h * (
                 max(0.2, 0.9 * error ** (-1.0 / pair.order)) if math.isfinite(error) else 0.2
             )
-            if not real[STEP_SIZE] > 1e-14 * max(abs(t), 1e-9):
-                return STEP_UNDERFLOW if status == OK else NOT_FINITE
             bring_state(at, OLD)
+            if not real[STEP_SIZE] > 1e-14 * max(abs(t), 1e-9):
+                return STEP_UNDERFLOW if status == OK else status
+            c["bad"] = -1  # a shorter step may do without what this one met
+            c["badkind"] = -1
             continue
         end = t_end if last else t + h
         share = 2.0
         if watch or grid[1] > 0.0:
-            status = _stages(at, t, h, tol[3], A, pair.C, last_stage + 1, A.shape[0], last_stage)
+            status = _stages(at, t, h, rate, A, pair.C, last_stage + 1, A.shape[0], last_stage)
             if status != OK:
-                return status
+                return _stop(at, status)
             dense = _prepare_dense(at, h, pair.D, last_stage)
         if watch:
             before = done[2]
             done[2], share = _events(at, t, h, dense, found, done[2])
             if share < 0.0:
-                return NOT_FINITE
+                return _stop(at, NOT_FINITE)
             if restart != 0 and share <= 1.0:
                 end = t + share * h
-                kept = before  # keep only what happened up to the restart
-                for r in range(before, min(done[2], found.shape[0])):
-                    if found[r, 0] <= end:
-                        for k in range(3):
-                            found[kept, k] = found[r, k]
-                        kept += 1
-                done[2] = kept
+                done[2] = _up_to(at, end, share, dense, found, before, done[2])
         if grid[1] > 0.0:
             k = math.floor((t - grid[0]) / grid[1] + 1e-9) + 1
             while grid[0] + k * grid[1] <= end * (1.0 + 1e-15):
                 s = grid[0] + k * grid[1]
                 _interpolate(at, (s - t) / h, dense)
-                status = solve_acceleration(at, s, tol[3])
+                status = solve_acceleration(at, s, rate)
                 if status == OK:
-                    sample = 1 if done[1] < rows.shape[0] else 0
-                    status = take(at, s, sums, measure, rows, done[1], sample)
-                    done[1] += sample
+                    status = take(at, s, harvest, measure, 1)
                 if status != OK:
-                    return status
+                    return _stop(at, status)
                 clock[VALID] = 1
                 k += 1
         if restart != 0 and share <= 1.0:
             _interpolate(at, share, dense)
-            status = slope(at, end, 0, tol[3])
+            status = slope(at, end, 0, rate)
             if status != OK:
-                return status
+                return _stop(at, status)
         else:
             bring_state(at, NEW)
             for i in range(2 * nd):
@@ -274,9 +310,10 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, rows, sums, f
         if watch:
             status = evaluate_events(at, end, m["ev0"])
             if status != OK:
-                return status
+                return _stop(at, status)
         t = end
-        real[4] = t
+        real[TIME] = t
+        real[SLOPE_AT] = t
         wrap(at)
         clock[STEPS] += 1
         done[0] += 1
@@ -289,6 +326,6 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, rows, sums, f
         real[LAST_ERROR] = max(error, 1e-4)
         if not last:
             real[STEP_SIZE] = h * min(5.0, max(0.2, growth))
-    status = solve_acceleration(at, t, tol[3])
+    status = solve_acceleration(at, t, rate)
     clock[VALID] = 1
     return status

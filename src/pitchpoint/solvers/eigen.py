@@ -17,6 +17,8 @@ OVERLAP = 1e-4
 """Part of a shape outside the rigid rotations up to which it counts as one of them."""
 SLOW = 1e-4
 """Eigenvalue over the largest up to which that is asked."""
+LEFT_OVER = 1e-6
+"""Eigenvalue over the largest below which a rigid mode does not oscillate."""
 SAME = 1e-9
 """Relative distance of eigenvalues that count as one multiple root."""
 
@@ -129,6 +131,8 @@ def damped(
     if np.any(tied):
         own = np.ix_(tied, tied)
         values[tied], z[own] = _quadratic(k[own] / unit**2, d[own] / unit)
+        # nothing brings a rigid rotation back: what seems to is what the tangents leave over of a turn
+        values[(omega == 0.0) & (values.imag > 0.0) & (np.abs(values) < LEFT_OVER)] = 0.0
     return np.asarray(values * unit, dtype=np.complex128), z
 
 

@@ -6,8 +6,12 @@ Newton's method cannot start inside the backlash, where nothing resists a turn. 
 touch, with a growing one the step becomes Newton's. Spins that nothing holds (every rigid gear train has one)
 are kept at their angle; the torque that this takes is reported: it is zero if the loads balance.
 
-Source of the idea: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM
-Journal on Numerical Analysis 35 (1998) 508-523.
+A step counts as progress by the step that would follow it with the same matrix, in the norm of the masses:
+residuals themselves may grow on the way (a gear train multiplies a torque before the next mesh has taken it).
+
+Sources of the ideas: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM
+Journal on Numerical Analysis 35 (1998) 508-523; P. Deuflhard, Newton Methods for Nonlinear Problems, 2004
+(natural monotonicity).
 """
 
 from __future__ import annotations
@@ -36,7 +40,7 @@ JUMP_WIDTH = 1e-11
 """Distance [m] between two states pushing towards each other at which the jump of a force lies between."""
 
 GROWTH = 1.01
-"""Factor by which the residual may grow in one accepted step."""
+"""Factor by which the step that would follow may grow over an accepted one: in the gap nothing gets less."""
 
 
 @dataclass(frozen=True)
@@ -152,17 +156,18 @@ def _pseudo_time(
     weight = 1.0 / system.weight  # residuals as forces
     mass = evaluate.matrix(system, state, 1.0, 0.0, 0.0, NEWTON)[np.ix_(free, free)]
     R = evaluate.residual(system, state)
-    size = first = float(np.abs((R * weight)[free]).max(initial=0.0))
+    root = np.sqrt(np.diag(mass))
     # positions are rounded to 2e-16 of about 1 m and 1 rad: nothing below the forces of that can be asked for
     stiffness = np.abs(evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON))
     floor = 2.2e-16 * float((weight * (stiffness @ (np.abs(state.q) + 1.0))).max(initial=0.0))
     goal = max(tolerance * max(float(np.abs(R * weight).max(initial=0.0)), 1e-12), floor)
     mu = 1e4
     for count in range(MOST_ITERATIONS):
-        if size <= goal:
+        if float(np.abs((R * weight)[free]).max(initial=0.0)) <= goal:
             return state, R, count, 0
         K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
-        step = np.linalg.lstsq(K + mu * mass, -R[free], rcond=None)[0]
+        inverse = np.linalg.pinv((K + mu * mass) / np.outer(root, root)) / np.outer(root, root)
+        step = -inverse @ R[free]
         trial = state.copy()
         trial.q[free] += step
         try:
@@ -170,13 +175,11 @@ def _pseudo_time(
         except SolverError:
             mu *= 16.0
             continue
-        grown = float(np.abs((new * weight)[free]).max(initial=0.0))
+        left = float(np.linalg.norm(root * (inverse @ new[free])) / np.linalg.norm(root * step))
         beyond = float(new[free] @ step) > 0.0  # the forces push back: the step went past the goal
-        # inside the gap only dampers change with the angle: a residual that grows a little is no bad step
-        small = np.isfinite(grown) and grown <= min(GROWTH * size, 2.0 * first)
-        if small and (grown < 0.9 * size or not beyond):
-            mu = max(mu * (0.1 if grown < 0.5 * size else 0.5), 1e-3)
-            state, R, size = trial, new, grown
+        if left < 0.9 or (left <= GROWTH and not beyond):
+            mu = max(mu * (0.1 if left < 0.5 else 0.5), 1e-3)
+            state, R = trial, new
             continue
         if beyond and float(np.abs(step * system.weight[free]).max(initial=0.0)) < JUMP_WIDTH:
             return state, R, count, 0

@@ -10,7 +10,7 @@ Multibody System Dynamics 18 (2007) 185-202. Second order; damping of high frequ
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,39 +19,39 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.multibody.channels import CTL, F8, I8
+from pitchpoint.solvers.explicit import OLD, bring_state
 from pitchpoint.solvers.newton import newton_step, rows_hold
-from pitchpoint.solvers.sampling import EVENT_COLUMNS, record_step
+from pitchpoint.solvers.sampling import Chunk, chunk_of, new_harvest, record_step
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
-from pitchpoint.system.workspace import MACH, STEPS, VALID
+from pitchpoint.system.workspace import MACH, STAGE_ROWS, STEPS, VALID
 
 
 @kernel
-def _predict(q, v, a, al, ap, h, beta, gamma, alpha_m, alpha_f):
-    """First guess of a step: the acceleration goes on along a straight line.
+def _predict(q, v, a, al, ap, old, h, method):
+    """First guess of a step: the acceleration goes on along a straight line. `old` keeps q and v.
 
     A guess that merely kept the last acceleration would leave an error of first order in h behind whenever
     one iteration is enough.
     """
+    beta, gamma, alpha_m, alpha_f = method
     for i in range(q.size):
-        old = al[i]
+        old[i] = q[i]
+        old[q.size + i] = v[i]
+        last = al[i]
         guess = 2.0 * a[i] - ap[i]
-        new = ((1.0 - alpha_f) * guess + alpha_f * a[i] - alpha_m * old) / (1.0 - alpha_m)
-        q[i] += h * v[i] + h * h * ((0.5 - beta) * old + beta * new)
-        v[i] += h * ((1.0 - gamma) * old + gamma * new)
+        new = ((1.0 - alpha_f) * guess + alpha_f * a[i] - alpha_m * last) / (1.0 - alpha_m)
+        q[i] += h * v[i] + h * h * ((0.5 - beta) * last + beta * new)
+        v[i] += h * ((1.0 - gamma) * last + gamma * new)
         al[i] = new
         ap[i] = a[i]
         a[i] = guess
 
 
 @kernel
-def advance(at, t0, first, n, h, rho, tol, every, rows, sums, stride, found, done):
-    """Take n steps; t of step k is t0 + (first + k) h.
-
-    every > 0: store a row of observations at steps divisible by it. sums: statistics at every stride-th step
-    (no rows: none). found: recorded events (no rows: none). done: steps, rows, events of this call.
-    """
+def advance(at, t0, first, n, h, rho, tol, harvest):
+    """Take n steps; t of step k is t0 + (first + k) h; a step that fails leaves the state before it."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
@@ -60,6 +60,7 @@ def advance(at, t0, first, n, h, rho, tol, every, rows, sums, stride, found, don
     a = view(c["a"], nd, F8)
     al = view(m["al"], nd, F8)
     ap = view(m["ap"], nd, F8)
+    old = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)[OLD]
     clock = view(m["clock"], 16, I8)
     alpha_m = (2.0 * rho - 1.0) / (rho + 1.0)
     alpha_f = rho / (rho + 1.0)
@@ -68,52 +69,30 @@ def advance(at, t0, first, n, h, rho, tol, every, rows, sums, stride, found, don
     cm = (1.0 - alpha_m) / (h * h * beta * (1.0 - alpha_f))
     cd = gamma / (h * beta)
     share = (1.0 - alpha_f) / (1.0 - alpha_m)
-    done[0] = 0
-    done[1] = 0
-    done[2] = 0
     for k in range(1, n + 1):
         t = t0 + (first + k) * h
-        _predict(q, v, a, al, ap, h, beta, gamma, alpha_m, alpha_f)
+        _predict(q, v, a, al, ap, old, h, (beta, gamma, alpha_m, alpha_f))
         for i in range(nd):
             al[i] -= share * a[i]  # completed below with the solved acceleration
         status = newton_step(at, t, cm, cd, tol)
         if status != OK:
+            bring_state(at, OLD)
+            for i in range(nd):
+                a[i] = ap[i]  # where the prediction has put the acceleration before the step
             return status
         for i in range(nd):
             al[i] += share * a[i]
         if c["nc"] > 0:
-            status = rows_hold(at)
+            status = rows_hold(at, t)
             if status != OK:
                 return status
         wrap(at)
         clock[STEPS] += 1
-        done[0] = k
-        status = record_step(at, t, h, first + k, every, rows, sums, stride, found, done)
+        harvest.done[0] = k
+        status = record_step(at, t, h, first + k, harvest)
         if status != OK:
             return status
     return OK
-
-
-@dataclass
-class Chunk:
-    """What one call of `Run.advance` did.
-
-    Parameters
-    ----------
-    status
-        Status of the core; OK, or why it stopped.
-    steps
-        Accepted steps.
-    rows
-        Samples (time, observations ...), shape (n, no + 1).
-    events
-        Recorded events (time, event function, direction), shape (n, 3).
-    """
-
-    status: int
-    steps: int
-    rows: NDArray[np.float64]
-    events: NDArray[np.float64]
 
 
 @dataclass
@@ -138,7 +117,6 @@ class Run:
     tolerance: float = 1e-11
     t0: float = 0.0
     steps: int = 0
-    _nothing: NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 8)))
 
     @property
     def t(self) -> float:
@@ -165,16 +143,14 @@ class Run:
         events
             Most events to record.
         """
-        w = self.system.workspace
         room = n // every + 1 if every else 0
-        rows = np.empty((room, self.system.sizes["no"] + 1))
-        found = np.empty((events, EVENT_COLUMNS))
-        done = np.zeros(3, np.int64)
-        sums = self._nothing if statistics is None else statistics
-        args = (self.t0, self.steps, n, self.h, self.rho_inf, self.tolerance, every, rows, sums, stride)
-        status = int(advance(w.at, *args, found, done))
-        self.steps += int(done[0])
-        return Chunk(status, int(done[0]), rows[: done[1]], found[: min(done[2], events)])
+        harvest = new_harvest(
+            self.system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
+        )
+        args = (self.t0, self.steps, n, self.h, self.rho_inf, self.tolerance, harvest)
+        done = chunk_of(int(advance(self.system.workspace.at, *args)), harvest)
+        self.steps += done.steps
+        return done
 
     def change_step(self, h: float) -> None:
         """Go on with another step from here."""

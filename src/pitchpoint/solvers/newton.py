@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """The modified Newton iteration of an implicit step.
 
-The matrix is kept over steps and factored again when the iteration slows down. An iterate is accepted when
+The matrix is kept over steps and factored again when the iteration slows down, in the end at every iterate:
+long steps through a stiff contact need that. An iterate is accepted when
 the error that is left, |dq| theta / (1 - theta) with the last measured contraction rate theta, is below the
 tolerance.
 
 Where a force jumps, as when a tooth pair enters a mesh whose stiffness is a rectangular wave, a step may end
-so close to the jump that neither side has a solution: the force of one side pushes the state to the other.
-The iteration then swings between both. It is accepted there: each side is a solution to within the swing,
-beta h^2 times the jump over the mass, which is the error of any step across a jump.
+so close to the jump that neither side has a solution: the force of one side pushes the state to the other,
+and the iteration swings between both. The step then has a solution *at* the jump, with a force between those
+of the two sides (A. F. Filippov, Differential Equations with Discontinuous Righthand Sides, 1988). `_at_jump`
+bisects to it and accepts it only if a mean of both forces leaves nothing over; else the step has failed.
 """
 
 from __future__ import annotations
@@ -20,14 +22,18 @@ from pitchpoint.core.status import DIVERGED, INCONSISTENT, NOT_FINITE, OK, SLOW
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.system.linear import factor, solve
 from pitchpoint.system.residual import FORCES, NEWTON, residual
-from pitchpoint.system.workspace import EVALUATIONS, ITERATIONS, MACH, VALID
+from pitchpoint.system.workspace import EVALUATIONS, ITERATIONS, MACH, REDUNDANT, STAGE_ROWS, VALID
 
 MOST_ITERATIONS = 12
 MOST_REFRESHES = 3
 SLOW_RATE = 0.5
+FADING = 1.2
+"""Growth of the contraction rate from step to step while it is not measured: the matrix ages meanwhile."""
+
 ROW_TOLERANCE = 1e-7
-SWING = 0.02
-"""Relative difference up to which two opposite corrections count as a swing over a jump."""
+MOST_BISECTIONS = 60
+MOST_TRIES = 6
+"""Bisections towards a jump; each leaves the share over that the kept matrix is wrong by."""
 
 
 @kernel
@@ -41,6 +47,113 @@ def largest_entry(x, weight):
         if abs(s) > abs(most):
             most = s
     return most if math.isfinite(total) else total
+
+
+@kernel
+def _move(q, v, a, e, share, cm, cd):
+    """Go on by a share of a correction."""
+    for i in range(q.size):
+        q[i] += share * e[i]
+        v[i] += share * cd * e[i]
+        a[i] += share * cm * e[i]
+
+
+@kernel
+def _correction(at, t, cm, cd, e, fresh):
+    """Newton's correction here into the workspace, with the matrix of this place (fresh 1) or that at hand.
+
+    Returns status and share: the correction along e over e itself, in the error norm.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    clock = view(m["clock"], 16, I8)
+    status = residual(at, t, NEWTON if fresh else FORCES, cm, cd, 1.0)
+    clock[EVALUATIONS] += 1
+    if status == OK and fresh:
+        status = factor(at)
+    if status != OK:
+        return status, 0.0
+    solve(at)
+    clock[ITERATIONS] += 1
+    x = view(m["x"], e.size, F8)
+    weight = view(m["weight"], e.size, F8)
+    along = 0.0
+    size = 0.0
+    for i in range(e.size):
+        w = weight[i] * weight[i] * e[i]
+        along += w * x[i]
+        size += w * e[i]
+    share = along / size if size > 0.0 else math.nan
+    return (OK if math.isfinite(share) else NOT_FINITE), share
+
+
+@kernel
+def _at_jump(at, t, cm, cd, tol, failure):
+    """Find the state at which a force jumps past the solution; `failure` if there is no such state.
+
+    From the last iterate the correction e leads to the other side of the jump, where the correction must
+    point back. Bisection brings both sides together; the mean of both corrections that has nothing left along
+    e is what a force between the two sides leaves over.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    nd = c["nd"]
+    q = view(c["q"], nd, F8)
+    v = view(c["v"], nd, F8)
+    a = view(c["a"], nd, F8)
+    lam = view(c["lam"], c["nc"], F8)
+    x = view(m["x"], nd, F8)
+    y = view(m["y"], c["nc"], F8)
+    weight = view(m["weight"], nd, F8)
+    stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
+    e = stage[0, :nd]
+    beyond = stage[1, :nd]
+    view(m["clock"], 16, I8)[VALID] = 0  # whatever comes of it, the next step starts afresh
+    for _ in range(MOST_TRIES):
+        status, _ = _correction(at, t, cm, cd, x, True)
+        if status != OK:
+            return status
+        for i in range(nd):
+            e[i] = x[i]
+        size = abs(largest_entry(e, weight))
+        if size <= 1e-3 * tol:
+            return OK
+        here = 1.0  # correction on this side and on the other, as shares of e
+        there = 1.0
+        width = 1.0  # share of e between both sides
+        for k in range(MOST_BISECTIONS):
+            _move(q, v, a, e, width, cm, cd)
+            status, share = _correction(at, t, cm, cd, e, False)
+            if status != OK:
+                return status
+            if share > 0.0:
+                if k == 0:
+                    return failure  # the other side does not point back
+                here = share
+            else:
+                there = share
+                for i in range(nd):
+                    beyond[i] = x[i]
+                for r in range(lam.size):
+                    lam[r] += y[r]
+                _move(q, v, a, e, -width, cm, cd)
+            if width * size <= tol:
+                break
+            width *= 0.5
+        status, here = _correction(at, t, cm, cd, e, False)
+        if status != OK:
+            return status
+        near = there / (there - here)
+        for i in range(nd):
+            x[i] = near * x[i] + (1.0 - near) * beyond[i]
+        for r in range(lam.size):  # they stand at those of the other side, and y leads from there to this one
+            lam[r] += near * y[r]
+        _move(q, v, a, x, 1.0, cm, cd)
+        if not here > 0.0 or near < 0.0:
+            return failure
+        if abs(largest_entry(x, weight)) <= tol:
+            return OK
+    return failure
 
 
 @kernel
@@ -59,11 +172,14 @@ def newton_step(at, t, cm, cd, tol):
     weight = view(m["weight"], nd, F8)
     clock = view(m["clock"], 16, I8)
     real = view(m["real"], 16, F8)
+    # a rate measured some steps ago is trusted less and less, until it is measured again
+    real[0] = min(FADING * real[0], SLOW_RATE)
     last = -1.0
     before = 0.0
     count = 0
     refreshes = 0
-    for _ in range(MOST_ITERATIONS * (1 + MOST_REFRESHES)):
+    full = 0  # iterations of Newton's own method, with a matrix each
+    for _ in range(MOST_ITERATIONS * (2 + MOST_REFRESHES)):
         fresh = clock[VALID] == 0
         status = residual(at, t, NEWTON if fresh else FORCES, cm, cd, 1.0)
         clock[EVALUATIONS] += 1
@@ -80,8 +196,7 @@ def newton_step(at, t, cm, cd, tol):
         solve(at)
         clock[ITERATIONS] += 1
         count += 1
-        swing = largest_entry(x, weight)
-        size = abs(swing)
+        size = abs(largest_entry(x, weight))
         if not math.isfinite(size):
             return NOT_FINITE
         if last > 0.0:
@@ -99,27 +214,33 @@ def newton_step(at, t, cm, cd, tol):
             return OK
         if size <= 1e-3 * tol:
             return OK
-        if (theta > SLOW_RATE and last > 0.0) or count >= MOST_ITERATIONS:
-            if not fresh and refreshes >= MOST_REFRESHES:
-                if abs(swing + before) <= SWING * size:
-                    clock[VALID] = 0
-                    return OK
-                return DIVERGED if theta >= 1.0 else SLOW
+        if full > 0 or (theta > SLOW_RATE and last > 0.0) or count >= MOST_ITERATIONS:
+            if full >= MOST_ITERATIONS:
+                return _at_jump(at, t, cm, cd, tol, DIVERGED if size >= before else SLOW)
+            if refreshes >= MOST_REFRESHES:
+                full += 1  # a stiff flank met within the step: the matrix of no one place serves all
             refreshes += 1
             clock[VALID] = 0
         last = size
-        before = swing
+        before = size
     return SLOW
 
 
 @kernel
-def rows_hold(at):
-    """Check that flagged redundant rows are satisfied by the others."""
+def rows_hold(at, t):
+    """Check that rows flagged as redundant are satisfied by the others at the accepted state."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     g = view(c["g"], c["nc"], F8)
     used = view(m["used"], c["nc"], I8)
+    clock = view(m["clock"], 16, I8)
+    if clock[REDUNDANT] == 0:
+        return OK
+    status = residual(at, t, FORCES, 0.0, 0.0, 0.0)  # g is still that of the last iterate
+    if status != OK:
+        return status
     for r in range(g.size):
         if used[r] == 0 and abs(g[r]) > ROW_TOLERANCE:
+            c["bad"] = r
             return INCONSISTENT
     return OK

@@ -7,7 +7,7 @@ Constraint rows are kept on the level of accelerations; their drift is pulled ba
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,11 +16,19 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.multibody.channels import CTL, F8, I8
-from pitchpoint.solvers.dormand_prince import LAST_ERROR, STEP_SIZE, advance_adaptive
+from pitchpoint.solvers.dormand_prince import (
+    LARGEST,
+    LAST_ERROR,
+    RATE,
+    SLOPE_AT,
+    STEP_SIZE,
+    TIME,
+    advance_adaptive,
+)
 from pitchpoint.solvers.dormand_prince_pairs import EIGHTH, FIFTH, Pair
-from pitchpoint.solvers.explicit import OLD, ROWS, keep_state, slope
-from pitchpoint.solvers.generalized_alpha import Chunk
-from pitchpoint.solvers.sampling import EVENT_COLUMNS, record_step
+from pitchpoint.solvers.explicit import OLD, ROWS, bring_state, keep_state, slope
+from pitchpoint.solvers.rows import rows_agree
+from pitchpoint.solvers.sampling import Chunk, chunk_of, new_harvest, record_step
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
@@ -54,23 +62,21 @@ def _classical(at, t, h, rate):
 
 
 @kernel
-def advance_classical(at, t0, first, n, h, rate, every, rows, sums, stride, found, done):
+def advance_classical(at, t0, first, n, h, rate, harvest):
     """Take n equal steps; arguments as in `generalized_alpha.advance`, rate pulls constraint drift back."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     clock = view(m["clock"], 16, I8)
-    done[0] = 0
-    done[1] = 0
-    done[2] = 0
     for k in range(1, n + 1):
         t = t0 + (first + k) * h
         status = _classical(at, t - h, h, rate)
         if status != OK:
+            bring_state(at, OLD)
             return status
         wrap(at)
         clock[STEPS] += 1
-        done[0] = k
-        status = record_step(at, t, h, first + k, every, rows, sums, stride, found, done)
+        harvest.done[0] = k
+        status = record_step(at, t, h, first + k, harvest)
         if status != OK:
             return status
     return OK
@@ -87,7 +93,8 @@ class ExplicitRun:
     h
         Step [s] of the classical method; 0 for the adaptive one.
     tolerances
-        rtol [-], atol [m], atol_rate [m/s], rate at which constraint drift is pulled back [1/s].
+        rtol [-], atol [m], atol_rate [m/s], rate at which constraint drift is pulled back [1/s], largest step
+        [s].
     pair
         Coefficients of the adaptive method.
     """
@@ -110,14 +117,15 @@ class ExplicitRun:
         events: int = 0,
     ) -> Chunk:
         """Take n steps of the classical method; arguments as in `generalized_alpha.Run.advance`."""
-        rows = np.empty((n // every + 1 if every else 0, self.system.sizes["no"] + 1))
-        found, done = np.empty((events, EVENT_COLUMNS)), np.zeros(3, np.int64)
-        sums = np.zeros((0, 8)) if statistics is None else statistics
-        args = (self.t0, self.steps, n, self.h, float(self.tolerances[3]), every, rows, sums, stride)
-        status = int(advance_classical(self.system.workspace.at, *args, found, done))
-        self.steps += int(done[0])
+        room = n // every + 1 if every else 0
+        harvest = new_harvest(
+            self.system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
+        )
+        args = (self.t0, self.steps, n, self.h, float(self.tolerances[RATE]), harvest)
+        done = chunk_of(int(advance_classical(self.system.workspace.at, *args)), harvest)
+        self.steps += done.steps
         self.t = self.t0 + self.steps * self.h
-        return Chunk(status, int(done[0]), rows[: done[1]], found[: min(done[2], events)])
+        return self._checked(done)
 
     def advance_to(
         self,
@@ -142,30 +150,21 @@ class ExplicitRun:
         most
             Most steps of this call; `t` tells how far it got.
         """
-        room = int((t_end - self.t) / sample) + 2 if sample > 0.0 else 0
-        rows = np.empty((room, self.system.sizes["no"] + 1))
-        found, done = np.empty((events, EVENT_COLUMNS)), np.zeros(3, np.int64)
-        sums = np.zeros((0, 8)) if statistics is None else statistics
+        reach = min(t_end - self.t, most * float(self.tolerances[LARGEST]))
+        room = int(reach / sample) + 2 if sample > 0.0 else 0
+        harvest = new_harvest(self.system.sizes["no"], rows=room, sums=statistics, events=events)
         w = self.system.workspace
         w.clock[VALID] = 0
         grid = np.array([self.t0, sample])
-        args = (
-            self.t,
-            float(t_end),
-            self.pair,
-            self.tolerances,
-            grid,
-            most,
-            int(restart),
-            rows,
-            sums,
-            found,
-            done,
-        )
-        status = int(advance_adaptive(w.at, *args))
-        self.t = float(w.arrays["real"][4])
-        self.steps += int(done[0])
-        return Chunk(status, int(done[0]), rows[: done[1]], found[: min(done[2], events)])
+        args = (self.t, float(t_end), self.pair, self.tolerances, grid, most, int(restart), harvest)
+        done = chunk_of(int(advance_adaptive(w.at, *args)), harvest)
+        self.t = float(w.arrays["real"][TIME])
+        self.steps += done.steps
+        return self._checked(done)
+
+    def _checked(self, done: Chunk) -> Chunk:
+        """The chunk, its status INCONSISTENT if a repeated row contradicts the others."""
+        return replace(done, status=rows_agree(self.system, self.t)) if done.status == OK else done
 
     def state(self) -> State:
         """Copy of the state reached."""
@@ -199,7 +198,7 @@ def start_classical(system: System, state: State, h: float, *, rate: float = 200
     if not (h > 0.0 and math.isfinite(h)):
         raise SolverError(f"the step must be positive and finite, not {h!r}", NOT_FINITE)
     _start(system, state, rate)
-    return ExplicitRun(system, h, np.array([0.0, 0.0, 0.0, rate]), state.t, 0, state.t)
+    return ExplicitRun(system, h, np.array([0.0, 0.0, 0.0, rate, math.inf]), state.t, 0, state.t)
 
 
 def start_adaptive(
@@ -210,6 +209,7 @@ def start_adaptive(
     atol: float = 1e-11,
     atol_rate: float = 1e-7,
     first_step: float = 1e-7,
+    largest_step: float = math.inf,
     rate: float = 200.0,
     order: int | None = None,
 ) -> ExplicitRun:
@@ -225,6 +225,9 @@ def start_adaptive(
         Absolute tolerances as lengths [m] and velocities [m/s]; angles count with the weight of the system.
     first_step
         First trial step [s].
+    largest_step
+        Longest step [s]: a load that comes and goes within a step, or an event that happens twice, is not
+        seen.
     rate
         Rate at which drift of constraints is pulled back [1/s].
     order
@@ -233,6 +236,7 @@ def start_adaptive(
     _start(system, state, rate)
     system.workspace.arrays["real"][STEP_SIZE] = first_step
     system.workspace.arrays["real"][LAST_ERROR] = 1e-4
+    system.workspace.arrays["real"][SLOPE_AT] = math.nan
     pair = EIGHTH if order == 8 or (order is None and rtol <= 1e-7) else FIFTH
-    tolerances = np.array([rtol, atol, atol_rate, rate])
+    tolerances = np.array([rtol, atol, atol_rate, rate, largest_step])
     return ExplicitRun(system, 0.0, tolerances, state.t, 0, state.t, pair)

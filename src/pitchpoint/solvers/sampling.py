@@ -8,6 +8,7 @@ per channel the running statistics over every step in which they are switched on
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +24,75 @@ COUNT, REFERENCE, SUM, SQUARES, LEAST, MOST, NEGATIVE, ZERO = range(8)
 
 #: Columns of a recorded event: time, index of the event function, direction (+1 rising, -1 falling).
 EVENT_COLUMNS = 3
+
+
+class Harvest(NamedTuple):
+    """Buffers that a chunk of steps fills.
+
+    Parameters
+    ----------
+    every
+        Store a row of observations at steps divisible by it; 0 for none. Not for adaptive methods.
+    stride
+        Feed the statistics at steps divisible by it. Not for adaptive methods.
+    rows
+        Room for samples (time, observations ...), shape (n, no + 1).
+    sums
+        Running statistics, shape (no, 8); none without rows.
+    found
+        Room for events (time, event function, direction), shape (n, 3); none looked for without rows.
+    done
+        Steps, samples and events of the chunk.
+    """
+
+    every: int
+    stride: int
+    rows: NDArray[np.float64]
+    sums: NDArray[np.float64]
+    found: NDArray[np.float64]
+    done: NDArray[np.int64]
+
+
+def new_harvest(
+    no: int, *, every: int = 0, stride: int = 1, rows: int = 0, sums: NDArray[np.float64] | None, events: int
+) -> Harvest:
+    """Buffers for a chunk: room for some samples of no channels and some events."""
+    return Harvest(
+        every,
+        stride,
+        np.empty((rows, no + 1)),
+        np.zeros((0, 8)) if sums is None else sums,
+        np.empty((events, EVENT_COLUMNS)),
+        np.zeros(3, np.int64),
+    )
+
+
+@dataclass
+class Chunk:
+    """What one call of a time loop did.
+
+    Parameters
+    ----------
+    status
+        Status of the core; OK, or why it stopped.
+    steps
+        Accepted steps.
+    rows
+        Samples (time, observations ...), shape (n, no + 1).
+    events
+        Recorded events (time, event function, direction), shape (n, 3).
+    """
+
+    status: int
+    steps: int
+    rows: NDArray[np.float64]
+    events: NDArray[np.float64]
+
+
+def chunk_of(status: int, harvest: Harvest) -> Chunk:
+    """What a loop did, from its status and the buffers it filled."""
+    steps, rows, events = (int(n) for n in harvest.done)
+    return Chunk(status, steps, harvest.rows[:rows], harvest.found[: min(events, len(harvest.found))])
 
 
 @dataclass(frozen=True)
@@ -90,8 +160,8 @@ def accumulate(row, sums):
 
 
 @kernel
-def take(at, t, sums, measure, rows, filled, sample):
-    """Observe once; feed the statistics and store the row, each if asked."""
+def take(at, t, harvest, measure, sample):
+    """Observe once; feed the statistics and store the row, each if asked and if there is room."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     status = observe(at, t, m["row"])
@@ -99,24 +169,33 @@ def take(at, t, sums, measure, rows, filled, sample):
         return status
     row = view(m["row"], c["no"], F8)
     if measure != 0:
-        accumulate(row, sums)
-    if sample != 0:
-        rows[filled, 0] = t
+        accumulate(row, harvest.sums)
+    filled = harvest.done[1]
+    if sample != 0 and filled < harvest.rows.shape[0]:
+        harvest.rows[filled, 0] = t
         for k in range(row.size):
-            rows[filled, k + 1] = row[k]
+            harvest.rows[filled, k + 1] = row[k]
+        harvest.done[1] += 1
     return OK
+
+
+@kernel
+def changes_sign(a, b):
+    """Whether an event function that was `a` and is `b` has passed zero; phases that wrap round have not."""
+    return ((a < 0.0 and b >= 0.0) or (a > 0.0 and b <= 0.0)) and abs(b - a) <= 0.5
 
 
 @kernel
 def crossings(ev0, ev1, t0, h, found, n):
     """Record sign changes between two steps by linear interpolation; returns the new number of records.
 
-    A value that starts at zero does not count again; records beyond the buffer are counted, not written.
+    A value that starts at zero does not count again, nor does one that wraps round; records beyond the buffer
+    are counted, not written.
     """
     for k in range(ev0.size):
         a = ev0[k]
         b = ev1[k]
-        if (a < 0.0 and b >= 0.0) or (a > 0.0 and b <= 0.0):
+        if changes_sign(a, b):
             if n < found.shape[0]:
                 found[n, 0] = t0 + h * a / (a - b)
                 found[n, 1] = k
@@ -126,27 +205,23 @@ def crossings(ev0, ev1, t0, h, found, n):
 
 
 @kernel(inline=True)
-def record_step(at, t, h, number, every, rows, sums, stride, found, done):
-    """What a fixed-step loop leaves behind after step `number` of its run, accepted at t; returns a status.
-
-    Arguments as in `generalized_alpha.advance`; done[1] and done[2] count stored rows and events.
-    """
+def record_step(at, t, h, number, harvest):
+    """What a fixed-step loop leaves behind after step `number` of its run, accepted at t; gives a status."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
-    sample = 1 if every > 0 and number % every == 0 and done[1] < rows.shape[0] else 0
-    measure = 1 if sums.shape[0] > 0 and number % stride == 0 else 0
+    sample = 1 if harvest.every > 0 and number % harvest.every == 0 else 0
+    measure = 1 if harvest.sums.shape[0] > 0 and number % harvest.stride == 0 else 0
     if sample != 0 or measure != 0:
-        status = take(at, t, sums, measure, rows, done[1], sample)
+        status = take(at, t, harvest, measure, sample)
         if status != OK:
             return status
-        done[1] += sample
-    if found.shape[0] > 0 and c["ne"] > 0:
+    if harvest.found.shape[0] > 0 and c["ne"] > 0:
         status = evaluate_events(at, t, m["ev1"])
         if status != OK:
             return status
         ev0 = view(m["ev0"], c["ne"], F8)
         ev1 = view(m["ev1"], c["ne"], F8)
-        done[2] = crossings(ev0, ev1, t - h, h, found, done[2])
+        harvest.done[2] = crossings(ev0, ev1, t - h, h, harvest.found, harvest.done[2])
         for i in range(ev0.size):
             ev0[i] = ev1[i]
     return OK

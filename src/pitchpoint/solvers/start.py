@@ -112,7 +112,7 @@ def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[str, ..
     notes = []
     for spin, reaction in zip(found.held, found.reaction, strict=True):
         body = system.layout.coordinates[spin].rsplit(".", 1)[0]
-        if spin not in known and abs(reaction) > IMBALANCE * max(largest, 1e-9):
+        if spin not in known and abs(reaction) > max(IMBALANCE * largest, 1e-9):
             notes.append(
                 f"the loads do not balance: {-reaction:.4g} N m are left over on {body}, so the speed will "
                 "change; set one torque to `balance` or drive a body if that is not wanted"

@@ -78,6 +78,26 @@ def mesh_mode(row: np.void, system: System) -> float:
     return math.sqrt(float(row["k_ref"]) * inverse) / (2.0 * math.pi)
 
 
+def shortest_period(start: Start, scenario: Scenario) -> float:
+    """Period of the fastest mode or mesh of a run, or a tenth of its duration if that is less [s]."""
+    fastest = max(
+        float(natural_frequencies(start)[-1]) if start.state.q.size else 0.0,
+        fastest_mesh(start.system, scenario),
+        *(mesh_mode(row, start.system) for row in start.system.records.get("gear_mesh", ())),
+        10.0 / (scenario.duration or 1.0),
+    )
+    return 1.0 / fastest
+
+
+def largest_step(start: Start, scenario: Scenario) -> float:
+    """Longest step of an adaptive method [s]: the given step, else a quarter of the shortest period.
+
+    Step control sees errors, not what happens between its stages: a step longer than that may pass over a
+    whole tooth or a short load.
+    """
+    return scenario.step or 0.25 * shortest_period(start, scenario)
+
+
 def choose_step(start: Start, scenario: Scenario) -> tuple[float, int]:
     """Time step [s] and number of steps between samples.
 
@@ -90,15 +110,7 @@ def choose_step(start: Start, scenario: Scenario) -> tuple[float, int]:
     scenario
         Its step, sample rate and speeds count.
     """
-    h = scenario.step
-    if h is None:
-        fastest = max(
-            float(natural_frequencies(start)[-1]) if start.state.q.size else 0.0,
-            fastest_mesh(start.system, scenario),
-            *(mesh_mode(row, start.system) for row in start.system.records.get("gear_mesh", ())),
-            10.0 / (scenario.duration or 1.0),
-        )
-        h = 1.0 / (STEPS_PER_PERIOD * fastest)
+    h = scenario.step or shortest_period(start, scenario) / STEPS_PER_PERIOD
     if scenario.sample_rate is None:
         return h, 1
     period = 1.0 / scenario.sample_rate

@@ -16,9 +16,11 @@ from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.event_watch import EventWatch
+from pitchpoint.solvers.rows import explain, row_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import Start, prepare_start
-from pitchpoint.solvers.step_choice import choose_step
+from pitchpoint.solvers.step_choice import choose_step, largest_step
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -30,14 +32,10 @@ if TYPE_CHECKING:
 CHUNK_SECONDS = 0.15
 """Wall time that one call of the compiled loop should take: progress and Ctrl-C come between calls."""
 
-EVENT_FUNCTIONS = {
-    "pair_entry": ("pair_entry",),
-    "pair_exit": ("pair_exit",),
-    "contact": ("front_gap", "back_gap"),
-    "sliding_reversal": ("sliding_reversal",),
-}
 MOST_EVENTS = 100_000
 """Events kept per chunk."""
+MOST_SAMPLES = 100_000
+"""Samples for which a chunk of an adaptive method has room."""
 
 
 class Sink(Protocol):
@@ -162,8 +160,7 @@ class _Loop:
         self.window = self.t0 + scenario.statistics_start
         self.sums = new_statistics(self.system.sizes["no"])
         self.events: list[NDArray[np.float64]] = []
-        self.watched = _watched(self.system, scenario)
-        self.rising = [k for k in self.watched if "gap" not in self.system.layout.events[k].name]
+        self.watch = EventWatch(self.system, scenario)
         self.adaptive = scenario.method == "runge_kutta"
         self.h, self.every = choose_step(start, scenario)
         if scenario.method != "generalized_alpha":
@@ -172,7 +169,12 @@ class _Loop:
             # absolute tolerances follow, or no request below their defaults would have an effect
             rtol = scenario.tolerance
             self.run_: Any = runge_kutta.start_adaptive(
-                self.system, start.state, rtol=rtol, atol=1e-4 * rtol, atol_rate=rtol
+                self.system,
+                start.state,
+                rtol=rtol,
+                atol=1e-4 * rtol,
+                atol_rate=rtol,
+                largest_step=largest_step(start, scenario),
             )
         elif scenario.method == "rk4":
             self.run_ = runge_kutta.start_classical(self.system, start.state, self.h)
@@ -191,7 +193,7 @@ class _Loop:
     def _fixed(self, progress: Progress) -> int:
         total = max(1, round((self.t_end - self.t0) / self.h))
         settle = min(total, max(0, math.ceil((self.window - self.t0) / self.h - 1e-9)))
-        n = max(self.every, 1000 // self.every * self.every)
+        n = 1000
         while self.run_.steps < total:
             begun = time.perf_counter()
             stop = settle if self.run_.steps < settle else total
@@ -199,43 +201,44 @@ class _Loop:
             sums = None if self.run_.steps < settle else self.sums
             every = self.every if self.sink is not None else 0
             chunk = self.run_.advance(
-                take, every=every, statistics=sums, events=MOST_EVENTS if self.watched else 0
+                take, every=every, statistics=sums, events=MOST_EVENTS if self.watch else 0
             )
             self._take(chunk)
             if chunk.status != OK:
                 return int(chunk.status)
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.run_.steps} steps")
-            n = _next_chunk(n, self.every, time.perf_counter() - begun)
+            n = next_chunk(n, time.perf_counter() - begun)
         return OK
 
     def _adaptive(self, progress: Progress) -> int:
+        from pitchpoint.solvers.dormand_prince import LARGEST
+
         sample = 1.0 / self.scenario.sample_rate if self.scenario.sample_rate else self.h
-        part = max(sample, (self.t_end - self.t0) * 1e-3)
+        most = max(1, int(MOST_SAMPLES * sample / float(self.run_.tolerances[LARGEST])))
+        n = min(1000, most)
         while self.run_.t < self.t_end - 1e-12 * max(1.0, abs(self.t_end)):
             begun = time.perf_counter()
             limit = self.window if self.run_.t < self.window - 1e-15 else self.t_end
             chunk = self.run_.advance_to(
-                min(self.run_.t + part, limit),
+                limit,
                 sample=sample,
                 statistics=self.sums if self.run_.t >= self.window - 1e-15 else None,
-                events=MOST_EVENTS if self.watched else 0,
-                restart=bool(self.watched),
+                events=MOST_EVENTS if self.watch else 0,
+                restart=bool(self.watch),
+                most=n,
             )
             self._take(chunk)
             if chunk.status != OK:
                 return int(chunk.status)
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.run_.steps} steps")
-            part *= min(4.0, max(0.25, CHUNK_SECONDS / max(time.perf_counter() - begun, 1e-4)))
+            n = min(next_chunk(n, time.perf_counter() - begun), most)
         return OK
 
     def _take(self, chunk: Any) -> None:
         if self.sink is not None and len(chunk.rows):
             self.sink.append(chunk.rows[:, 0].copy(), chunk.rows[:, 1:])
         if len(chunk.events):
-            found = chunk.events
-            index = found[:, 1].astype(int)
-            kept = np.isin(index, self.watched) & ((found[:, 2] > 0.0) | ~np.isin(index, self.rising))
-            self.events.append(found[kept])
+            self.events.append(self.watch.pick(chunk.events))
 
     def summary(self, status: int, wall_s: float) -> TimeSummary:
         found = read_statistics(self.sums)
@@ -252,7 +255,7 @@ class _Loop:
         t = float(self.run_.t)
         return TimeSummary(
             status=status,
-            sentence=evaluate.explain(self.system, status),
+            sentence=explain(self.system, status),
             steps=int(self.run_.steps),
             step=0.0 if self.adaptive else self.h,
             wall_s=wall_s,
@@ -261,20 +264,20 @@ class _Loop:
             channels=channels,
             events=np.concatenate(self.events) if self.events else np.zeros((0, 3)),
             event_names=tuple(e.name for e in self.system.layout.events),
-            notes=self.start.notes,
+            notes=(*self.start.notes, *row_notes(self.system)),
             state=self.run_.state(),
         )
 
 
-def _watched(system: System, scenario: Scenario) -> list[int]:
-    wanted = {name for event in scenario.events for name in EVENT_FUNCTIONS[event]}
-    return [k for k, e in enumerate(system.layout.events) if e.name.partition("[")[0] in wanted]
+def next_chunk(n: int, seconds: float) -> int:
+    """Number of steps of the next chunk, if n took so many seconds.
 
-
-def _next_chunk(n: int, every: int, seconds: float) -> int:
-    """Number of steps of the next chunk, a multiple of the sampling distance."""
-    factor = min(8.0, max(0.2, CHUNK_SECONDS / max(seconds, 1e-4)))
-    return max(every, int(n * factor) // every * every)
+    Examples
+    --------
+    >>> next_chunk(1000, 0.3), next_chunk(1000, 0.001)
+    (500, 8000)
+    """
+    return max(1, int(n * min(8.0, max(0.2, CHUNK_SECONDS / max(seconds, 1e-4)))))
 
 
 def solve_time(

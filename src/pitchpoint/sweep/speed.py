@@ -22,11 +22,11 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.rows import explain, row_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.step_choice import mesh_mode
-from pitchpoint.solvers.time import scenario_of
-from pitchpoint.system import evaluate
+from pitchpoint.solvers.time import next_chunk, scenario_of
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -36,13 +36,11 @@ if TYPE_CHECKING:
 
 QUANTITIES = ("transmission_error", "deflection", "mesh_force")
 STEPS_PER_PERIOD = 200
-"""Least steps per mesh period and per period of the mesh mode, unless the scenario says otherwise.
+"""Least steps per period of every mesh and of every mesh mode, unless the scenario says otherwise.
 
 On the backlash oscillator of Kahraman and Singh 200 steps leave 5e-5 of half the backlash in the rms, 100
 steps 1.0e-4; the error falls with the square.
 """
-CHUNK_STEPS = 200_000
-"""Steps between two looks at the keyboard."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +74,10 @@ class SweepSummary:
 
 @dataclass(frozen=True)
 class _Plan:
-    """Speeds of a sweep and what one rad/s of the swept body means for everybody else."""
+    """Speeds of a sweep, what one rad/s of the swept body means for everybody else, how finely to step.
+
+    `fastest` is the highest mesh frequency of the train over that of the swept mesh.
+    """
 
     mesh: str
     teeth: int
@@ -86,6 +87,7 @@ class _Plan:
     settle: int
     measure: int
     steps: int | None
+    fastest: float
 
     def order(self) -> Iterator[tuple[str, float]]:
         for direction in self.directions:
@@ -96,7 +98,7 @@ class _Plan:
         """Steps per mesh period."""
         if self.steps is not None:
             return self.steps
-        return max(STEPS_PER_PERIOD, math.ceil(STEPS_PER_PERIOD * mesh_mode / frequency))
+        return math.ceil(STEPS_PER_PERIOD * max(self.fastest, mesh_mode / frequency) * (1.0 - 1e-12))
 
 
 def _plan(system: System, scenario: Scenario, sweep: Sweep) -> _Plan:
@@ -109,23 +111,23 @@ def _plan(system: System, scenario: Scenario, sweep: Sweep) -> _Plan:
         low, high = sweep.speed
     else:
         raise SolverError("the sweep has neither mesh_frequency nor speed", NOT_FINITE)
+    ratio = model.start_speeds(replace(scenario, speed={sweep.body: 1.0}))
+    bodies = system.layout.bodies
+    fastest = max(
+        max(abs(r["z1"] * ratio.get(bodies[r["i"]], 0.0)), abs(r["z2"] * ratio.get(bodies[r["j"]], 0.0)))
+        for r in system.records["gear_mesh"]
+    )
     return _Plan(
         mesh=mesh,
         teeth=teeth,
         speeds=np.linspace(low, high, sweep.points),
         directions=("up", "down") if sweep.direction == "both" else (sweep.direction,),
-        ratio=model.start_speeds(replace(scenario, speed={sweep.body: 1.0})),
+        ratio=ratio,
         settle=sweep.settle_periods,
         measure=sweep.measure_periods,
         steps=sweep.steps_per_period,
+        fastest=max(1.0, float(fastest) / teeth),
     )
-
-
-def _row_of(system: System, mesh: str) -> np.void:
-    """Record of a mesh by name."""
-    first = system.layout.channel(f"transmission_error[{mesh}]")
-    records = system.records["gear_mesh"]
-    return records[list(records["out"]).index(first)]
 
 
 class _Walk:
@@ -137,10 +139,11 @@ class _Walk:
         body = scenario.sweep.body  # type: ignore[union-attr]
         start = prepare_start(system, replace(scenario, speed={body: first}, duration=1.0))
         self.system, self.notes = start.system, start.notes
-        self.mode = mesh_mode(_row_of(self.system, plan.mesh), self.system)
+        self.mode = max(mesh_mode(row, self.system) for row in self.system.records["gear_mesh"])
         self.speed = first
         self.run = generalized_alpha.start(self.system, start.state, self._step(first))
         self.steps = 0
+        self.chunk = 1000
 
     def _frequency(self, speed: float) -> float:
         return abs(speed) * self.plan.teeth / (2.0 * math.pi)
@@ -170,11 +173,14 @@ class _Walk:
         f = self._frequency(self.speed)
         left = periods * self.plan.steps_at(f, self.mode)
         while left > 0:
-            chunk = self.run.advance(min(left, CHUNK_STEPS), statistics=sums)
+            begun, n = time.perf_counter(), min(left, self.chunk)
+            chunk = self.run.advance(n, statistics=sums)
             self.steps += chunk.steps
             left -= chunk.steps
             if chunk.status != OK:
                 return int(chunk.status)
+            if n == self.chunk:
+                self.chunk = next_chunk(n, time.perf_counter() - begun)
         return OK
 
     def point(self, direction: str, sums: NDArray[np.float64]) -> dict[str, Any]:
@@ -256,12 +262,12 @@ def run_sweep(
         status = INTERRUPTED
     return SweepSummary(
         status=status,
-        sentence=evaluate.explain(walk.system, status),
+        sentence=explain(walk.system, status),
         points=points,
         jumps=[{"direction": j.direction, "mesh_frequency": j.frequency} for j in sweep_jumps(points)],
         steps=walk.steps,
         wall_s=time.perf_counter() - begun,
-        notes=walk.notes,
+        notes=(*walk.notes, *row_notes(walk.system)),
     )
 
 

@@ -31,15 +31,18 @@ def store(system: System, t: float) -> State:
 
 
 def explain(system: System, status: int) -> str:
-    """Sentence for a status, with the element that reported it if one did."""
+    """Sentence for a status, with the name of the element that reported it if one did."""
     text = sentence(status)
     row, record = int(system.workspace.ctl[0]["badkind"]), int(system.workspace.ctl[0]["bad"])
-    if row >= 0:
-        text += f" (element kind {kind_of_row(system.records, row)}"
-        text += f", number {record + 1})" if record >= 0 else ")"
-        if status == NOT_FINITE and record >= 0:
-            text += law_fault(system, kind_of_row(system.records, row), record)
-    return text
+    if row < 0:
+        return text
+    kind = kind_of_row(system.records, row)
+    if record < 0:
+        return f"{text} ({kind.replace('_', ' ')})"
+    names = system.names.get(kind, ())
+    name = f"{names[record]!r}" if record < len(names) else f"{record + 1}"
+    text += f" ({kind.replace('_', ' ')} {name})"
+    return text + law_fault(system, kind, record) if status == NOT_FINITE else text
 
 
 def check(system: System, status: int, partial: State | None = None) -> None:

@@ -23,6 +23,7 @@ from pitchpoint.system.workspace import MACH
 FORCES, NEWTON, EXACT, MASS = 0, 1, 2, 3
 FRAME_CHANNEL, COORDINATE_CHANNEL = 0, 1
 TWO_PI = 6.283185307179586
+MOST_TURN = 1e12  # largest turn in one step that is counted [rad]
 
 
 @kernel
@@ -185,7 +186,10 @@ def wrap(at):
     fr = view(c["fr"], c["nb"], FRAME)
     for e in range(spins.shape[0]):
         d = spins[e, 0]
-        if abs(q[d]) > 2.0 * TWO_PI and math.isfinite(q[d]):
+        if not abs(q[d]) < MOST_TURN:
+            # too large for any digit of the angle to be right, or no number: whoever steps will find out
+            continue
+        if abs(q[d]) > 2.0 * TWO_PI:
             # a runaway body: many turns in one step, no point in counting them one by one
             n = math.floor(q[d] / TWO_PI + 0.5)
             q[d] -= n * TWO_PI

@@ -76,6 +76,8 @@ class System:
         User laws of every kind, one per record or None; their addresses go to the field ``law``.
     weight
         Length per unit of each coordinate in error norms.
+    names
+        Names of the records of every kind, for messages.
     keep
         Further objects that must live as long as the records (arrays whose addresses they hold).
     model, scenario
@@ -90,6 +92,7 @@ class System:
     pools: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
     laws: Mapping[str, Sequence[Law | None]] = field(default_factory=dict)
     weight: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    names: Mapping[str, Sequence[str]] = field(default_factory=dict)
     keep: tuple[Any, ...] = ()
     model: Model | None = None
     scenario: Scenario | None = None
@@ -312,7 +315,16 @@ def assemble(
     angles = ("alpha", "beta", "spin")
     weight = np.array([weight_radius if c.rsplit(".", 1)[1] in angles else 1.0 for c in coordinates])
     return System(
-        tuple(bodies), layout, ordered, program, sizes, dict(pools or {}), dict(laws or {}), weight, keep
+        bodies=tuple(bodies),
+        layout=layout,
+        records=ordered,
+        program=program,
+        sizes=sizes,
+        pools=dict(pools or {}),
+        laws=dict(laws or {}),
+        weight=weight,
+        names=dict(names or {}),
+        keep=keep,
     )
 
 

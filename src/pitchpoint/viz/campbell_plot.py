@@ -27,6 +27,7 @@ def plot_campbell(
     orders: Mapping[str, float],
     *,
     mode_names: Sequence[str] = (),
+    shaft: str = "",
 ) -> go.Figure:
     """Natural frequencies against excitation orders.
 
@@ -40,6 +41,8 @@ def plot_campbell(
         Excitations per revolution of the reference shaft, by name (`stage × 1`).
     mode_names
         Names of the modes.
+    shaft
+        Name of the reference shaft.
     """
     import plotly.graph_objects as go
 
@@ -52,7 +55,7 @@ def plot_campbell(
     pitch = scale("Hz", [top])
     figure = go.Figure(
         layout=theme.layout(
-            revolutions.title("speed"),
+            revolutions.title(f"speed of {shaft}" if shaft else "speed"),
             pitch.title("frequency"),
             height=460,
             # room for two rows of order names between picture and legend
@@ -82,7 +85,7 @@ def plot_campbell(
             showlegend=not crowded,
             line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 2},
         )
-    for row, (name, order) in enumerate(sorted(orders.items(), key=lambda item: item[1])):
+    for row, (name, order) in enumerate(_distinct(orders)):
         lines = order * omega / (2.0 * np.pi)
         figure.add_scatter(
             x=omega * revolutions.factor,
@@ -100,12 +103,17 @@ def plot_campbell(
             y=order * end / (2.0 * np.pi) * pitch.factor,
             text=name,
             showarrow=False,
-            xanchor="center" if at_top else "right",
+            # a label in the middle of its line would be cut at the edge of the picture
+            xanchor="center" if end < 0.85 * float(omega[-1]) else "right",
             yanchor="bottom",
             yshift=1 + (13 * (row % 2) if at_top else 0),
             font={"size": 11},
         )
-    crossings = campbell_crossings(omega, modes, list(orders.values())) if modes.size and orders else ()
+    crossings = (
+        campbell_crossings(omega, modes, [order for _, order in _distinct(orders)])
+        if modes.size and orders
+        else ()
+    )
     if crossings:
         figure.add_scatter(
             x=[c.speed * revolutions.factor for c in crossings],
@@ -118,3 +126,17 @@ def plot_campbell(
     figure.update_xaxes(range=[float(omega[0]) * revolutions.factor, float(omega[-1]) * revolutions.factor])
     figure.update_layout(showlegend=True)
     return figure
+
+
+def _distinct(orders: Mapping[str, float]) -> list[tuple[str, float]]:
+    """Orders in ascending order; those that are equal share a line and a short label."""
+    found: list[tuple[list[str], float]] = []
+    for name, order in sorted(orders.items(), key=lambda item: item[1]):
+        if found and order - found[-1][1] <= 1e-9 * order:
+            found[-1][0].append(name)
+        else:
+            found.append(([name], order))
+    return [
+        (", ".join(names) if len(names) < 3 else f"{names[0]} and {len(names) - 1} more", order)
+        for names, order in found
+    ]

@@ -15,6 +15,9 @@ from pitchpoint.viz.quantities import number, scale
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
+ROUND_OFF = 1e-9
+"""Transmission errors below this are round-off [m]."""
+
 
 def plot_mesh_stiffness(
     cycle: Any,
@@ -86,9 +89,9 @@ def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -
 
     data = {name: np.asarray(values, dtype=np.float64) for name, values in errors.items()}
     means = {name: float(values.mean()) if values.size else 0.0 for name, values in data.items()}
-    # below a nanometre there is nothing but round-off
+    means = {name: mean if abs(mean) > ROUND_OFF else 0.0 for name, mean in means.items()}
     sizes = [np.atleast_1d(v - means[name]) for name, v in data.items()]
-    shown = scale("m", np.concatenate([*sizes, [1e-9]]))
+    shown = scale("m", np.concatenate([*sizes, [ROUND_OFF]]))
     figure = go.Figure(
         layout=theme.layout(
             "mesh phase ψ [base pitches]", shown.title("transmission error − mean"), height=340
@@ -96,7 +99,7 @@ def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -
     )
     for index, (name, values) in enumerate(data.items()):
         x, y = _two_cycles(phase, values - means[name])
-        whole = scale("m", [means[name]])
+        whole = scale("m", [means[name]]) if means[name] else shown
         figure.add_scatter(
             x=x,
             y=y * shown.factor,

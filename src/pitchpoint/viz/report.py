@@ -1,23 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`write_report`: everything known about a model and its results in one HTML file to look at, print and send
+"""`report_html`: everything known about a model and its results as one HTML page to look at, print and send
 on.
 
-The report takes data, not files: readers stand beside it in the layers. Sections appear only when their data
+It takes data, not models or files: `pitchpoint.report` collects them. Sections appear only when their data
 are there.
 """
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 from numpy.typing import ArrayLike
 
 from pitchpoint.viz import report_sections as parts
 from pitchpoint.viz.report_page import page
+from pitchpoint.viz.report_spectra import spectrum_section
 from pitchpoint.viz.report_tables import case_section, mode_section
 
 
@@ -37,6 +36,8 @@ class ReportModel:
         SI values by identifier (`m_n`, `d_a`, `eps_alpha` …), by the name of the gear or mesh.
     pairs
         `GearPair` and the names of its two gears, by the name of the mesh; these are drawn.
+    shafts
+        Body of gear 1 by the name of the mesh: orders of a mesh refer to it at first.
     warnings, assumptions, sources
         Sentences for the last section.
     """
@@ -48,6 +49,7 @@ class ReportModel:
     gears: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     meshes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     pairs: Mapping[str, tuple[Any, str, str]] = field(default_factory=dict)
+    shafts: Mapping[str, str] = field(default_factory=dict)
     warnings: Sequence[str] = ()
     assumptions: Sequence[str] = ()
     sources: Sequence[str] = ()
@@ -83,11 +85,15 @@ class MeshCycleData:
 
 @dataclass(frozen=True, kw_only=True)
 class ModeData:
-    """Modes about the loaded state: names, frequencies [Hz], shares of critical damping (nan: none)."""
+    """Modes about the loaded state: names, frequencies [Hz], shares of critical damping (nan: none).
+
+    `held` names the bodies whose motion the scenario prescribes: they do not vibrate.
+    """
 
     names: Sequence[str]
     frequency: Sequence[float]
     damping_ratio: Sequence[float]
+    held: Sequence[str] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -118,7 +124,7 @@ class TimeRun:
     settle_time
         Start of the window of statistics and spectra, after the first sample [s].
     angle
-        Name of the channel whose angle orders refer to; default the first `angle[...]`.
+        Name of the channel whose angle orders refer to; default that of the shaft of gear 1 of each mesh.
     highest_order
         End of order maps and order spectra [-]; default three times the largest number of teeth, or 100.
     note
@@ -135,12 +141,13 @@ class TimeRun:
 @dataclass(frozen=True, kw_only=True)
 class CampbellData:
     """Speeds [rad/s] (n_speed,), natural frequencies [Hz] (n_speed, n_mode), orders by name, names of the
-    modes."""
+    modes; `shaft` is the body whose speed it is."""
 
     speed: ArrayLike
     mode_frequencies: ArrayLike
     orders: Mapping[str, float]
     mode_names: Sequence[str] = ()
+    shaft: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -172,33 +179,8 @@ class ReportResults:
     cases: Mapping[str, CaseTable] = field(default_factory=dict)
 
 
-def write_report(
-    path_out: str | os.PathLike[str], *, model: ReportModel, results: ReportResults | None = None
-) -> Path:
-    """Write the report of a model and its results.
-
-    Parameters
-    ----------
-    path_out
-        The HTML file to write; its folder is made if it does not exist.
-    model
-        What to say about the model.
-    results
-        What to show of its results.
-
-    Returns
-    -------
-    Path
-        The file. The same input gives the same bytes.
-    """
-    path = Path(path_out)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(report_html(model, results or ReportResults()), encoding="utf-8")
-    return path
-
-
 def report_html(model: ReportModel, results: ReportResults) -> str:
-    """The report as text."""
+    """The report as text; the same input gives the same characters."""
     facts = (("version", model.version), ("model", model.model_hash[:12]), ("date", model.date or ""))
     teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
     highest = 3.0 * max(teeth) if teeth else 100.0
@@ -211,7 +193,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         parts.sweep_section(results.sweeps),
         case_section(results.cases),
         parts.time_section(results.runs),
-        parts.spectrum_section(results.runs, highest),
+        spectrum_section(results.runs, highest, model.shafts),
         parts.notes_section(model.warnings, model.assumptions, model.sources),
     ]
     footer = f"Made by pitchpoint {model.version}".rstrip()

@@ -9,12 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.analysis.orders import order_map, resample_over_angle
-from pitchpoint.analysis.sampled import SignalError, sample_rate_of
-from pitchpoint.analysis.spectra import amplitude_spectrum, order_spectrum
+from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
-from pitchpoint.analysis.time_frequency import time_frequency_map
-from pitchpoint.viz import spectrum_plots
 from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
 from pitchpoint.viz.mesh_cycle_plot import (
@@ -24,6 +20,7 @@ from pitchpoint.viz.mesh_cycle_plot import (
 )
 from pitchpoint.viz.quantities import Array, Channel, channels, number, scale
 from pitchpoint.viz.report_page import Section
+from pitchpoint.viz.run_record import changes_speed, owner, settled_part, turning_angle, uniform
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
 from pitchpoint.viz.tables import GEAR_ROWS, MESH_ROWS, plain_table, quantity_table, statistics_table
@@ -45,12 +42,9 @@ TIME_QUANTITIES = (
     "torque",
     "friction_power",
 )
-SPECTRUM_QUANTITIES = ("deflection", "mesh_force")
 FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
 MOST_LINES = 8
 MOST_ROWS = 30
-# Relative change of speed from which a run counts as a run-up: maps instead of one spectrum.
-RUN_UP = 0.05
 DETAIL_PERIODS = 12
 
 
@@ -134,8 +128,8 @@ def time_section(runs: Mapping[str, Any]) -> Section:
             continue
         section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
-        settled = _settled(time, run.settle_time)
-        steady = not _changes_speed(time[settled], _angle(run, found), settled)
+        settled = settled_part(time, run.settle_time)
+        steady = not changes_speed(time[settled], turning_angle(run, found), settled)
         rows = [
             (c, vars(signal_statistics(c.values[settled], time[settled])))
             for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
@@ -143,22 +137,22 @@ def time_section(runs: Mapping[str, Any]) -> Section:
             if c.quantity == quantity and np.all(np.isfinite(c.values))
         ]
         section.add(statistics_table(rows[:MOST_ROWS]))
-        states = {_owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
+        states = {owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
         section.add(_contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled))
         for quantity in TIME_QUANTITIES:
             # what is zero throughout (friction without friction) is in the table and needs no picture
             group = [c for c in found.values() if c.quantity == quantity and np.any(c.values != 0.0)]
             for unit in dict.fromkeys(c.unit for c in group):
                 same = [c for c in group if c.unit == unit]
-                state = states.get(_owner(same[0])) if len(same) == 1 and quantity == "mesh_force" else None
+                state = states.get(owner(same[0])) if len(same) == 1 and quantity == "mesh_force" else None
                 whole = plot_signals(time, same[:MOST_LINES], contact_state=state)
                 end = _detail(time, same[:MOST_LINES], state) if steady else None
                 section.add_figure(whole, _caption(same), beside=end)
         parts = [
             c for q in FORCE_PARTS for c in found.values() if c.quantity == q and np.any(c.values != 0.0)
         ]
-        for mesh in dict.fromkeys(map(_owner, parts)):
-            tooth = [c for c in parts if _owner(c) == mesh]
+        for mesh in dict.fromkeys(map(owner, parts)):
+            tooth = [c for c in parts if owner(c) == mesh]
             part = _last_periods(time, tooth[0].values) if steady else slice(None)
             shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in tooth]
             where = "over the last periods" if part.start is not None else "over the whole run"
@@ -168,34 +162,18 @@ def time_section(runs: Mapping[str, Any]) -> Section:
     return section
 
 
-def spectrum_section(runs: Mapping[str, Any], highest_order: float) -> Section:
-    """Spectra and orders of steady runs, maps of run-ups."""
-    section = Section("spectra", "Spectra and orders")
-    for name, run in runs.items():
-        time, found = channels(run.data)
-        picked = [c for q in SPECTRUM_QUANTITIES for c in found.values() if c.quantity == q]
-        if time.size < 64 or not picked:
-            continue
-        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
-        window = _settled(time, run.settle_time)
-        angle = _angle(run, found)
-        turns = None if angle is None else angle.values[window]
-        orders = run.highest_order or highest_order
-        for channel in picked[:MOST_LINES]:
-            signal = Channel(channel.name, channel.values[window], channel.unit, channel.long_name)
-            if turns is not None and _changes_speed(time[window], angle, window):
-                _add_maps(section, signal, time[window], turns, orders)
-            else:
-                _add_spectra(section, signal, time[window], turns, orders)
-    return section
-
-
 def campbell_section(data: Any) -> Section:
     """Natural frequencies against mesh orders."""
     section = Section("campbell", "Campbell diagram")
     if data is not None and np.size(data.mode_frequencies) and np.size(data.speed) > 1:
         section.add_figure(
-            plot_campbell(data.speed, data.mode_frequencies, data.orders, mode_names=data.mode_names),
+            plot_campbell(
+                data.speed,
+                data.mode_frequencies,
+                data.orders,
+                mode_names=data.mode_names,
+                shaft=data.shaft,
+            ),
             "Circles mark the speeds at which a mesh order meets a natural frequency.",
         )
     return section
@@ -214,27 +192,10 @@ def notes_section(warnings: Sequence[str], assumptions: Sequence[str], sources: 
     return section
 
 
-def _owner(channel: Channel) -> str:
-    return channel.name.partition("[")[2].rstrip("]").partition(".")[0]
-
-
-def _angle(run: Any, found: Mapping[str, Channel]) -> Channel | None:
-    """The angle that orders refer to."""
-    if run.angle:
-        return found.get(run.angle)
-    return next((c for c in found.values() if c.quantity == "angle"), None)
-
-
-def _settled(time: Array, settle_time: float) -> np.ndarray:
-    """Samples of the window of statistics; everything if the run ended before it began."""
-    inside = time >= time[0] + settle_time
-    return inside if int(inside.sum()) >= 64 else np.ones(time.size, dtype=bool)
-
-
 def _last_periods(time: Array, values: Array) -> slice:
     """The last dozen periods of a steady record; everything if there are few, or no clear period."""
     tail = slice(time.size // 2, None)
-    piece, rate = _uniform(time[tail], values[tail])
+    piece, rate = uniform(time[tail], values[tail])
     if piece.size < 256 or not np.all(np.isfinite(piece)):
         return slice(None)
     spectrum = amplitude_spectrum(piece, rate)
@@ -296,76 +257,3 @@ def _contact_table(
         )
     head = ("mesh", "", "contact lost", "back contact", "longest loss", "impacts", "largest impact")
     return plain_table(head, body) if body else ""
-
-
-def _changes_speed(time: Array, angle: Channel | None, window: np.ndarray) -> bool:
-    """Whether the mean speeds of the tenths of a run differ by more than `RUN_UP`."""
-    if angle is None or time.size < 11:
-        return False
-    marks = np.linspace(0, time.size - 1, 11).round().astype(np.int64)
-    speed = np.diff(angle.values[window][marks]) / np.diff(time[marks])
-    fastest = float(np.abs(speed).max())
-    return fastest > 0.0 and float(np.ptp(speed)) > RUN_UP * fastest
-
-
-def _uniform(time: Array, values: Array) -> tuple[Array, float]:
-    """Values at equal time steps and their rate; records of adaptive solvers are interpolated."""
-    try:
-        return values, sample_rate_of(time)
-    except SignalError:
-        grid = np.linspace(time[0], time[-1], time.size)
-        return np.interp(grid, time, values), (time.size - 1) / float(time[-1] - time[0])
-
-
-def _add_spectra(
-    section: Section, channel: Channel, time: Array, angle: Array | None, highest: float
-) -> None:
-    values, rate = _uniform(time, channel.values)
-    name = channel.label
-    section.add_figure(
-        spectrum_plots.plot_spectrum(
-            {name: amplitude_spectrum(values, rate)}, unit=channel.unit, quantity=f"amplitude, {name}"
-        ),
-    )
-    if angle is None:
-        return
-    try:
-        turned = resample_over_angle(channel.values, angle, samples_per_revolution=np.ceil(2.56 * highest))
-        spectrum = order_spectrum(turned.values, turned.samples_per_revolution)
-    except SignalError as reason:
-        section.add(f"<p>No order spectrum of {escape(name)}: {escape(str(reason))}.</p>")
-        return
-    section.add_figure(
-        spectrum_plots.plot_spectrum(
-            {name: spectrum}, unit=channel.unit, quantity=f"amplitude, {name}", over="order"
-        ),
-    )
-
-
-def _add_maps(section: Section, channel: Channel, time: Array, angle: Array, highest: float) -> None:
-    values, rate = _uniform(time, channel.values)
-    top = min(0.5 * rate, highest * _top_speed(time, angle) / (2.0 * np.pi))
-    data = time_frequency_map(values, rate, highest_frequency=top)
-    section.add_figure(
-        spectrum_plots.plot_time_frequency(data, unit=channel.unit, quantity=channel.label),
-        "Amplitudes over time and frequency: orders rise with the speed, resonances stay at their frequency.",
-    )
-    try:
-        tracked = order_map(channel.values, angle, time, highest_order=highest, revolutions=_frame(angle))
-    except SignalError as reason:
-        section.add(f"<p>No order map of {escape(channel.label)}: {escape(str(reason))}.</p>")
-        return
-    section.add_figure(
-        spectrum_plots.plot_order_map(tracked, unit=channel.unit, quantity=channel.label),
-        "Amplitudes over order and speed: orders stand upright, resonances run along hyperbolas.",
-    )
-
-
-def _top_speed(time: Array, angle: Array) -> float:
-    marks = np.linspace(0, time.size - 1, min(101, time.size)).round().astype(np.int64)
-    return float(np.abs(np.diff(angle[marks]) / np.diff(time[marks])).max())
-
-
-def _frame(angle: Array) -> float:
-    """Revolutions per frame: a fortieth of the run, one at least and eight at most."""
-    return float(np.clip(np.floor(abs(angle[-1] - angle[0]) / (2.0 * np.pi) / 40.0), 1.0, 8.0))

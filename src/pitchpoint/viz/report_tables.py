@@ -36,7 +36,8 @@ def mode_section(modes: Any) -> Section:
             f'<tr><th scope="row">{k}</th><td>{escape(name)}</td>'
             f'<td class="num">{number(frequency)} Hz</td><td class="num">{damping}</td></tr>'
         )
-    section.add("<p>About the loaded state, meshes with the mean of their stiffness.</p>")
+    held = f"; {escape(', '.join(modes.held))} held by the scenario" if modes.held else ""
+    section.add(f"<p>About the loaded state, meshes with the mean of their stiffness{held}.</p>")
     section.add(plain_table(("mode", "what moves", "natural frequency", "damping ratio"), body[:MOST_ROWS]))
     return section
 

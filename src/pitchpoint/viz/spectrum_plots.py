@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +22,23 @@ if TYPE_CHECKING:
 MAP_COLUMNS, MAP_ROWS = 360, 300
 
 
+@dataclass(frozen=True)
+class Shafts:
+    """Shafts that orders may refer to.
+
+    Attributes
+    ----------
+    chosen
+        The shaft of the orders given.
+    speeds
+        Mean speeds [rad/s] of it and of all shafts that turn in a constant ratio to it, by name; orders of
+        another shaft are those given, times the ratio of the speeds.
+    """
+
+    chosen: str
+    speeds: Mapping[str, float] = field(default_factory=dict)
+
+
 def plot_spectrum(
     spectra: Mapping[str, Spectrum],
     *,
@@ -29,6 +47,7 @@ def plot_spectrum(
     over: str = "frequency",
     highest: float | None = None,
     labels: int = 4,
+    shafts: Shafts | None = None,
 ) -> go.Figure:
     """Amplitude spectra on a logarithmic axis, the highest peaks of the first one labelled.
 
@@ -46,6 +65,8 @@ def plot_spectrum(
         End of the horizontal axis; default where the last peak above half a percent of the largest lies.
     labels
         Number of peaks with a label.
+    shafts
+        Whose orders these are; a report lets its reader choose another one.
     """
     import plotly.graph_objects as go
 
@@ -58,7 +79,7 @@ def plot_spectrum(
     factor = across.factor if across else 1.0
     figure = go.Figure(
         layout=theme.layout(
-            across.title("frequency") if across else "order [per revolution]",
+            across.title("frequency") if across else _order_title(shafts),
             shown.title(quantity),
             height=340,
         )
@@ -81,25 +102,43 @@ def plot_spectrum(
         figure.update_yaxes(type="log", range=[top - 4.2, top + 0.6], dtick=1, exponentformat="power")
     figure.update_xaxes(range=[0.0, end * factor])
     figure.update_layout(showlegend=len(spectra) > 1)
+    if across is None:
+        _offer(figure, shafts)
     return figure
 
 
-def plot_order_map(data: OrderMap, *, unit: str, quantity: str = "amplitude") -> go.Figure:
+def plot_order_map(
+    data: OrderMap, *, unit: str, quantity: str = "amplitude", shafts: Shafts | None = None
+) -> go.Figure:
     """Amplitude over order and speed of a run-up, in decibels below the largest one."""
     # maps are drawn over speed; a run that is not monotonic is drawn over time
     steady = bool(np.all(np.diff(data.speed) > 0.0) or np.all(np.diff(data.speed) < 0.0))
     axis = scale("rad/s", data.speed) if steady else scale("s", data.time)
     vertical = (data.speed if steady else data.time) * axis.factor
+    speed = f"speed of {shafts.chosen}" if shafts else "speed"
     # order 0 is the mean: it would set the scale of the whole map
-    return _map(
+    figure = _map(
         data.order[1:],
         vertical,
         data.amplitude[:, 1:],
-        "order [per revolution]",
-        axis.title("speed" if steady else "time"),
+        _order_title(shafts),
+        axis.title(speed if steady else "time"),
         unit,
         quantity,
     )
+    _offer(figure, shafts, over_speed=steady)
+    return figure
+
+
+def _order_title(shafts: Shafts | None) -> str:
+    return f"order [per revolution of {shafts.chosen}]" if shafts else "order [per revolution]"
+
+
+def _offer(figure: go.Figure, shafts: Shafts | None, *, over_speed: bool = False) -> None:
+    """Leave the other shafts in the figure, for the script of the page."""
+    if shafts is not None and len(shafts.speeds) > 1:
+        meta = {"shaft": shafts.chosen, "speeds": dict(shafts.speeds), "overSpeed": over_speed}
+        figure.update_layout(meta={"orders": meta})
 
 
 def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "amplitude") -> go.Figure:
@@ -194,6 +233,8 @@ def _label_peaks(
             y=float(np.log10(amplitude * gain)),
             text=number(frequency * factor, 4),
             showarrow=False,
+            # at the left edge a centred label would cover the numbers of the axis
+            xanchor="left" if frequency < 0.03 * end else "center",
             yshift=9,
             font={"size": 11},
         )

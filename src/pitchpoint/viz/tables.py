@@ -95,10 +95,13 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
 
 
 def statistics_table(rows: Sequence[tuple[Channel, Mapping[str, float]]]) -> str:
-    """Mean, rms, minimum and maximum per channel, each in its display unit."""
+    """Mean, rms, minimum and maximum per channel; channels of one quantity share their display unit."""
     body = []
+    extent: dict[tuple[str, str], list[float]] = {}
     for channel, values in rows:
-        shown = scale(channel.unit, [values["min"], values["max"]])
+        extent.setdefault((channel.quantity, channel.unit), []).extend((values["min"], values["max"]))
+    for channel, values in rows:
+        shown = scale(channel.unit, extent[channel.quantity, channel.unit])
         # the alternating part of a constant is round-off, not a result
         noise = 1e-10 * max(abs(values["min"]), abs(values["max"]))
         known = {**values, "rms": values["rms"] if values["rms"] > noise else 0.0}

@@ -68,7 +68,10 @@ def test_people_get_a_table_and_failed_cases_a_sentence(
     assert "rms of deflection" in captured.out
     assert "out of range" in captured.out
     assert "1 of 2 cases finished" in captured.err
-    assert [c["status"] for c in read_cases(tmp_path / "model-steady-cases.h5")] == [1, 2]
+    kept = read_cases(tmp_path / "model-steady-cases.h5")
+    assert [c["status"] for c in kept] == [1, 2]
+    assert kept[0]["sentence"] == "finished"
+    assert kept[1]["sentence"].startswith("meshes.stage.damper.ratio: 1000000000.0 is out of range")
     assert run_command(["report", file, "model-steady-cases.h5"]) == 0
     assert "these values describe no possible model" in (tmp_path / "model.html").read_text(encoding="utf-8")
 

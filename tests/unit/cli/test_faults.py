@@ -164,3 +164,46 @@ def test_a_sweep_that_fails_keeps_its_points(tmp_path: Path, capsys: pytest.Capt
     assert 1 < len(found["points"]) < 162
     assert f"(status {st.NOT_FINITE})" in captured.err
     assert read_header(target)["status"] == "failed"
+
+
+def test_a_load_that_grows_without_bound_ends_as_a_failure(tmp_path: Path) -> None:
+    table = "torque: {table: [[0 s, 0 N m], [1 s, 1e308 N m]]}"
+    file = written(tmp_path, TORSION.replace("torque: 150 N m}", table + "}", 1))
+    assert run_command(["run", file, "-s", "steady", "-o", str(tmp_path / "out.h5"), "-q"]) == 3
+
+
+@pytest.mark.parametrize("function", ["missing", "two"])
+def test_a_python_law_that_cannot_be_used_is_told_at_its_place(
+    function: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "law.py").write_text("def two(t, x):\n    return 1.0\n", encoding="utf-8")
+    law = f"torque: {{python: 'law.py:{function}'}}}}"
+    file = written(tmp_path, TORSION.replace("torque: 150 N m}", law, 1))
+    out = str(tmp_path / "out.h5")
+    assert run_command(["run", file, "-s", "steady", "-o", out, "--allow-code"]) == 2
+    assert f"loads.input.torque: law.py:{function}" in capsys.readouterr().err
+
+
+def test_the_element_that_failed_has_its_name(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    law = "torque: 150 N m * sqrt(1e-3 - t)}"
+    file = written(tmp_path, TORSION.replace("torque: 150 N m}", law, 1))
+    assert run_command(["run", file, "-s", "steady", "-o", str(tmp_path / "out.h5")]) == 3
+    assert "(torque 'input')" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("command", "scenario"), [("run", "steady"), ("run", "roll"), ("sweep", "sweep")])
+def test_flanks_deep_in_each_other_are_noted(
+    command: str, scenario: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = TORSION.replace("4.0e8 N/m", "4.0e6 N/m").replace("duration: 0.5 s", "duration: 5 ms")
+    text = text.replace("points: 81", "points: 2").replace("settle_periods: 200", "settle_periods: 2")
+    text += "  roll: {quasi_static: {points: 5}}\n"
+    target = tmp_path / "out.h5"
+    file = written(tmp_path, text)
+    assert run_command([command, file, "-s", scenario, "-o", str(target), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["status"] == "finished"
+    told = [note for note in found["notes"] if "0.1 m_n = 0.3 mm" in note]
+    assert len(told) == 1
+    assert told[0].startswith("meshes.stage: the flanks go ")
+    assert told[0] in read_header(target)["notes"]

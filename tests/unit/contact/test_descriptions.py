@@ -61,6 +61,7 @@ def test_jumps_of_a_pair_shape():
         (lambda: constant(None, mean=-1.0), "mean"),
         (lambda: constant(None, mean=math.inf), "mean"),
         (lambda: fourier(None, mean=1e8, cosine=[1.1]), "lowest stiffness"),
+        (lambda: fourier(None, mean=1e8, cosine=[1.0 + 1e-9]), "lowest stiffness"),
         (lambda: fourier(None, mean=1e8, sine=[math.nan]), "sine"),
         (lambda: fourier(None, mean=1e8, cosine=["a"]), "cosine"),
         (lambda: fourier(None, mean=1e8, cosine=[[0.1], [0.2]]), "cosine"),

@@ -51,6 +51,7 @@ def through(where, t, x, p):
 def folder(tmp_path):
     (tmp_path / "laws.py").write_text(SOURCE)
     (tmp_path / "bad.py").write_text("raise RuntimeError('on import')")
+    (tmp_path / "leaves.py").write_text("import sys\nsys.exit(0)")
     return tmp_path
 
 
@@ -99,6 +100,7 @@ def test_code_never_runs_unasked(folder):
         ("laws.py:number", "names no function"),
         ("laws.py:short", r"define it as f\(t, x, p\)"),
         ("bad.py:f", "RuntimeError: on import"),
+        ("leaves.py:f", "SystemExit: 0"),
     ],
 )
 def test_bad_references(folder, reference, message):

@@ -26,6 +26,27 @@ def test_steel_is_the_one_of_the_standard() -> None:
     assert z_e == pytest.approx(189.812, abs=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("name", "modulus", "density"),
+    [
+        # EN 1563, typical properties: E [GPa], rho [kg/dm^3]
+        ("EN-GJS-400", 169.0, 7.1),
+        ("EN-GJS-700", 176.0, 7.2),
+        # EN 10088-1
+        ("X20Cr13", 215.0, 7.7),
+        # ISO 6336-2, elastic constants
+        ("cast_steel", 202.0, 7.83),
+        ("nodular_iron", 173.0, 7.1),
+        ("EN-GJL-200", 118.0, 7.15),
+        ("cast_tin_bronze", 103.0, 8.7),
+        ("tin_bronze", 113.0, 8.8),
+    ],
+)
+def test_printed_values(name: str, modulus: float, density: float) -> None:
+    found = material(name)
+    assert (found.youngs_modulus, found.density) == pytest.approx((modulus * 1e9, density * 1e3), rel=1e-12)
+
+
 def test_unknown_names_get_the_nearest_spelling() -> None:
     with pytest.raises(GeometryError, match="did you mean nodular_iron"):
         material("nodular irn")

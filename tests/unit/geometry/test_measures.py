@@ -101,8 +101,17 @@ def test_what_cannot_be_measured_is_refused():
         transverse_tooth_thickness(gear, 0.9 * gear.d_b)
     with pytest.raises(GeometryError, match="inside the base circle"):
         transverse_tooth_thickness(gear, -gear.d)
-    with pytest.raises(GeometryError, match="spanned"):
-        span(gear, 0)
-    for ball in (0.0, math.nan, 1e-4):
+    for k in (0, 2.5, True):
+        with pytest.raises(GeometryError, match="spanned"):
+            span(gear, k)
+    for ball in (0.0, math.nan):
         with pytest.raises(GeometryError, match="D_M"):
             dimension_over_balls(gear, ball)
+
+
+@every_gear
+def test_balls_that_miss_the_flanks_are_refused(gear):
+    """Too small: on the root fillets, or deeper than the base circle. Too large: on the tips."""
+    for factor, remedy in ((0.05, "larger"), (0.5, "larger"), (4.0, "smaller"), (10.0, "smaller")):
+        with pytest.raises(GeometryError, match=f"usable flanks.*use a {remedy} ball"):
+            dimension_over_balls(gear, factor * gear.m_n)

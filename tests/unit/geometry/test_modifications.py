@@ -17,6 +17,7 @@ from pitchpoint.geometry.modifications import (
     base_tangent,
     deviation,
     flank_range,
+    modification_problems,
     roll_length,
 )
 
@@ -100,9 +101,35 @@ def test_base_tangent_conversion_is_the_inverse_of_the_normal_one() -> None:
         lambda: EndRelief(amount=1e-6, length=0.0),
         lambda: FlankModifications(lead_crowning=math.nan),
         lambda: deviation(FlankModifications(tip_relief=Relief(amount=1e-6, start_diameter=1.0)), GEAR, 0.02),
+        lambda: deviation(FlankModifications(tip_relief=Relief(amount=1e-6, length=1.0)), GEAR, 0.02),
         lambda: deviation(FlankModifications(), GEAR, 0.02, coordinate="angle"),
     ],
 )
 def test_nonsense_is_refused(make) -> None:
     with pytest.raises(GeometryError):
         make()
+
+
+@pytest.mark.parametrize("gear", [GEAR, RING], ids=["external", "internal"])
+def test_every_part_that_does_not_fit_is_named(gear: CylindricalGear) -> None:
+    root, tip = sorted((abs(gear.d_Ff), abs(gear.d_Fa)))
+    wrong = FlankModifications(
+        tip_relief=Relief(amount=MICRO, start_diameter=1.01 * tip),
+        root_relief=Relief(amount=MICRO, length=1.01 * abs(np.diff(flank_range(gear))[0])),
+        end_relief=EndRelief(amount=MICRO, length=0.011),
+    )
+    found = modification_problems(wrong, gear, "left")
+    assert [p.where for p in found] == [
+        "left.tip_relief.start_diameter",
+        "left.root_relief.length",
+        "left.end_relief.length",
+    ]
+    assert all(p.value and p.limit and p.remedy for p in found)
+    inside_base = FlankModifications(root_relief=Relief(amount=MICRO, start_diameter=0.9 * root))
+    assert len(modification_problems(inside_base, gear)) == 1
+    whole = FlankModifications(
+        tip_relief=Relief(amount=MICRO, start_diameter=abs(gear.d_Ff)),
+        root_relief=Relief(amount=MICRO, length=abs(float(np.diff(flank_range(gear))[0]))),
+        end_relief=EndRelief(amount=MICRO, length=0.01),
+    )
+    assert modification_problems(whole, gear) == []

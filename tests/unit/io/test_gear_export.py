@@ -109,6 +109,19 @@ def test_dxf_is_a_closed_polyline_of_pairs(tmp_path: Path) -> None:
     assert all(int(code) >= 0 for code, _ in pairs)
 
 
+def test_drawings_of_a_ring_show_its_outside(tmp_path: Path) -> None:
+    """The same rim as in the solid and in the mass: 3.5 modules outside the root."""
+    ring = SOLIDS["ring"][0]
+    radius = 0.5e3 * abs(ring.d_fE) + 3.5e3 * ring.m_n
+    lines = export_gear(ring, tmp_path / "ring.dxf", n_flank=10).read_text().splitlines()
+    pairs = list(zip(lines[::2], lines[1::2], strict=True))
+    at = pairs.index(("8", "RING"))
+    assert float(dict(pairs[at : at + 5])["40"]) == pytest.approx(radius, abs=1e-8)
+    assert f"A{radius:.6f} " in export_gear(ring, tmp_path / "ring.svg", n_flank=10).read_text()
+    corners = gear_solid(ring, 10).reshape(-1, 3)
+    assert 1e3 * np.hypot(corners[:, 0], corners[:, 1]).max() == pytest.approx(radius, rel=1e-12)
+
+
 @pytest.mark.parametrize("gear", [SPUR, SOLIDS["ring"][0]], ids=["external", "internal"])
 def test_svg_is_xml_to_scale(gear: CylindricalGear, tmp_path: Path) -> None:
     root = ElementTree.fromstring(export_gear(gear, tmp_path / "x", "svg").read_text(encoding="utf-8"))

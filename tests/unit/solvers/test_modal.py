@@ -64,8 +64,10 @@ def test_mean_of_the_parabola_is_that_of_the_mesh_cycle(beta):
     assert find_modes(system).frequency[1] == pytest.approx(math.sqrt(k * inverse) / (2 * math.pi), rel=1e-9)
 
 
-def test_without_load_the_front_flank_is_taken_as_touching():
-    text = pair(FOURIER).partition("loads:")[0]
+@pytest.mark.parametrize("backlash", ["0.1 mm", "0 mm"])
+def test_without_load_the_front_flank_is_taken_as_touching(backlash):
+    """Without backlash too: at rest only one flank can carry, whichever way the gears move."""
+    text = pair(FOURIER).partition("loads:")[0].replace("0.1 mm", backlash)
     modes = find_modes(compiled(text)[1])
     assert "stage" in modes.notes[0]
     assert modes.frequency[1] == pytest.approx(hertz(4e8), rel=1e-6)

@@ -6,9 +6,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pitchpoint.core.status import OK
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.time import solve_time
+from pitchpoint.solvers.time import run_time, solve_time
 from pitchpoint.system.compile import compile_model
+from tests.support.machines import compiled, pair
 from tests.support.model_files import TORSIONAL_PAIR
 
 
@@ -24,3 +26,66 @@ def test_events_have_a_dimension_of_their_own() -> None:
     np.testing.assert_allclose(np.diff(data["event_time"]), 1.0 / 1250.0, rtol=0.02)
     assert data["mesh_force[stage]"].dims == ("time",)
     assert isinstance(data.attrs["notes"], str)
+
+
+def test_both_methods_find_the_same_events_where_the_gears_turn_back() -> None:
+    """Several functions change sign at the instant of the reversal: a restart there loses none."""
+    found = []
+    for method in ("generalized_alpha", "runge_kutta"):
+        scenario = (
+            'scenarios:\n  to_and_fro: {drive: {driver: {speed: "20*cos(2*pi*10*t)"}}, duration: 0.1 s, '
+            f"method: {method}, events: [pair_entry, pair_exit, sliding_reversal]}}\n"
+        )
+        text = pair("{law: constant, value: 3e8 N/m}, damper: {ratio: 0.1}", rest=scenario)
+        done = run_time(compiled(text, "to_and_fro")[1])
+        assert done.status == OK
+        found.append(sorted((done.event_names[int(e[1])], e[0], e[2]) for e in done.events))
+    assert [(name, direction) for name, _, direction in found[0]] == [(n, d) for n, _, d in found[1]]
+    assert [t for _, t, _ in found[0]] == pytest.approx([t for _, t, _ in found[1]], abs=2e-5)
+
+
+@pytest.mark.parametrize("method", ["generalized_alpha", "runge_kutta"])
+def test_events_of_gears_that_turn_to_and_fro(method: str) -> None:
+    """Against the phase itself: a pair enters at A or, backwards, at E; every reversal and passage counts."""
+    scenario = (
+        'scenarios:\n  to_and_fro: {drive: {driver: {speed: "60*cos(2*pi*10*t)"}}, duration: 0.2 s, '
+        f"method: {method}, events: [pair_entry, pair_exit, sliding_reversal]}}\n"
+    )
+    text = pair("{law: constant, value: 3e8 N/m}, damper: {ratio: 0.1}", rest=scenario)
+    system = compiled(text, "to_and_fro")[1]
+    done = run_time(system)
+    assert done.status == OK
+    record = system.records["gear_mesh"][0]
+    eps, pitch = float(record["eps"]), -float(record["xi_A"]) / float(record["p_bt"])
+    # travel of 30 teeth at the driven speed; the load keeps the front flanks in contact
+    t = np.linspace(0.0, 0.2, 400_001)
+    psi = float(record["start"][0] + record["xi_0"] / record["p_bt"])
+    psi += 30.0 / (2.0 * np.pi) * 60.0 / (20.0 * np.pi) * np.sin(20.0 * np.pi * t)
+    expected = []
+    for place, forward, backward in (
+        (0.0, "pair_entry", "pair_exit"),
+        (eps, "pair_exit", "pair_entry"),
+        (pitch, "sliding_reversal", "sliding_reversal"),
+    ):
+        step = np.diff(np.floor(psi - place))
+        for k in np.flatnonzero(step):
+            expected.append((forward if step[k] > 0 else backward, t[k], step[k]))
+    expected += [
+        ("turning_reversal", t0, way) for t0, way in ((0.025, -1), (0.075, 1), (0.125, -1), (0.175, 1))
+    ]
+    found = [(done.event_names[int(e[1])].partition("[")[0], e[0], e[2]) for e in done.events]
+    assert len(found) == len(expected) > 60
+    for (name, when, way), (a_name, a_when, a_way) in zip(sorted(expected), sorted(found), strict=True):
+        assert (name, way) == (a_name, a_way)
+        assert when == pytest.approx(a_when, abs=2e-4)
+
+
+def test_events_of_the_back_flanks_have_names_of_their_own() -> None:
+    """Gears pressed on their back flanks and turning forward: the back path is run through backwards."""
+    scenario = (
+        "scenarios:\n  on: {speed: {driver: 500 rpm}, duration: 0.02 s, events: [pair_entry, pair_exit]}\n"
+    )
+    text = pair("{law: constant, value: 3e8 N/m}", torque="-200 N m", rest=scenario)
+    done = run_time(compiled(text, "on")[1])
+    found = {(done.event_names[int(e[1])].partition("[")[0], e[2]) for e in done.events}
+    assert found == {("back_pair_entry", -1.0), ("back_pair_exit", -1.0)}

@@ -9,9 +9,12 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.core.status import INCONSISTENT, NOT_FINITE, OK
+from pitchpoint.elements import drive
+from pitchpoint.elements.signal import LAW, OVER_TIME, Pool, set_table
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers import generalized_alpha, runge_kutta, sampling
+from pitchpoint.solvers.rows import explain, redundant_rows, row_notes
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import couplings, gear_rows, rattle, torques
@@ -111,6 +114,35 @@ def test_same_input_gives_the_same_bits_whatever_the_chunks():
     np.testing.assert_array_equal(*finals)
 
 
+@pytest.mark.parametrize("order", [5, 8])
+def test_adaptive_steps_do_not_depend_on_the_chunks(order):
+    finals = []
+    for most in (1_000_000, 7):
+        system = rattle()
+        state = system.initial_state()
+        state.v[:] = 300.0
+        run = runge_kutta.start_adaptive(system, state, order=order, largest_step=1e-3)
+        rows = []
+        while run.t < 0.05:
+            chunk = run.advance_to(0.05, sample=1e-3, most=most)
+            assert chunk.status == OK
+            rows.append(chunk.rows)
+        assert len(np.concatenate(rows)) == 50
+        finals.append(np.concatenate([run.state().q, run.state().v, np.concatenate(rows).ravel()]))
+    np.testing.assert_array_equal(*finals)
+
+
+def test_no_step_is_longer_than_allowed():
+    """A load that comes and goes within a millisecond, long after everything has come to rest."""
+    records = torques([(1, 1.0)])
+    pool = Pool()
+    set_table(records[0], pool, [0.0, 5.0, 5.0005, 5.001, 10.0], [0.0, 0.0, 4.0, 0.0, 0.0])
+    system = assemble([Body(polar_inertia=1.0)], {"torque": records}, pools={"torque": pool.array()})
+    run = runge_kutta.start_adaptive(system, system.initial_state(), largest_step=1e-3)
+    assert run.advance_to(10.0).status == OK
+    assert run.state().v[0] == pytest.approx(0.002, rel=2e-3)
+
+
 def test_round_off_does_not_grow_with_revolutions():
     accelerations = []
     for turns in (0, 100_000):
@@ -141,7 +173,41 @@ def test_a_redundant_constraint_row_is_flagged_and_harmless():
         assert run.state().a[0] == pytest.approx(3.0 / (1.0 + 4.0 / 4.0), rel=1e-7)
         assert np.abs(system.workspace.g).max() < 1e-12
     assert list(system.workspace.arrays["used"]) == [1, 0]
+    assert redundant_rows(system) == ("gear_constraint gear_constraint1",)
+    assert "gear_constraint1: prescribes what other" in row_notes(system)[0]
     np.testing.assert_allclose(finals[1], finals[0], rtol=1e-12)
+
+
+@pytest.mark.parametrize("method", ["implicit", "classical", "adaptive"])
+def test_a_row_that_contradicts_another_stops_the_run_by_name(method):
+    bodies = [Body(polar_inertia=1.0, name="a"), Body(polar_inertia=4.0, name="b")]
+    rows = gear_rows([(1, 2, 20, 40), (1, 2, 10, 20)])
+    rows["u0"] = [0.0, 1e-3]
+    system = assemble(
+        bodies, {"torque": torques([(1, 3.0)])}, {"gear_constraint": rows}, names={"gear_constraint": "xy"}
+    )
+    if method == "implicit":
+        chunk = generalized_alpha.start(system, system.initial_state(), 1e-3).advance(10)
+    elif method == "classical":
+        chunk = runge_kutta.start_classical(system, system.initial_state(), 1e-3).advance(10)
+    else:
+        chunk = runge_kutta.start_adaptive(system, system.initial_state()).advance_to(0.01)
+    assert chunk.status == INCONSISTENT
+    assert "gear_constraint y is off by 0.001" in explain(system, chunk.status)
+
+
+def test_a_repeated_row_needs_no_second_iteration_to_hold():
+    """A drive that speeds up: the prediction of a step is off by more than the rows may be."""
+    bodies = [Body(polar_inertia=1.0, name="a"), Body(polar_inertia=4.0, name="b")]
+    drives = np.zeros(2, drive.RECORD)
+    drives["i"] = 1
+    pool = Pool()
+    for record in drives:
+        drive.set_speed_table(record, pool, np.linspace(0.0, 1.0, 101), np.linspace(0.0, 10.0, 101) ** 2)
+    system = assemble(bodies, {}, {"drive": drives}, pools={"drive": pool.array()})
+    run = generalized_alpha.start(system, system.initial_state(), 1e-4)
+    assert run.advance(5000).status == OK
+    assert len(redundant_rows(system)) == 1
 
 
 def test_explicit_methods_hold_constraints_too():
@@ -158,8 +224,6 @@ def test_a_law_that_returns_nan_stops_the_run_with_its_status_and_place():
     def law(t, x, p):
         return math.nan if t > 0.01 else 1.0
 
-    from pitchpoint.elements.signal import LAW, OVER_TIME
-
     records = torques([(1, 1.0)])
     records["form"], records["over"] = LAW, OVER_TIME
     bodies = [Body(polar_inertia=1.0, name="a")]
@@ -169,6 +233,9 @@ def test_a_law_that_returns_nan_stops_the_run_with_its_status_and_place():
     chunk = run.advance(100)
     assert chunk.status == NOT_FINITE
     assert 9 <= chunk.steps <= 10
+    # the state is that of the last finished step
+    assert run.state().v[0] == pytest.approx(chunk.steps * 1e-3, rel=1e-12)
+    assert run.state().a[0] == pytest.approx(1.0, rel=1e-12)
     assert "torque" in evaluate.explain(system, chunk.status)
     with pytest.raises(SolverError, match="not a number"):
         evaluate.check(system, chunk.status, run.state())

@@ -21,6 +21,7 @@ from pitchpoint.multibody.bodies import FREE, PLANAR, Body
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.layout import group
+from pitchpoint.system.perform import WRAP, ask
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings, chain, couplings, differences, rattle, torques
 
@@ -213,3 +214,18 @@ def test_forces_between_bodies_are_those_of_a_coupling():
     assert found["coupling_force[shaft.fx]"].long_name == "force on the first body, x"
     for name, channel in found.items():
         assert unit(name) == channel.unit
+
+
+@pytest.mark.parametrize("spin", [1e13, 1e300, math.inf, -math.inf, math.nan])
+def test_a_spin_that_runs_away_cannot_stop_the_wrapping(spin):
+    system = chain([1.0], [])
+    evaluate.prepare(system)
+    evaluate.load(system, system.initial_state())
+    system.workspace.q[0] = spin
+    ask(system.workspace, WRAP)
+    assert system.workspace.q[0] == pytest.approx(spin, nan_ok=True)
+    system.workspace.q[0] = 1e6 + 0.25
+    ask(system.workspace, WRAP)
+    assert abs(system.workspace.q[0]) <= math.pi
+    turns = int(system.workspace.fr["turns"][1])
+    assert system.workspace.q[0] + 2.0 * math.pi * turns == pytest.approx(1e6 + 0.25, rel=1e-12)

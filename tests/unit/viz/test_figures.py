@@ -16,6 +16,7 @@ from pitchpoint.viz.quantities import Channel, channels, number, scale
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
 from pitchpoint.viz.spectrum_plots import plot_order_map, plot_spectrum, plot_time_frequency
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
+from pitchpoint.viz.tables import statistics_table
 from tests.support.report_data import cycle, sweep
 
 TIME = np.arange(20_000) / 1e5
@@ -149,6 +150,35 @@ def test_campbell_marks_crossings() -> None:
     assert titles(figure) == ("speed [rpm]", "frequency [Hz]")
     assert [t.name for t in figure.data] == ["first", "× 1", "× 2", "crossings"]
     assert list(figure.data[-1].x) == pytest.approx([1500.0, 3000.0])
+
+
+def test_campbell_labels_equal_orders_once_and_names_the_shaft() -> None:
+    orders = {"a × 1": 20.0, "b × 2": 20.0, "c × 2": 40.0, "d × 1": 10.0, "e × 1": 10.0, "f × 1": 10.0}
+    figure = plot_campbell([0.0, 400.0], [1000.0], orders, mode_names=["first"], shaft="crank")
+    texts = [a.text for a in figure.layout.annotations]
+    assert texts == ["d × 1 and 2 more", "a × 1, b × 2", "c × 2"]
+    assert figure.layout.xaxis.title.text == "speed of crank [rpm]"
+    crossings = next(t for t in figure.data if t.name == "crossings")
+    assert len(set(crossings.x)) == len(crossings.x)
+
+
+def test_statistics_of_one_quantity_share_their_unit() -> None:
+    rows = [
+        (
+            Channel(f"deflection[{name}]", np.zeros(1), "m"),
+            {"mean": 0.0, "rms": 0.0, "min": -size, "max": size},
+        )
+        for name, size in (("a", 9e-5), ("b", 2e-4))
+    ]
+    text = statistics_table(rows)
+    assert text.count(">mm<") == 2
+    assert ">0.09<" in text
+
+
+def test_round_off_is_no_transmission_error() -> None:
+    figure = plot_transmission_error([0.0, 0.5, 1.0], {"without load": [1e-13, 1e-13, 1e-13]})
+    assert titles(figure)[1] == "transmission error − mean [µm]"
+    assert figure.data[0].name == "without load (mean 0 µm)"
 
 
 def test_units_of_axes() -> None:

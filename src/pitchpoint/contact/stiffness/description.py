@@ -268,6 +268,33 @@ class PhaseStiffness:
         angle = 2.0 * math.pi * s[..., None] * np.arange(1, n + 1)
         return np.asarray(1.0 + np.cos(angle) @ cosine + np.sin(angle) @ sine)
 
+    def extremes(self) -> tuple[float, float]:
+        """Lowest and highest stiffness relative to the mean, not sampled.
+
+        Those of a Fourier series lie at the roots of its derivative, found as eigenvalues of a polynomial in
+        exp(2 pi i psi).
+
+        >>> low, high = PhaseStiffness(mean=1e8, cosine=[-0.2, -0.1, -0.05]).extremes()
+        >>> round(low, 9), round(high, 9)
+        (0.65, 1.15)
+        """
+        count, first, second = self.arrays()
+        values = np.ones(1)
+        if self.form == 1:
+            values = first
+        elif self.form == 2:
+            values = first[:2]
+        elif np.any(first) or np.any(second):
+            h = np.arange(1, count + 1)
+            upper = 0.5 * h * (second + 1j * first)  # derivative = sum of upper z^h and its conjugate z^-h
+            roots = np.roots(np.concatenate((upper[::-1], [0.0], np.conj(upper))))
+            on_circle = np.abs(np.abs(roots) - 1.0) < 1e-5
+            # a flat extremum is a multiple root, which round-off may push off the circle: hence the grid too
+            grid = np.arange(8 * count) / (8.0 * count)
+            phases = np.concatenate((np.angle(roots[on_circle]) / (2.0 * math.pi), grid))
+            values = self.ratio(phases)
+        return float(values.min()), float(values.max())
+
     def jumps(self, eps_alpha: float = 1.0, eps_beta: float = 0.0) -> tuple[float, ...]:
         """Mesh phases in [0, 1) at which the stiffness is discontinuous; the arguments do not matter here.
 
@@ -287,8 +314,6 @@ Description = PairShape | PhaseStiffness
 def require_positive(where: str, description: PhaseStiffness) -> PhaseStiffness:
     """Return a prescribed stiffness that is positive everywhere, or raise ModelError.
 
-    Fourier series are looked at on 16 points per period of the highest harmonic, at least 256.
-
     Parameters
     ----------
     where
@@ -301,13 +326,7 @@ def require_positive(where: str, description: PhaseStiffness) -> PhaseStiffness:
     >>> require_positive("stiffness.cosine", PhaseStiffness(mean=1e8, cosine=[0.5])).mean
     100000000.0
     """
-    n, first, _ = description.arrays()
-    if description.form == 0:
-        low = float(description.ratio(np.arange(max(256, 16 * n)) / max(256, 16 * n)).min())
-    elif description.form == 1:
-        low = float(first.min())
-    else:
-        low = float(first[:2].min())
+    low, _ = description.extremes()
     if low <= 0.0:
         raise refuse(
             where, "times the mean is the lowest stiffness", f"{low:.4g}", "> 0", "lower the variation"

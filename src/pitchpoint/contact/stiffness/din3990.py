@@ -190,8 +190,9 @@ def single_stiffness(
 
     Notes
     -----
-    Source: ISO 6336-1:2006, method B. E = 2 E1 E2/(E1 + E2). C_B is the mean of both basic racks. An internal
-    mate enters with 1/z_n2 = 0 and the x2 of ISO 21771.
+    Source: ISO 6336-1:2006, method B. E = 2 E1 E2/(E1 + E2). C_B is the mean of both basic racks, with
+    the dedendum in effect where a root diameter is given. An internal mate enters with 1/z_n2 = 0 and the x2
+    of ISO 21771.
 
     Examples
     --------
@@ -207,7 +208,7 @@ def single_stiffness(
         first, second = second, first
     z_n1, z_n2 = (virtual_teeth(g, virtual_teeth_formula) for g in (first, second))
     c_th = theoretical_stiffness(z_n1, z_n2, first.x, second.x)
-    C_B = 0.5 * sum(basic_rack_factor(g.rack.h_fP_star, g.alpha_n) for g in (first, second))
+    C_B = 0.5 * sum(basic_rack_factor(g.h_fP_star, g.alpha_n) for g in (first, second))
     ratio = 1.0
     if moduli is not None:
         E1, E2 = (positive("material.youngs_modulus", E, "Pa") for E in moduli)

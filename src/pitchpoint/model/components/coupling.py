@@ -24,3 +24,8 @@ class Coupling:
         Stiffness6, "stiffness against relative displacement and rotation", Stiffness6()
     )
     damping: Damping6 | None = component(Damping6, "damping in the same directions, or a ratio")
+
+    @property
+    def carries_torque(self) -> bool:
+        """Whether the two bodies turn together: a stiffness about the axis."""
+        return self.stiffness.matrix6()[5][5] > 0.0

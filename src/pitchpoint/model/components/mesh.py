@@ -10,6 +10,11 @@ from pitchpoint.model.components.stiffness import LAWS, Din3990, StiffnessLaw
 from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantities, quantity
 
 BACKLASH_DIRECTIONS = ("normal", "base_tangent", "circumferential")
+# The damping belongs to the mesh: a scenario that holds or drives a body does not change it.
+CRITICAL = (
+    "share of critical damping, from the mean stiffness and the inertias of both bodies "
+    "(those that a scenario holds or drives too; not those with motion: fixed)"
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,9 +34,7 @@ class ContactDamping:
     d_out: float | None = quantity(
         "damping", "damping while they move apart", None, minimum=0.0, display="d_in"
     )
-    ratio: float | None = quantity(
-        "dimensionless", "share of critical damping at the mean stiffness", None, minimum=0.0, maximum=10.0
-    )
+    ratio: float | None = quantity("dimensionless", CRITICAL, None, minimum=0.0, maximum=10.0)
     s_0: float = quantity("length", "penetration at which the damping is fully there", 1e-6, minimum=0.0)
     law: str = choice(("linear", "smooth"), "growth of the damping from 0 to s_0", "linear")
 
@@ -40,9 +43,7 @@ class ContactDamping:
 class Damper:
     """Damper between the gears that also acts inside the gap; exactly one key is given."""
 
-    ratio: float | None = quantity(
-        "dimensionless", "share of critical damping at the mean stiffness", None, minimum=0.0, maximum=10.0
-    )
+    ratio: float | None = quantity("dimensionless", CRITICAL, None, minimum=0.0, maximum=10.0)
     value: float | None = quantity("damping", "damping along the base tangent", None, minimum=0.0)
 
 

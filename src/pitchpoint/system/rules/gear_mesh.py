@@ -105,6 +105,12 @@ def _wrap(value: float, period: float) -> tuple[float, int]:
     return value - turns * period, turns
 
 
+def _widths(row: Any, b1: float, b2: float) -> None:
+    """Face widths; the shared width goes with the narrower gear, with the mean of two equal ones."""
+    row["b1"], row["b2"] = b1, b2
+    row["w_z"] = (0.5 if b1 == b2 else 0.0 if b1 < b2 else 1.0) - row["w1"]
+
+
 def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
     g1, g2 = pair.gear1, pair.gear2
     row["z1"], row["z2"] = g1.z, g2.z
@@ -113,7 +119,7 @@ def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
     row["w1"] = g1.z / (g1.z + g2.z)
     row["tan_b"] = math.tan(g1.beta_b)
     row["zc1"], row["zc2"] = place.offset1, place.offset2
-    row["b1"], row["b2"] = g1.b, g2.b
+    _widths(row, g1.b, g2.b)
     line = (place.origin2 - place.origin1)[:2] * math.copysign(1.0, pair.a_w)
     gamma = math.atan2(line[1], line[0])
     row["cos1"] = row["cos2"] = math.cos(gamma)
@@ -226,13 +232,14 @@ def mesh_bank(model: Model) -> Bank:
         pair = model.pairs[name]
         row = mesh_row(pair, place, mesh_laws(model, name), pool.add, model.backlash(name))
         row["i"], row["j"] = number[one], number[two]
-        row["b1"], row["b2"] = (g.face_width for g in gears)
+        _widths(row, gears[0].face_width, gears[1].face_width)
         # a prescribed total stiffness knows no tooth pairs
         pairs = math.ceil(pair.eps_gamma) + 1 if row["source"] == layout.PROFILE else 0
         row["n_pair"] = min(layout.MAX_PAIRS, pairs)
         separation_grids(row, gears, pool.add)
         law = mesh.stiffness
-        laws.append(user_law(law.python).function if isinstance(law, UserStiffness) else None)
+        where = f"meshes.{name}.stiffness.python"
+        laws.append(user_law(law.python, where).function if isinstance(law, UserStiffness) else None)
         rows.append(row)
         names.append(name)
     return pack("gear_mesh", layout.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
@@ -314,6 +321,12 @@ def _freeze(row: Any, place: Placement) -> None:
         "t",
         "P",
         "dn",
+        "a",
+        "c1",
+        "c2",
+        "inv_m",
+        "lo_slope",
+        "hi_slope",
         "cos_a",
         "sin_a",
         "inv_a",

@@ -25,7 +25,7 @@ VARIABLES = ("t", "angle", "speed")
 """What a formula may use, in the order of the compiled programme."""
 
 
-def set_signal(record: Any, pool: sig.Pool, law: Law) -> Any:
+def set_signal(record: Any, pool: sig.Pool, law: Law, where: str) -> Any:
     """Write a law into the signal fields of a record; returns the function of a Python law, else None."""
     if isinstance(law, Constant):
         sig.set_constant(record, law.value)
@@ -41,7 +41,7 @@ def set_signal(record: Any, pool: sig.Pool, law: Law) -> Any:
         sig.set_formula(record, pool, Formula.parse(law.text, VARIABLES))
     elif isinstance(law, PythonLaw):
         sig.set_law(record, pool, law.parameters, sig.OVER_ANGLE)
-        return user_law(law).function
+        return user_law(law, where).function
     else:
         raise CompileError(f"a law of type {type(law).__name__} cannot be computed")
     return None
@@ -61,7 +61,7 @@ def _torques(model: Model) -> Bank:
             continue
         row = np.zeros(1, torque_element.RECORD)[0]
         row["i"] = number[load.body]
-        laws.append(set_signal(row, pool, load.torque))
+        laws.append(set_signal(row, pool, load.torque, f"loads.{name}.torque"))
         rows.append(row)
         names.append(name)
     return pack("torque", torque_element.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
@@ -81,7 +81,7 @@ def _forces(model: Model) -> Bank:
             # the arm off the spin axis: the load is applied to the housing side of the body, it does not spin
             row["F"][3:] = np.cross((*load.position[:2], 0.0), np.eye(3)[axis])
             row["z"] = load.position[2]
-            laws.append(set_signal(row, pool, law))
+            laws.append(set_signal(row, pool, law, f"loads.{name}.force[{axis}]"))
             rows.append(row)
             names.append(f"{name}.{'xyz'[axis]}")
     return pack("force", force_element.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))

@@ -75,7 +75,7 @@ def describe_stiffness(model: Model, mesh: str) -> Description:
         return source(pair, mean=law.mean, cosine=law.cosine, sine=law.sine)
     if isinstance(law, laws.Table):
         return source(pair, values=law.values)
-    own = user_law(law.python)
+    own = user_law(law.python, f"meshes.{mesh}.stiffness.python")
     _try(own)
     return source(pair, function=lambda psi: own(0.0, psi))
 
@@ -102,10 +102,23 @@ def _energy_options(model: Model, mesh: str, law: laws.Energy) -> dict[str, Any]
     }
 
 
-def user_law(law: PythonLaw) -> UserLaw:
-    """Load a user's Python law; the loader of the model has asked for permission already."""
+def user_law(law: PythonLaw, where: str) -> UserLaw:
+    """Load a user's Python law; the loader of the model has asked for permission already.
+
+    Parameters
+    ----------
+    law
+        File, function and parameters.
+    where
+        Place in the model that names it, for messages.
+
+    Raises
+    ------
+    ModelError
+        If there is no such file or function, or it takes other arguments.
+    """
     from pitchpoint.core.user_law import load_user_law
 
     path = Path(law.file)
     reference = f"{path.name}:{law.function}"
-    return load_user_law(reference, path.parent, allow_code=True, parameters=law.parameters)
+    return load_user_law(reference, path.parent, allow_code=True, parameters=law.parameters, where=where)

@@ -158,7 +158,10 @@ def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, li
         system = compile_model(model, scenario)
         found = find_modes(system, scenario)
         modes = ModeData(
-            names=found.names, frequency=found.frequency.tolist(), damping_ratio=found.damping_ratio.tolist()
+            names=found.names,
+            frequency=found.frequency.tolist(),
+            damping_ratio=found.damping_ratio.tolist(),
+            held=held_bodies(scenario),
         )
         body = reference_body(model)
         top = highest_speed(model, body, found.frequency) if body else 0.0
@@ -184,8 +187,14 @@ def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, li
             for k, (name, moves) in enumerate(zip(data.names, vibrating, strict=True), start=1)
             if moves
         ],
+        shaft=str(body),
     )
     return modes, campbell if vibrating.any() and orders else None, []
+
+
+def held_bodies(scenario: Scenario | None) -> list[str]:
+    """Bodies whose motion a scenario prescribes."""
+    return [] if scenario is None else list(dict.fromkeys([*scenario.drive, *scenario.hold]))
 
 
 def reference_body(model: Model) -> str | None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The numbers of gears, pairs and mesh stiffness that commands print, by their ISO symbols.
+"""The numbers of gears, pairs and mesh stiffness that commands and reports show, by their ISO symbols.
 
 Each quantity stands once, with its meaning and dimension; JSON and tables are made from the same rows. Values
 are SI and radians; numbers of teeth, diameters, centre distances and helix angles are positive here, whatever

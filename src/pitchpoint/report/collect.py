@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Brings together what a report shows: the model, what follows from it, and results in files or datasets."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.progress import Progress
+from pitchpoint.viz.report import CaseTable, MeshCycleData, ReportModel, ReportResults, TimeRun
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+
+SOURCES = (
+    "Geometry: ISO 21771:2007.",
+    "Mesh stiffness: DIN 3990-1:1987 and ISO 6336-1:2006, method B.",
+    "Stiffness over the mesh cycle: L. Mauer, SIMPACK User Meeting 2006.",
+)
+SETTLED = 0.2
+"""Share of a record before its statistics begin, where no file says so (`settle_time`)."""
+SWEPT = ("transmission_error", "deflection", "mesh_force")
+SHARES = ("contact_loss_share", "back_contact_share")
+
+
+def describe(model: Model) -> ReportModel:
+    """Collect what a report says about a model."""
+    from pitchpoint.core.provenance import content_hash, package_version
+    from pitchpoint.report.defaults import defaults
+    from pitchpoint.report.numbers import geometry_of_model
+
+    numbers = geometry_of_model(model)
+    bodies = {name: model.body_of(mesh.gears[0]) for name, mesh in model.meshes.items()}
+    return ReportModel(
+        title=model.title or "Gears",
+        model_hash=content_hash(model),
+        version=package_version(),
+        gears=numbers["gears"],
+        meshes=numbers["meshes"],
+        pairs={name: (pair, *model.meshes[name].gears) for name, pair in model.pairs.items()},
+        shafts={mesh: body for mesh, body in bodies.items() if body},
+        assumptions=[f"{key}: {value}" for key, value in defaults(model)],
+        sources=SOURCES,
+    )
+
+
+@dataclass
+class _Found:
+    """Results so far, by the name of the scenario, and remarks."""
+
+    runs: dict[str, TimeRun] = field(default_factory=dict)
+    sweeps: dict[str, dict[str, Any]] = field(default_factory=dict)
+    cases: dict[str, CaseTable] = field(default_factory=dict)
+    remarks: list[str] = field(default_factory=list)
+
+
+def collect(
+    model: Model, results: Sequence[str | os.PathLike[str] | xr.Dataset], progress: Progress
+) -> tuple[ReportResults, list[str]]:
+    """Collect what a report shows: what follows from the model, the results given, and remarks."""
+    from pitchpoint.report.numbers import C_PRIME_B, cycles_of_model
+    from pitchpoint.report.statics import linear_parts, with_rolls
+
+    found = _Found()
+    for result in results:
+        if isinstance(result, str | os.PathLike):
+            _add_file(found, os.fspath(result), model)
+        else:
+            _add_dataset(found, result)
+    cycles = {
+        name: (
+            MeshCycleData(stiffness=cycle, stiffness_unit="c′·b" if relative_to == C_PRIME_B else "mean"),
+            unit,
+        )
+        for name, (cycle, relative_to, unit) in cycles_of_model(model, 401).items()
+    }
+    filled, notes = with_rolls(model, cycles, progress)
+    modes, campbell, more = linear_parts(model)
+    shown = ReportResults(
+        mesh_cycles=filled,
+        modes=modes,
+        campbell=campbell,
+        runs=found.runs,
+        sweeps=found.sweeps,
+        cases=found.cases,
+    )
+    return shown, [*notes, *more, *found.remarks]
+
+
+def _add_file(found: _Found, file: str, model: Model) -> None:
+    """Put the contents of one result file where the report looks for it."""
+    from pitchpoint.analysis.jumps import sweep_jumps
+    from pitchpoint.core.provenance import content_hash
+    from pitchpoint.io.case_store import read_cases
+    from pitchpoint.io.reading import open_result, read_header
+    from pitchpoint.io.sweep_store import read_sweep
+
+    header = read_header(file)
+    if str(header.get("model_hash", "")) not in ("", content_hash(model)):
+        found.remarks.append(f"{Path(file).name} was computed with another state of the model.")
+    name, own = str(header["scenario"] or Path(file).stem), Path(file).name
+    if header["kind"] == "sweep":
+        found.sweeps[_free(name, own, found.sweeps)] = read_sweep(file)
+    elif header["kind"] == "cases":
+        cases = read_cases(file)
+        units = header["options"].get("vary_units", {})
+        found.cases[_free(name, own, found.cases)] = CaseTable(cases=cases, units=units)
+        for case in cases:
+            if case["points"]:
+                words = ", ".join(f"{path} = {text}" for path, text in case["values"].items())
+                jumps = [
+                    {"direction": j.direction, "mesh_frequency": j.frequency}
+                    for j in sweep_jumps(case["points"])
+                ]
+                key = _free(f"{name}: {words}", own, found.sweeps)
+                found.sweeps[key] = {"points": case["points"], "jumps": jumps}
+    elif header["kind"] == "time":
+        whole = header["status"] == "finished"
+        with open_result(file) as data:
+            data.load()
+        found.runs[_free(name, own, found.runs)] = TimeRun(
+            data=data,
+            settle_time=float(header["options"].get("settle_time", 0.0)),
+            note="" if whole else f"This run is not complete: {header['status']}. {header['sentence']}",
+        )
+
+
+def _add_dataset(found: _Found, data: xr.Dataset) -> None:
+    """Put a time response or a speed sweep where the report looks for it."""
+    dimensions = set(getattr(data, "dims", ()))
+    if "time" in dimensions:
+        time = data["time"].values
+        settle = SETTLED * float(time[-1] - time[0]) if time.size else 0.0
+        name = _free("time response", str(len(found.runs) + 1), found.runs)
+        found.runs[name] = TimeRun(data=data, settle_time=settle)
+    elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
+        name = _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
+        found.sweeps[name] = _sweep_of(data)
+    else:
+        kind = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
+        raise PitchpointError(
+            f"results: {kind} has no place in a report; "
+            "give a dataset of solve_time or sweep_speed, or the name of a result file"
+        )
+
+
+def _sweep_of(data: xr.Dataset) -> dict[str, Any]:
+    """Points and jumps of a dataset of `sweep_speed`, in the order in which they were run."""
+    from pitchpoint.analysis.jumps import sweep_jumps
+
+    points: list[dict[str, Any]] = []
+    for direction in data["direction"].values:
+        one = data.sel(direction=direction)
+        frequencies = one["mesh_frequency"].values
+        order = range(len(frequencies)) if direction == "up" else range(len(frequencies) - 1, -1, -1)
+        for i in order:
+            values = {name: float(one[name].values[i]) for name in ("speed", *SHARES)}
+            if not np.isfinite(values["speed"]):
+                continue
+            point: dict[str, Any] = {"direction": str(direction), "mesh_frequency": float(frequencies[i])}
+            for name in SWEPT:
+                row = {key: float(one[f"{name}_{key}"].values[i]) for key in ("mean", "rms", "min", "max")}
+                point[name] = {"unit": str(one[f"{name}_rms"].attrs.get("units", "")), **row}
+            points.append(point | values)
+    jumps = [{"direction": j.direction, "mesh_frequency": j.frequency} for j in sweep_jumps(points)]
+    return {"points": points, "jumps": jumps}
+
+
+def _free(name: str, other: str, taken: dict[str, Any]) -> str:
+    """Name a result after its scenario, with something of its own where two have the same."""
+    return name if name not in taken else f"{name} ({other})"

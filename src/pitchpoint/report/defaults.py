@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a model assumes: the keys that its file leaves out, with the values that apply."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.units import format_quantity
+from pitchpoint.model.keys import defaults_of, keys_of
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+def defaults(model: Model) -> list[tuple[str, str]]:
+    """List the optional keys that stand at their defaults, equal ones of several components together."""
+    merged: dict[tuple[str, str, str], list[str]] = {}
+    for group, name, key, value in _walk(model):
+        merged.setdefault((group, key, value), []).append(name)
+    lines = []
+    for (group, key, value), names in merged.items():
+        every = getattr(model, group, None)
+        whole = isinstance(every, Mapping) and len(names) == len(every) > 1
+        where = group if not names[0] else f"{group}.{'*' if whole else ','.join(names)}"
+        lines.append((f"{where}.{key}", value))
+    return lines
+
+
+def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
+    """Give (group, name, key below it, default in words) of every key that stands at its default."""
+    for group in ("gears", "bodies", "meshes", "bearings", "couplings", "loads", "scenarios"):
+        for name, part in getattr(model, group).items():
+            idle = _idle(part)
+            for key, value in _unset(part):
+                if key not in idle:
+                    yield group, name, key, value
+
+
+def _idle(part: Any) -> set[str]:
+    """Name the keys that have no effect on this component as it is described."""
+    idle = set()
+    if getattr(part, "width", "slices") != "slices":
+        idle.add("slices")
+    if getattr(part, "method", "runge_kutta") != "runge_kutta":
+        idle.add("tolerance")
+    if getattr(part, "kind", "time") != "time":
+        idle |= {"settle_time", "sample_rate", "step"}
+    return idle
+
+
+def _unset(part: Any, path: str = "") -> Iterator[tuple[str, str]]:
+    """Give the keys of one component whose default says something: a number, a word or a rule."""
+    keys, known = keys_of(type(part)), defaults_of(type(part))
+    for field in fields(part):
+        if field.name not in keys:
+            continue
+        key, value = keys[field.name], getattr(part, field.name)
+        where = f"{path}{field.name}"
+        if field.name not in known or value != known[field.name]:
+            if is_dataclass(value) and not isinstance(value, type):
+                yield from _unset(value, f"{where}.")
+            continue
+        if key.display:
+            yield where, key.display
+        elif isinstance(value, bool | int | float | str) and value != "":
+            yield where, _words(value, key.dimension or "dimensionless")
+
+
+def _words(value: bool | int | float | str, dimension: str) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return str(value) if isinstance(value, int | str) else format_quantity(value, dimension, 7)

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`write_report`: one HTML file about a model and its results."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import ValidityWarning
+from pitchpoint.core.progress import Progress, silent
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+
+
+def write_report(
+    model: Model | str | os.PathLike[str],
+    path_out: str | os.PathLike[str],
+    *results: str | os.PathLike[str] | xr.Dataset,
+    allow_code: bool = False,
+    progress: Progress = silent,
+) -> Path:
+    """Write one self-contained HTML page about a model and its results.
+
+    Parameters
+    ----------
+    model
+        A model, or the name of its file.
+    path_out
+        The HTML file to write; its folder is made if it does not exist.
+    *results
+        Result files (`.h5`) of runs, sweeps and cases, and datasets of `solve_time` and `sweep_speed`, in any
+        number. The first fifth of a dataset counts as settling, of a file what its scenario says. What
+        follows from the model alone (geometry, mesh cycle, modes) is computed and shown in any case.
+    allow_code
+        Whether a model file may name Python code.
+    progress
+        Told the number of meshes that have been rolled.
+
+    Returns
+    -------
+    Path
+        The file. The same input gives the same bytes.
+
+    Raises
+    ------
+    ModelError
+        If the model file is wrong.
+    PitchpointError
+        If a result has no place in a report.
+
+    Notes
+    -----
+    Validity warnings that come up on the way stand in the report and are not raised.
+
+    Examples
+    --------
+    >>> import pitchpoint as pp
+    >>> system = pp.compile_model(pp.load_model("pair.yaml"), "steady")  # doctest: +SKIP
+    >>> pp.write_report("pair.yaml", "pair.html", pp.solve_time(system), "sweep.h5")  # doctest: +SKIP
+    PosixPath('pair.html')
+    """
+    from pitchpoint.io.yaml_model import load_model
+    from pitchpoint.report.collect import collect, describe
+    from pitchpoint.viz.report import report_html
+
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        if isinstance(model, str | os.PathLike):
+            model = load_model(os.fspath(model), allow_code=allow_code)
+        about = describe(model)
+        found, remarks = collect(model, results, progress)
+    texts = [str(w.message) for w in heard if issubclass(w.category, ValidityWarning)]
+    about = replace(about, warnings=list(dict.fromkeys([*texts, *remarks])))
+    path = Path(path_out)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(report_html(about, found), encoding="utf-8")
+    return path

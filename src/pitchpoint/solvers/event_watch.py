@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which root events a scenario asks for, and what the sign changes of event functions are called."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.system.system import System
+
+if TYPE_CHECKING:
+    from pitchpoint.model.scenario import Scenario
+
+#: Event functions of each request.
+FUNCTIONS = {
+    "pair_entry": ("pair_entry", "back_pair_entry"),
+    "pair_exit": ("pair_exit", "back_pair_exit"),
+    "contact": ("front_gap", "back_gap"),
+    "sliding_reversal": ("sliding_reversal", "back_sliding_reversal", "turning_reversal"),
+}
+
+#: A pair that passes the start of its path backwards leaves there, and enters at the end.
+BACKWARDS = {
+    "pair_entry": "pair_exit",
+    "pair_exit": "pair_entry",
+    "back_pair_entry": "back_pair_exit",
+    "back_pair_exit": "back_pair_entry",
+}
+
+
+class EventWatch:
+    """Sorts out the events of one scenario; false if it asks for none.
+
+    Parameters
+    ----------
+    system
+        The system.
+    scenario
+        The scenario with its `events`.
+    """
+
+    def __init__(self, system: System, scenario: Scenario) -> None:
+        wanted = {name for request in scenario.events for name in FUNCTIONS[request]}
+        index = {event.name: k for k, event in enumerate(system.layout.events)}
+        self._named = np.zeros((2, len(index)), np.int64)  # rising, falling
+        kept = np.zeros(len(index), bool)
+        for name, k in index.items():
+            kind, _, mesh = name.partition("[")
+            falling = BACKWARDS.get(kind, kind)
+            self._named[:, k] = k, index[f"{falling}[{mesh}"]
+            kept[k] = kind in wanted
+        self._kept = kept
+
+    def __bool__(self) -> bool:
+        return bool(self._kept.any())
+
+    def pick(self, found: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The events asked for, named by what happens.
+
+        Parameters
+        ----------
+        found
+            Sign changes: time [s], event function, direction; shape (n, 3).
+
+        Returns
+        -------
+        numpy.ndarray
+            Time [s], event, direction (1: value or mesh phase rises); shape (m, 3).
+        """
+        events = found.copy()
+        falls = (found[:, 2] < 0.0).astype(int)
+        events[:, 1] = self._named[falls, found[:, 1].astype(int)]
+        kept: NDArray[np.float64] = events[self._kept[events[:, 1].astype(int)]]
+        return kept

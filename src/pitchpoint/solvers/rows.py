@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a run has to say of its constraint rows: which repeat others, which contradict them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pitchpoint.core.status import INCONSISTENT, OK
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import System
+from pitchpoint.system.workspace import FACTORISATIONS
+
+ROW_TOLERANCE = 1e-5
+"""Residual of a repeated row [rad, m] from which it contradicts the rows that explicit methods hold."""
+
+
+def redundant_rows(system: System) -> tuple[str, ...]:
+    """Names of the rows that repeat others; none before the first factorisation in the workspace."""
+    w = system.workspace
+    if system.sizes["nc"] == 0 or w.clock[FACTORISATIONS] == 0:
+        return ()
+    return tuple(system.layout.rows[r] for r in np.flatnonzero(w.arrays["used"] == 0))
+
+
+def row_notes(system: System) -> tuple[str, ...]:
+    """Tell the user of rows that repeat others; empty if none does."""
+    names = redundant_rows(system)
+    if not names:
+        return ()
+    return (f"{', '.join(names)}: prescribes what other constraints prescribe already; it takes no load",)
+
+
+def rows_agree(system: System, t: float) -> int:
+    """Status of the repeated rows at the state in the workspace: INCONSISTENT if one does not hold."""
+    w = system.workspace
+    if not redundant_rows(system):
+        return OK
+    evaluate.residual(system, evaluate.store(system, t))
+    broken = np.flatnonzero((w.arrays["used"] == 0) & (np.abs(w.g) > ROW_TOLERANCE))
+    if broken.size:
+        w.ctl[0]["bad"] = broken[0]
+        return INCONSISTENT
+    return OK
+
+
+def explain(system: System, status: int) -> str:
+    """Sentence for a status, with the element or the constraint row that reported it if one did."""
+    text = evaluate.explain(system, status)
+    row = int(system.workspace.ctl[0]["bad"])
+    if status == INCONSISTENT and 0 <= row < system.sizes["nc"]:
+        text += f" ({system.layout.rows[row]} is off by {abs(system.workspace.g[row]):.3g})"
+    return text

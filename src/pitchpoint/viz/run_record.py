@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the sections about a time response have in common: the part that counts, its sampling, its shafts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.analysis.sampled import SignalError, sample_rate_of
+from pitchpoint.viz.quantities import Array, Channel
+
+# Relative change of speed from which a run counts as a run-up: maps instead of one spectrum.
+RUN_UP = 0.05
+# Relative change of the ratio of two shafts up to which one is geared to the other.
+GEARED = 0.01
+
+
+def owner(channel: Channel) -> str:
+    """Element that a channel belongs to: `shaft` of `displacement[shaft.x]`."""
+    return channel.name.partition("[")[2].rstrip("]").partition(".")[0]
+
+
+def settled_part(time: Array, settle_time: float) -> np.ndarray:
+    """Samples of the window of statistics; everything if the run ended before it began."""
+    inside = time >= time[0] + settle_time
+    return inside if int(inside.sum()) >= 64 else np.ones(time.size, dtype=bool)
+
+
+def uniform(time: Array, values: Array) -> tuple[Array, float]:
+    """Values at equal time steps and their rate; records of adaptive solvers are interpolated."""
+    try:
+        return values, sample_rate_of(time)
+    except SignalError:
+        grid = np.linspace(time[0], time[-1], time.size)
+        return np.interp(grid, time, values), (time.size - 1) / float(time[-1] - time[0])
+
+
+def tenth_speeds(time: Array, angle: Array) -> Array:
+    """Mean speeds in the tenths of a record [rad/s], shape (10,)."""
+    marks = np.linspace(0, time.size - 1, 11).round().astype(np.int64)
+    speeds: Array = np.diff(angle[marks]) / np.diff(time[marks])
+    return speeds
+
+
+def changes_speed(time: Array, angle: Channel | None, window: np.ndarray) -> bool:
+    """Whether the mean speeds of the tenths of a run differ by more than `RUN_UP`."""
+    if angle is None or time.size < 11:
+        return False
+    speed = tenth_speeds(time, angle.values[window])
+    fastest = float(np.abs(speed).max())
+    return fastest > 0.0 and float(np.ptp(speed)) > RUN_UP * fastest
+
+
+def turning_angle(run: Any, found: Mapping[str, Channel], body: str = "") -> Channel | None:
+    """Angle that orders refer to: what the run says, else that of `body`, else the first that turns."""
+    if run.angle:
+        return found.get(run.angle)
+    angles = [c for c in found.values() if c.quantity == "angle"]
+    turning = [c for c in angles if c.values.size and float(np.ptp(c.values)) > 0.0]
+    return next((c for c in turning if owner(c) == body), next(iter(turning or angles), None))
+
+
+def geared_speeds(
+    time: Array, reference: Channel, found: Mapping[str, Channel], window: np.ndarray
+) -> dict[str, float]:
+    """Mean speeds [rad/s] of the reference shaft and of all that turn in a constant ratio to it."""
+    if time.size < 11:
+        return {}
+    own = tenth_speeds(time, reference.values[window])
+    mean = (reference.values[window][-1] - reference.values[window][0]) / (time[-1] - time[0])
+    # a shaft that turns back has no orders
+    if not np.all(own * mean > 0.0):
+        return {}
+    speeds = {owner(reference): float(mean)}
+    for channel in found.values():
+        if channel.quantity != "angle" or channel.name == reference.name:
+            continue
+        ratio = tenth_speeds(time, channel.values[window]) / own
+        if np.abs(ratio).min() > 0.0 and float(np.ptp(ratio)) < GEARED * float(np.abs(ratio.mean())):
+            speeds[owner(channel)] = float(mean * ratio.mean())
+    return speeds

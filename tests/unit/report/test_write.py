@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`write_report` takes a model and results as a user has them: files, datasets, or both."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import pitchpoint as pp
+from pitchpoint.report.numbers import geometry_of_model
+from pitchpoint.report.statics import held_bodies
+
+TEXT = """
+title: pair for a report
+gears:
+  g1: {number_of_teeth: 50, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  g2: {number_of_teeth: 50, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+bodies:
+  driver: {gears: [g1], inertia: 0.0115 kg m^2}
+  driven: {gears: [g2], inertia: 0.0115 kg m^2}
+meshes:
+  stage: {gears: [g1, g2], center_distance: 150 mm, backlash: {normal: 0.1 mm}, damper: {ratio: 0.05},
+    stiffness: {law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1]}}
+loads:
+  input: {body: driver, torque: 150 N m}
+  output: {body: driven, torque: 150 N m}
+scenarios:
+  steady: {speed: {driver: 1500 rpm}, duration: 20 ms, sample_rate: 20 kHz}
+  driven: {drive: {driver: {speed: 1500 rpm}}, duration: 20 ms}
+  sweep: {sweep: {body: driver, mesh_frequency: [1000 Hz, 1200 Hz], points: 3, direction: both,
+    settle_periods: 5, measure_periods: 2}}
+"""
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "pair.yaml"
+    path.write_text(TEXT, encoding="utf-8")
+    return path
+
+
+def test_a_model_with_datasets(file: Path, tmp_path: Path) -> None:
+    model = pp.load_model(file)
+    run = pp.solve_time(pp.compile_model(model, "steady"))
+    sweep = pp.sweep_speed(pp.compile_model(model, "sweep"))
+    page = pp.write_report(model, tmp_path / "new" / "pair.html", run, sweep)
+    text = page.read_text(encoding="utf-8")
+    for section in ("gears", "drawing", "cycle", "modes", "campbell", "sweep", "time", "spectra", "notes"):
+        assert f'<section id="{section}">' in text
+    assert "order [per revolution of driver]" in text
+    again = pp.write_report(file, tmp_path / "again.html", run, sweep)
+    assert again.read_bytes() == page.read_bytes()
+
+
+def test_a_model_file_alone(file: Path, tmp_path: Path) -> None:
+    text = pp.write_report(file, tmp_path / "bare.html").read_text(encoding="utf-8")
+    assert "Mesh stiffness over two mesh cycles" in text
+    assert '<section id="time">' not in text
+
+
+def test_what_has_no_place_in_a_report(file: Path, tmp_path: Path) -> None:
+    modes = pp.solve_modal(pp.compile_model(pp.load_model(file)))
+    with pytest.raises(pp.PitchpointError, match=r"a dataset over .*mode.* has no place .* solve_time"):
+        pp.write_report(file, tmp_path / "x.html", modes)
+    with pytest.raises(pp.PitchpointError, match="int has no place"):
+        pp.write_report(file, tmp_path / "x.html", 3)  # type: ignore[arg-type]
+
+
+def test_bodies_that_a_scenario_holds_are_named(file: Path) -> None:
+    model = pp.load_model(file)
+    assert held_bodies(model.scenarios["driven"]) == ["driver"]
+    assert held_bodies(model.scenarios["steady"]) == held_bodies(None) == []
+    assert set(geometry_of_model(model)) == {"gears", "meshes"}

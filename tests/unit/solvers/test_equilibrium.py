@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Static equilibrium of gear trains: the torques of every stage follow from the ratios alone."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from pitchpoint.solvers.equilibrium import solve_equilibrium
+from tests.support.machines import compiled
+
+STAGES = ((20, 80), (17, 51), (25, 40))
+INERTIAS = (
+    (2e-3, 2e-3, 2e-3, 2e-3),
+    (1e-4, 3e-2, 5e-4, 8e-2),
+    (5e-2, 1e-4, 3e-2, 2e-4),
+)
+LAWS = (
+    "{law: constant, value: 3e8 N/m}",
+    "{law: rectangular, high: 3e8 N/m, low: 2e8 N/m, duty: 0.3}",
+    "{law: din3990, stiffness_ratio: 0.8, tip_relief_factor: 0}",
+)
+
+
+def train(inertias: tuple[float, ...], law: str, backlash: float, torque: float) -> str:
+    """Three spur stages in a row, module 3 mm, the last body balances."""
+    gears, meshes = "gears:\n", "meshes:\n"
+    for k, (z1, z2) in enumerate(STAGES):
+        for name, z in ((f"p{k}", z1), (f"w{k}", z2)):
+            gears += f"  {name}: {{number_of_teeth: {z}, normal_module: 3 mm, face_width: 20 mm, "
+            gears += "profile_shift_coefficient: 0}\n"
+        meshes += f"  m{k}: {{gears: [p{k}, w{k}], direction: {70 * k} deg, stiffness: {law}, "
+        meshes += f"backlash: {{base_tangent: {backlash} mm}}}}\n"
+    bodies = "bodies:\n"
+    for k, inertia in enumerate(inertias):
+        on = [f"w{k - 1}"] * (k > 0) + [f"p{k}"] * (k < len(STAGES))
+        bodies += f"  b{k}: {{gears: [{', '.join(on)}], motion: torsion, inertia: {inertia}}}\n"
+    loads = f"loads:\n  in: {{body: b0, torque: {torque}}}\n  out: {{body: b3, torque: balance}}\n"
+    return gears + bodies + meshes + loads
+
+
+@pytest.mark.parametrize("inertias", INERTIAS)
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize(("backlash", "torque"), [(0.0, 20.0), (0.1, -3.0), (0.5, 150.0)])
+def test_trains_come_to_rest(inertias, law, backlash, torque):
+    found = solve_equilibrium(compiled(train(inertias, law, backlash, torque))[1])
+    expected = torque
+    for k, (z1, z2) in enumerate(STAGES):
+        r_b1 = 0.5 * 0.003 * z1 * math.cos(math.radians(20.0))
+        assert float(found[f"mesh_force[m{k}]"]) == pytest.approx(expected / r_b1, rel=1e-6)
+        expected *= -z2 / z1
+    assert float(found["torque[out]"]) == pytest.approx(-expected, rel=1e-6)

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbers beyond the model are computed, and said to be so."""
+
+from __future__ import annotations
+
+import pytest
+
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.system.remarks import deep_contacts
+from tests.support.model_files import TORSIONAL_PAIR
+
+HALF_GAP = 0.05e-3
+LIMIT = 0.3e-3  # a tenth of the module
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "told"),
+    [
+        (0.0, HALF_GAP + 0.99 * LIMIT, ""),
+        (0.0, HALF_GAP + 1.01 * LIMIT, "0.303 mm"),
+        (-HALF_GAP - 2.0 * LIMIT, 0.0, "0.6 mm"),
+        (None, None, ""),
+    ],
+)
+def test_penetration_of_either_flank_counts_from_the_backlash(
+    low: float | None, high: float | None, told: str
+) -> None:
+    model = loads_model(TORSIONAL_PAIR)
+    tables = [
+        {"deflection[stage]": {"min": 0.0, "max": 0.0}},
+        {"deflection[stage]": {"min": low, "max": high}},
+    ]
+    found = deep_contacts(model, tables)
+    assert bool(found) == bool(told)
+    if told:
+        assert found[0].startswith("meshes.stage: the flanks go ")
+        assert told in found[0]
+        assert "limit about 0.1 m_n" in found[0]
