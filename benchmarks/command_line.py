@@ -67,6 +67,8 @@ def rows() -> list[Row]:
         brief = ["run", model, "--scenario", "brief", "-o", str(Path(folder) / "run.h5"), "--json"]
         text = "12-DOF pair, 200 steps: start, compiled kernels from the cache, file"
         found.append(Row("run, warm start", _wall(brief, 5), "s", "<= 1", text))
+    text = "12-DOF pair: start, compiled kernels from the cache, table"
+    found.append(Row("modes, warm start", _wall(["modes", model], 5), "s", "<= 1", text))
     found.append(Row("gears, warm", _wall(["gears", model, "--json"], 3), "s", "<= 1", "wall, fresh process"))
     short, long = _peak_memory(200_000), _peak_memory(2_000_000)
     text = f"peak {short:.0f} MB after 2e5 steps, {long:.0f} MB after 2e6"

@@ -32,11 +32,11 @@ with contextlib.redirect_stdout(io.StringIO()):
     status = run_command(["run", sys.argv[1], "--scenario", "steady", "-o", sys.argv[2], "--json", "--quiet"])
 assert status == 0, status
 from numba import types
-from numba.core.dispatcher import Dispatcher
+from pitchpoint.core.kernel import Kernel
 kernels = {}
 for name, module in list(sys.modules.items()):
     if name.startswith("pitchpoint"):
-        kernels.update({v.py_func: v for v in vars(module).values() if isinstance(v, Dispatcher)})
+        kernels.update({v.py_func: v for v in vars(module).values() if isinstance(v, Kernel)})
 for function, kernel in kernels.items():
     found = {tuple(types.unliteral(t) for t in signature) for signature in kernel.signatures}
     if len(found) > 1:

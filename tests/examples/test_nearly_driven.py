@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from pitchpoint.io.yaml_model import load_model
+from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system.compile import compile_model
 
@@ -44,3 +45,12 @@ def test_transit_time(file, mismatch_rpm, gap):
     assert times[4] - times[3] == pytest.approx(pair.j_bt / rate, rel=1e-6)
     force = done.channels["mesh_force[stage]"]
     assert force["min"] < -1e3 and force["max"] > 1e3
+
+
+@pytest.mark.parametrize("file", ["spur", "internal"])
+def test_every_driven_body_starts_at_the_speed_of_its_drive(file):
+    """At the ratio of the teeth it would have to be jerked to its drive in the first step."""
+    model = load_model(FOLDER / f"{file}.yaml")
+    start = prepare_start(compile_model(model, "walk"), model.scenarios["walk"])
+    rpm = start.state.v[start.system.spin("driven")] * 30.0 / math.pi
+    assert rpm == pytest.approx({"spur": -199.8, "internal": 99.9}[file], rel=1e-9)

@@ -3,10 +3,11 @@
 
 Released loads (figures 4.1 to 4.5): the closed form of a free vibration through backlash, share of time
 without contact r/(pi + r) with r = backlash / static deflection; 1e-4. Run-up (figures 4.10 to 4.13): the
-thesis prints no value that its own data reproduce, so its statements are gates, with bounds around our
-numbers: the resonance peak with backlash lies below the natural frequency, contact is lost and the other
-flank reached through the gap only with backlash, contact loss grows with backlash. Stiffness and damper are
-the printed numbers read about the axis of gear 2 (see the page of the example `camshaft-drive`).
+thesis prints no value that its own data reproduce (its 1e5 N/m and its 41.4 Hz exclude each other), so its
+statements are gates, with bounds around our numbers: the resonance peak with backlash lies below the natural frequency, contact is lost and the other
+flank reached through the gap only with backlash, contact loss grows with backlash. Stiffness and damper act
+about the axis of gear 2, the stiffness by the printed frequency (see the page of the example
+`camshaft-drive`, which scans the other readings).
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ from pitchpoint.system.compile import compile_model
 
 FOLDER = Path(__file__).parents[2] / "examples" / "camshaft-drive"
 BASE_RADIUS, STIFFNESS = 0.2555964, 1.0e5
-NATURAL = 42.785
-"""Gear 2 on the mean of 2e5 and 3e5 N m/rad, three pairs for 21.07 % of a base pitch [Hz]."""
+NATURAL = 41.4
+"""Natural frequency that the thesis prints [Hz]; the mean stiffness of the run-up is chosen to give it."""
 
 
 def time_share(events, names, mesh):
@@ -88,7 +89,7 @@ def peak_frequency(case):
 
 def test_backlash_pulls_the_resonance_below_the_natural_frequency(run_up):
     peaks = {gap: peak_frequency(case) for gap, case in run_up.items()}
-    assert peaks[0.43] == pytest.approx(40.8, abs=1.0)
+    assert peaks[0.43] == pytest.approx(38.2, abs=1.0)
     assert peaks[0.43] < 0.98 * NATURAL
     assert peaks[0.43] < peaks[0.043] < peaks[0.0] + 0.5
 
@@ -106,7 +107,7 @@ def test_contact_loss_grows_with_backlash(run_up):
     lost = [run_up[gap][2].loss_share for gap in (0.0, 0.043, 0.43)]
     assert lost[0] == 0.0
     assert lost[1] == pytest.approx(0.0071, abs=0.0015)
-    assert lost[2] == pytest.approx(0.0593, abs=0.006)
+    assert lost[2] == pytest.approx(0.069, abs=0.006)
 
 
 def test_flanks_part_where_the_gapless_force_first_changes_sign(run_up):

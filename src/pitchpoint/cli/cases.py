@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -216,12 +217,10 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
     rows = []
     for result in results[:MOST_ROWS]:
         values = [str(result.values[path]) for path in paths]
-        if result.status != OK and not result.points and not result.channels:
-            rows.append(
-                [*values, f"failed ({result.status})", *([NOTHING] * (len(columns) - len(paths) - 1))]
-            )
-            continue
-        rows.append([*values, *(cell for mesh in meshes for cell in mesh_cells(result, mesh))])
+        cells = [cell for mesh in meshes or [""] for cell in mesh_cells(result, mesh)]
+        if result.status != OK and all(cell == NOTHING for cell in cells):
+            cells[0] = f"failed ({result.status})"
+        rows.append([*values, *cells])
     notes = [f"{len(results) - MOST_ROWS} more cases are in the file"] if len(results) > MOST_ROWS else []
     table(title, columns, rows, notes)
     for result in results:
@@ -251,7 +250,9 @@ def mesh_cells(result: CaseResult, mesh: str) -> list[str]:
     elif f"deflection[{mesh}]" in result.channels:
         rms = result.channels[f"deflection[{mesh}]"]["rms"]
         force = result.channels[f"mesh_force[{mesh}]"]["max"]
-        lost = "yes" if result.channels[f"contact_state[{mesh}]"]["min"] < 1.0 else "no"
+        least = result.channels[f"contact_state[{mesh}]"]["min"]
+        # a case that failed before its window has no sample
+        lost = NOTHING if math.isnan(least) else "yes" if least < 1.0 else "no"
     else:
         return [NOTHING] * len(WORDS)
     return [shown(rms, "length", 4), shown(force, "force", 5), lost]

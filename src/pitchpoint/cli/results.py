@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -109,15 +109,6 @@ def how_a_status_ends(status: int) -> str:
     from pitchpoint.io.container import FAILED, FINISHED, INTERRUPTED
 
     return {st.OK: FINISHED, st.INTERRUPTED: INTERRUPTED}.get(status, FAILED)
-
-
-def notes_of(
-    model: Model, notes: Iterable[str], statistics: Iterable[Mapping[str, Mapping[str, Any]]]
-) -> list[str]:
-    """Notes of a solver, and what the numbers themselves give reason to say; each once."""
-    from pitchpoint.system.remarks import deep_contacts
-
-    return list(dict.fromkeys((*notes, *deep_contacts(model, statistics))))
 
 
 def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> None:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import time
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.cli.output import shown, table
@@ -21,7 +20,7 @@ def compute(
 ) -> tuple[dict[str, Any], BaseException | None]:
     """Roll through a scenario into a file; gives what `run --json` prints, and what stopped it early."""
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import header_of, how_a_status_ends, notes_of
+    from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import OK
     from pitchpoint.solvers.quasistatic import roll_through, statistics, tables
@@ -34,7 +33,6 @@ def compute(
         roll = roll_through(system, chosen, progress=progress)
     found = tables(system, roll)
     channels = {t.name: statistics(t) for t in found if t.rolled and len(t.values)}
-    roll = replace(roll, notes=tuple(notes_of(model, roll.notes, [channels])))
     status = how_a_status_ends(roll.status)
     store(target, header_of(model, file, name, "quasi_static", "quasistatic"), roll, found, status)
     summary = {

@@ -75,11 +75,6 @@ def run(
     return OK if error is None else exit_code_of(error)
 
 
-def nothing(channels: dict[str, dict[str, Any]]) -> dict[str, dict[str, Any]]:
-    """Statistics of a run that stopped before their window began: no numbers."""
-    return {name: {k: v if k == "unit" else None for k, v in row.items()} for name, row in channels.items()}
-
-
 def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bool, quiet: bool) -> int:
     """Do the slow roll of a scenario."""
     from pitchpoint.cli.failure import OK, exit_code_of
@@ -104,7 +99,7 @@ def compute(
 ) -> tuple[dict[str, Any], BaseException | None]:
     """Run a scenario into a file; gives the summary that `run --json` prints, and what stopped it early."""
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import header_of, how_a_status_ends, notes_of
+    from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import OK
     from pitchpoint.io.writing import Channel, ResultWriter
@@ -121,8 +116,6 @@ def compute(
             done = run_time(system, chosen, sink=writer, progress=progress)
         if events:
             writer.append_events(done.events)
-        statistics = done.channels if done.window[1] > done.window[0] else nothing(done.channels)
-        notes = notes_of(model, done.notes, [statistics])
         status = how_a_status_ends(done.status)
         writer.finish(
             status,
@@ -130,7 +123,7 @@ def compute(
             code=done.status,
             steps=done.steps,
             wall_s=done.wall_s,
-            notes=notes,
+            notes=done.notes,
         )
     sentence = f"{done.sentence} (at t = {done.t_end:.6g} s)" if done.status != OK else done.sentence
     summary = {
@@ -142,8 +135,8 @@ def compute(
         "t_end": done.t_end,
         "window": done.window,
         "output": str(target),
-        "notes": notes,
+        "notes": done.notes,
         "events": len(done.events),
-        "channels": statistics,
+        "channels": done.channels,
     }
     return summary, None if done.status == OK else SolverError(sentence, done.status, str(target))

@@ -70,7 +70,7 @@ def compute(
 ) -> tuple[dict[str, Any], BaseException | None]:
     """Run a sweep into a file; gives the summary that `sweep --json` prints, and what stopped it early."""
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import header_of, how_a_status_ends, notes_of
+    from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import OK
     from pitchpoint.io.sweep_store import SweepWriter
@@ -90,15 +90,14 @@ def compute(
             done = run_sweep(system, model.scenarios[name], progress=progress, sink=keep)
         writer.put_jumps(done.jumps)
         status = how_a_status_ends(done.status)
-        notes = notes_of(model, done.notes, (point["channels"] for point in done.points))
-        writer.finish(status, done.sentence, code=done.status, steps=done.steps, notes=notes)
+        writer.finish(status, done.sentence, code=done.status, steps=done.steps, notes=done.notes)
     summary = {
         "status": status,
         "sentence": done.sentence,
         "steps": done.steps,
         "wall_s": done.wall_s,
         "output": str(target),
-        "notes": notes,
+        "notes": done.notes,
         "mesh": mesh,
         "points": [{k: v for k, v in point.items() if k != "channels"} for point in done.points],
         "jumps": done.jumps,

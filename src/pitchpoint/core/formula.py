@@ -58,7 +58,7 @@ class Formula:
     depth: int
 
     @classmethod
-    def parse(cls, text: str, variables: tuple[str, ...] = ("t",)) -> Formula:
+    def parse(cls, text: str, variables: tuple[str, ...] = ("t",), dimension: str = "") -> Formula:
         """Read a formula.
 
         Parameters
@@ -67,11 +67,13 @@ class Formula:
             The formula; numbers may carry units, powers are written ^ or **.
         variables
             Up to three names that it may use.
+        dimension
+            Name of a row of `DIMENSIONS` that the units in the formula have to give; empty for any.
 
         Raises
         ------
         FormulaError
-            For anything outside the language; nothing of the text is ever executed.
+            For units that contradict each other and anything outside the language; nothing of the text is ever executed.
 
         Examples
         --------
@@ -84,7 +86,7 @@ class Formula:
             raise FormulaError(f"the formula has {len(text)} characters (limit {MAX_TEXT})")
         if len(variables) > MAX_VARIABLES:
             raise FormulaError(f"a formula has at most {MAX_VARIABLES} variables")
-        parser = Parser(text, tuple(variables))
+        parser = Parser(text, tuple(variables), dimension)
         parser.run()
         consts = np.array(parser.consts, dtype=np.float64)
         ops = np.array([consts.size, *(op | arg << 8 for op, arg in parser.code)], dtype=np.int64)

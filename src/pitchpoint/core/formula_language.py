@@ -49,13 +49,15 @@ MAX_TEXT = 2000
 MAX_TOKENS = 500
 MAX_DEPTH = 40
 MAX_VARIABLES = 3
+UNIT_REMEDY = "give every number its unit, or none a unit: then all are SI"
 
 
 class FormulaError(UnitError):
-    """A formula cannot be read; the message shows the place."""
+    """A formula cannot be read; the message shows the place, `remedy` may say what to write instead."""
 
-    def __init__(self, message: str, text: str = "", position: int = 0) -> None:
+    def __init__(self, message: str, text: str = "", position: int = 0, remedy: str = "") -> None:
         self.position = position
+        self.remedy = remedy
         start = max(0, position - 20)
         snippet = text[start : position + 20]
         at = f" at character {position + 1}, near '{snippet}'" if text else ""

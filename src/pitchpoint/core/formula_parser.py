@@ -15,6 +15,7 @@ from typing import NamedTuple, NoReturn
 import numpy as np
 
 from pitchpoint.core.errors import UnitError
+from pitchpoint.core.formula_dimension import Kind, check_result, combine, of_number, of_variable
 from pitchpoint.core.formula_language import (
     ADD,
     ARITY,
@@ -31,6 +32,7 @@ from pitchpoint.core.formula_language import (
     POW,
     STEP,
     SUB,
+    UNIT_REMEDY,
     VAR,
     FormulaError,
     apply,
@@ -40,7 +42,7 @@ from pitchpoint.core.units import natural_si
 
 
 class Token(NamedTuple):
-    """A number (already in SI), a name, an operator, or the end."""
+    """A number (already in SI; the word is its unit), a name, an operator, or the end."""
 
     kind: str
     word: str
@@ -88,7 +90,8 @@ def tokenize(text: str, variables: tuple[str, ...]) -> list[Token]:
         number, word = _NUMBER.match(text, at), _WORD.match(text, at)
         if number:
             end = _unit_end(text, number.end(), variables)
-            tokens.append(Token("number", "", _literal(text, number, end), at))
+            unit = text[number.end() : end].strip()
+            tokens.append(Token("number", unit, _literal(text, number, unit), at))
             at = end
         elif word:
             tokens.append(Token("name", word.group(), 0.0, at))
@@ -103,9 +106,8 @@ def tokenize(text: str, variables: tuple[str, ...]) -> list[Token]:
     return tokens
 
 
-def _literal(text: str, number: re.Match[str], end: int) -> float:
+def _literal(text: str, number: re.Match[str], unit: str) -> float:
     """Value of a number with its unit, in SI."""
-    unit = text[number.end() : end].strip()
     try:
         value = float(number.group()) * (natural_si(unit) if unit else 1.0)
     except UnitError as error:
@@ -147,15 +149,17 @@ def _unit_end(text: str, at: int, variables: tuple[str, ...]) -> int:
 
 @dataclass
 class Parser:
-    """Precedence climbing that emits postfix code and folds constants on the way."""
+    """Precedence climbing that emits postfix code, folds constants and checks units on the way."""
 
     text: str
     variables: tuple[str, ...]
+    dimension: str = ""
     code: list[tuple[int, int]] = field(default_factory=list)
     consts: list[float] = field(default_factory=list)
     at: int = 0
     depth: int = 0
     _height: int = 0
+    _kinds: list[Kind] = field(default_factory=list)
 
     def run(self) -> None:
         """Parse the whole text into `code` and `consts`."""
@@ -166,6 +170,7 @@ class Parser:
         self._sum(0)
         if self._peek.kind != "end":
             self._fail(self._unexpected(self._peek))
+        self._check_result()
         self._compact()
 
     @property
@@ -221,7 +226,7 @@ class Parser:
     def _atom(self, level: int) -> None:
         token = self._take()
         if token.kind == "number":
-            self._push(token.value)
+            self._push(token.value, token.word)
         elif token.kind == "name":
             self._name(token, level)
         elif token == ("op", "(", 0.0, token.at):
@@ -240,7 +245,7 @@ class Parser:
     def _name(self, token: Token, level: int) -> None:
         word = token.word
         if word in self.variables:
-            self._put(VAR, self.variables.index(word))
+            self._put(VAR, self.variables.index(word), of_variable(word))
         elif word in CONSTANTS:
             self._push(CONSTANTS[word])
         elif word in FUNCTIONS:
@@ -271,12 +276,13 @@ class Parser:
         if op not in (MIN, MAX):
             self._emit(op, token)
 
-    def _push(self, value: float) -> None:
+    def _push(self, value: float, unit: str = "") -> None:
         self.consts.append(value)
-        self._put(CONST, len(self.consts) - 1)
+        self._put(CONST, len(self.consts) - 1, of_number(value, unit))
 
-    def _put(self, op: int, arg: int) -> None:
+    def _put(self, op: int, arg: int, kind: Kind) -> None:
         self.code.append((op, arg))
+        self._kinds.append(kind)
         self._height += 1
         self.depth = max(self.depth, self._height)
 
@@ -284,6 +290,11 @@ class Parser:
         n = ARITY[op]
         tail = self.code[-n:]
         self._height -= n - 1
+        exponent = self.consts[tail[-1][1]] if tail[-1][0] == CONST else None
+        try:
+            self._kinds[-n:] = [combine(op, self._kinds[-n:], exponent)]
+        except UnitError as error:
+            raise FormulaError(str(error), self.text, token.at, UNIT_REMEDY) from None
         if not all(o == CONST for o, _ in tail):
             self.code.append((op, 0))
             return
@@ -294,6 +305,15 @@ class Parser:
         del self.code[-n:]
         self.consts.append(value)
         self.code.append((CONST, len(self.consts) - 1))
+
+    def _check_result(self) -> None:
+        if not self.dimension:
+            return
+        try:
+            check_result(self._kinds[0], self.dimension)
+        except UnitError as error:
+            first = next(t for t in self.tokens if t.kind == "number" and t.word)
+            raise FormulaError(str(error), self.text, first.at, UNIT_REMEDY) from None
 
     def _compact(self) -> None:
         """Drop constants that folding left unused."""

@@ -14,6 +14,7 @@ from functools import cache
 from pathlib import Path
 
 _PACKAGES = {"pitchpoint"}
+_INIT = "__init__.py"
 _FROM = re.compile(r"^[ \t]*from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#;]*)", re.MULTILINE)
 _IMPORT = re.compile(r"^[ \t]*import[ \t]+([^\n#;]+)", re.MULTILINE)
 
@@ -28,32 +29,32 @@ def _root(file: Path) -> tuple[Path, str]:
     return folder, ".".join(parts)
 
 
-def _locate(name: str, roots: dict[str, Path]) -> Path | None:
+def _locate(name: str, roots: dict[str, Path]) -> str | None:
     """File of a dotted module name if its top-level package is one of ours, else None."""
-    top, _, rest = name.partition(".")
-    folder = roots.get(top)
+    folder = roots.get(name.partition(".")[0])
     if folder is None:
         return None
-    base = folder / top if not rest else (folder / top).joinpath(*rest.split("."))
-    for candidate in (base.with_suffix(".py"), base / "__init__.py"):
-        if candidate.is_file():
+    base = os.path.join(folder, *name.split("."))  # texts: paths would take three times as long
+    for candidate in (base + ".py", os.path.join(base, _INIT)):
+        if os.path.isfile(candidate):
             return candidate
     return None
 
 
-def _imported(text: str, package: str) -> set[str]:
-    """Dotted names that a source text may import; `from a import b` yields both a and a.b."""
-    names: set[str] = set()
+def _imported(text: str, package: str) -> dict[str, set[str]]:
+    """Dotted names that a source text may import, each with the names imported from it."""
+    names: dict[str, set[str]] = {}
     for match in _IMPORT.finditer(text):
-        names.update(part.split(" as ")[0].strip() for part in match.group(1).split(","))
+        for part in match.group(1).split(","):
+            names.setdefault(part.split(" as ")[0].strip(), set())
     for match in _FROM.finditer(text):
         base, what = match.group(1), match.group(2).strip("()")
         dots = len(base) - len(base.lstrip("."))
         if dots:
             stem = package.split(".")[: len(package.split(".")) - dots + 1]
             base = ".".join([*stem, *filter(None, [base.lstrip(".")])])
-        names.add(base)
-        names.update(f"{base}.{part.split(' as ')[0].strip()}" for part in what.replace("\n", ",").split(","))
+        parts = what.replace("\n", ",").split(",")
+        names.setdefault(base, set()).update(part.split(" as ")[0].strip() for part in parts)
     return names
 
 
@@ -61,9 +62,13 @@ def _imported(text: str, package: str) -> set[str]:
 def _neighbours(path: Path, _age: int, roots: tuple[tuple[str, Path], ...]) -> tuple[Path, ...]:
     """Files that a file imports directly; the closures of one package share most of theirs."""
     text = path.read_text(encoding="utf-8", errors="replace")
-    known = dict(roots)
-    found = (_locate(name, known) for name in _imported(text, _root(path)[1]))
-    return tuple(f for f in found if f is not None)
+    known, found = dict(roots), set()
+    for base, parts in _imported(text, _root(path)[1]).items():
+        file = _locate(base, known)
+        found.add(file)
+        if file is None or os.path.basename(file) == _INIT:  # what comes from a package may be a module
+            found.update(_locate(f"{base}.{part}", known) for part in parts)
+    return tuple(Path(f) for f in found if f is not None)
 
 
 def import_closure(file: str | os.PathLike[str]) -> list[Path]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
+from pitchpoint.core.symmetric_pencil import symmetric_pencil
 from pitchpoint.multibody.channels import coordinate_args
 
 RECORD = np.dtype(
@@ -80,10 +81,8 @@ def modal_damping(M: NDArray[np.float64], K: NDArray[np.float64], ratio: float) 
     >>> modal_damping(np.eye(1), np.array([[4.0]]), 0.25)
     array([[1.]])
     """
-    from scipy.linalg import eigh
-
     M, K = 0.5 * (M + M.T), 0.5 * (K + K.T)
-    squares, modes = eigh(K, M)
+    squares, modes = symmetric_pencil(K, M)
     omega = np.sqrt(np.where(squares > 1e-9 * np.abs(squares).max(initial=0.0), squares, 0.0))
     left = M @ modes
     D = (left * (2.0 * ratio * omega)) @ left.T

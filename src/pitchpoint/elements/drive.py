@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.core.formula_kernel import evaluate_slope
-from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.speed_pieces import SpeedPieces, straight_pieces
@@ -105,6 +105,23 @@ def target(b, t):
                 acceleration += slope * (8.0 if abs(k) == 1 else -1.0) * (1.0 if k > 0 else -1.0)
         return b["angle"] + x, s, acceleration / (12.0 * STENCIL)
     return b["angle"] + b["speed"] * t, b["speed"], 0.0
+
+
+@kernel
+def target_entry(out, rec, n):
+    """Targets of n drives, each at the time that its row of `out` begins with; they replace the row."""
+    rows = view(out, (n, 3), F8)
+    drives = view(rec, n, RECORD)
+    for e in range(n):
+        rows[e, 0], rows[e, 1], rows[e, 2] = target(drives[e], rows[e, 0])
+    return OK
+
+
+def target_of(record: np.void, t: float) -> tuple[float, float, float]:
+    """Prescribed angle [rad], speed [rad/s] and acceleration [rad/s^2] of a drive at a time, for Python."""
+    rec, out = np.array([record], RECORD), np.array([t, 0.0, 0.0])
+    invoke(target_entry, out.ctypes.data, rec.ctypes.data, 1)
+    return float(out[0]), float(out[1]), float(out[2])
 
 
 @kernel

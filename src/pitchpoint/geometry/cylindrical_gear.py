@@ -19,6 +19,7 @@ from pitchpoint.geometry.rack import BasicRack
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cutter import PinionCutter
+    from pitchpoint.geometry.tooth_outline import ToothOutline
 
 
 def _refuse(where: str, value: object, limit: str, remedy: str | None = None) -> GeometryError:
@@ -62,6 +63,9 @@ class CylindricalGear:
         Root diameter [m], signed like z; None takes d − 2 m_n (h_fP* − x), or what the cutter leaves.
     cutter
         Pinion-type cutter of an internal gear, or None.
+    outline
+        Points of a real tooth (`pitchpoint.geometry.tooth_outline`) for drawings, mass and contact, or None for
+        the generated one. Everything else, stiffness too, is that of the generated tooth.
 
     Raises
     ------
@@ -88,6 +92,7 @@ class CylindricalGear:
     thickness_allowance: float = 0.0
     root_diameter: float | None = None
     cutter: PinionCutter | None = None
+    outline: ToothOutline | None = None
 
     def __post_init__(self) -> None:
         if isinstance(self.z, bool) or not isinstance(self.z, int) or not 1 <= abs(self.z) <= 1_000_000:

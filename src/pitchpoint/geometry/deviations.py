@@ -197,7 +197,8 @@ def separation(
     Returns
     -------
     ndarray, shape (|z|, n_z, n_roll)
-        Sum of all of them [m]; positive = gap, negative = too much material.
+        Sum of all of them and of what the `outline` of the gear lacks [m]; positive = gap, negative = too
+        much material.
 
     Raises
     ------
@@ -223,6 +224,8 @@ def separation(
     z = np.atleast_1d(np.asarray(z, dtype=float))
     roll = np.atleast_1d(np.asarray(roll, dtype=float))
     sep = np.zeros((abs(gear.z), z.size, roll.size))
+    if gear.outline is not None:
+        sep += gear.outline.gap(gear, flank, roll)
     if modifications is not None:
         sep += base_tangent(deviation(modifications, gear, roll[None, :], z[:, None]), gear)
     if deviations is None:

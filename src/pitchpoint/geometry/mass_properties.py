@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.geometry.tooth_form import tooth_form
+from pitchpoint.geometry.tooth_form import root_radius, tooth_form
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -105,6 +105,8 @@ def _toothed(gear: CylindricalGear, profile: str) -> tuple[np.ndarray, float]:
     """Section inside the outline by the chosen rule, and the root radius."""
     d_f = gear.sign * gear.d_fE
     if profile == "exact":
+        if gear.outline is not None:
+            return np.array(gear.outline.section(abs(gear.z))), root_radius(gear)
         return np.array(section_integrals(tooth_form(gear))), 0.5 * d_f
     if profile == "mean_cylinder":
         return _ring(0.25 * abs(gear.d_a + gear.d_f), 0.0), 0.5 * d_f
@@ -155,7 +157,7 @@ def gear_mass_properties(
     bore_diameter
         External: bore [m], 0 = none. Internal: outer diameter of the ring [m], 0 = by `rim_thickness`.
     profile
-        "exact": the real teeth. "mean_cylinder": a cylinder of diameter (d_a + d_f)/2 for the toothed part,
+        "exact": the real teeth, from the outline of the gear if it has one. "mean_cylinder": a cylinder of diameter (d_a + d_f)/2 for the toothed part,
         the rule of KISSsoft's reports. "reference_cylinder": a cylinder of the reference diameter d.
     mass, polar_inertia, transverse_inertia
         Values that replace the computed ones, each for itself [kg, kg m²].

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.mass_properties import RIM_OF_RING
-from pitchpoint.geometry.tooth_form import gear_outline, tooth_profile
+from pitchpoint.geometry.tooth_form import around, even_profile, root_radius
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -82,7 +82,7 @@ def _blank(
     gear: CylindricalGear, bore: float, rim: float | None, web: float | None
 ) -> tuple[list[tuple[float, float]], bool]:
     """Upper half of the blank's section from the root inwards as (radius, z); whether it ends at a wall."""
-    half, r_f = 0.5 * gear.b, 0.5 * gear.sign * gear.d_fE
+    half, r_f = 0.5 * gear.b, root_radius(gear)
     if gear.is_internal:
         outer = bore if bore > 0.0 else r_f + (RIM_OF_RING * gear.m_n if rim is None else rim)
         if not r_f < outer < math.inf:
@@ -152,13 +152,13 @@ def gear_solid(
         n_slices = max(1, math.ceil(abs(twist_rate * gear.b) / _TWIST_STEP)) if beta != 0.0 else 1
     if n_slices < 1:
         raise GeometryError("slices make no solid", where="n_slices", value=f"{n_slices}", limit="at least 1")
-    profile = tooth_profile(gear, n_flank)
-    plane = gear_outline(gear, n_flank)[:-1]
-    flat = plane[:, 0] + 1j * plane[:, 1]
+    profile = even_profile(gear, n_flank)
+    flat = around(profile, abs(gear.z))
     n_outline, z, n_foot = flat.size, abs(gear.z), max(2, n_flank // 4)
     teeth, root = _tooth_triangles(profile.region, z, n_foot, gear.is_internal)
-    first = profile.points[np.argmax(profile.region != 0)]
-    foot = first[0] + 1j * first[1] * (1.0 - 2.0 * np.arange(1, n_foot + 1) / (n_foot + 1.0))
+    start = int(np.argmax(profile.region != 0))
+    last = flat[start + 2 * n_flank + int((profile.region == 3).sum()) - 1]
+    foot = flat[start] + (last - flat[start]) * np.arange(1, n_foot + 1) / (n_foot + 1.0)
     flat = np.append(flat, foot[None, :] * np.exp(2j * math.pi / z * np.arange(z))[:, None])
 
     def lift(points: NDArray[np.complex128], z: float, level: float) -> FloatArray:

@@ -25,6 +25,9 @@ FloatArray = NDArray[np.float64]
 
 REGIONS = ("root", "fillet", "involute", "tip")
 
+# Points of a given outline this near to its highest and lowest one lie on tip and root, in modules.
+_LAND = 0.005
+
 
 @dataclass(frozen=True)
 class ToothProfile:
@@ -77,15 +80,21 @@ def tooth_form(gear: CylindricalGear) -> ToothForm:
     return external_tooth_form(z=z, m_n=m_n, alpha_n=alpha_n, beta=beta, s_n=s_n, r_f=r_f, r_a=r_a, rho=rho)
 
 
+def root_radius(gear: CylindricalGear) -> float:
+    """Radius of the root [m], positive: of the outline of the gear if it has one, else as generated."""
+    return tooth_form(gear).r_f if gear.outline is None else gear.outline.root_radius(gear)
+
+
 def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
     """Points of one whole pitch of a gear.
 
     Parameters
     ----------
     gear
-        External or internal gear.
+        External or internal gear. The points of its `outline`, if it has one, come as they are.
     n_flank
-        Points per flank (fillet and involute), at least 5; the arcs get a fifth of it, at least two.
+        Points per flank (fillet and involute) of a generated tooth, at least 5; the arcs get a fifth of it,
+        at least two.
 
     Returns
     -------
@@ -105,6 +114,8 @@ def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
     >>> profile.points.shape, REGIONS[profile.region[0]]
     ((51, 2), 'root')
     """
+    if gear.outline is not None:
+        return _given_profile(gear, gear.outline.plane)
     form = tooth_form(gear)
     r, half, n_fillet = form.flank(n_flank)
     n_arc = max(2, n_flank // 5)
@@ -132,6 +143,75 @@ def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
     diameters = {"root": (d_f, d_f), "fillet": (d_f, d_Ff), "involute": (d_Ff, d_Fa), "tip": (d_a, d_a)}
     points = radius[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
     return ToothProfile(points, region, diameters, form.is_undercut)
+
+
+def _given_profile(gear: CylindricalGear, plane: NDArray[np.complex128]) -> ToothProfile:
+    """Profile from the points of an outline, with the regions that their heights say."""
+    height = gear.sign * np.abs(plane)
+    land = _LAND * gear.m_n
+    region = np.full(plane.size, 2, dtype=np.int8)
+    region[height < 0.5 * gear.d_Ff - 1e-6 * gear.m_n] = 1
+    region[height <= height.min() + land] = 0
+    region[height >= height.max() - land] = 3
+    d_f, d_a = 2.0 * abs(float(height.min())), 2.0 * abs(float(height.max()))
+    d_Ff, d_Fa = abs(gear.d_Ff), abs(gear.d_Fa)
+    diameters = {"root": (d_f, d_f), "fillet": (d_f, d_Ff), "involute": (d_Ff, d_Fa), "tip": (d_a, d_a)}
+    return ToothProfile(np.column_stack([plane.real, plane.imag]), region, diameters, gear.undercut)
+
+
+def even_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
+    """Profile with as many points on the left as on the right flank, as a triangulation needs it.
+
+    Parameters
+    ----------
+    gear
+        External or internal gear. Its `outline`, if it has one, is divided anew at equal lengths.
+    n_flank
+        Points per flank, at least 5.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> even_profile(CylindricalGear(z=17, m_n=1e-3), 20).points.shape
+    (51, 2)
+    """
+    if gear.outline is None:
+        return tooth_profile(gear, n_flank)
+    profile = _given_profile(gear, gear.outline.plane)
+    plane = np.append(gear.outline.plane, gear.outline.plane[0] * np.exp(2j * math.pi / abs(gear.z)))
+    region = np.append(profile.region, profile.region[0])
+    tip = np.nonzero(region == 3)[0]
+    root = np.nonzero(region == 0)[0]
+    right, left = root[root < tip[0]], root[root > tip[-1]]
+    feet = (int(right[-1]) if right.size else 0, int(left[0]) if left.size else plane.size - 1)
+    n_arc = max(2, n_flank // 5)
+    has_arc = feet[0] > 0 and feet[1] < plane.size - 1
+    if not has_arc:
+        feet = (0, plane.size - 1)
+    pieces = [
+        _divided(plane[feet[0] : tip[0] + 1], n_flank),
+        _divided(plane[tip[0] : tip[-1] + 1], n_arc + 2)[1:-1],
+        _divided(plane[tip[-1] : feet[1] + 1], n_flank),
+    ]
+    regions = [1, 3, 1]
+    if has_arc:
+        pieces = [_divided(plane[: feet[0] + 1], n_arc + 1)[:-1], *pieces]
+        pieces.append(_divided(plane[feet[1] :], n_arc + 1)[1:-1])
+        regions = [0, *regions, 0]
+    else:
+        pieces[-1] = pieces[-1][:-1]
+    points = np.concatenate(pieces)
+    kinds = np.repeat(np.array(regions, dtype=np.int8), [p.size for p in pieces])
+    return ToothProfile(
+        np.column_stack([points.real, points.imag]), kinds, profile.diameters, profile.is_undercut
+    )
+
+
+def _divided(line: NDArray[np.complex128], n: int) -> NDArray[np.complex128]:
+    """Points at equal distances along a line of points, ends included."""
+    length = np.append(0.0, np.cumsum(np.abs(np.diff(line))))
+    at = np.linspace(0.0, length[-1], n)
+    return np.asarray(np.interp(at, length, line.real) + 1j * np.interp(at, length, line.imag))
 
 
 def gear_outline(gear: CylindricalGear, n_flank: int = 40, *, rotation: float = 0.0) -> FloatArray:
@@ -163,8 +243,23 @@ def gear_outline(gear: CylindricalGear, n_flank: int = 40, *, rotation: float = 
     >>> outline.shape, bool((outline[0] == outline[-1]).all())
     ((868, 2), True)
     """
-    points = tooth_profile(gear, n_flank).points
-    teeth = rotation + 2.0 * math.pi / abs(gear.z) * np.arange(abs(gear.z))
-    turned = (points[:, 0] + 1j * points[:, 1])[None, :] * np.exp(1j * teeth)[:, None]
-    ring = turned.ravel()
+    ring = around(tooth_profile(gear, n_flank), abs(gear.z), rotation)
     return np.column_stack([np.append(ring.real, ring.real[0]), np.append(ring.imag, ring.imag[0])])
+
+
+def around(profile: ToothProfile, z: int, rotation: float = 0.0) -> NDArray[np.complex128]:
+    """Points x + iy of all `z` teeth of one profile [m], tooth 0 turned by `rotation` [rad].
+
+    Parameters
+    ----------
+    profile
+        One pitch.
+    z
+        Number of teeth, positive.
+    rotation
+        Counter-clockwise.
+    """
+    teeth = rotation + 2.0 * math.pi / z * np.arange(z)
+    points = profile.points
+    turned = (points[:, 0] + 1j * points[:, 1])[None, :] * np.exp(1j * teeth)[:, None]
+    return np.asarray(turned.ravel())

@@ -15,7 +15,7 @@ import numpy as np
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.mass_properties import RIM_OF_RING
 from pitchpoint.geometry.solid import gear_solid
-from pitchpoint.geometry.tooth_form import REGIONS, gear_outline, tooth_form, tooth_profile
+from pitchpoint.geometry.tooth_form import REGIONS, gear_outline, root_radius, tooth_form, tooth_profile
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -45,7 +45,7 @@ def points_csv(gear: CylindricalGear, n_flank: int = 40) -> str:
 def _bore_radius(gear: CylindricalGear, bore_diameter: float) -> float:
     """Radius of the bore, or of the outside of an internal gear: with the usual rim if none is given [m]."""
     if gear.is_internal and bore_diameter == 0.0:
-        return tooth_form(gear).r_f + RIM_OF_RING * gear.m_n
+        return root_radius(gear) + RIM_OF_RING * gear.m_n
     return 0.5 * bore_diameter
 
 
@@ -116,11 +116,9 @@ def drawing_svg(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float =
     '<svg'
     """
     form = tooth_form(gear)
-    outer = _MM * form.r_a
-    hole = _MM * _bore_radius(gear, bore_diameter)
-    if gear.is_internal:
-        outer = hole
     points = gear_outline(gear, n_flank)[:-1] * _MM
+    hole = _MM * _bore_radius(gear, bore_diameter)
+    outer = hole if gear.is_internal else float(np.hypot(points[:, 0], points[:, 1]).max())
     path = "M" + "L".join(f"{x:.6f} {-y:.6f}" for x, y in points) + "Z"
     if hole > 0.0:
         arc = f"A{hole:.6f} {hole:.6f} 0 1 0"

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     from pitchpoint.geometry.gear_pair import GearPair
     from pitchpoint.model.assembly import Parts
+    from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.mesh import Mesh
 
 OFFSET_TOLERANCE = 1e-4
@@ -39,6 +40,24 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
     for problem in problems:
         hand_on(report, ("gears", name), problem, taint=False)
         parts.misshapen.add(name)
+    if not problems:
+        _check_modifications(parts.gears[name], ("gears", name, "modifications"), report)
+
+
+def _check_modifications(gear: Gear, at: Place, report: Reader) -> None:
+    """Report reliefs that do not fit the flanks they are cut into."""
+    from pitchpoint.geometry.modifications import modification_problems
+
+    for side in ("left", "right", "both") if gear.modifications is not None else ():
+        flank = getattr(gear.modifications, side)
+        if flank is None:
+            continue
+        try:
+            problems = modification_problems(flank.of_geometry(), gear.geometry)
+        except GeometryError as error:
+            problems = [error.problem]
+        for problem in problems:
+            hand_on(report, (*at, side), problem, taint=False)
 
 
 def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.core.errors import GeometryError, PitchpointError
+from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, Key, Place
 
@@ -45,7 +45,7 @@ def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     if isinstance(data, str) and (
         any(w in variables for w in _WORDS.findall(data)) or _CALL.search(data) is not None
     ):
-        return _formula(reader, data, path, variables)
+        return _formula(reader, key, data, path, variables)
     value = reader.number(key, data, path)
     return BAD if value is BAD else Constant(value)
 
@@ -55,13 +55,15 @@ def laws(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     return reader.sequence(key, data, path, lambda k, entry, at: law(reader, k, entry, at))
 
 
-def _formula(reader: Reader, text: str, path: Place, variables: tuple[str, ...]) -> Any:
-    from pitchpoint.core.formula import Formula
+def _formula(reader: Reader, key: Key, text: str, path: Place, variables: tuple[str, ...]) -> Any:
+    from pitchpoint.core.formula import Formula, FormulaError
 
     try:
-        Formula.parse(text, variables)
-    except PitchpointError as error:
-        remedy = f"a formula may use {', '.join(variables)}, pi, numbers with units and listed functions"
+        Formula.parse(text, variables, key.dimension)
+    except FormulaError as error:
+        remedy = error.remedy or (
+            f"a formula may use {', '.join(variables)}, pi, numbers with units and listed functions"
+        )
         return reader.problem(path, f"cannot be read as a formula: {error}", remedy=remedy)
     return FormulaLaw(text, variables)
 

@@ -11,6 +11,7 @@ from typing import Any
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.assembly import Parts
 from pitchpoint.model.components.law import Balance, Constant
+from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.stiffness import Fourier, Rectangular, Table
 from pitchpoint.model.inertia import body_inertia, gear_inertia
 from pitchpoint.model.keys import Place
@@ -202,13 +203,16 @@ def _gear_choices(name: str, gear: Any, report: Reader) -> None:
             relief = getattr(flank, key)
             if relief is not None:
                 exactly_one(relief, ("start_diameter", "length"), (*at, "modifications", side, key), report)
-    pitch = gear.deviations.pitch if gear.deviations is not None else ()
-    if pitch and len(pitch) != gear.number_of_teeth:
-        report.problem(
-            (*at, "deviations", "pitch"),
-            f"has {len(pitch)} entries for {gear.number_of_teeth} teeth",
-            remedy="give one deviation per tooth",
-        )
+    given = gear.deviations.pitch if gear.deviations is not None else ()
+    by_flank = isinstance(given, FlankPitch)
+    for side in ("left", "right") if by_flank else ("both",):
+        pitch = getattr(given, side) if by_flank else given
+        if pitch and len(pitch) != gear.number_of_teeth:
+            report.problem(
+                (*at, "deviations", "pitch", *((side,) if by_flank else ())),
+                f"has {len(pitch)} entries for {gear.number_of_teeth} teeth",
+                remedy="give one deviation per tooth",
+            )
     maps = gear.deviations.flank_maps if gear.deviations is not None else ()
     for i, flank_map in enumerate(maps):
         if flank_map.tooth >= gear.number_of_teeth:

@@ -14,7 +14,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.eigen import damped, ratio_of, undamped
+from pitchpoint.solvers.eigen import best_match, damped, ratio_of, undamped
 from pitchpoint.solvers.modal import Linearised, energy_shares, linearise, rigid_rotations
 from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
@@ -62,8 +62,6 @@ def follow_modes(
     progress: Progress = silent,
 ) -> Campbell:
     """Natural frequencies over speed; parameters as in `campbell`."""
-    from scipy.optimize import linear_sum_assignment
-
     if system.model is None:
         raise SolverError("Campbell data need a system made from a model, for its gear ratios", INCONSISTENT)
     body = body or next(iter(system.model.bodies))
@@ -80,7 +78,7 @@ def follow_modes(
         D, K = _at_speed(linear, {name: ratio * speed for name, ratio in ratios.items()})
         roots, z = damped(D, K, shapes, values)
         # each mode goes on in the one that resembles it most
-        _, order = linear_sum_assignment(-np.abs(last.conj().T @ z))
+        order = best_match(np.abs(last.conj().T @ z))
         found[s], last = roots[order], z[:, order]
         progress(s + 1, omega.size, "speeds")
     kinetic, potential = energy_shares(parts, shapes, values)

@@ -9,11 +9,15 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import DIED, NOT_FINITE, OK, STEP_UNDERFLOW
 from pitchpoint.multibody.channels import CTL, F8, I8
+from pitchpoint.solvers.dormand_prince_pairs import Pair
 from pitchpoint.solvers.explicit import DENSE, NEW, OLD, ROWS, bring_state, keep_state, slope
-from pitchpoint.solvers.sampling import changes_sign, take
+from pitchpoint.solvers.sampling import changes_sign, harvest_at, take
 from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STEPS, VALID
@@ -214,7 +218,7 @@ def _stop(at, status):
     return status
 
 
-@kernel
+@kernel(inline=True)
 def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
     """Go from t to t_end with step control; `pair` holds the coefficients (`dormand_prince_pairs.Pair`).
 
@@ -329,3 +333,53 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
     status = solve_acceleration(at, t, rate)
     clock[VALID] = 1
     return status
+
+
+#: What `advance_adaptive` is told from Python: times, order of the method, addresses and sizes of its arrays.
+ORDER = np.dtype(
+    [
+        *((name, "f8") for name in ("t", "t_end", "sample_zero", "sample", "order")),
+        *((name, "i8") for name in ("A", "C", "E", "D", "stages", "last", "dense", "tol", "most", "restart")),
+    ],
+    align=True,
+)
+
+
+@kernel
+def entry(at, order, harvest):
+    """Go on as an ORDER says; both are addresses of records."""
+    o = view(order, 1, ORDER)[0]
+    n = o["stages"]
+    pair = Pair(
+        view(o["A"], (n, n), F8),
+        view(o["C"], n, F8),
+        view(o["E"], (2, o["last"]), F8),
+        view(o["D"], (o["dense"], n), F8),
+        o["order"],
+    )
+    grid = (o["sample_zero"], o["sample"])
+    tol = view(o["tol"], LARGEST + 1, F8)
+    return advance_adaptive(
+        at, o["t"], o["t_end"], pair, tol, grid, o["most"], o["restart"], harvest_at(harvest)
+    )
+
+
+def adaptive_order(
+    times: tuple[float, float, float, float],
+    pair: Pair,
+    tolerances: NDArray[np.float64],
+    most: int,
+    restart: bool,
+) -> NDArray[np.void]:
+    """ORDER record, shape (1,); it holds addresses of the arrays given here.
+
+    Parameters
+    ----------
+    times
+        Present time, end, time of sample 0, distance of samples [s].
+    pair, tolerances, most, restart
+        As in `advance_adaptive`.
+    """
+    arrays = (a.ctypes.data for a in pair[:4])
+    sizes = (pair.A.shape[0], pair.E.shape[1], pair.D.shape[0])
+    return np.array([(*times, pair.order, *arrays, *sizes, tolerances.ctypes.data, most, restart)], ORDER)

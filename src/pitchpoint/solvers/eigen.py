@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import SINGULAR
+from pitchpoint.core.symmetric_pencil import symmetric_pencil
 
 Array = NDArray[np.float64]
 
@@ -50,14 +51,12 @@ def undamped(M: Array, K: Array, basis: Array, rigid: Array) -> tuple[Array, Arr
     SolverError
         If a free direction has no mass.
     """
-    from scipy.linalg import eigh
-
     m, k = (basis.T @ (0.5 * (A + A.T)) @ basis for A in (M, K))
     scale = 1.0 / np.sqrt(np.diag(m)) if np.all(np.diag(m) > 0.0) else np.zeros(0)
     if scale.size != m.shape[0]:
         raise SolverError("a free direction has no mass, so it has no frequency", SINGULAR)
     m, k = scale[:, None] * m * scale, scale[:, None] * k * scale
-    values, vectors = eigh(k, m)
+    values, vectors = symmetric_pencil(k, m)
     for j in range(values.size):
         x = vectors[:, j]
         if abs(x @ k @ x) <= RIGID * float(np.abs(x) @ np.abs(k) @ np.abs(x)):
@@ -138,19 +137,32 @@ def damped(
 
 def _quadratic(k: Array, d: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Roots of z'' + d z' + k z = 0, one of each pair, sorted to the coordinates; shapes of length 1."""
-    from scipy.linalg import eig
-    from scipy.optimize import linear_sum_assignment
-
     n = len(k)
-    values, vectors = eig(np.block([[np.zeros((n, n)), np.eye(n)], [-k, -d]]))
+    values, vectors = np.linalg.eig(np.block([[np.zeros((n, n)), np.eye(n)], [-k, -d]]))
     upper = [j for j in range(2 * n) if values[j].imag > 1e-12]
     real = sorted((j for j in range(2 * n) if abs(values[j].imag) <= 1e-12), key=lambda j: values[j].real)
     upper += real[1::2]  # real roots come in pairs too: the slower stands for its mode
     z = vectors[:n, upper]
     z = z / np.linalg.norm(z, axis=0)
-    _, columns = linear_sum_assignment(-(np.abs(z) ** 2))
+    columns = best_match(np.abs(z) ** 2)
     found = values[upper][columns]
     return np.where(np.abs(found) < 1e-12, 0.0, found), z[:, columns]
+
+
+def best_match(likeness: Array) -> NDArray[np.intp]:
+    """Column of each row, all different, with the largest sum.
+
+    Examples
+    --------
+    >>> best_match(np.array([[0.9, 0.2], [0.8, 0.6]]))
+    array([0, 1])
+    """
+    columns = likeness.argmax(axis=1)
+    if np.unique(columns).size < len(columns):  # two rows want the same: rare, and SciPy takes long to import
+        from scipy.optimize import linear_sum_assignment
+
+        columns = linear_sum_assignment(-likeness)[1]
+    return np.asarray(columns)
 
 
 def ratio_of(values: NDArray[np.complex128]) -> Array:

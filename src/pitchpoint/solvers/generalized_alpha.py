@@ -21,7 +21,7 @@ from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.explicit import OLD, bring_state
 from pitchpoint.solvers.newton import newton_step, rows_hold
-from pitchpoint.solvers.sampling import Chunk, chunk_of, new_harvest, record_step
+from pitchpoint.solvers.sampling import Chunk, advance_into, harvest_at, new_harvest, record_step
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
@@ -49,7 +49,7 @@ def _predict(q, v, a, al, ap, old, h, method):
         a[i] = guess
 
 
-@kernel
+@kernel(inline=True)
 def advance(at, t0, first, n, h, rho, tol, harvest):
     """Take n steps; t of step k is t0 + (first + k) h; a step that fails leaves the state before it."""
     c = view(at, 1, CTL)[0]
@@ -93,6 +93,17 @@ def advance(at, t0, first, n, h, rho, tol, harvest):
         if status != OK:
             return status
     return OK
+
+
+#: What `advance` is told from Python, under the names of its arguments.
+ORDER = np.dtype([*((n, "f8") for n in ("t0", "h", "rho", "tol")), ("first", "i8"), ("n", "i8")], align=True)
+
+
+@kernel
+def entry(at, order, harvest):
+    """Take the steps of an ORDER; both are addresses of records."""
+    o = view(order, 1, ORDER)[0]
+    return advance(at, o["t0"], o["first"], o["n"], o["h"], o["rho"], o["tol"], harvest_at(harvest))
 
 
 @dataclass
@@ -147,8 +158,8 @@ class Run:
         harvest = new_harvest(
             self.system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
         )
-        args = (self.t0, self.steps, n, self.h, self.rho_inf, self.tolerance, harvest)
-        done = chunk_of(int(advance(self.system.workspace.at, *args)), harvest)
+        order = np.array([(self.t0, self.h, self.rho_inf, self.tolerance, self.steps, n)], ORDER)
+        done = advance_into(entry, self.system.workspace.at, order, harvest)
         self.steps += done.steps
         return done
 

@@ -26,6 +26,7 @@ from pitchpoint.solvers.equilibrium import find_equilibrium, same_group
 from pitchpoint.solvers.operating_point import held_spins, operating_point
 from pitchpoint.solvers.stiffness_parts import STIFFNESS_FIELD, Array, mesh_names
 from pitchpoint.system import evaluate
+from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
@@ -149,7 +150,12 @@ def roll_through(
         for m, name in enumerate(names)
     }
     position = np.arange(done) / points
-    return Roll(mesh, position, rows, meshes, reaction[:done], point.notes, status, text)
+    spans = {
+        c.name: {"min": column.min(initial=np.inf), "max": column.max(initial=-np.inf)}
+        for c, column in zip(own.layout.channels, rows.T, strict=True)
+    }
+    notes = (*point.notes, *deep_contacts(own.model, [spans]))
+    return Roll(mesh, position, rows, meshes, reaction[:done], notes, status, text)
 
 
 def _plan(

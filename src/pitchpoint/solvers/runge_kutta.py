@@ -23,12 +23,13 @@ from pitchpoint.solvers.dormand_prince import (
     SLOPE_AT,
     STEP_SIZE,
     TIME,
-    advance_adaptive,
+    adaptive_order,
 )
+from pitchpoint.solvers.dormand_prince import entry as adaptive_entry
 from pitchpoint.solvers.dormand_prince_pairs import EIGHTH, FIFTH, Pair
 from pitchpoint.solvers.explicit import OLD, ROWS, bring_state, keep_state, slope
 from pitchpoint.solvers.rows import rows_agree
-from pitchpoint.solvers.sampling import Chunk, chunk_of, new_harvest, record_step
+from pitchpoint.solvers.sampling import Chunk, advance_into, harvest_at, new_harvest, record_step
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
@@ -61,7 +62,7 @@ def _classical(at, t, h, rate):
     return OK
 
 
-@kernel
+@kernel(inline=True)
 def advance_classical(at, t0, first, n, h, rate, harvest):
     """Take n equal steps; arguments as in `generalized_alpha.advance`, rate pulls constraint drift back."""
     c = view(at, 1, CTL)[0]
@@ -80,6 +81,17 @@ def advance_classical(at, t0, first, n, h, rate, harvest):
         if status != OK:
             return status
     return OK
+
+
+#: What `advance_classical` is told from Python, under the names of its arguments.
+ORDER = np.dtype([("t0", "f8"), ("h", "f8"), ("rate", "f8"), ("first", "i8"), ("n", "i8")], align=True)
+
+
+@kernel
+def entry(at, order, harvest):
+    """Take the steps of an ORDER; both are addresses of records."""
+    o = view(order, 1, ORDER)[0]
+    return advance_classical(at, o["t0"], o["first"], o["n"], o["h"], o["rate"], harvest_at(harvest))
 
 
 @dataclass
@@ -121,11 +133,15 @@ class ExplicitRun:
         harvest = new_harvest(
             self.system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
         )
-        args = (self.t0, self.steps, n, self.h, float(self.tolerances[RATE]), harvest)
-        done = chunk_of(int(advance_classical(self.system.workspace.at, *args)), harvest)
+        order = np.array([(self.t0, self.h, self.tolerances[RATE], self.steps, n)], ORDER)
+        done = advance_into(entry, self.system.workspace.at, order, harvest)
         self.steps += done.steps
         self.t = self.t0 + self.steps * self.h
         return self._checked(done)
+
+    def change_step(self, h: float) -> None:
+        """Go on with another step of the classical method from here."""
+        self.t0, self.steps, self.h = self.t, 0, h
 
     def advance_to(
         self,
@@ -155,9 +171,9 @@ class ExplicitRun:
         harvest = new_harvest(self.system.sizes["no"], rows=room, sums=statistics, events=events)
         w = self.system.workspace
         w.clock[VALID] = 0
-        grid = np.array([self.t0, sample])
-        args = (self.t, float(t_end), self.pair, self.tolerances, grid, most, int(restart), harvest)
-        done = chunk_of(int(advance_adaptive(w.at, *args)), harvest)
+        times = (self.t, float(t_end), self.t0, sample)
+        order = adaptive_order(times, self.pair, self.tolerances, most, restart)
+        done = advance_into(adaptive_entry, w.at, order, harvest)
         self.t = float(w.arrays["real"][TIME])
         self.steps += done.steps
         return self._checked(done)

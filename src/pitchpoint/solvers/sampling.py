@@ -8,14 +8,14 @@ per channel the running statistics over every step in which they are switched on
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.multibody.channels import CTL, F8
+from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.system.residual import evaluate_events, observe
 from pitchpoint.system.workspace import MACH
 
@@ -89,15 +89,73 @@ class Chunk:
     events: NDArray[np.float64]
 
 
-def chunk_of(status: int, harvest: Harvest) -> Chunk:
-    """What a loop did, from its status and the buffers it filled."""
-    steps, rows, events = (int(n) for n in harvest.done)
-    return Chunk(status, steps, harvest.rows[:rows], harvest.found[: min(events, len(harvest.found))])
+#: A harvest as a record: addresses and sizes of its buffers.
+HARVEST = np.dtype(
+    [
+        (name, "i8")
+        for name in (
+            "every",
+            "stride",
+            "rows",
+            "n_rows",
+            "columns",
+            "sums",
+            "n_sums",
+            "found",
+            "n_found",
+            "done",
+        )
+    ],
+    align=True,
+)
+
+
+def advance_into(entry: Any, at: int, order: NDArray[np.void], harvest: Harvest) -> Chunk:
+    """Let a time loop do what is ordered; says what it did.
+
+    Parameters
+    ----------
+    entry
+        The loop: an entry with the addresses of the control record, of the order and of a HARVEST record.
+    at
+        Address of the control record.
+    order
+        Numbers of the loop, a record of its own layout, shape (1,).
+    harvest
+        Buffers to fill.
+    """
+    rows, sums, found, done = harvest.rows, harvest.sums, harvest.found, harvest.done
+    record = np.zeros(1, HARVEST)
+    record[0]["every"], record[0]["stride"], record[0]["columns"] = (
+        harvest.every,
+        harvest.stride,
+        rows.shape[1],
+    )
+    for name, array in (("rows", rows), ("sums", sums), ("found", found)):
+        record[0][name], record[0][f"n_{name}"] = array.ctypes.data, len(array)
+    record[0]["done"] = done.ctypes.data
+    status = invoke(entry, at, order.ctypes.data, record.ctypes.data)
+    steps, samples, events = (int(n) for n in done)
+    return Chunk(status, steps, rows[:samples], found[: min(events, len(found))])
+
+
+@kernel(inline=True)
+def harvest_at(where):
+    """Harvest from the address of its record."""
+    b = view(where, 1, HARVEST)[0]
+    return Harvest(
+        b["every"],
+        b["stride"],
+        view(b["rows"], (b["n_rows"], b["columns"]), F8),
+        view(b["sums"], (b["n_sums"], 8), F8),
+        view(b["found"], (b["n_found"], EVENT_COLUMNS), F8),
+        view(b["done"], 3, I8),
+    )
 
 
 @dataclass(frozen=True)
 class Statistics:
-    """Statistics of all channels over the steps of a window; arrays of shape (no,).
+    """Statistics of all channels over the steps of a window; arrays of shape (no,), NaN without any step.
 
     Parameters
     ----------
@@ -125,15 +183,15 @@ def new_statistics(n: int) -> NDArray[np.float64]:
 
 def read_statistics(sums: NDArray[np.float64]) -> Statistics:
     """Turn accumulators into statistics."""
-    n = np.maximum(sums[:, COUNT], 1.0)
+    n = np.where(sums[:, COUNT] > 0.0, sums[:, COUNT], np.nan)
     mean = sums[:, SUM] / n
     variance = np.maximum(sums[:, SQUARES] / n - mean**2, 0.0)
     return Statistics(
         count=int(sums[0, COUNT]) if len(sums) else 0,
         mean=sums[:, REFERENCE] + mean,
         rms=np.sqrt(variance),
-        least=sums[:, LEAST].copy(),
-        most=sums[:, MOST].copy(),
+        least=np.where(n > 0.0, sums[:, LEAST], np.nan),
+        most=np.where(n > 0.0, sums[:, MOST], np.nan),
         share_negative=sums[:, NEGATIVE] / n,
         share_zero=sums[:, ZERO] / n,
     )

@@ -54,8 +54,9 @@ def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
         raise SolverError("the system was not made from a model; give a state instead of a scenario", 0)
     given = dict(scenario.speed)
     for name, record in drive_records(system):
-        given[name] = float(drive_element.target(record, 0.0)[1])
-    return model.start_speeds(replace(scenario, speed=given))
+        given[name] = drive_element.target_of(record, 0.0)[1]
+    # a drive need not fit the ratio of the teeth: the gap takes up the rest
+    return {**model.start_speeds(replace(scenario, speed=given)), **given}
 
 
 def drive_records(system: System) -> list[tuple[str, np.void]]:
@@ -89,7 +90,7 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     for name, record in drive_records(system):
         spin = system.spin(name)
         body = system.layout.bodies.index(name)
-        angle = float(drive_element.target(record, 0.0)[0])
+        angle = drive_element.target_of(record, 0.0)[0]
         state.turns[body] = round(angle / (2.0 * np.pi))
         state.q[spin] = angle - 2.0 * np.pi * state.turns[body]
         driven.append(spin)

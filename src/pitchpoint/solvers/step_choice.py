@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.system.system import System
 
+ROUND_OFF = 1e-13
+"""Share of a span of time that is rounding: less than a step for the 1e12 steps that a run may have."""
+
 STEPS_PER_PERIOD = 200
 """Steps in the period of the fastest mode and of the fastest mesh.
 
@@ -47,7 +50,7 @@ def fastest_mesh(system: System, scenario: Scenario) -> float:
     driven = dict(scenario.speed)
     for name, record in drive_records(system):
         times = np.linspace(0.0, scenario.duration or 1.0, 401)
-        driven[name] = max((float(drive.target(record, t)[1]) for t in times), key=abs)
+        driven[name] = max((drive.target_of(record, t)[1] for t in times), key=abs)
     if driven and system.model is not None:
         highest = max(
             highest, _mesh_frequency(system, system.model.start_speeds(replace(scenario, speed=driven)))
@@ -101,7 +104,8 @@ def largest_step(start: Start, scenario: Scenario) -> float:
 def choose_step(start: Start, scenario: Scenario) -> tuple[float, int]:
     """Time step [s] and number of steps between samples.
 
-    A given step counts as the largest one: it is shortened to divide the sample period.
+    A given step counts as the largest one: it is shortened to divide the sample period, or the duration if
+    every step is a sample.
 
     Parameters
     ----------
@@ -112,7 +116,30 @@ def choose_step(start: Start, scenario: Scenario) -> tuple[float, int]:
     """
     h = scenario.step or shortest_period(start, scenario) / STEPS_PER_PERIOD
     if scenario.sample_rate is None:
-        return h, 1
-    period = 1.0 / scenario.sample_rate
-    every = max(1, math.ceil(period / h - 1e-9))
-    return period / every, every
+        return divided(scenario.duration or h, h)[0], 1
+    return divided(1.0 / scenario.sample_rate, h)
+
+
+def divided(span: float, longest: float) -> tuple[float, int]:
+    """Step that divides a span of time and is no longer than another, and how often it does.
+
+    Examples
+    --------
+    >>> divided(1.0, 0.3), divided(1.0, 0.25)
+    ((0.25, 4), (0.25, 4))
+    """
+    count = max(1, math.ceil(span / longest * (1.0 - ROUND_OFF)))
+    return span / count, count
+
+
+def whole_steps(span: float, h: float) -> tuple[int, float]:
+    """Steps that fit into a span of time, and what is left over [s]; nothing if that is round-off.
+
+    Examples
+    --------
+    >>> whole_steps(0.3, 0.1), whole_steps(1.0, 0.375)
+    ((3, 0.0), (2, 0.25))
+    """
+    count = math.floor(span / h * (1.0 + ROUND_OFF))
+    rest = span - count * h
+    return count, rest if rest > ROUND_OFF * span else 0.0

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Protocol
@@ -20,8 +19,9 @@ from pitchpoint.solvers.event_watch import EventWatch
 from pitchpoint.solvers.rows import explain, row_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import Start, prepare_start
-from pitchpoint.solvers.step_choice import choose_step, largest_step
+from pitchpoint.solvers.step_choice import choose_step, largest_step, whole_steps
 from pitchpoint.system import evaluate
+from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -67,13 +67,14 @@ class TimeSummary:
     status, sentence
         How it ended, as a number and in words.
     steps, step, wall_s
-        Accepted steps, time step (0 if adaptive) [s], wall time [s].
+        Accepted steps, time step (0 if adaptive) [s], wall time [s]. A last step may be shorter.
     t_end
         Time reached [s].
     window
         Begin and end of the statistics [s].
     channels
-        Statistics by channel over all steps of the window: unit, mean, rms of the alternating part, min, max.
+        Statistics by channel over all steps of the window: unit, mean, rms of the alternating part, min, max;
+        NaN if it ended before any.
     events
         Time [s], index in `event_names`, direction; shape (n, 3).
     event_names
@@ -114,7 +115,10 @@ def run_time(
     progress: Progress = silent,
     start: Start | None = None,
 ) -> TimeSummary:
-    """Compute the time response of a scenario.
+    """Compute the time response of a scenario: up to its duration, whatever the step.
+
+    Samples lie at multiples of the sample period; the last one lies at the duration if that is a multiple,
+    else before it. Without a sample rate every step is a sample and the steps divide the duration.
 
     Parameters
     ----------
@@ -163,6 +167,7 @@ class _Loop:
         self.watch = EventWatch(self.system, scenario)
         self.adaptive = scenario.method == "runge_kutta"
         self.h, self.every = choose_step(start, scenario)
+        self.steps = 0
         if scenario.method != "generalized_alpha":
             from pitchpoint.solvers import runge_kutta  # only those who use it wait for it
         if self.adaptive:
@@ -191,8 +196,9 @@ class _Loop:
             return INTERRUPTED
 
     def _fixed(self, progress: Progress) -> int:
-        total = max(1, round((self.t_end - self.t0) / self.h))
-        settle = min(total, max(0, math.ceil((self.window - self.t0) / self.h - 1e-9)))
+        total, rest = whole_steps(self.t_end - self.t0, self.h)
+        settled, part = whole_steps(self.window - self.t0, self.h)
+        settle = min(total, settled + (part > 0.0))
         n = 1000
         while self.run_.steps < total:
             begun = time.perf_counter()
@@ -206,9 +212,17 @@ class _Loop:
             self._take(chunk)
             if chunk.status != OK:
                 return int(chunk.status)
-            progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.run_.steps} steps")
+            progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
             n = next_chunk(n, time.perf_counter() - begun)
-        return OK
+        return self._last_step(rest) if rest > 0.0 else OK
+
+    def _last_step(self, h: float) -> int:
+        """A step of its own length up to the duration, where no sample is due."""
+        self.run_.change_step(h)
+        sums = self.sums if self.window < self.t_end else None
+        chunk = self.run_.advance(1, statistics=sums, events=MOST_EVENTS if self.watch else 0)
+        self._take(chunk)
+        return int(chunk.status)
 
     def _adaptive(self, progress: Progress) -> int:
         from pitchpoint.solvers.dormand_prince import LARGEST
@@ -230,11 +244,12 @@ class _Loop:
             self._take(chunk)
             if chunk.status != OK:
                 return int(chunk.status)
-            progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.run_.steps} steps")
+            progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
             n = min(next_chunk(n, time.perf_counter() - begun), most)
         return OK
 
     def _take(self, chunk: Any) -> None:
+        self.steps += chunk.steps
         if self.sink is not None and len(chunk.rows):
             self.sink.append(chunk.rows[:, 0].copy(), chunk.rows[:, 1:])
         if len(chunk.events):
@@ -256,7 +271,7 @@ class _Loop:
         return TimeSummary(
             status=status,
             sentence=explain(self.system, status),
-            steps=int(self.run_.steps),
+            steps=self.steps,
             step=0.0 if self.adaptive else self.h,
             wall_s=wall_s,
             t_end=t,
@@ -264,7 +279,7 @@ class _Loop:
             channels=channels,
             events=np.concatenate(self.events) if self.events else np.zeros((0, 3)),
             event_names=tuple(e.name for e in self.system.layout.events),
-            notes=(*self.start.notes, *row_notes(self.system)),
+            notes=(*self.start.notes, *row_notes(self.system), *deep_contacts(self.system.model, [channels])),
             state=self.run_.state(),
         )
 

@@ -273,7 +273,7 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
         Over `case` and `statistic` (mean, rms, min, max): every channel; over `case`: status and the values
         that were changed, by path. For speed sweeps over `case`, `direction`, `point` and `statistic`, with
         speed and mesh_frequency of every point and the shares of lost and of back contact. NaN where there is
-        nothing.
+        nothing. The attributes hold a sentence and the notes of every case.
     """
     import xarray as xr
 
@@ -299,7 +299,11 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
     for path in paths_of(results):
         entries, unit = column(results, path)
         coords[path] = ("case", entries, {"units": unit} if unit else {})
-    return xr.Dataset(data, coords=coords, attrs={"sentences": [r.sentence for r in results]})
+    attrs = {
+        "sentences": [r.sentence for r in results],
+        "notes": ["; ".join(r.notes) for r in results],
+    }
+    return xr.Dataset(data, coords=coords, attrs=attrs)
 
 
 def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tuple[np.ndarray, str]]]:

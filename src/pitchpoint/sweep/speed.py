@@ -27,6 +27,7 @@ from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.time import next_chunk, scenario_of
+from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -267,7 +268,11 @@ def run_sweep(
         jumps=[{"direction": j.direction, "mesh_frequency": j.frequency} for j in sweep_jumps(points)],
         steps=walk.steps,
         wall_s=time.perf_counter() - begun,
-        notes=(*walk.notes, *row_notes(walk.system)),
+        notes=(
+            *walk.notes,
+            *row_notes(walk.system),
+            *deep_contacts(system.model, (p["channels"] for p in points)),
+        ),
     )
 
 
@@ -286,7 +291,7 @@ def sweep_speed(
     xarray.Dataset
         Dimensions `direction` and `mesh_frequency` [Hz]; for each quantity of the swept mesh `QUANTITY_mean`,
         `_rms`, `_min`, `_max`, and the shares of lost and of back contact; NaN where a point is missing.
-        Jumps are in the attributes.
+        Jumps and notes are in the attributes.
 
     Raises
     ------
@@ -321,6 +326,7 @@ def sweep_speed(
     }
     attrs = attributes(system, "speed sweep", found.status, found.wall_s)
     attrs["jumps"] = [f"{j['direction']} {j['mesh_frequency']:.9g} Hz" for j in found.jumps]
+    attrs["notes"] = "; ".join(found.notes)
     result = xr.Dataset(data, coords=coords, attrs=attrs)
     if found.status != OK:
         raise SolverError(found.sentence, found.status, result)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +16,9 @@ DEEPEST = 0.1
 """Penetration in normal modules up to which teeth count as springs on their undeformed line of action."""
 
 
-def deep_contacts(model: Model, statistics: Iterable[Mapping[str, Mapping[str, Any]]]) -> tuple[str, ...]:
+def deep_contacts(
+    model: Model | None, statistics: Iterable[Mapping[str, Mapping[str, Any]]]
+) -> tuple[str, ...]:
     """Sentences about meshes whose flanks went deeper into each other than teeth can bend.
 
     Penetration is counted from the backlash at the centre distance of the model, on either flank. Beyond a
@@ -25,15 +28,18 @@ def deep_contacts(model: Model, statistics: Iterable[Mapping[str, Mapping[str, A
     Parameters
     ----------
     model
-        The model that was computed.
+        The model that was computed; there is nothing to say without one.
     statistics
-        One or several tables of channels with `min` and `max`, as runs, rolls and points of sweeps give them.
+        One or several tables of channels with `min` and `max`, as runs, rolls and points of sweeps give them;
+        NaN where there was no sample.
     """
+    if model is None:
+        return ()
     tables = list(statistics)
     found = []
     for name, mesh in model.meshes.items():
         rows = [t[f"deflection[{name}]"] for t in tables if f"deflection[{name}]" in t]
-        reach = [abs(v) for row in rows for v in (row["min"], row["max"]) if v is not None]
+        reach = [abs(v) for row in rows for v in (row["min"], row["max"]) if math.isfinite(v)]
         if not reach:
             continue
         deepest = max(reach) - 0.5 * model.backlash(name)

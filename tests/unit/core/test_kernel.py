@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from pitchpoint.core import kernel as door
-from pitchpoint.core.kernel import COMPILING, call_law, import_closure, kernel, law_address
+from pitchpoint.core import machine_code
+from pitchpoint.core.kernel import COMPILING, Kernel, call_law, import_closure, kernel, law_address
 
 BASE = """
     import numpy as np
@@ -36,16 +37,11 @@ HELPER = """
 RUN = """
     import numpy as np
     from outsider.kind import RECORD, entry
-    from pitchpoint.core.kernel import _COMPILED, address, call, kernel
+    import sys
+    from pitchpoint.core.kernel import invoke
     rec = np.ones(1, RECORD)
-
-    @kernel
-    def go(f, where):
-        return call(f, 0, where, 1)
-
-    assert go(address(entry), rec.ctypes.data) == 1
-    hits = _COMPILED[entry].cache_hits if _COMPILED else 0
-    print(rec[0]["value"], hits)
+    assert invoke(entry, 0, rec.ctypes.data, 1) == 1
+    print(rec[0]["value"], "compiled" if "numba" in sys.modules else "loaded")
 """
 
 
@@ -90,12 +86,68 @@ def test_an_edited_helper_is_noticed_and_an_unchanged_kind_is_loaded(tmp_path):
     write(tmp_path / "outsider/sub/__init__.py", "")
     write(tmp_path / "outsider/kind.py", BASE)
     write(tmp_path / "outsider/sub/helper.py", HELPER.format(value=2.0))
-    assert python(RUN, tmp_path) == ["2.0", "0"]
-    assert python(RUN, tmp_path) == ["2.0", "1"]
+    assert python(RUN, tmp_path) == ["2.0", "compiled"]
+    assert python(RUN, tmp_path) == ["2.0", "loaded"]
     write(tmp_path / "outsider/sub/helper.py", HELPER.format(value=3.0))
-    assert python(RUN, tmp_path) == ["3.0", "0"]
+    assert python(RUN, tmp_path) == ["3.0", "compiled"]
     write(tmp_path / "outsider/unrelated.py", "x = 1\n")
-    assert python(RUN, tmp_path) == ["3.0", "1"]
+    assert python(RUN, tmp_path) == ["3.0", "loaded"]
+    assert python(RUN, tmp_path, NUMBA_OPT="1") == ["3.0", "compiled"]
+    assert python(RUN, tmp_path) == ["3.0", "loaded"]
+
+
+@pytest.mark.slow
+def test_a_damaged_file_is_compiled_again(tmp_path):
+    write(tmp_path / "outsider/__init__.py", "")
+    write(tmp_path / "outsider/sub/__init__.py", "")
+    write(tmp_path / "outsider/kind.py", BASE)
+    write(tmp_path / "outsider/sub/helper.py", HELPER.format(value=2.0))
+    assert python(RUN, tmp_path) == ["2.0", "compiled"]
+    (file,) = (tmp_path / "cache").glob("entries/*/*.code")
+    for damaged in (file.read_bytes()[:-100], b"", b"\n\n\n"):
+        file.write_bytes(damaged)
+        assert python(RUN, tmp_path) == ["2.0", "compiled"]
+        assert python(RUN, tmp_path) == ["2.0", "loaded"]
+
+
+UNFIT = """
+    import numpy as np
+    from pitchpoint.core.kernel import kernel
+
+    @kernel
+    def raising(a, b, n):
+        if n > 1:
+            raise ValueError("too many")
+        return 1
+
+    @kernel
+    def allocating(a, b, n):
+        return int(np.ones(n).sum())
+
+    @kernel
+    def fit(a, b, n):
+        return a + b + n
+"""
+CALL = """
+    from outsider.kind import allocating, fit, raising
+    from pitchpoint.core import machine_code
+    from pitchpoint.core.kernel import invoke
+    print(*(invoke(f, 0, 0, n) for f, n in ((raising, 1), (raising, 2), (allocating, 7), (fit, 6))))
+    print(*(machine_code.is_refused(f.py_func) for f in (raising, allocating, fit)))
+"""
+
+
+@pytest.mark.slow
+def test_entries_that_need_the_compiler_at_run_time_are_left_to_it(tmp_path):
+    write(tmp_path / "outsider/__init__.py", "")
+    write(tmp_path / "outsider/kind.py", UNFIT)
+    for _ in range(2):
+        assert python(CALL, tmp_path) == ["1", "0", "7", "6", "True", "True", "False"]
+
+
+@pytest.mark.skipif(not COMPILING, reason="needs the compiler")
+def test_code_whose_symbols_are_missing_is_not_linked():
+    assert machine_code.link("nothing", b"", ["sin", "no_such_function_anywhere"]) is None
 
 
 def compiled_law(t, x, p):
@@ -179,7 +231,7 @@ def test_every_kernel_of_the_core_has_one_signature():
     for name, module in list(sys.modules.items()):
         if name.startswith("pitchpoint.") and module is not door:
             for key, value in vars(module).items():
-                signatures = getattr(value, "signatures", None)
+                signatures = value.signatures if isinstance(value, Kernel) else None
                 if signatures is not None and key not in generic and len(signatures) > 1:
                     many.append(f"{name}.{key}: {len(signatures)}")
     assert not many

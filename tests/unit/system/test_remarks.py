@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from pitchpoint.io.yaml_model import loads_model
@@ -19,12 +21,10 @@ LIMIT = 0.3e-3  # a tenth of the module
         (0.0, HALF_GAP + 0.99 * LIMIT, ""),
         (0.0, HALF_GAP + 1.01 * LIMIT, "0.303 mm"),
         (-HALF_GAP - 2.0 * LIMIT, 0.0, "0.6 mm"),
-        (None, None, ""),
+        (math.nan, math.nan, ""),
     ],
 )
-def test_penetration_of_either_flank_counts_from_the_backlash(
-    low: float | None, high: float | None, told: str
-) -> None:
+def test_penetration_of_either_flank_counts_from_the_backlash(low: float, high: float, told: str) -> None:
     model = loads_model(TORSIONAL_PAIR)
     tables = [
         {"deflection[stage]": {"min": 0.0, "max": 0.0}},

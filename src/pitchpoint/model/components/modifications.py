@@ -3,9 +3,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantities, quantity
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry import deviations as real
+    from pitchpoint.geometry import modifications as intended
 
 SHAPES = ("linear", "parabolic")
 
@@ -43,6 +48,16 @@ class FlankModifications:
     )
     end_relief: EndRelief | None = component(EndRelief, "relief at both ends of the teeth")
 
+    def of_geometry(self) -> intended.FlankModifications:
+        """The same in the terms of the geometry layer; GeometryError for values that no flank can have."""
+        from pitchpoint.geometry import modifications as target
+
+        parts = {f.name: getattr(self, f.name) for f in fields(target.FlankModifications)}
+        for name in ("tip_relief", "root_relief"):
+            parts[name] = _as(target.Relief, parts[name])
+        parts["end_relief"] = _as(target.EndRelief, parts["end_relief"])
+        return target.FlankModifications(**parts)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Modifications:
@@ -77,17 +92,60 @@ class FlankMap:
     flank: str = choice(("left", "right"), "flank of the tooth")
     values: tuple[tuple[float, ...], ...] = key(
         "grid",
-        "deviation, rows from root to tip, columns along the face width; > 0 is more material",
+        "deviation along the transverse base tangent, > 0 is more material: rows at equal lengths of roll from "
+        "root form to tip form circle, columns at equal distances over the face width; or the name of a text "
+        "file with one row a line",
         dimension="length",
     )
 
 
 @dataclass(frozen=True, kw_only=True)
-class Deviations:
-    """Deviations of single teeth."""
+class FlankPitch:
+    """Single pitch deviations that differ between left and right flanks; a side left out has none."""
 
-    pitch: tuple[float, ...] = quantities(
-        "length", "individual pitch deviations, one per tooth, or the name of a text file", ()
+    left: tuple[float, ...] = quantities(
+        "length", "left flanks: single pitch deviations, one per tooth, or the name of a text file", ()
+    )
+    right: tuple[float, ...] = quantities(
+        "length", "right flanks: single pitch deviations, one per tooth, or the name of a text file", ()
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Deviations:
+    """Deviations of single teeth, counted counter-clockwise from tooth 0."""
+
+    pitch: tuple[float, ...] | FlankPitch = key(
+        "pitch",
+        "single pitch deviations f_p (ISO 1328-1; not summed up), one per tooth: entry i is what the pitch from "
+        "tooth i - 1 to tooth i is too long on the reference circle; a list or the name of a text file for both "
+        "flanks, or {left: ..., right: ...}",
+        (),
+        dimension="length",
+        of=FlankPitch,
     )
     runout: Runout | None = component(Runout, "runout of the teeth")
     flank_maps: tuple[FlankMap, ...] = key("list", "measured flank maps", (), of=FlankMap)
+
+    def pitch_of(self, flank: str) -> tuple[float, ...]:
+        """Single pitch deviations of the 'left' or 'right' flanks [m]; empty = none."""
+        if isinstance(self.pitch, FlankPitch):
+            own: tuple[float, ...] = getattr(self.pitch, flank)
+            return own
+        return self.pitch
+
+    def of_geometry(self) -> real.Deviations:
+        """The same in the terms of the geometry layer."""
+        from pitchpoint.geometry import deviations as target
+
+        return target.Deviations(
+            pitch=self.pitch_of("left"),
+            pitch_right=self.pitch_of("right"),
+            runout=_as(target.Runout, self.runout),
+            flank_maps=[_as(target.FlankMap, one) for one in self.flank_maps],
+        )
+
+
+def _as(kind: type[Any], part: Any) -> Any:
+    """The same values in a dataclass of another layer."""
+    return None if part is None else kind(**{f.name: getattr(part, f.name) for f in fields(kind)})

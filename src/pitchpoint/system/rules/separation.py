@@ -4,15 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry.deviations import Deviations
-    from pitchpoint.geometry.modifications import FlankModifications
     from pitchpoint.model.components.gear import Gear
 
 #: Stations of a grid over the face width and over the length of roll.
@@ -47,42 +44,18 @@ def flank_grid(gear: Gear, mate: bool) -> tuple[NDArray[np.float64], tuple[float
     z = np.linspace(-0.5, 0.5, N_WIDTH) * geometry.b
     roll = np.linspace(*span, N_ROLL)
     order = ("right", "left") if mate and geometry.z < 0 else ("left", "right")
-    deviations = geometry_deviations(gear)
+    deviations = None if gear.deviations is None else gear.deviations.of_geometry()
+    sides = [None if gear.modifications is None else gear.modifications.side(flank) for flank in order]
     grids = [
         separation(
-            geometry, flank, z, roll, modifications=geometry_modifications(gear, flank), deviations=deviations
+            geometry,
+            flank,
+            z,
+            roll,
+            modifications=None if side is None else side.of_geometry(),
+            deviations=deviations,
         )
-        for flank in order
+        for flank, side in zip(order, sides, strict=True)
     ]
     grid = np.stack(grids)
     return (grid if deviations is not None else grid[:, :1]), span
-
-
-def geometry_modifications(gear: Gear, side: str) -> FlankModifications | None:
-    """Modifications of one side of a gear, in the terms of the geometry layer."""
-    from pitchpoint.geometry import modifications as target
-
-    given = None if gear.modifications is None else gear.modifications.side(side)
-    if given is None:
-        return None
-    parts = {f.name: getattr(given, f.name) for f in fields(target.FlankModifications)}
-    for name in ("tip_relief", "root_relief"):
-        parts[name] = _as(target.Relief, parts[name])
-    parts["end_relief"] = _as(target.EndRelief, parts["end_relief"])
-    return target.FlankModifications(**parts)
-
-
-def geometry_deviations(gear: Gear) -> Deviations | None:
-    """Deviations of single teeth of a gear, in the terms of the geometry layer."""
-    from pitchpoint.geometry import deviations as target
-
-    given = gear.deviations
-    if given is None:
-        return None
-    maps = [_as(target.FlankMap, one) for one in given.flank_maps]
-    return target.Deviations(pitch=given.pitch, runout=_as(target.Runout, given.runout), flank_maps=maps)
-
-
-def _as(kind: type[Any], part: Any) -> Any:
-    """The same values in a dataclass of another layer."""
-    return None if part is None else kind(**{f.name: getattr(part, f.name) for f in fields(kind)})

@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The only module that knows Numba: compiles kernels, entries and user laws. `kernel` imports it on demand.
+
+Numba's own cache looks only at the file of the function itself; the locator here stamps the *import closure*
+of that file, so an edited helper is noticed and an unrelated edit is not.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import os
+import types as pytypes
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from llvmlite import binding, ir
+from numba import cfunc, config, njit, types
+from numba.core import cgutils
+from numba.core.caching import CompileResultCacheImpl, _CacheLocator
+from numba.core.compiler_lock import global_compiler_lock
+from numba.core.registry import CPUDispatcher, cpu_target
+from numba.extending import intrinsic
+from numba.np.arrayobj import populate_array
+
+from pitchpoint.core import machine_code
+
+if TYPE_CHECKING:
+    from pitchpoint.core.kernel import Kernel
+
+_FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract", "nsz"}}
+_BARE = {"nopython": True, "nogil": True, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+_ENTRY = types.int64(types.int64, types.int64, types.int64)
+_LAW = types.float64(types.float64, types.float64, types.CPointer(types.float64))
+
+# ---------------------------------------------------------------------------------------------- cache stamp
+
+
+class Locator(_CacheLocator):
+    """Tells Numba where compiled kernels live and when they are out of date; serves marked functions only."""
+
+    def __init__(self, py_func: Any, py_file: str) -> None:
+        self._py_file = py_file
+        self._lineno = py_func.__code__.co_firstlineno
+        self._variant = py_func._pitchpoint
+        mode = "bounds" if config.BOUNDSCHECK else "plain"
+        self._path = str(machine_code.cache_folder() / mode / self.get_suitable_cache_subpath(py_file))
+
+    def get_cache_path(self) -> str:
+        """Folder of the compiled files."""
+        return self._path
+
+    def get_source_stamp(self) -> str:
+        """Hash of everything that the compiled code depends on."""
+        # a set prints in another order in each process: its sorted members make the stamp
+        fixed = (_FLAGS["error_model"], sorted(_FLAGS["fastmath"]))
+        flags = (config.BOUNDSCHECK, config.OPT, config.DEBUG, fixed)
+        return f"{flags!r} {machine_code.source_stamp(self._py_file)}"
+
+    def get_disambiguator(self) -> str:
+        """Line of the function, which tells functions of one name apart."""
+        return f"{self._lineno}{self._variant}"
+
+    @classmethod
+    def from_function(cls, py_func: Any, py_file: str) -> Locator | None:
+        """Locator of a function marked by `kernel`; None for all others, which keep their own cache."""
+        if not getattr(py_func, "_pitchpoint", None) or not os.path.exists(py_file):
+            return None
+        self = cls(py_func, py_file)
+        try:
+            self.ensure_cache_path()
+        except OSError:
+            return None
+        return self
+
+
+CompileResultCacheImpl._locator_classes = [Locator, *CompileResultCacheImpl._locator_classes]
+
+
+# --------------------------------------------------------------------------------------------------- kernels
+
+
+class Dispatcher(CPUDispatcher):
+    """A compiled function that is cheap to compile for other kernels.
+
+    Calls from kernels need neither the Python nor the C wrapper, a quarter of the compile time; they share
+    one compilation whether an argument is a constant or not.
+    """
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        """Type a call from another kernel as if no argument were a constant."""
+        plain = {name: types.unliteral(kind) for name, kind in kws.items()}
+        return super().get_call_template(tuple(types.unliteral(kind) for kind in args), plain)
+
+
+def dispatcher(kernel: Kernel) -> Dispatcher:
+    """Make what stands for a kernel inside other kernels."""
+    copy, cached = _twin(kernel.py_func, "k")
+    made = Dispatcher(py_func=copy, targetoptions={**_BARE, **_FLAGS, "forceinline": kernel.inline})
+    if cached:
+        made.enable_caching()
+    return made
+
+
+def python_callable(kernel: Kernel) -> Any:
+    """Make what a call of a kernel from Python runs: a compilation with a wrapper."""
+    copy, cached = _twin(kernel.py_func, "p")
+    return njit(cache=cached, nogil=True, **_FLAGS)(copy)
+
+
+def _twin(source: Any, variant: str) -> tuple[Any, bool]:
+    """Copy of a function with its own cache name, so that several compilations live side by side."""
+    copy = pytypes.FunctionType(
+        source.__code__, source.__globals__, source.__name__, source.__defaults__, source.__closure__
+    )
+    copy.__qualname__, copy.__module__ = source.__qualname__, source.__module__
+    copy._pitchpoint = variant  # type: ignore[attr-defined]
+    return copy, os.path.exists(source.__code__.co_filename)
+
+
+# --------------------------------------------------------------------------------------------------- entries
+
+
+def entry_address(kernel: Kernel) -> tuple[int, Any]:
+    """Compile an entry; its address, and what has to be kept for it.
+
+    The machine code goes to disk if it can live without Numba. Otherwise (it may raise, it allocates, or this
+    version of Numba hands its code out in another way) Numba's own callback and cache serve, from then on.
+    """
+    source, name = kernel.py_func, machine_code.symbol(kernel.py_func)
+    if not config.BOUNDSCHECK and not machine_code.is_refused(source):
+        try:
+            with global_compiler_lock:
+                code, needs = _standalone(source, name)
+            where = machine_code.link(name, code, needs) if code else None
+        except Exception:  # a fault of the kernel itself comes up again below
+            where, code, needs = None, b"", []
+        machine_code.save(source, code if where else b"", needs)
+        if where:
+            return where, None
+    copy, cached = _twin(source, "c")
+    made = cfunc(_ENTRY, cache=cached, **_FLAGS)(copy)
+    return int(made.address), made
+
+
+def _standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
+    """Object file with an entry as a C function of three integers, and the symbols that it expects.
+
+    Empty if the code refers to Numba's run time, to this process, or can raise: such an exception must be
+    reported, which needs the interpreter.
+    """
+    compiler = Dispatcher(py_func=source, targetoptions={**_BARE, **_FLAGS})._compiler
+    customize = compiler._customize_flags
+
+    def unfinished(flags: Any) -> Any:
+        flags = customize(flags)
+        flags.no_compile = True  # the library stays open for the function below
+        return flags
+
+    compiler._customize_flags = unfinished
+    compiled = compiler.compile(_ENTRY.args, _ENTRY.return_type)
+    library, described = compiled.library, compiled.fndesc
+    library.add_ir_module(_c_function(name, described))
+    library.enable_object_caching()
+    library.get_pointer_to_function(name)
+    _, _, (code, bitcode) = library.serialize_using_object_code()
+    final = binding.parse_bitcode(bitcode)
+    needs = [f.name for f in final.functions if f.is_declaration and not f.name.startswith("llvm.")]
+    needs += [g.name for g in final.global_variables if g.is_declaration]
+    raises = any(".picklebuf" in g.name for g in final.global_variables)
+    foreign = any(n.startswith(("NRT_", "numba_", "_Py", "Py")) for n in {*needs} - {machine_code.UNREACHED})
+    return (b"", []) if raises or foreign or library.has_dynamic_globals else (code, needs)
+
+
+def _c_function(name: str, described: Any) -> ir.Module:
+    """Module with the C function of a compiled entry; what ends by an exception returns 0, "died"."""
+    convention = cpu_target.target_context.call_conv
+    module, word = ir.Module(name), ir.IntType(64)
+    form = convention.get_function_type(described.restype, described.argtypes)
+    inner = ir.Function(module, form, described.llvm_func_name)
+    outer = ir.Function(module, ir.FunctionType(word, [word] * 3), name)
+    builder = ir.IRBuilder(outer.append_basic_block("entry"))
+    status, result = convention.call_function(
+        builder, inner, described.restype, described.argtypes, outer.args
+    )
+    builder.ret(builder.select(status.is_ok, result, word(0)))
+    return module
+
+
+# ------------------------------------------------------------------------------------------------------ laws
+
+
+def law_callback(function: Any, plain: Callable[..., float]) -> Any:
+    """Compile a user law; whatever the compiler dislikes is called back as plain Python.
+
+    Parameters
+    ----------
+    function
+        The law.
+    plain
+        The same for the interpreter, with exceptions caught.
+    """
+    try:
+        return cfunc(_LAW, **_FLAGS)(_caught(function))
+    except Exception:
+        kind = ctypes.CFUNCTYPE(
+            ctypes.c_double, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double)
+        )
+        return kind(plain)
+
+
+def _caught(function: Any) -> Any:
+    """A law to compile; an exception raised in compiled code would otherwise return an unmarked zero."""
+    inner = njit(nogil=True, **_FLAGS)(getattr(function, "py_func", function))
+
+    def law(t, x, p):
+        try:
+            return float(inner(t, x, p))
+        except Exception:
+            return math.nan
+
+    return law
+
+
+# ------------------------------------------------------------------------------------------------ intrinsics
+
+
+@intrinsic
+def _view(typingctx, where, shape, dtype):
+    """Array of the given final shape over memory that somebody else owns; no copy, no reference count."""
+    n = len(shape) if isinstance(shape, types.BaseTuple) else 1
+    form = types.UniTuple(types.int64, n) if isinstance(shape, types.BaseTuple) else types.int64
+    made = types.Array(dtype.dtype, n, "C")
+
+    def generate(context, builder, signature, args):
+        extents = cgutils.unpack_tuple(builder, args[1]) if form is not types.int64 else [args[1]]
+        item = context.get_abi_sizeof(context.get_data_type(made.dtype))
+        strides = [context.get_constant(types.intp, item)]
+        for extent in reversed(extents[1:]):
+            strides.insert(0, builder.mul(extent, strides[0]))
+        array = context.make_array(made)(context, builder)
+        data = builder.inttoptr(args[0], context.get_data_type(made.dtype).as_pointer())
+        populate_array(array, data, extents, strides, strides[-1], None)
+        return array._getvalue()
+
+    return made(types.int64, form, dtype), generate
+
+
+@intrinsic
+def _call(typingctx, where, a, b, c):
+    """Call an entry through its address."""
+
+    def generate(context, builder, signature, args):
+        word = ir.IntType(64)
+        function = builder.inttoptr(args[0], ir.FunctionType(word, [word] * 3).as_pointer())
+        return builder.call(function, args[1:])
+
+    return types.int64(*[types.int64] * 4), generate
+
+
+@intrinsic
+def _call_law(typingctx, where, t, x, p):
+    """Call a user law through its address; p is the address of its parameters."""
+
+    def generate(context, builder, signature, args):
+        real = ir.DoubleType()
+        form = ir.FunctionType(real, [real, real, real.as_pointer()])
+        function = builder.inttoptr(args[0], form.as_pointer())
+        return builder.call(function, [args[1], args[2], builder.inttoptr(args[3], real.as_pointer())])
+
+    return types.float64(types.int64, types.float64, types.float64, types.int64), generate
+
+
+_INTRINSICS = {"view": _view, "call": _call, "call_law": _call_law}
+
+
+def intrinsic_type(name: str) -> Any:
+    """Numba's type of an intrinsic."""
+    return cpu_target.typing_context.resolve_value_type(_INTRINSICS[name])

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Machine code of entries on disk, and its way back into memory without the compiler.
+
+Importing Numba and filling its tables takes longer than everything else that a short command does, and all
+of it only serves to compile. An entry has plain integers as arguments and allocates nothing, so its code
+needs nothing of Numba at run time: one file per entry holds it, and llvmlite alone links it into the process.
+A file that does not fit (other sources, versions, processor or settings) is never found, a damaged one is not
+used: then the entry is compiled again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import importlib.util
+import os
+import sys
+import tempfile
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from pitchpoint.core.import_closure import import_closure
+
+_HEAD = b"pitchpoint machine code 1"
+
+#: Numba's clean-up of an array that it allocated itself. Code that allocates nothing mentions it, because it
+#: handles arrays, but never gets there.
+UNREACHED = "NRT_MemInfo_call_dtor"
+
+#: What is linked lives as long as the process.
+_engines: list[Any] = []
+
+
+def cache_folder() -> Path:
+    """Folder of the compiled kernels: NUMBA_CACHE_DIR if set, else the user's cache."""
+    chosen = os.environ.get("NUMBA_CACHE_DIR")
+    if chosen:
+        return Path(chosen)
+    if sys.platform == "win32":
+        base = Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local"))
+    elif sys.platform == "darwin":
+        base = Path.home() / "Library" / "Caches"
+    else:
+        base = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
+    return base / "pitchpoint" / "kernels"
+
+
+@cache
+def source_stamp(file: str) -> str:
+    """Hash of all sources that the kernels of a file depend on: its import closure."""
+    digest = hashlib.sha256()
+    for path in import_closure(file):
+        digest.update(path.name.encode() + path.read_bytes())
+    return digest.hexdigest()
+
+
+@cache
+def _settings() -> str:
+    """Hash of all that decides, beside the sources, what the compiler makes: versions, processor, options."""
+    import llvmlite
+    import llvmlite.binding as llvm
+
+    options = sorted((k, v) for k, v in os.environ.items() if k.startswith("NUMBA_") and "CACHE" not in k)
+    found = importlib.util.find_spec("numba")  # finds it without importing it
+    version = Path(str(found.origin)).with_name("_version.py") if found else Path()
+    numba = version.read_text(encoding="utf-8") if version.is_file() else _installed_version("numba")
+    processor = (llvm.get_process_triple(), llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten())
+    text = repr((llvmlite.__version__, numba, sys.version_info[:2], options, processor))
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def _installed_version(name: str) -> str:
+    from importlib.metadata import version
+
+    return version(name)
+
+
+def symbol(function: Any) -> str:
+    """Name of an entry in its machine code."""
+    return "".join(c if c.isalnum() else "_" for c in f"{function.__module__}.{function.__qualname__}")
+
+
+def code_file(function: Any) -> Path | None:
+    """File of the machine code of an entry, written yet or not; None if its sources are not in files.
+
+    Parameters
+    ----------
+    function
+        The plain Python function of the entry.
+    """
+    source = function.__code__.co_filename
+    if function.__closure__ or not os.path.exists(source):
+        return None
+    line = function.__code__.co_firstlineno  # tells functions of one name apart
+    name = f"{_family(function)}-{line}-{source_stamp(source)[:32]}.code"
+    return cache_folder() / "entries" / _settings() / name
+
+
+def _family(function: Any) -> str:
+    """What the names of all files of an entry begin with; scripts share the module `__main__`."""
+    place = hashlib.sha256(os.path.abspath(function.__code__.co_filename).encode()).hexdigest()
+    return f"{symbol(function)}-{place[:8]}"
+
+
+def save(function: Any, code: bytes, needs: list[str]) -> None:
+    """Keep the machine code of an entry; it replaces that of older sources.
+
+    Parameters
+    ----------
+    function
+        The plain Python function of the entry.
+    code
+        Object file with the entry under its `symbol`; empty if it cannot live without the compiler.
+    needs
+        Symbols that the code expects in the process, such as `sin`.
+    """
+    file = code_file(function)
+    if file is None:
+        return
+    body = " ".join(needs).encode() + b"\n" + code
+    data = b"\n".join([_HEAD, hashlib.sha256(body).hexdigest().encode(), body])
+    with contextlib.suppress(OSError):  # a cache that cannot be written costs time only
+        file.parent.mkdir(parents=True, exist_ok=True)
+        handle, draft = tempfile.mkstemp(dir=file.parent)
+        with os.fdopen(handle, "wb") as target:
+            target.write(data)
+        os.replace(draft, file)  # whole or not at all, also for a process that reads it now
+        for other in file.parent.glob(f"{_family(function)}-*.code"):
+            if other != file:
+                other.unlink(missing_ok=True)
+
+
+def _read(function: Any) -> tuple[list[str], bytes] | None:
+    """What the code of an entry needs, and the code; None without a sound file."""
+    file = code_file(function)
+    try:
+        head, digest, body = file.read_bytes().split(b"\n", 2) if file else (b"", b"", b"")
+    except (OSError, ValueError):
+        return None
+    if head != _HEAD or hashlib.sha256(body).hexdigest().encode() != digest:
+        return None
+    needs, _, code = body.partition(b"\n")
+    return needs.decode().split(), code
+
+
+def is_refused(function: Any) -> bool:
+    """Whether it is known that the code of an entry cannot live without the compiler."""
+    found = _read(function)
+    return found is not None and not found[1]
+
+
+def load(function: Any) -> int | None:
+    """Address of an entry whose machine code is on disk and fits; None otherwise.
+
+    Parameters
+    ----------
+    function
+        The plain Python function of the entry.
+    """
+    found = _read(function)
+    return link(symbol(function), found[1], found[0]) if found and found[1] else None
+
+
+def link(name: str, code: bytes, needs: list[str]) -> int | None:
+    """Bring an object file into the process; address of one of its functions, None if something is missing.
+
+    Parameters
+    ----------
+    name
+        Symbol of the function.
+    code
+        Object file.
+    needs
+        Symbols that it expects. LLVM ends the process over a missing one, hence the look before.
+    """
+    import llvmlite.binding as llvm
+
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    machine = llvm.Target.from_default_triple().create_target_machine(codemodel="jitdefault", jit=True)
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)  # makes the process's symbols known
+    if UNREACHED in needs and llvm.address_of_symbol(UNREACHED) is None:
+        llvm.add_symbol(UNREACHED, llvm.address_of_symbol("abort") or 0)  # Numba replaces it when it comes
+    if any(llvm.address_of_symbol(other) is None for other in needs):
+        return None
+    engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    _engines.append(engine)
+    return int(engine.get_function_address(name)) or None
