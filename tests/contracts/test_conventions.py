@@ -12,9 +12,11 @@ import pytest
 
 from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
 from pitchpoint.cli.main import run_command
+from pitchpoint.cli.output import NOTHING, plain, shown
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.core import status
 from pitchpoint.core.errors import ModelError
+from pitchpoint.core.formula import Formula, FormulaError
 from pitchpoint.core.units import parse_quantity
 from pitchpoint.elements.gear_mesh_record import N_OUT
 from pitchpoint.geometry import CylindricalGear, GearPair
@@ -26,7 +28,7 @@ from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.solvers.equilibrium import solve_equilibrium
 from pitchpoint.solvers.sampling import accumulate, new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
-from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time import Memory, run_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.gear_mesh import MeshLaws
@@ -79,6 +81,17 @@ def test_bare_numbers_are_si_and_radians() -> None:
     assert parse_quantity("180 deg", "angle") == pytest.approx(math.pi, rel=1e-15)
     assert parse_quantity("60 rpm", "angular_speed") == pytest.approx(2.0 * math.pi, rel=1e-15)
     assert parse_quantity("1 Hz", "angular_speed") == pytest.approx(2.0 * math.pi, rel=1e-15)
+
+
+def test_units_in_a_formula_must_give_what_is_wanted() -> None:
+    names = ("t", "angle", "speed")
+    right = ("5 N m/s * t", "1 N m/rad * angle", "1 N m s/rad * speed", "5 N m * (1 + 0.1*sin(157*t))", "5*t")
+    for text in (*right, "1 + 5 N m * sin(2*pi*25 Hz*t)"):
+        Formula.parse(text, names, "torque")
+    for text in ("5 N m * t", "5 N m * speed", "1.2 * 5 kg * t", "1 kg + 5 N m * t", "5 N m * sin(25 Hz*t)"):
+        with pytest.raises(FormulaError):
+            Formula.parse(text, names, "torque")
+    assert Formula.parse("25 Hz")(0.0) == 25.0
 
 
 def test_spin_axis_is_the_third_axis_of_a_right_handed_frame() -> None:
@@ -434,6 +447,33 @@ def test_every_step_of_the_window_counts_once_stored_or_not() -> None:
     assert found[0] == pytest.approx({k: v for k, v in found[1].items() if k != "unit"} | {"unit": "N"})
 
 
+def test_statistics_of_nothing_are_no_numbers() -> None:
+    found = read_statistics(new_statistics(2))
+    assert found.count == 0
+    for values in (found.mean, found.rms, found.least, found.most, found.share_negative, found.share_zero):
+        assert np.isnan(values).all()
+    assert plain({"mean": float(found.mean[0])}) == {"mean": None}
+    assert shown(float(found.mean[0]), "force") == NOTHING
+
+
+@pytest.mark.parametrize("method", ["generalized_alpha", "rk4", "runge_kutta"])
+def test_a_run_ends_at_its_duration_samples_lie_at_multiples(method: str) -> None:
+    for rest, last in (
+        ("1 ms, sample_rate: 20 kHz", 1e-3),
+        ("1.03 ms, sample_rate: 20 kHz", 1e-3),
+        ("1.03 ms", 1.03e-3),
+    ):
+        text = TORSIONAL_PAIR.replace("0.5 s, sample_rate: 100 kHz", f"{rest}, step: 7 us, method: {method}")
+        model = loads_model(text)
+        memory = Memory()
+        done = run_time(compile_model(model, "steady"), sink=memory)
+        times = np.concatenate(memory.times)
+        assert done.t_end == pytest.approx(model.scenarios["steady"].duration, rel=1e-12)
+        assert done.window[1] == done.t_end
+        assert times[-1] == pytest.approx(last, rel=1e-12)
+        assert np.diff(times) == pytest.approx(times[1], rel=1e-9)
+
+
 def test_shares_count_separation_and_the_back_flank_alone() -> None:
     sums = new_statistics(1)
     for state in (1.0, 0.0, 0.0, -1.0, 2.0, 1.0, 1.0, 1.0):
@@ -461,7 +501,7 @@ def test_exit_codes(tmp_path: Path) -> None:
     good, bad, law = (tmp_path / f"{n}.yaml" for n in ("good", "bad", "law"))
     good.write_text(pair(gear("a"), gear("b")))
     bad.write_text(pair(gear("a"), gear("c")))
-    law.write_text(TORSIONAL_PAIR.replace("torque: 150 N m}      #", 'torque: "1 N m / (t - t)"}      #'))
+    law.write_text(TORSIONAL_PAIR.replace("torque: 150 N m}      #", 'torque: "1 / (t - t)"}      #'))
     assert run_command(["check", str(good)]) == 0
     assert run_command(["check", str(bad)]) == 2
     assert run_command(["run", str(law), "-s", "steady", "-o", str(tmp_path / "x.h5"), "-q"]) == 3

@@ -114,6 +114,63 @@ def test_any_sequence_of_words_is_a_formula_or_a_clean_error(words):
     assert a == pytest.approx(b, rel=1e-9, abs=1e-12, nan_ok=True)
 
 
+@given(
+    st.one_of(
+        grow(rough=True),
+        st.lists(st.sampled_from([*FUNCTIONS, *NAMES, "pi", *"+-*/^(),2"]), max_size=25).map(" ".join),
+    ),
+    st.sampled_from(("torque", "force", "angle", "angular_speed")),
+)
+def test_without_units_no_formula_is_refused_for_its_dimension(text, dimension):
+    try:
+        Formula.parse(text, NAMES, dimension)
+    except FormulaError as error:
+        assert error.remedy == ""
+
+
+plain = st.recursive(
+    st.sampled_from(
+        ("0.5", "2", "sin(t)", "angle", "(t/0.1 s)", "(speed/10 rpm)", "(5 mm/1 m)", "(20 Hz*t)")
+    ),
+    lambda inner: st.one_of(
+        st.tuples(inner, st.sampled_from("+-*/"), inner).map(lambda x: f"({x[0]} {x[1]} {x[2]})"),
+        st.tuples(st.sampled_from((*SMOOTH_ONE, *ROUGH_ONE)), inner)
+        .filter(lambda x: not (x[0] in ("sin", "cos") and "Hz" in x[1]))
+        .map(lambda x: f"{x[0]}({x[1]})"),
+        st.tuples(inner, inner).map(lambda x: f"max({x[0]}, {x[1]})"),
+    ),
+    max_leaves=5,
+)
+torques = st.recursive(
+    st.sampled_from(
+        ("5 N m", "2 N m/s * t", "0.1 N m s/rad * speed", "3 kN * 20 mm", "1 kg m^2 * speed / (2 s)")
+    ),
+    lambda inner: st.one_of(
+        st.tuples(inner, st.sampled_from("+-"), inner).map(lambda x: f"({x[0]} {x[1]} {x[2]})"),
+        st.tuples(inner, st.sampled_from("*/"), plain).map(lambda x: f"({x[0]} {x[1]} {x[2]})"),
+        st.tuples(plain, inner).map(lambda x: f"({x[0]} * {x[1]})"),
+        inner.map(lambda x: f"min({x}, 1 kN m)"),
+        inner.map(lambda x: f"sqrt(({x})^2)"),
+        inner.map(lambda x: f"(-{x})"),
+    ),
+    max_leaves=5,
+)
+
+
+@given(torques)
+def test_right_units_are_accepted_and_a_wrong_factor_is_not(text):
+    try:
+        Formula.parse(text, NAMES, "torque")
+    except FormulaError as error:
+        # a constant part may overflow or divide by zero
+        assert "finite" in str(error)
+        return
+    # seconds are left out: a number without unit may supply those of a variable
+    for wrong in ("3 kg", "3 mm", "3 K"):
+        with pytest.raises(FormulaError, match="its units give"):
+            Formula.parse(f"{wrong} * {text}", NAMES, "torque")
+
+
 @given(grow(rough=True), st.tuples(values, values, values))
 def test_values_agree_with_python(text, xs):
     try:

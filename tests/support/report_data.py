@@ -125,6 +125,7 @@ def cases() -> CaseTable:
                 "values": {path: f"{torque} N m"},
                 "numbers": {path: torque},
                 "status": status,
+                "sentence": "finished" if status == 1 else "a force became <infinite> at t = 0.004 s",
                 "channels": {"deflection[stage]": row, "mesh_force[stage]": force} if status == 1 else {},
             }
         )

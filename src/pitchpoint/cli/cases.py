@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _OPEN, _CLOSE = "([{", ")]}"
 MOST_ROWS = 60
+MOST_NOTES = 5
 
 
 def vary_option(function: Any) -> Any:
@@ -112,6 +113,11 @@ def run_varied(
         _print(f"{model.title or file}: {name}", results, list(paths))
         if not quiet:
             show(f"{len(results)} cases in {wall_s:.3g} s, written to {target}")
+            notes = notes_of(results)
+            for note in notes[:MOST_NOTES]:
+                show(f"note: {note}")
+            if len(notes) > MOST_NOTES:
+                show(f"note: {len(notes) - MOST_NOTES} more notes on single cases are in the file")
     return OK if error is None else exit_code_of(error)
 
 
@@ -166,7 +172,7 @@ def compute(
             done = len(results) - len(bad)
             words = f"{done} of {len(results)} cases finished; case {bad[0].index}: {bad[0].sentence}"
         status = how_a_status_ends(code)
-        writer.finish(status, words, code=code, steps=sum(r.steps for r in results))
+        writer.finish(status, words, code=code, steps=sum(r.steps for r in results), notes=notes_of(results))
     return results, status, SolverError(words, code, str(target)) if bad else None
 
 
@@ -185,6 +191,11 @@ def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], 
             channels.append((f"unloaded_transmission_error[{mesh}]", "m", words))
             channels.append((f"tangent_stiffness[{mesh}]", "N/m", "slope of the mesh force"))
     return channels, {}
+
+
+def notes_of(results: Sequence[CaseResult]) -> list[str]:
+    """Notes on single cases, with their number."""
+    return [f"case {r.index}: {note}" for r in results for note in r.notes]
 
 
 def as_data(result: CaseResult) -> dict[str, Any]:

@@ -32,9 +32,9 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
 
     Every problem of the file is listed at once, with line, value, limit and remedy; the exit code is then 2.
     """
-    from pitchpoint.io.yaml_model import load_model
+    from pitchpoint.cli.reading import read_model
 
-    model = load_model(file, allow_code=allow_code)
+    model = read_model(file, allow_code, quiet)
     if as_json:
         emit_json(summary(model))
     elif not quiet:

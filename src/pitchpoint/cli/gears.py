@@ -40,9 +40,9 @@ FORMATS = (".dxf", ".svg", ".stl", ".csv")
 @debug
 def gears(file: str, target: str | None, only: str | None, as_json: bool, allow_code: bool) -> None:
     """Show the geometry of gears and pairs of FILE (ISO 21771), and stiffness by DIN 3990 / ISO 6336."""
-    from pitchpoint.io.yaml_model import load_model
+    from pitchpoint.cli.reading import read_model
 
-    model = load_model(file, allow_code=allow_code)
+    model = read_model(file, allow_code)
     if target is not None:
         name = _chosen(model, only)
         _export(model, name, Path(target))

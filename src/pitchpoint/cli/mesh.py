@@ -69,9 +69,9 @@ def mesh(
             raise click.UsageError(
                 "contact ratios come from the FILE; leave --eps-alpha and its companions out"
             )
-        from pitchpoint.io.yaml_model import load_model
+        from pitchpoint.cli.reading import read_model
 
-        cycles = dict(cycles_of_model(load_model(file, allow_code=allow_code), points))
+        cycles = dict(cycles_of_model(read_model(file, allow_code), points))
     if as_json:
         emit_json({"meshes": {name: cycle_numbers(*found) for name, found in cycles.items()}})
         return

@@ -42,12 +42,12 @@ def modes(
 ) -> None:
     """Compute the modes of FILE about its loaded state."""
     from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import header_of, known_scenario
-    from pitchpoint.io.yaml_model import load_model
     from pitchpoint.solvers.modal import find_modes
     from pitchpoint.system.compile import compile_model
 
-    model = load_model(file, allow_code=allow_code)
+    model = read_model(file, allow_code, quiet)
     name = known_scenario(model, scenario) if scenario is not None else None
     system = compile_model(model, name)
     with ProgressDisplay("modes", "elements", quiet=quiet) as progress:

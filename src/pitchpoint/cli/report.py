@@ -30,13 +30,14 @@ def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: 
     FILES: the model file may be left out; it is then taken from the first result file.
     """
     from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.cli.reading import read_model
     from pitchpoint.report.write import write_report
 
     results = [name for name in files if name.lower().endswith(RESULT_ENDINGS)]
     models = [name for name in files if name not in results]
     if len(models) > 1:
         raise click.UsageError(f"more than one model file: {', '.join(models)}")
-    model = models[0] if models else _kept_model(results, allow_code)
+    model = read_model(models[0], allow_code, quiet) if models else _kept_model(results, allow_code)
     target = Path(output) if output else Path(models[0] if models else results[0]).with_suffix(".html")
     with ProgressDisplay("report", "meshes", quiet=quiet) as progress:
         write_report(model, target, *results, allow_code=allow_code, progress=progress)

@@ -47,10 +47,10 @@ def run(
     The result file can be read while it grows. Ctrl-C stops and keeps what was computed.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import choose_scenario, result_path, statistics_table
-    from pitchpoint.io.yaml_model import load_model
 
-    model = load_model(file, allow_code=allow_code)
+    model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "time", "quasi_static")
     if step is not None:
         model = model.replace(f"scenarios.{name}.step", step)

@@ -42,10 +42,10 @@ def sweep(
     Every finished point is in the result file at once. Ctrl-C stops and keeps what was computed.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import choose_scenario, result_path
-    from pitchpoint.io.yaml_model import load_model
 
-    model = load_model(file, allow_code=allow_code)
+    model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "sweep")
     if vary:
         from pitchpoint.cli.cases import run_varied

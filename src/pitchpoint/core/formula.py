@@ -73,7 +73,8 @@ class Formula:
         Raises
         ------
         FormulaError
-            For units that contradict each other and anything outside the language; nothing of the text is ever executed.
+            For units that contradict each other and for anything outside the language; nothing of the text
+            is ever executed.
 
         Examples
         --------

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Dimensions inside formulas: what the units of a formula give, and what cannot be right.
 
-Written units are checked, everything else is SI. The variables carry their units (t a time, angle an angle,
-speed an angular speed). A number without unit is a plain factor beside a written unit, takes the unit of the
-other side of a sum, and supplies the seconds that a variable beside it needs: ``150 N m * (1 + 0.1*sin(157*t))``
-is a torque, ``1.2 * 150 kg`` never. A formula without any unit is never refused.
+Written units are checked, everything else is SI. The variables carry their units: t a time, angle an angle,
+speed an angular speed. A number without unit is a plain factor beside a written unit, takes the unit of the
+other side of a sum, and supplies the seconds that a variable beside it needs, so that
+``150 N m * (1 + 0.1*sin(157*t))`` is a torque and ``1.2 * 150 kg`` is none. A formula without any unit is
+never refused.
 
-Radians count as 1 here. Cycles do not: 25 Hz in a formula is the number 25, so it needs 2*pi where an angle or
-an angular speed is wanted.
+Radians count as 1. Cycles do not: 25 Hz in a formula is the number 25, so it needs 2*pi where an angle or an
+angular speed is wanted.
 """
 
 from __future__ import annotations
@@ -19,7 +20,6 @@ from pitchpoint.core.errors import UnitError
 from pitchpoint.core.formula_language import (
     ABS,
     ADD,
-    ATAN2,
     COS,
     DIV,
     FLOOR,
@@ -46,6 +46,7 @@ SECONDS_OF_VARIABLE = {"t": 1.0, "angle": 0.0, "speed": -1.0}
 Base = tuple[float, float, float]
 _CLOSE = 1e-6
 _MAX_POWER = 1e3
+_NUMBER = "a plain number or an angle"
 _WORDS = {op: name for name, (op, _) in FUNCTIONS.items()} | {ADD: "+", SUB: "-", POW: "^"}
 
 
@@ -101,6 +102,13 @@ ANYTHING = Kind(bare=True, loose=True)
 
 def of_number(value: float, unit: str) -> Kind:
     """Kind of a number: of its unit, or anything without one.
+
+    Parameters
+    ----------
+    value
+        The number in SI.
+    unit
+        Its unit as written; empty for none.
 
     Examples
     --------
@@ -177,20 +185,23 @@ def check_result(kind: Kind, dimension: str) -> None:
         Kind of the whole formula.
     dimension
         Name of a row of `DIMENSIONS`.
+
+    Raises
+    ------
+    UnitError
+        If the written units fit nothing but another dimension.
     """
     wanted = DIMENSIONS[dimension]
     m, kg, s, kelvin = (float(p) for p in wanted.base)
-    if not kind.written or kind.anything and not kind.open_cycles:
+    if not kind.written:
         return
     if not kind.anything and not kind.fits(Kind((m, kg, kelvin), s)):
+        si = wanted.si or _NUMBER
         raise UnitError(
-            f"gives {unit_text(kind)}, not {wanted.si}; expected {wanted.words} such as {wanted.example}"
+            f"its units give {unit_text(kind)}, not {si} ({wanted.words} such as {wanted.example})"
         )
     if dimension in ("angle", "angular_speed") and kind.open_cycles:
-        raise UnitError(
-            f"gives cycles, not radians: Hz needs the factor 2*pi; expected {wanted.words} "
-            f"such as {wanted.example}"
-        )
+        raise UnitError(f"its units give cycles, not {wanted.si}: Hz needs the factor 2*pi")
 
 
 def unit_text(kind: Kind) -> str:
@@ -202,14 +213,15 @@ def unit_text(kind: Kind) -> str:
     ('N/m^2', 'kg m^2')
     """
     m, kg, kelvin = kind.base
-    s = kind.s if kind.loose else kind.seconds[0]
+    # beside a number without unit, the written units alone say more
+    s = kind.s if kind.loose and kind.written else kind.s + kind.rising + kind.falling
     with_kg = {"kg": kg, "m": m, "s": s, "K": kelvin}
     with_newton = {"N": kg, "m": m - kg, "s": s + 2.0 * kg, "K": kelvin}
     powers = min(with_kg, with_newton, key=lambda p: sum(abs(v) for v in p.values()))
     above = " ".join(_powered(n, p) for n, p in powers.items() if p > _CLOSE)
     below = " ".join(_powered(n, -p) for n, p in powers.items() if p < -_CLOSE)
     if not below:
-        return above or "a plain number"
+        return above or _NUMBER
     return f"{above or '1'}/{f'({below})' if ' ' in below else below}"
 
 
@@ -255,7 +267,7 @@ def _needs_number(what: str, kind: Kind) -> None:
     """Refuse a written dimension where only a number makes sense."""
     if kind.written and not kind.anything and not kind.fits(PLAIN):
         name = what if " " in what else f"'{what}'"
-        raise UnitError(f"{name} needs a plain number or an angle, not {unit_text(kind)}")
+        raise UnitError(f"{name} needs {_NUMBER}, not {unit_text(kind)}")
 
 
 def _same(op: int, a: Kind, b: Kind) -> Kind:
@@ -286,8 +298,7 @@ def _firm(op: int, a: Kind, b: Kind) -> Kind:
 def _hull(a: Kind, b: Kind) -> Kind:
     """Kind that may be either of two numbers without unit."""
     (a_low, a_high), (b_low, b_high) = a.seconds, b.seconds
-    same = a.seconds == b.seconds and not (a.loose or b.loose)
-    if same:
+    if (a_low, a_high) == (b_low, b_high) and not (a.loose or b.loose):
         return a
     return Kind(
         rising=max(a_high, b_high, 0.0),

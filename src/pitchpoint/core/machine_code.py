@@ -16,6 +16,7 @@ import importlib.util
 import os
 import sys
 import tempfile
+import time
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -27,6 +28,11 @@ _HEAD = b"pitchpoint machine code 1"
 #: Numba's clean-up of an array that it allocated itself. Code that allocates nothing mentions it, because it
 #: handles arrays, but never gets there.
 UNREACHED = "NRT_MemInfo_call_dtor"
+
+#: Words in the names of settings of Numba that do not change its code.
+_NO_MATTER = ("CACHE", "THREAD", "DISABLE_JIT")
+
+_begun = time.time()
 
 #: What is linked lives as long as the process.
 _engines: list[Any] = []
@@ -48,10 +54,17 @@ def cache_folder() -> Path:
 
 @cache
 def source_stamp(file: str) -> str:
-    """Hash of all sources that the kernels of a file depend on: its import closure."""
-    digest = hashlib.sha256()
+    """Hash of all sources that the kernels of a file depend on: its import closure.
+
+    A source that was edited after the process began may differ from what was imported: then nobody else will
+    find what is stored under the stamp.
+    """
+    digest, edited = hashlib.sha256(), False
     for path in import_closure(file):
         digest.update(path.name.encode() + path.read_bytes())
+        edited = edited or _begun < path.stat().st_mtime <= time.time()
+    if edited:
+        digest.update(os.urandom(16))
     return digest.hexdigest()
 
 
@@ -61,7 +74,11 @@ def _settings() -> str:
     import llvmlite
     import llvmlite.binding as llvm
 
-    options = sorted((k, v) for k, v in os.environ.items() if k.startswith("NUMBA_") and "CACHE" not in k)
+    options = sorted(
+        (key, value)
+        for key, value in os.environ.items()
+        if key.startswith("NUMBA_") and not any(word in key for word in _NO_MATTER)
+    )
     found = importlib.util.find_spec("numba")  # finds it without importing it
     version = Path(str(found.origin)).with_name("_version.py") if found else Path()
     numba = version.read_text(encoding="utf-8") if version.is_file() else _installed_version("numba")
@@ -122,10 +139,10 @@ def save(function: Any, code: bytes, needs: list[str]) -> None:
     data = b"\n".join([_HEAD, hashlib.sha256(body).hexdigest().encode(), body])
     with contextlib.suppress(OSError):  # a cache that cannot be written costs time only
         file.parent.mkdir(parents=True, exist_ok=True)
-        handle, draft = tempfile.mkstemp(dir=file.parent)
-        with os.fdopen(handle, "wb") as target:
-            target.write(data)
-        os.replace(draft, file)  # whole or not at all, also for a process that reads it now
+        with tempfile.TemporaryDirectory(dir=file.parent) as draft:
+            whole = Path(draft, file.name)
+            whole.write_bytes(data)
+            whole.replace(file)  # at once, also for a process that reads it now
         for other in file.parent.glob(f"{_family(function)}-*.code"):
             if other != file:
                 other.unlink(missing_ok=True)

@@ -64,8 +64,8 @@ class CylindricalGear:
     cutter
         Pinion-type cutter of an internal gear, or None.
     outline
-        Points of a real tooth (`pitchpoint.geometry.tooth_outline`) for drawings, mass and contact, or None for
-        the generated one. Everything else, stiffness too, is that of the generated tooth.
+        Points of a real tooth (`pitchpoint.geometry.tooth_outline`) for drawings, mass and contact, or None
+        for the generated one. Everything else, stiffness too, is that of the generated tooth.
 
     Raises
     ------

@@ -157,8 +157,9 @@ def gear_mass_properties(
     bore_diameter
         External: bore [m], 0 = none. Internal: outer diameter of the ring [m], 0 = by `rim_thickness`.
     profile
-        "exact": the real teeth, from the outline of the gear if it has one. "mean_cylinder": a cylinder of diameter (d_a + d_f)/2 for the toothed part,
-        the rule of KISSsoft's reports. "reference_cylinder": a cylinder of the reference diameter d.
+        "exact": the real teeth, from the outline of the gear if it has one. "mean_cylinder": a cylinder of
+        diameter (d_a + d_f)/2 for the toothed part, the rule of KISSsoft's reports. "reference_cylinder": a
+        cylinder of the reference diameter d.
     mass, polar_inertia, transverse_inertia
         Values that replace the computed ones, each for itself [kg, kg m²].
 

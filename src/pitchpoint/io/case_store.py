@@ -89,9 +89,17 @@ class CaseWriter:
         self._table.put("wall_s", k, result.wall_s)
         self._table.flush()
 
-    def finish(self, status: str = FINISHED, sentence: str = "", *, code: int = 1, steps: int = 0) -> None:
+    def finish(
+        self,
+        status: str = FINISHED,
+        sentence: str = "",
+        *,
+        code: int = 1,
+        steps: int = 0,
+        notes: Sequence[str] = (),
+    ) -> None:
         """Write how the computation ended and close; a second call does nothing."""
-        self._table.finish(status, sentence, code=code, steps=steps)
+        self._table.finish(status, sentence, code=code, steps=steps, notes=notes)
 
     def __enter__(self) -> Self:
         return self

@@ -9,13 +9,14 @@ from __future__ import annotations
 from pathlib import Path
 
 from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.progress import Progress, silent
 from pitchpoint.io.yaml_tree import Tree, TreeError
 from pitchpoint.model.build import build_model
 from pitchpoint.model.model import Model
 from pitchpoint.model.read import Reader
 
 
-def load_model(path: str | Path, allow_code: bool = False) -> Model:
+def load_model(path: str | Path, allow_code: bool = False, progress: Progress = silent) -> Model:
     """Read a model file.
 
     Parameters
@@ -24,6 +25,8 @@ def load_model(path: str | Path, allow_code: bool = False) -> Model:
         YAML file.
     allow_code
         Accept entries that name Python functions. They are not run here, but by what computes with the model.
+    progress
+        Told how many characters of the file are read; only megabytes take seconds.
 
     Returns
     -------
@@ -47,10 +50,12 @@ def load_model(path: str | Path, allow_code: bool = False) -> Model:
         line = data[: error.start].count(b"\n") + 1
         problem = Problem("YAML syntax", "is no UTF-8 text", remedy="save the file as UTF-8", line=line)
         raise ModelError([problem], str(path)) from None
-    return loads_model(text, allow_code=allow_code, file=str(path))
+    return loads_model(text, allow_code=allow_code, file=str(path), progress=progress)
 
 
-def loads_model(text: str, allow_code: bool = False, file: str | None = None) -> Model:
+def loads_model(
+    text: str, allow_code: bool = False, file: str | None = None, progress: Progress = silent
+) -> Model:
     """Read a model from YAML text.
 
     Parameters
@@ -61,6 +66,8 @@ def loads_model(text: str, allow_code: bool = False, file: str | None = None) ->
         As for `load_model`.
     file
         Name that messages use and relative file names start from.
+    progress
+        As for `load_model`.
 
     Examples
     --------
@@ -72,7 +79,7 @@ def loads_model(text: str, allow_code: bool = False, file: str | None = None) ->
     0.003
     """
     try:
-        tree = Tree(text)
+        tree = Tree(text, progress)
     except TreeError as error:
         raise ModelError([error.problem], file) from None
     directory = str(Path(file).parent) if file is not None else "."

@@ -8,15 +8,20 @@ turned into Python objects other than numbers, texts, lists and dictionaries: ta
 from __future__ import annotations
 
 import math
+from io import StringIO
 from typing import Any
 
 from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.progress import Progress, silent
 from pitchpoint.model.keys import Place
 from pitchpoint.model.show import dotted
 
 MAX_BYTES = 20_000_000
 MAX_DEPTH = 60
 _TAG = "tag:yaml.org,2002:"
+_COMPOSED = 0.75
+"""Share of the time that goes into composing the nodes; the rest reads them."""
+_EVERY = 5000
 
 
 class TreeError(Exception):
@@ -30,6 +35,13 @@ class TreeError(Exception):
 class Tree:
     """Plain data of a YAML text.
 
+    Parameters
+    ----------
+    text
+        The text.
+    progress
+        Told how many of the characters are read; a megabyte takes a few seconds.
+
     Attributes
     ----------
     data
@@ -40,13 +52,15 @@ class Tree:
         Keys that stand twice, tags, and the like.
     """
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, progress: Progress = silent) -> None:
         self.lines: dict[Place, int] = {}
         self.problems: list[Problem] = []
         self._values = 0
         self._most = len(text) + 10_000  # more values than characters come from nested aliases only
         self._open: set[int] = set()
-        node = _compose(text)
+        self._progress, self._size = progress, len(text)
+        node = _compose(text, progress)
+        self._last_line = max(1, node.end_mark.line) if node is not None else 1
         self.data: Any = None if node is None else self._read(node, ())
 
     def _problem(self, place: Place, message: str, line: int, remedy: str | None = None) -> None:
@@ -58,6 +72,9 @@ class Tree:
         line = node.start_mark.line + 1
         self.lines.setdefault(place, line)
         self._values += 1
+        if self._values % _EVERY == 0:
+            share = _COMPOSED + (1.0 - _COMPOSED) * min(line / self._last_line, 1.0)
+            self._progress(share * self._size, self._size)
         if self._values > self._most:
             remedy = "write the values out, without aliases"
             raise TreeError(
@@ -169,7 +186,18 @@ def _number(text: str) -> int | float | None:
         return None
 
 
-def _compose(text: str) -> Any:
+class _Watched:
+    """A text as a stream that tells how much of it was taken."""
+
+    def __init__(self, text: str, progress: Progress) -> None:
+        self._stream, self._size, self._progress = StringIO(text), len(text), progress
+
+    def read(self, size: int) -> str:
+        self._progress(_COMPOSED * self._stream.tell(), self._size)
+        return self._stream.read(size)
+
+
+def _compose(text: str, progress: Progress = silent) -> Any:
     from ruamel.yaml import YAML
     from ruamel.yaml.error import MarkedYAMLError, YAMLError
     from ruamel.yaml.reader import ReaderError
@@ -178,7 +206,7 @@ def _compose(text: str) -> Any:
         raise TreeError(Problem("", f"the file is larger than {MAX_BYTES // 10**6} MB"))
     yaml = YAML(typ="safe", pure=True)
     try:
-        return yaml.compose(text)
+        return yaml.compose(_Watched(text, progress))
     except MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line = None if mark is None else mark.line + 1

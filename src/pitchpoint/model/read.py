@@ -15,7 +15,7 @@ from typing import Any
 
 from pitchpoint.core.errors import Problem, UnitError
 from pitchpoint.core.units import parse_quantity
-from pitchpoint.model import read_forms, read_law
+from pitchpoint.model import read_file, read_forms, read_law
 from pitchpoint.model.keys import BAD, Key, Place, defaults_of, keys_of
 from pitchpoint.model.show import SI, dotted, example, limit_text, shown
 
@@ -200,7 +200,7 @@ class Reader:
     def numbers(self, description: Key, data: Any, path: Place) -> Any:
         """Read a list of quantities, or the name of a text file for lists of any length."""
         if isinstance(data, str) and description.length[0] == 0:
-            data = read_law.column(self, data, path)
+            data = read_file.column(self, data, path)
             if data is BAD:
                 return BAD
         return self.sequence(description, data, path, self.number)
@@ -286,7 +286,10 @@ _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "variant": Reader.variant,
     "gears": read_forms.gears,
     "speeds": read_forms.speeds,
-    "grid": read_forms.grid,
+    "grid": read_file.grid,
+    "pitch": read_file.pitch,
+    "points": read_file.points,
+    "tooth_profile": read_file.tooth_profile,
     "matrix": read_forms.matrix,
     "orders": read_forms.orders,
     "law": read_law.law,

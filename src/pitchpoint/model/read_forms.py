@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Readers of values with a form of their own: gears of a body, speeds by name, matrices, grids, orders."""
+"""Readers of values with a form of their own: gears of a body, speeds by name, matrices, orders."""
 
 from __future__ import annotations
 
@@ -40,15 +40,6 @@ def speeds(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         )
     speeds = {str(n): reader.number(key, v, (*path, str(n))) for n, v in data.items()}
     return BAD if any(v is BAD for v in speeds.values()) else speeds
-
-
-def grid(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read a rectangular list of lists of quantities."""
-    row = Key("quantities", "", dimension=key.dimension, length=(1, 10**6))
-    rows = reader.sequence(row, data, path, reader.numbers)
-    if rows is not BAD and len({len(r) for r in rows}) != 1:
-        return reader.problem(path, "has rows of different length", remedy="give every row the same length")
-    return rows
 
 
 def matrix(reader: Reader, key: Key, data: Any, path: Place) -> Any:

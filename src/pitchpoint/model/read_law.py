@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Readers of the values that are more than a number: laws over time, Python functions, materials, columns.
+"""Readers of the values that are more than a number: laws over time, Python functions, materials.
 
 Formulas go through the whitelist parser of `core.formula` and are never evaluated as Python; a Python
 function is only named here, and only when the caller allows code.
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 VARIABLES = ("t", "angle", "speed")
 _WORDS = re.compile(r"(?<![\w.])(?:[a-zA-Z_]\w*)")
 _CALL = re.compile(r"[a-zA-Z_]\w*\s*\(")
-_MAX_COLUMN_BYTES = 10_000_000
 
 
 def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
@@ -163,28 +162,3 @@ def _own_material(reader: Reader, data: Mapping[str, Any], path: Place) -> Any:
         return reader.problem(
             path, error.problem.message, value=error.problem.value, limit=error.problem.limit
         )
-
-
-def column(reader: Reader, name: str, path: Place) -> Any:
-    """Read a text file with one quantity per line; '#' starts a comment."""
-    file = Path(reader.directory) / name
-    try:
-        if not file.is_file():
-            return reader.problem(path, f"there is no file '{name}'", remedy="give a list of quantities")
-        if file.stat().st_size > _MAX_COLUMN_BYTES:
-            return reader.problem(path, f"the file '{name}' is larger than 10 MB", remedy="split it")
-        with file.open(encoding="utf-8") as stream:
-            lines = [line.split("#")[0].strip() for line in stream]
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "it is no text file"
-        return reader.problem(
-            path, f"the file '{name}' cannot be read: {reason}", remedy="give a list of quantities"
-        )
-    return [_plain(line) for line in lines if line]
-
-
-def _plain(text: str) -> float | str:
-    try:
-        return float(text)
-    except ValueError:
-        return text

@@ -8,6 +8,8 @@ from numbers import Real
 from typing import Any
 
 from pitchpoint.model.components.law import Constant, TableLaw
+from pitchpoint.model.components.modifications import FlankPitch
+from pitchpoint.model.components.tooth_profile import Points
 from pitchpoint.model.keys import Key, Place, defaults_of, keys_of
 from pitchpoint.model.read import Reader
 from pitchpoint.model.show import shown
@@ -46,7 +48,17 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
             report.value(key, value, place)
         else:
             report.problem(place, "holds texts", remedy="give numbers in SI units")
-    elif key.kind in ("component", "variant"):
+    elif key.kind == "pitch":
+        if isinstance(value, FlankPitch):
+            recheck(value, place, report)
+        else:
+            _value(Key("quantities", "", dimension=key.dimension), value, place, report)
+    elif key.kind == "points":
+        if isinstance(value, Points):
+            report.value(key, value.xy, place)
+        else:
+            report.problem(place, "is of the wrong type", value=type(value).__name__, limit="Points")
+    elif key.kind in ("component", "variant", "tooth_profile"):
         allowed = tuple(key.of.values()) if isinstance(key.of, dict) else (key.of,)
         _component(allowed, value, place, report)
     elif key.kind == "components":

@@ -61,15 +61,23 @@ def _property(key: Key, default: Any, definitions: dict[str, Any]) -> dict[str, 
 
 def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
     number = _number(key)
-    if key.kind in ("component", "components", "list"):
+    if key.kind in ("component", "components", "list", "tooth_profile"):
         inner = _reference(key.of, definitions)
         if key.kind == "components":
             return {"type": "object", "additionalProperties": inner}
-        return inner if key.kind == "component" else {"type": "array", "items": inner}
+        return {"type": "array", "items": inner} if key.kind == "list" else inner
     if key.kind == "variant":
         return {"oneOf": [_reference(cls, definitions, law) for law, cls in key.of.items()]}
+    row = {"type": "array", "items": number}
+    # a list of any length may also stand in a text file
+    file = {"type": "string"}
     if key.kind == "quantities":
-        return {"type": "array", "items": number, **_length(key)}
+        listed = {**row, **_length(key)}
+        return listed if key.length[0] else {"anyOf": [listed, file]}
+    if key.kind == "pitch":
+        return {"anyOf": [row, file, _reference(key.of, definitions)]}
+    if key.kind in ("grid", "points"):
+        return {"anyOf": [{"type": "array", "items": row}, file]}
     if key.kind in ("names", "words"):
         words: dict[str, Any] = {"enum": list(key.choices)} if key.choices else {"type": "string"}
         return {"type": "array", "items": words, **_length(key)}
@@ -81,7 +89,6 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "boolean": {"type": "boolean"},
         "speeds": {"type": "object", "additionalProperties": number},
         "gears": {"type": ["array", "object"]},
-        "grid": {"type": "array", "items": {"type": "array", "items": number}},
         "matrix": {"type": "array", "items": {"type": "array", "items": {"type": "number"}}},
         "orders": {"type": "object"},
         "material": {"type": ["string", "object"]},

@@ -223,6 +223,25 @@ def _gear_choices(name: str, gear: Any, report: Reader) -> None:
                 limit=f"<= {gear.number_of_teeth - 1}",
             )
 
+    profile = gear.tooth_profile
+    if (
+        profile is not None
+        and (*at, "tooth_profile") not in report.tainted
+        and profile.given
+        not in (
+            ("tooth",),
+            ("both",),
+            ("left",),
+            ("right",),
+            ("left", "right"),
+        )
+    ):
+        report.problem(
+            (*at, "tooth_profile"),
+            f"gives {' and '.join(profile.given)} at once" if profile.given else "gives no points",
+            remedy="give tooth, or both, or left and right",
+        )
+
 
 def check_motions(parts: Parts, report: Reader) -> None:
     """Bodies that move have inertia; fixed bodies carry no loads and bearings."""

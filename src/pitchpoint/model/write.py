@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import display_unit, in_unit, parse_quantity
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
+from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.keys import Key, defaults_of, keys_of
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.tooth_profile import Points
     from pitchpoint.model.model import Model
 
 
@@ -75,6 +77,12 @@ class _Writer:
 
     def grid(self, key: Key, value: Any) -> list[list[Any]]:
         return [self.quantities(key, row) for row in value]
+
+    def points(self, key: Key, value: Points) -> list[list[Any]]:
+        return self.grid(key, value.xy)
+
+    def pitch(self, key: Key, value: Any) -> Any:
+        return self.component(value) if isinstance(value, FlankPitch) else self.quantities(key, value)
 
     def matrix(self, key: Key, value: Any) -> list[list[float]]:
         return [list(row) for row in value]
@@ -158,6 +166,9 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "gears": _Writer.gears,
     "speeds": _Writer.speeds,
     "grid": _Writer.grid,
+    "pitch": _Writer.pitch,
+    "points": _Writer.points,
+    "tooth_profile": _Writer.nested,
     "matrix": _Writer.matrix,
     "orders": _Writer.orders,
     "law": _Writer.law,

@@ -212,6 +212,18 @@ def _up_to(at, end, share, dense, found, before, n):
 
 
 @kernel
+def _samples_up_to(t, grid):
+    """Number of the last sample up to a time, which is within it where only rounding parts the two."""
+    limit = t + 1e-15 * abs(t)
+    k = math.floor((t - grid[0]) / grid[1])
+    while grid[0] + k * grid[1] > limit:
+        k -= 1
+    while grid[0] + (k + 1) * grid[1] <= limit:
+        k += 1
+    return k
+
+
+@kernel
 def _stop(at, status):
     """Go back to the state before a step that cannot be finished."""
     bring_state(at, OLD)
@@ -291,8 +303,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
                 end = t + share * h
                 done[2] = _up_to(at, end, share, dense, found, before, done[2])
         if grid[1] > 0.0:
-            k = math.floor((t - grid[0]) / grid[1] + 1e-9) + 1
-            while grid[0] + k * grid[1] <= end * (1.0 + 1e-15):
+            for k in range(_samples_up_to(t, grid) + 1, _samples_up_to(end, grid) + 1):
                 s = grid[0] + k * grid[1]
                 _interpolate(at, (s - t) / h, dense)
                 status = solve_acceleration(at, s, rate)
@@ -301,7 +312,6 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
                 if status != OK:
                     return _stop(at, status)
                 clock[VALID] = 1
-                k += 1
         if restart != 0 and share <= 1.0:
             _interpolate(at, share, dense)
             status = slope(at, end, 0, rate)

@@ -131,13 +131,17 @@ def find_equilibrium(
     kept = free_spins(system) if held is None else tuple(held)
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
+    begin = state
     state, R, count, failure = _pseudo_time(system, state, free, tolerance)
     if failure:
+        from pitchpoint.solvers.unheld import advice, unheld  # which needs this module
+
+        if names := unheld(system, begin, free):
+            raise SolverError(f"no equilibrium: {advice(names)}", SINGULAR, state)
         left = np.abs(R / system.weight)[free]
         raise SolverError(
             f"no equilibrium found after {count} steps: {left.max():.3g} N are left over on "
-            f"{system.layout.coordinates[int(free[np.argmax(left)])]}; "
-            "check that bearings hold every direction that loads act in",
+            f"{system.layout.coordinates[int(free[np.argmax(left)])]}; check loads and stiffness",
             failure,
             state,
         )

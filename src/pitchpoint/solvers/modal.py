@@ -3,7 +3,8 @@
 
 M x'' + D x' + K x = 0 with the exact derivatives of the residual at the loaded state; meshes count with the
 mean of their stiffness over the mesh cycle, or with the value at one phase. Undamped modes are those at rest
-(symmetric K); damped ones carry dampers, friction and the gyroscopic terms of the speeds.
+(symmetric K); damped ones carry dampers and the gyroscopic terms of the speeds. Friction of the flanks is
+left out of both. Rayleigh and modal damping are made at the phase where the scenario starts.
 """
 
 from __future__ import annotations

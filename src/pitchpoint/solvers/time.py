@@ -267,6 +267,9 @@ class _Loop:
             }
             for k, c in enumerate(self.system.layout.channels)
         }
+        remarks = deep_contacts(self.system.model, [channels])
+        if status == OK and found.count == 0:  # an adaptive method measures at its samples
+            remarks = ("no sample lies in the window of the statistics; raise sample_rate",)
         t = float(self.run_.t)
         return TimeSummary(
             status=status,
@@ -279,7 +282,7 @@ class _Loop:
             channels=channels,
             events=np.concatenate(self.events) if self.events else np.zeros((0, 3)),
             event_names=tuple(e.name for e in self.system.layout.events),
-            notes=(*self.start.notes, *row_notes(self.system), *deep_contacts(self.system.model, [channels])),
+            notes=(*self.start.notes, *row_notes(self.system), *remarks),
             state=self.run_.state(),
         )
 

@@ -103,7 +103,8 @@ class CaseTable:
     Attributes
     ----------
     cases
-        Mappings with `values` (texts by path), `numbers` (SI by path), `status` and `channels` (statistics).
+        Mappings with `values` (texts by path), `numbers` (SI by path), `status`, `sentence` (how it ended),
+        and `channels` (statistics).
     units
         SI unit of the numbers by path.
     """

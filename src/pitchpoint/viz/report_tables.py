@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.core.status import OK, sentence
+from pitchpoint.core.status import OK
 from pitchpoint.viz import theme
 from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.report_page import Section
@@ -77,8 +77,7 @@ def _table(cases: Sequence[Mapping[str, Any]], paths: Sequence[str]) -> str:
     for case in cases[:MOST_ROWS]:
         cells = [f'<th scope="row">{escape(case["values"].get(paths[0], "–"))}</th>'] if paths else []
         cells += [f"<td>{escape(case['values'].get(p, '–'))}</td>" for p in paths[1:]]
-        fine = case["status"] == OK
-        cells.append(f"<td>{'finished' if fine else escape(sentence(case['status']))}</td>")
+        cells.append(f"<td>{escape(case['sentence'])}</td>")
         for (name, statistic), shown in zip(wanted, scales, strict=True):
             value = case["channels"].get(name, {}).get(statistic, math.nan)
             cells.append(

@@ -73,7 +73,8 @@ def test_people_get_a_table_and_failed_cases_a_sentence(
     assert kept[0]["sentence"] == "finished"
     assert kept[1]["sentence"].startswith("meshes.stage.damper.ratio: 1000000000.0 is out of range")
     assert run_command(["report", file, "model-steady-cases.h5"]) == 0
-    assert "these values describe no possible model" in (tmp_path / "model.html").read_text(encoding="utf-8")
+    page = (tmp_path / "model.html").read_text(encoding="utf-8")
+    assert "<td>meshes.stage.damper.ratio: 1000000000.0 is out of range" in page
 
 
 @pytest.mark.parametrize(
@@ -153,3 +154,46 @@ def test_stopped_by_ctrl_c_or_killed_it_keeps_what_was_computed(
     assert "interrupted" in err
     assert "Traceback" not in err
     assert read_header(target)["status"] == "interrupted"
+
+
+def test_a_case_that_fails_before_its_window_has_no_numbers(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = written(tmp_path, SHORT)
+    vary = ["--vary", "loads.input.torque=150 N m,150*sqrt(0.001 - t)"]
+    command = ["run", file, "-s", "steady", *vary, "-o", str(tmp_path / "cases.h5")]
+    assert run_command(command) == 3
+    printed = capsys.readouterr().out
+    failed = next(line for line in printed.splitlines() if "failed (4)" in line)
+    assert failed.split()[-2:] == ["–", "–"]
+    assert "no" in next(line for line in printed.splitlines() if line.split()[-1:] == ["no"])
+    assert run_command([*command, "--json"]) == 3
+    cases = json.loads(capsys.readouterr().out)["cases"]
+    assert cases[1]["channels"]["mesh_force[stage]"] == {
+        "unit": "N", "mean": None, "rms": None, "min": None, "max": None
+    }  # fmt: skip
+    assert cases[0]["channels"]["mesh_force[stage]"]["mean"] > 0.0
+
+
+def test_a_model_without_meshes_has_a_table_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = (
+        "gears: {g: {number_of_teeth: 20, normal_module: 1 mm, face_width: 5 mm, "
+        "profile_shift_coefficient: 0}}\n"
+        "bodies: {disc: {motion: torsion, inertia: 1}}\nloads: {push: {body: disc, torque: 1 N m}}\n"
+        "scenarios: {go: {duration: 1 ms, step: 1 us}}\n"
+    )
+    command = ["run", written(tmp_path, text), "--vary", "loads.push.torque=1 N m,2 N m"]
+    assert run_command([*command, "-o", str(tmp_path / "cases.h5")]) == 0, capsys.readouterr().err
+    assert "2 N m" in capsys.readouterr().out
+
+
+def test_notes_name_their_case(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One torque of two is in the wrong unit."""
+    target = tmp_path / "cases.h5"
+    command = ["run", written(tmp_path, SHORT), "-s", "steady", "-o", str(target)]
+    assert run_command([*command, "--vary", "loads.input.torque=150 N m,150 kN m", "-q"]) == 0
+    assert "note:" not in capsys.readouterr().out
+    assert run_command([*command, "--vary", "loads.input.torque=150 N m,150 kN m"]) == 0
+    deep = "case 1: meshes.stage: the flanks go "
+    assert capsys.readouterr().out.count(f"note: {deep}") == 1
+    assert deep in read_header(target)["notes"]

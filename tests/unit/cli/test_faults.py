@@ -58,6 +58,7 @@ BAD_INPUT = {
     "YAML syntax": (PAIR, "bodies:", "bodies: {", "YAML syntax"),
     "Python code": (PAIR, "torque: 150 N m", "torque: {python: 'law.py:f'}", "--allow-code"),
     "formula that is Python": (PAIR, "torque: 150 N m", "torque: t.__class__", "a formula may use"),
+    "wrong unit in a formula": (PAIR, "torque: 150 N m", "torque: 150 kg * sin(2*pi*25 Hz*t)", "kg, not N m"),
 }
 
 
@@ -104,7 +105,7 @@ def test_every_problem_at_once(tmp_path: Path, capsys: pytest.CaptureFixture[str
 
 INPUT = "input:  {body: driver, torque: 150 N m}"
 FAULTS = {
-    "Newton": (st.SLOW, "150 N m * exp(1e4 * angle^2)", "", "Newton"),
+    "Newton": (st.DIVERGED, "150 N m * exp(1e4 * angle^2)", "", "Newton"),
     "step underflow": (
         st.STEP_UNDERFLOW,
         "150 N m + 1e3 N m * (0.01 / (0.01000001 - t))^3",

@@ -159,3 +159,22 @@ def test_every_problem_of_a_file_at_once(
     assert "Traceback" not in captured.err
     for words in ("line 3", "number_of_teeth", "line 8", "'kg'"):
         assert words in captured.err
+
+
+def test_an_exported_tooth_is_read_back(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Export, name the file in the model, and the gear has the same mass but for the chords of the points."""
+    file = written(tmp_path, TORSION)
+    before = json_of(["gears", file], capsys)["gears"]["g1"]
+    target = str(tmp_path / "g1.csv")
+    assert run_command(["gears", file, "--export", target, "--gear", "g1"]) == 0
+    capsys.readouterr()
+    again = written(tmp_path, TORSION.replace("g1: {", "g1: {tooth_profile: {tooth: g1.csv}, ", 1))
+    after = json_of(["gears", again], capsys)["gears"]["g1"]
+    assert after.pop("mass") == pytest.approx(before.pop("mass"), rel=1e-4)
+    assert {k: v for k, v in after.items() if "inertia" not in k} == {
+        k: v for k, v in before.items() if "inertia" not in k
+    }
+    for ending in ("svg", "dxf", "stl", "csv"):
+        second = tmp_path / f"again.{ending}"
+        assert run_command(["gears", again, "--export", str(second), "--gear", "g1"]) == 0
+        assert second.stat().st_size > 1000

@@ -16,6 +16,7 @@ import pytest
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.reading import open_result, read_channel, read_header
 from tests.support.cli_files import ISO_EX1, TORSION, json_of, written
+from tests.support.machines import pair
 
 SHORT = TORSION.replace("duration: 0.5 s", "duration: 0.02 s")
 LONG = TORSION.replace("duration: 0.5 s", "duration: 500 s")
@@ -156,3 +157,25 @@ def test_a_killed_run_leaves_a_readable_file(tmp_path: Path) -> None:
         assert ds.attrs["status"] == "running"
         assert ds.sizes["time"] > 1000
         assert bool(np.isfinite(ds["mesh_force[stage]"]).all())
+
+
+@pytest.mark.parametrize(
+    ("beta", "driven", "words"),
+    [
+        (
+            "17 deg",
+            "  b: {body: driven, stiffness: {radial: 1e8 N/m, tilt: 1e6 N m/rad}}\n",
+            "holds driven.z:",
+        ),
+        ("", "", "holds driven.x, driven.y:"),
+    ],
+)
+def test_what_nothing_holds_is_named_with_exit_code_3(
+    beta: str, driven: str, words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    held = "  a: {body: driver, stiffness: {radial: 1e8 N/m, axial: 1e8 N/m, tilt: 1e6 N m/rad}}\n"
+    rest = f"bearings:\n{held}{driven}scenarios: {{go: {{duration: 1 ms}}}}\n"
+    file = written(tmp_path, pair("{law: din3990}", beta=beta, motion="free", rest=rest))
+    for command in (["run", file, "-o", str(tmp_path / "x.h5")], ["modes", file]):
+        assert run_command(command) == 3
+        assert words in capsys.readouterr().err

@@ -14,6 +14,7 @@ import pytest
 from pitchpoint.core import kernel as door
 from pitchpoint.core import machine_code
 from pitchpoint.core.kernel import COMPILING, Kernel, call_law, import_closure, kernel, law_address
+from tests.support.cli_files import TORSION
 
 BASE = """
     import numpy as np
@@ -110,6 +111,19 @@ def test_a_damaged_file_is_compiled_again(tmp_path):
         assert python(RUN, tmp_path) == ["2.0", "loaded"]
 
 
+def test_the_stamp_of_a_source_edited_while_the_process_runs_is_used_once(tmp_path):
+    file = tmp_path / "kind.py"
+    file.write_text("x = 1")
+
+    def stamp():
+        machine_code.source_stamp.cache_clear()
+        return machine_code.source_stamp(str(file))
+
+    assert stamp() != stamp()
+    os.utime(file, (1.0, 1.0))
+    assert stamp() == stamp()
+
+
 UNFIT = """
     import numpy as np
     from pitchpoint.core.kernel import kernel
@@ -143,6 +157,31 @@ def test_entries_that_need_the_compiler_at_run_time_are_left_to_it(tmp_path):
     write(tmp_path / "outsider/kind.py", UNFIT)
     for _ in range(2):
         assert python(CALL, tmp_path) == ["1", "0", "7", "6", "True", "True", "False"]
+
+
+START = """
+    import contextlib, io, sys
+    from pitchpoint.cli.main import run_command
+    with contextlib.redirect_stdout(io.StringIO()):
+        status = run_command([*sys.argv[1:], "-q", "-o", "out.h5"])
+    heavy = {"numba", "scipy", "xarray", "pandas", "plotly", "pint"}
+    print(status, *sorted(heavy & {name.partition(".")[0] for name in sys.modules}))
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not COMPILING, reason="needs the compiler")
+@pytest.mark.parametrize("command", [["modes"], ["run", "-s", "steady"], ["sweep", "-s", "sweep"]])
+def test_a_warm_start_imports_neither_the_compiler_nor_other_heavy_packages(tmp_path, command):
+    (tmp_path / "model.yaml").write_text(
+        TORSION.replace("0.5 s", "1 ms")
+        .replace("points: 81", "points: 2")
+        .replace("settle_periods: 200, measure_periods: 50", "settle_periods: 1, measure_periods: 1")
+    )
+    words = [sys.executable, "-c", textwrap.dedent(START), command[0], "model.yaml", *command[1:]]
+    for _ in range(2):  # the first fills the cache, if it has to
+        done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.stdout.split() == ["0"], done.stdout + done.stderr
 
 
 @pytest.mark.skipif(not COMPILING, reason="needs the compiler")

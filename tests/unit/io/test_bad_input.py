@@ -247,6 +247,28 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         10,
         "a formula may use",
     ),
+    "formula of another dimension": (
+        pair(
+            gear("a"),
+            gear("b"),
+            "",
+            BODIES % ("", "") + "loads:\n  l: {body: one, torque: 150 kg * sin(2*pi*25 Hz*t)}\n",
+        ),
+        "loads.l.torque",
+        10,
+        "give kg, not N m",
+    ),
+    "prescribed speed that is an angle": (
+        pair(
+            gear("a"),
+            gear("b"),
+            "",
+            BODIES % ("", "") + "scenarios:\n  s: {duration: 1 s, drive: {one: {speed: 1500 rpm * t}}}\n",
+        ),
+        "scenarios.s.drive.one.speed",
+        10,
+        "not rad/s",
+    ),
     "Python code": (
         pair(gear("a"), gear("b"), "stiffness: {law: user, python: 'k.py:k'}"),
         "meshes.m.stiffness.python",

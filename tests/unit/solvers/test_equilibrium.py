@@ -7,8 +7,10 @@ import math
 
 import pytest
 
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import SINGULAR
 from pitchpoint.solvers.equilibrium import solve_equilibrium
-from tests.support.machines import compiled
+from tests.support.machines import compiled, pair
 
 STAGES = ((20, 80), (17, 51), (25, 40))
 INERTIAS = (
@@ -16,6 +18,8 @@ INERTIAS = (
     (1e-4, 3e-2, 5e-4, 8e-2),
     (5e-2, 1e-4, 3e-2, 2e-4),
 )
+FULL = "{radial: 1e8 N/m, axial: 1e8 N/m, tilt: 1e6 N m/rad}"
+NO_AXIAL = "{radial: 1e8 N/m, tilt: 1e6 N m/rad}"
 LAWS = (
     "{law: constant, value: 3e8 N/m}",
     "{law: rectangular, high: 3e8 N/m, low: 2e8 N/m, duty: 0.3}",
@@ -51,3 +55,34 @@ def test_trains_come_to_rest(inertias, law, backlash, torque):
         assert float(found[f"mesh_force[m{k}]"]) == pytest.approx(expected / r_b1, rel=1e-6)
         expected *= -z2 / z1
     assert float(found["torque[out]"]) == pytest.approx(-expected, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("motion", "beta", "driver", "driven", "names", "kinds"),
+    [
+        ("free", "17 deg", FULL, NO_AXIAL, "driven.z", "a bearing with axial"),
+        ("free", "17 deg", NO_AXIAL, FULL, "driver.z", "a bearing with axial"),
+        ("free", "17 deg", NO_AXIAL, NO_AXIAL, "driver.z, driven.z", "bearings with axial"),
+        ("free", "", FULL, None, "driven.x, driven.y", "a bearing with radial"),
+        ("free", "17 deg", FULL, None, "driven.x, driven.y, driven.z, driven.ry",
+         "a bearing with radial, axial and tilt"),
+        ("planar", "", "{radial: 1e8 N/m}", "{x: 1e8 N/m}", "driven.y", "a bearing with radial"),
+    ],
+)  # fmt: skip
+def test_what_nothing_holds_is_named(motion, beta, driver, driven, names, kinds):
+    given = {"driver": driver, "driven": driven}
+    rows = "".join(f"  on_{b}: {{body: {b}, stiffness: {k}}}\n" for b, k in given.items() if k)
+    law = "{law: din3990, stiffness_ratio: 0.8}"
+    system = compiled(pair(law, beta=beta, motion=motion, rest=f"bearings:\n{rows}"))[1]
+    with pytest.raises(SolverError) as failure:
+        solve_equilibrium(system)
+    assert str(failure.value) == f"no equilibrium: nothing holds {names}: add {kinds} stiffness"
+    assert failure.value.status == SINGULAR
+
+
+def test_directions_that_no_load_pushes_in_need_no_bearing():
+    rest = "bearings:\n" + "".join(
+        f"  on_{b}: {{body: {b}, stiffness: {{radial: 1e8 N/m}}}}\n" for b in ("driver", "driven")
+    )
+    found = solve_equilibrium(compiled(pair(LAWS[0], motion="free", rest=rest))[1])
+    assert float(found["torque[output]"]) == pytest.approx(300.0, rel=1e-9)

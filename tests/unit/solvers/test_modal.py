@@ -9,8 +9,11 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import OK
+from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.campbell import campbell
 from pitchpoint.solvers.modal import find_modes, solve_modal
+from pitchpoint.solvers.start import prepare_start
 from tests.support.machines import R_B1, chain, compiled, pair
 
 REDUCED = 1.0 / (R_B1**2 / 0.002 + (1.5 * R_B1) ** 2 / 0.01)
@@ -173,3 +176,41 @@ def test_gyroscopic_split_of_a_tilting_disc():
     assert found == pytest.approx(np.column_stack([root - 0.5 * g, root + 0.5 * g]), rel=1e-9)
     steps = np.abs(np.diff(data["frequency"].values, axis=0))
     assert steps.max() < 100.0  # modes are followed, not re-sorted
+
+
+def free_pair(damping: str, rest: str):
+    """Helical pair with all twelve freedoms at 6000 rpm, mesh and bearings damped."""
+    stiffness = "{radial: 1e8 N/m, axial: 1e8 N/m, tilt: 1e6 N m/rad}"
+    bearings = "".join(
+        f"  on_{b}: {{body: {b}, stiffness: {stiffness}{damping}}}\n" for b in ("driver", "driven")
+    )
+    rest = f"bearings:\n{bearings}{rest}scenarios:\n  go: {{speed: {{driver: 6000 rpm}}, duration: 1 ms}}\n"
+    return pair("{law: constant, value: 3e8 N/m}", beta="17 deg", motion="free", rest=rest)
+
+
+def test_modal_damping_gives_all_modes_their_ratio():
+    modes = find_modes(compiled(free_pair("", "damping: {modal: 0.02}\n"), "go")[1])
+    assert modes.damping_ratio[0] == 0.0
+    assert modes.damping_ratio[1:] == pytest.approx(np.full(11, 0.02), rel=1e-3)
+
+
+@pytest.mark.parametrize("mode", [1, 7, 8, 10])
+def test_a_run_vibrates_and_decays_as_the_damped_modes_say(mode):
+    """A little of one mode on top of the steady rotation, after several periods; both are nonlinear runs."""
+    text = free_pair(", damping: {ratio: 0.03}", "").replace("backlash:", "damping: {ratio: 0.05}, backlash:")
+    model, system = compiled(text, "go")
+    modes = find_modes(system)
+    begin = prepare_start(system, model.scenarios["go"])
+    z, root = modes.damped_shape[mode], modes.eigenvalue[mode]
+    small = 1e-7 / np.abs(z * system.weight).max()
+    t, ends = 2e-3, []
+    for share in (0.0, small):
+        state = begin.state.copy()
+        state.q += share * z.real
+        state.v += share * (root * z).real
+        run = generalized_alpha.start(begin.system, state, 1e-6, rho_inf=1.0)
+        assert run.advance(round(t / 1e-6)).status == OK
+        ends.append(run.state().v)
+    expected = small * (root * z * np.exp(root * t)).real
+    left = np.linalg.norm((ends[1] - ends[0] - expected) * system.weight)
+    assert left < 0.02 * np.linalg.norm(expected * system.weight)

@@ -8,6 +8,11 @@ import math
 import pytest
 
 from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.quasistatic import solve_quasistatic
+from pitchpoint.solvers.time import solve_time
+from pitchpoint.sweep.cases import cases_dataset, run_cases
+from pitchpoint.sweep.speed import sweep_speed
+from pitchpoint.system.compile import compile_model
 from pitchpoint.system.remarks import deep_contacts
 from tests.support.model_files import TORSIONAL_PAIR
 
@@ -36,3 +41,18 @@ def test_penetration_of_either_flank_counts_from_the_backlash(low: float, high: 
         assert found[0].startswith("meshes.stage: the flanks go ")
         assert told in found[0]
         assert "limit about 0.1 m_n" in found[0]
+
+
+def test_results_of_all_kinds_say_it_once() -> None:
+    """A torque in the wrong unit: 150 kN m instead of 150 N m."""
+    text = TORSIONAL_PAIR.replace("150 N m", "150 kN m").replace("duration: 0.5 s", "duration: 1 ms")
+    text = text.replace("points: 81", "points: 2").replace("direction: both", "direction: up")
+    text = text.replace("settle_periods: 200, measure_periods: 50", "settle_periods: 1, measure_periods: 1")
+    model = loads_model(text + "  roll: {quasi_static: {points: 4}}\n")
+    notes = [
+        solve_time(compile_model(model, "steady")).attrs["notes"],
+        solve_quasistatic(compile_model(model, "roll")).attrs["notes"],
+        sweep_speed(compile_model(model, "sweep")).attrs["notes"],
+        *cases_dataset(run_cases(model, [{}], "steady")).attrs["notes"],
+    ]
+    assert [note.count("the flanks go ") for note in notes] == [1, 1, 1, 1]

@@ -181,3 +181,7 @@ def test_short_uneven_and_standing_runs(model: ReportModel) -> None:
 )
 def test_symbols(symbol: str, html: str) -> None:
     assert symbol_html(symbol) == html
+
+
+def test_a_failed_case_says_what_happened(text: str) -> None:
+    assert "<td>a force became &lt;infinite&gt; at t = 0.004 s</td>" in text

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.components.modifications import Deviations, Modifications
+from pitchpoint.model.components.tooth_profile import ToothProfile
 from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantity
 
 if TYPE_CHECKING:
@@ -110,6 +111,9 @@ class Gear:
     drawing_resolution: int = integer("points per flank in drawings", 20, minimum=5, maximum=10000)
     modifications: Modifications | None = component(Modifications, "flank modifications by side")
     deviations: Deviations | None = component(Deviations, "deviations of single teeth")
+    tooth_profile: ToothProfile | None = key(
+        "tooth_profile", "points of the real tooth, from a file", None, of=ToothProfile
+    )
     x: float | None = derived()
     """Profile shift coefficient in force: the given one, or the one that follows from the centre distance."""
 
@@ -123,6 +127,11 @@ class Gear:
         """Helix angle, > 0 right hand, < 0 left hand [rad]."""
         return -self.helix_angle if self.hand == "left" else self.helix_angle
 
+    @property
+    def is_modified(self) -> bool:
+        """Whether any flank differs from the nominal involute."""
+        return any(v is not None for v in (self.modifications, self.deviations, self.tooth_profile))
+
     @cached_property
     def geometry(self) -> CylindricalGear:
         """ISO 21771 macro-geometry with signs (z < 0 for internal gears, beta > 0 for right hand)."""
@@ -130,12 +139,12 @@ class Gear:
         return self.with_profile_shift(0.0 if x is None else x)
 
     def with_profile_shift(self, x: float) -> CylindricalGear:
-        """Geometry of this gear with the profile shift coefficient `x`."""
+        """Geometry of this gear with the profile shift coefficient `x`, and with its real tooth."""
         from pitchpoint.geometry.cylindrical_gear import CylindricalGear
         from pitchpoint.geometry.rack import BasicRack
 
         signed = self.sign
-        return CylindricalGear(
+        generated = CylindricalGear(
             z=signed * self.number_of_teeth,
             m_n=self.normal_module,
             alpha_n=self.normal_pressure_angle,
@@ -153,6 +162,8 @@ class Gear:
             root_diameter=None if self.root_diameter is None else signed * self.root_diameter,
             cutter=self._pinion_cutter(),
         )
+        profile = self.tooth_profile
+        return generated if profile is None else generated.replace(outline=profile.outline(generated))
 
     def _pinion_cutter(self) -> PinionCutter | None:
         if self.cutter is None:

@@ -61,7 +61,8 @@ class FlankModifications:
 
 @dataclass(frozen=True, kw_only=True)
 class Modifications:
-    """Flank modifications by side, seen from the positive axis with the tooth pointing up.
+    """Flank modifications by side, seen from the positive axis with the tooth pointing up, for stiffness laws
+    of single tooth pairs (din3990, energy, pair_table).
 
     A side that is left out takes `both`; nothing is added up.
     """
@@ -92,9 +93,9 @@ class FlankMap:
     flank: str = choice(("left", "right"), "flank of the tooth")
     values: tuple[tuple[float, ...], ...] = key(
         "grid",
-        "deviation along the transverse base tangent, > 0 is more material: rows at equal lengths of roll from "
-        "root form to tip form circle, columns at equal distances over the face width; or the name of a text "
-        "file with one row a line",
+        "deviation along the transverse base tangent, > 0 is more material: rows at equal lengths of roll "
+        "from root form to tip form circle, columns at equal distances over the face width; or the name of a "
+        "text file with one row a line",
         dimension="length",
     )
 
@@ -117,9 +118,9 @@ class Deviations:
 
     pitch: tuple[float, ...] | FlankPitch = key(
         "pitch",
-        "single pitch deviations f_p (ISO 1328-1; not summed up), one per tooth: entry i is what the pitch from "
-        "tooth i - 1 to tooth i is too long on the reference circle; a list or the name of a text file for both "
-        "flanks, or {left: ..., right: ...}",
+        "single pitch deviations f_p (ISO 1328-1; not summed up), one per tooth: entry i is what the pitch "
+        "from tooth i - 1 to tooth i is too long on the reference circle; a list or the name of a text file "
+        "for both flanks, or {left: ..., right: ...}",
         (),
         dimension="length",
         of=FlankPitch,

@@ -252,9 +252,7 @@ def mesh_laws(model: Model, name: str) -> MeshLaws:
     k = mean_stiffness(model.pairs[name], stiffness)
     critical = 2.0 * math.sqrt(k * _reduced_mass(model, name))
     found: dict[str, Any] = {"stiffness": stiffness, "k_ref": k}
-    modified = any(
-        model.gears[g].modifications is not None or model.gears[g].deviations is not None for g in mesh.gears
-    )
+    modified = any(model.gears[g].is_modified for g in mesh.gears)
     found["slices"] = mesh.slices if mesh.width == "slices" or modified else 0
     if mesh.damping is not None:
         d_in = mesh.damping.d_in if mesh.damping.ratio is None else mesh.damping.ratio * critical

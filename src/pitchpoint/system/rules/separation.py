@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Flank modifications and deviations of both gears of a mesh as the grids that the element reads."""
+"""What the flanks of both gears of a mesh lack against the involute, as the grids that the element reads."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ N_WIDTH, N_ROLL = 33, 129
 
 def separation_grids(row: Any, gears: Sequence[Gear], keep: Callable[[NDArray[np.float64]], int]) -> None:
     """Fill the separation fields of a mesh record; nothing to do for two perfect gears."""
-    if all(g.modifications is None and g.deviations is None for g in gears):
+    if not any(g.is_modified for g in gears):
         return
     row["n_sz"], row["n_sx"] = N_WIDTH, N_ROLL
     least = 0.0

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The real tooth of a gear as points in the transverse plane, and the outline it turns into."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.model.keys import integer, key, quantity
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.geometry.tooth_outline import ToothOutline
+
+
+@dataclass(frozen=True)
+class Points:
+    """Points (x, y) [m] in the order of an outline; from a file, with its name and the line of each point."""
+
+    xy: tuple[tuple[float, float], ...]
+    file: str = field(default="", compare=False)
+    lines: tuple[int, ...] = field(default=(), compare=False)
+    teeth: tuple[int, ...] = field(default=(), compare=False)
+    """Number of the tooth of each point, where the file says it."""
+
+    def of_tooth(self, number: int) -> Points:
+        """Only the points of one tooth; all of them where no tooth is named."""
+        if not self.teeth:
+            return self
+        rows = [i for i, tooth in enumerate(self.teeth) if tooth == number]
+        return Points(tuple(self.xy[i] for i in rows), self.file, tuple(self.lines[i] for i in rows))
+
+
+def _points(meaning: str) -> Points | None:
+    given: Points | None = key("points", meaning, None, dimension="length")
+    return given
+
+
+@dataclass(frozen=True, kw_only=True)
+class ToothProfile:
+    """The real tooth as points of its transverse section; give `tooth`, or `both`, or `left` and `right`.
+    Drawings, mass and inertia take the outline; the contact of single tooth pairs (laws din3990, energy,
+    pair_table) takes how far its flanks lie off the nominal involute, added to modifications and deviations;
+    stiffness stays that of the generated tooth. A CSV file has a heading line with units, such as
+    `x [mm],y [mm]`, then one point a line in the order of the outline, as `pitchpoint gears --export` writes
+    it; a column `tooth` may number the teeth, others are not read. A flank or tip more than 0.2 modules off
+    is refused as that of another gear.
+    """
+
+    tooth: Points | None = _points("one tooth, root to root: CSV file, or list of [x, y]")
+    both: Points | None = _points("one flank, root to tip or back; the other flank is its mirror image")
+    left: Points | None = _points("the left flank, root to tip or back; one left out stays nominal")
+    right: Points | None = _points("the right flank, root to tip or back; one left out stays nominal")
+    number: int = integer(
+        "number of the tooth that the points are of; turns them back by as many pitches", 0, minimum=0
+    )
+    angle: float = quantity("angle", "direction of the centre of tooth 0 from the x axis of the points", 0.0)
+
+    @property
+    def given(self) -> tuple[str, ...]:
+        """Names of the parts that are given."""
+        return tuple(n for n in ("tooth", "both", "left", "right") if getattr(self, n) is not None)
+
+    def of_number(self) -> ToothProfile:
+        """Only the points of the tooth `number`."""
+        return replace(self, **{name: getattr(self, name).of_tooth(self.number) for name in self.given})
+
+    def outline(self, gear: CylindricalGear) -> ToothOutline:
+        """Outline of a gear with this tooth; GeometryError, with key and line, if it does not fit."""
+        from pitchpoint.geometry.tooth_outline import OutlineError, outline_from_flanks, outline_from_tooth
+
+        turn = self.angle + 2.0 * math.pi * self.number / abs(gear.z)
+        parts = {name: self._turned(name, -turn) for name in self.given}
+        try:
+            if "tooth" in parts:
+                return outline_from_tooth(gear, parts["tooth"])
+            if "both" in parts:
+                left = parts["both"].copy()
+                # of one flank, it does not matter which: a right one is mirrored
+                left[:, 1] *= -1.0 if left[:, 1].sum() < 0.0 else 1.0
+                mirrored = left * (1.0, -1.0)
+                return outline_from_flanks(gear, left=left, right=mirrored)
+            return outline_from_flanks(gear, **parts)
+        except OutlineError as error:
+            name = error.part if error.part in self.given else "both"
+            said = error.problem
+            raise GeometryError(
+                f"{said.message}{self._source(name, error.point)}",
+                where=f"tooth_profile.{name}",
+                value=said.value,
+                limit=said.limit,
+                remedy=said.remedy,
+            ) from None
+
+    def _turned(self, name: str, angle: float) -> NDArray[np.float64]:
+        import numpy as np
+
+        xy = np.array(getattr(self, name).xy, dtype=float).reshape(-1, 2)
+        cos, sin = math.cos(angle), math.sin(angle)
+        return xy @ np.array([[cos, sin], [-sin, cos]])
+
+    def _source(self, name: str, point: int | None) -> str:
+        """Where a point stands, for messages."""
+        points: Points = getattr(self, name)
+        if points.file and point is not None:
+            return f" (file '{points.file}', line {points.lines[point]})"
+        if points.file:
+            return f" (file '{points.file}')"
+        return "" if point is None else f" (point {point})"

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Why a system has no equilibrium: directions that loads push in and nothing holds, and what would."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.solvers.stiffness_parts import touching
+from pitchpoint.system import evaluate
+from pitchpoint.system.residual import NEWTON
+from pitchpoint.system.system import State, System
+
+HELD = 1e-12
+"""Stiffness over the largest, all weighted as lengths, up to which a direction counts as not held."""
+LOADED = 1e-6
+"""Part of the loads in directions that nothing holds, from which they are what is wrong."""
+SHARE = 0.5
+"""Share of a coordinate in those directions, over the largest, from which it is named."""
+STIFFNESS = {"x": "radial", "y": "radial", "z": "axial", "rx": "tilt", "ry": "tilt", "spin": "torsion"}
+NAMES = {"alpha": "rx", "beta": "ry"}
+"""Coordinates under the names of model files and channels."""
+
+
+def unheld(system: System, state: State, free: NDArray[np.int64]) -> tuple[str, ...]:
+    """Names of the coordinates that loads push and nothing holds, all flanks in contact.
+
+    Loads in the null space of the (symmetric) stiffness matrix have no equilibrium.
+
+    Parameters
+    ----------
+    system
+        The system.
+    state
+        Where nothing has moved away yet.
+    free
+        Coordinates that are not kept.
+    """
+    own, at = system.copy(), state.copy()
+    touching(own, at)
+    weight = own.weight[free]
+    stiffness = evaluate.matrix(own, at, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
+    _, sizes, rows = np.linalg.svd(stiffness / np.outer(weight, weight))
+    null = rows[sizes <= HELD * sizes.max(initial=0.0)]
+    loads = evaluate.residual(own, at)[free] / weight
+    pushed = np.abs((null @ loads) @ null)
+    if not pushed.max(initial=0.0) > LOADED * np.abs(loads).max(initial=0.0):
+        return ()
+    parts = [system.layout.coordinates[k].rpartition(".") for k in free]
+    share = np.where(pushed > 1e-3 * pushed.max(), (null**2).sum(axis=0), 0.0)
+    spins = np.array([name == "spin" for _, _, name in parts])
+    if share[~spins].any():
+        share[spins] = 0.0  # a spin turns because its gear gives way
+    named = np.flatnonzero(share >= SHARE * share.max())
+    return tuple(f"{parts[k][0]}.{NAMES.get(parts[k][2], parts[k][2])}" for k in named)
+
+
+def advice(names: tuple[str, ...]) -> str:
+    """Say what is not held and what would hold it.
+
+    Examples
+    --------
+    >>> advice(("driven.x", "driven.y", "driven.z"))
+    'nothing holds driven.x, driven.y, driven.z: add a bearing with radial and axial stiffness'
+    """
+    kinds = list(dict.fromkeys(STIFFNESS[name.rpartition(".")[2]] for name in names))
+    bearing = "a bearing" if len({name.rpartition(".")[0] for name in names}) == 1 else "bearings"
+    listed = " and ".join([", ".join(kinds[:-1]), kinds[-1]] if len(kinds) > 1 else kinds)
+    return f"nothing holds {', '.join(names)}: add {bearing} with {listed} stiffness"
