@@ -4,10 +4,10 @@
 Released loads (figures 4.1 to 4.5): the closed form of a free vibration through backlash, share of time
 without contact r/(pi + r) with r = backlash / static deflection; 1e-4. Run-up (figures 4.10 to 4.13): the
 thesis prints no value that its own data reproduce (its 1e5 N/m and its 41.4 Hz exclude each other), so its
-statements are gates, with bounds around our numbers: the resonance peak with backlash lies below the natural frequency, contact is lost and the other
-flank reached through the gap only with backlash, contact loss grows with backlash. Stiffness and damper act
-about the axis of gear 2, the stiffness by the printed frequency (see the page of the example
-`camshaft-drive`, which scans the other readings).
+statements are gates, with bounds around our numbers: the resonance peak with backlash lies below the natural
+frequency, contact is lost and the other flank reached through the gap only with backlash, contact loss grows
+with backlash. Stiffness and damper act about the axis of gear 2, the stiffness by the printed frequency (see
+the page of the example `camshaft-drive`, which scans the other readings).
 """
 
 from __future__ import annotations

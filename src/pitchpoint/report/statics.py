@@ -55,6 +55,7 @@ def with_rolls(
             roll = roll_through(system, still, POINTS, mesh=name)
             if roll.sentence != "finished":
                 notes.append(f"{name}: the slow roll stopped: {roll.sentence}.")
+            notes += [f"{note}." for note in roll.notes]
             if len(roll.position) > 2:
                 found[name] = from_roll(model, name, data, unit, system, roll)
         except PitchpointError as error:

@@ -21,6 +21,7 @@ from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import inv
 from pitchpoint.model.components.stiffness import UserStiffness
+from pitchpoint.model.remarks import warn_of_ignored_flanks
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers
@@ -211,6 +212,7 @@ def mesh_row(
 
 def mesh_bank(model: Model) -> Bank:
     """All meshes whose gears sit on bodies."""
+    warn_of_ignored_flanks(model)
     pool = Pool()
     rows, names, laws = [], [], []
     number = body_numbers(model)
@@ -233,10 +235,9 @@ def mesh_bank(model: Model) -> Bank:
         row = mesh_row(pair, place, mesh_laws(model, name), pool.add, model.backlash(name))
         row["i"], row["j"] = number[one], number[two]
         _widths(row, gears[0].face_width, gears[1].face_width)
-        # a prescribed total stiffness knows no tooth pairs
-        pairs = math.ceil(pair.eps_gamma) + 1 if row["source"] == layout.PROFILE else 0
-        row["n_pair"] = min(layout.MAX_PAIRS, pairs)
-        separation_grids(row, gears, pool.add)
+        if row["source"] == layout.PROFILE:  # a prescribed total stiffness knows no tooth pairs
+            row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
+            separation_grids(row, gears, pool.add)
         law = mesh.stiffness
         where = f"meshes.{name}.stiffness.python"
         laws.append(user_law(law.python, where).function if isinstance(law, UserStiffness) else None)
@@ -253,7 +254,8 @@ def mesh_laws(model: Model, name: str) -> MeshLaws:
     critical = 2.0 * math.sqrt(k * _reduced_mass(model, name))
     found: dict[str, Any] = {"stiffness": stiffness, "k_ref": k}
     modified = any(model.gears[g].is_modified for g in mesh.gears)
-    found["slices"] = mesh.slices if mesh.width == "slices" or modified else 0
+    grids = modified and isinstance(stiffness, PairShape)
+    found["slices"] = mesh.slices if mesh.width == "slices" or grids else 0
     if mesh.damping is not None:
         d_in = mesh.damping.d_in if mesh.damping.ratio is None else mesh.damping.ratio * critical
         d_out = d_in if mesh.damping.d_out is None else mesh.damping.d_out

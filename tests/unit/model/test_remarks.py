@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a model says without effect is said aloud, and has none."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pitchpoint.core.errors import ValidityWarning
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.remarks import ignored_flanks
+from pitchpoint.system.compile import compile_model
+
+RELIEF = ", modifications: {both: {tip_relief: {amount: 20 um, length: 2 mm}}}"
+TEXT = """
+gears:
+  a: {{number_of_teeth: 24, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0{more}}}
+  b: {{number_of_teeth: 36, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}}
+bodies:
+  one: {{gears: [a]}}
+  two: {{gears: [b]}}
+meshes:
+  s: {{gears: [a, b], backlash: {{normal: 0.1 mm}}, stiffness: {law}}}
+"""
+
+
+def test_a_prescribed_stiffness_takes_no_notice_of_the_flanks():
+    law = "{law: constant, value: 4e8 N/m}"
+    with pytest.warns(ValidityWarning, match=r"meshes\.s: the law constant .* of a have no effect"):
+        modified = compile_model(loads_model(TEXT.format(more=RELIEF, law=law)))
+    plain = compile_model(loads_model(TEXT.format(more="", law=law)))
+    for name in ("sep_min", "n_sz", "slices"):
+        assert modified.records["gear_mesh"][name][0] == plain.records["gear_mesh"][name][0] == 0.0
+
+
+def test_laws_of_a_tooth_pair_follow_the_flanks():
+    model = loads_model(TEXT.format(more=RELIEF, law="{law: din3990}"))
+    assert ignored_flanks(model) == ()
+    assert compile_model(model).records["gear_mesh"]["n_sz"][0] > 0
+    assert np.isfinite(compile_model(model).records["gear_mesh"]["sep_min"][0])
