@@ -101,12 +101,14 @@ def compute(
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.kernel import expect
     from pitchpoint.core.status import OK
     from pitchpoint.io.writing import Channel, ResultWriter
-    from pitchpoint.solvers.time import run_time
+    from pitchpoint.solvers.time import loop_of, run_time
     from pitchpoint.system.compile import compile_model
 
     chosen = model.scenarios[name]
+    expect(loop_of(chosen.method))
     system = compile_model(model, chosen)
     channels = [Channel(c.name, c.unit, c.long_name) for c in system.layout.channels]
     events = [e.name for e in system.layout.events] if chosen.events else []

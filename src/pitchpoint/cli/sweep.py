@@ -72,11 +72,14 @@ def compute(
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.kernel import expect
     from pitchpoint.core.status import OK
     from pitchpoint.io.sweep_store import SweepWriter
+    from pitchpoint.solvers.time import loop_of
     from pitchpoint.sweep.speed import run_sweep
     from pitchpoint.system.compile import compile_model
 
+    expect(loop_of(model.scenarios[name].method))
     system = compile_model(model, name)
     mesh, directions, speeds, frequencies = plan(model, name)
     header = header_of(model, file, name, "sweep", model.scenarios[name].method)

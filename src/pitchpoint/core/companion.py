@@ -72,6 +72,11 @@ def await_entry(entry: str) -> None:
             process.wait()
 
 
+def withdraw(entry: str) -> None:
+    """No longer wait for an entry, it is compiled here: the companion finds it in the cache, or does it too."""
+    _pending.pop(entry, None)
+
+
 def main(entries: Sequence[str]) -> None:
     """Compile entries and report each on stdout; the work of the companion."""
     from pitchpoint.core.kernel import address

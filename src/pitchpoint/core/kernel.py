@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.core import machine_code
-from pitchpoint.core.companion import announce, await_entry, delegate
+from pitchpoint.core.companion import announce, await_entry, delegate, withdraw
 from pitchpoint.core.import_closure import import_closure, register_package
 from pitchpoint.core.machine_code import cache_folder
 
@@ -33,6 +33,7 @@ __all__ = [
     "cache_folder",
     "call",
     "call_law",
+    "expect",
     "import_closure",
     "invoke",
     "is_compiled",
@@ -132,6 +133,7 @@ _lock = threading.RLock()
 _addresses: dict[Any, int] = {}
 _kept: list[Any] = []
 _laws: dict[Any, Any] = {}
+_expected: list[Any] = []
 _TABLE: dict[int, Any] = {}
 
 
@@ -169,6 +171,11 @@ def is_compiled(entry: Any) -> bool:
     return file is not None and file.exists()
 
 
+def expect(entry: Any) -> None:
+    """Let the next `prepare` compile an entry that will be needed soon, while others wait for their turn."""
+    _expected.append(entry)
+
+
 def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
     """Compile what the cache lacks of two lists of entries; `address` waits for those of the second.
 
@@ -180,13 +187,20 @@ def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
         Entries that a second process compiles meanwhile.
     """
     missing = [e for e in theirs if not is_compiled(e)]
-    here = [e for e in mine if not is_compiled(e)]
+    here = [e for e in (*mine, *_expected) if not is_compiled(e)]
+    _expected.clear()
     if missing or here:
         announce()
     if missing and here:
         delegate([label(e) for e in missing])
     for entry in here:
         address(entry)
+    # whoever is done first takes from the end of the list; the first one left is being compiled there
+    while len(missing) > 1:
+        last = missing.pop()
+        if not is_compiled(last) and not all(is_compiled(e) for e in missing):
+            withdraw(label(last))
+            address(last)
 
 
 def invoke(entry: Any, ctl: int, records: int, n: int) -> int:

@@ -153,6 +153,15 @@ def run_time(
     return loop.summary(status, time.perf_counter() - begun)
 
 
+def loop_of(method: str) -> Any:
+    """Compiled loop of a method, an entry that `core.kernel.expect` takes."""
+    if method == "generalized_alpha":
+        return generalized_alpha.entry
+    from pitchpoint.solvers import dormand_prince, runge_kutta  # only those who use them wait for them
+
+    return runge_kutta.entry if method == "rk4" else dormand_prince.entry
+
+
 class _Loop:
     """One run: its integrator, its statistics, what it found so far."""
 

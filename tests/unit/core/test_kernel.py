@@ -274,3 +274,30 @@ def test_every_kernel_of_the_core_has_one_signature():
                 if signatures is not None and key not in generic and len(signatures) > 1:
                     many.append(f"{name}.{key}: {len(signatures)}")
     assert not many
+
+
+class _Named:
+    """Stands for an entry."""
+
+    __module__ = "some.module"
+
+    def __init__(self, name):
+        self.__name__ = name
+
+
+def test_two_processes_share_what_has_to_be_compiled(monkeypatch):
+    """What is expected is compiled here; whoever is done first takes from the end of the other's list."""
+    mine, soon, mesh, bearing, torque = (_Named(n) for n in ("mine", "soon", "mesh", "bearing", "torque"))
+    made, given, taken = [], [], []
+    monkeypatch.setattr(door, "is_compiled", lambda entry: entry in made)
+    monkeypatch.setattr(door, "address", made.append)
+    monkeypatch.setattr(door, "announce", lambda: None)
+    monkeypatch.setattr(door, "delegate", given.extend)
+    monkeypatch.setattr(door, "withdraw", taken.append)
+    door.expect(soon)
+    door.prepare([mine], [mesh, bearing, torque])
+    assert given == ["some.module:mesh", "some.module:bearing", "some.module:torque"]
+    assert made == [mine, soon, torque, bearing]  # the other process is at the mesh
+    assert taken == ["some.module:torque", "some.module:bearing"]
+    door.prepare([mine, soon], [bearing, torque])
+    assert made == [mine, soon, torque, bearing]
