@@ -73,7 +73,7 @@ def await_entry(entry: str) -> None:
 
 
 def withdraw(entry: str) -> None:
-    """No longer wait for an entry, it is compiled here: the companion finds it in the cache, or does it too."""
+    """Stop waiting for an entry: it is compiled here; the companion finds it in the cache, or does it too."""
     _pending.pop(entry, None)
 
 
