@@ -126,6 +126,7 @@ def compute(
             steps=done.steps,
             wall_s=done.wall_s,
             notes=done.notes,
+            statistics=done.channels,
         )
     sentence = f"{done.sentence} (at t = {done.t_end:.6g} s)" if done.status != OK else done.sentence
     summary = {

@@ -63,7 +63,7 @@ class Locator(_CacheLocator):
 
     @classmethod
     def from_function(cls, py_func: Any, py_file: str) -> Locator | None:
-        """Locator of a function marked by `kernel`; None for all others, which keep their own cache."""
+        """Locator of a function marked by `kernel`; None for others and where nothing can be written."""
         if not getattr(py_func, "_pitchpoint", None) or not os.path.exists(py_file):
             return None
         self = cls(py_func, py_file)
@@ -109,13 +109,17 @@ def python_callable(kernel: Kernel) -> Any:
 
 
 def _twin(source: Any, variant: str) -> tuple[Any, bool]:
-    """Copy of a function with its own cache name, so that several compilations live side by side."""
+    """Copy of a function with its own cache name, so that several compilations live side by side.
+
+    Second result: whether it can be cached. Where the folder cannot be written, Numba would turn to its own
+    cache, which does not notice an edited helper, or refuse.
+    """
     copy = pytypes.FunctionType(
         source.__code__, source.__globals__, source.__name__, source.__defaults__, source.__closure__
     )
     copy.__qualname__, copy.__module__ = source.__qualname__, source.__module__
     copy._pitchpoint = variant  # type: ignore[attr-defined]
-    return copy, os.path.exists(source.__code__.co_filename)
+    return copy, Locator.from_function(copy, source.__code__.co_filename) is not None
 
 
 # --------------------------------------------------------------------------------------------------- entries

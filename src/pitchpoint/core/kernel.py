@@ -184,14 +184,14 @@ def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
     mine
         Entries to compile here, before this returns.
     theirs
-        Entries that a second process compiles meanwhile.
+        Entries that a second process compiles meanwhile, if the cache can carry them over.
     """
     missing = [e for e in theirs if not is_compiled(e)]
     here = [e for e in (*mine, *_expected) if not is_compiled(e)]
     _expected.clear()
     if missing or here:
         announce()
-    if missing and here:
+    if missing and here and machine_code.can_save():
         delegate([label(e) for e in missing])
     for entry in here:
         address(entry)

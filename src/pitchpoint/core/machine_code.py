@@ -111,7 +111,21 @@ def code_file(function: Any) -> Path | None:
         return None
     line = function.__code__.co_firstlineno  # tells functions of one name apart
     name = f"{_family(function)}-{line}-{source_stamp(source)[:32]}.code"
-    return cache_folder() / "entries" / _settings() / name
+    return _folder() / name
+
+
+def _folder() -> Path:
+    return cache_folder() / "entries" / _settings()
+
+
+def can_save() -> bool:
+    """Whether machine code can be kept: whether the user may write to the cache."""
+    try:
+        _folder().mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=_folder()):
+            return True
+    except OSError:
+        return False
 
 
 def _family(function: Any) -> str:

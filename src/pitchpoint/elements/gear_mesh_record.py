@@ -213,4 +213,3 @@ EVENTS = (
     ("back_pair_exit", "a tooth pair passes the end E of the path of the back flanks at mid-face"),
     ("back_sliding_reversal", "a tooth pair of the back flanks passes the pitch point at mid-face"),
 )
-N_EVENTS = len(EVENTS)

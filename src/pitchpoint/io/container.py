@@ -182,6 +182,11 @@ class Container:
         _describe(made, attributes)
         return made
 
+    @property
+    def is_open(self) -> bool:
+        """Whether more can be written."""
+        return self._open
+
     def begin(self) -> None:
         """Freeze the structure and let others read."""
         self.file.swmr_mode = True

@@ -9,6 +9,7 @@ rate in the group `blocks`, and `RunningStatistics` sums up the run.
 
 from __future__ import annotations
 
+import math
 import os
 import time
 from collections.abc import Mapping, Sequence
@@ -28,6 +29,9 @@ if TYPE_CHECKING:
 STATISTICS = ("min", "max", "mean", "rms")
 BLOCK_GROUP = "blocks"
 EVENT_GROUP = "events"
+
+#: Numbers of the attribute `statistics` of a channel, in this order; `rms` of the alternating part.
+RUN_STATISTICS = ("mean", "rms", "min", "max")
 
 
 @dataclass(frozen=True)
@@ -195,6 +199,8 @@ class ResultWriter:
             )
             for c in self.channels
         ]
+        for series in self._series:
+            series.attrs["statistics"] = [math.nan] * len(RUN_STATISTICS)
         statistic = container.dimension("statistic", STATISTICS, group=BLOCK_GROUP)
         start = {"units": "s", "long_name": "time of the first sample of the block", "symbol": "t"}
         self._block_time = container.dimension(
@@ -298,7 +304,7 @@ class ResultWriter:
         for k, channel in enumerate(self.channels):
             numbers = (run.mean[k], run.rms[k], run.low[k], run.high[k])
             row: dict[str, Any] = {"unit": channel.unit}
-            for key, number in zip(("mean", "rms", "min", "max"), numbers, strict=True):
+            for key, number in zip(RUN_STATISTICS, numbers, strict=True):
                 row[key] = float(number) if run.count else None
             table[channel.name] = row
         return table
@@ -312,9 +318,18 @@ class ResultWriter:
         steps: int | None = None,
         wall_s: float | None = None,
         notes: Sequence[str] = (),
+        statistics: Mapping[str, Mapping[str, Any]] | None = None,
     ) -> None:
-        """Write the rest, how the run ended and what is to be known of it; a second call does nothing."""
+        """Write the rest, how the run ended and what is to be known of it; a second call does nothing.
+
+        `statistics` by channel are those of all steps of the run; without them the samples are summed up.
+        """
         self.flush()
+        if self._container.is_open:
+            known = self.statistics() if statistics is None else statistics
+            for channel, series in zip(self.channels, self._series, strict=True):
+                numbers = [known[channel.name][key] for key in RUN_STATISTICS]
+                series.attrs.modify("statistics", [math.nan if n is None else n for n in numbers])
         elapsed = time.perf_counter() - self._begun if wall_s is None else wall_s
         self._container.finish(
             status,
@@ -344,11 +359,3 @@ def how_it_ended(error: BaseException | None) -> tuple[str, str, int]:
     if isinstance(error, SolverError):
         return (INTERRUPTED if error.status == st.INTERRUPTED else FAILED), str(error), error.status
     return FAILED, f"{type(error).__name__}: {error}", st.DIED
-
-
-def channel_table(
-    rows: Sequence[tuple[str, str, str]], symbols: Mapping[str, str] | None = None
-) -> list[Channel]:
-    """Make channels from rows (name, unit, long name); `symbols` has the names before the bracket."""
-    known = symbols or {}
-    return [Channel(name, unit, words, known.get(name.partition("[")[0], "")) for name, unit, words in rows]

@@ -143,14 +143,14 @@ def _at_jump(at, t, cm, cd, tol, failure):
         status, here = _correction(at, t, cm, cd, e, False)
         if status != OK:
             return status
+        if not here > 0.0:
+            return failure
         near = there / (there - here)
         for i in range(nd):
             x[i] = near * x[i] + (1.0 - near) * beyond[i]
         for r in range(lam.size):  # they stand at those of the other side, and y leads from there to this one
             lam[r] += near * y[r]
         _move(q, v, a, x, 1.0, cm, cd)
-        if not here > 0.0 or near < 0.0:
-            return failure
         if abs(largest_entry(x, weight)) <= tol:
             return OK
     return failure

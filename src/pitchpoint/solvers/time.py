@@ -331,8 +331,9 @@ def solve_time(
     Returns
     -------
     xarray.Dataset
-        All channels over time [s], with units; provenance, steps and status in the attributes. With events
-        in the scenario also `event_time` [s], `event_name` and `event_direction` over `event`.
+        All channels over time [s], with units and `statistics` over all steps (mean, rms of the alternating
+        part, min, max); provenance, steps and status in the attributes. With events in the scenario also
+        `event_time` [s], `event_name` and `event_direction` over `event`.
 
     Raises
     ------
@@ -348,6 +349,8 @@ def solve_time(
     attrs |= {"steps": done.steps, "notes": "; ".join(done.notes)}
     data = channel_dataset(system, "time", np.concatenate(memory.times), np.concatenate(memory.rows), attrs)
     data["time"].attrs = {"units": "s", "long_name": "time"}
+    for name, numbers in done.channels.items():
+        data[name].attrs["statistics"] = [numbers[key] for key in ("mean", "rms", "min", "max")]
     if chosen.events:
         when, index, direction = done.events.T
         data = data.assign(event_variables(when, index, direction, done.event_names))

@@ -12,10 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.multibody.block_lu import FACTOR, SOLVE
-from pitchpoint.multibody.bodies import BODY, PATH
 from pitchpoint.multibody.channels import CTL, FRAME
-from pitchpoint.multibody.projection import PROJ
 
 # slots of the clock (int64): what a driver counts and remembers between chunks
 STEPS, EVALUATIONS, FACTORISATIONS, ITERATIONS, VALID, BAD_KIND, BAD_RECORD, REDUNDANT, REJECTED = range(9)
@@ -141,7 +138,3 @@ class Workspace:
     def clock(self) -> NDArray[np.int64]:
         """Counters of the drivers (see the slots above)."""
         return self.arrays["clock"]
-
-
-#: dtype of every structure array, for the check that nothing else reaches a kernel
-PROGRAM_DTYPES = {"body": BODY, "path": PATH, "proj": PROJ, "factor": FACTOR, "solve": SOLVE}

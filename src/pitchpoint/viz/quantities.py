@@ -48,13 +48,18 @@ class Scale:
 
 @dataclass(frozen=True)
 class Channel:
-    """One variable of a result: name, values in SI (n,), SI unit, and what to call it."""
+    """One variable of a result: name, values in SI (n,), SI unit, and what to call it.
+
+    `statistics` are those of all steps of a run (mean, rms of the alternating part, min, max); samples that
+    keep step with the mesh would miss what lies between them.
+    """
 
     name: str
     values: Array
     unit: str = ""
     long_name: str = ""
     symbol: str = ""
+    statistics: Mapping[str, float] | None = None
 
     @property
     def label(self) -> str:
@@ -170,5 +175,13 @@ def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
             str(attrs.get("units", "")),
             str(attrs.get("long_name", "")),
             str(attrs.get("symbol", "")),
+            _statistics(attrs.get("statistics")),
         )
     return time, found
+
+
+def _statistics(numbers: Any) -> dict[str, float] | None:
+    """Statistics that a run has left with a channel; None if it has not come to its end."""
+    if numbers is None or not np.all(np.isfinite(numbers)):
+        return None
+    return dict(zip(("mean", "rms", "min", "max"), map(float, numbers), strict=True))

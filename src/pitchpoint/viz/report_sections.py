@@ -131,7 +131,7 @@ def time_section(runs: Mapping[str, Any]) -> Section:
         settled = settled_part(time, run.settle_time)
         steady = not changes_speed(time[settled], turning_angle(run, found), settled)
         rows = [
-            (c, vars(signal_statistics(c.values[settled], time[settled])))
+            (c, c.statistics or vars(signal_statistics(c.values[settled], time[settled])))
             for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
             for c in found.values()
             if c.quantity == quantity and np.all(np.isfinite(c.values))

@@ -14,7 +14,9 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_result, read_channel, read_header
+from pitchpoint.io.writing import Channel, ResultWriter
 from tests.support.cli_files import ISO_EX1, TORSION, json_of, written
 from tests.support.machines import pair
 
@@ -73,6 +75,26 @@ def test_people_get_a_table_and_the_step_can_be_set(
     assert "2000 steps of 10 µs" in out
     assert "model-steady.h5" in out
     assert read_channel(tmp_path / "model-steady.h5", "mesh_force[stage]")[0].size == 101
+
+
+def test_the_file_keeps_the_statistics_of_all_steps(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Samples may keep step with the mesh and miss what lies between them; a killed run has none yet."""
+    target = tmp_path / "out.h5"
+    found = json_of(["run", written(tmp_path, SHORT), "-o", str(target), "--decimate", "7"], capsys)
+    with open_result(target) as ds:
+        for name, numbers in found["channels"].items():
+            kept = ds[name].attrs["statistics"]
+            assert list(kept) == [numbers[key] for key in ("mean", "rms", "min", "max")]
+    with ResultWriter(tmp_path / "begun.h5", Header("time"), [Channel("mesh_force[stage]", "N")]) as writer:
+        with open_result(tmp_path / "begun.h5") as ds:
+            assert np.isnan(ds["mesh_force[stage]"].attrs["statistics"]).all()
+        writer.append(np.arange(3.0), np.array([[1.0], [2.0], [3.0]]))
+    with open_result(tmp_path / "begun.h5") as ds:
+        assert list(ds["mesh_force[stage]"].attrs["statistics"]) == pytest.approx(
+            [2.0, (2 / 3) ** 0.5, 1.0, 3.0]
+        )
 
 
 def test_events_are_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

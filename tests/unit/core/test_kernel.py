@@ -111,6 +111,19 @@ def test_a_damaged_file_is_compiled_again(tmp_path):
         assert python(RUN, tmp_path) == ["2.0", "loaded"]
 
 
+@pytest.mark.slow
+@pytest.mark.skipif(not COMPILING, reason="needs the compiler")
+def test_without_a_cache_everything_is_compiled_and_nothing_is_left_beside_the_sources(tmp_path):
+    write(tmp_path / "outsider/__init__.py", "")
+    write(tmp_path / "outsider/sub/__init__.py", "")
+    write(tmp_path / "outsider/kind.py", BASE)
+    write(tmp_path / "cache", "a file where a folder should be")
+    for value in (2.0, 3.0):
+        write(tmp_path / "outsider/sub/helper.py", HELPER.format(value=value))
+        assert python(RUN, tmp_path) == [str(value), "compiled"]
+    assert not [*tmp_path.glob("outsider/**/*.nb?")]
+
+
 def test_the_stamp_of_a_source_edited_while_the_process_runs_is_used_once(tmp_path):
     file = tmp_path / "kind.py"
     file.write_text("x = 1")
@@ -294,6 +307,7 @@ def test_two_processes_share_what_has_to_be_compiled(monkeypatch):
     monkeypatch.setattr(door, "announce", lambda: None)
     monkeypatch.setattr(door, "delegate", given.extend)
     monkeypatch.setattr(door, "withdraw", taken.append)
+    monkeypatch.setattr(machine_code, "can_save", lambda: True)
     door.expect(soon)
     door.prepare([mine], [mesh, bearing, torque])
     assert given == ["some.module:mesh", "some.module:bearing", "some.module:torque"]
@@ -301,3 +315,16 @@ def test_two_processes_share_what_has_to_be_compiled(monkeypatch):
     assert taken == ["some.module:torque", "some.module:bearing"]
     door.prepare([mine, soon], [bearing, torque])
     assert made == [mine, soon, torque, bearing]
+
+
+def test_nothing_is_given_to_a_second_process_that_could_not_hand_it_back(monkeypatch, tmp_path):
+    (tmp_path / "file").write_text("no folder")
+    mine, mesh, torque = (_Named(n) for n in ("mine", "mesh", "torque"))
+    made, given = [], []
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "file"))
+    monkeypatch.setattr(door, "is_compiled", lambda entry: entry in made)
+    monkeypatch.setattr(door, "address", made.append)
+    monkeypatch.setattr(door, "announce", lambda: None)
+    monkeypatch.setattr(door, "delegate", given.extend)
+    door.prepare([mine], [mesh, torque])
+    assert (made, given) == ([mine, torque], [])

@@ -55,7 +55,11 @@ def test_what_is_written_comes_back(tmp_path: Path) -> None:
         assert ds["transmission_error[stage]"].dtype == np.float32
         assert ds["transmission_error[stage]"].dims == ("time",)
         expected = {"units": "m", "long_name": "transmission error", "symbol": "u_bt"}
-        assert ds["transmission_error[stage]"].attrs == expected
+        attrs = ds["transmission_error[stage]"].attrs
+        assert {key: attrs[key] for key in expected} == expected
+        assert attrs["statistics"] == pytest.approx(
+            [values[:, 0].mean(), values[:, 0].std(), -1e-6, 1e-6], abs=1e-9
+        )
         assert ds["time"].attrs["units"] == "s"
         assert (ds.attrs["status"], ds.attrs["title"]) == ("finished", "Stirnradpaar β")
         assert ds.attrs["model_text"] == "gears: {}"

@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from pitchpoint.model.components.stiffness import LAWS, Din3990, StiffnessLaw
 from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantities, quantity
 
-BACKLASH_DIRECTIONS = ("normal", "base_tangent", "circumferential")
 # The damping belongs to the mesh: a scenario that holds or drives a body does not change it.
 CRITICAL = (
     "share of critical damping, from the mean stiffness and the inertias of both bodies "
@@ -110,8 +108,3 @@ class Mesh:
     """Common face width [m]."""
     theta: float = derived(0.0)
     """Angle of the line of centres in force, from gear 1 to gear 2 [rad]."""
-
-    @property
-    def line_of_centers(self) -> tuple[float, float]:
-        """Unit vector from gear 1 to gear 2 in the x-y plane."""
-        return math.cos(self.theta), math.sin(self.theta)
