@@ -70,7 +70,7 @@ _STIFFNESS = [
     ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
-    ("load_limit", "f8"),  # line load below which the pair softens [N/m], 0: linear
+    ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
     ("k_ref", "f8"),  # mean mesh stiffness, the reference of the damping shares [N/m]
 ]
 

@@ -293,14 +293,14 @@ def phase_flank(b, ctl, watch, x_0, ratio, slope):
     lo = b["z_lo"]
     hi = b["z_hi"]
     if b["tilt"] == 0.0 and b["fixed"] == 1:
-        node(b, ctl, watch, x_0, 0.0, 0.5 * (lo + hi), 0.0, k, k_rate, b["load_limit"] * (hi - lo))
+        node(b, ctl, watch, x_0, 0.0, 0.5 * (lo + hi), 0.0, k, k_rate, 0.0)
         return
     if b["slices"] > 0:
         step = (hi - lo) / b["slices"]
         part = 1.0 / b["slices"]
         for s in range(b["slices"]):
             z = lo + (s + 0.5) * step
-            _phase_node(b, ctl, watch, x_0, z, k * part, k_rate * part, b["load_limit"] * step)
+            _phase_node(b, ctl, watch, x_0, z, k * part, k_rate * part)
         return
     stop = hi
     if b["tilt"] != 0.0:
@@ -312,14 +312,13 @@ def phase_flank(b, ctl, watch, x_0, ratio, slope):
         half = 0.5 * (c - a)
         for s in range(3):
             y = z + (s - 1) * _G * half
-            wt = half * ((8.0 / 9.0) if s == 1 else (5.0 / 9.0))
-            part = wt / (hi - lo)
-            _phase_node(b, ctl, watch, x_0, y, k * part, k_rate * part, b["load_limit"] * wt)
+            part = half * ((8.0 / 9.0) if s == 1 else (5.0 / 9.0)) / (hi - lo)
+            _phase_node(b, ctl, watch, x_0, y, k * part, k_rate * part)
         a = c
 
 
 @kernel
-def _phase_node(b, ctl, watch, x_0, z, k, k_rate, limit):
+def _phase_node(b, ctl, watch, x_0, z, k, k_rate):
     """One node of a prescribed stiffness, at the width z and at the pitch point."""
     x_rate = -b["kappa"] * _drift(b, z) if watch is not None else 0.0
-    node(b, ctl, watch, x_0 - b["tilt"] * z, x_rate, z, 0.0, k, k_rate, limit)
+    node(b, ctl, watch, x_0 - b["tilt"] * z, x_rate, z, 0.0, k, k_rate, 0.0)

@@ -15,6 +15,12 @@ if TYPE_CHECKING:
 OF_PAIRS = ("din3990", "energy", "pair_table")
 
 
+def follows_flanks(model: Model, mesh: str) -> bool:
+    """Whether modifications, deviations or profiles of the gears of a mesh have an effect."""
+    found = model.meshes[mesh]
+    return found.stiffness.law in OF_PAIRS and any(model.gears[g].is_modified for g in found.gears)
+
+
 def ignored_flanks(model: Model) -> tuple[str, ...]:
     """A sentence for every mesh whose law knows no tooth pairs while its gears have flanks of their own."""
     found = []

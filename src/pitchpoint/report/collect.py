@@ -176,4 +176,7 @@ def _sweep_of(data: xr.Dataset) -> dict[str, Any]:
 
 def _free(name: str, other: str, taken: dict[str, Any]) -> str:
     """Name a result after its scenario, with something of its own where two have the same."""
-    return name if name not in taken else f"{name} ({other})"
+    if name in taken:
+        name = f"{name} ({other})"
+    names = (name, *(f"{name} {k}" for k in range(2, len(taken) + 2)))
+    return next(n for n in names if n not in taken)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.keys import defaults_of, keys_of
+from pitchpoint.model.remarks import follows_flanks
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -33,6 +34,8 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
     for group in ("gears", "bodies", "meshes", "bearings", "couplings", "loads", "scenarios"):
         for name, part in getattr(model, group).items():
             idle = _idle(part)
+            if group == "meshes" and follows_flanks(model, name):
+                idle.discard("slices")  # grids of gaps are read on slices, whatever the width integral
             for key, value in _unset(part):
                 if key not in idle:
                     yield group, name, key, value

@@ -154,8 +154,8 @@ def _pseudo_time(
     """Iterate the free coordinates to rest; gives state, residual, steps, and 0 or the status of a failure.
 
     Where the stiffness jumps with the phase (a spur pair without relief as a pair enters), the force may jump
-    past the load: both sides push towards the jump. The state at the jump is the equilibrium if a mean of both
-    residuals leaves nothing over; that mean is the residual given back.
+    past the load: both sides push towards the jump. The state at the jump is the equilibrium if a mean of
+    both residuals leaves nothing over; that mean is the residual given back.
     """
     weight = 1.0 / system.weight  # residuals as forces
     mass = evaluate.matrix(system, state, 1.0, 0.0, 0.0, NEWTON)[np.ix_(free, free)]
@@ -189,12 +189,9 @@ def _pseudo_time(
             near = float(new[free] @ step) / float((new - R)[free] @ step)
             mean = near * R + (1.0 - near) * new
             scaled = np.abs(K) * np.outer(weight[free], weight[free])
-            if float(np.abs((mean * weight)[free]).max()) <= max(goal, JUMP_WIDTH * float(scaled.sum(1).max())):
+            rounding = JUMP_WIDTH * float(scaled.sum(axis=1).max())
+            if float(np.abs((mean * weight)[free]).max()) <= max(goal, rounding):
                 return state, mean, count, 0
-            # the others have not come to rest yet: they go on along the jump
-            state.q[free] -= np.linalg.pinv(K / np.outer(root, root)) @ (mean[free] / root) / root
-            R, mu = evaluate.residual(system, state), 1.0
-            continue
         mu *= 8.0
         if mu > 1e30:
             break

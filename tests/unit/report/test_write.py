@@ -8,6 +8,11 @@ from pathlib import Path
 import pytest
 
 import pitchpoint as pp
+from pitchpoint.cli.main import run_command
+from pitchpoint.core.progress import silent
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.report.collect import collect
+from pitchpoint.report.defaults import defaults
 from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.report.statics import held_bodies
 
@@ -59,12 +64,37 @@ def test_a_model_file_alone(file: Path, tmp_path: Path) -> None:
     assert '<section id="time">' not in text
 
 
+def test_results_of_the_same_name_in_three_folders_are_all_there(file: Path, tmp_path: Path) -> None:
+    model = pp.load_model(file)
+    places = [tmp_path / name / "steady.h5" for name in "abc"]
+    for place in places:
+        place.parent.mkdir()
+        assert run_command(["run", str(file), "-s", "steady", "-q", "-o", str(place)]) == 0
+    found, _ = collect(model, places, silent)
+    assert list(found.runs) == ["steady", "steady (steady.h5)", "steady (steady.h5) 2"]
+
+
 def test_what_has_no_place_in_a_report(file: Path, tmp_path: Path) -> None:
     modes = pp.solve_modal(pp.compile_model(pp.load_model(file)))
     with pytest.raises(pp.PitchpointError, match=r"a dataset over .*mode.* has no place .* solve_time"):
         pp.write_report(file, tmp_path / "x.html", modes)
     with pytest.raises(pp.PitchpointError, match="int has no place"):
         pp.write_report(file, tmp_path / "x.html", 3)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("law", "relieved", "shown"),
+    [("din3990", True, True), ("din3990", False, False), ("constant, value: 4.0e8 N/m", True, False)],
+)
+def test_slices_are_a_default_that_applies_where_flanks_are_read(
+    law: str, relieved: bool, shown: bool
+) -> None:
+    text = TEXT.replace("law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1]", f"law: {law}")
+    if relieved:
+        own = "number_of_teeth: 50, modifications: {both: {profile_crowning: 5 um}}"
+        text = text.replace("number_of_teeth: 50", own, 1)
+    listed = dict(defaults(loads_model(text)))
+    assert listed.get("meshes.stage.slices") == ("11" if shown else None)
 
 
 def test_bodies_that_a_scenario_holds_are_named(file: Path) -> None:

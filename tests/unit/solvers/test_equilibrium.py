@@ -5,11 +5,13 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import SINGULAR
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium import find_equilibrium, solve_equilibrium
+from pitchpoint.system import evaluate
 from tests.support.machines import compiled, pair
 
 STAGES = ((20, 80), (17, 51), (25, 40))
@@ -55,6 +57,21 @@ def test_trains_come_to_rest(inertias, law, backlash, torque):
         assert float(found[f"mesh_force[m{k}]"]) == pytest.approx(expected / r_b1, rel=1e-6)
         expected *= -z2 / z1
     assert float(found["torque[out]"]) == pytest.approx(-expected, rel=1e-6)
+
+
+def test_what_holds_a_wheel_at_a_jump_of_the_stiffness_balances_the_torque():
+    """The pinion rests where a pair enters; the force is between those of both sides, the balance is not."""
+    system = compiled(pair("{law: rectangular, high: 3e8 N/m, low: 1e8 N/m, duty: 0.3}"))[1]
+    driver, driven = (system.spin(name) for name in ("driver", "driven"))
+    one_side = 0
+    for share in np.linspace(0.1, 0.14, 20):  # of a pitch, the jump lies at 0.1225
+        start = system.initial_state()
+        start.q[driven] = share * 2.0 * math.pi / 45
+        start.q[driver] = -1.5 * start.q[driven]
+        found = find_equilibrium(system, start, (driven,))
+        assert found.reaction[0] == pytest.approx(300.0, rel=1e-6)
+        one_side += abs(evaluate.residual(system, found.state)[driver]) > 1.0
+    assert one_side > 0
 
 
 @pytest.mark.parametrize(

@@ -34,7 +34,7 @@ def drive_bank(model: Model, scenario: Scenario) -> Bank:
     for body, drive in scenario.drive.items():
         row = np.zeros(1, element.RECORD)[0]
         row["i"] = number[body]
-        _prescribe(row, pool, drive, scenario.duration or 1.0)
+        _prescribe(row, pool, drive, scenario.duration or 1.0, f"drive.{body}")
         rows.append(row)
         names.append(body)
     for body in scenario.hold:
@@ -46,12 +46,12 @@ def drive_bank(model: Model, scenario: Scenario) -> Bank:
     return pack("drive", element.RECORD, rows, names, pool=pool.array())
 
 
-def _prescribe(row: Any, pool: Pool, drive: Drive, duration: float) -> None:
+def _prescribe(row: Any, pool: Pool, drive: Drive, duration: float, where: str) -> None:
     if drive.speed is not None:
         if isinstance(drive.speed, Constant):
             row["form"], row["speed"] = element.SPEED, drive.speed.value
             return
-        element.set_speed_pieces(row, pool, speed_pieces(drive.speed, duration))
+        element.set_speed_pieces(row, pool, speed_pieces(drive.speed, duration, f"{where}.speed"))
     elif isinstance(drive.angle, Constant):
         element.set_angle_formula(row, pool, Formula.parse(repr(drive.angle.value), ("t",)))
     elif isinstance(drive.angle, FormulaLaw):
@@ -67,8 +67,18 @@ def _prescribe(row: Any, pool: Pool, drive: Drive, duration: float) -> None:
         raise CompileError("a prescribed angle is a value, a formula of t or a table over time")
 
 
-def speed_pieces(law: Law, duration: float) -> SpeedPieces:
-    """Speed over time in pieces; one that cannot be followed raises a CompileError."""
+def speed_pieces(law: Law, duration: float, where: str = "drive.speed") -> SpeedPieces:
+    """Speed over time in pieces; one that cannot be followed raises a CompileError.
+
+    Parameters
+    ----------
+    law
+        The speed [rad/s] over time.
+    duration
+        Time up to which a formula or function is followed [s].
+    where
+        Place in the scenario that names it, for messages.
+    """
     if isinstance(law, TableLaw):
         return straight_pieces(law.abscissa, law.values)
     if isinstance(law, FormulaLaw):
@@ -77,7 +87,7 @@ def speed_pieces(law: Law, duration: float) -> SpeedPieces:
             lambda t: np.broadcast_to(np.asarray(formula(t), dtype=float), t.shape), 0.0, duration
         )
     if isinstance(law, PythonLaw):
-        own = user_law(law, "drive.speed")
+        own = user_law(law, where)
         return fit_pieces(lambda t: np.array([_value(own, s) for s in t]), 0.0, duration)
     raise CompileError(f"a speed cannot be prescribed by {type(law).__name__}")
 
