@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from pitchpoint.core.nomenclature import symbol
 from pitchpoint.core.provenance import content_hash, provenance
 from pitchpoint.core.status import OK
-from pitchpoint.system import evaluate
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -75,7 +74,7 @@ def point_dataset(system: System, found: Equilibrium) -> xr.Dataset:
     """An equilibrium: channels without dimension, coordinates, holding torques."""
     import xarray as xr
 
-    row = evaluate.observe(system, found.state)
+    row = found.observe(system)
     data: dict[str, Any] = {
         c.name: ((), row[k], channel_attributes(c)) for k, c in enumerate(system.layout.channels)
     }

@@ -17,7 +17,7 @@ Journal on Numerical Analysis 35 (1998) 508-523; P. Deuflhard, Newton Methods fo
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
+from pitchpoint.solvers.jump import Rest, jumps_between, observe_mean, rest_between, rest_on_surfaces
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
@@ -36,9 +37,12 @@ if TYPE_CHECKING:
 MOST_ITERATIONS = 400
 TOLERANCE = 1e-9
 """Residual over the sum of what acts, at which a state counts as equilibrium."""
-JUMP_WIDTH = 1e-11
-"""Distance [m] between two states pushing towards each other at which the jump of a force lies between."""
-
+FIRST = 1e4
+"""Factor of the masses in the first step [1/s^2]."""
+SHORT = 1e-6
+"""Step [m] below which one that makes no progress is searched for the jump of a force."""
+NOTHING = 1e-11
+"""Step [m] whose two ends are one place, with a jump between if they push towards each other."""
 GROWTH = 1.01
 """Factor by which the step that would follow may grow over an accepted one: in the gap nothing gets less."""
 
@@ -57,12 +61,21 @@ class Equilibrium:
         Torque that keeps each of them [N m], shape (len(held),).
     iterations
         Newton steps taken.
+    beside, share
+        For every jump of a force the state rests on: the state on its other side, and the share in which
+        what acts is that of the other side.
     """
 
     state: State
     held: tuple[int, ...]
     reaction: NDArray[np.float64]
     iterations: int
+    beside: tuple[State, ...] = ()
+    share: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+
+    def observe(self, system: System) -> NDArray[np.float64]:
+        """All observations, in the order of ``system.layout.channels``; at a jump the mean that rests."""
+        return observe_mean(system, self.state, self.beside, self.share)
 
 
 def free_spins(system: System) -> tuple[int, ...]:
@@ -131,32 +144,28 @@ def find_equilibrium(
     kept = free_spins(system) if held is None else tuple(held)
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
-    begin = state
-    state, R, count, failure = _pseudo_time(system, state, free, tolerance)
+    found, count, failure = _pseudo_time(system, state, free, tolerance)
     if failure:
         from pitchpoint.solvers.unheld import advice, unheld  # which needs this module
 
-        if names := unheld(system, begin, free):
-            raise SolverError(f"no equilibrium: {advice(names)}", SINGULAR, state)
-        left = np.abs(R / system.weight)[free]
+        if names := unheld(system, state, free):
+            raise SolverError(f"no equilibrium: {advice(names)}", SINGULAR, found.state)
+        left = np.abs(found.residual / system.weight)[free]
         raise SolverError(
             f"no equilibrium found after {count} steps: {left.max():.3g} N are left over on "
             f"{system.layout.coordinates[int(free[np.argmax(left)])]}; check loads and stiffness",
             failure,
-            state,
+            found.state,
         )
-    return Equilibrium(_wrapped(system, state), kept, R[list(kept)].copy(), count)
+    beside = tuple(_wrapped(system, other) for other in found.beside)
+    reaction = found.residual[list(kept)].copy()
+    return Equilibrium(_wrapped(system, found.state), kept, reaction, count, beside, found.share)
 
 
 def _pseudo_time(
     system: System, state: State, free: NDArray[np.int64], tolerance: float
-) -> tuple[State, NDArray[np.float64], int, int]:
-    """Iterate the free coordinates to rest; gives state, residual, steps, and 0 or the status of a failure.
-
-    Where the stiffness jumps with the phase (a spur pair without relief as a pair enters), the force may jump
-    past the load: both sides push towards the jump. The state at the jump is the equilibrium if a mean of
-    both residuals leaves nothing over; that mean is the residual given back.
-    """
+) -> tuple[Rest, int, int]:
+    """Iterate the free coordinates to rest; gives where it ended, steps, and 0 or the status of a failure."""
     weight = 1.0 / system.weight  # residuals as forces
     mass = evaluate.matrix(system, state, 1.0, 0.0, 0.0, NEWTON)[np.ix_(free, free)]
     R = evaluate.residual(system, state)
@@ -165,10 +174,11 @@ def _pseudo_time(
     stiffness = np.abs(evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON))
     floor = 2.2e-16 * float((weight * (stiffness @ (np.abs(state.q) + 1.0))).max(initial=0.0))
     goal = max(tolerance * max(float(np.abs(R * weight).max(initial=0.0)), 1e-12), floor)
-    mu = 1e4
+    passing: set[int] = set()  # surfaces that did not hold when they were tried last
+    mu = FIRST
     for count in range(MOST_ITERATIONS):
         if float(np.abs((R * weight)[free]).max(initial=0.0)) <= goal:
-            return state, R, count, 0
+            return Rest(state, R), count, 0
         K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
         inverse = np.linalg.pinv((K + mu * mass) / np.outer(root, root)) / np.outer(root, root)
         step = -inverse @ R[free]
@@ -185,17 +195,23 @@ def _pseudo_time(
             mu = max(mu * (0.1 if left < 0.5 else 0.5), 1e-3)
             state, R = trial, new
             continue
-        if beyond and float(np.abs(step * system.weight[free]).max(initial=0.0)) < JUMP_WIDTH:
-            near = float(new[free] @ step) / float((new - R)[free] @ step)
-            mean = near * R + (1.0 - near) * new
-            scaled = np.abs(K) * np.outer(weight[free], weight[free])
-            rounding = JUMP_WIDTH * float(scaled.sum(axis=1).max())
-            if float(np.abs((mean * weight)[free]).max()) <= max(goal, rounding):
-                return state, mean, count, 0
+        length = float(np.abs(step * system.weight[free]).max(initial=0.0))
+        if length < SHORT and (surfaces := jumps_between(system, state, trial)):
+            rest = None if passing & {*surfaces} else rest_on_surfaces(system, state, surfaces, free, goal)
+            if rest is not None and rest.holds:
+                return rest, count, 0
+            # what acts beyond a jump is no measure of the step that crosses it
+            state = trial if rest is None else rest.state
+            R = evaluate.residual(system, state)
+            passing = set() if rest is None else {*surfaces}
+            mu = mu if rest is None else FIRST
+            continue
+        if length < NOTHING and (found := rest_between(system, state, trial, free, goal)) is not None:
+            return found, count, 0
         mu *= 8.0
         if mu > 1e30:
             break
-    return state, R, count, SINGULAR if mu < 1.0 else DIVERGED
+    return Rest(state, R), count, SINGULAR if mu < 1.0 else DIVERGED
 
 
 def _wrapped(system: System, state: State) -> State:

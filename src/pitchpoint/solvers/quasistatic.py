@@ -127,7 +127,7 @@ def roll_through(
         for s in range(n):
             found = find_equilibrium(own, state, held)
             state = found.state
-            rows[s] = evaluate.observe(own, state)
+            rows[s] = found.observe(own)
             reaction[s] = found.reaction[0]
             for m in range(len(names)):
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]

@@ -12,7 +12,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.solvers.equilibrium import find_equilibrium, solve_equilibrium
 from pitchpoint.system import evaluate
-from tests.support.machines import compiled, pair
+from tests.support.machines import R_B1, compiled, pair
 
 STAGES = ((20, 80), (17, 51), (25, 40))
 INERTIAS = (
@@ -59,19 +59,61 @@ def test_trains_come_to_rest(inertias, law, backlash, torque):
     assert float(found["torque[out]"]) == pytest.approx(-expected, rel=1e-6)
 
 
-def test_what_holds_a_wheel_at_a_jump_of_the_stiffness_balances_the_torque():
-    """The pinion rests where a pair enters; the force is between those of both sides, the balance is not."""
-    system = compiled(pair("{law: rectangular, high: 3e8 N/m, low: 1e8 N/m, duty: 0.3}"))[1]
+JUMPING = ("{law: rectangular, high: 3e8 N/m, low: 1e8 N/m, duty: 0.3}", LAWS[2])
+
+
+@pytest.mark.parametrize("law", JUMPING)
+def test_a_pinion_rests_at_a_jump_of_the_stiffness(law):
+    """As a pair enters or leaves the load may lie between the forces of both sides; their mean acts."""
+    system = compiled(pair(law, torque="800 N m"))[1]
     driver, driven = (system.spin(name) for name in ("driver", "driven"))
-    one_side = 0
-    for share in np.linspace(0.1, 0.14, 20):  # of a pitch, the jump lies at 0.1225
+    force = system.layout.channel("mesh_force[stage]")
+    pairs = [k for k, c in enumerate(system.layout.channels) if c.name.startswith("pair_force[stage.")]
+    resting = 0
+    for share in np.linspace(0.0, 1.0, 800):  # of a pitch
         start = system.initial_state()
         start.q[driven] = share * 2.0 * math.pi / 45
         start.q[driver] = -1.5 * start.q[driven]
         found = find_equilibrium(system, start, (driven,))
-        assert found.reaction[0] == pytest.approx(300.0, rel=1e-6)
-        one_side += abs(evaluate.residual(system, found.state)[driver]) > 1.0
-    assert one_side > 0
+        row = found.observe(system)
+        assert found.reaction[0] == pytest.approx(1200.0, rel=1e-6)
+        assert row[force] == pytest.approx(800.0 / R_B1, rel=1e-6)
+        if pairs:
+            assert row[pairs].sum() == pytest.approx(row[force], rel=1e-9)
+            assert row[pairs].min() >= 0.0
+        resting += len(found.share)
+        assert all(0.0 <= part <= 1.0 for part in found.share)
+        sides = [evaluate.observe(system, side)[force] for side in (found.state, *found.beside)]
+        assert min(sides) * (1.0 - 1e-6) <= row[force] <= max(sides) * (1.0 + 1e-6)
+    assert resting > 0
+
+
+@pytest.mark.parametrize("motion", ["torsion", "planar"])
+@pytest.mark.parametrize("law", JUMPING)
+def test_trains_rest_at_any_phase(motion, law):
+    """Some stages are at a jump while the others are still on their way."""
+    text = train(INERTIAS[0], law, 0.1, 200.0)
+    if motion == "planar":
+        text = text.replace("motion: torsion,", "motion: planar, mass: 2,") + "bearings:\n"
+        text += "".join(f"  s{k}: {{body: b{k}, stiffness: {{radial: 1e9 N/m}}}}\n" for k in range(4))
+    system = compiled(text)[1]
+    spins = [system.spin(f"b{k}") for k in range(4)]
+    forces = [system.layout.channel(f"mesh_force[m{k}]") for k in range(3)]
+    expected, torque = [], 200.0
+    for z1, z2 in STAGES:
+        expected.append(torque / (0.5 * 0.003 * z1 * math.cos(math.radians(20.0))))
+        torque *= -z2 / z1
+    resting = 0
+    for angle in np.linspace(0.0, 0.25, 100):
+        start = system.initial_state()
+        for spin, ratio in zip(spins, (-19.2, 4.8, -1.6, 1.0), strict=True):
+            start.q[spin] = ratio * angle
+        found = find_equilibrium(system, start, (spins[3],))
+        assert found.reaction[0] == pytest.approx(-torque, rel=1e-6)
+        if motion == "torsion":  # a wheel that yields changes its radius and its pressure angle
+            assert found.observe(system)[forces] == pytest.approx(expected, rel=1e-6)
+        resting += len(found.share)
+    assert resting > 0
 
 
 @pytest.mark.parametrize(

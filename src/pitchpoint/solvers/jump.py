@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rest at a jump: where a tooth pair without relief enters or leaves, a mesh force jumps with the position.
+
+The load may lie between the forces of both sides. The machine then rests on the surface of the jump, and what
+acts there is a mean of both sides (A. F. Filippov, Differential Equations with Discontinuous Righthand Sides,
+1988). Unknown are the position on the surface and the share of the other side::
+
+    R(q) + share [R](q) = 0,    g(q) = 0,    0 <= share <= 1
+
+with the residual R, its jump [R] and the event function g whose root is the surface.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.system import evaluate
+from pitchpoint.system.residual import NEWTON
+from pitchpoint.system.system import State, System
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+JUMPS = ("pair_entry", "pair_exit", "back_pair_entry", "back_pair_exit")
+"""Event functions at whose roots a stiffness without relief jumps."""
+BESIDE = 1e-10
+"""Distance of the states on both sides from the surface, in base pitches."""
+PROBE = 1e-7
+"""Displacement [m] of the difference quotients of the event functions, which are smooth."""
+MOST_ITERATIONS = 40
+FARTHEST = 1e-2
+"""Largest step [m] along a surface; an equilibrium on it is near."""
+
+
+@dataclass(frozen=True)
+class Rest:
+    """Where an iteration came to rest.
+
+    Parameters
+    ----------
+    state
+        The state.
+    residual
+        What is left over, with the shares of the other sides, shape (nd,).
+    beside
+        For every jump the state rests on: the state on its other side.
+    share
+        Share in which that other side acts, by jump.
+    """
+
+    state: State
+    residual: Array
+    beside: tuple[State, ...] = ()
+    share: Array = field(default_factory=lambda: np.zeros(0))
+
+    @property
+    def holds(self) -> bool:
+        """Whether every share is one of a mean."""
+        return bool(((self.share >= 0.0) & (self.share <= 1.0)).all())
+
+
+def jumps_between(system: System, one: State, two: State) -> tuple[int, ...]:
+    """Event functions of `JUMPS` that change sign between two neighbouring states."""
+    before, after = evaluate.event_values(system, one), evaluate.event_values(system, two)
+    names = [event.name.partition("[")[0] for event in system.layout.events]
+    return tuple(
+        k
+        for k, name in enumerate(names)
+        if name in JUMPS and before[k] * after[k] <= 0.0 and abs(after[k] - before[k]) < 0.5
+    )
+
+
+def rest_on_surfaces(
+    system: System, state: State, surfaces: Sequence[int], free: Indices, goal: float
+) -> Rest | None:
+    """Rest on all of some surfaces or on one of them, if there is one near a state; else where to go on.
+
+    Parameters
+    ----------
+    system, state
+        The system and a state near the surfaces.
+    surfaces
+        Indices of their event functions.
+    free
+        Coordinates that may move.
+    goal
+        Largest force that may be left over [N].
+
+    Returns
+    -------
+    Rest or None
+        If it does not `Rest.holds`, its state is the one from which an iteration leaves the surface: no
+        mean of both sides keeps it there. None if the iteration fails.
+    """
+    single = [(k,) for k in surfaces] if len(surfaces) > 1 else []
+    aside = None
+    for chosen in ([*surfaces], *single):
+        found = _rest_on(system, state, list(chosen), free, goal)
+        if found is not None and found.holds:
+            return found
+        aside = aside or found
+    return aside
+
+
+def rest_between(system: System, one: State, two: State, free: Indices, goal: float) -> Rest | None:
+    """Rest at a jump between two states that no event function knows, as in a law of the user."""
+    near, far = evaluate.residual(system, one), evaluate.residual(system, two)
+    step = (two.q - one.q)[free]
+    across = float((far - near)[free] @ step)
+    share = -float(near[free] @ step) / across if across > 0.0 else -1.0
+    rest = near + share * (far - near)
+    if not 0.0 <= share <= 1.0 or float(np.abs(rest / system.weight)[free].max()) > goal:
+        return None
+    return Rest(one, rest, (two,), np.array([share]))
+
+
+def _rest_on(system: System, state: State, chosen: list[int], free: Indices, goal: float) -> Rest | None:
+    """Newton's method for position and shares, from a state near the surfaces."""
+    size = 1.0 / system.weight[free]  # of one metre in every coordinate
+    n = len(chosen)
+    share = np.full(n, 0.5)
+    try:
+        for _ in range(MOST_ITERATIONS):
+            normal = _slopes(system, state, chosen, free) * size
+            back = np.linalg.pinv(normal)
+            state = _moved(state, free, -size * (back @ evaluate.event_values(system, state)[chosen]))
+            sides = [_moved(state, free, -size * back.sum(axis=1) * BESIDE)]
+            sides += [_moved(sides[0], free, 2.0 * BESIDE * size * across) for across in back.T]
+            residuals = np.stack([evaluate.residual(system, side) for side in sides], axis=1)
+            stiffness = np.stack([_stiffness(system, side, free, size) for side in sides])
+            parts = np.concatenate(([1.0 - share.sum()], share))  # R_0 + share (R_k - R_0)
+            rest = residuals @ parts
+            K = np.tensordot(parts, stiffness, 1)
+            scale = float(np.abs(K).max())
+            jump = (residuals[free, 1:] - residuals[free, :1]) * size[:, None]
+            # on a surface a state is as exact as the distance between its sides
+            rounding = BESIDE * float(np.abs(stiffness @ back).max())
+            if float(np.abs(rest[free] * size).max()) <= max(goal, rounding):
+                return _aside(
+                    Rest(sides[0], rest, tuple(sides[1:]), share), normal @ np.linalg.pinv(K) @ jump
+                )
+            matrix = np.block([[K, jump], [scale * normal, np.zeros((n, n))]])
+            values = scale * evaluate.event_values(system, state)[chosen]
+            change = -np.linalg.pinv(matrix) @ np.concatenate((rest[free] * size, values))
+            if float(np.abs(change[: len(free)]).max()) > FARTHEST:
+                return None
+            state, share = _moved(state, free, size * change[: len(free)]), share + change[len(free) :]
+    except SolverError:
+        pass
+    return None
+
+
+def _aside(found: Rest, across: Array) -> Rest:
+    """A rest whose shares are no mean moved to the sides where what is left over leads away.
+
+    There that is the jump times the excess of the share; `across` says where a jump leads, shape (n, n).
+    """
+    if found.holds:
+        return found
+    state = found.state.copy()
+    for k, part in enumerate(found.share):
+        if (part > 1.0) == (across[k, k] > 0.0):
+            state.q += found.beside[k].q - found.state.q
+    return Rest(state, found.residual, found.beside, found.share)
+
+
+def _stiffness(system: System, state: State, free: Indices, size: Array) -> Array:
+    """Stiffness of the free coordinates, all in metres."""
+    K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)
+    scaled: Array = K[np.ix_(free, free)] * np.outer(size, size)
+    return scaled
+
+
+def observe_mean(system: System, state: State, beside: Sequence[State], share: Array) -> Array:
+    """All observations of a state at jumps, the mean of both sides; plain numbers stay those of one side.
+
+    A tooth pair keeps its own column, although entering pairs number all pairs anew.
+
+    Parameters
+    ----------
+    system, state
+        The system and its state on one side.
+    beside, share
+        Per jump the state on the other side, and its share.
+    """
+    row = evaluate.observe(system, state)
+    mean = row.copy()
+    channels = system.layout.channels
+    names = [c.name for c in channels]
+    with_unit = np.array([c.unit != "1" for c in channels])
+    for other, part in zip(beside, share, strict=True):
+        found = evaluate.observe(system, other)
+        for k, name in enumerate(names):
+            if name.startswith("mesh_phase[") and abs(found[k] - row[k]) > 0.5:
+                mesh = name.partition("[")[2][:-1]
+                pairs = [p for p, c in enumerate(names) if c.startswith(f"pair_force[{mesh}.")]
+                found[pairs] = np.roll(found[pairs], 1 if found[k] > row[k] else -1)
+        mean += np.where(with_unit, part * (found - row), 0.0)
+    return mean
+
+
+def _slopes(system: System, state: State, surfaces: list[int], free: Indices) -> Array:
+    """Slopes of event functions over the free coordinates, shape (n, free)."""
+    slopes = np.zeros((len(surfaces), len(free)))
+    for column, k in enumerate(free):
+        h = PROBE / system.weight[k]
+        ends = []
+        for sign in (1.0, -1.0):
+            near = state.copy()
+            near.q[k] += sign * h
+            ends.append(evaluate.event_values(system, near)[surfaces])
+        slopes[:, column] = (ends[0] - ends[1]) / (2.0 * h)
+    return slopes
+
+
+def _moved(state: State, free: Indices, by: Array) -> State:
+    """A copy of a state with its free coordinates moved."""
+    new = state.copy()
+    new.q[free] += by
+    return new
