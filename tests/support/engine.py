@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pitchpoint.elements import bearing, coupling, gear_constraint, torque
+from pitchpoint.elements import bearing, coupling, damping, gear_constraint, torque
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
@@ -100,3 +100,20 @@ def differences(system, state, key, step=1e-6):
             sides.append(evaluate.residual(system, moved))
         found[:, c] = (sides[0] - sides[1]) / (2.0 * step)
     return found
+
+
+def damping_records(D, dofs, v0=None):
+    """Cut a dense damping matrix into records; dofs are first coordinate and number of each body."""
+    rates = np.zeros(len(D)) if v0 is None else v0
+    least = 1e-14 * np.abs(D).max(initial=0.0)
+    rows = []
+    for i, (di, ni) in enumerate(dofs):
+        for j, (dj, nj) in enumerate(dofs):
+            block = D[di : di + ni, dj : dj + nj]
+            if np.abs(block).max(initial=0.0) > least:
+                record = np.zeros((), damping.RECORD)
+                record["i"], record["j"] = i, j
+                record["D"][:ni, :nj] = block
+                record["v0"][:nj] = rates[dj : dj + nj]
+                rows.append(record)
+    return np.array(rows, damping.RECORD).reshape(-1)

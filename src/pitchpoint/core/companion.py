@@ -69,6 +69,7 @@ def await_entry(entry: str) -> None:
             del _pending[name]
         if not line or not left:
             process.stdout.close()
+            process.kill()  # what was withdrawn is made here; every file is in place at once or not at all
             process.wait()
 
 

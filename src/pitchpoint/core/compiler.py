@@ -139,11 +139,13 @@ def entry_address(kernel: Kernel) -> tuple[int, Any]:
             where = machine_code.link(name, code, needs) if code else None
         except Exception:  # a fault of the kernel itself comes up again below
             where, code, needs = None, b"", []
-        machine_code.save(source, code if where else b"", needs)
         if where:
+            machine_code.save(source, code, needs)
             return where, None
     copy, cached = _twin(source, "c")
     made = cfunc(_ENTRY, cache=cached, **_FLAGS)(copy)
+    if not config.BOUNDSCHECK:
+        machine_code.save(source, b"", [])  # the next process need not try
     return int(made.address), made
 
 

@@ -135,8 +135,3 @@ class Formula:
         """
         code = VAR | self.variables.index(name) << 8
         return bool(np.any(self.ops[1:] == code))
-
-    @property
-    def is_constant(self) -> bool:
-        """True if no variable occurs."""
-        return not bool(np.any((self.ops[1:] & 255) == VAR))

@@ -50,6 +50,10 @@ _NUMBER = "a plain number or an angle"
 _WORDS = {op: name for name, (op, _) in FUNCTIONS.items()} | {ADD: "+", SUB: "-", POW: "^"}
 
 
+class CycleError(UnitError):
+    """Cycles stand where radians are wanted."""
+
+
 class Kind(NamedTuple):
     """What is known of the dimension of a part of a formula.
 
@@ -172,7 +176,7 @@ def combine(op: int, kinds: list[Kind], exponent: float | None = None) -> Kind:
         return same if op in (ADD, SUB, MIN, MAX, MOD) else PLAIN
     _needs_number(_WORDS[op], kinds[0])
     if op in (SIN, COS, TAN) and kinds[0].written and kinds[0].open_cycles:
-        raise UnitError(f"'{_WORDS[op]}' is given cycles, not radians: Hz needs the factor 2*pi")
+        raise CycleError(f"'{_WORDS[op]}' is given cycles, not radians: Hz needs the factor 2*pi")
     return PLAIN
 
 
@@ -201,7 +205,7 @@ def check_result(kind: Kind, dimension: str) -> None:
             f"its units give {unit_text(kind)}, not {si} ({wanted.words} such as {wanted.example})"
         )
     if dimension in ("angle", "angular_speed") and kind.open_cycles:
-        raise UnitError(f"its units give cycles, not {wanted.si}: Hz needs the factor 2*pi")
+        raise CycleError(f"its units give cycles, not {wanted.si}: Hz needs the factor 2*pi")
 
 
 def unit_text(kind: Kind) -> str:

@@ -50,6 +50,7 @@ MAX_TOKENS = 500
 MAX_DEPTH = 40
 MAX_VARIABLES = 3
 UNIT_REMEDY = "give every number its unit, or none a unit: then all are SI"
+CYCLE_REMEDY = "write 2*pi*50 Hz, or 50 rev/s, for an angular speed"
 
 
 class FormulaError(UnitError):

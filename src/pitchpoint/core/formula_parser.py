@@ -15,12 +15,13 @@ from typing import NamedTuple, NoReturn
 import numpy as np
 
 from pitchpoint.core.errors import UnitError
-from pitchpoint.core.formula_dimension import Kind, check_result, combine, of_number, of_variable
+from pitchpoint.core.formula_dimension import CycleError, Kind, check_result, combine, of_number, of_variable
 from pitchpoint.core.formula_language import (
     ADD,
     ARITY,
     CONST,
     CONSTANTS,
+    CYCLE_REMEDY,
     DIV,
     FUNCTIONS,
     MAX,
@@ -104,6 +105,10 @@ def tokenize(text: str, variables: tuple[str, ...]) -> list[Token]:
             at += len(operator)
     tokens.append(Token("end", "the end", 0.0, len(text)))
     return tokens
+
+
+def _remedy(error: UnitError) -> str:
+    return CYCLE_REMEDY if isinstance(error, CycleError) else UNIT_REMEDY
 
 
 def _literal(text: str, number: re.Match[str], unit: str) -> float:
@@ -294,7 +299,7 @@ class Parser:
         try:
             self._kinds[-n:] = [combine(op, self._kinds[-n:], exponent)]
         except UnitError as error:
-            raise FormulaError(str(error), self.text, token.at, UNIT_REMEDY) from None
+            raise FormulaError(str(error), self.text, token.at, _remedy(error)) from None
         if not all(o == CONST for o, _ in tail):
             self.code.append((op, 0))
             return
@@ -313,7 +318,7 @@ class Parser:
             check_result(self._kinds[0], self.dimension)
         except UnitError as error:
             first = next(t for t in self.tokens if t.kind == "number" and t.word)
-            raise FormulaError(str(error), self.text, first.at, UNIT_REMEDY) from None
+            raise FormulaError(str(error), self.text, first.at, _remedy(error)) from None
 
     def _compact(self) -> None:
         """Drop constants that folding left unused."""

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which source files a source file depends on, found by a scan of its import statements.
 
-The cache of compiled kernels is stamped with this closure (see `pitchpoint.core.kernel`): what a kernel calls
-lies in a file that its own file imports, directly or on the way.
+The cache of compiled kernels is stamped with this closure (see `pitchpoint.core.machine_code`): what a kernel
+calls lies in a file that its own file imports, directly or on the way.
 """
 
 from __future__ import annotations
@@ -105,8 +105,3 @@ def import_closure(file: str | os.PathLike[str]) -> list[Path]:
         seen.add(path)
         stack.extend(_neighbours(path, path.stat().st_mtime_ns, key))
     return sorted(seen)
-
-
-def register_package(name: str) -> None:
-    """Let the scan follow imports into another package (one that brings its own kinds)."""
-    _PACKAGES.add(name.partition(".")[0])

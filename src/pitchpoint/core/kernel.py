@@ -23,7 +23,6 @@ import numpy as np
 
 from pitchpoint.core import machine_code
 from pitchpoint.core.companion import announce, await_entry, delegate, withdraw
-from pitchpoint.core.import_closure import import_closure, register_package
 from pitchpoint.core.machine_code import cache_folder
 
 __all__ = [
@@ -34,13 +33,11 @@ __all__ = [
     "call",
     "call_law",
     "expect",
-    "import_closure",
     "invoke",
     "is_compiled",
     "kernel",
     "law_address",
     "prepare",
-    "register_package",
     "view",
 ]
 
@@ -229,8 +226,7 @@ def _guarded(function: Any) -> Callable[..., float]:
     def law(t: float, x: float, p: Any) -> float:
         try:
             return float(function(t, x, p))
-        except Exception as error:  # the callback boundary: nothing may pass it
-            law.error = error  # type: ignore[attr-defined]
+        except Exception:  # the callback boundary: nothing may pass it
             return float("nan")
 
     return law

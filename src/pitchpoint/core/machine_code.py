@@ -157,8 +157,9 @@ def save(function: Any, code: bytes, needs: list[str]) -> None:
             whole = Path(draft, file.name)
             whole.write_bytes(data)
             whole.replace(file)  # at once, also for a process that reads it now
+        stamp = file.name.rpartition("-")[2]
         for other in file.parent.glob(f"{_family(function)}-*.code"):
-            if other != file:
+            if other.name.rpartition("-")[2] != stamp:  # the same sources may hold two functions of one name
                 other.unlink(missing_ok=True)
 
 

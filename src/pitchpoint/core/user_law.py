@@ -58,10 +58,6 @@ class UserLaw:
 
         return law_address(self.function)
 
-    def parameter_address(self) -> int:
-        """Address of the parameters, valid in this process while this object lives."""
-        return int(self.parameters.ctypes.data)
-
     def diagnose(self, t: float, x: float) -> str:
         """Say why the law fails at a point, or return an empty text if it does not.
 

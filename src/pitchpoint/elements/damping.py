@@ -7,8 +7,6 @@ nothing is damped. One record per ordered pair of bodies with a block that is no
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -33,37 +31,6 @@ RECORD = np.dtype(
     ],
     align=True,
 )
-
-
-def damping_records(
-    D: NDArray[np.float64],
-    dofs: Sequence[tuple[int, int]],
-    v0: NDArray[np.float64] | None = None,
-) -> NDArray[np.void]:
-    """Cut a dense damping matrix into records.
-
-    Parameters
-    ----------
-    D
-        Damping matrix in coordinates, shape (nd, nd).
-    dofs
-        First coordinate and number of coordinates of every body, ground first.
-    v0
-        Rates at which nothing is damped, shape (nd,).
-    """
-    rates = np.zeros(len(D)) if v0 is None else v0
-    least = 1e-14 * np.abs(D).max(initial=0.0)
-    rows = []
-    for i, (di, ni) in enumerate(dofs):
-        for j, (dj, nj) in enumerate(dofs):
-            block = D[di : di + ni, dj : dj + nj]
-            if np.abs(block).max(initial=0.0) > least:
-                record = np.zeros((), RECORD)
-                record["i"], record["j"] = i, j
-                record["D"][:ni, :nj] = block
-                record["v0"][:nj] = rates[dj : dj + nj]
-                rows.append(record)
-    return np.array(rows, RECORD).reshape(-1)
 
 
 def modal_damping(M: NDArray[np.float64], K: NDArray[np.float64], ratio: float) -> NDArray[np.float64]:

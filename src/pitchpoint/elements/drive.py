@@ -8,13 +8,12 @@ the drive puts on the spin.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from pitchpoint.core.formula_kernel import evaluate_slope
 from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.speed_pieces import SpeedPieces, straight_pieces
+from pitchpoint.elements.speed_pieces import SpeedPieces
 from pitchpoint.multibody.channels import F8, I8, constraint_args, constraint_rates, observations
 
 TWO_PI = 6.283185307179586
@@ -41,11 +40,6 @@ RECORD = np.dtype(
 )
 
 OUTPUTS = (("torque", "N m", "torque of the drive on its body"),)
-
-
-def set_speed_table(record: np.void, pool: Pool, times: ArrayLike, speeds: ArrayLike) -> None:
-    """Prescribe a speed by a table over time; the angle is its exact integral, quadratic between points."""
-    set_speed_pieces(record, pool, straight_pieces(times, speeds))
 
 
 def set_speed_pieces(record: np.void, pool: Pool, pieces: SpeedPieces) -> None:

@@ -131,6 +131,11 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
             settle_time=float(header["options"].get("settle_time", 0.0)),
             note="" if whole else f"This run is not complete: {header['status']}. {header['sentence']}",
         )
+    else:
+        kind = str(header["kind"]).replace("_", "-")
+        found.remarks.append(
+            f"{own}: a report computes {kind} results anew from the model; those of the file are not shown."
+        )
 
 
 def _add_dataset(found: _Found, data: xr.Dataset) -> None:

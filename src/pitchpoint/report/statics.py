@@ -217,5 +217,18 @@ def highest_speed(model: Model, body: str, frequency: Any) -> float:
         turning = str(model.body_of(mesh.gears[0]))
         orders.append(abs(ratios.get(turning, 0.0)) * model.gears[mesh.gears[0]].number_of_teeth)
     lowest = min((o for o in orders if o > 0.0), default=math.inf)
-    speeds = [abs(model.start_speeds(s).get(body, 0.0)) for s in model.scenarios.values() if s.speed]
+    speeds = [
+        abs(model.start_speeds(replace(s, speed={**s.speed, **prescribed(s)})).get(body, 0.0))
+        for s in model.scenarios.values()
+    ]
     return 1.2 * max(2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest, *speeds, 0.0)
+
+
+def prescribed(scenario: Scenario) -> dict[str, float]:
+    """Constant speeds of drives, and the highest speed of a sweep given by speeds [rad/s]."""
+    from pitchpoint.model.components.law import Constant
+
+    found = {n: d.speed.value for n, d in scenario.drive.items() if isinstance(d.speed, Constant)}
+    if scenario.sweep is not None and scenario.sweep.speed is not None:
+        found[scenario.sweep.body] = scenario.sweep.speed[1]
+    return found

@@ -157,6 +157,8 @@ def best_match(likeness: Array) -> NDArray[np.intp]:
     >>> best_match(np.array([[0.9, 0.2], [0.8, 0.6]]))
     array([0, 1])
     """
+    if likeness.size == 0:  # everything is held: nothing vibrates
+        return np.zeros(0, np.intp)
     columns = likeness.argmax(axis=1)
     if np.unique(columns).size < len(columns):  # two rows want the same: rare, and SciPy takes long to import
         from scipy.optimize import linear_sum_assignment

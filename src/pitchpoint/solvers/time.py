@@ -82,7 +82,8 @@ class TimeSummary:
     notes
         What the user should know, in sentences.
     state
-        State reached: a run can go on from it.
+        State reached. A run can go on from it, but a drive by formula or function is followed up to the
+        duration of its scenario only.
     """
 
     status: int

@@ -150,11 +150,3 @@ def event_values(system: System, state: State) -> NDArray[np.float64]:
     row = np.zeros(system.sizes["ne"])
     check(system, ask(system.workspace, EVENTS, state.t, where=row.ctypes.data))
     return row
-
-
-def accelerate(system: System, state: State) -> State:
-    """Same state with the accelerations and multipliers that its forces cause."""
-    prepare(system)
-    load(system, state)
-    check(system, ask(system.workspace, ACCELERATE, state.t))
-    return store(system, state.t)

@@ -48,6 +48,7 @@ def deep_contacts(
             found.append(
                 f"meshes.{name}: the flanks go {format_quantity(deepest, 'length', 3)} into each other "
                 f"(limit about 0.1 m_n = {format_quantity(limit, 'length', 3)}), more than teeth can bend; "
-                "check the loads, the stiffness, prescribed motions and a given time step"
+                "check the loads, the stiffness, prescribed motions, a given time step, and the damping: "
+                "with too little of it a varying stiffness can build up vibrations without bound"
             )
     return tuple(found)

@@ -119,7 +119,7 @@ def test_what_may_be_right_is_accepted(dimension: str, text: str) -> None:
 def test_what_is_certainly_wrong_is_refused(dimension: str, text: str, message: str) -> None:
     with pytest.raises(FormulaError, match=message) as refused:
         Formula.parse(text, NAMES, dimension)
-    assert "none a unit" in refused.value.remedy
+    assert ("2*pi" if "cycles" in message else "none a unit") in refused.value.remedy
 
 
 @pytest.mark.parametrize("text", ["5 N m + 3 kg*sin(t)", "sin(3 kg*t)"])

@@ -13,7 +13,8 @@ import pytest
 
 from pitchpoint.core import kernel as door
 from pitchpoint.core import machine_code
-from pitchpoint.core.kernel import COMPILING, Kernel, call_law, import_closure, kernel, law_address
+from pitchpoint.core.import_closure import import_closure
+from pitchpoint.core.kernel import COMPILING, Kernel, call_law, kernel, law_address
 from tests.support.cli_files import TORSION
 
 BASE = """

@@ -61,27 +61,27 @@ def load(folder, name, **options):
 
 def test_a_simple_law_runs_in_compiled_code(folder):
     law = load(folder, "laws.py:torque", parameters=(3.0, 2.0))
-    got = through(law.address(), 0.4, 1.0, law.parameter_address())
+    got = through(law.address(), 0.4, 1.0, law.parameters.ctypes.data)
     assert got == pytest.approx(3.0 * math.sin(0.8) + 1.0, rel=1e-14)
     assert law(0.4, 1.0) == pytest.approx(got)
 
 
 def test_a_law_beyond_the_compiler_is_called_back(folder):
     law = load(folder, "laws.py:with_dictionary")
-    assert through(law.address(), 0.0, 21.0, law.parameter_address()) == 42.0
+    assert through(law.address(), 0.0, 21.0, law.parameters.ctypes.data) == 42.0
 
 
 def test_an_exception_becomes_nan_and_can_be_explained(folder):
     law = load(folder, "laws.py:broken")
-    assert math.isnan(through(law.address(), 0.0, 1.0, law.parameter_address()))
+    assert math.isnan(through(law.address(), 0.0, 1.0, law.parameters.ctypes.data))
     assert law.diagnose(0.0, 1.0) == "laws.py:broken raised KeyError: 'no such key'"
     assert load(folder, "laws.py:torque", parameters=(1.0, 1.0)).diagnose(0.0, 1.0) == ""
 
 
 def test_an_exception_in_compiled_code_is_no_silent_zero(folder, capfd):
     law = load(folder, "laws.py:raising")
-    assert through(law.address(), 0.0, -1.0, law.parameter_address()) == -1.0
-    assert math.isnan(through(law.address(), 0.0, 1.0, law.parameter_address()))
+    assert through(law.address(), 0.0, -1.0, law.parameters.ctypes.data) == -1.0
+    assert math.isnan(through(law.address(), 0.0, 1.0, law.parameters.ctypes.data))
     assert capfd.readouterr().err == ""
 
 

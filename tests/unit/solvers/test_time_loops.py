@@ -12,6 +12,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT, NOT_FINITE, OK
 from pitchpoint.elements import drive
 from pitchpoint.elements.signal import LAW, OVER_TIME, Pool, set_table
+from pitchpoint.elements.speed_pieces import straight_pieces
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers import generalized_alpha, runge_kutta, sampling
 from pitchpoint.solvers.rows import explain, redundant_rows, row_notes
@@ -203,7 +204,8 @@ def test_a_repeated_row_needs_no_second_iteration_to_hold():
     drives["i"] = 1
     pool = Pool()
     for record in drives:
-        drive.set_speed_table(record, pool, np.linspace(0.0, 1.0, 101), np.linspace(0.0, 10.0, 101) ** 2)
+        pieces = straight_pieces(np.linspace(0.0, 1.0, 101), np.linspace(0.0, 10.0, 101) ** 2)
+        drive.set_speed_pieces(record, pool, pieces)
     system = assemble(bodies, {}, {"drive": drives}, pools={"drive": pool.array()})
     run = generalized_alpha.start(system, system.initial_state(), 1e-4)
     assert run.advance(5000).status == OK

@@ -15,15 +15,16 @@ from pitchpoint.core.formula import Formula
 from pitchpoint.core.nomenclature import unit
 from pitchpoint.core.status import OK
 from pitchpoint.elements import drive, torque
-from pitchpoint.elements.damping import damping_records, modal_damping
+from pitchpoint.elements.damping import modal_damping
 from pitchpoint.elements.signal import OVER_ANGLE, OVER_SPEED, Pool, set_formula, set_law, set_table
+from pitchpoint.elements.speed_pieces import straight_pieces
 from pitchpoint.multibody.bodies import FREE, PLANAR, Body
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.layout import group
 from pitchpoint.system.perform import WRAP, ask
 from pitchpoint.system.system import assemble
-from tests.support.engine import bearings, chain, couplings, differences, rattle, torques
+from tests.support.engine import bearings, chain, couplings, damping_records, differences, rattle, torques
 
 
 def test_all_faults_of_the_bodies_come_at_once():
@@ -151,7 +152,7 @@ def test_drives_prescribe_the_spin(form):
     if form == "speed":
         records["speed"] = 30.0
     elif form == "table":
-        drive.set_speed_table(records[0], pool, [0.0, 0.1, 1.0], [0.0, 30.0, 30.0])
+        drive.set_speed_pieces(records[0], pool, straight_pieces([0.0, 0.1, 1.0], [0.0, 30.0, 30.0]))
     else:
         drive.set_angle_formula(records[0], pool, Formula.parse("100*t^2", ("t",)))
     expected = {"speed": (6.0, 30.0), "table": (4.5, 30.0), "formula": (4.0, 40.0)}[form]

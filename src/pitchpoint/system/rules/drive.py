@@ -62,7 +62,9 @@ def _prescribe(row: Any, pool: Pool, drive: Drive, duration: float, where: str) 
         # a table of angles needs a smooth speed: monotone cubic through its points
         smooth = PchipInterpolator(drive.angle.abscissa, drive.angle.values).derivative()
         at = np.array(drive.angle.abscissa)
-        element.set_speed_pieces(row, pool, fit_pieces(smooth, at[0], at[-1], at))
+        pieces = fit_pieces(smooth, at[0], at[-1], at)
+        element.set_speed_pieces(row, pool, pieces)
+        row["angle"] = drive.angle.values[0] - pieces.angles()[0]
     else:
         raise CompileError("a prescribed angle is a value, a formula of t or a table over time")
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.contact.mesh_cycle import pair_cycle
 from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
 from pitchpoint.core.errors import CompileError
 from pitchpoint.core.kernel import invoke
@@ -51,6 +52,8 @@ class Placement:
         Angles of the centre of tooth 0 at spin 0, from the x axis of the body [rad].
     fixed
         Both bodies can only spin.
+    widths
+        Face widths of both gears [m]; None takes those of the pair, which knows only the part that meets.
     """
 
     origin1: Array
@@ -60,6 +63,7 @@ class Placement:
     phi1: float = 0.0
     phi2: float = 0.0
     fixed: bool = False
+    widths: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,15 +94,7 @@ def mean_stiffness(pair: GearPair, stiffness: Description) -> float:
     """Mean total stiffness of a mesh along the base tangent [N/m], over one mesh cycle."""
     if isinstance(stiffness, PhaseStiffness):
         return stiffness.mean
-    p = np.linspace(0.0, pair.eps_alpha, 2001)
-    zeta = 2.0 * p / pair.eps_alpha - 1.0
-    c = 1.0 - (1.0 - stiffness.S_R) * zeta**2
-    if stiffness.table is not None:
-        c = np.interp(p, np.linspace(0.0, pair.eps_alpha, stiffness.table.size), stiffness.table)
-    ramp = stiffness.ramp_length(pair.eps_alpha)
-    if ramp > 0.0:
-        c = c * np.minimum(1.0, np.minimum(p, pair.eps_alpha - p) / ramp)
-    return float(stiffness.c_prime * pair.b_w * np.trapezoid(c, p))
+    return pair_cycle(stiffness, pair.eps_alpha, n=2).mean * stiffness.c_prime * pair.b_w
 
 
 def _wrap(value: float, period: float) -> tuple[float, int]:
@@ -120,7 +116,7 @@ def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
     row["w1"] = g1.z / (g1.z + g2.z)
     row["tan_b"] = math.tan(g1.beta_b)
     row["zc1"], row["zc2"] = place.offset1, place.offset2
-    _widths(row, g1.b, g2.b)
+    _widths(row, *(place.widths or (g1.b, g2.b)))
     line = (place.origin2 - place.origin1)[:2] * math.copysign(1.0, pair.a_w)
     gamma = math.atan2(line[1], line[0])
     row["cos1"] = row["cos2"] = math.cos(gamma)
@@ -230,11 +226,11 @@ def mesh_bank(model: Model) -> Bank:
             phi1=model.phasing.tooth_angle[mesh.gears[0]],
             phi2=model.phasing.tooth_angle[mesh.gears[1]],
             fixed=all(model.bodies[b].motion in ("torsion", "fixed") for b in (one, two)),
+            widths=(gears[0].face_width, gears[1].face_width),
         )
         pair = model.pairs[name]
         row = mesh_row(pair, place, mesh_laws(model, name), pool.add, model.backlash(name))
         row["i"], row["j"] = number[one], number[two]
-        _widths(row, gears[0].face_width, gears[1].face_width)
         if row["source"] == layout.PROFILE:  # a prescribed total stiffness knows no tooth pairs
             row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
             separation_grids(row, gears, pool.add)
