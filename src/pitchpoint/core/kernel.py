@@ -131,6 +131,7 @@ _addresses: dict[Any, int] = {}
 _kept: list[Any] = []
 _laws: dict[Any, Any] = {}
 _expected: list[Any] = []
+_stopped: list[KeyboardInterrupt] = []
 _TABLE: dict[int, Any] = {}
 
 
@@ -214,10 +215,17 @@ def invoke(entry: Any, ctl: int, records: int, n: int) -> int:
     -------
     int
         Its status.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If the user stopped it while a law in plain Python ran.
     """
-    if not COMPILING:
-        return int(entry(ctl, records, n))
-    return int(_ENTRY_CALL(address(entry))(ctl, records, n))
+    call_it = _ENTRY_CALL(address(entry)) if COMPILING else entry
+    status = int(call_it(ctl, records, n))
+    if _stopped:
+        raise _stopped.pop()
+    return status
 
 
 def _guarded(function: Any) -> Callable[..., float]:
@@ -226,8 +234,11 @@ def _guarded(function: Any) -> Callable[..., float]:
     def law(t: float, x: float, p: Any) -> float:
         try:
             return float(function(t, x, p))
-        except Exception:  # the callback boundary: nothing may pass it
-            return float("nan")
+        except KeyboardInterrupt as stop:  # goes on in `invoke`
+            _stopped.append(stop)
+        except BaseException:  # nothing may pass the boundary of a callback
+            pass
+        return float("nan")
 
     return law
 

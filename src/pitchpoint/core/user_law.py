@@ -70,7 +70,9 @@ class UserLaw:
         """
         try:
             value = self(t, x)
-        except Exception as error:  # noqa: BLE001 - a user's code may raise anything
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # noqa: BLE001 - a user's code may raise anything, SystemExit too
             return f"{self.source} raised {type(error).__name__}: {error}"
         return "" if math.isfinite(value) else f"{self.source} returned {value}"
 

@@ -43,6 +43,8 @@ SHORT = 1e-6
 """Step [m] below which one that makes no progress is searched for the jump of a force."""
 NOTHING = 1e-11
 """Step [m] whose two ends are one place, with a jump between if they push towards each other."""
+ROUNDING = 8 * 2.2e-16
+"""Rounding of a force beside its terms: as many are added up at a body."""
 GROWTH = 1.01
 """Factor by which the step that would follow may grow over an accepted one: in the gap nothing gets less."""
 
@@ -170,16 +172,18 @@ def _pseudo_time(
     mass = evaluate.matrix(system, state, 1.0, 0.0, 0.0, NEWTON)[np.ix_(free, free)]
     R = evaluate.residual(system, state)
     root = np.sqrt(np.diag(mass))
-    # positions are rounded to 2e-16 of about 1 m and 1 rad: nothing below the forces of that can be asked for
-    stiffness = np.abs(evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON))
-    floor = 2.2e-16 * float((weight * (stiffness @ (np.abs(state.q) + 1.0))).max(initial=0.0))
-    goal = max(tolerance * max(float(np.abs(R * weight).max(initial=0.0)), 1e-12), floor)
+    damping = np.abs(evaluate.matrix(system, state, 0.0, 1.0, 0.0, NEWTON)) @ np.abs(state.v)
+    wanted = tolerance * float(np.abs(R * weight).max(initial=0.0))
     passing: set[int] = set()  # surfaces that did not hold when they were tried last
     mu = FIRST
     for count in range(MOST_ITERATIONS):
-        if float(np.abs((R * weight)[free]).max(initial=0.0)) <= goal:
+        whole = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)
+        # positions are rounded as about 1 m and 1 rad are: nothing below the forces of that can be asked for
+        rounded = ROUNDING * weight * (np.abs(whole) @ (np.abs(state.q) + 1.0) + damping)
+        goal = np.maximum(rounded, wanted)[free]
+        if (np.abs((R * weight)[free]) <= goal).all():
             return Rest(state, R), count, 0
-        K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
+        K = whole[np.ix_(free, free)]
         inverse = np.linalg.pinv((K + mu * mass) / np.outer(root, root)) / np.outer(root, root)
         step = -inverse @ R[free]
         trial = state.copy()

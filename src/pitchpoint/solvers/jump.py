@@ -76,7 +76,7 @@ def jumps_between(system: System, one: State, two: State) -> tuple[int, ...]:
 
 
 def rest_on_surfaces(
-    system: System, state: State, surfaces: Sequence[int], free: Indices, goal: float
+    system: System, state: State, surfaces: Sequence[int], free: Indices, goal: Array
 ) -> Rest | None:
     """Rest on all of some surfaces or on one of them, if there is one near a state; else where to go on.
 
@@ -89,7 +89,7 @@ def rest_on_surfaces(
     free
         Coordinates that may move.
     goal
-        Largest force that may be left over [N].
+        Largest force that may be left over on each of them [N].
 
     Returns
     -------
@@ -107,19 +107,19 @@ def rest_on_surfaces(
     return aside
 
 
-def rest_between(system: System, one: State, two: State, free: Indices, goal: float) -> Rest | None:
+def rest_between(system: System, one: State, two: State, free: Indices, goal: Array) -> Rest | None:
     """Rest at a jump between two states that no event function knows, as in a law of the user."""
     near, far = evaluate.residual(system, one), evaluate.residual(system, two)
     step = (two.q - one.q)[free]
     across = float((far - near)[free] @ step)
     share = -float(near[free] @ step) / across if across > 0.0 else -1.0
     rest = near + share * (far - near)
-    if not 0.0 <= share <= 1.0 or float(np.abs(rest / system.weight)[free].max()) > goal:
+    if not 0.0 <= share <= 1.0 or bool((np.abs(rest / system.weight)[free] > goal).any()):
         return None
     return Rest(one, rest, (two,), np.array([share]))
 
 
-def _rest_on(system: System, state: State, chosen: list[int], free: Indices, goal: float) -> Rest | None:
+def _rest_on(system: System, state: State, chosen: list[int], free: Indices, goal: Array) -> Rest | None:
     """Newton's method for position and shares, from a state near the surfaces."""
     size = 1.0 / system.weight[free]  # of one metre in every coordinate
     n = len(chosen)
@@ -139,8 +139,8 @@ def _rest_on(system: System, state: State, chosen: list[int], free: Indices, goa
             scale = float(np.abs(K).max())
             jump = (residuals[free, 1:] - residuals[free, :1]) * size[:, None]
             # on a surface a state is as exact as the distance between its sides
-            rounding = BESIDE * float(np.abs(stiffness @ back).max())
-            if float(np.abs(rest[free] * size).max()) <= max(goal, rounding):
+            rounding = BESIDE * np.abs(stiffness @ back).max(axis=(0, 2))
+            if (np.abs(rest[free] * size) <= np.maximum(goal, rounding)).all():
                 return _aside(
                     Rest(sides[0], rest, tuple(sides[1:]), share), normal @ np.linalg.pinv(K) @ jump
                 )

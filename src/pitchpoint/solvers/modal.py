@@ -117,7 +117,7 @@ def linearise(
     if loose:
         notes.append(
             f"no load presses the flanks of {', '.join(loose)} together: "
-            "the front flanks are taken as touching"
+            "they are taken as touching, on the front if nothing leans on the back"
         )
     still = state.copy()
     still.v[:] = 0.0

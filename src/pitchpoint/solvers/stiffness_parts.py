@@ -134,9 +134,10 @@ def _equal(n: int) -> tuple[Array, Array]:
 
 
 def touching(system: System, state: State) -> tuple[str, ...]:
-    """Bring the front flanks of unloaded meshes into touch by shifting the assembly; returns their names.
+    """Bring the flanks of unloaded meshes into touch by shifting the assembly; returns their names.
 
-    Changes the records of the system: give it a copy.
+    It is the front flank, unless the mesh leans on the other one. Changes the records of the system: give it
+    a copy.
     """
     names = []
     for k, record in enumerate(system.records.get("gear_mesh", ())):
@@ -144,15 +145,16 @@ def touching(system: System, state: State) -> tuple[str, ...]:
         depth = abs(record["u"] - record["e_t"]) - 0.5 * record["gap"] - record["sep_min"]
         # without backlash round-off presses both flanks of an unloaded mesh
         if depth < TOUCH:
-            _touch(system, state, record)
+            leans = depth > 0.0 and record["gap"] > TOUCH and record["u"] < record["e_t"]
+            _touch(system, state, record, -1 if leans else 1)
             names.append(mesh_names(system)[k])
     return tuple(names)
 
 
-def _touch(system: System, state: State, record: np.void) -> None:
+def _touch(system: System, state: State, record: np.void, flank: int) -> None:
     for _ in range(2):  # the excitation follows the phase
         evaluate.residual(system, state)
-        aim = 0.5 * record["gap"] + record["sep_min"] + TOUCH
+        aim = flank * (0.5 * record["gap"] + record["sep_min"] + TOUCH)
         record["u0"] += aim - (record["u"] - record["e_t"])
 
 
@@ -221,7 +223,7 @@ def _cycle_mean(
                 record[name] = kept[name]
             shift(record, flank * (float(psi) - now))
             if loose:
-                _touch(system, at, record)
+                _touch(system, at, record, flank)
             else:
                 for _ in range(2):  # the deflection there moves the phase a little
                     at = _rest_at(system, at, held, state)

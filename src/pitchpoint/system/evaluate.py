@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.core.status import NOT_FINITE, OK, sentence
+from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK, sentence
 from pitchpoint.system import linearise
 from pitchpoint.system.law_fault import law_fault
 from pitchpoint.system.link import kind_of_row
@@ -34,7 +34,7 @@ def explain(system: System, status: int) -> str:
     """Sentence for a status, with the name of the element that reported it if one did."""
     text = sentence(status)
     row, record = int(system.workspace.ctl[0]["badkind"]), int(system.workspace.ctl[0]["bad"])
-    if row < 0:
+    if row < 0 or status == INTERRUPTED:
         return text
     kind = kind_of_row(system.records, row)
     if record < 0:

@@ -329,3 +329,15 @@ def test_nothing_is_given_to_a_second_process_that_could_not_hand_it_back(monkey
     monkeypatch.setattr(door, "delegate", given.extend)
     door.prepare([mine], [mesh, torque])
     assert (made, given) == ([mine, torque], [])
+
+
+def test_functions_of_one_name_in_one_file_keep_their_code_beside_each_other(tmp_path, monkeypatch):
+    write(tmp_path / "twins.py", "def entry():\n    return 1\n\none = entry\n\ndef entry():\n    return 2\n")
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "cache"))
+    monkeypatch.syspath_prepend(tmp_path)
+    import twins
+
+    for function, code in ((twins.one, b"one"), (twins.entry, b"two")):
+        machine_code.save(function, code, [])
+    assert machine_code._read(twins.one) == ([], b"one")
+    assert machine_code._read(twins.entry) == ([], b"two")

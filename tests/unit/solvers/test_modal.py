@@ -214,3 +214,33 @@ def test_a_run_vibrates_and_decays_as_the_damped_modes_say(mode):
     expected = small * (root * z * np.exp(root * t)).real
     left = np.linalg.norm((ends[1] - ends[0] - expected) * system.weight)
     assert left < 0.02 * np.linalg.norm(expected * system.weight)
+
+
+def test_a_campbell_diagram_of_a_machine_whose_spins_are_all_driven_has_no_modes():
+    rest = "scenarios:\n  turn: {drive: {driver: {speed: 150}, driven: {speed: -100}}, duration: 1 ms}\n"
+    system = compiled(pair(FOURIER, rest=rest), "turn")[1]
+    assert campbell(system, np.linspace(0.0, 100.0, 3), "driver")["frequency"].size == 0
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_the_least_load_says_which_flank_touches(side):
+    """Two helical stages on soft bearings: frequencies depend on the flank, whatever presses it."""
+    gears, bodies, bearings = "gears:\n", "bodies:\n", "bearings:\n"
+    for name, z, hand in (("a", 20, "right"), ("b", 45, "left"), ("c", 17, "right"), ("d", 51, "left")):
+        gears += f"  {name}: {{number_of_teeth: {z}, normal_module: 3 mm, face_width: 20 mm, "
+        gears += f"profile_shift_coefficient: 0, helix_angle: 20 deg, hand: {hand}}}\n"
+    for name, on in (("one", "{a: 0 mm}"), ("two", "{b: 0 mm, c: 60 mm}"), ("three", "{d: 60 mm}")):
+        bodies += f"  {name}: {{gears: {on}, motion: free}}\n"
+        bearings += f"  at_{name}: {{body: {name}, stiffness: {{radial: 4e7 N/m, axial: 2e7 N/m, "
+        bearings += "tilt: 4e7 N m/rad}}\n"  # flanks touch over their whole width
+    stages = "meshes:\n"
+    for name, pair_of, angle in (("first", "a, b", 0), ("second", "c, d", 70)):
+        stages += f"  {name}: {{gears: [{pair_of}], direction: {angle} deg, "
+        stages += "backlash: {normal: 0.1 mm}, stiffness: {law: constant, value: 3e8 N/m}}\n"
+    loads = "loads:\n  in: {body: one, torque: TORQUE}\n  out: {body: three, torque: balance}\n"
+    text = gears + bodies + bearings + stages + loads
+    found = [
+        find_modes(compiled(text.replace("TORQUE", f"{side * torque}"))[1]).frequency
+        for torque in (0.002, 0.5)
+    ]
+    assert found[0] == pytest.approx(found[1], rel=1e-5, abs=1e-3)

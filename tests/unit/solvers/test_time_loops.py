@@ -16,9 +16,11 @@ from pitchpoint.elements.speed_pieces import straight_pieces
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers import generalized_alpha, runge_kutta, sampling
 from pitchpoint.solvers.rows import explain, redundant_rows, row_notes
+from pitchpoint.solvers.time import solve_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import couplings, gear_rows, rattle, torques
+from tests.support.machines import compiled, pair
 
 OMEGA = 2.0 * math.pi * 50.0
 
@@ -247,3 +249,15 @@ def test_step_must_be_positive():
     system, state = oscillator()
     with pytest.raises(SolverError, match="positive"):
         generalized_alpha.start(system, state, 0.0)
+
+
+@pytest.mark.parametrize("torque", ["0", "1000*t", "100*sin(2*pi*10*t)"])
+@pytest.mark.parametrize("speed", [0.0, 300.0])
+def test_a_machine_without_load_at_the_start_starts_in_its_gap(torque, speed):
+    damped = "{law: din3990}, damper: {ratio: 0.02}"
+    scenario = f"scenarios:\n  turn: {{speed: {{driver: {speed}}}, duration: 1 ms}}\n"
+    system = compiled(pair(damped, torque=torque, rest=scenario), "turn")[1]
+    found = solve_time(system)
+    assert found.attrs["status"] == OK
+    assert found["mesh_force[stage]"].values[0] == pytest.approx(0.0, abs=1e-9)
+    assert found["contact_state[stage]"].values[0] == 0.0

@@ -303,7 +303,9 @@ def _freeze(row: Any, place: Placement) -> None:
     rows[0] = row
     for name in ("source", "n_pair", "n_e", "n_e1", "n_e2", "n_sz", "i"):
         rows[name] = 0  # geometry alone
-    rows["j"], rows["inv_w0"] = 1, -1e9  # a gap so wide that no flank is looked at
+    rows["j"] = 1
+    # a gap so wide that no flank is looked at, for internal gears too
+    rows["inv_w0"] = -math.copysign(1e9, row["r_b1"] + row["r_b2"])
     ctl = np.zeros(1, CTL)
     ctl["fr"], ctl["nb"] = frames.ctypes.data, 2
     tangents = np.zeros((1, 6, 6))

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From model to mesh record: the same machine whichever of its coordinates are free."""
+
+from __future__ import annotations
+
+import pytest
+
+from pitchpoint.solvers.equilibrium import solve_equilibrium
+from tests.support.machines import compiled
+
+PAIR = """\
+gears:
+  g1: {{number_of_teeth: 30, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0.1{helix}}}
+  g2: {{number_of_teeth: 77, normal_module: 3 mm, face_width: 25 mm{other}}}
+bodies:
+  b1: {{gears: [g1], motion: {motion}, position: [0, 0, 0]}}
+  b2: {{gears: {{g2: {shift} mm}}, position: [{a} mm, 0, 0]}}
+meshes:
+  stage: {{gears: [g1, g2], center_distance: {a} mm, stiffness: {law}}}
+loads:
+  in: {{body: b1, torque: 10 N m}}
+  out: {{body: b2, torque: balance}}
+"""
+BEARING = "bearings:\n  s: {body: b1, stiffness: {radial: 1e15 N/m, axial: 1e15 N/m, tilt: 1e13 N m/rad}}\n"
+LAWS = (
+    "{law: constant, value: 1e8}",
+    "{law: rectangular, high: 2e8, low: 1e8}",
+    "{law: fourier, mean: 1e8, cosine: [0.1]}",
+    "{law: table, values: [1e8, 2e8, 3e8]}",
+    "{law: pair_table, single_stiffness: 1.4e10, values: [0.7, 1, 0.6]}",
+    "{law: energy}",
+    "{law: din3990, low_load: true}",
+)
+
+
+def machine(law: str, motion: str, *, internal: bool, helical: bool, shift: float = 0.0):
+    helix = ", helix_angle: 15 deg, hand: right" if helical else ""
+    other = helix if internal else helix.replace("right", "left")
+    text = PAIR.format(
+        helix=helix,
+        other=other + (", type: internal" if internal else ""),
+        motion=motion,
+        shift=shift,
+        a={(True, False): 70.5, (True, True): 73.0, (False, False): 161.0, (False, True): 166.5}[
+            internal, helical
+        ],
+        law=law,
+    )
+    return compiled(text + (BEARING if motion == "free" else ""))[1]
+
+
+@pytest.mark.parametrize("helical", [False, True])
+@pytest.mark.parametrize("internal", [False, True])
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("motion", ["torsion", "free"])
+def test_every_law_carries_the_torque(law, internal, helical, motion):
+    system = machine(law, motion, internal=internal, helical=helical)
+    found = solve_equilibrium(system)
+    r_b1 = system.records["gear_mesh"]["r_b1"][0]
+    assert float(found["mesh_force[stage]"]) == pytest.approx(10.0 / r_b1, rel=1e-6)
+
+
+@pytest.mark.parametrize("shift", [0.0, 5.0, -7.0])
+@pytest.mark.parametrize("helical", [False, True])
+@pytest.mark.parametrize("law", [LAWS[0], "{law: din3990}"])
+def test_partly_overlapping_gears_touch_over_the_same_width(law, helical, shift):
+    """Widths 20 and 25 mm about middles that are shifted; a body that can only spin has no other contact."""
+    spins, all_six = (
+        machine(law, motion, internal=False, helical=helical, shift=shift) for motion in ("torsion", "free")
+    )
+    one, six = (solve_equilibrium(system) for system in (spins, all_six))
+    low, high = (spins.records["gear_mesh"][key][0] for key in ("z_lo", "z_hi"))
+    assert high - low == pytest.approx(min(20e-3, 22.5e-3 - abs(shift) * 1e-3), abs=1e-12)
+    for channel in ("transmission_error[stage]", "mesh_force[stage]"):
+        assert float(one[channel]) == pytest.approx(float(six[channel]), rel=1e-6)
