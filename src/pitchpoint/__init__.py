@@ -95,7 +95,10 @@ def __getattr__(name: str) -> Any:
 
         value: Any = package_version()
     elif name in _HOME_OF:
+        from pitchpoint.viz.notebook import attach
+
         value = getattr(importlib.import_module(f"pitchpoint.{_HOME_OF[name]}"), name)
+        attach()  # what this has brought in shows itself in notebooks
     else:
         raise AttributeError(f"module 'pitchpoint' has no attribute {name!r}")
     globals()[name] = value

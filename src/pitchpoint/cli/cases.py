@@ -86,6 +86,8 @@ def run_varied(
 ) -> int:
     """Run all combinations of the values, write the table, show or print it; gives the exit code."""
     from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.io.writing import how_it_ended
     from pitchpoint.sweep.cases import grid
 
     paths: dict[str, list[Any]] = {}
@@ -97,19 +99,25 @@ def run_varied(
     cases = grid(paths)
     refuse_the_impossible(model, cases)
     begun = time.perf_counter()
-    results, status, error = compute(model, file, name, target, cases, jobs=jobs, quiet=quiet)
+    results: list[CaseResult] = []
+    error: BaseException | None
+    try:
+        results, status, error = compute(model, file, name, target, cases, jobs=jobs, quiet=quiet)
+    except (SolverError, KeyboardInterrupt) as stopped:
+        # the model as it stands cannot even be compiled: no case was begun
+        status, error = how_it_ended(stopped)[0], stopped
     wall_s = time.perf_counter() - begun
     if as_json:
         emit_json(
             {
                 "status": status,
                 "wall_s": wall_s,
-                "output": str(target),
+                "output": str(target) if results else None,
                 "vary": paths,
                 "cases": [as_data(result) for result in results],
             }
         )
-    else:
+    elif results:
         _print(f"{model.title or file}: {name}", results, list(paths))
         if not quiet:
             show(f"{len(results)} cases in {wall_s:.3g} s, written to {target}")
@@ -170,7 +178,8 @@ def compute(
         words = sentence(code)
         if bad:
             done = len(results) - len(bad)
-            words = f"{done} of {len(results)} cases finished; case {bad[0].index}: {bad[0].sentence}"
+            why = words if stopped else f"case {bad[0].index}: {bad[0].sentence}"
+            words = f"{done} of {len(results)} cases finished; {why}"
         status = how_a_status_ends(code)
         writer.finish(status, words, code=code, steps=sum(r.steps for r in results), notes=notes_of(results))
     return results, status, SolverError(words, code, str(target)) if bad else None
@@ -220,6 +229,7 @@ def as_data(result: CaseResult) -> dict[str, Any]:
 
 def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> None:
     """Show one row per case: its values, and what the meshes did."""
+    from pitchpoint.cli.results import how_a_status_ends
     from pitchpoint.core.status import OK
 
     meshes = list(dict.fromkeys(m for r in results for m in meshes_of(r)))
@@ -230,7 +240,7 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
         values = [str(result.values[path]) for path in paths]
         cells = [cell for mesh in meshes or [""] for cell in mesh_cells(result, mesh)]
         if result.status != OK and all(cell == NOTHING for cell in cells):
-            cells[0] = f"failed ({result.status})"
+            cells[0] = f"{how_a_status_ends(result.status)} ({result.status})"
         rows.append([*values, *cells])
     notes = [f"{len(results) - MOST_ROWS} more cases are in the file"] if len(results) > MOST_ROWS else []
     table(title, columns, rows, notes)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,7 +46,7 @@ def gears(file: str, target: str | None, only: str | None, as_json: bool, allow_
     model = read_model(file, allow_code)
     if target is not None:
         name = _chosen(model, only)
-        _export(model, name, Path(target))
+        _export(model, name, Path(target), [file, *_profiles(model, file)])
         if not as_json:
             show(f"{name} written to {target}")
             return
@@ -75,14 +76,23 @@ def _chosen(model: Model, name: str | None) -> str:
     return name
 
 
-def _export(model: Model, name: str, target: Path) -> None:
+def _profiles(model: Model, file: str) -> list[Path]:
+    """Files with measured teeth that the model file names."""
+    profiles = [gear.tooth_profile for gear in model.gears.values() if gear.tooth_profile is not None]
+    names = [getattr(profile, part).file for profile in profiles for part in profile.given]
+    return [Path(file).parent / name for name in names if name]
+
+
+def _export(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> None:
     """Write the drawing of one gear in the format of the file's ending."""
     if target.suffix.lower() not in FORMATS:
         raise click.BadParameter(
             f"{target.name} has no known ending; use {', '.join(FORMATS)}", param_hint="--export"
         )
     from pitchpoint.io.gear_export import export_gear
+    from pitchpoint.io.target import check_target
 
+    check_target(target, target.suffix.lower()[1:], inputs)
     gear = model.gears[name]
     export_gear(
         gear.geometry,

@@ -31,9 +31,17 @@ _BARS = "▁▂▃▄▅▆▇█"
     "--eps-beta", type=click.FloatRange(0.0, 500.0), metavar="X", help="Overlap ratio; 0 if left out."
 )
 @click.option(
-    "--stiffness-ratio", type=float, metavar="S_R", help="Least over greatest stiffness of one pair; 0.8."
+    "--stiffness-ratio",
+    type=float,
+    metavar="S_R",
+    help="Least over greatest stiffness of one pair, 0 to 1; 0.8 if left out.",
 )
-@click.option("--tip-relief-factor", type=float, metavar="T_R", help="Ramp at both ends of each pair; 0.")
+@click.option(
+    "--tip-relief-factor",
+    type=float,
+    metavar="T_R",
+    help="Ramp at both ends of each pair, 0 to 1; 0 if left out.",
+)
 @click.option("--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Samples.")
 @as_json
 @allow_code
@@ -75,6 +83,8 @@ def mesh(
     if as_json:
         emit_json({"meshes": {name: cycle_numbers(*found) for name, found in cycles.items()}})
         return
+    if not cycles:
+        show(f"{file}: has no meshes; add meshes: to the file, or give --eps-alpha instead of a file")
     for name, found in cycles.items():
         _print(name, *found)
 

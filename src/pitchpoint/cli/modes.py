@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import time
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,7 +12,10 @@ from pitchpoint.cli.options import allow_code, as_json, debug, model_file, outpu
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from pitchpoint.io.container import Header
+    from pitchpoint.model.model import Model
     from pitchpoint.solvers.modal import Modes
 
 
@@ -39,24 +43,55 @@ def modes(
     as_json: bool,
     allow_code: bool,
     quiet: bool,
-) -> None:
+) -> int:
     """Compute the modes of FILE about its loaded state."""
-    from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.cli.results import header_of, known_scenario
-    from pitchpoint.solvers.modal import find_modes
-    from pitchpoint.system.compile import compile_model
+    from pitchpoint.cli.results import known_scenario, result_path, unless_it_cannot_begin
 
     model = read_model(file, allow_code, quiet)
     name = known_scenario(model, scenario) if scenario is not None else None
+    target = result_path(output, file, name or "") if output is not None else None
+    summary, error = unless_it_cannot_begin(
+        lambda: compute(model, file, name, target, phase=phase, quiet=quiet), {"modes": []}
+    )
+    if as_json:
+        emit_json(summary)
+    elif error is None:
+        at = "the mean stiffness" if phase is None else f"the phase {phase:g}"
+        _print(f"{model.title or file}: modes at {at}", summary, quiet=quiet)
+    return OK if error is None else exit_code_of(error)
+
+
+def compute(
+    model: Model, file: str, name: str | None, target: Path | None, *, phase: float | None, quiet: bool
+) -> tuple[dict[str, Any], None]:
+    """Find the modes, and write them if there is a file to write; gives what `modes --json` prints."""
+    from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.cli.results import header_of, how_a_status_ends
+    from pitchpoint.core.status import OK, sentence
+    from pitchpoint.solvers.modal import find_modes
+    from pitchpoint.system.compile import compile_model
+
+    begun = time.perf_counter()
     system = compile_model(model, name)
     with ProgressDisplay("modes", "elements", quiet=quiet) as progress:
         found = find_modes(system, name, phase=phase, progress=progress)
-    if output is not None:
-        store(output, header_of(model, file, name or "", "modes", "modal"), found)
-    if as_json:
-        emit_json({"modes": rows_of(found), "notes": list(found.notes), "output": output})
-        return
+    if target is not None:
+        store(target, header_of(model, file, name or "", "modes", "modal"), found)
+    summary = {
+        "status": how_a_status_ends(OK),
+        "sentence": sentence(OK),
+        "wall_s": time.perf_counter() - begun,
+        "output": None if target is None else str(target),
+        "notes": list(found.notes),
+        "modes": rows_of(found),
+    }
+    return summary, None
+
+
+def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
+    """Show frequencies and damping."""
     cells = [
         [
             row["name"],
@@ -64,17 +99,14 @@ def modes(
             shown(row["damped_frequency"], "frequency", 6),
             damping_text(row["damping_ratio"], row["frequency"]),
         ]
-        for row in rows_of(found)
+        for row in summary["modes"]
     ]
-    title = (
-        f"{model.title or file}: modes at {'the mean stiffness' if phase is None else f'the phase {phase:g}'}"
-    )
     table(title, ["mode", "natural frequency", "damped", "damping ratio"], cells)
     if not quiet:
-        for note in found.notes:
+        for note in summary["notes"]:
             show(f"note: {note}")
-        if output is not None:
-            show(f"written to {output}")
+        if summary["output"] is not None:
+            show(f"written to {summary['output']}")
 
 
 def damping_text(ratio: float | None, frequency: float) -> str:
@@ -108,7 +140,7 @@ def rows_of(found: Modes) -> list[dict[str, Any]]:
     ]
 
 
-def store(path: str, header: Header, found: Modes) -> None:
+def store(path: Path, header: Header, found: Modes) -> None:
     """Write modes to a result file."""
     from pitchpoint.io.tables import Axis, Quantity, write_tables
 

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+import time
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,6 +28,9 @@ SHOWN = (
     "coupling_force",
 )
 """Channels that people see after a run; all of them are in the file."""
+
+Computed = tuple[dict[str, Any], BaseException | None]
+"""What `--json` prints of a computation, and what stopped it early."""
 
 _DIMENSIONS = {
     "m": "length",
@@ -69,8 +73,13 @@ def known_scenario(model: Model, name: str) -> str:
 
 
 def result_path(output: str | None, file: str, scenario: str) -> Path:
-    """Name the result file: as asked, or after model file and scenario in the current folder."""
-    return Path(output) if output else Path(f"{Path(file).stem}-{scenario}.h5")
+    """Name the result file: as asked, or after model file and scenario in the current folder.
+
+    Neither the model file nor any other file than an older result may stand there.
+    """
+    from pitchpoint.io.target import check_target
+
+    return check_target(output or f"{Path(file).stem}-{scenario}.h5", "result", [file])
 
 
 def header_of(model: Model, file: str, scenario: str, kind: str, solver: str) -> Header:
@@ -109,6 +118,24 @@ def how_a_status_ends(status: int) -> str:
     from pitchpoint.io.container import FAILED, FINISHED, INTERRUPTED
 
     return {st.OK: FINISHED, st.INTERRUPTED: INTERRUPTED}.get(status, FAILED)
+
+
+def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, Any]) -> Computed:
+    """Compute; what fails or is stopped before its first step gets a summary too, with empty tables.
+
+    There is no `output` then: whatever stands in the file holds no result.
+    """
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.io.writing import how_it_ended
+
+    begun = time.perf_counter()
+    try:
+        return compute()
+    except (SolverError, KeyboardInterrupt) as error:
+        status, sentence, _ = how_it_ended(error)
+        wall_s = time.perf_counter() - begun
+        summary = {"status": status, "sentence": sentence, "wall_s": wall_s, "output": None, "notes": []}
+        return summary | dict(empty), error
 
 
 def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> None:

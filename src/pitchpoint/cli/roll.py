@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.quasistatic import Roll, Table
 
+NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "periods_rolled": [], "meshes": {}, "channels": {}}
+"""What is empty of a roll that failed before its first point."""
+
 
 def compute(
     model: Model, file: str, name: str, target: Path, *, quiet: bool = False

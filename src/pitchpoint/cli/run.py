@@ -17,6 +17,17 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
+NOT_BEGUN: dict[str, Any] = {
+    "steps": 0,
+    "step": None,
+    "t_end": None,
+    "window": None,
+    "events": 0,
+    "channels": {},
+}
+"""What is empty of a run that failed before its first step."""
+
+
 @click.command()
 @model_file
 @scenario
@@ -48,7 +59,12 @@ def run(
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.cli.results import choose_scenario, result_path, statistics_table
+    from pitchpoint.cli.results import (
+        choose_scenario,
+        result_path,
+        statistics_table,
+        unless_it_cannot_begin,
+    )
 
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "time", "quasi_static")
@@ -62,7 +78,9 @@ def run(
     if model.scenarios[name].kind == "quasi_static":
         return _roll(model, file, name, output, as_json=as_json, quiet=quiet)
     target = result_path(output, file, name)
-    summary, error = compute(model, file, name, target, decimate=decimate, quiet=quiet)
+    summary, error = unless_it_cannot_begin(
+        lambda: compute(model, file, name, target, decimate=decimate, quiet=quiet), NOT_BEGUN
+    )
     if as_json:
         emit_json(summary)
     elif summary["steps"] or error is None:
@@ -78,11 +96,13 @@ def run(
 def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bool, quiet: bool) -> int:
     """Do the slow roll of a scenario."""
     from pitchpoint.cli.failure import OK, exit_code_of
-    from pitchpoint.cli.results import result_path
-    from pitchpoint.cli.roll import compute, show_roll
+    from pitchpoint.cli.results import result_path, unless_it_cannot_begin
+    from pitchpoint.cli.roll import NOT_BEGUN, compute, show_roll
 
     target = result_path(output, file, name)
-    summary, error = compute(model, file, name, target, quiet=quiet)
+    summary, error = unless_it_cannot_begin(
+        lambda: compute(model, file, name, target, quiet=quiet), NOT_BEGUN
+    )
     if as_json:
         emit_json(summary)
     elif summary["steps"]:

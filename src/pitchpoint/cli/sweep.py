@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
+NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "points": [], "jumps": []}
+"""What is empty of a sweep that failed before its first step."""
+
+
 @click.command()
 @model_file
 @scenario
@@ -43,7 +47,7 @@ def sweep(
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.cli.results import choose_scenario, result_path
+    from pitchpoint.cli.results import choose_scenario, result_path, unless_it_cannot_begin
 
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "sweep")
@@ -53,7 +57,9 @@ def sweep(
         goal = result_path(output, file, f"{name}-cases")
         return run_varied(model, file, name, goal, vary, jobs=jobs, as_json=as_json, quiet=quiet)
     target = result_path(output, file, name)
-    summary, error = compute(model, file, name, target, quiet=quiet)
+    summary, error = unless_it_cannot_begin(
+        lambda: compute(model, file, name, target, quiet=quiet), NOT_BEGUN
+    )
     if as_json:
         emit_json(summary)
     elif summary["points"]:

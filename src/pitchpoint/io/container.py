@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.io.target import check_target, reason_of
 
 if TYPE_CHECKING:
     import h5py
@@ -60,7 +61,7 @@ class Container:
     Parameters
     ----------
     path
-        File to write; an existing one is replaced, its folder is made.
+        File to write; an existing result file is replaced, any other is refused; its folder is made.
     header
         Provenance, stored as attributes of the file.
     """
@@ -70,12 +71,12 @@ class Container:
 
         from pitchpoint.core.provenance import package_version
 
-        self.path = Path(path)
+        self.path = check_target(path, "result")
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
             self.file = h5py.File(self.path, "w", libver="latest", rdcc_nbytes=_CHUNK_CACHE)
         except OSError as error:
-            raise ResultError(f"{self.path}: cannot be written ({_reason(error)})") from error
+            raise ResultError(f"{self.path}: cannot be written ({reason_of(error)})") from error
         self._open = True
         attributes = self.file.attrs
         attributes["Conventions"] = "CF-1.11"
@@ -235,10 +236,6 @@ def _describe(made: h5py.Dataset, attributes: Mapping[str, str] | None) -> None:
     for key, text in (attributes or {}).items():
         if text:
             made.attrs[key] = text
-
-
-def _reason(error: OSError) -> str:
-    return error.strerror or str(error).split("(")[-1].rstrip(")") or type(error).__name__
 
 
 def clear_writer_flag(path: str | os.PathLike[str]) -> None:

@@ -16,6 +16,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.mass_properties import RIM_OF_RING
 from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.geometry.tooth_form import REGIONS, gear_outline, root_radius, tooth_form, tooth_profile
+from pitchpoint.io.target import check_target, write_file
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -198,7 +199,8 @@ def export_gear(
     gear
         External or internal gear.
     path
-        File to write; its ending names the format unless `format` does.
+        File to write; its ending names the format unless `format` does. An existing file is replaced if it
+        is of the same format.
     format
         "csv", "dxf", "svg" or "stl".
     n_flank
@@ -217,6 +219,8 @@ def export_gear(
     ------
     GeometryError
         If the format is unknown or there is no such tooth.
+    OutputError
+        If the file cannot be written, or another kind of file stands there.
     """
     path = Path(path)
     kind = (format or path.suffix.lstrip(".")).lower()
@@ -228,6 +232,7 @@ def export_gear(
             limit=", ".join(FORMATS),
             remedy="name the file accordingly or give the format",
         )
+    check_target(path, kind)
     if kind == "stl":
         data = solid_stl(
             gear,
@@ -237,11 +242,9 @@ def export_gear(
             rim_thickness=rim_thickness,
             web_thickness=web_thickness,
         )
-        path.write_bytes(data)
-        return path
+        return write_file(path, data)
     if kind == "csv":
         text = points_csv(gear, n_flank)
     else:
         text = (drawing_dxf if kind == "dxf" else drawing_svg)(gear, n_flank, bore_diameter)
-    path.write_text(text, encoding="utf-8")
-    return path
+    return write_file(path, text)

@@ -32,7 +32,7 @@ def write_report(
     model
         A model, or the name of its file.
     path_out
-        The HTML file to write; its folder is made if it does not exist.
+        The HTML file to write; its folder is made if it does not exist, another HTML page is replaced.
     *results
         Result files (`.h5`) of runs, sweeps and cases, and datasets of `solve_time` and `sweep_speed`, in any
         number. The first fifth of a dataset counts as settling, of a file what its scenario says. What
@@ -52,7 +52,7 @@ def write_report(
     ModelError
         If the model file is wrong.
     PitchpointError
-        If a result has no place in a report.
+        If a result has no place in a report, or the page cannot be written or would destroy another file.
 
     Notes
     -----
@@ -65,10 +65,12 @@ def write_report(
     >>> pp.write_report("pair.yaml", "pair.html", pp.solve_time(system), "sweep.h5")  # doctest: +SKIP
     PosixPath('pair.html')
     """
+    from pitchpoint.io.target import check_target, write_file
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.report.collect import collect, describe
     from pitchpoint.viz.report import report_html
 
+    path = check_target(path_out, "page", files_of(model, *results))
     with warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")
         if isinstance(model, str | os.PathLike):
@@ -77,7 +79,23 @@ def write_report(
         found, remarks = collect(model, results, progress)
     texts = [str(w.message) for w in heard if issubclass(w.category, ValidityWarning)]
     about = replace(about, warnings=list(dict.fromkeys([*texts, *remarks])))
-    path = Path(path_out)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(report_html(about, found), encoding="utf-8")
-    return path
+    return write_file(path, report_html(about, found))
+
+
+def files_of(*things: Model | str | os.PathLike[str] | xr.Dataset) -> list[str]:
+    """Files that are named, or that models and datasets were read from.
+
+    Examples
+    --------
+    >>> files_of("pair.yaml", Path("steady.h5"))
+    ['pair.yaml', 'steady.h5']
+    """
+    found = []
+    for thing in things:
+        if isinstance(thing, str | os.PathLike):
+            found.append(os.fspath(thing))
+        else:
+            opened = getattr(thing, "encoding", None)  # where a dataset keeps the name of its file
+            source = getattr(thing, "file", None) if opened is None else opened.get("source")
+            found += [str(source)] if source else []
+    return found

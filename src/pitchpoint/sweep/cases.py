@@ -145,7 +145,8 @@ def run_cases(
         done[result.index] = result
         if sink is not None:
             sink(result)
-        progress(len(done), len(todo), "" if result.status == OK else f"case {result.index}: failed")
+        ended = {OK: "", INTERRUPTED: f"case {result.index}: interrupted"}
+        progress(len(done), len(todo), ended.get(result.status, f"case {result.index}: failed"))
 
     count = max(1, min(jobs or os.cpu_count() or 1, len(todo)))
     # daemons: a case that does not listen must not keep the interpreter from leaving

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import difflib
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -40,11 +41,11 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     Raises
     ------
     CompileError
-        If the model has no bodies, or something of it cannot be expressed.
+        If the model has no bodies or no such scenario, or something of it cannot be expressed.
     """
     if not model.bodies:
         raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
-    chosen = model.scenarios[scenario] if isinstance(scenario, str) else scenario
+    chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
     others = [bearing_bank(model), *load_banks(model), damping_bank(model)]
     constraints = [drive_bank(model, chosen)] if chosen is not None else []
     used = {b.kind for b in (*others, *constraints) if b.records.size}
@@ -59,6 +60,16 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
         laws=_laws([*banks, *constraints]),
     )
     return replace(system, model=model, scenario=chosen)
+
+
+def _named(model: Model, scenario: str) -> Scenario:
+    """Scenario of this name, or an error with the nearest spelling."""
+    if scenario not in model.scenarios:
+        near = difflib.get_close_matches(scenario, model.scenarios, 1, 0.6)
+        guess = f"did you mean {near[0]}? " if near else ""
+        listed = ", ".join(model.scenarios) or "none"
+        raise CompileError(f"scenario: there is no {scenario!r}; {guess}there are: {listed}")
+    return model.scenarios[scenario]
 
 
 def _laws(banks: list[Bank]) -> dict[str, tuple[Law | None, ...]]:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What Jupyter shows for a gear, a pair and a model: a drawing and a short table.
+"""What notebooks show for a gear, a pair and a model: a drawing and a short table.
 
-Geometry and model know nothing of pictures. IPython lets others say how a class is displayed, and by the
-class's *name*, so registering imports neither those classes nor plotly; both happen when the first gear is
-shown.
+Geometry and model know nothing of pictures. The package attaches `_repr_html_` to their classes when it hands
+out the first of its public names, so every notebook that knows this method shows them. IPython also lets
+others say how a class is displayed, and by the class's *name*, so registering imports neither those classes
+nor plotly; both happen when the first gear is shown.
 """
 
 from __future__ import annotations
@@ -48,6 +49,14 @@ def register() -> bool:
     for (module, name), function in SHOWN.items():
         formatter.for_type_by_name(module, name, globals()[function])
     return True
+
+
+def attach() -> None:
+    """Give the gears and pairs that are imported by now a `_repr_html_`; a model has its own."""
+    for (module, name), function in SHOWN.items():
+        shown = getattr(sys.modules.get(module), name, None)
+        if shown is not None and not hasattr(shown, "_repr_html_"):
+            shown._repr_html_ = globals()[function]
 
 
 def gear_html(gear: Any) -> str:

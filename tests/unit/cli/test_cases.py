@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -152,6 +153,7 @@ def test_stopped_by_ctrl_c_or_killed_it_keeps_what_was_computed(
     assert child.returncode == 130
     assert json.loads(out)["status"] == "interrupted"
     assert "interrupted" in err
+    assert "failed" not in err
     assert "Traceback" not in err
     assert read_header(target)["status"] == "interrupted"
 
@@ -197,3 +199,38 @@ def test_notes_name_their_case(tmp_path: Path, capsys: pytest.CaptureFixture[str
     deep = "case 1: meshes.stage: the flanks go "
     assert capsys.readouterr().out.count(f"note: {deep}") == 1
     assert deep in read_header(target)["notes"]
+
+
+def test_interrupted_cases_did_not_fail(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Ctrl-C in the second of three cases: told, shown and kept as what it is; the first case stays."""
+    from pitchpoint.cli import progress
+    from pitchpoint.solvers import time as solver
+
+    begun = solver.run_time
+    calls: list[int] = []
+
+    def second_is_stopped(*args: Any, **options: Any) -> Any:
+        calls.append(1)
+        if len(calls) == 2:
+            raise KeyboardInterrupt
+        return begun(*args, **options)
+
+    monkeypatch.setattr(solver, "run_time", second_is_stopped)
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    monkeypatch.setattr(progress, "LINE_EVERY", 0.0)
+    target = tmp_path / "cases.h5"
+    vary = ["--vary", "loads.input.torque=100 N m,150 N m,200 N m", "-j", "1"]
+    command = ["run", written(tmp_path, SHORT), "-s", "steady", *vary, "-o", str(target)]
+    assert run_command(command) == 130
+    captured = capsys.readouterr()
+    assert "case 1: interrupted" in captured.err
+    assert "interrupted (status 9): 2 of 3 cases finished; interrupted by the user" in captured.err
+    assert "interrupted (9)" in captured.out
+    assert "failed" not in captured.out + captured.err
+    assert [c["status"] for c in read_cases(target)] == [1, 9, 1]
+    head = read_header(target)
+    assert (head["status"], head["status_code"]) == ("interrupted", 9)
+    with open_result(target) as data:
+        assert data.sizes["case"] == 3

@@ -208,3 +208,62 @@ def test_flanks_deep_in_each_other_are_noted(
     assert len(told) == 1
     assert told[0].startswith("meshes.stage: the flanks go ")
     assert told[0] in read_header(target)["notes"]
+
+
+FOURIER = "{law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1, -0.05]}"
+EMPTY = {
+    "run": (["run", "-s", "steady"], {"steps": 0, "events": 0, "channels": {}}),
+    "roll": (["run", "-s", "roll"], {"steps": 0, "periods_rolled": [], "meshes": {}, "channels": {}}),
+    "sweep": (["sweep"], {"steps": 0, "points": [], "jumps": []}),
+    "modes": (["modes"], {"modes": []}),
+    "cases": (["run", "-s", "steady", "--vary", "meshes.stage.damper.ratio=0.05,0.1"], {"cases": []}),
+}
+
+
+@pytest.mark.parametrize("name", EMPTY)
+def test_json_comes_also_when_nothing_could_begin(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its keys are those of a computation that succeeds, its tables are empty."""
+    (tmp_path / "law.py").write_text("def k(t, x, p):\n    return float('nan')\n", encoding="utf-8")
+    (command, *options), empty = EMPTY[name]
+    text = TORSION.replace("duration: 0.5 s", "duration: 1 ms").replace("points: 81", "points: 2")
+    text = text.replace("settle_periods: 200", "settle_periods: 2") + "  roll: {quasi_static: {points: 2}}\n"
+    file = written(tmp_path, text.replace(FOURIER, "{law: user, python: 'law.py:k'}"))
+    options = [*options, "-o", str(tmp_path / "out.h5")]
+    assert run_command([command, file, *options, "--allow-code", "--json"]) == 3
+    captured = capsys.readouterr()
+    found = json.loads(captured.out)
+    assert found["status"] == "failed"
+    assert found["output"] is None
+    assert found["wall_s"] > 0.0
+    assert {key: found[key] for key in empty} == empty
+    assert f"computation failed (status {st.NOT_FINITE}): law.py:k returned nan" in captured.err
+    assert run_command([command, file, *options, "--allow-code"]) == 3
+    assert capsys.readouterr().out == ""
+    assert run_command([command, written(tmp_path, text, "good.yaml"), *options, "--json"]) == 0
+    assert set(found) == set(json.loads(capsys.readouterr().out))
+
+
+def test_json_of_a_run_without_an_equilibrium(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The file is there by then and says the same."""
+    torque = "150 N m * sqrt(0 - 1 - t)"
+    file = written(tmp_path, TORSION.replace(INPUT, f'input: {{body: driver, torque: "{torque}"}}'))
+    target = tmp_path / "out.h5"
+    assert run_command(["run", file, "-s", "steady", "-o", str(target), "--json"]) == 3
+    found = json.loads(capsys.readouterr().out)
+    assert (found["status"], found["steps"], found["channels"]) == ("failed", 0, {})
+    head = read_header(target)
+    assert (head["status"], head["sentence"]) == ("failed", found["sentence"])
+
+
+def test_ctrl_c_before_the_first_step_has_json_too(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stopped(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("pitchpoint.solvers.time.prepare_start", stopped)
+    target = str(tmp_path / "out.h5")
+    assert run_command(["run", written(tmp_path, TORSION), "-s", "steady", "-o", target, "--json"]) == 130
+    assert json.loads(capsys.readouterr().out)["status"] == "interrupted"

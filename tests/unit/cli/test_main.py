@@ -137,3 +137,18 @@ def test_a_closed_pipe_is_no_error(
     monkeypatch.setattr("pitchpoint.cli.mesh.emit_json", closed)
     assert main.run_command(["mesh", "--eps-alpha", "1.3", "--json"]) == 1
     assert capsys.readouterr().err == ""
+
+
+def test_the_page_of_commands_shows_what_help_prints(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import runpy
+
+    monkeypatch.setenv("COLUMNS", "102")  # the page is 100 wide; click keeps two columns free
+    folder = Path(__file__).parents[3] / "docs"
+    page = runpy.run_path(str(folder / "generate.py"))["commands"]()
+    for command in (["run"], ["examples"], ["examples", "copy"]):
+        assert main.run_command([*command, "--help"]) == 0
+        said = capsys.readouterr().out
+        assert "-h, --help" in said
+        assert f"```\n{said}```" in page

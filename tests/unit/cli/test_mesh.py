@@ -4,10 +4,15 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.core.errors import ModelError
+from pitchpoint.io.yaml_model import loads_model
+from tests.support.cli_files import ISO_EX1, TORSION, json_of, written
+from tests.support.model_files import gear
 
 
 def mesh_of(arguments: str, capsys: pytest.CaptureFixture[str]) -> dict[str, object]:
@@ -50,3 +55,46 @@ def test_people_get_a_table(capsys: pytest.CaptureFixture[str]) -> None:
     assert "peak to peak" in out
     assert "1.213333" in out
     assert "jumps at the phases 0.0000, 0.3000" in out
+
+
+def test_a_ratio_of_zero_is_a_parabola_that_vanishes_at_its_ends(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """c = 1 - zeta^2 has the mean 2/3 along the way; nothing jumps, and a model file may say it as well."""
+    bare = mesh_of("--eps-alpha 1.3 --stiffness-ratio 0", capsys)
+    assert bare["mean"] == pytest.approx(1.3 * 2.0 / 3.0, abs=1e-12)
+    assert bare["jumps"] == []
+    text = ISO_EX1.replace("stiffness_ratio: 0.8", "stiffness_ratio: 0")
+    stage = mesh_of(written(tmp_path, text), capsys)
+    pair = loads_model(text).pairs["stage"]
+    assert stage["mean"] == pytest.approx(pair.eps_alpha * 2.0 / 3.0, rel=1e-9)
+
+
+@pytest.mark.parametrize("value", ["-0.1", "1.1"])
+def test_files_and_options_refuse_the_same_ratios(value: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run_command(["mesh", "--eps-alpha", "1.3", "--stiffness-ratio", value]) == 2
+    assert "limit 0 to 1" in capsys.readouterr().err
+    with pytest.raises(ModelError, match=r"stiffness_ratio .* is out of range \(limit >= 0 and <= 1\)"):
+        loads_model(ISO_EX1.replace("stiffness_ratio: 0.8", f"stiffness_ratio: {value}"))
+
+
+def test_a_run_with_the_ratio_zero_is_the_limit_of_small_ones(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rms = []
+    for ratio in (0, 1e-6):
+        law = f"{{law: din3990, stiffness_ratio: {ratio}, low_load: true}}"
+        text = TORSION.replace("{law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1, -0.05]}", law)
+        file = written(tmp_path, text.replace("duration: 0.5 s", "duration: 10 ms"))
+        target = str(tmp_path / "out.h5")
+        channels = json_of(["run", file, "-s", "steady", "-o", target], capsys)["channels"]
+        assert all(row["rms"] is not None for row in channels.values())
+        rms.append(channels["deflection[stage]"]["rms"])
+    assert rms[0] == pytest.approx(rms[1], rel=1e-4)
+
+
+def test_a_file_without_meshes_gets_a_sentence(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, "gears:\n" + gear("a"))
+    assert run_command(["mesh", file]) == 0
+    assert f"{file}: has no meshes" in capsys.readouterr().out
+    assert json_of(["mesh", file], capsys) == {"meshes": {}}

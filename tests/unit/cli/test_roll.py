@@ -75,5 +75,6 @@ def test_no_equilibrium_exits_3(tmp_path: Path, capsys: pytest.CaptureFixture[st
                         "{python: 'law.py:torque'}}")  # fmt: skip
     assert run_command(["run", written(tmp_path, text), "-s", "roll", "--allow-code", "--json"]) == 3
     captured = capsys.readouterr()
-    assert captured.out == ""
+    found = json.loads(captured.out)
+    assert (found["status"], found["steps"], found["meshes"]) == ("failed", 0, {})
     assert "not a number" in captured.err

@@ -102,3 +102,43 @@ def test_bodies_that_a_scenario_holds_are_named(file: Path) -> None:
     assert held_bodies(model.scenarios["driven"]) == ["driver"]
     assert held_bodies(model.scenarios["steady"]) == held_bodies(None) == []
     assert set(geometry_of_model(model)) == {"gears", "meshes"}
+
+
+def test_neither_an_input_nor_a_foreign_file_is_written_over(file: Path, tmp_path: Path) -> None:
+    foreign = tmp_path / "notes.txt"
+    foreign.write_text("mine", encoding="utf-8")
+    model = pp.load_model(file)
+    page = pp.write_report(file, tmp_path / "page.html")
+    copy = tmp_path / "copy.html"
+    copy.symlink_to(page)
+    assert pp.write_report(model, copy) == copy  # a page replaces a page
+    run = tmp_path / "run.h5"
+    assert run_command(["run", str(file), "-s", "steady", "-q", "-o", str(run)]) == 0
+    with pp.open_result(run) as data:
+        for thing, target, results in (
+            (file, file, []),
+            (model, file, []),
+            (model, run, [run]),
+            (model, run, [data]),
+        ):
+            with pytest.raises(pp.PitchpointError, match="is read by the same command"):
+                pp.write_report(thing, target, *results)
+    with pytest.raises(pp.PitchpointError, match=r"notes\.txt exists and is not an HTML page"):
+        pp.write_report(model, foreign)
+    assert foreign.read_text(encoding="utf-8") == "mine"
+    assert file.read_text(encoding="utf-8") == TEXT
+
+
+def test_a_page_that_cannot_be_written(file: Path) -> None:
+    with pytest.raises(pp.PitchpointError, match=r"x\.html: cannot be written \(.+\)"):
+        pp.write_report(file, file / "x.html")
+
+
+def test_a_scenario_that_is_not_there_is_told_with_those_that_are(file: Path) -> None:
+    model = pp.load_model(file)
+    with pytest.raises(
+        pp.CompileError, match=r"no 'stedy'; did you mean steady\? there are: steady, driven,"
+    ):
+        pp.compile_model(model, "stedy")
+    with pytest.raises(pp.PitchpointError, match=r"scenario: there is no 'nope'; there are: steady"):
+        pp.compile_model(model, "nope")

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import subprocess
 import sys
 import types
 import xml.etree.ElementTree as ET
@@ -123,3 +124,22 @@ def test_a_model_shows_tables_and_its_pairs() -> None:
     html = notebook.model_html(model)
     assert html.startswith("<table>")
     assert "g1: z = 50" in html
+
+
+def test_gears_and_pairs_show_themselves_outside_ipython() -> None:
+    """In a fresh interpreter: the classes get their method with the first public name that brings them in."""
+    code = """
+import sys, pitchpoint as pp
+assert not {"numpy", "pitchpoint.viz"} & set(sys.modules)
+gear = pp.CylindricalGear(z=17, m_n=3e-3, b=0.02)
+from pitchpoint.io.yaml_model import loads_model
+model = loads_model(TEXT)
+pp.Model
+for shown in (gear, pp.GearPair(gear, gear, 0.051), model.gears["a"], model.pairs["m"]):
+    assert "<svg" in shown._repr_html_(), shown
+assert "<table" in model._repr_html_()
+assert not {"IPython", "plotly", "numba"} & set(sys.modules)
+"""
+    teeth = "{number_of_teeth: 30, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}"
+    text = f"gears: {{a: {teeth}, b: {teeth}}}\nmeshes: {{m: {{gears: [a, b]}}}}\n"
+    subprocess.run([sys.executable, "-c", f"TEXT = {text!r}\n{code}"], check=True)

@@ -11,8 +11,12 @@ from pitchpoint.model.keys import choice, key, positive, quantities, quantity
 
 
 def _ratio() -> float:
-    value: float = positive(
-        "dimensionless", "smallest over largest stiffness of one pair, S_R", 0.8, maximum=1.0
+    value: float = quantity(
+        "dimensionless",
+        "smallest over largest stiffness of one pair, S_R; 0 lets it vanish at A and E",
+        0.8,
+        minimum=0.0,
+        maximum=1.0,
     )
     return value
 

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What may be written where: a new file, an empty one, one of the same kind; never an input."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+from pitchpoint.io.container import Container, Header
+from pitchpoint.io.gear_export import FORMATS, export_gear
+from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
+from pitchpoint.io.writing import Channel, ResultWriter
+
+GEAR = CylindricalGear(z=17, m_n=1e-3, b=0.01)
+
+
+def own_file(kind: str, path: Path) -> Path:
+    """Write a file of a kind as the package writes it."""
+    if kind == "result":
+        with ResultWriter(path, Header("time"), [Channel("x", "m")]) as writer:
+            writer.append(np.zeros(1), np.zeros((1, 1)))
+    elif kind == "page":
+        path.write_text("\n <!DOCTYPE html>\n<title>a</title>", encoding="utf-8")
+    else:
+        export_gear(GEAR, path, kind, n_flank=5)
+    return path
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_kind_replaces_itself_and_nothing_else(kind: str, tmp_path: Path) -> None:
+    own = own_file(kind, tmp_path / "own")
+    assert check_target(own, kind) == own
+    for other in KINDS:
+        if other != kind:
+            with pytest.raises(
+                OutputError, match=r"output: .*own exists and is not .*\(limit a new file, or"
+            ):
+                check_target(own, other)
+    empty, text = tmp_path / "empty", tmp_path / "model.yaml"
+    empty.touch()
+    text.write_text("gears: {}\n", encoding="utf-8")
+    assert check_target(empty, kind) == empty
+    assert check_target(tmp_path / "none" / "x", kind).name == "x"
+    assert check_target(os.devnull, kind) == Path(os.devnull)
+    with pytest.raises(OutputError, match="name another file, or delete this one first"):
+        check_target(text, kind)
+
+
+def test_foreign_hdf5_is_no_result_but_one_cut_off_at_its_start_is(tmp_path: Path) -> None:
+    foreign, cut = tmp_path / "measured.h5", tmp_path / "cut.h5"
+    with h5py.File(foreign, "w") as file:
+        file["force"] = np.arange(3.0)
+    with pytest.raises(OutputError, match="is not a result file of pitchpoint"):
+        Container(foreign, Header("time"))
+    with h5py.File(foreign) as file:
+        assert file["force"][2] == 2.0
+    cut.write_bytes(foreign.read_bytes()[:100])
+    assert check_target(cut, "result") == cut
+
+
+@pytest.mark.parametrize("how", ["itself", "symbolic", "hard", "relative"])
+def test_an_input_is_known_by_any_name(how: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    page, other = Path("page.html"), Path("other.html")
+    own_file("page", page)
+    if how == "symbolic":
+        other.symlink_to(page)
+    elif how == "hard":
+        os.link(page, other)
+    else:
+        other = page if how == "itself" else Path("..") / tmp_path.name / "page.html"
+    with pytest.raises(OutputError, match="is read by the same command .* name another file"):
+        check_target(other, "page", ["missing.yaml", page.resolve()])
+    assert check_target(other, "page", ["missing.yaml"]) == other
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+def test_an_export_leaves_foreign_files_alone(kind: str, tmp_path: Path) -> None:
+    foreign = tmp_path / f"points.{kind}"
+    foreign.write_text("x,y\n1,2\n", encoding="utf-8")
+    with pytest.raises(PitchpointError, match="exists and is not"):
+        export_gear(GEAR, foreign, n_flank=5)
+    assert foreign.read_text(encoding="utf-8") == "x,y\n1,2\n"
+    again = export_gear(GEAR, tmp_path / "new" / f"gear.{kind}", n_flank=5)
+    assert export_gear(GEAR, again, n_flank=5) == again
+
+
+@pytest.mark.parametrize("where", ["folder", "file/x.html"])
+def test_what_cannot_be_written_is_told_with_path_and_reason(where: str, tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "file").touch()
+    target = tmp_path / where
+    with pytest.raises(OutputError, match=r"(folder|x\.html): cannot be written \(\w+"):
+        write_file(target, "text")
+    with pytest.raises(PitchpointError, match=r"(folder|x\.html): cannot be written \([^()]+\)$"):
+        Container(target, Header("time"))
