@@ -261,14 +261,16 @@ def law_address(function: Any) -> int:
         return function
     if COMPILING and isinstance(getattr(function, "address", None), int):
         return int(function.address)
-    if function not in _laws:
-        if COMPILING:
-            from pitchpoint.core import compiler
+    with _lock:  # a second callback in its place would end the first one, whose address is in use
+        if function not in _laws:
+            plain = _guarded(function)
+            if COMPILING:
+                from pitchpoint.core import compiler
 
-            _laws[function] = compiler.law_callback(function, _guarded(function))
-        else:
-            _laws[function] = _guarded(function)
-    made = _laws[function]
+                _laws[function] = compiler.law_callback(function, plain)
+            else:
+                _laws[function] = plain
+        made = _laws[function]
     if not COMPILING:
         _TABLE[id(function)] = made
         return id(function)

@@ -75,6 +75,8 @@ def advance(at, t0, first, n, h, rho, tol, harvest):
         for i in range(nd):
             al[i] -= share * a[i]  # completed below with the solved acceleration
         status = newton_step(at, t, cm, cd, tol)
+        if status == OK and c["nc"] > 0:
+            status = rows_hold(at, t)
         if status != OK:
             bring_state(at, OLD)
             for i in range(nd):
@@ -82,10 +84,6 @@ def advance(at, t0, first, n, h, rho, tol, harvest):
             return status
         for i in range(nd):
             al[i] += share * a[i]
-        if c["nc"] > 0:
-            status = rows_hold(at, t)
-            if status != OK:
-                return status
         wrap(at)
         clock[STEPS] += 1
         harvest.done[0] = k

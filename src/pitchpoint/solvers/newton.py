@@ -83,7 +83,7 @@ def _correction(at, t, cm, cd, e, fresh):
         w = weight[i] * weight[i] * e[i]
         along += w * x[i]
         size += w * e[i]
-    share = along / size if size > 0.0 else math.nan
+    share = along / size if size != 0.0 else 0.0  # nothing is left to correct
     return (OK if math.isfinite(share) else NOT_FINITE), share
 
 
