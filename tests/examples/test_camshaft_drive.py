@@ -260,14 +260,40 @@ def mean_stiffness(model, name):
     return of_pair(model.pairs[name], describe_stiffness(model, name))
 
 
-@outside_polynomial
-def test_cam_torque_makes_the_gears_hammer():
-    _, t, channel = signals("train.yaml", "engine", settle_time=0.16, duration=0.32)
-    late = t > 0.16
-    for mesh, mean in (("stage_1", 1.0), ("stage_2", -1.0)):
+def hammering(**changes):
+    """Per stage of the train: force, contact statistics and the hardest impact of every period [kN]."""
+    _, t, channel = signals("train.yaml", "engine", **changes)
+    late = t >= 0.32
+    period = np.floor((t[late] - 0.32) * 37.5 + 1e-9).astype(int)  # a sixth of a turn of the cam at 375 rpm
+    found = {}
+    for mesh in ("stage_1", "stage_2"):
         force = channel(f"mesh_force[{mesh}]")[late]
-        found = contact_statistics(t[late], channel(f"contact_state[{mesh}]")[late], force)
-        assert found.loss_share > 0.6
-        assert np.abs(force).max() > 60e3
-        assert sum(s.flank_before != s.flank_after for s in found.separations) > 5
+        contact = contact_statistics(t[late], channel(f"contact_state[{mesh}]")[late], force)
+        hardest = [1e-3 * np.abs(force[period == k]).max() for k in range(period[-1])]
+        found[mesh] = force, contact, np.array(hardest)
+    return found
+
+
+@outside_polynomial
+@pytest.mark.parametrize("step", ["5 us", "2 us", "1 us"])
+def test_cam_torque_makes_the_gears_hammer(step):
+    """The ranges of the page and a margin: a chaotic motion differs with every step and every change."""
+    found = hammering(step=step)
+    for mesh, mean, loss in (("stage_1", 1.0, 0.765), ("stage_2", -1.0, 0.69)):
+        force, contact, hardest = found[mesh]
+        assert contact.loss_share == pytest.approx(loss, abs=0.06)
+        assert sum(s.flank_before != s.flank_after for s in contact.separations) > 20
         assert math.copysign(1.0, force.mean()) == mean
+        assert 45.0 < hardest.max() < 120.0
+
+
+@outside_polynomial
+def test_hammering_settles_in_the_mean():
+    """What the page says of 8 s does not depend on the step."""
+    found = hammering(duration=8.32)
+    assert len(found["stage_2"][2]) in (299, 300)
+    assert found["stage_1"][1].loss_share == pytest.approx(0.765, abs=0.015)
+    assert found["stage_2"][1].loss_share == pytest.approx(0.68, abs=0.015)
+    assert np.median(found["stage_2"][2]) == pytest.approx(54.0, rel=0.05)
+    assert found["stage_2"][2].max() == pytest.approx(114.0, rel=0.15)
+    assert 3000.0 / (0.5 * 498.9768) == pytest.approx(12.0, rel=5e-3)  # kN at the base circle of the cam gear

@@ -52,6 +52,8 @@ class Dimension:
     display: tuple[tuple[float, str], ...] = ()
 
 
+_POUND = Fraction("4.4482216152605")
+"""Pound-force [N]."""
 _PREFIX = {
     "": ONE,
     "n": Fraction(1, 10**9),
@@ -73,7 +75,7 @@ _PREFIXED = {
     "Hz": Unit(ONE, s=-1, cycle=1),
     "rad": Unit(ONE, rad=1),
 }
-_PLAIN = {
+PLAIN_UNITS: dict[str, Unit] = {
     "cm": Unit(Fraction("1e-2"), m=1),
     "dm": Unit(Fraction("1e-1"), m=1),
     "micron": Unit(Fraction("1e-6"), m=1),
@@ -82,18 +84,33 @@ _PLAIN = {
     "ft": Unit(Fraction("0.3048"), m=1),
     "t": Unit(Fraction(1000), kg=1),
     "lb": Unit(Fraction("0.45359237"), kg=1),
-    "lbf": Unit(Fraction("4.4482216152605"), m=1, kg=1, s=-2),
+    "oz": Unit(Fraction("0.45359237") / 16, kg=1),
+    "lbf": Unit(_POUND, m=1, kg=1, s=-2),
+    "ozf": Unit(_POUND / 16, m=1, kg=1, s=-2),
+    "kgf": Unit(Fraction("9.80665"), m=1, kg=1, s=-2),
+    "kp": Unit(Fraction("9.80665"), m=1, kg=1, s=-2),
+    "dyn": Unit(Fraction("1e-5"), m=1, kg=1, s=-2),
+    "hp": Unit(550 * _POUND * Fraction("0.3048"), m=2, kg=1, s=-3),
+    "PS": Unit(75 * Fraction("9.80665"), m=2, kg=1, s=-3),
     "min": Unit(Fraction(60), s=1),
     "h": Unit(Fraction(3600), s=1),
     "bar": Unit(Fraction(100000), m=-1, kg=1, s=-2),
+    "mbar": Unit(Fraction(100), m=-1, kg=1, s=-2),
+    "psi": Unit(_POUND / Fraction("0.0254") ** 2, m=-1, kg=1, s=-2),
+    "ksi": Unit(1000 * _POUND / Fraction("0.0254") ** 2, m=-1, kg=1, s=-2),
     "K": Unit(ONE, K=1),
     "deg": Unit(math.pi / 180.0, rad=1),
     "°": Unit(math.pi / 180.0, rad=1),
     "arcmin": Unit(math.pi / 10800.0, rad=1),
     "arcsec": Unit(math.pi / 648000.0, rad=1),
+    "gon": Unit(math.pi / 200.0, rad=1),
     "rev": Unit(ONE, rev=1),
     "turn": Unit(ONE, rev=1),
+    "r": Unit(ONE, rev=1),  # in speeds only, see ONLY_IN_SPEEDS
+    "U": Unit(ONE, rev=1),
     "rpm": Unit(Fraction(1, 60), s=-1, rev=1),
+    "RPM": Unit(Fraction(1, 60), s=-1, rev=1),
+    "cpm": Unit(Fraction(1, 60), s=-1, cycle=1),
     "%": Unit(Fraction("1e-2")),
     "ppm": Unit(Fraction("1e-6")),
     "meter": Unit(ONE, m=1),
@@ -114,21 +131,40 @@ _PLAIN = {
 UNITS: dict[str, Unit] = {
     p + n: u._replace(factor=u.factor * f) for p, f in _PREFIX.items() for n, u in _PREFIXED.items()
 }
-UNITS.update(_PLAIN)
-# Products that people write as one word. All begin with the newton, so no product can be taken for another
-# unit: "Nms" is N m s, and "mm", "ms" and "mN" stay what they are. Case counts: MNm is not mNm.
-JOINED: dict[str, Unit] = {
-    f"{p}N{word}": UNITS[p + "N"].times(rest)
+UNITS.update(PLAIN_UNITS)
+del UNITS["Grad"], UNITS["Mrad"], UNITS["krad"]  # nobody counts gigaradians; "Grad" is the German degree
+# Products that people write as one word. None can be taken for another unit: "Nms" is N m s, and "mm", "ms"
+# and "mN" stay what they are. Case counts: MNm is not mNm.
+JOINED: dict[str, tuple[str, ...]] = {
+    f"{p}N{word}": (f"{p}N", *rest)
     for p in ("", "m", "k", "M")
     for word, rest in (
-        ("m", UNITS["m"]),
-        ("mm", UNITS["mm"]),
-        ("s", UNITS["s"]),
-        ("ms", UNITS["m"].times(UNITS["s"])),
-        ("mms", UNITS["mm"].times(UNITS["s"])),
+        ("m", ("m",)),
+        ("mm", ("mm",)),
+        ("cm", ("cm",)),
+        ("s", ("s",)),
+        ("ms", ("m", "s")),
+        ("mms", ("mm", "s")),
     )
 }
-UNITS.update(JOINED)
+JOINED |= {mass + length: (mass, length) for mass in ("kg", "g") for length in ("m", "cm", "mm")}
+del JOINED["gm"]  # old for gram
+for _name, _factors in JOINED.items():
+    UNITS[_name] = Unit(ONE)
+    for _factor in _factors:
+        UNITS[_name] = UNITS[_name].times(UNITS[_factor])
+
+ONLY_IN_SPEEDS = ("r", "U")
+"""Symbols of a revolution (r/min; German U/min) that mean nothing certain beside anything but a time."""
+_ZERO_POINT = "a temperature is given as a difference in K"
+REFUSED: dict[str, str] = {
+    **dict.fromkeys(("C", "degC", "°C", "F", "degF", "°F"), _ZERO_POINT),
+    **dict.fromkeys(("grad", "Grad"), "write deg for degrees, gon for hundredths of a right angle"),
+    **dict.fromkeys(("ton", "tons"), "write t for 1000 kg, or the weight in kg or lb"),
+}
+"""Names that could mean several things, and what to write instead."""
+FORCE_OF_MASS = {"lb": "lbf", "oz": "ozf", "kg": "N or kgf", "g": "N", "t": "kN"}
+"""Masses that are taken for forces, and what to write for the force."""
 
 DIMENSIONS: dict[str, Dimension] = {
     "dimensionless": Dimension("a plain number", (0, 0, 0, 0), "", "0.05 or 5 %"),

@@ -18,17 +18,32 @@ from functools import lru_cache
 from numbers import Real
 
 from pitchpoint.core.errors import UnitError
-from pitchpoint.core.unit_table import DIMENSIONS, JOINED, ONE, UNITS, Dimension, Unit
+from pitchpoint.core.unit_table import (
+    DIMENSIONS,
+    FORCE_OF_MASS,
+    JOINED,
+    ONE,
+    ONLY_IN_SPEEDS,
+    REFUSED,
+    UNITS,
+    Dimension,
+    Unit,
+)
 
 TWO_PI = 2.0 * math.pi
 
 
 _NUMBER = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 _QUANTITY = re.compile(rf"\s*([+-]?\s*{_NUMBER})\s*(.*?)\s*", re.DOTALL)
+# A power may follow its symbol directly (m2, s-1). A hyphen is a product only between two symbols without
+# spaces (N-m), so that a forgotten operand is never read as one; a 1 stands above a division line or alone.
 _TOKEN = re.compile(
-    r"\s*(?:(?P<name>[A-Za-zµ°_]+|%)|(?P<power>(?:\^|\*\*)\s*[+-]?\d+)|(?P<op>[*/()])|(?P<one>1))\s*"
+    r"\s*(?:(?P<power>(?:\^|\*\*)\s*[+-]?\d+|(?<=[A-Za-zµ°])-?\d+)|(?P<name>[A-Za-zµ°_]+|%)"
+    r"|(?P<op>[*/()]|(?<=[\w°%)])-(?=[^\W\d]|[°(]))|(?P<one>(?<![\w°%)\s])1(?=\s*(?:/|$))))\s*"
 )
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+_ONE_SIGN = str.maketrans({"μ": "µ", "º": "°"} | dict.fromkeys("·⋅∙•×", "*") | dict.fromkeys("−‐‑–", "-"))
+_BRACKETED_POWER = re.compile(r"(\^|\*\*)\s*\(\s*([+-]?\d+)\s*\)")
 _MAX_TEXT = 100
 _MAX_POWER = 12
 
@@ -193,6 +208,7 @@ def _split(text: str, kind: Dimension) -> tuple[str, str]:
     if match is None:
         raise UnitError(f"{text!r} does not begin with a number; {expected}")
     number, unit = match.groups()
+    unit = re.sub(r"^[*·⋅]\s*(?=[^\W\d])", "", unit)  # 3*mm
     if unit.startswith(","):
         raise UnitError(f"{text!r} has a decimal comma; write a point; {expected}")
     return "".join(number.split()), unit
@@ -219,7 +235,8 @@ def _factor(unit: str, dimension: str) -> Fraction | float:
     except UnitError as error:
         raise UnitError(f"{error}; {expected}") from None
     if (u.m, u.kg, u.s, u.K) != kind.base:
-        raise UnitError(f"'{unit}' is not the unit of {kind.words}; {expected}")
+        hint = _force_for_mass(unit, u, kind)
+        raise UnitError(f"'{unit}' is not the unit of {kind.words}{hint}; {expected}")
     turns = u.rev + u.cycle
     if dimension == "frequency":
         if (u.rad, turns) in ((0, 0), (0, 1)):
@@ -236,6 +253,14 @@ def _factor(unit: str, dimension: str) -> Fraction | float:
     raise UnitError(f"'{unit}' is not the unit of {kind.words}; {expected}")
 
 
+def _force_for_mass(unit: str, found: Unit, kind: Dimension) -> str:
+    """Hint for units that lack just the step from a mass to a force, as in ft-lb."""
+    if (found.m + 1, found.kg, found.s - 2, found.K) != kind.base:
+        return ""
+    masses = [w for w in re.findall(r"[A-Za-z]+", unit) if w in FORCE_OF_MASS]
+    return f" ('{masses[0]}' is a mass; write {FORCE_OF_MASS[masses[0]]} for the force)" if masses else ""
+
+
 def _scaled(factor: Fraction | float, turns: int) -> Fraction | float:
     """Factor times (2 pi)^turns, exact when there is nothing to convert."""
     return factor if turns == 0 else float(factor) * TWO_PI**turns
@@ -245,10 +270,13 @@ def _scaled(factor: Fraction | float, turns: int) -> Fraction | float:
 def parse_unit(text: str) -> Unit:
     """Read a unit expression: names, products, powers, one or more divisions, brackets.
 
+    Factors are joined by a space, `*`, `·`, `.` or a hyphen; powers are `^2`, `**2`, `²` or a 2 right behind
+    the symbol. A power behind a product in one word belongs to its last symbol: `kgm2` is `kg m^2`.
+
     Parameters
     ----------
     text
-        For instance "kg m^2", "N/(mm um)", "N·m·s/rad", "N.m", "kNm/rad", "min^-1".
+        For instance "kg m^2", "kg-m2", "N/(mm um)", "N·m·s/rad", "N.m", "kNm/rad", "min^-1", "/min".
 
     Examples
     --------
@@ -257,9 +285,10 @@ def parse_unit(text: str) -> Unit:
     """
     if len(text) > _MAX_TEXT:
         raise UnitError("the unit is too long")
-    clean = text.replace("μ", "µ").replace("·", "*").replace("⋅", "*").replace("−", "-")
+    clean = _BRACKETED_POWER.sub(r"\1\2", text.strip().translate(_ONE_SIGN))
     clean = re.sub(r"(?<=[\w)])\s*\.\s*(?=[^\W\d_(])", "*", clean)
     clean = re.sub(r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: "^" + m.group().translate(_SUPERSCRIPTS), clean)
+    clean = re.sub(r"^/", "1/", clean)
     tokens: list[tuple[str, str]] = []
     at = 0
     while at < len(clean):
@@ -271,6 +300,9 @@ def parse_unit(text: str) -> Unit:
     unit, at = _product(tokens, 0, text, 0)
     if at != len(tokens):
         raise UnitError(f"'{text}' is not a unit: unexpected '{tokens[at][1]}'")
+    for kind, word in tokens:
+        if kind == "name" and word in ONLY_IN_SPEEDS and unit[1:] != UNITS["rpm"][1:]:
+            raise UnitError(f"'{word}' is a revolution in {word}/min only; write rev or rad")
     return unit
 
 
@@ -281,7 +313,7 @@ def _product(tokens: list[tuple[str, str]], at: int, text: str, depth: int) -> t
         sign = 1
         if tokens[at] == ("op", "/") and not empty:
             sign, divided, at = -1, True, at + 1
-        elif tokens[at] == ("op", "*") and not empty:
+        elif tokens[at] in (("op", "*"), ("op", "-")) and not empty:
             at += 1
         if sign == 1 and divided:
             raise UnitError(
@@ -297,8 +329,12 @@ def _product(tokens: list[tuple[str, str]], at: int, text: str, depth: int) -> t
 def _factor_at(tokens: list[tuple[str, str]], at: int, text: str, depth: int) -> tuple[Unit, int]:
     """Read one name, a one, or a bracket, with its power."""
     kind, word = tokens[at] if at < len(tokens) else ("end", "")
+    ahead = Unit(ONE)
     if kind == "name":
-        unit, at = _lookup(word), at + 1
+        *front, last = JOINED.get(word, (word,))
+        unit, at = _lookup(last), at + 1
+        for part in front:
+            ahead = ahead.times(UNITS[part])
     elif kind == "one":
         unit, at = Unit(ONE), at + 1
     elif word == "(" and depth < 2:
@@ -313,17 +349,23 @@ def _factor_at(tokens: list[tuple[str, str]], at: int, text: str, depth: int) ->
         if abs(power) > _MAX_POWER:
             raise UnitError(f"'{text}' has a power beyond {_MAX_POWER}")
         unit, at = Unit(ONE).times(unit, power), at + 1
-    return unit, at
+    return ahead.times(unit), at
 
 
 def _lookup(name: str) -> Unit:
     """Find one unit name, in the own table first, then in pint."""
     if name in UNITS:
         return UNITS[name]
-    if name in ("C", "degC", "°C", "F", "degF", "°F"):
-        raise UnitError(f"'{name}' is refused: a temperature is given as a difference in K")
-    if name.endswith("s") and name[:-1] in UNITS and len(name) > 4 and name[:-1] not in JOINED:
-        return UNITS[name[:-1]]
+    if name in REFUSED:
+        raise UnitError(f"'{name}' is refused: {REFUSED[name]}")
+    one = name.removesuffix("s")
+    if one in UNITS and one not in JOINED and (len(one) > 3 or one == "rev"):
+        return UNITS[one]
     from pitchpoint.core._pint import foreign_unit
 
-    return Unit(*foreign_unit(name))
+    try:
+        return Unit(*foreign_unit(name))
+    except UnitError as error:
+        near = [known for known in UNITS if known.lower() == name.lower()]
+        guess = f" (did you mean {' or '.join(near)}?)" if near else ""
+        raise UnitError(f"{error}{guess}") from None

@@ -8,7 +8,9 @@ The wrench on body i is the conjugate one, that on body j its exact opposite; fo
 works with the twist between the bodies, so between two spinning bodies it rotates with them.
 
 The twist is conjugate to first order in the tilt; everything else is exact for any tilt when j is ground.
-Between two bodies, which must be coaxial as assembled, the exact tangent leaves out the turn of a preload.
+Between two bodies, the exact tangent leaves out the turn of a preload. They must be coaxial as assembled, or
+joined by torsion alone: u knows no spin but the twist, so a force between two axes would do work that no
+spring gives. `model/support_check.py` refuses such a coupling.
 """
 
 from __future__ import annotations

@@ -47,6 +47,8 @@ class Parts:
     names: dict[str, set[str]] = field(default_factory=dict)
     pairs: dict[str, GearPair] = field(default_factory=dict)
     misshapen: set[str] = field(default_factory=set)  # gears whose own shape is impossible
+    placed: dict[str, tuple[str, str, str]] = field(default_factory=dict)
+    """For bodies without a position: kind and name of the link that placed it, and the body it hangs on."""
 
     @classmethod
     def of(cls, groups: Mapping[str, Any], damping: Damping | None) -> Parts:
@@ -287,7 +289,21 @@ def _place_next(parts: Parts, here: str, kind: str, link: str) -> str | None:
     if there not in parts.bodies or parts.bodies[there].origin is not None:
         return None
     parts.bodies[there] = replace(parts.bodies[there], origin=place)
+    parts.placed[there] = (kind, link, here)
     return there
+
+
+def _by_couplings(parts: Parts, mesh: Mesh) -> str:
+    """Which couplings gave the bodies of a mesh their places: a user looks for them at the mesh."""
+    found = []
+    for gear in mesh.gears:
+        name = parts.body_of(gear)
+        while name is not None and name in parts.placed:
+            kind, link, before = parts.placed[name]
+            if kind == "coupling":
+                found.append(f"couplings.{link} puts {name} where {before} is")
+            name = before
+    return f" ({', '.join(dict.fromkeys(found))})" if found else ""
 
 
 def _directions(parts: Parts, report: Reader) -> None:
@@ -311,7 +327,8 @@ def _directions(parts: Parts, report: Reader) -> None:
                     ("meshes", name, "center_distance"),
                     f"does not fit the positions of its bodies, which are {distance * 1e3:.6g} mm apart",
                     value=f"{a * 1e3:.6g} mm",
-                    remedy="correct center_distance or the positions, or leave the positions out",
+                    remedy="correct center_distance or the positions, or leave the positions out"
+                    + _by_couplings(parts, mesh),
                 )
             elif (
                 mesh.direction is not None and abs(math.remainder(angle - theta, math.tau)) > PLACE_TOLERANCE
@@ -320,7 +337,7 @@ def _directions(parts: Parts, report: Reader) -> None:
                     ("meshes", name, "direction"),
                     f"does not fit the positions of its bodies, which lie at {math.degrees(angle):.6g} deg",
                     value=f"{math.degrees(theta):.6g} deg",
-                    remedy="leave direction or the positions out",
+                    remedy="leave direction or the positions out" + _by_couplings(parts, mesh),
                 )
             theta = angle if mesh.direction is None else theta
         parts.meshes[name] = replace(mesh, theta=theta)
@@ -342,7 +359,8 @@ def _widths(parts: Parts, report: Reader) -> None:
                 ("meshes", name, "gears"),
                 f"do not overlap along their axes; {1e3 * (low - high):.6g} mm lie between their faces",
                 value=" and ".join(mesh.gears),
-                remedy="correct the axial offsets of the gears or the positions of the bodies",
+                remedy="correct the axial offsets of the gears or the positions of the bodies"
+                + _by_couplings(parts, mesh),
             )
             continue
         at = 0.5 * (low + high)

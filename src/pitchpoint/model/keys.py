@@ -42,6 +42,8 @@ class Key:
     length: tuple[int, int] = (0, 10**7)
     of: Any = None  # dataclass of nested components, or table of variants
     display: str = ""  # default in the words of a user, where a formula stands behind it
+    sample: str = ""  # a usual value, where the example of the dimension would be none
+    range_words: str = ""  # range in the words of a user, where another key decides about its ends
 
     @property
     def limit(self) -> str:

@@ -38,10 +38,67 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
     except GeometryError as error:
         problems = [error.problem]
     for problem in problems:
-        hand_on(report, ("gears", name), problem, taint=False)
+        hand_on(report, ("gears", name), _pointed_by_tip(parts.gears[name], problem), taint=False)
         parts.misshapen.add(name)
     if not problems:
         _check_modifications(parts.gears[name], ("gears", name, "modifications"), report)
+        _check_wheel_body(parts.gears[name], ("gears", name), report)
+
+
+def _pointed_by_tip(gear: Gear, problem: Problem) -> Problem:
+    """A pointed tooth, told at the tip diameter if the file gives one, with the last one that works."""
+    if gear.tip_diameter is None or problem.where != "profile_shift_coefficient":
+        return problem
+    from pitchpoint.geometry.bisection import bisect
+    from pitchpoint.geometry.problems import TIP_THICKNESS_LIMIT
+    from pitchpoint.geometry.tooth_thickness import tip_thickness
+
+    shape = gear.geometry
+
+    def spare(d_a: float) -> float:
+        return tip_thickness(shape.replace(tip_diameter=d_a)) - TIP_THICKNESS_LIMIT * shape.m_n
+
+    try:
+        # signed diameters: towards the root is down for internal gears, too
+        ends = (max(shape.d_Ff, shape.d_b), shape.sign * gear.tip_diameter)
+        if not spare(ends[0]) > 0.0 > spare(ends[1]):
+            return problem
+        last = bisect(spare, *ends)
+    except GeometryError:
+        return problem
+    edge = abs(math.floor(last * 1e5)) * 1e-2
+    return replace(
+        problem,
+        where="tip_diameter",
+        value=f"{gear.tip_diameter * 1e3:.6g} mm",
+        limit=f"{problem.limit}, at {edge:.2f} mm",
+        remedy=f"use at {'least' if shape.is_internal else 'most'} {edge:.2f} mm",
+    )
+
+
+def _check_wheel_body(gear: Gear, at: Place, report: Reader) -> None:
+    """Report a rim or web that is larger than the gear it is part of."""
+    shape = gear.geometry
+    room = 0.5 * (shape.d_f - gear.bore_diameter)  # of an external gear, from the root to the bore
+    rim = gear.rim_thickness
+    if not shape.is_internal and rim is not None and 0.0 < room < rim * (1.0 - 1e-9):
+        report.problem(
+            (*at, "rim_thickness"),
+            "is more than lies between root and bore",
+            value=f"{rim * 1e3:.6g} mm",
+            limit=f"<= {room * 1e3:.6g} mm",
+            remedy="reduce it, or leave it out for a solid gear",
+            taint=False,
+        )
+    if gear.web_thickness is not None and gear.web_thickness > gear.face_width:
+        report.problem(
+            (*at, "web_thickness"),
+            "is wider than the gear",
+            value=f"{gear.web_thickness * 1e3:.6g} mm",
+            limit=f"<= {gear.face_width * 1e3:.6g} mm",
+            remedy="reduce it, or leave it out for a web of the face width",
+            taint=False,
+        )
 
 
 def _check_modifications(gear: Gear, at: Place, report: Reader) -> None:

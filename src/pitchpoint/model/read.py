@@ -143,7 +143,8 @@ class Reader:
         """Read a whole number."""
         number = isinstance(data, Real) and not isinstance(data, bool)
         if not number or data != data or data in (math.inf, -math.inf):
-            remedy = f"write {data.strip()} without quotes" if _is_quoted_number(data) else None
+            quoted = f"write {data.strip()} without quotes" if _is_quoted_number(data) else ""
+            remedy = quoted or f"write {example(description)}"
             return self.problem(
                 path, "is not a whole number", value=shown(data), limit=description.limit, remedy=remedy
             )
@@ -152,7 +153,10 @@ class Reader:
             remedy = f"write {round(data)}"
             return self.problem(path, "is not a whole number", value=shown(data), remedy=remedy)
         if not description.allows(value):
-            return self.problem(path, "is out of range", value=shown(data), limit=description.limit)
+            remedy = f"write {-value}" if description.allows(-value) else f"write {example(description)}"
+            return self.problem(
+                path, "is out of range", value=shown(data), limit=description.limit, remedy=remedy
+            )
         return value
 
     def word(self, description: Key, data: Any, path: Place) -> Any:

@@ -143,9 +143,17 @@ def _own_material(reader: Reader, data: Mapping[str, Any], path: Place) -> Any:
     from pitchpoint.geometry.materials import Material
 
     properties = {
-        "youngs_modulus": Key("quantity", "", dimension="pressure", minimum=0.0, above=True),
-        "poisson_ratio": Key("quantity", "", dimension="dimensionless", minimum=0.0, maximum=0.5, below=True),
-        "density": Key("quantity", "", dimension="density", minimum=0.0, above=True),
+        "youngs_modulus": Key("quantity", "modulus E", dimension="pressure", minimum=0.0, above=True),
+        "poisson_ratio": Key(
+            "quantity",
+            "ratio of transverse to axial strain",
+            dimension="dimensionless",
+            minimum=0.0,
+            maximum=0.5,
+            below=True,
+            sample="0.3",
+        ),
+        "density": Key("quantity", "mass per volume", dimension="density", minimum=0.0, above=True),
     }
     reader.unknown(data, properties, path)
     found = {}

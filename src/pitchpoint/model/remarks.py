@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a model says that will have no effect: allowed, but a user should know."""
+"""What a model says that has no effect, or one that few users want: allowed, but a user should know."""
 
 from __future__ import annotations
 
+import math
 import warnings
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import ValidityWarning
+from pitchpoint.core.errors import GeometryError, ValidityWarning
+from pitchpoint.core.units import format_quantity
 
 if TYPE_CHECKING:
+    from pitchpoint.geometry.gear_pair import GearPair
     from pitchpoint.model.model import Model
+
+INTERFERENCE = 1e-7
+"""Negative backlash [m] that comes from rounded profile shifts and centre distances and bends nothing."""
 
 #: Laws that describe one tooth pair; all others prescribe the stiffness of the whole mesh.
 OF_PAIRS = ("din3990", "energy", "pair_table")
@@ -35,7 +41,36 @@ def ignored_flanks(model: Model) -> tuple[str, ...]:
     return tuple(found)
 
 
-def warn_of_ignored_flanks(model: Model) -> None:
-    """Issue these sentences as `ValidityWarning`."""
-    for text in ignored_flanks(model):
+def negative_backlash(model: Model) -> tuple[str, ...]:
+    """A sentence for every mesh whose teeth are too thick for its centre distance."""
+    found = []
+    for name, pair in model.pairs.items():
+        gap = model.backlash(name)
+        if gap < -INTERFERENCE:
+            given = model.meshes[name].backlash is not None
+            found.append(
+                f"meshes.{name}: the backlash along the base tangent is {format_quantity(gap, 'length', 3)}: "
+                "both flanks carry without load; "
+                f"if that is not wanted, {'give a backlash >= 0' if given else _wider(pair)}"
+            )
+    return tuple(found)
+
+
+def _wider(pair: GearPair) -> str:
+    """What to do about teeth that are too thick for their centre distance."""
+    a = pair.a_w
+    try:
+        for _ in range(8):  # dj_bt/da = 2 sin alpha_wt: converges in three or four steps
+            a -= pair.backlash(a).j_bt / (2.0 * math.sin(pair.working_pressure_angle(a)))
+    except GeometryError:
+        return "change center_distance or give tooth_thickness_allowance < 0"
+    # rounded to the side with the gap
+    edge = (math.floor if pair.is_internal else math.ceil)(abs(a) * 1e6) * 1e-6
+    distance = f"center_distance {'<=' if pair.is_internal else '>='} {edge * 1e3:.3f} mm"
+    return f"give {distance}, or tooth_thickness_allowance < 0"
+
+
+def warn_of_remarks(model: Model) -> None:
+    """Issue all sentences of this module as `ValidityWarning`."""
+    for text in (*ignored_flanks(model), *negative_backlash(model)):
         warnings.warn(text, ValidityWarning, stacklevel=2)

@@ -44,6 +44,8 @@ def shown(value: Any) -> str:
 
 def limit_text(description: Key) -> str:
     """Allowed range in the units people use."""
+    if description.range_words:
+        return description.range_words
     parts = []
     for bound, strict, loose in (
         (description.minimum, ">" if description.above else ">=", -math.inf),
@@ -56,6 +58,8 @@ def limit_text(description: Key) -> str:
 
 def example(description: Key) -> str:
     """A value that a user could write."""
+    if description.sample:
+        return description.sample
     if description.kind in ("quantity", "quantities"):
         one = DIMENSIONS[description.dimension].example
         one = one.split(" or ")[0]

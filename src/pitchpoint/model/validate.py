@@ -331,11 +331,14 @@ def check(parts: Parts, report: Reader) -> None:
     """All checks, in the order in which a later one may rely on an earlier one."""
     from pitchpoint.model.assembly import resolve
     from pitchpoint.model.pair_check import check_phasing
+    from pitchpoint.model.support_check import check_couplings, check_positions
 
     check_references(parts, report)
     check_carriers(parts, report)
     check_choices(parts, report)
+    check_positions(parts, report)
     resolve(parts, report)
+    check_couplings(parts, report)
     check_motions(parts, report)
     check_loads(parts, report)
     check_scenarios(parts, report)

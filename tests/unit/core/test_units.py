@@ -16,6 +16,7 @@ from pitchpoint.core.units import (
     in_unit,
     natural_si,
     parse_quantity,
+    parse_unit,
 )
 
 
@@ -63,6 +64,42 @@ from pitchpoint.core.units import (
         ("8 kNm/rad", "torsional_stiffness", 8000.0),
         ("3 ms", "time", 0.003),
         ("3 mN", "force", 0.003),
+        ("0.0115 kg m2", "inertia", 0.0115),
+        ("0.0115 kg-m^2", "inertia", 0.0115),
+        ("0.0115 kgm²", "inertia", 0.0115),
+        ("120 gcm2", "inertia", 1.2e-5),
+        ("7.85 kg m-3", "density", 7.85),
+        ("150 N-m", "torque", 150.0),
+        ("150 N×m", "torque", 150.0),
+        ("8 kN-m/rad", "torsional_stiffness", 8000.0),
+        ("3*mm", "length", 0.003),
+        ("3 · mm", "length", 0.003),
+        ("400 N/um", "stiffness", 4e8),
+        ("400 N/\u00b5m", "stiffness", 4e8),
+        ("400 N/\u03bcm", "stiffness", 4e8),
+        ("8 kN/m", "stiffness", 8000.0),
+        ("22.2 gon", "angle", 0.111 * math.pi),
+        ("20 º", "angle", math.radians(20)),
+        ("10 deg/s2", "angular_acceleration", math.radians(10)),
+        ("5 s^(-1)", "rate", 5.0),
+        ("5/s", "rate", 5.0),
+        ("20 /m", "curvature", 20.0),
+        ("3 in", "length", 0.0762),
+        ("3 ft", "length", 0.9144),
+        ("2 t", "mass", 2000.0),
+        ("16 oz", "mass", 0.45359237),
+        ("100 lbf", "force", 444.82216152605),
+        ("5 kgf", "force", 49.03325),
+        ("5 kp", "force", 49.03325),
+        ("5 dyn", "force", 5e-5),
+        ("16 ozf-in", "torque", 4.4482216152605 * 0.0254),
+        ("100 lbf-ft", "torque", 444.82216152605 * 0.3048),
+        ("1 hp", "power", 745.69987158227022),
+        ("1 PS", "power", 735.49875),
+        ("11 kW", "power", 11e3),
+        ("14.5 psi", "pressure", 14.5 * 4.4482216152605 / 0.0254**2),
+        ("2 bar", "pressure", 2e5),
+        ("500 mbar", "pressure", 5e4),
         ("3", "length", 3.0),
         (3, "length", 3.0),
         (np.float64(0.25), "length", 0.25),
@@ -83,6 +120,14 @@ def test_common_quantities(text, dimension, expected):
         ("360 deg/s", 2 * math.pi, 1.0),
         ("60 1/min", 2 * math.pi, 1.0),
         ("60 min^-1", 2 * math.pi, 1.0),
+        ("60/min", 2 * math.pi, 1.0),
+        ("60 min-1", 2 * math.pi, 1.0),
+        ("60 U/min", 2 * math.pi, 1.0),
+        ("60 r/min", 2 * math.pi, 1.0),
+        ("60 r·min⁻¹", 2 * math.pi, 1.0),
+        ("60 revs/min", 2 * math.pi, 1.0),
+        ("60 RPM", 2 * math.pi, 1.0),
+        ("60 cpm", 2 * math.pi, 1.0),
     ],
 )
 def test_rotation_is_counted_once(text, speed, frequency):
@@ -91,10 +136,48 @@ def test_rotation_is_counted_once(text, speed, frequency):
     assert parse_quantity(text, "frequency") == pytest.approx(frequency, rel=1e-15)
 
 
-def test_a_bare_rate_is_no_rotational_speed():
+@pytest.mark.parametrize("text", ["25 1/s", "25/s", "25 s^-1", "25 s-1", "25 1/h"])
+def test_a_bare_rate_is_no_rotational_speed(text):
     assert parse_quantity("25 1/s", "frequency") == 25.0
     with pytest.raises(UnitError, match="what is counted"):
-        parse_quantity("25 1/s", "angular_speed")
+        parse_quantity(text, "angular_speed")
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "reason"),
+    [
+        ("20 Grad", "angle", "write deg for degrees, gon for"),
+        ("20 grad", "angle", "write deg for degrees, gon for"),
+        ("3 ton", "mass", "write t for 1000 kg"),
+        ("1 r", "angle", r"a revolution in r/min only; write rev or rad"),
+        ("1 N m/U", "torsional_stiffness", "a revolution in U/min only"),
+        ("100 ft-lb", "torque", "'lb' is a mass; write lbf for the force"),
+        ("10 oz in", "torque", "'oz' is a mass; write ozf for the force"),
+        ("10 kg m", "torque", "'kg' is a mass; write N or kgf for the force"),
+        ("14 N/mm-um", "stiffness_per_width", "everything below the line into brackets"),
+        ("5 KN", "force", "did you mean kN"),
+        ("3 N - m", "torque", "unexpected '-'"),
+        ("3 N -m", "torque", "unexpected '-'"),
+        ("3-mm", "length", "unexpected '-'"),
+        ("3 m 2", "area", "unexpected '2'"),
+        ("3 m -2", "area", "unexpected '-'"),
+        ("3 m 1", "length", "unexpected '1'"),
+        ("2 1 mm", "length", "unexpected '1'"),
+        ("1 500 rpm", "angular_speed", "unexpected '5'"),
+        ("3 m2^2", "area", "is not a unit"),
+        ("3 m*/s", "speed", "is not a unit"),
+        ("3 *", "length", "is not a unit"),
+    ],
+)
+def test_what_could_mean_two_things_is_refused_with_the_reason(text, dimension, reason):
+    with pytest.raises(UnitError, match=reason):
+        parse_quantity(text, dimension)
+
+
+def test_a_power_behind_one_word_belongs_to_its_last_symbol():
+    assert parse_unit("Nm2") == parse_unit("N m^2") == parse_unit("Nm²")
+    assert parse_unit("1/Nm2") == parse_unit("1/(N m^2)")
+    assert parse_unit("kgmm2") == parse_unit("kg mm^2")
 
 
 @pytest.mark.parametrize(

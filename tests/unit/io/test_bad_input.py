@@ -116,7 +116,7 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         pair(gear("a"), gear("b"), "", BODIES % (", inertia: -1 kg m^2", "")),
         "bodies.one.inertia",
         7,
-        ">= 0",
+        "> 0 for a body that moves, else >= 0",
     ),
     "zero mass": (
         pair(gear("a"), gear("b"), "", BODIES % ("", ", motion: planar, mass: 0 kg")),

@@ -8,7 +8,7 @@ import pytest
 
 from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.remarks import ignored_flanks
+from pitchpoint.model.remarks import ignored_flanks, negative_backlash
 from pitchpoint.system.compile import compile_model
 
 RELIEF = ", modifications: {both: {tip_relief: {amount: 20 um, length: 2 mm}}}"
@@ -38,3 +38,45 @@ def test_laws_of_a_tooth_pair_follow_the_flanks():
     assert ignored_flanks(model) == ()
     assert compile_model(model).records["gear_mesh"]["n_sz"][0] > 0
     assert np.isfinite(compile_model(model).records["gear_mesh"]["sep_min"][0])
+
+
+PAIR = """
+gears:
+  a: {{number_of_teeth: 20, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}}
+  b: {{number_of_teeth: 60, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0{more}}}
+bodies:
+  one: {{gears: [a]}}
+  two: {{gears: [b]}}
+meshes:
+  s: {{gears: [a, b], {mesh}}}
+"""
+RING = ", type: internal, tip_diameter: 176 mm"
+
+
+@pytest.mark.parametrize(
+    ("more", "mesh", "value", "remedy"),
+    [
+        (RING, "center_distance: 60.08 mm", "-55 µm", r"give center_distance <= 60\.000 mm"),
+        ("", "center_distance: 119.92 mm", "-54.6 µm", r"give center_distance >= 120\.000 mm"),
+        ("", "backlash: {base_tangent: -20 um}", "-20 µm", "give a backlash >= 0"),
+    ],
+)
+def test_negative_backlash_is_said_aloud(more, mesh, value, remedy):
+    model = loads_model(PAIR.format(more=more, mesh=mesh))
+    with pytest.warns(ValidityWarning, match=f"{value}: both flanks carry without load; .*{remedy}"):
+        compile_model(model)
+    (text,) = negative_backlash(model)
+    assert text.startswith("meshes.s: the backlash along the base tangent is ")
+
+
+@pytest.mark.parametrize(
+    ("more", "mesh"),
+    [
+        (RING, "center_distance: 60 mm"),
+        ("", "center_distance: 120 mm"),
+        ("", "center_distance: 119.9999 mm"),  # rounding
+        ("", "center_distance: 119.92 mm, backlash: {normal: 0 mm}"),
+    ],
+)
+def test_no_backlash_is_no_negative_backlash(more, mesh):
+    assert negative_backlash(loads_model(PAIR.format(more=more, mesh=mesh))) == ()

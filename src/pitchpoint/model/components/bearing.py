@@ -16,7 +16,7 @@ class Bearing:
     body: str = text("name of the body")
     position: tuple[float, float, float] = quantities(
         "length",
-        "centre of the bearing from the origin of the body [x, y, z]",
+        "centre of the bearing from the origin of the body, on its axis: [0, 0, z]",
         (0.0, 0.0, 0.0),
         length=(3, 3),
     )

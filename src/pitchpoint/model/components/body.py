@@ -25,6 +25,7 @@ class Body:
         "polar moment of inertia about the spin axis",
         None,
         minimum=0.0,
+        range_words="> 0 for a body that moves, else >= 0",
         display="sum over the gears",
     )
     transverse_inertia: float | None = quantity(
@@ -32,9 +33,17 @@ class Body:
         "moment of inertia about a diameter through the origin",
         None,
         minimum=0.0,
+        range_words="> 0 with motion: free, else >= 0",
         display="sum over the gears",
     )
-    mass: float | None = quantity("mass", "mass", None, minimum=0.0, display="sum over the gears")
+    mass: float | None = quantity(
+        "mass",
+        "mass",
+        None,
+        minimum=0.0,
+        range_words="> 0 with motion: planar or free, else >= 0",
+        display="sum over the gears",
+    )
     position: tuple[float, float, float] | None = quantities(
         "length", "origin of the body [x, y, z]", None, length=(3, 3), display="from the meshes"
     )

@@ -11,12 +11,17 @@ from pitchpoint.model.keys import component, key, quantities
 
 @dataclass(frozen=True, kw_only=True)
 class Coupling:
-    """Linear spring and damper in six directions between two bodies."""
+    """Linear spring and damper in six directions between two bodies on one axis.
 
-    bodies: tuple[str, str] = key("names", "names of the two bodies", length=(2, 2))
+    Bodies on two axes may be coupled by torsion alone, or when neither moves sideways.
+    """
+
+    bodies: tuple[str, str] = key(
+        "names", "names of the two bodies; one without a place takes that of the other", length=(2, 2)
+    )
     position: tuple[float, float, float] = quantities(
         "length",
-        "centre of the coupling from the origin of the first body [x, y, z]",
+        "centre of the coupling from the origin of the first body, on its axis: [0, 0, z]",
         (0.0, 0.0, 0.0),
         length=(3, 3),
     )

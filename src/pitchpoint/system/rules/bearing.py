@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 def bearing_bank(model: Model) -> Bank:
     """All bearings (body to ground) and couplings (body to body).
 
-    The markers lie on the spin axes, so that the springs do not turn with the gears.
+    The markers lie on the spin axes, so that the springs do not turn with the gears; a model has no x and y
+    in their positions.
     """
     number = body_numbers(model)
     rows, names = [], []

@@ -22,7 +22,7 @@ from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import inv
 from pitchpoint.model.components.stiffness import UserStiffness
-from pitchpoint.model.remarks import warn_of_ignored_flanks
+from pitchpoint.model.remarks import warn_of_remarks
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers
@@ -208,7 +208,7 @@ def mesh_row(
 
 def mesh_bank(model: Model) -> Bank:
     """All meshes whose gears sit on bodies."""
-    warn_of_ignored_flanks(model)
+    warn_of_remarks(model)
     pool = Pool()
     rows, names, laws = [], [], []
     number = body_numbers(model)

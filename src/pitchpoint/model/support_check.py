@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bearings and couplings sit on the axes of their bodies, and what a coupling joins lies on one axis."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from pitchpoint.model.read import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.assembly import Parts
+    from pitchpoint.model.components.coupling import Coupling
+
+COAXIAL = 1e-6
+"""Distance of two axes [m] up to which they count as one: what places computed from meshes differ by."""
+
+
+def check_positions(parts: Parts, report: Reader) -> None:
+    """Springs act between axes, which do not turn with the bodies; a place beside the axis would turn."""
+    for group in ("bearings", "couplings"):
+        for name, part in getattr(parts, group).items():
+            x, y, z = part.position
+            if x == 0.0 and y == 0.0:
+                continue
+            body = part.body if group == "bearings" else part.bodies[0]
+            shown = ", ".join(f"{v * 1e3:.6g}" for v in part.position)
+            report.problem(
+                (group, name, "position"),
+                f"lies off the axis of {body}",
+                value=f"[{shown}] mm",
+                limit="x = y = 0",
+                remedy=f"write [0, 0, {z * 1e3:.6g} mm]; the axis lies where the position of {body} puts it",
+                taint=False,
+            )
+
+
+def check_couplings(parts: Parts, report: Reader) -> None:
+    """Forces between axes that lie apart would turn the bodies without a spring that gives the work."""
+    for name, coupling in parts.couplings.items():
+        bodies = [parts.bodies.get(b) for b in coupling.bodies]
+        if None in bodies or all(b.motion in ("torsion", "fixed") for b in bodies if b is not None):
+            continue
+        places = [b.origin for b in bodies if b is not None and b.origin is not None]
+        if len(places) < 2 or not _holds_sideways(coupling):
+            continue
+        apart = math.dist(places[0][:2], places[1][:2])
+        if apart > COAXIAL:
+            first, second = coupling.bodies
+            report.problem(
+                ("couplings", name, "bodies"),
+                f"have axes {apart * 1e3:.6g} mm apart, and the coupling holds more than their rotation",
+                value=f"{first} and {second}",
+                limit=f"{COAXIAL * 1e3:g} mm",
+                remedy=f"give {first} and {second} the same x and y, or the coupling torsion only",
+            )
+
+
+def _holds_sideways(coupling: Coupling) -> bool:
+    """Whether anything but the rotation about the axis is sprung or damped."""
+    matrices = [coupling.stiffness.matrix6()]
+    if coupling.damping is not None:
+        matrices.append(coupling.damping.matrix6())  # a ratio damps what the stiffness holds
+    return any(m[i][j] != 0.0 for m in matrices for i in range(6) for j in range(6) if (i, j) != (5, 5))
