@@ -102,9 +102,8 @@ def differences(system, state, key, step=1e-6):
     return found
 
 
-def damping_records(D, dofs, v0=None):
+def damping_records(D, dofs):
     """Cut a dense damping matrix into records; dofs are first coordinate and number of each body."""
-    rates = np.zeros(len(D)) if v0 is None else v0
     least = 1e-14 * np.abs(D).max(initial=0.0)
     rows = []
     for i, (di, ni) in enumerate(dofs):
@@ -114,6 +113,5 @@ def damping_records(D, dofs, v0=None):
                 record = np.zeros((), damping.RECORD)
                 record["i"], record["j"] = i, j
                 record["D"][:ni, :nj] = block
-                record["v0"][:nj] = rates[dj : dj + nj]
                 rows.append(record)
     return np.array(rows, damping.RECORD).reshape(-1)

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Constant damping matrix on the coordinates, in blocks of bodies: Rayleigh and modal damping.
 
-f = -D (v - v0). Mass-proportional damping would brake the steady rotation, so v0 holds the speeds at which
-nothing is damped. One record per ordered pair of bodies with a block that is not zero.
+f = -D v. One record per ordered pair of bodies with a block that is not zero.
 """
 
 from __future__ import annotations
@@ -26,7 +25,6 @@ RECORD = np.dtype(
         ("n_i", "i8"),
         ("n_j", "i8"),
         ("D", "f8", (6, 6)),  # block for the coordinates of both bodies [N s/m ...]
-        ("v0", "f8", 6),  # rates of body j without damping
         ("out", "i8"),
     ],
     align=True,
@@ -68,7 +66,7 @@ def damping(rec, ctl, q, v, R, A):
         for r in range(b["n_i"]):
             s = 0.0
             for k in range(b["n_j"]):
-                s += D[r, k] * (v[dj + k] - b["v0"][k])
+                s += D[r, k] * v[dj + k]
             R[di + r] += s
         if c["jac"] != 0:
             for r in range(b["n_i"]):

@@ -54,6 +54,8 @@ from pitchpoint.multibody.channels import F8, events, frame_args, observations
 __all__ = ["EVENTS", "MAX_PAIRS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
 
+_LEAST = 1e-15
+"""Distance from contact [m] of an event function that only knows whether there is contact."""
 #: Added to the event functions of the flank that is farther from contact: no sign changes there.
 AWAY = 10.0
 
@@ -190,11 +192,20 @@ def _place(psi):
 
 
 @kernel
-def _roots(b, ev, x):
-    """Event functions at the deflection x; see `gear_mesh_record`."""
+def _touching(depth, force):
+    """Penetration of perfect flanks with the sign of the contact of the real ones."""
+    return max(depth, _LEAST) if force > 0.0 else min(depth, -_LEAST)
+
+
+@kernel
+def _roots(b, ev, x, front, back):
+    """Event functions at the deflection x and the forces of both flanks; see `gear_mesh_record`."""
     k = b["ev"]
     ev[k] = x - 0.5 * b["gap"]
     ev[k + 1] = -x - 0.5 * b["gap"]
+    if b["tilt"] != 0.0 or b["n_sz"] > 0:
+        ev[k] = _touching(ev[k], front)
+        ev[k + 1] = _touching(ev[k + 1], back)
     ev[k + 2] = 0.25 * b["travel_rate"] / (1.0 + abs(b["travel_rate"]))
     leaves = b["eps"]
     if b["source"] == PHASE and b["form"] == RECTANGULAR:
@@ -236,6 +247,8 @@ def _one_mesh(b, ctl, fr, kk):
     x = b["u"] - b["e_t"]
     slack = 0.0 if spins == 1 else _slack(b)
     force = 0.0
+    front = 0.0
+    back = 0.0
     tangent = 0.0
     if b["eps"] > 0.0 and b["z_hi"] > b["z_lo"]:
         for flank in (1, -1):
@@ -246,6 +259,10 @@ def _one_mesh(b, ctl, fr, kk):
             status = _flank(b, c, f, g, flank, x_0, spins, u_rate)
             if status != OK:
                 return status
+            if flank > 0:
+                front = b["acc"][0]
+            else:
+                back = b["acc"][0]
             if spins == 1:
                 force += flank * b["acc"][0]
                 tangent += b["acc"][5]
@@ -270,7 +287,7 @@ def _one_mesh(b, ctl, fr, kk):
     if watch:
         _write(b, observations(ctl), psi, damper, u_rate)
     if c["ev"] != 0:
-        _roots(b, events(ctl), x)
+        _roots(b, events(ctl), x, front, back)
     return OK
 
 

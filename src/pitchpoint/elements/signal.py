@@ -118,13 +118,14 @@ def interpolate(x, xs, ys):
 def _table(b, t, phi, turns, speed):
     x = t if b["over"] == OVER_TIME else speed if b["over"] == OVER_SPEED else phi + TWO_PI * turns
     period = b["period"]
+    n = b["n"]
+    where = b["pool"] + 8 * b["start"]
+    xs = view(where, n, F8)
     if period > 0.0:
         if b["over"] == OVER_ANGLE and period == TWO_PI:
             x = phi  # whole turns drop out exactly
-        x -= period * math.floor(x / period)
-    n = b["n"]
-    where = b["pool"] + 8 * b["start"]
-    return interpolate(x, view(where, n, F8), view(where + 8 * n, n, F8))
+        x -= period * math.floor((x - xs[0]) / period)
+    return interpolate(x, xs, view(where + 8 * n, n, F8))
 
 
 @kernel

@@ -134,11 +134,14 @@ def _pitch_gap(deviations: Deviations, gear: CylindricalGear, flank: str) -> Flo
     return -outwards * index_deviations(values) * math.cos(gear.alpha_t)
 
 
-def _runout_gap(runout: Runout, gear: CylindricalGear, flank: str, roll: FloatArray) -> FloatArray:
-    """Gap from an eccentricity, shape (z, n_roll).
+def _runout_gap(
+    runout: Runout, gear: CylindricalGear, flank: str, z: FloatArray, roll: FloatArray
+) -> FloatArray:
+    """Gap from an eccentricity, shape (z, n_z, n_roll).
 
     The flank normal at the roll angle ξ = L/r_b is the direction of the base tangent there; the gap is minus
-    the displacement along it.
+    the displacement along it. Helical teeth turn with the width, so that all points of a contact line have
+    the same normal.
     """
     if not (0.0 <= runout.amount < math.inf and math.isfinite(runout.phase)):
         raise _refuse("deviations.runout", "is not possible", runout, "finite, amount >= 0")
@@ -147,7 +150,8 @@ def _runout_gap(runout: Runout, gear: CylindricalGear, flank: str, roll: FloatAr
     xi = roll / abs(gear.r_b)
     # |ψ_b| is the half tooth angle for external gears; for internal ones it is taken to where the same
     # involute starts, hence the sign of the gear in both terms.
-    tangent = tooth[:, None] + side * gear.sign * (gear.psi_b - xi)[None, :]
+    turned = 2.0 * math.tan(gear.beta) / abs(gear.d) * z
+    tangent = tooth[:, None, None] + turned[:, None] + side * gear.sign * (gear.psi_b - xi)
     normal = tangent + side * 0.5 * math.pi
     return -0.5 * runout.amount * np.cos(normal - runout.phase)
 
@@ -232,7 +236,7 @@ def separation(
         return sep
     sep += _pitch_gap(deviations, gear, flank)[:, None, None]
     if deviations.runout is not None:
-        sep += _runout_gap(deviations.runout, gear, flank, roll)[:, None, :]
+        sep += _runout_gap(deviations.runout, gear, flank, z, roll)
     for measured in deviations.flank_maps:
         if measured.flank not in FLANKS:
             raise _refuse("flank_maps.flank", "is unknown", repr(measured.flank), " or ".join(FLANKS))

@@ -23,7 +23,11 @@ class Drive:
         dimension="angular_speed",
     )
     angle: Law | None = key(
-        "law", "angle: a value, a formula of t or {table: [[t, angle], ...]}", None, dimension="angle"
+        "law",
+        "angle: a value, a formula of t or {table: [[t, angle], ...]} (a monotone cubic between its points, "
+        "beyond them at the speed of its ends)",
+        None,
+        dimension="angle",
     )
 
 

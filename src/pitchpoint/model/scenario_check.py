@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from pitchpoint.model.components.law import PythonLaw
+from pitchpoint.model.components.law import Constant, PythonLaw
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
@@ -167,6 +167,16 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
                     remedy="remove it, or give the body motion: torsion",
                 )
     for body, drive in scenario.drive.items():
+        if body in scenario.speed and isinstance(drive.speed, Constant):
+            given, driven = scenario.speed[body], drive.speed.value
+            if abs(given - driven) > SPEED_TOLERANCE * abs(driven):
+                report.problem(
+                    (*at, "speed", body),
+                    "is not the speed at which the body is driven",
+                    value=f"{given:.6g} rad/s",
+                    limit=f"{driven:.6g} rad/s",
+                    remedy="leave it out: what is driven starts at the speed of its drive",
+                )
         if isinstance(drive.angle, PythonLaw):
             report.problem(
                 (*at, "drive", body, "angle"),

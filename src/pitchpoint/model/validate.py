@@ -12,7 +12,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.assembly import Parts
 from pitchpoint.model.components.law import Balance, Constant
 from pitchpoint.model.components.modifications import FlankPitch
-from pitchpoint.model.components.stiffness import Fourier, Rectangular, Table
+from pitchpoint.model.components.stiffness import Fourier, Rectangular
 from pitchpoint.model.inertia import body_inertia, gear_inertia
 from pitchpoint.model.keys import Place
 from pitchpoint.model.pair_check import hand_on
@@ -154,11 +154,8 @@ def _stiffness(law: Any, at: Place, report: Reader) -> None:
             report.problem(
                 at, "becomes zero or negative in the mesh cycle", limit="> 0", remedy="reduce the amplitudes"
             )
-    elif isinstance(law, Rectangular):
-        if law.low > law.high:
-            report.problem((*at, "low"), "is larger than high", remedy="exchange low and high")
-    elif isinstance(law, Table) and not all(v > 0.0 for v in law.values):
-        report.problem((*at, "values"), "holds a zero stiffness", limit="> 0", remedy="correct the table")
+    elif isinstance(law, Rectangular) and law.low > law.high:
+        report.problem((*at, "low"), "is larger than high", remedy="exchange low and high")
 
 
 def _fourier_minimum(law: Fourier) -> float:

@@ -39,10 +39,10 @@ TOLERANCE = 1e-9
 """Residual over the sum of what acts, at which a state counts as equilibrium."""
 FIRST = 1e4
 """Factor of the masses in the first step [1/s^2]."""
+TINY = 1e-9
+"""Step [m] over which a force that is no jump keeps its value."""
 SHORT = 1e-6
 """Step [m] below which one that makes no progress is searched for the jump of a force."""
-NOTHING = 1e-11
-"""Step [m] whose two ends are one place, with a jump between if they push towards each other."""
 ROUNDING = 8 * 2.2e-16
 """Rounding of a force beside its terms: as many are added up at a body."""
 GROWTH = 1.01
@@ -204,14 +204,21 @@ def _pseudo_time(
             rest = None if passing & {*surfaces} else rest_on_surfaces(system, state, surfaces, free, goal)
             if rest is not None and rest.holds:
                 return rest, count, 0
-            # what acts beyond a jump is no measure of the step that crosses it
+            # what acts across a jump is no measure of the step that crosses it
             state = trial if rest is None else rest.state
             R = evaluate.residual(system, state)
             passing = set() if rest is None else {*surfaces}
             mu = mu if rest is None else FIRST
             continue
-        if length < NOTHING and (found := rest_between(system, state, trial, free, goal)) is not None:
+        if (
+            length < SHORT
+            and beyond
+            and (found := rest_between(system, state, trial, free, goal)) is not None
+        ):
             return found, count, 0
+        if length < TINY and not beyond:  # still more is left over: a jump that must be crossed
+            state, R = trial, new
+            continue
         mu *= 8.0
         if mu > 1e30:
             break

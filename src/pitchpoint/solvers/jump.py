@@ -32,6 +32,8 @@ BESIDE = 1e-10
 """Distance of the states on both sides from the surface, in base pitches."""
 PROBE = 1e-7
 """Displacement [m] of the difference quotients of the event functions, which are smooth."""
+NOTHING = 1e-11
+"""Distance [m] of two states that are one place."""
 MOST_ITERATIONS = 40
 FARTHEST = 1e-2
 """Largest step [m] along a surface; an equilibrium on it is near."""
@@ -108,9 +110,21 @@ def rest_on_surfaces(
 
 
 def rest_between(system: System, one: State, two: State, free: Indices, goal: Array) -> Rest | None:
-    """Rest at a jump between two states that no event function knows, as in a law of the user."""
+    """Rest at a jump between two states that push towards each other.
+
+    For jumps that no event function knows, as those of the slices of a face width or of a law of the user:
+    bisection along the step finds the jump, its direction is taken for that of the step.
+    """
     near, far = evaluate.residual(system, one), evaluate.residual(system, two)
     step = (two.q - one.q)[free]
+    while float(np.abs((two.q - one.q) * system.weight)[free].max()) > NOTHING:
+        middle = one.copy()
+        middle.q[:] = 0.5 * (one.q + two.q)
+        between = evaluate.residual(system, middle)
+        if float(between[free] @ step) > 0.0:
+            two, far = middle, between
+        else:
+            one, near = middle, between
     across = float((far - near)[free] @ step)
     share = -float(near[free] @ step) / across if across > 0.0 else -1.0
     rest = near + share * (far - near)

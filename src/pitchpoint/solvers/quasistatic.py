@@ -20,21 +20,18 @@ import numpy as np
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import DIVERGED, INCONSISTENT, INTERRUPTED, OK, sentence
+from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.equilibrium import find_equilibrium, same_group
 from pitchpoint.solvers.operating_point import held_spins, operating_point
-from pitchpoint.solvers.stiffness_parts import STIFFNESS_FIELD, Array, mesh_names
-from pitchpoint.system import evaluate
+from pitchpoint.solvers.stiffness_parts import Array, mesh_names
+from pitchpoint.solvers.touch import tangent_stiffness, touching_error
 from pitchpoint.system.remarks import deep_contacts
-from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
     import xarray as xr
 
-DEPTH = 1e-13
-"""Penetration at which an unloaded flank counts as just touching [m]."""
 DIMENSION = "mesh_phase_position"
 
 
@@ -131,8 +128,8 @@ def roll_through(
             reaction[s] = found.reaction[0]
             for m in range(len(names)):
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
-                tangent[m, s] = _tangent(own, state, m)
-                unloaded[m, s] = _touching_error(own, clear, m, contact)
+                tangent[m, s] = tangent_stiffness(own, state, m)
+                unloaded[m, s] = touching_error(own, clear, m, contact)
             state, clear = _turn(own, state, step * rates), _turn(own, clear, step * rates)
             done = s + 1
             progress(done, n, f"{mesh}: roll")
@@ -216,66 +213,6 @@ def _assembled(system: System, state: State) -> State:
     return new
 
 
-def _tangent(system: System, state: State, m: int) -> float:
-    """Slope of the force of mesh m over the travel of one of its gears along the base tangent."""
-    record = system.records["gear_mesh"][m]
-    body, radius = (record["i"], record["r_b1"])
-    if system.program["body"][body]["spin"] < 0:
-        body, radius = record["j"], record["r_b2"]
-    spin = int(system.program["body"][body]["spin"])
-    field = STIFFNESS_FIELD["gear_mesh"]
-    whole = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
-    kept = float(record[field])
-    record[field] = 0.0
-    try:
-        rest = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
-    finally:
-        record[field] = kept
-    return float((whole - rest) / radius**2)
-
-
-def _touching_error(system: System, clear: State, m: int, contact: float) -> float:
-    """Transmission error of mesh m alone where its flank just touches, gear 1 turned as in `clear`.
-
-    The force is a convex function of the travel, so Newton's method from inside the material cannot miss.
-    """
-    record = system.records["gear_mesh"][m]
-    flank = -1.0 if contact < 0.0 else 1.0
-    which, radius = ("j", float(record["r_b2"]))
-    if system.program["body"][record["j"]]["spin"] < 0:
-        which, radius = "i", float(record["r_b1"])
-    spin = int(system.program["body"][record[which]]["spin"])
-    names = mesh_names(system)
-    u = system.layout.channel(f"transmission_error[{names[m]}]")
-    aim = DEPTH * float(record["k_ref"])
-    state = clear.copy()
-    evaluate.residual(system, state)
-    span = abs(float(record["gap"])) + 1e-6
-    for _ in range(200):
-        # force against depth beyond any gap: go in until it bites, then down to the edge
-        values = evaluate.observe(system, state)
-        force = flank * float(values[u + 2])
-        if force > 0.0:
-            break
-        state.q[spin] += flank * span / radius
-        span *= 1.2
-    reach = span
-    for _ in range(200):
-        values = evaluate.observe(system, state)
-        force = flank * float(values[u + 2])
-        if force > 0.0:
-            change = (force - aim) / abs(_tangent(system, state, m))
-            if abs(change) < DEPTH:
-                return float(values[u])
-            reach = 0.01 * abs(change)
-            state.q[spin] -= flank * change / radius
-        else:
-            # the edge moves a little with the phase: a small step back in
-            state.q[spin] += flank * reach / radius
-            reach *= 4.0
-    raise SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, state)
-
-
 def _shares(system: System, rows: Array, name: str, n_pair: int) -> Array:
     if n_pair == 0:
         return np.zeros((len(rows), 0))
@@ -325,7 +262,8 @@ def solve_quasistatic(
 
     began = time.perf_counter()
     roll = roll_through(system, what, points, periods, progress=progress)
-    options = {"mesh": roll.mesh, "points": points, "periods": periods}
+    _, mesh, points, periods = _plan(system, what, points, periods)
+    options = {"mesh": mesh, "points": points, "periods": periods}
     attrs = attributes(system, "quasistatic", roll.status, time.perf_counter() - began, **options)
     words = {"units": "1", "long_name": f"periods of {roll.mesh} rolled"}
     data = xr.Dataset(

@@ -11,6 +11,7 @@ import numpy as np
 from pitchpoint.core.errors import SolverError
 from pitchpoint.elements import damping as damping_element
 from pitchpoint.elements import drive as drive_element
+from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.equilibrium import (
     Equilibrium,
     balance_torques,
@@ -22,7 +23,7 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
-    from pitchpoint.model.scenario import Scenario
+    from numpy.typing import NDArray
 
 IMBALANCE = 1e-6
 """Net torque over the largest torque from which a run says that its loads do not balance."""
@@ -130,15 +131,45 @@ def _with_damping(system: System, state: State) -> System:
     M, _, K = evaluate.linearize(smooth, state)
     D = np.zeros_like(M)
     if given.rayleigh is not None:
-        D += given.rayleigh.mass * M + given.rayleigh.stiffness * K
+        D += given.rayleigh.mass * without_rotation(M, rotations(system)) + given.rayleigh.stiffness * K
     if given.modal is not None:
         D += damping_element.modal_damping(M, K, given.modal)
     records = system.records["damping"].copy()
     for record in records:
         i, j, n, m = (int(record[k]) for k in ("dof_i", "dof_j", "n_i", "n_j"))
         record["D"][:n, :m] = D[i : i + n, j : j + m]
-        record["v0"][:m] = state.v[j : j + m]
     return system.with_params({"damping": records})
+
+
+def rotations(system: System) -> NDArray[np.float64]:
+    """Rotations that nothing hinders, one per group of bodies that turns freely, shape (nd, n)."""
+    assert system.model is not None
+    found = []
+    for spin in free_spins(system):
+        body = system.layout.coordinates[spin].rsplit(".", 1)[0]
+        rates = np.zeros(system.sizes["nd"])
+        for name, ratio in system.model.start_speeds(Scenario(speed={body: 1.0})).items():
+            if ratio != 0.0:
+                rates[system.spin(name)] = ratio
+        found.append(rates)
+    return np.array(found).reshape(-1, system.sizes["nd"]).T
+
+
+def without_rotation(M: NDArray[np.float64], free: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Mass matrix without the part of some motions: M - M R (R^T M R)^-1 R^T M.
+
+    Mass-proportional damping with it brakes vibrations at any speed, and no rotation.
+
+    Examples
+    --------
+    >>> without_rotation(np.diag([1.0, 3.0]), np.array([[1.0], [1.0]]))
+    array([[ 0.75, -0.75],
+           [-0.75,  0.75]])
+    """
+    if free.shape[1] == 0:
+        return M
+    part: NDArray[np.float64] = M @ free @ np.linalg.solve(free.T @ M @ free, free.T @ M)
+    return M - part
 
 
 def without_friction(system: System) -> System:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario, Sweep
 
 QUANTITIES = ("transmission_error", "deflection", "mesh_force")
+DRIFT = 0.005
+"""Share of its speed by which a machine may leave it at a point without a word."""
 STEPS_PER_PERIOD = 200
 """Least steps per period of every mesh and of every mesh mode, unless the scenario says otherwise.
 
@@ -272,7 +274,20 @@ def run_sweep(
             *walk.notes,
             *row_notes(walk.system),
             *deep_contacts(system.model, (p["channels"] for p in points)),
+            *_drifted(points, chosen.sweep.body),
         ),
+    )
+
+
+def _drifted(points: Sequence[dict[str, Any]], body: str) -> tuple[str, ...]:
+    """Say when a machine that nothing drives did not keep the speeds it was given."""
+    off = [p["channels"][f"speed[{body}]"]["mean"] / p["speed"] - 1.0 for p in points if p["speed"] != 0.0]
+    worst = max(off, key=abs, default=0.0)
+    if abs(worst) < DRIFT:
+        return ()
+    return (
+        f"{body} left its speed by up to {100.0 * worst:+.2g} % while a point was computed: the loads do not "
+        "balance there; drive or hold a body, or settle fewer periods",
     )
 
 

@@ -110,3 +110,28 @@ def test_what_cannot_be_rolled():
         roll_through(system, "gear")
     with pytest.raises(SolverError, match="at least 2 points"):
         roll_through(system, "stage", 1)
+
+
+def test_the_touching_flank_of_pitch_deviations_is_found_at_every_phase():
+    """Where the leading tooth changes while the gap closes, the edge is where the force of any begins."""
+    text = """\
+gears:
+  g1: {number_of_teeth: 17, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0.2,
+       deviations: {pitch: [10 um, -10 um, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]}}
+  g2: {number_of_teeth: 23, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+bodies: {b1: {gears: [g1]}, b2: {gears: [g2]}}
+meshes: {stage: {gears: [g1, g2], center_distance: 60.7 mm}}
+loads: {l: {body: b2, torque: 100 N m}}
+scenarios: {slow: {quasi_static: {points: 21, periods: 17}, hold: [b1]}}
+"""
+    model, system = compiled(text)
+    roll = roll_through(system, "slow")
+    error = roll.meshes["stage"].unloaded - 0.5 * model.pairs["stage"].j_bt
+    # one pair leads, tooth 0 by its 10 um for as long as it is in contact
+    assert len(error) == 17 * 21 + 1
+    ahead_by = 10e-6 * math.cos(math.radians(20.0))
+    mean = ahead_by / 17.0
+    assert error.min() == pytest.approx(mean - ahead_by, abs=1e-9)
+    assert error.max() == pytest.approx(mean, abs=1e-9)
+    share = np.mean(error[:-1] < mean - 0.5 * ahead_by)
+    assert share == pytest.approx(model.pairs["stage"].eps_alpha / 17.0, abs=1.0 / 17 / 21)

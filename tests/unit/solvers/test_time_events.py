@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
@@ -89,3 +91,44 @@ def test_events_of_the_back_flanks_have_names_of_their_own() -> None:
     done = run_time(compiled(text, "on")[1])
     found = {(done.event_names[int(e[1])].partition("[")[0], e[2]) for e in done.events}
     assert found == {("back_pair_entry", -1.0), ("back_pair_exit", -1.0)}
+
+
+PITCH = ", ".join(f"{8 * math.sin(k * k):.1f} um" for k in range(30))
+
+
+@pytest.mark.parametrize("beta", ["", "20 deg"])
+@pytest.mark.parametrize(
+    "flaw",
+    [
+        f"deviations: {{pitch: [{PITCH}]}}",
+        "deviations: {runout: {amount: 20 um}}",
+        "modifications: {both: {tip_relief: {amount: 15 um, length: 1 mm}, helix_slope: 10 um}}",
+    ],
+    ids=["pitch", "runout", "modifications"],
+)
+def test_contact_events_are_where_the_real_flanks_meet_and_part(flaw: str, beta: str) -> None:
+    """A load that changes sides: one event for each change of the contact of a flank, none besides."""
+    scenario = (
+        "scenarios:\n  on: {drive: {driver: {speed: 300 rpm}}, duration: 0.02 s, step: 2 us, "
+        "settle_time: 0 s, events: [contact]}\n"
+    )
+    stiffness = "{law: din3990}, width: slices, slices: 5, damper: {ratio: 0.05}"
+    text = pair(stiffness, beta=beta, rest=scenario).replace("balance", '"60 N m*sin(800*t/(1 s))"')
+    text = text.replace("number_of_teeth: 30", f"{flaw}, number_of_teeth: 30")
+    text = text.replace("  input: {body: driver, torque: 200 N m}\n", "")
+    data = solve_time(compiled(text, "on")[1])
+    time, state = data["time"].values, data["contact_state[stage]"].values
+    expected = []
+    for name, touches in (
+        ("front_gap", (state == 1) | (state == 2)),
+        ("back_gap", (state == -1) | (state == 2)),
+    ):
+        steps = np.diff(touches.astype(int))
+        expected += [(time[k], time[k + 1], f"{name}[stage]", steps[k]) for k in np.flatnonzero(steps)]
+    found = zip(*(data[f"event_{key}"].values for key in ("time", "name", "direction")), strict=True)
+    assert len(expected) > 10
+    for (before, after, name, way), (at, an_event, direction) in zip(
+        sorted(expected), sorted(found), strict=True
+    ):
+        assert (an_event, direction) == (name, way)
+        assert before <= at <= after

@@ -10,9 +10,14 @@ from pitchpoint.model.keys import component, quantity
 
 @dataclass(frozen=True, kw_only=True)
 class Rayleigh:
-    """Damping matrix a M + b K."""
+    """Damping matrix a M + b K; the rotation of a train that turns freely is not damped."""
 
-    mass: float = quantity("rate", "factor a of the mass matrix", 0.0, minimum=0.0)
+    mass: float = quantity(
+        "rate",
+        "factor a of the mass matrix, without the rotation of trains that turn freely",
+        0.0,
+        minimum=0.0,
+    )
     stiffness: float = quantity("time", "factor b of the stiffness matrix", 0.0, minimum=0.0)
 
 

@@ -94,6 +94,7 @@ class Table:
         "total stiffness along the base tangent at psi = 0, 1/n, ..., (n-1)/n",
         length=(2, 100000),
         minimum=0.0,
+        above=True,
     )
 
 
@@ -127,7 +128,7 @@ class UserStiffness:
 
     law: ClassVar[str] = "user"
     python: PythonLaw = key(
-        "python", "'file.py:function', a function of psi in base pitches that returns N/m"
+        "python", "'file.py:function' with f(t, psi, parameters) in N/m; psi in base pitches, t is 0"
     )
 
 

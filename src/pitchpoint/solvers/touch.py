@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One mesh without its load: where its flank just touches, and how stiff it is at a state."""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import DIVERGED
+from pitchpoint.solvers.stiffness_parts import STIFFNESS_FIELD, mesh_names
+from pitchpoint.system import evaluate
+from pitchpoint.system.residual import NEWTON
+from pitchpoint.system.system import State, System
+
+NEWTON_STEPS = 40
+DEPTH = 1e-13
+"""Penetration at which an unloaded flank counts as just touching [m]."""
+
+
+def tangent_stiffness(system: System, state: State, m: int) -> float:
+    """Slope of the force of mesh m over the travel of one of its gears along the base tangent."""
+    record = system.records["gear_mesh"][m]
+    body, radius = (record["i"], record["r_b1"])
+    if system.program["body"][body]["spin"] < 0:
+        body, radius = record["j"], record["r_b2"]
+    spin = int(system.program["body"][body]["spin"])
+    field = STIFFNESS_FIELD["gear_mesh"]
+    whole = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
+    kept = float(record[field])
+    record[field] = 0.0
+    try:
+        rest = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
+    finally:
+        record[field] = kept
+    return float((whole - rest) / radius**2)
+
+
+def touching_error(system: System, clear: State, m: int, contact: float) -> float:
+    """Transmission error of mesh m alone where its flank just touches, gear 1 turned as in `clear`.
+
+    Where the same teeth stay in mesh the force is a convex function of the travel, and Newton's method from
+    inside the material cannot miss. Where they change on the way, bisection between the last places with and
+    without force finds the edge.
+    """
+    record = system.records["gear_mesh"][m]
+    flank = -1.0 if contact < 0.0 else 1.0
+    which, radius = ("j", float(record["r_b2"]))
+    if system.program["body"][record["j"]]["spin"] < 0:
+        which, radius = "i", float(record["r_b1"])
+    spin = int(system.program["body"][record[which]]["spin"])
+    names = mesh_names(system)
+    u = system.layout.channel(f"transmission_error[{names[m]}]")
+    aim = DEPTH * float(record["k_ref"])
+    state = clear.copy()
+    evaluate.residual(system, state)
+    span = abs(float(record["gap"])) + 1e-6
+    for _ in range(200):
+        # force against depth beyond any gap: go in until it bites, then down to the edge
+        values = evaluate.observe(system, state)
+        force = flank * float(values[u + 2])
+        if force > 0.0:
+            break
+        state.q[spin] += flank * span / radius
+        span *= 1.2
+    reach = span
+    inside, outside = state.q[spin], math.nan
+    for _ in range(NEWTON_STEPS):
+        values = evaluate.observe(system, state)
+        force = flank * float(values[u + 2])
+        if force > 0.0:
+            inside = state.q[spin]
+            change = (force - aim) / abs(tangent_stiffness(system, state, m))
+            if abs(change) < DEPTH:
+                return float(values[u])
+            reach = 0.01 * abs(change)
+            state.q[spin] -= flank * change / radius
+        else:
+            # the edge moves a little with the phase: a small step back in
+            outside = state.q[spin]
+            state.q[spin] += flank * reach / radius
+            reach *= 4.0
+    if math.isnan(outside):
+        raise SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, state)
+    while abs(inside - outside) * radius > DEPTH:
+        state.q[spin] = 0.5 * (inside + outside)
+        if flank * float(evaluate.observe(system, state)[u + 2]) > 0.0:
+            inside = state.q[spin]
+        else:
+            outside = state.q[spin]
+    return float(evaluate.observe(system, state)[u])

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What Rayleigh damping and loads do to the speed of a machine that a sweep moves through its range."""
+
+from __future__ import annotations
+
+import pytest
+
+from pitchpoint.solvers.time import solve_time
+from pitchpoint.sweep.speed import run_sweep
+from tests.support.machines import compiled, pair
+
+LAW = "{law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1]}"
+RAYLEIGH = "damping: {rayleigh: {mass: 20 1/s, stiffness: 2e-6 s}}\n"
+SWEEP = "sweep: {body: driver, speed: [SPEEDS], points: N, direction: up, settle_periods: 150}"
+
+
+def swept(speeds: str, points: int, more: str = RAYLEIGH):
+    text = SWEEP.replace("SPEEDS", speeds).replace("N,", f"{points},")
+    scenario = f"scenarios:\n  sweep: {{{text}}}\n"
+    return run_sweep(compiled(pair(LAW, rest=more + scenario), "sweep")[1])
+
+
+def test_mass_proportional_damping_does_not_know_where_a_sweep_began():
+    whole = swept("500 rpm, 3000 rpm", 3).points[-1]
+    last = swept("2999 rpm, 3000 rpm", 2).points[-1]
+    for quantity in ("deflection", "mesh_force"):
+        for key in ("mean", "rms"):
+            assert whole[quantity][key] == pytest.approx(last[quantity][key], rel=1e-3)
+
+
+def test_mass_proportional_damping_brakes_no_run_up():
+    """A stiff train: the drive turns its inertia, reduced to the driver, less what the load gives.
+
+    The driven body turns the other way at 1/1.5 of the speed, so that its -30 N m drive it.
+    """
+    rest = RAYLEIGH.replace("20 1/s", "10 1/s").replace("2e-6", "0")
+    rest += "scenarios:\n  up: {drive: {driver: {speed: {table: [[0, 100], [0.1, 200]]}}}, duration: 0.1 s}\n"
+    law = "{law: constant, value: 1e11 N/m}, damper: {ratio: 0.5}, "
+    text = pair("LAW", torque="0 N m", rest=rest).replace("LAW", law + "transmission_error: {cosine: [0]}")
+    text = text.replace(
+        "  output: {body: driven, torque: balance}", "  output: {body: driven, torque: -30 N m}"
+    )
+    found = solve_time(compiled(text, "up")[1])
+    late = found["time"] > 0.05
+    expected = (0.002 + 0.01 / 1.5**2) * 1000.0 - 30.0 / 1.5
+    assert float(found["torque[driver]"][late].mean()) == pytest.approx(expected, rel=1e-3)
+
+
+def test_a_train_that_leaves_the_speeds_of_a_sweep_is_told():
+    loads = '  output: {body: driven, torque: "-0.05 N m s*speed"}'
+    text = pair(LAW, rest="scenarios:\n  sweep: {" + SWEEP.replace("SPEEDS", "500 rpm, 3000 rpm") + "}\n")
+    text = text.replace("N,", "4,").replace("  output: {body: driven, torque: balance}", loads)
+    text = text.replace(
+        "  input: {body: driver, torque: 200 N m}", "  input: {body: driver, torque: balance}"
+    )
+    notes = run_sweep(compiled(text, "sweep")[1]).notes
+    assert any("driver left its speed by up to -" in note for note in notes)
+    assert not any("left its speed" in note for note in swept("500 rpm, 3000 rpm", 2).notes)
