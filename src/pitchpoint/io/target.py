@@ -7,6 +7,7 @@ a terminal).
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -67,11 +68,12 @@ def check_target(
     Raises
     ------
     OutputError
-        If writing would destroy an input or a file of another kind.
+        If writing is not possible there, or would destroy an input or a file of another kind.
     """
     target = Path(path)
     words, recognised = KINDS[kind]
     try:
+        _accessible(target)
         if not target.is_file():
             return target
         if any(Path(name).exists() and target.samefile(name) for name in inputs):
@@ -112,6 +114,20 @@ def reason_of(error: OSError | ValueError) -> str:
     if isinstance(error, OSError) and error.errno:
         return os.strerror(error.errno)  # HDF5 wraps the same words in many of its own
     return str(error).split("(")[-1].rstrip(")") or type(error).__name__
+
+
+def _accessible(target: Path) -> None:
+    """Say before a long computation that its file has no place; folders that are missing are made later."""
+    asked = target if target.exists() else next(p for p in target.absolute().parents if p.exists())
+    if target.is_dir():
+        error = errno.EISDIR
+    elif asked is not target and not asked.is_dir():
+        error = errno.ENOTDIR
+    elif not os.access(asked, os.W_OK):
+        error = errno.EACCES
+    else:
+        return
+    raise OSError(error, os.strerror(error))
 
 
 def _refused(target: Path, message: str, limit: str, remedy: str) -> OutputError:

@@ -96,7 +96,17 @@ def test_what_cannot_be_written_is_told_with_path_and_reason(where: str, tmp_pat
     (tmp_path / "folder").mkdir()
     (tmp_path / "file").touch()
     target = tmp_path / where
+    with pytest.raises(OutputError, match=r"(folder|x\.html): cannot be written \((Is|Not) a directory\)$"):
+        check_target(target, "page")
     with pytest.raises(OutputError, match=r"(folder|x\.html): cannot be written \(\w+"):
         write_file(target, "text")
     with pytest.raises(PitchpointError, match=r"(folder|x\.html): cannot be written \([^()]+\)$"):
         Container(target, Header("time"))
+
+
+def test_a_folder_that_may_not_be_written_is_told_before_the_work(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pitchpoint.io.target.os.access", lambda *_: False)
+    with pytest.raises(OutputError, match=r"x\.html: cannot be written \(Permission denied\)$"):
+        check_target(tmp_path / "new" / "x.html", "page")
