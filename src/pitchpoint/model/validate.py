@@ -17,7 +17,7 @@ from pitchpoint.model.inertia import body_inertia, gear_inertia
 from pitchpoint.model.keys import Place
 from pitchpoint.model.pair_check import hand_on
 from pitchpoint.model.read import Reader
-from pitchpoint.model.scenario_check import check_scenarios
+from pitchpoint.model.scenario_check import check_scenarios, links_of
 
 INERTIAS = {
     "torsion": ("inertia",),
@@ -313,11 +313,9 @@ def check_loads(parts: Parts, report: Reader) -> None:
 
 
 def trains(parts: Parts) -> list[set[str]]:
-    """Bodies that turn together, by meshes and couplings."""
+    """Bodies that turn together, by meshes and by couplings that carry torque."""
     groups: list[set[str]] = [{name} for name in parts.bodies]
-    links = [{parts.body_of(g) for g in m.gears} for m in parts.meshes.values()]
-    links += [set(c.bodies) for c in parts.couplings.values()]
-    for link in links:
+    for link in ({one, two} for _, one, two, _ in links_of(parts)):
         touched = [g for g in groups if g & link]
         if len(touched) > 1:
             groups = [g for g in groups if not g & link] + [set().union(*touched)]

@@ -26,7 +26,9 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
-from pitchpoint.solvers.jump import Rest, jumps_between, observe_mean, rest_between, rest_on_surfaces
+from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
+from pitchpoint.solvers.surfaces import Surface, crossed
+from pitchpoint.solvers.trains import free_spins, same_train
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
@@ -78,38 +80,6 @@ class Equilibrium:
     def observe(self, system: System) -> NDArray[np.float64]:
         """All observations, in the order of ``system.layout.channels``; at a jump the mean that rests."""
         return observe_mean(system, self.state, self.beside, self.share)
-
-
-def free_spins(system: System) -> tuple[int, ...]:
-    """One spin coordinate of every group of bodies that nothing stops from turning as a whole.
-
-    Bodies are joined by everything that puts a tangent between them; a bearing or coupling to ground holds a
-    group if it has stiffness about the axis.
-    """
-    parent = list(range(len(system.layout.bodies)))
-
-    def root(i: int) -> int:
-        while parent[i] != i:
-            i = parent[i]
-        return i
-
-    for kind, records in system.records.items():
-        names = records.dtype.names or ()
-        if "i" not in names or "j" not in names:
-            continue
-        for record in records:
-            if kind == "bearing" and record["j"] == 0 and record["K"][5, 5] == 0.0:
-                continue
-            if kind in ("torque", "force", "damping", "drive"):
-                continue
-            parent[root(int(record["i"]))] = root(int(record["j"]))
-    grounded = {root(0)} | {root(b) for b in range(1, len(parent)) if system.program["body"][b]["joint"] == 0}
-    held: dict[int, int] = {}
-    for b in range(1, len(parent)):
-        spin = int(system.program["body"][b]["spin"])
-        if spin >= 0 and root(b) not in grounded:
-            held.setdefault(root(b), spin)
-    return tuple(held.values())
 
 
 def find_equilibrium(
@@ -174,7 +144,7 @@ def _pseudo_time(
     root = np.sqrt(np.diag(mass))
     damping = np.abs(evaluate.matrix(system, state, 0.0, 1.0, 0.0, NEWTON)) @ np.abs(state.v)
     wanted = tolerance * float(np.abs(R * weight).max(initial=0.0))
-    passing: set[int] = set()  # surfaces that did not hold when they were tried last
+    passing: set[Surface] = set()  # surfaces that did not hold when they were tried last
     mu = FIRST
     for count in range(MOST_ITERATIONS):
         whole = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)
@@ -200,7 +170,7 @@ def _pseudo_time(
             state, R = trial, new
             continue
         length = float(np.abs(step * system.weight[free]).max(initial=0.0))
-        if length < SHORT and (surfaces := jumps_between(system, state, trial)):
+        if length < SHORT and (surfaces := crossed(system, state, trial)):
             rest = None if passing & {*surfaces} else rest_on_surfaces(system, state, surfaces, free, goal)
             if rest is not None and rest.holds:
                 return rest, count, 0
@@ -272,12 +242,12 @@ def balance_torques(
     spins = [system.spin(loads[torques[k]].body) for k in wanted]
     let_go = list(held)
     for spin in spins:
-        let_go = [*(h for h in let_go if not same_group(system, h, spin)), spin]
+        let_go = [*(h for h in let_go if not same_train(system, h, spin)), spin]
     found = find_equilibrium(system, state, let_go)
     records = system.records["torque"].copy()
     for k, spin in zip(wanted, spins, strict=True):
         records["value"][k] = found.reaction[found.held.index(spin)]
-    kept = [*driven, *(h for h in let_go if not any(same_group(system, h, d) for d in driven))]
+    kept = [*driven, *(h for h in let_go if not any(same_train(system, h, d) for d in driven))]
     return system.with_params({"torque": records}), tuple(spins), kept
 
 
@@ -315,33 +285,8 @@ def solve_equilibrium(
         spin = system.spin(name)
         start.q[spin] = angle
         if spin not in held:
-            held = [h for h in held if not same_group(system, h, spin)] + [spin]
+            held = [h for h in held if not same_train(system, h, spin)] + [spin]
     for name, speed in (speeds or {}).items():
         start.v[system.spin(name)] = speed
     settled, _, _ = balance_torques(system, _wrapped(system, start), held)
     return point_dataset(settled, find_equilibrium(settled, _wrapped(settled, start), held))
-
-
-def same_group(system: System, one: int, two: int) -> bool:
-    """Whether holding either of two spins holds the same group of bodies."""
-    names = [system.layout.coordinates[s].rsplit(".", 1)[0] for s in (one, two)]
-    return _group(system, names[0]) == _group(system, names[1])
-
-
-def _group(system: System, body: str) -> frozenset[str]:
-    """Names of all bodies that meshes, bearings and couplings join to a body."""
-    links: dict[int, set[int]] = {b: set() for b in range(len(system.layout.bodies))}
-    for records in system.records.values():
-        if {"i", "j"} <= set(records.dtype.names or ()):
-            for record in records:
-                i, j = int(record["i"]), int(record["j"])
-                if i and j:
-                    links[i].add(j)
-                    links[j].add(i)
-    found, stack = set(), [system.layout.bodies.index(body)]
-    while stack:
-        b = stack.pop()
-        if b not in found:
-            found.add(b)
-            stack.extend(links[b])
-    return frozenset(system.layout.bodies[b] for b in found)

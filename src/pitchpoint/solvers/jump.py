@@ -7,18 +7,20 @@ acts there is a mean of both sides (A. F. Filippov, Differential Equations with 
 
     R(q) + share [R](q) = 0,    g(q) = 0,    0 <= share <= 1
 
-with the residual R, its jump [R] and the event function g whose root is the surface.
+with the residual R, its jump [R] and the height g over the surface.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.solvers.surfaces import Surface, heights, slopes
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
@@ -26,15 +28,14 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-JUMPS = ("pair_entry", "pair_exit", "back_pair_entry", "back_pair_exit")
-"""Event functions at whose roots a stiffness without relief jumps."""
 BESIDE = 1e-10
 """Distance of the states on both sides from the surface, in base pitches."""
-PROBE = 1e-7
-"""Displacement [m] of the difference quotients of the event functions, which are smooth."""
+PARALLEL = 1e-6
+"""Sine of the angle between two surfaces up to which they are one, if they are nowhere apart."""
 NOTHING = 1e-11
 """Distance [m] of two states that are one place."""
 MOST_ITERATIONS = 40
+MOST_PROJECTIONS = 5
 FARTHEST = 1e-2
 """Largest step [m] along a surface; an equilibrium on it is near."""
 
@@ -66,28 +67,17 @@ class Rest:
         return bool(((self.share >= 0.0) & (self.share <= 1.0)).all())
 
 
-def jumps_between(system: System, one: State, two: State) -> tuple[int, ...]:
-    """Event functions of `JUMPS` that change sign between two neighbouring states."""
-    before, after = evaluate.event_values(system, one), evaluate.event_values(system, two)
-    names = [event.name.partition("[")[0] for event in system.layout.events]
-    return tuple(
-        k
-        for k, name in enumerate(names)
-        if name in JUMPS and before[k] * after[k] <= 0.0 and abs(after[k] - before[k]) < 0.5
-    )
-
-
 def rest_on_surfaces(
-    system: System, state: State, surfaces: Sequence[int], free: Indices, goal: Array
+    system: System, state: State, surfaces: Sequence[Surface], free: Indices, goal: Array
 ) -> Rest | None:
-    """Rest on all of some surfaces or on one of them, if there is one near a state; else where to go on.
+    """Rest on as many of some surfaces as possible, if there is one near a state; else where to go on.
 
     Parameters
     ----------
     system, state
         The system and a state near the surfaces.
     surfaces
-        Indices of their event functions.
+        The surfaces.
     free
         Coordinates that may move.
     goal
@@ -99,21 +89,38 @@ def rest_on_surfaces(
         If it does not `Rest.holds`, its state is the one from which an iteration leaves the surface: no
         mean of both sides keeps it there. None if the iteration fails.
     """
-    single = [(k,) for k in surfaces] if len(surfaces) > 1 else []
+    different = _different(system, state, surfaces, free)
     aside = None
-    for chosen in ([*surfaces], *single):
-        found = _rest_on(system, state, list(chosen), free, goal)
-        if found is not None and found.holds:
-            return found
-        aside = aside or found
+    for n in range(len(different), 0, -1):
+        for chosen in combinations(different, n):
+            found = _rest_on(system, state, chosen, free, goal)
+            if found is not None and found.holds:
+                return found
+            aside = aside or found
     return aside
+
+
+def _different(system: System, state: State, surfaces: Sequence[Surface], free: Indices) -> list[Surface]:
+    """One of each group of surfaces that are one: equal meshes between the same bodies jump together."""
+    normal = slopes(system, state, surfaces, free) / system.weight[free]
+    size = np.linalg.norm(normal, axis=1)
+    unit = normal / size[:, None]
+    place = heights(system, state, surfaces) / size
+    kept: list[int] = []
+    for k in range(len(surfaces)):
+        along = unit[kept] @ unit[k]
+        apart = np.linalg.norm(unit[kept] - along[:, None] * unit[k], axis=1)
+        off = np.abs(place[kept] - np.sign(along) * place[k]) * size[k]
+        if not ((apart < PARALLEL) & (off < BESIDE)).any():
+            kept.append(k)
+    return [surfaces[k] for k in kept]
 
 
 def rest_between(system: System, one: State, two: State, free: Indices, goal: Array) -> Rest | None:
     """Rest at a jump between two states that push towards each other.
 
-    For jumps that no event function knows, as those of the slices of a face width or of a law of the user:
-    bisection along the step finds the jump, its direction is taken for that of the step.
+    For jumps that no event function knows, as those of a law of the user: bisection along the step finds the
+    jump, its direction is taken for that of the step.
     """
     near, far = evaluate.residual(system, one), evaluate.residual(system, two)
     step = (two.q - one.q)[free]
@@ -133,16 +140,18 @@ def rest_between(system: System, one: State, two: State, free: Indices, goal: Ar
     return Rest(one, rest, (two,), np.array([share]))
 
 
-def _rest_on(system: System, state: State, chosen: list[int], free: Indices, goal: Array) -> Rest | None:
+def _rest_on(
+    system: System, state: State, chosen: Sequence[Surface], free: Indices, goal: Array
+) -> Rest | None:
     """Newton's method for position and shares, from a state near the surfaces."""
     size = 1.0 / system.weight[free]  # of one metre in every coordinate
     n = len(chosen)
     share = np.full(n, 0.5)
     try:
         for _ in range(MOST_ITERATIONS):
-            normal = _slopes(system, state, chosen, free) * size
+            normal = slopes(system, state, chosen, free) * size
             back = np.linalg.pinv(normal)
-            state = _moved(state, free, -size * (back @ evaluate.event_values(system, state)[chosen]))
+            state = _onto(system, state, chosen, free, size[:, None] * back)
             sides = [_moved(state, free, -size * back.sum(axis=1) * BESIDE)]
             sides += [_moved(sides[0], free, 2.0 * BESIDE * size * across) for across in back.T]
             residuals = np.stack([evaluate.residual(system, side) for side in sides], axis=1)
@@ -159,7 +168,7 @@ def _rest_on(system: System, state: State, chosen: list[int], free: Indices, goa
                     Rest(sides[0], rest, tuple(sides[1:]), share), normal @ np.linalg.pinv(K) @ jump
                 )
             matrix = np.block([[K, jump], [scale * normal, np.zeros((n, n))]])
-            values = scale * evaluate.event_values(system, state)[chosen]
+            values = scale * heights(system, state, chosen)
             change = -np.linalg.pinv(matrix) @ np.concatenate((rest[free] * size, values))
             if float(np.abs(change[: len(free)]).max()) > FARTHEST:
                 return None
@@ -167,6 +176,16 @@ def _rest_on(system: System, state: State, chosen: list[int], free: Indices, goa
     except SolverError:
         pass
     return None
+
+
+def _onto(system: System, state: State, chosen: Sequence[Surface], free: Indices, back: Array) -> State:
+    """A state moved onto surfaces, which are curved, so closely that both sides lie on different sides."""
+    for _ in range(MOST_PROJECTIONS):
+        height = heights(system, state, chosen)
+        if np.abs(height).max() < 0.01 * BESIDE:
+            break
+        state = _moved(state, free, -back @ height)
+    return state
 
 
 def _aside(found: Rest, across: Array) -> Rest:
@@ -193,8 +212,6 @@ def _stiffness(system: System, state: State, free: Indices, size: Array) -> Arra
 def observe_mean(system: System, state: State, beside: Sequence[State], share: Array) -> Array:
     """All observations of a state at jumps, the mean of both sides; plain numbers stay those of one side.
 
-    A tooth pair keeps its own column, although entering pairs number all pairs anew.
-
     Parameters
     ----------
     system, state
@@ -204,32 +221,10 @@ def observe_mean(system: System, state: State, beside: Sequence[State], share: A
     """
     row = evaluate.observe(system, state)
     mean = row.copy()
-    channels = system.layout.channels
-    names = [c.name for c in channels]
-    with_unit = np.array([c.unit != "1" for c in channels])
+    with_unit = np.array([c.unit != "1" for c in system.layout.channels])
     for other, part in zip(beside, share, strict=True):
-        found = evaluate.observe(system, other)
-        for k, name in enumerate(names):
-            if name.startswith("mesh_phase[") and abs(found[k] - row[k]) > 0.5:
-                mesh = name.partition("[")[2][:-1]
-                pairs = [p for p, c in enumerate(names) if c.startswith(f"pair_force[{mesh}.")]
-                found[pairs] = np.roll(found[pairs], 1 if found[k] > row[k] else -1)
-        mean += np.where(with_unit, part * (found - row), 0.0)
+        mean += np.where(with_unit, part * (evaluate.observe(system, other) - row), 0.0)
     return mean
-
-
-def _slopes(system: System, state: State, surfaces: list[int], free: Indices) -> Array:
-    """Slopes of event functions over the free coordinates, shape (n, free)."""
-    slopes = np.zeros((len(surfaces), len(free)))
-    for column, k in enumerate(free):
-        h = PROBE / system.weight[k]
-        ends = []
-        for sign in (1.0, -1.0):
-            near = state.copy()
-            near.q[k] += sign * h
-            ends.append(evaluate.event_values(system, near)[surfaces])
-        slopes[:, column] = (ends[0] - ends[1]) / (2.0 * h)
-    return slopes
 
 
 def _moved(state: State, free: Indices, by: Array) -> State:

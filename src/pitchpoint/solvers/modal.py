@@ -19,11 +19,12 @@ from numpy.typing import NDArray
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.eigen import damped, ratio_of, undamped
-from pitchpoint.solvers.equilibrium import find_equilibrium, free_spins, same_group
+from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.mode_names import mode_names
-from pitchpoint.solvers.operating_point import OperatingPoint, held_spins, operating_point
+from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.start import without_friction
 from pitchpoint.solvers.stiffness_parts import Array, Parts, mesh_names, shift, split, touching
+from pitchpoint.solvers.trains import driven_spins, held_spins, rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -154,21 +155,8 @@ def _free_directions(system: System, state: State) -> Array:
 
 
 def rigid_rotations(system: System) -> Array:
-    """Turns of the spins that nothing resists: one row per free group of bodies, shape (r, nd)."""
-    if system.model is None:
-        return np.zeros((0, system.sizes["nd"]))
-    driven = held_spins(system)[: len(system.records.get("drive", ()))]
-    found = []
-    for spin in free_spins(system):
-        if any(same_group(system, spin, d) for d in driven):
-            continue
-        body = system.layout.coordinates[spin].rpartition(".")[0]
-        row = np.zeros(system.sizes["nd"])
-        for name, ratio in system.model.start_speeds(Scenario(speed={body: 1.0})).items():
-            if ratio != 0.0:
-                row[system.spin(name)] = ratio
-        found.append(row)
-    return np.array(found).reshape(-1, system.sizes["nd"])
+    """Turns of the spins that nothing resists: one row per free train that nothing drives, shape (r, nd)."""
+    return rotations(system, held_spins(system)[len(driven_spins(system)) :]).T
 
 
 def energy_shares(parts: Parts, shapes: Array, omega: Array) -> tuple[Array, Array]:

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.equilibrium import find_equilibrium, free_spins, same_group
+from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.trains import held_spins
 from pitchpoint.system.system import State, System
 
 
@@ -63,10 +64,3 @@ def operating_point(system: System, scenario: Scenario | str | None = None) -> O
         return OperatingPoint(own, find_equilibrium(own, None, held).state, held)
     start = prepare_start(own, scenario or own.scenario or Scenario())
     return OperatingPoint(start.system, start.state, held, start.notes)
-
-
-def held_spins(system: System) -> tuple[int, ...]:
-    """Spins of driven bodies, and one of every group of bodies that nothing else keeps from turning."""
-    driven = [system.spin(system.layout.bodies[int(r["i"])]) for r in system.records.get("drive", ())]
-    loose = (h for h in free_spins(system) if not any(same_group(system, h, d) for d in driven))
-    return (*driven, *loose)

@@ -22,10 +22,11 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.equilibrium import find_equilibrium, same_group
-from pitchpoint.solvers.operating_point import held_spins, operating_point
+from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
 from pitchpoint.solvers.touch import tangent_stiffness, touching_error
+from pitchpoint.solvers.trains import held_spins, rotations, same_train
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import State, System
 
@@ -105,11 +106,10 @@ def roll_through(
     record = own.records["gear_mesh"][k]
     body = next(int(record[e]) for e in ("i", "j") if own.program["body"][record[e]]["spin"] >= 0)
     z = record["z1"] if body == record["i"] else record["z2"]
-    turned = own.layout.bodies[body]
-    spin = own.spin(turned)
-    held = (spin, *(h for h in held_spins(own) if not same_group(own, h, spin)))
+    spin = own.spin(own.layout.bodies[body])
+    held = (spin, *(h for h in held_spins(own) if not same_train(own, h, spin)))
     direction = -1.0 if point.state.v[spin] < 0.0 else 1.0
-    rates = _rates(own, turned)
+    rates = rotations(own, (spin,))[:, 0]
     step = direction * 2.0 * np.pi / (abs(int(z)) * points)
     state = point.state.copy()
     state.v[:] = 0.0
@@ -181,16 +181,6 @@ def _plan(
     if points < 2 or periods < 1:
         raise SolverError("a roll needs at least 2 points and 1 period", INCONSISTENT)
     return chosen, mesh, points, periods
-
-
-def _rates(system: System, turned: str) -> Array:
-    """Turn of every coordinate per turn of one body, through the gear ratios."""
-    assert system.model is not None
-    rates = np.zeros(system.sizes["nd"])
-    for name, speed in system.model.start_speeds(Scenario(speed={turned: 1.0})).items():
-        if speed != 0.0:
-            rates[system.spin(name)] = speed
-    return rates
 
 
 def _turn(system: System, state: State, by: Array) -> State:

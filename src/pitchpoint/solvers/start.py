@@ -11,19 +11,16 @@ import numpy as np
 from pitchpoint.core.errors import SolverError
 from pitchpoint.elements import damping as damping_element
 from pitchpoint.elements import drive as drive_element
-from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.equilibrium import (
-    Equilibrium,
-    balance_torques,
-    find_equilibrium,
-    free_spins,
-    same_group,
-)
+from pitchpoint.elements.signal import set_constant
+from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques, find_equilibrium
+from pitchpoint.solvers.trains import free_spins, held_spins, rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from pitchpoint.model.scenario import Scenario
 
 IMBALANCE = 1e-6
 """Net torque over the largest torque from which a run says that its loads do not balance."""
@@ -95,7 +92,7 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         state.turns[body] = round(angle / (2.0 * np.pi))
         state.q[spin] = angle - 2.0 * np.pi * state.turns[body]
         driven.append(spin)
-    held = [*driven, *(h for h in free_spins(system) if not any(same_group(system, h, d) for d in driven))]
+    held = list(held_spins(system))
     if scenario.start == "assembled":
         return Start(_with_damping(system, state), state)
     system, balanced, held = balance_torques(system, state, held, driven)
@@ -123,15 +120,21 @@ def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[str, ..
 
 
 def _with_damping(system: System, state: State) -> System:
-    """Fill the Rayleigh and modal damping about the starting state into its records."""
+    """Fill the Rayleigh and modal damping about the starting state into its records.
+
+    Its stiffness is that of what is elastic: a load that changes with the angle or the speed would make the
+    damping brake the rotation, or drive it.
+    """
     if "damping" not in system.records or system.model is None or system.model.damping is None:
         return system
     given = system.model.damping
-    smooth = without_friction(system)
-    M, _, K = evaluate.linearize(smooth, state)
+    still = state.copy()
+    still.v[:] = 0.0
+    M, _, K = evaluate.linearize(_without_loads(without_friction(system)), still)
     D = np.zeros_like(M)
     if given.rayleigh is not None:
-        D += given.rayleigh.mass * without_rotation(M, rotations(system)) + given.rayleigh.stiffness * K
+        D += given.rayleigh.mass * without_rotation(M, rotations(system, free_spins(system)))
+        D += given.rayleigh.stiffness * K
     if given.modal is not None:
         D += damping_element.modal_damping(M, K, given.modal)
     records = system.records["damping"].copy()
@@ -139,20 +142,6 @@ def _with_damping(system: System, state: State) -> System:
         i, j, n, m = (int(record[k]) for k in ("dof_i", "dof_j", "n_i", "n_j"))
         record["D"][:n, :m] = D[i : i + n, j : j + m]
     return system.with_params({"damping": records})
-
-
-def rotations(system: System) -> NDArray[np.float64]:
-    """Rotations that nothing hinders, one per group of bodies that turns freely, shape (nd, n)."""
-    assert system.model is not None
-    found = []
-    for spin in free_spins(system):
-        body = system.layout.coordinates[spin].rsplit(".", 1)[0]
-        rates = np.zeros(system.sizes["nd"])
-        for name, ratio in system.model.start_speeds(Scenario(speed={body: 1.0})).items():
-            if ratio != 0.0:
-                rates[system.spin(name)] = ratio
-        found.append(rates)
-    return np.array(found).reshape(-1, system.sizes["nd"]).T
 
 
 def without_rotation(M: NDArray[np.float64], free: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -183,3 +172,12 @@ def without_friction(system: System) -> System:
     records = system.records["gear_mesh"].copy()
     records["mu"] = 0.0
     return system.with_params({"gear_mesh": records})
+
+
+def _without_loads(system: System) -> System:
+    """The same system with its torques and forces at zero."""
+    loads = {kind: system.records[kind].copy() for kind in ("torque", "force") if kind in system.records}
+    for records in loads.values():
+        for record in records:
+            set_constant(record, 0.0)
+    return system.with_params(loads)

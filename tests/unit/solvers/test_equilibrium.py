@@ -11,6 +11,7 @@ import pytest
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.solvers.equilibrium import find_equilibrium, solve_equilibrium
+from pitchpoint.solvers.quasistatic import roll_through
 from pitchpoint.system import evaluate
 from tests.support.machines import R_B1, compiled, pair
 
@@ -83,8 +84,10 @@ def test_a_pinion_rests_at_a_jump_of_the_stiffness(law):
             assert row[pairs].min() >= 0.0
         resting += len(found.share)
         assert all(0.0 <= part <= 1.0 for part in found.share)
-        sides = [evaluate.observe(system, side)[force] for side in (found.state, *found.beside)]
-        assert min(sides) * (1.0 - 1e-6) <= row[force] <= max(sides) * (1.0 + 1e-6)
+        rows = np.array([evaluate.observe(system, side) for side in (found.state, *found.beside)])
+        for column in (force, *pairs):  # each pair has its own, also where a new one enters
+            low, high = rows[:, column].min(), rows[:, column].max()
+            assert low * (1.0 - 1e-6) <= row[column] <= high * (1.0 + 1e-6)
     assert resting > 0
 
 
@@ -114,6 +117,70 @@ def test_trains_rest_at_any_phase(motion, law):
             assert found.observe(system)[forces] == pytest.approx(expected, rel=1e-6)
         resting += len(found.share)
     assert resting > 0
+
+
+@pytest.mark.parametrize("motion", ["torsion", "planar"])
+@pytest.mark.parametrize("law", JUMPING)
+def test_equal_meshes_between_the_same_bodies_jump_together(motion, law):
+    """Two pairs side by side: one surface, over which both forces change by one share."""
+    size = "normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    gears = "".join(
+        f"  {n}: {{number_of_teeth: {z}, {size}}}\n" for n, z in (("a", 26), ("b", 28), ("c", 26), ("d", 28))
+    )
+    text = (
+        f"gears:\n{gears}bodies:\n  A: {{gears: {{a: 0 mm, c: 30 mm}}, motion: {motion}}}\n"
+        f"  B: {{gears: {{b: 0 mm, d: 30 mm}}, motion: {motion}}}\nmeshes:\n"
+    )
+    for n, pair_of in enumerate(("a, b", "c, d")):
+        text += f"  m{n}: {{gears: [{pair_of}], direction: 30 deg, stiffness: {law}}}\n"
+    if motion == "planar":
+        text += "bearings:\n  sa: {body: A, stiffness: {radial: 3e9 N/m}}\n"
+        text += "  sb: {body: B, stiffness: {radial: 3e9 N/m}}\n"
+    text += "loads:\n  i: {body: A, torque: 900 N m}\n  o: {body: B, torque: balance}\n"
+    system = compiled(text)[1]
+    forces = [system.layout.channel(f"mesh_force[m{n}]") for n in range(2)]
+    resting = 0
+    for phase in np.linspace(0.0, 1.0, 400):
+        start = system.initial_state()
+        start.q[system.spin("B")] = -phase * 2.0 * math.pi / 28
+        start.q[system.spin("A")] = phase * 2.0 * math.pi / 26
+        found = find_equilibrium(system, start, (system.spin("B"),))
+        assert found.reaction[0] == pytest.approx(900.0 * 28 / 26, rel=1e-6)
+        row = found.observe(system)
+        assert row[forces[0]] == pytest.approx(row[forces[1]], rel=1e-9)
+        resting += len(found.share)
+        assert len(found.share) <= 1
+        rows = np.array(
+            [evaluate.observe(system, side)[forces].sum() for side in (found.state, *found.beside)]
+        )
+        assert rows.min() * (1.0 - 1e-6) <= row[forces].sum() <= rows.max() * (1.0 + 1e-6)
+    assert resting > 0
+
+
+@pytest.mark.parametrize("torque", [50.0, 500.0, 900.0])
+@pytest.mark.parametrize("slices", [5, 11])
+def test_helical_trains_in_slices_roll_through(torque, slices):
+    """Every slice enters and leaves with a jump, in two meshes at once; the torque goes through."""
+    helix = ", helix_angle: 8 deg, hand: "
+    gears = "".join(
+        f"  {n}: {{number_of_teeth: {z}, normal_module: 3 mm, face_width: 20 mm, "
+        f"profile_shift_coefficient: 0{helix}{hand}}}\n"
+        for n, z, hand in (("a", 20, "right"), ("b", 27, "left"), ("c", 33, "right"))
+    )
+    mesh = f"width: slices, slices: {slices}, backlash: {{base_tangent: 0.05 mm}}"
+    text = (
+        f"gears:\n{gears}bodies: {{A: {{gears: [a]}}, B: {{gears: [b]}}, C: {{gears: [c]}}}}\n"
+        f"meshes:\n  m0: {{gears: [a, b], {mesh}}}\n  m1: {{gears: [b, c], {mesh}}}\n"
+        f"loads: {{i: {{body: A, torque: {torque} N m}}, o: {{body: C, torque: balance}}}}\n"
+        "scenarios:\n  roll: {quasi_static: {mesh: m0, points: 31, periods: 10}}\n"
+    )
+    system = compiled(text)[1]
+    roll = roll_through(system, "roll")
+    assert len(roll.rows) == 311
+    r_b = system.records["gear_mesh"]["r_b1"][0]
+    for mesh in ("m0", "m1"):
+        forces = roll.rows[:, system.layout.channel(f"mesh_force[{mesh}]")]
+        assert np.abs(forces) == pytest.approx(torque / r_b, rel=1e-6)
 
 
 @pytest.mark.parametrize(
