@@ -17,7 +17,7 @@ import click
 
 from pitchpoint.cli.main import COMMANDS, EPILOG, pitchpoint
 from pitchpoint.core.nomenclature import markdown_table
-from pitchpoint.core.unit_table import DIMENSIONS, PLAIN_UNITS, Unit
+from pitchpoint.core.unit_table import DIMENSIONS, PLAIN_UNITS, WORDS, Unit
 from pitchpoint.core.units import display_unit
 from pitchpoint.model.schema import json_schema, reference_page
 
@@ -60,7 +60,8 @@ def units() -> str:
     for name, row in DIMENSIONS.items():
         lines.append(f"| {row.words} | {row.si or '1'} | `{row.example}` | {display_unit(name) or '1'} |")
     symbols = [f"| `{name}` | {_in_si(unit)} |" for name, unit in PLAIN_UNITS.items()]
-    return head + "\n".join(lines) + "\n" + HOW_UNITS_COMBINE + "\n".join(symbols) + "\n"
+    written_out = "\nUnits may be written out, as in `millimeters` or `Newton`: " + ", ".join(WORDS) + ".\n"
+    return head + "\n".join(lines) + "\n" + HOW_UNITS_COMBINE + "\n".join(symbols) + "\n" + written_out
 
 
 def _in_si(unit: Unit) -> str:

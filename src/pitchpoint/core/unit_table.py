@@ -113,25 +113,35 @@ PLAIN_UNITS: dict[str, Unit] = {
     "cpm": Unit(Fraction(1, 60), s=-1, cycle=1),
     "%": Unit(Fraction("1e-2")),
     "ppm": Unit(Fraction("1e-6")),
-    "meter": Unit(ONE, m=1),
-    "metre": Unit(ONE, m=1),
-    "millimeter": Unit(Fraction("1e-3"), m=1),
-    "micrometer": Unit(Fraction("1e-6"), m=1),
-    "kilogram": Unit(ONE, kg=1),
-    "second": Unit(ONE, s=1),
-    "newton": Unit(ONE, m=1, kg=1, s=-2),
-    "pascal": Unit(ONE, m=-1, kg=1, s=-2),
-    "radian": Unit(ONE, rad=1),
-    "degree": Unit(math.pi / 180.0, rad=1),
-    "hertz": Unit(ONE, s=-1, cycle=1),
-    "revolution": Unit(ONE, rev=1),
-    "minute": Unit(Fraction(60), s=1),
-    "hour": Unit(Fraction(3600), s=1),
+    "mil": Unit(Fraction("0.0254") / 1000, m=1),
+    "thou": Unit(Fraction("0.0254") / 1000, m=1),
+    "sec": Unit(ONE, s=1),
+    "krpm": Unit(Fraction(1000, 60), s=-1, rev=1),
+    "rps": Unit(ONE, s=-1, rev=1),
 }
 UNITS: dict[str, Unit] = {
     p + n: u._replace(factor=u.factor * f) for p, f in _PREFIX.items() for n, u in _PREFIXED.items()
 }
 UNITS.update(PLAIN_UNITS)
+WORDS: dict[str, Unit] = {
+    "centimeter": UNITS["cm"],
+    "centimetre": UNITS["cm"],
+    "degree": UNITS["deg"],
+    "revolution": UNITS["rev"],
+    "minute": UNITS["min"],
+    "hour": UNITS["h"],
+    "radian": UNITS["rad"],
+} | {
+    prefix + word: UNITS[short + symbol]
+    for prefix, short in (
+        ("", ""), ("nano", "n"), ("micro", "u"), ("milli", "m"), ("kilo", "k"), ("mega", "M"), ("giga", "G"),
+    )
+    for word, symbol in (
+        ("meter", "m"), ("metre", "m"), ("gram", "g"), ("second", "s"), ("newton", "N"), ("pascal", "Pa"),
+        ("joule", "J"), ("watt", "W"), ("hertz", "Hz"),
+    )
+}  # fmt: skip
+"""Units written out, small or with a capital, one or many."""
 del UNITS["Grad"], UNITS["Mrad"], UNITS["krad"]  # nobody counts gigaradians; "Grad" is the German degree
 # Products that people write as one word. None can be taken for another unit: "Nms" is N m s, and "mm", "ms"
 # and "mN" stay what they are. Case counts: MNm is not mNm.

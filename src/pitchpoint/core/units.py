@@ -26,6 +26,7 @@ from pitchpoint.core.unit_table import (
     ONLY_IN_SPEEDS,
     REFUSED,
     UNITS,
+    WORDS,
     Dimension,
     Unit,
 )
@@ -361,6 +362,9 @@ def _lookup(name: str) -> Unit:
     one = name.removesuffix("s")
     if one in UNITS and one not in JOINED and (len(one) > 3 or one == "rev"):
         return UNITS[one]
+    for word in (name, one):
+        if word.lower() in WORDS and word[1:].islower():
+            return WORDS[word.lower()]
     from pitchpoint.core._pint import foreign_unit
 
     try:
