@@ -15,8 +15,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import GeometryError
-from pitchpoint.geometry.modifications import FlankModifications, base_tangent, deviation, flank_range
+from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.geometry.modifications import (
+    FlankModifications,
+    base_tangent,
+    deviation,
+    flank_range,
+    size_problems,
+)
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -88,6 +94,39 @@ class Deviations:
 
 def _refuse(where: str, message: str, value: object, limit: str) -> GeometryError:
     return GeometryError(message, where=where, value=f"{value}", limit=limit)
+
+
+def deviation_problems(deviations: Deviations, gear: CylindricalGear, where: str = "") -> list[Problem]:
+    """Deviations that no tooth of a gear can have.
+
+    Parameters
+    ----------
+    deviations
+        Deviations of single teeth.
+    gear
+        External or internal gear.
+    where
+        Place of the deviations in their description, put before the name of the offending key.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=20, m_n=3e-3, b=0.02)
+    >>> print(deviation_problems(Deviations(runout=Runout(amount=30.0)), gear)[0])
+    runout.amount: 30000 mm is larger than the module (limit 3 mm); give it with a unit, such as 20 um
+    """
+    place = f"{where}." if where else ""
+    right = deviations.pitch if deviations.pitch_right is None else deviations.pitch_right
+    amounts = {f"{place}pitch": max(_largest(deviations.pitch), _largest(right))}
+    if deviations.runout is not None:
+        amounts[f"{place}runout.amount"] = deviations.runout.amount
+    for k, measured in enumerate(deviations.flank_maps):
+        amounts[f"{place}flank_maps[{k}].values"] = _largest(measured.values)
+    return size_problems(amounts, gear)
+
+
+def _largest(values: ArrayLike) -> float:
+    return float(np.abs(np.asarray(values, dtype=float)).max(initial=0.0))
 
 
 def index_deviations(pitch: ArrayLike) -> FloatArray:

@@ -103,6 +103,13 @@ def span_contact_diameter(gear: CylindricalGear, k: int) -> float:
     -------
     float
         √(d_b² + (W_k cos β_b)²) [m], signed like the gear's diameters.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(span_contact_diameter(pinion, 4) * 1e3, 3)
+    354.332
     """
     return gear.sign * math.hypot(gear.d_b, span(gear, k) * math.cos(gear.beta_b))
 
@@ -131,6 +138,13 @@ def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
     Notes
     -----
     inv α_Kt = s_t/d + inv α_t − π/z + D_M/(d_b cos β_b)  (ISO 21771, signed d_b and z).
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(math.degrees(ball_center_angle(pinion, 0.028)), 4)
+    29.9326
     """
     if not 0.0 < D_M < math.inf:
         raise GeometryError("is no ball diameter", where="D_M", value=f"{D_M!r} m", limit="above 0")
@@ -170,6 +184,13 @@ def radial_dimension_over_ball(gear: CylindricalGear, D_M: float) -> float:
     -------
     float
         M_rK [m]; for an internal gear from the axis to the inner side of the ball.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(radial_dimension_over_ball(pinion, 0.028) * 1e3, 3)
+    198.642
     """
     return 0.5 * abs(gear.d_b / math.cos(ball_center_angle(gear, D_M)) + D_M)
 
@@ -219,6 +240,13 @@ def dimension_over_pins(gear: CylindricalGear, D_M: float) -> float:
     -------
     float
         M_dR [m].
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(dimension_over_pins(pinion, 0.028) * 1e3, 3)
+    397.284
     """
     if gear.beta == 0.0:
         return dimension_over_balls(gear, D_M)
@@ -237,6 +265,13 @@ def ball_contact_diameter(gear: CylindricalGear, D_M: float) -> float:
     -------
     float
         d_M [m], signed like the gear's: tan α_Mt = tan α_Kt − D_M cos β_b / d_b.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(ball_contact_diameter(pinion, 0.028) * 1e3, 3)
+    356.305
     """
     reach = math.tan(ball_center_angle(gear, D_M)) - D_M * math.cos(gear.beta_b) / gear.d_b
     return math.copysign(math.hypot(gear.d_b, gear.d_b * reach), gear.d_b)

@@ -10,6 +10,7 @@ Along the profile the coordinate is the roll length L = √(r² − r_b²); alon
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -213,7 +214,20 @@ def modification_problems(
     place = f"{where}." if where else ""
     root, tip = flank_range(gear)
     flank = abs(tip - root)
-    found: list[Problem] = []
+    found = size_problems(
+        {
+            **{
+                f"{place}{key}.amount": part.amount
+                for key in ("tip_relief", "root_relief", "end_relief")
+                if (part := getattr(modifications, key)) is not None
+            },
+            **{
+                f"{place}{key}": getattr(modifications, key)
+                for key in ("profile_crowning", "lead_crowning", "profile_slope", "helix_slope")
+            },
+        },
+        gear,
+    )
     for key, relief in (("tip_relief", modifications.tip_relief), ("root_relief", modifications.root_relief)):
         if relief is None:
             continue
@@ -252,6 +266,35 @@ def modification_problems(
             )
         )
     return found
+
+
+def size_problems(amounts: Mapping[str, float], gear: CylindricalGear) -> list[Problem]:
+    """Changes of a flank that are larger than the module, by their places: a unit was forgotten.
+
+    Parameters
+    ----------
+    amounts
+        Amounts by their places [m].
+    gear
+        External or internal gear.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> print(size_problems({"runout.amount": 20.0}, CylindricalGear(z=50, m_n=3e-3))[0])
+    runout.amount: 20000 mm is larger than the module (limit 3 mm); give it with a unit, such as 20 um
+    """
+    return [
+        Problem(
+            place,
+            "is larger than the module",
+            f"{1e3 * amount:.6g} mm",
+            f"{1e3 * gear.m_n:.6g} mm",
+            "give it with a unit, such as 20 um",
+        )
+        for place, amount in amounts.items()
+        if abs(amount) > gear.m_n
+    ]
 
 
 def _relief(

@@ -326,6 +326,14 @@ def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
     -------
     list of Problem
         Empty where the involutes cover the whole path of contact, and for impossible pairs.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.gear_pair import GearPair
+    >>> pair = GearPair(CylindricalGear(z=15, m_n=3e-3), CylindricalGear(z=100, m_n=3e-3), a_w=0.1725)
+    >>> [problem.message for problem in pair_warnings(pair, "", ("p", "w"))]
+    ['reaches below the root form circle of p (undercut)']
     """
     if pair.problems():
         return []
@@ -364,6 +372,14 @@ def tip_overlap_gap(pair: GearPair) -> float:
     -----
     θ₁ z₁/|z₂| + inv α_w − inv α_a2 − θ₂ with θ₁ = acos((r_a2² − r_a1² − a²)/(2 a r_a1)) + inv α_a1 − inv α_w
     and θ₂ = acos((a² + r_a2² − r_a1²)/(2 a r_a2))  (KHK, *Gear technical reference*, trochoid interference).
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.gear_pair import GearPair
+    >>> pair = GearPair(CylindricalGear(z=20, m_n=3e-3), CylindricalGear(z=-60, m_n=3e-3), a_w=-0.06)
+    >>> round(math.degrees(tip_overlap_gap(pair)), 4)
+    0.8484
     """
     g1, g2, a = pair.gear1, pair.gear2, abs(pair.a_w)
     r_a1, r_a2 = 0.5 * g1.d_a, 0.5 * abs(g2.d_Fa)

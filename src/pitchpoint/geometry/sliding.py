@@ -106,6 +106,14 @@ def sliding_factor_at(pair: GearPair, T1Y: float) -> float:
     float
         K_g = v_g/v_tw = (T1Y − T1C)(2/d_w1 + 2/d_w2) [-]; positive beyond the pitch point (recess with gear 1
         driving).
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.gear_pair import GearPair
+    >>> pair = GearPair(CylindricalGear(z=20, m_n=3e-3), CylindricalGear(z=40, m_n=3e-3), a_w=0.09)
+    >>> round(sliding_factor_at(pair, pair.T1C), 12), round(sliding_factor_at(pair, pair.T1E), 4)
+    (0.0, 0.3447)
     """
     return (T1Y - pair.T1C) * (2.0 / pair.d_w1 + 2.0 / pair.d_w2)
 

@@ -35,6 +35,13 @@ def pressure_angle_at(gear: CylindricalGear, d_y: float) -> float:
     ------
     GeometryError
         If the circle lies inside the base circle.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=30, m_n=3e-3)
+    >>> round(math.degrees(pressure_angle_at(gear, gear.d)), 9)
+    20.0
     """
     if d_y * gear.sign <= 0.0 or not abs(d_y) >= abs(gear.d_b):
         raise GeometryError(
@@ -58,6 +65,13 @@ def helix_angle_at(gear: CylindricalGear, d_y: float) -> float:
     -------
     float
         β_y [rad], tan β_y = tan β d_y / d.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48)
+    >>> round(math.degrees(helix_angle_at(pinion, pinion.d)), 9)
+    10.0
     """
     return math.atan(math.tan(gear.beta) * d_y / gear.d)
 
@@ -106,6 +120,13 @@ def normal_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
     -------
     float
         s_yn = s_yt cos β_y [m].
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=30, m_n=3e-3)
+    >>> round(normal_tooth_thickness(gear, gear.d) * 1e3, 6)
+    4.712389
     """
     return transverse_tooth_thickness(gear, d_y) * math.cos(helix_angle_at(gear, d_y))
 
@@ -122,6 +143,13 @@ def normal_space_width(gear: CylindricalGear, d_y: float) -> float:
     -------
     float
         e_yn [m].
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=30, m_n=3e-3)
+    >>> round(normal_space_width(gear, gear.d) * 1e3, 6)
+    4.712389
     """
     transverse = math.pi * d_y / gear.z - transverse_tooth_thickness(gear, d_y)
     return transverse * math.cos(helix_angle_at(gear, d_y))
