@@ -308,10 +308,12 @@ def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
 
 
 def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
-    """Tips that reach below the mate's root form circle: fillet contact, or flank lost to undercut.
+    """What is odd about a pair that can be built: flank missing below its mate's tip, gaps between contacts.
 
-    The geometry then still follows the tip circles (as published contact ratios do), but the involute ends
-    sooner. It depends on the tool, which is rarely known exactly, so it does not forbid the pair.
+    Where a tip reaches below the mate's root form circle the geometry still follows the tip circles (as
+    published contact ratios do), but the involute ends sooner, in a fillet or an undercut. It depends on the
+    tool, which is rarely known exactly, so it does not forbid the pair. A total contact ratio below one
+    leaves moments without any contact.
 
     Parameters
     ----------
@@ -325,7 +327,8 @@ def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
     Returns
     -------
     list of Problem
-        Empty where the involutes cover the whole path of contact, and for impossible pairs.
+        Empty where the involutes cover the whole path of contact and one pair always carries, and for
+        impossible pairs.
 
     Examples
     --------
@@ -351,6 +354,11 @@ def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
             left = f"the transverse contact ratio left is {pair.eps_alpha_form:.4g}"
             remedy = f"{left}; shorten the tip or set the rack"
             found.append(Problem(_at(where, "gears"), message, f"tip of {tip}", limit, remedy))
+    if pair.eps_gamma < 1.0:
+        message = "leaves moments without a tooth pair in contact"
+        remedy = "bring the axes closer together or lengthen the teeth"
+        value = f"total contact ratio {pair.eps_gamma:.4g}"
+        found.append(Problem(_at(where, "gears"), message, value, "1", remedy))
     return found
 
 

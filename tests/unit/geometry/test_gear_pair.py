@@ -170,3 +170,15 @@ def test_undercut_shortens_what_the_involutes_cover():
     assert pair.eps_alpha_form == pytest.approx(1.4587, abs=1e-4)
     assert pair.eps_alpha == pytest.approx(1.6237, abs=1e-4)
     assert ["contact ratio left is 1.459" in str(p) for p in pair.warnings()] == [True]
+
+
+def test_a_contact_ratio_below_one_is_told():
+    """Two spur gears 20/20 of module 3 mm pulled apart to 65.9 mm: the tips overlap by a trace of the path."""
+    gear = CylindricalGear(z=20, m_n=3e-3, b=0.02)
+    (told,) = GearPair(gear, gear, a_w=65.9e-3).warnings()
+    assert told.message == "leaves moments without a tooth pair in contact"
+    assert told.value == "total contact ratio 0.02177"
+    assert GearPair(gear, gear, a_w=60e-3).warnings() == []
+    helical = CylindricalGear(z=20, m_n=3e-3, beta=0.3, b=0.05)
+    mate = CylindricalGear(z=20, m_n=3e-3, beta=-0.3, b=0.05)
+    assert GearPair(helical, mate, a_w=65.9e-3).warnings() == []  # the overlap carries on
