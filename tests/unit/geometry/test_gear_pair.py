@@ -173,7 +173,7 @@ def test_undercut_shortens_what_the_involutes_cover():
 
 
 def test_a_contact_ratio_below_one_is_told():
-    """Two spur gears 20/20 of module 3 mm pulled apart to 65.9 mm: the tips overlap by a trace of the path."""
+    """Two spur gears 20/20 of module 3 mm pulled apart to 65.9 mm: the tips hardly overlap."""
     gear = CylindricalGear(z=20, m_n=3e-3, b=0.02)
     (told,) = GearPair(gear, gear, a_w=65.9e-3).warnings()
     assert told.message == "leaves moments without a tooth pair in contact"
