@@ -148,6 +148,33 @@ def test_angles_are_unwrapped() -> None:
     assert done.channels["angle[driven]"]["min"] == pytest.approx(-turned, abs=0.05)
 
 
+def test_speed_is_the_rate_of_the_angle() -> None:
+    system = compile_model(loads_model(FREE))
+    state = system.initial_state()
+    names = list(system.layout.coordinates)
+    state.q[names.index("rotor.beta")], state.v[names.index("rotor.alpha")] = 0.2, 3.0
+    state.v[system.spin("rotor")] = 50.0
+    out = evaluate.observe(system, state)
+    assert out[system.layout.channel("speed[rotor]")] == 50.0
+    frame = system.workspace.fr[1]
+    along = float(frame["R"][:, 2] @ frame["tw"][3:])
+    assert along == pytest.approx(50.0 + math.sin(0.2) * 3.0, rel=1e-14)
+
+
+def test_a_given_mass_does_not_move_the_centre_of_mass() -> None:
+    def inertia(more: str):
+        return loads_model(FREE.replace("gears: [g]", "gears: {g: 30 mm}" + more)).body_inertia("rotor")
+
+    own = inertia("")
+    assert inertia(", mass: 5 kg").center == own.center == pytest.approx(0.03, rel=1e-14)
+    assert inertia(", mass: 5 kg").central == pytest.approx(own.central, rel=1e-14)
+    assert inertia(", center_of_mass: 10 mm").center == 0.01
+    assert inertia(", center_of_mass: 10 mm").central == pytest.approx(own.central + own.mass * 0.02**2)
+    about_origin = inertia(", transverse_inertia: 0.05 kg m^2")
+    assert about_origin.transverse == pytest.approx(0.05, rel=1e-14)
+    assert about_origin.central == pytest.approx(0.05 - own.mass * 0.03**2, rel=1e-14)
+
+
 # ---------------------------------------------------------------------------------------------- gears
 
 
@@ -373,6 +400,14 @@ def test_force_parts_are_those_on_gear_2() -> None:
         assert m.get("axial_force") == pytest.approx(F[2], rel=1e-9)
         assert m.get("normal_force") == pytest.approx(np.linalg.norm(F[:3]), rel=1e-9)
         assert flank * m.get("circumferential_force") > 0.0
+    both = OneMesh(make_pair(beta=0.0, widening=-2e-5), MeshLaws(stiffness=PhaseStiffness(mean=4e8)))
+    F = both.evaluate()[1]
+    assert both.get("contact_state") == 2.0
+    # each flank pushes with k |j|/2; around, they cancel
+    assert both.get("normal_force") == pytest.approx(4e8 * abs(both.row["gap"]), rel=1e-9)
+    assert np.linalg.norm(F[:3]) == pytest.approx(
+        both.get("normal_force") * float(both.row["sin_a"]), rel=1e-9
+    )
 
 
 def test_mesh_damper_is_part_of_mesh_force_alone() -> None:
@@ -396,6 +431,18 @@ def test_pair_forces_add_up_to_the_force_of_the_flanks() -> None:
 def test_positive_torques_on_both_gears_load_the_front_flank() -> None:
     assert loaded(TORSIONAL_PAIR)("contact_state[stage]") == 1.0
     assert loaded(TORSIONAL_PAIR.replace("150 N m", "-150 N m"))("contact_state[stage]") == -1.0
+
+
+def test_the_place_of_a_force_does_not_spin() -> None:
+    text = FREE + "loads: {f: {body: rotor, force: [0, 100 N, 0], position: [20 mm, 0, 30 mm]}}\n"
+    system = compile_model(loads_model(text))
+    state = system.initial_state()
+    spin = system.spin("rotor")
+    plain = compile_model(loads_model(FREE))
+    for turned in (0.0, 1.0, -2.0):
+        state.q[spin] = turned
+        pushed = evaluate.residual(plain, state) - evaluate.residual(system, state)
+        assert np.allclose(pushed, [0.0, 100.0, 0.0, -3.0, 0.0, 2.0], atol=1e-9)
 
 
 def test_balance_holds_the_train_where_a_run_starts() -> None:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError, ValidityWarning
 from pitchpoint.core.units import format_quantity
+from pitchpoint.model.components.stiffness import OF_PAIRS
+from pitchpoint.model.idle_keys import idle_keys
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -17,8 +19,8 @@ if TYPE_CHECKING:
 INTERFERENCE = 1e-7
 """Negative backlash [m] that comes from rounded profile shifts and centre distances and bends nothing."""
 
-#: Laws that describe one tooth pair; all others prescribe the stiffness of the whole mesh.
-OF_PAIRS = ("din3990", "energy", "pair_table")
+NEAR_WHOLE = 0.05
+"""Distance of eps_alpha from a whole number up to which a small change of the centre distance passes it."""
 
 
 def follows_flanks(model: Model, mesh: str) -> bool:
@@ -70,7 +72,28 @@ def _wider(pair: GearPair) -> str:
     return f"give {distance}, or tooth_thickness_allowance < 0"
 
 
+def jumping_ramps(model: Model) -> tuple[str, ...]:
+    """A sentence for every mesh whose relief ramps jump with a small change of its contact ratio.
+
+    Their length T_R frac(eps_alpha) is that of the published law; it falls from T_R to 0 base pitches where
+    eps_alpha passes a whole number.
+    """
+    found = []
+    for name, pair in model.pairs.items():
+        ramp = getattr(model.meshes[name].stiffness, "tip_relief_factor", 0.0)
+        whole = round(pair.eps_alpha)
+        if ramp > 0.0 and whole >= 1 and abs(pair.eps_alpha - whole) <= NEAR_WHOLE:
+            found.append(
+                f"meshes.{name}: eps_alpha = {pair.eps_alpha:.4f} is nearly {whole}, where the ramps of "
+                f"tip_relief_factor jump: T_R frac(eps_alpha) is nearly {ramp:g} base pitches below {whole} "
+                "and nearly none above, and the stiffness jumps with it, also in a run where the centre "
+                "distance moves; if that is not wanted, write tip_relief_factor: 0 or change center_distance "
+                "or a tip diameter"
+            )
+    return tuple(found)
+
+
 def warn_of_remarks(model: Model) -> None:
-    """Issue all sentences of this module as `ValidityWarning`."""
-    for text in (*ignored_flanks(model), *negative_backlash(model)):
+    """Issue all sentences of this module and of `idle_keys` as `ValidityWarning`."""
+    for text in (*ignored_flanks(model), *negative_backlash(model), *jumping_ramps(model), *idle_keys(model)):
         warnings.warn(text, ValidityWarning, stacklevel=2)

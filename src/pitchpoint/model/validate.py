@@ -10,10 +10,11 @@ from typing import Any
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.assembly import Parts
+from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.law import Balance, Constant
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.stiffness import Fourier, Rectangular
-from pitchpoint.model.inertia import body_inertia, gear_inertia
+from pitchpoint.model.inertia import BodyInertia, asks_gears, body_inertia, gear_inertia
 from pitchpoint.model.keys import Place
 from pitchpoint.model.pair_check import hand_on
 from pitchpoint.model.read import Reader
@@ -242,26 +243,8 @@ def _gear_choices(name: str, gear: Any, report: Reader) -> None:
 
 def check_motions(parts: Parts, report: Reader) -> None:
     """Bodies that move have inertia; fixed bodies carry no loads and bearings."""
-    for name, body in parts.bodies.items():
-        needed = [k for k in INERTIAS[body.motion] if ("bodies", name, k) not in report.tainted]
-        given = {k: getattr(body, k) for k in needed if getattr(body, k) is not None}
-        if len(given) < len(needed) and all(
-            g in parts.gears and ("gears", g) not in report.tainted and g not in parts.misshapen
-            for g in body.gears
-        ):
-            # the geometry is asked only for what the user left out
-            if not all(_has_inertia(parts, g, report) for g in body.gears):
-                continue
-            total = body_inertia(body, parts.gears)
-            given = {k: getattr(total, _SUM[k]) for k in needed}
-        for key, amount in given.items():
-            if not amount > 0.0:
-                report.problem(
-                    ("bodies", name, key),
-                    f"is zero, but the body moves ({body.motion})",
-                    limit="> 0",
-                    remedy=f"give {key}" + ("" if body.gears else " (the body carries no gears)"),
-                )
+    for name in parts.bodies:
+        _inertia(parts, name, report)
     fixed = {n for n, b in parts.bodies.items() if b.motion == "fixed"}
     for group in ("loads", "bearings"):
         for name, part in getattr(parts, group).items():
@@ -271,6 +254,61 @@ def check_motions(parts: Parts, report: Reader) -> None:
                     f"names {part.body}, which is fixed and feels nothing",
                     remedy="remove it, or give the body a motion",
                 )
+
+
+def _inertia(parts: Parts, name: str, report: Reader) -> None:
+    """Mass and inertia of one body, as far as its motion needs them."""
+    body = parts.bodies[name]
+    needed = [k for k in INERTIAS[body.motion] if ("bodies", name, k) not in report.tainted]
+    given = {k: getattr(body, k) for k in needed if getattr(body, k) is not None}
+    total = None
+    if _readable(parts, body, report):
+        # whatever is computed with the body asks for all that its gears have to give
+        if asks_gears(body) and not all(_has_inertia(parts, g, report) for g in body.gears):
+            return
+        total = body_inertia(body, parts.gears)
+        given = {k: getattr(total, _SUM[k]) for k in needed}
+    zero = [key for key, amount in given.items() if not amount > 0.0]
+    for key in zero:
+        report.problem(
+            ("bodies", name, key),
+            f"is zero, but the body moves ({body.motion})",
+            limit="> 0",
+            remedy=f"give {key}" + ("" if body.gears else " (the body carries no gears)"),
+        )
+    whole = not any(("bodies", name, k) in report.tainted for k in ("gears", "mass", "center_of_mass"))
+    if total is not None and whole and "transverse_inertia" in given and not zero and not total.central > 0.0:
+        _transverse(name, body, total, report)
+
+
+def _readable(parts: Parts, body: Body, report: Reader) -> bool:
+    """Whether every gear of a body could be read and has a possible shape."""
+    return all(
+        g in parts.gears and ("gears", g) not in report.tainted and g not in parts.misshapen
+        for g in body.gears
+    )
+
+
+def _transverse(name: str, body: Body, total: BodyInertia, report: Reader) -> None:
+    """A body that tilts needs inertia about its centre of mass too, not only about the origin."""
+    least = total.mass * total.center * total.center
+    place = f"the centre of mass at {total.center * 1e3:.6g} mm from the origin"
+    if body.transverse_inertia is None:
+        report.problem(
+            ("bodies", name, "transverse_inertia"),
+            f"of the gears is zero about {place}, but the body tilts (motion: free)",
+            limit=f"> {least:.6g} kg m^2 about the origin",
+            remedy="give transverse_inertia, counted about the origin",
+        )
+        return
+    report.problem(
+        ("bodies", name, "transverse_inertia"),
+        f"counts about the origin and leaves nothing about {place}",
+        value=f"{body.transverse_inertia:.6g} kg m^2",
+        limit=f"> {least:.6g} kg m^2, mass * center_of_mass^2",
+        remedy=f"add {least:.6g} kg m^2 if it was meant about the centre of mass, or "
+        f"{'give' if body.center_of_mass is None else 'correct'} center_of_mass",
+    )
 
 
 def _has_inertia(parts: Parts, gear: str, report: Reader) -> bool:

@@ -40,7 +40,7 @@ def test_numbers_of_teeth(teeth: str, remedy: str) -> None:
     [
         ("inertia: -2", "> 0 for a body that moves, else >= 0"),
         ("mass: -2 kg", "> 0 with motion: planar or free, else >= 0"),
-        ("transverse_inertia: -2", "> 0 with motion: free, else >= 0"),
+        ("transverse_inertia: -2", "> mass * center_of_mass^2 with motion: free, else >= 0"),
     ],
 )
 def test_the_limit_of_an_inertia_is_the_one_that_counts(key: str, limit: str) -> None:

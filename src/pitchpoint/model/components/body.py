@@ -22,7 +22,7 @@ class Body:
     )
     inertia: float | None = quantity(
         "inertia",
-        "polar moment of inertia about the spin axis",
+        "polar moment of inertia about the spin axis; changes neither mass nor transverse inertia",
         None,
         minimum=0.0,
         range_words="> 0 for a body that moves, else >= 0",
@@ -30,19 +30,27 @@ class Body:
     )
     transverse_inertia: float | None = quantity(
         "inertia",
-        "moment of inertia about a diameter through the origin",
+        "moment of inertia about a diameter through the origin, not through the centre of mass: "
+        "mass * center_of_mass^2 is part of it",
         None,
         minimum=0.0,
-        range_words="> 0 with motion: free, else >= 0",
+        range_words="> mass * center_of_mass^2 with motion: free, else >= 0",
         display="sum over the gears",
     )
     mass: float | None = quantity(
         "mass",
-        "mass",
+        "mass; alone it leaves the centre of mass and the inertia about it as the gears make them",
         None,
         minimum=0.0,
         range_words="> 0 with motion: planar or free, else >= 0",
         display="sum over the gears",
+    )
+    center_of_mass: float | None = quantity(
+        "length",
+        "axial position of the centre of mass from the origin; alone it leaves the gears where they are and "
+        "their transverse inertia is summed about it",
+        None,
+        display="that of the gears",
     )
     position: tuple[float, float, float] | None = quantities(
         "length", "origin of the body [x, y, z]", None, length=(3, 3), display="from the meshes"

@@ -29,5 +29,9 @@ class Load:
         length=(3, 3),
     )
     position: tuple[float, float, float] = quantities(
-        "length", "where the force acts, from the origin of the body", (0.0, 0.0, 0.0), length=(3, 3)
+        "length",
+        "where the force acts, from the origin of the body; x and y keep their direction in space and do not "
+        "spin with the body, z lies on its axis",
+        (0.0, 0.0, 0.0),
+        length=(3, 3),
     )

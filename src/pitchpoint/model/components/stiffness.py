@@ -148,3 +148,6 @@ LAWS: dict[str, type] = {
         UserStiffness,
     )
 }
+
+#: Laws that describe one tooth pair; all others prescribe the stiffness of the whole mesh.
+OF_PAIRS = ("din3990", "energy", "pair_table")

@@ -14,10 +14,7 @@ MOTION = {"fixed": FIXED, "torsion": TORSION, "planar": PLANAR, "free": FREE}
 
 
 def bodies(model: Model) -> list[Body]:
-    """All bodies in the order of the file; body k of the list is number k + 1 in the records.
-
-    The transverse inertia of a body is wanted about its centre of mass; the model states it about the origin.
-    """
+    """All bodies in the order of the file; body k of the list is number k + 1 in the records."""
     found = []
     for name, body in model.bodies.items():
         inertia = model.body_inertia(name)
@@ -28,7 +25,7 @@ def bodies(model: Model) -> list[Body]:
                 position=body.origin or (0.0, 0.0, 0.0),
                 mass=inertia.mass,
                 polar_inertia=inertia.polar,
-                transverse_inertia=inertia.transverse - inertia.mass * inertia.center**2,
+                transverse_inertia=inertia.central,
                 center=inertia.center,
             )
         )

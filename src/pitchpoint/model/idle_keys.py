@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Keys that a model gives and that have no effect beside its other keys: a sentence for each of them.
+
+What is said here is sure: without the key every result stays as it is, or the sentence names what is left
+of it. Data of a part that its motion does not need, such as the mass of a body that only spins, are no such
+keys: they belong to the part and wait for another motion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from pitchpoint.model.components.law import Constant
+from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy
+from pitchpoint.model.keys import defaults_of
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.bearing import Bearing
+    from pitchpoint.model.components.coupling import Coupling
+    from pitchpoint.model.components.mesh import Mesh
+    from pitchpoint.model.components.stiffness import StiffnessLaw
+    from pitchpoint.model.model import Model
+
+#: Directions in which a body can move, as columns of a 6x6 matrix (x, y, z, rx, ry, rz).
+MOVES: dict[str, tuple[int, ...]] = {
+    "fixed": (),
+    "torsion": (5,),
+    "planar": (0, 1, 5),
+    "free": (0, 1, 2, 3, 4, 5),
+}
+
+#: Inertias that a motion needs, by their keys on the body and on the gear.
+POLAR, MASS = ("inertia", "polar_inertia"), ("mass", "mass")
+TRANSVERSE = ("transverse_inertia", "transverse_inertia")
+NEEDS: dict[str, tuple[tuple[str, str], ...]] = {
+    "fixed": (),
+    "torsion": (POLAR,),
+    "planar": (POLAR, MASS),
+    "free": (POLAR, MASS, TRANSVERSE),
+}
+
+#: Keys of a scenario that only a time response reads.
+TIME_KEYS = ("sample_rate", "settle_time", "step", "method", "tolerance", "events")
+
+
+def idle_keys(model: Model) -> tuple[str, ...]:
+    """A sentence for every key without effect."""
+    return (
+        *_frictions(model),
+        *_width_integrals(model),
+        *_laws(model),
+        *_blanks(model),
+        *_inertias(model),
+        *_supports(model),
+        *_loads(model),
+        *_scenarios(model),
+    )
+
+
+def _only_spins(model: Model, mesh: Mesh) -> bool:
+    """Whether the bodies of both gears spin at most; not for gears without a body."""
+    bodies = [model.body_of(g) for g in mesh.gears]
+    return None not in bodies and {model.bodies[str(b)].motion for b in bodies} <= {"torsion", "fixed"}
+
+
+def _frictions(model: Model) -> Iterator[str]:
+    """Teeth that roll do not slide at the pitch point; what slides there is vibration and sideways motion."""
+    for name, mesh in model.meshes.items():
+        if mesh.friction is not None and mesh.friction.mu > 0.0 and mesh.stiffness.law not in OF_PAIRS:
+            yield (
+                f"meshes.{name}.friction: the law {mesh.stiffness.law} acts at the pitch point, where "
+                "rolling teeth do not slide, so friction has no effect but on vibration and sideways motion; "
+                f"{_listed(OF_PAIRS)} follow the contact along its path"
+            )
+
+
+def _width_integrals(model: Model) -> Iterator[str]:
+    """Slices that nobody asks for, and slices of what is the same across the width."""
+    for name, mesh in model.meshes.items():
+        law = mesh.stiffness.law
+        follows = law in OF_PAIRS and any(model.gears[g].is_modified for g in mesh.gears)
+        if mesh.width == "exact" and mesh.slices != defaults_of(type(mesh))["slices"] and not follows:
+            yield f"meshes.{name}.slices: has no effect with width: exact; write width: slices if it should"
+        elif mesh.width == "slices" and law not in OF_PAIRS and _only_spins(model, mesh):
+            yield (
+                f"meshes.{name}.width: slices has no effect: the law {law} spreads evenly over the width, "
+                "and the bodies only spin"
+            )
+
+
+def _laws(model: Model) -> Iterator[str]:
+    """Keys beside others that decide alone: of stiffness, contact damping and tip circles."""
+    for name, mesh in model.meshes.items():
+        law, damping = mesh.stiffness, mesh.damping
+        if isinstance(law, Din3990) and law.single_stiffness is not None and law.virtual_teeth != "iso":
+            yield (
+                f"meshes.{name}.stiffness.virtual_teeth: has no effect on the stiffness: single_stiffness "
+                "takes the place of the formula"
+            )
+        if damping is not None and damping.s_0 == 0.0 and damping.law != "linear":
+            yield f"meshes.{name}.damping.law: has no effect with s_0: 0, where the damping is there at once"
+    for name, gear in model.gears.items():
+        if gear.tip_diameter is not None and gear.tip_alteration != 0.0:
+            yield f"gears.{name}.tip_alteration: has no effect beside tip_diameter, which is taken as it is"
+
+
+def _blanks(model: Model) -> Iterator[str]:
+    """Rim and web enter the inertia, and the stiffness of DIN 3990 / ISO 6336 by the blank factor."""
+    for name, gear in model.gears.items():
+        keys = [k for k in ("rim_thickness", "web_thickness") if getattr(gear, k) is not None]
+        laws = {n: m.stiffness for n, m in model.meshes.items() if name in m.gears}
+        if not keys or not laws or model.body_of(name) is None:
+            continue
+        where = f"gears.{name}.{' and '.join(keys)}:"
+        weighs = _blank_weighs(model, name)
+        energy = [n for n, law in laws.items() if isinstance(law, Energy)]
+        if keys == ["rim_thickness"] and gear.type == "external":
+            yield f"{where} has no effect without web_thickness: a web of the face width makes a solid gear"
+        elif energy:
+            yield (
+                f"{where} no effect on the stiffness of {_listed(energy)}: the law energy takes no notice of "
+                f"them{', only the inertia does' if weighs else ''}; din3990 has a blank factor for them"
+            )
+        elif not weighs and not (gear.web_thickness is not None and any(map(_by_formula, laws.values()))):
+            yield (
+                f"{where} no effect on stiffness and motion: the stiffness of {_listed(laws)} does not "
+                "follow them, and the inertia is given"
+            )
+
+
+def _by_formula(law: StiffnessLaw) -> bool:
+    """Whether a law computes the single tooth stiffness by the standard, with its blank factor."""
+    return isinstance(law, Din3990) and law.single_stiffness is None
+
+
+def _blank_weighs(model: Model, gear: str) -> bool:
+    """Whether rim or web of a gear enter an inertia that its body needs."""
+    name = str(model.body_of(gear))
+    body, part = model.bodies[name], model.gears[gear]
+    # the outer diameter decides about a ring, where it is given
+    if part.type == "internal" and (part.rim_thickness is None or part.bore_diameter > 0.0):
+        return False
+    needed = NEEDS[body.motion]
+    if any(getattr(body, own) is None and getattr(part, of_gear) is None for own, of_gear in needed):
+        return True
+    # the centre of mass of several gears, and the part of each in the inertia about it
+    return body.motion == "free" and len(body.gears) > 1 and part.mass is None
+
+
+def _inertias(model: Model) -> Iterator[str]:
+    """Inertias of gears on bodies that give their own."""
+    for name, body in model.bodies.items():
+        for gear in body.gears:
+            for own, of_gear in (POLAR, TRANSVERSE):
+                if getattr(body, own) is not None and getattr(model.gears[gear], of_gear) is not None:
+                    yield (
+                        f"gears.{gear}.{of_gear}: has no effect on the motion beside bodies.{name}.{own}, "
+                        "which holds for the whole body"
+                    )
+
+
+def _supports(model: Model) -> Iterator[str]:
+    """Bearings and couplings that hold only what cannot move."""
+    for name, bearing in model.bearings.items():
+        motion = model.bodies[bearing.body].motion
+        if not _holds(bearing, set(MOVES[motion])):
+            yield (
+                f"bearings.{name}: has no effect and no force at any load: it holds no direction in which "
+                f"{bearing.body} (motion: {motion}) moves"
+            )
+    for name, coupling in model.couplings.items():
+        if not _holds(coupling, {k for b in coupling.bodies for k in MOVES[model.bodies[b].motion]}):
+            yield (
+                f"couplings.{name}: has no effect and no force at any load: it holds no direction in which "
+                f"{' or '.join(coupling.bodies)} moves"
+            )
+
+
+def _holds(part: Bearing | Coupling, moves: set[int]) -> bool:
+    """Whether a spring or damper feels a displacement in any of some directions."""
+    matrices = [part.stiffness.matrix6()]
+    if part.damping is not None:
+        matrices.append(part.damping.matrix6())  # a ratio damps what the stiffness holds
+    return any(row[j] != 0.0 for m in matrices for row in m for j in moves)
+
+
+def _loads(model: Model) -> Iterator[str]:
+    """Places of torques, and forces along directions in which a body cannot move."""
+    for name, load in model.loads.items():
+        motion = model.bodies[load.body].motion
+        if load.force is None:
+            if any(v != 0.0 for v in load.position):
+                yield f"loads.{name}.position: has no effect on a torque; it is the place of a force"
+            continue
+        along = load.force[2]
+        if motion in ("torsion", "planar") and not (isinstance(along, Constant) and along.value == 0.0):
+            yield (
+                f"loads.{name}.force: its part along z has no effect: {load.body} has motion: {motion} and "
+                "neither moves along its axis nor tilts"
+            )
+
+
+def _scenarios(model: Model) -> Iterator[str]:
+    """Keys of a time response in sweeps and slow rolls, and the tolerance of methods with a fixed step."""
+    for name, scenario in model.scenarios.items():
+        kind = scenario.kind
+        keys = [k for k in TIME_KEYS if getattr(scenario, k) != defaults_of(type(scenario))[k]]
+        if kind == "sweep" and scenario.speed:
+            keys.append("speed")
+        if kind != "time" and keys:
+            yield f"scenarios.{name}: {_listed(keys)} {'have' if keys[1:] else 'has'} no effect beside {kind}"
+        elif kind == "time" and "tolerance" in keys and scenario.method != "runge_kutta":
+            yield (
+                f"scenarios.{name}.tolerance: has no effect with method: {scenario.method}, which takes "
+                "equal steps; step sets them, or write method: runge_kutta"
+            )
+
+
+def _listed(names: Iterable[str]) -> str:
+    """Names in a row, the last one behind `and`."""
+    found = list(names)
+    return found[0] if len(found) == 1 else f"{', '.join(found[:-1])} and {found[-1]}"
