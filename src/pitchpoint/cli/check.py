@@ -32,11 +32,14 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
 
     Every problem of the file is listed at once, with line, value, limit and remedy; the exit code is then 2.
     """
+    from pitchpoint.cli.failure import say
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.model.remarks import warn_of_remarks
+    from pitchpoint.model.remarks import odd_shapes, warn_of_remarks
 
     model = read_model(file, allow_code, quiet)
     warn_of_remarks(model)
+    for text in odd_shapes(model):
+        say(f"warning: {text}")
     if as_json:
         emit_json(summary(model))
     elif not quiet:

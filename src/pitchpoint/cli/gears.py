@@ -53,8 +53,12 @@ def gears(file: str, target: str | None, only: str | None, as_json: bool, allow_
     elif only is not None:
         _chosen(model, only)
     if as_json:
+        from pitchpoint.cli.failure import say
+        from pitchpoint.model.remarks import odd_shapes
         from pitchpoint.report.numbers import geometry_of_model
 
+        for text in odd_shapes(model):
+            say(f"warning: {text}")
         emit_json(geometry_of_model(model))
         return
     _print_gears(model, only)

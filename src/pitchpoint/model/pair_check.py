@@ -42,6 +42,7 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
         parts.misshapen.add(name)
     if not problems:
         _check_modifications(parts.gears[name], ("gears", name, "modifications"), report)
+        _check_deviations(parts.gears[name], ("gears", name, "deviations"), report)
         _check_wheel_body(parts.gears[name], ("gears", name), report)
 
 
@@ -115,6 +116,15 @@ def _check_modifications(gear: Gear, at: Place, report: Reader) -> None:
             problems = [error.problem]
         for problem in problems:
             hand_on(report, (*at, side), problem, taint=False)
+
+
+def _check_deviations(gear: Gear, at: Place, report: Reader) -> None:
+    """Report deviations that no tooth can have."""
+    from pitchpoint.geometry.deviations import deviation_problems
+
+    if gear.deviations is not None:
+        for problem in deviation_problems(gear.deviations.of_geometry(), gear.geometry):
+            hand_on(report, at, problem, taint=False)
 
 
 def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:

@@ -93,6 +93,22 @@ def jumping_ramps(model: Model) -> tuple[str, ...]:
     return tuple(found)
 
 
+def odd_shapes(model: Model) -> tuple[str, ...]:
+    """A sentence for every tool without room for its root radius and for all that is odd about a pair."""
+    found = []
+    for name, gear in model.gears.items():
+        rack = gear.geometry.rack
+        most = rack.rho_fP_star_max(gear.geometry.alpha_n)
+        if not gear.geometry.is_internal and 0.0 <= most < rack.rho_fP_star:
+            found.append(
+                f"gears.{name}.rack.root_radius: {rack.rho_fP_star:g} modules have no room between the "
+                f"flanks of the rack (limit {most:.4g}): the teeth get the full rounding of {most:.4g}"
+            )
+    for name, pair in model.pairs.items():
+        found += [f"meshes.{problem}" for problem in pair.warnings(name, model.meshes[name].gears)]
+    return tuple(found)
+
+
 def warn_of_remarks(model: Model) -> None:
     """Issue all sentences of this module and of `idle_keys` as `ValidityWarning`."""
     for text in (*ignored_flanks(model), *negative_backlash(model), *jumping_ramps(model), *idle_keys(model)):

@@ -86,3 +86,30 @@ def test_rims_and_webs_up_to_the_size_of_the_gear() -> None:
     assert loads_model("gears:\n" + gear("a", more=keys)).gears["a"].rim_thickness == 0.04125
     ring = "type: internal, tip_diameter: 88 mm, rim_thickness: 200 mm"
     assert loads_model("gears:\n" + gear("a", more=ring)).gears["a"].rim_thickness == 0.2
+
+
+@pytest.mark.parametrize(
+    ("keys", "place"),
+    [
+        (
+            "modifications: {both: {tip_relief: {amount: 20, length: 1 mm}}}",
+            "modifications.both.tip_relief.amount",
+        ),
+        ("modifications: {left: {lead_crowning: 5}}", "modifications.left.lead_crowning"),
+        (
+            "modifications: {both: {end_relief: {amount: 9, length: 1 mm}}}",
+            "modifications.both.end_relief.amount",
+        ),
+        ("modifications: {both: {helix_slope: -8}}", "modifications.both.helix_slope"),
+        ("deviations: {runout: {amount: 30}}", "deviations.runout.amount"),
+        ("deviations: {pitch: {right: [30, -30" + 18 * ", 0" + "]}}", "deviations.pitch"),
+        (
+            "deviations: {flank_maps: [{tooth: 1, flank: left, values: [[0, 1 um], [-20, 0]]}]}",
+            r"deviations.flank_maps\[0\].values",
+        ),
+    ],
+)
+def test_forgotten_micrometres_are_seen(keys: str, place: str) -> None:
+    gear = "number_of_teeth: 20, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    with pytest.raises(ModelError, match=rf"gears\.g\.{place} \(line 2\): .*is larger than the module"):
+        loads_model(f"gears:\n  g: {{{gear}, {keys}}}\n")

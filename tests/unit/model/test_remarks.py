@@ -8,7 +8,7 @@ import pytest
 
 from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.remarks import ignored_flanks, negative_backlash
+from pitchpoint.model.remarks import ignored_flanks, negative_backlash, odd_shapes
 from pitchpoint.system.compile import compile_model
 
 RELIEF = ", modifications: {both: {tip_relief: {amount: 20 um, length: 2 mm}}}"
@@ -80,3 +80,12 @@ def test_negative_backlash_is_said_aloud(more, mesh, value, remedy):
 )
 def test_no_backlash_is_no_negative_backlash(more, mesh):
     assert negative_backlash(loads_model(PAIR.format(more=more, mesh=mesh))) == ()
+
+
+def test_odd_shapes_are_told_with_the_gear_and_the_mesh():
+    tool = ", rack: {addendum: 1, dedendum: 1.25, root_radius: 0.6}"
+    radius, gap = odd_shapes(loads_model(PAIR.format(more=tool, mesh="center_distance: 125.5 mm")))
+    assert radius.startswith("gears.b.rack.root_radius: 0.6 modules have no room between the flanks")
+    assert "(limit 0.4719)" in radius
+    assert gap.startswith("meshes.s.gears: total contact ratio 0.")
+    assert odd_shapes(loads_model(PAIR.format(more="", mesh="center_distance: 120 mm"))) == ()

@@ -92,8 +92,18 @@ class Mesh:
         Backlash, "total gap at center_distance, instead of the one of the geometry"
     )
     stiffness: StiffnessLaw = key("variant", "mesh stiffness", Din3990(), of=LAWS, display="law: din3990")
-    width: str = choice(("exact", "slices"), "how the face width is integrated", "exact")
-    slices: int = integer("number of slices when width is 'slices'", 11, minimum=1, maximum=1001)
+    width: str = choice(
+        ("exact", "slices"),
+        "how the face width is integrated; flanks with modifications, deviations or profiles of their own "
+        "are always cut into slices",
+        "exact",
+    )
+    slices: int = integer(
+        "number of slices when width is 'slices' or flanks have a shape of their own",
+        11,
+        minimum=1,
+        maximum=1001,
+    )
     damping: ContactDamping | None = component(ContactDamping, "damping of touching flanks")
     damper: Damper | None = component(Damper, "damper that also acts inside the gap")
     friction: Friction | None = component(Friction, "sliding friction of the flanks")
