@@ -106,3 +106,73 @@ def test_loads_over_angle_and_speed(load, speed):
     system = compiled(text)[1]
     state = shaken(system, np.random.default_rng(4), speed)
     compare(system, state, 1e-7)
+
+def gears(kind, beta, motion, losses, law):
+    """A pair with faces of different width and all its freedoms, on bearings that stay out of the way."""
+    helix = [f", helix_angle: {beta} deg, hand: {h}" if beta else "" for h in ("right", "left", "right")]
+    internal = kind == "internal"
+    size = "motion: free, mass: 3, inertia: 0.01, transverse_inertia: 0.02"
+    other = size if motion == "free" else f"motion: {motion}, mass: 3, inertia: 0.01"
+    z2, inner = (70, ", type: internal" + helix[2]) if internal else (45, helix[1])
+    return (
+        "gears:\n"
+        f"  g1: {{number_of_teeth: 23, normal_module: 3 mm, face_width: 25 mm, "
+        f"profile_shift_coefficient: 0{helix[0]}}}\n"
+        f"  g2: {{number_of_teeth: {z2}, normal_module: 3 mm, face_width: 20 mm, "
+        f"profile_shift_coefficient: 0{inner}}}\n"
+        f"bodies:\n  a: {{gears: {{g1: 20 mm}}, {size}, position: [0, 0, 0]}}\n"
+        f"  b: {{gears: {{g2: -10 mm}}, {other}}}\n"
+        "meshes:\n  m: {gears: [g1, g2], direction: 40 deg, backlash: {base_tangent: 50 um}, "
+        f"stiffness: {{{law}}}{losses}}}\n"
+    )
+
+
+LOSSES = {
+    "elastic": "",
+    "damper": ", damper: {value: 5e4}",
+    "damping": ", damping: {d_in: 5e4, d_out: 5e4, s_0: 0}",
+    "ramp": ", damping: {d_in: 5e4, d_out: 5e4, s_0: 100 um}",
+}
+
+
+def pressed(system, rng, speed, flank, tilt):
+    """Rolling gears at 30 um of penetration on one flank, shaken in all other directions."""
+    state = shaken(system, rng, speed, tilt, 3e-6)
+    r1, r2 = (float(system.records["gear_mesh"][0][k]) for k in ("r_b1", "r_b2"))
+    one, two = system.spin("a"), system.spin("b")
+    state.v *= 0.1  # not so fast that damped flanks let go
+    state.v[one] *= 10.0
+    state.v[two] = -state.v[one] * r1 / r2
+    for _ in range(3):
+        values = evaluate.observe(system, state)
+        gap = float(system.records["gear_mesh"][0]["gap"])
+        aim = flank * (0.5 * gap + 3e-5) - float(values[system.layout.channel("deflection[m]")])
+        state.q[one] += aim / r1
+    return state
+
+
+@pytest.mark.parametrize("losses", LOSSES)
+@pytest.mark.parametrize("flank", [1, -1])
+@pytest.mark.parametrize(
+    ("kind", "beta", "motion"),
+    [
+        ("external", 0, "free"),
+        ("external", 20, "free"),
+        ("internal", 0, "free"),
+        ("internal", 20, "free"),
+        ("external", 20, "planar"),
+        ("internal", 20, "torsion"),
+    ],
+)
+def test_meshes(kind, beta, motion, flank, losses):
+    """A constant stiffness has no phase, so the exact matrices are the whole derivative."""
+    text = gears(kind, beta, motion, LOSSES[losses], "law: constant, value: 3e8")
+    system = compiled(text)[1]
+    for speed in (0.0, 100.0, -1500.0):
+        rng = np.random.default_rng(7)
+        state = pressed(system, rng, speed, flank, 1e-4)
+        if speed == 0.0:
+            state.v[:] = 0.0
+        values = evaluate.observe(system, state)
+        assert values[system.layout.channel("contact_state[m]")] == flank
+        compare(system, state, 1e-8)
