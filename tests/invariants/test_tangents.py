@@ -107,6 +107,7 @@ def test_loads_over_angle_and_speed(load, speed):
     state = shaken(system, np.random.default_rng(4), speed)
     compare(system, state, 1e-7)
 
+
 def gears(kind, beta, motion, losses, law):
     """A pair with faces of different width and all its freedoms, on bearings that stay out of the way."""
     helix = [f", helix_angle: {beta} deg, hand: {h}" if beta else "" for h in ("right", "left", "right")]
@@ -176,3 +177,19 @@ def test_meshes(kind, beta, motion, flank, losses):
         values = evaluate.observe(system, state)
         assert values[system.layout.channel("contact_state[m]")] == flank
         compare(system, state, 1e-8)
+
+
+@pytest.mark.parametrize("kind", ["external", "internal"])
+@pytest.mark.parametrize("width", ["exact", "slices"])
+@pytest.mark.parametrize("flank", [1, -1])
+def test_flanks_at_a_phase_have_a_potential(kind, width, flank):
+    """At rest, at frozen phase, the forces of tilted flanks are conservative: K is symmetric."""
+    law = f"law: din3990, stiffness_ratio: 0.7, tip_relief_factor: 0.4}}, width: {{law: {width}"
+    if width == "exact":
+        law = law.partition("}, width")[0]
+    text = gears(kind, 20, "free", "", law).replace("width: {law: slices}", "width: slices")
+    system = compiled(text)[1]
+    state = pressed(system, np.random.default_rng(3), 0.0, flank, 1e-4)
+    state.v[:] = 0.0
+    K = scaled(evaluate.linearize(system, state)[2], system)
+    assert np.abs(K - K.T).max() < 1e-10 * np.abs(K).max()
