@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Modes about an operating point: frequencies, damping, shapes, energies, names.
 
-M x'' + D x' + K x = 0 with the derivatives of the residual at the loaded state, exact but for the phase of the
-meshes, which is held: they count with the mean of their stiffness over the mesh cycle, or with the value at
-one phase. Undamped modes are those at rest, with the symmetric part of K; damped ones carry dampers, the
+M x'' + D x' + K x = 0 with the derivatives of the residual at the loaded state, exact but for the phase of
+the meshes, which is held: they count with the mean of their stiffness over the mesh cycle, or with the value
+at one phase. Undamped modes are those at rest, with the symmetric part of K; damped ones carry dampers, the
 gyroscopic terms of the speeds and the whole K. A torque that follows its tilting body makes K unsymmetric
 and can feed energy into modes that nothing damps. Friction of the flanks is left out of both. Rayleigh and
 modal damping are made at the phase where the scenario starts.
