@@ -96,6 +96,7 @@ LOADS = {
 }
 
 
+@pytest.mark.nojit
 @pytest.mark.parametrize("load", LOADS)
 @pytest.mark.parametrize("speed", [100.0, 1500.0])
 def test_loads_over_angle_and_speed(load, speed):

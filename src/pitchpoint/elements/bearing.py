@@ -193,64 +193,73 @@ def _axis(f):
 
 
 @kernel
-def _change(b, f, g, side, c):
-    """How things change with translation (c < 3) or turn of body i (`side` 0) or j (1), at constant twists.
+def _arms(b, f, g):
+    """Marker i from the origin of body i, from that of body j, and from marker j."""
+    own = _times(b["zi"], _axis(f))
+    arm = _add(_add(_vector(f["r"], 0), own), _times(-1.0, _vector(g["r"], 0)))
+    return own, arm, _add(arm, _times(-b["zj"], _axis(g)))
 
-    Into columns of the scratch C: 0 the displacement u, 1 its rate P_i tw_i + P_j tw_j, 2 the wrench of body
-    i at constant spring forces p, 3 that of body j. Axes of W turn with the frame of body j, which does not
-    spin. Rates of the axes w_k are w_k . (relative velocity at marker i), those of the couples their axes e_k
-    times the relative angular velocity.
+
+@kernel
+def _moves(b, f, g, side, c):
+    """Change of twist, turn of W, change of axis i and of the three arms with one motion of one body.
+
+    Motion c of body i (`side` 0) or j (1) is a translation (c < 3) or a turn. W turns with the frame of body
+    j, which does not spin.
     """
-    n = _axis(f)
-    nj = _axis(g)
     shift = _unit(c)
     turn = _unit(c - 3)
-    own = _times(b["zi"], n)
-    arm = _add(_add(_vector(f["r"], 0), own), _times(-1.0, _vector(g["r"], 0)))
-    dn = (0.0, 0.0, 0.0)
-    d_own = (0.0, 0.0, 0.0)
-    dnj = (0.0, 0.0, 0.0)
-    frame = (0.0, 0.0, 0.0)  # turn of W
     if side == 0:
-        twist = _dot(f["axle"], turn)
-        dn = _cross(turn, n)
+        dn = _cross(turn, _axis(f))
         d_own = _times(b["zi"], dn)
         d_arm = _add(shift, d_own)
-    else:
-        twist = -_dot(g["axle"], turn)
-        frame = _add(turn, _times(twist, nj))
-        dnj = _cross(turn, nj)
-        d_arm = _times(-1.0, shift)
-    vi = _vector(f["tw"], 0)
-    vj = _vector(g["tw"], 0)
+        return _dot(f["axle"], turn), _unit(3), dn, d_own, d_arm, d_arm
+    twist = -_dot(g["axle"], turn)
+    frame = _add(turn, _times(twist, _axis(g)))
+    d_arm = _times(-1.0, shift)
+    d_gap = _add(d_arm, _times(-b["zj"], _cross(turn, _axis(g))))
+    return twist, frame, _unit(3), _unit(3), d_arm, d_gap
+
+
+@kernel
+def _turned_axis(b, n, frame, dn, k):
+    """Change of the axis of moment k: w_y x n, n x w_x or n."""
+    if k == 2:
+        return dn
+    w = _vector(b["Pi"][1 - k], 0)
+    de = _add(_cross(_cross(frame, w), n), _cross(w, dn))
+    return de if k == 0 else _times(-1.0, de)
+
+
+@kernel
+def _change(b, f, g, side, c):
+    """What changes with motion c of one body at constant twists, into columns of the scratch C.
+
+    0 the displacement u, 1 its rate P_i tw_i + P_j tw_j, 2 the wrench of body i at constant spring forces p,
+    3 that of body j.
+    """
+    n = _axis(f)
+    own, arm, gap = _arms(b, f, g)
+    twist, frame, dn, d_own, d_arm, d_gap = _moves(b, f, g, side, c)
     oi = _vector(f["tw"], 3)
     oj = _vector(g["tw"], 3)
     across = _add(oi, _times(-1.0, oj))
-    gap = _add(arm, _times(-b["zj"], nj))
-    d_gap = _add(d_arm, _times(-b["zj"], dnj))
-    force = (0.0, 0.0, 0.0)
-    couple = (0.0, 0.0, 0.0)
+    force = _unit(3)
+    couple = _unit(3)
     T = b["C"]
-    p = b["f"]
     for k in range(3):
         w = _vector(b["Pi"][k], 0)
         dw = _cross(frame, w)
         T[k, 0] = _dot(dw, gap) + _dot(w, d_gap)
-        mi = _add(_cross(d_own, w), _cross(own, dw))
-        mj = _add(_cross(d_arm, w), _cross(arm, dw))
-        T[k, 1] = _dot(dw, vi) + _dot(mi, oi) - _dot(dw, vj) - _dot(mj, oj)
-        de = dn  # axis of the turn that counts: w_y x n, n x w_x, n
-        if k == 0:
-            y = _vector(b["Pi"][1], 0)
-            de = _add(_cross(_cross(frame, y), n), _cross(y, dn))
-            T[3, 0] = -_dot(dn, y) - _dot(n, _cross(frame, y))
-        elif k == 1:
-            x = _vector(b["Pi"][0], 0)
-            de = _add(_cross(dn, x), _cross(n, _cross(frame, x)))
-            T[4, 0] = _dot(dn, x) + _dot(n, _cross(frame, x))
+        T[k, 1] = _dot(dw, _vector(f["tw"], 0)) + _dot(_add(_cross(d_own, w), _cross(own, dw)), oi)
+        T[k, 1] -= _dot(dw, _vector(g["tw"], 0)) + _dot(_add(_cross(d_arm, w), _cross(arm, dw)), oj)
+        de = _turned_axis(b, n, frame, dn, k)
         T[3 + k, 1] = _dot(de, across)
-        force = _add(force, _times(p[k], w))
-        couple = _add(couple, _times(p[3 + k], de))
+        force = _add(force, _times(b["f"][k], w))
+        couple = _add(couple, _times(b["f"][3 + k], de))
+        if k < 2:  # u_3 = -n . w_y, u_4 = n . w_x
+            s = _dot(dn, w) + _dot(n, dw)
+            T[4 - k, 0] = s if k == 0 else -s
     T[5, 0] = twist
     df = _cross(frame, force)
     mi = _add(couple, _add(_cross(d_own, force), _cross(own, df)))
