@@ -177,8 +177,26 @@ def _times(s, a):
 
 
 @kernel
-def _vector(a, first):
-    return a[first], a[first + 1], a[first + 2]
+def _origin(f):
+    return f["r"][0], f["r"][1], f["r"][2]
+
+
+@kernel
+def _twist(f, first):
+    """Velocity of the origin (`first` 0) or angular velocity (3)."""
+    return f["tw"][first], f["tw"][first + 1], f["tw"][first + 2]
+
+
+@kernel
+def _along(b, k):
+    """Axis k of W, as `_kinematics` has left it in Pi."""
+    return b["Pi"][k, 0], b["Pi"][k, 1], b["Pi"][k, 2]
+
+
+@kernel
+def _spun(f, turn):
+    """Change of the spin with a turn of the body."""
+    return f["axle"][0] * turn[0] + f["axle"][1] * turn[1] + f["axle"][2] * turn[2]
 
 
 @kernel
@@ -196,7 +214,7 @@ def _axis(f):
 def _arms(b, f, g):
     """Marker i from the origin of body i, from that of body j, and from marker j."""
     own = _times(b["zi"], _axis(f))
-    arm = _add(_add(_vector(f["r"], 0), own), _times(-1.0, _vector(g["r"], 0)))
+    arm = _add(_add(_origin(f), own), _times(-1.0, _origin(g)))
     return own, arm, _add(arm, _times(-b["zj"], _axis(g)))
 
 
@@ -213,8 +231,8 @@ def _moves(b, f, g, side, c):
         dn = _cross(turn, _axis(f))
         d_own = _times(b["zi"], dn)
         d_arm = _add(shift, d_own)
-        return _dot(f["axle"], turn), _unit(3), dn, d_own, d_arm, d_arm
-    twist = -_dot(g["axle"], turn)
+        return _spun(f, turn), _unit(3), dn, d_own, d_arm, d_arm
+    twist = -_spun(g, turn)
     frame = _add(turn, _times(twist, _axis(g)))
     d_arm = _times(-1.0, shift)
     d_gap = _add(d_arm, _times(-b["zj"], _cross(turn, _axis(g))))
@@ -226,7 +244,7 @@ def _turned_axis(b, n, frame, dn, k):
     """Change of the axis of moment k: w_y x n, n x w_x or n."""
     if k == 2:
         return dn
-    w = _vector(b["Pi"][1 - k], 0)
+    w = _along(b, 1 - k)
     de = _add(_cross(_cross(frame, w), n), _cross(w, dn))
     return de if k == 0 else _times(-1.0, de)
 
@@ -241,18 +259,18 @@ def _change(b, f, g, side, c):
     n = _axis(f)
     own, arm, gap = _arms(b, f, g)
     twist, frame, dn, d_own, d_arm, d_gap = _moves(b, f, g, side, c)
-    oi = _vector(f["tw"], 3)
-    oj = _vector(g["tw"], 3)
+    oi = _twist(f, 3)
+    oj = _twist(g, 3)
     across = _add(oi, _times(-1.0, oj))
     force = _unit(3)
     couple = _unit(3)
     T = b["C"]
     for k in range(3):
-        w = _vector(b["Pi"][k], 0)
+        w = _along(b, k)
         dw = _cross(frame, w)
         T[k, 0] = _dot(dw, gap) + _dot(w, d_gap)
-        T[k, 1] = _dot(dw, _vector(f["tw"], 0)) + _dot(_add(_cross(d_own, w), _cross(own, dw)), oi)
-        T[k, 1] -= _dot(dw, _vector(g["tw"], 0)) + _dot(_add(_cross(d_arm, w), _cross(arm, dw)), oj)
+        T[k, 1] = _dot(dw, _twist(f, 0)) + _dot(_add(_cross(d_own, w), _cross(own, dw)), oi)
+        T[k, 1] -= _dot(dw, _twist(g, 0)) + _dot(_add(_cross(d_arm, w), _cross(arm, dw)), oj)
         de = _turned_axis(b, n, frame, dn, k)
         T[3 + k, 1] = _dot(de, across)
         force = _add(force, _times(b["f"][k], w))
