@@ -8,9 +8,12 @@ The wrench on body i is the conjugate one, that on body j its exact opposite; fo
 works with the twist between the bodies, so between two spinning bodies it rotates with them.
 
 The twist is conjugate to first order in the tilt; everything else is exact for any tilt when j is ground.
-Between two bodies, the exact tangent leaves out the turn of a preload. They must be coaxial as assembled, or
-joined by torsion alone: u knows no spin but the twist, so a force between two axes would do work that no
-spring gives. `model/support_check.py` refuses such a coupling.
+Two bodies must be coaxial as assembled, or joined by torsion alone: u knows no spin but the twist, so a force
+between two axes would do work that no spring gives. `model/support_check.py` refuses such a coupling.
+
+Integrators get P^T (K, D) P. The exact tangent is the whole derivative of the wrenches: the axes of W, the
+markers and the axes of the moments move with the bodies, under spring forces and under the rates of spinning
+dampers.
 """
 
 from __future__ import annotations
@@ -154,108 +157,163 @@ def _tangent(b, kk, ck, cd):
 
 
 @kernel
-def _geometric(b, f, k, ck):
-    """Change of the wrench of body i with the direction of its own axis, at constant forces (j ground)."""
-    n0 = f["R"][0, 2]
-    n1 = f["R"][1, 2]
-    n2 = f["R"][2, 2]
-    p = b["f"]
-    P = b["Pj"]  # rows 0..2 hold minus the axes of W
-    s = b["zi"]
-    # M = s n x F + f3 w_y x n - f4 w_x x n + f5 n = n x m0 + f5 n
-    m0 = 0.0
-    m1 = 0.0
-    m2 = 0.0
-    for h in range(3):
-        m0 -= s * p[h] * P[h, 0]
-        m1 -= s * p[h] * P[h, 1]
-        m2 -= s * p[h] * P[h, 2]
-    m0 += p[3] * P[1, 0] - p[4] * P[0, 0]
-    m1 += p[3] * P[1, 1] - p[4] * P[0, 1]
-    m2 += p[3] * P[1, 2] - p[4] * P[0, 2]
-    for c in range(3):
-        x = 1.0 if c == 0 else 0.0
-        y = 1.0 if c == 1 else 0.0
-        z = 1.0 if c == 2 else 0.0
-        h0 = y * n2 - z * n1  # change of n
-        h1 = z * n0 - x * n2
-        h2 = x * n1 - y * n0
-        k[3, 3 + c] -= ck * (h1 * m2 - h2 * m1 + p[5] * h0)
-        k[4, 3 + c] -= ck * (h2 * m0 - h0 * m2 + p[5] * h1)
-        k[5, 3 + c] -= ck * (h0 * m1 - h1 * m0 + p[5] * h2)
+def _cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 @kernel
-def _damping_geometric(b, f, k, ck):
-    """Change of the damping force with the axis at constant twist: P^T D (dP/dn) twist (j ground)."""
-    n0 = f["R"][0, 2]
-    n1 = f["R"][1, 2]
-    n2 = f["R"][2, 2]
-    w0 = f["tw"][3]
-    w1 = f["tw"][4]
-    w2 = f["tw"][5]
-    P = b["Pj"]
-    D = b["D"]
-    s = b["zi"]
-    for c in range(3):
-        x = 1.0 if c == 0 else 0.0
-        y = 1.0 if c == 1 else 0.0
-        z = 1.0 if c == 2 else 0.0
-        h0 = y * n2 - z * n1
-        h1 = z * n0 - x * n2
-        h2 = x * n1 - y * n0
-        g0 = w1 * h2 - w2 * h1  # omega x change of n
-        g1 = w2 * h0 - w0 * h2
-        g2 = w0 * h1 - w1 * h0
-        for r in range(6):
-            q = 0.0
-            for a in range(6):
-                if a < 3:
-                    d = -s * (P[a, 0] * g0 + P[a, 1] * g1 + P[a, 2] * g2)
-                elif a == 3:
-                    d = P[1, 0] * g0 + P[1, 1] * g1 + P[1, 2] * g2
-                elif a == 4:
-                    d = -(P[0, 0] * g0 + P[0, 1] * g1 + P[0, 2] * g2)
-                else:
-                    d = w0 * h0 + w1 * h1 + w2 * h2
-                for e in range(6):
-                    q += b["Pi"][e, r] * D[e, a] * d
-            k[r, 3 + c] += ck * q
+def _dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 @kernel
-def _rotating_damping(b, f, g, kk, ck):
-    """Damper that turns with a spinning body j: its rate w_a.(omega_j x arm) makes circulatory stiffness."""
-    o = g["tw"]
-    P = b["Pi"]
-    D = b["D"]
-    s = b["zi"]
-    for a in range(3):
-        g0 = o[4] * P[a, 2] - o[5] * P[a, 1]  # omega_j x w_a
-        g1 = o[5] * P[a, 0] - o[3] * P[a, 2]
-        g2 = o[3] * P[a, 1] - o[4] * P[a, 0]
-        h0 = s * (f["R"][1, 2] * g2 - f["R"][2, 2] * g1)  # arm of marker i x that
-        h1 = s * (f["R"][2, 2] * g0 - f["R"][0, 2] * g2)
-        h2 = s * (f["R"][0, 2] * g1 - f["R"][1, 2] * g0)
-        for r in range(6):
-            x = 0.0
-            y = 0.0
-            for e in range(6):
-                x += ck * P[e, r] * D[e, a]
-                y += ck * b["Pj"][e, r] * D[e, a]
-            for side in range(2):
-                w = x if side == 0 else y
-                left = kk[b["ii"]] if side == 0 else kk[b["ji"]]
-                right = kk[b["ij"]] if side == 0 else kk[b["jj"]]
-                left[r, 0] += w * g0
-                left[r, 1] += w * g1
-                left[r, 2] += w * g2
-                left[r, 3] += w * h0
-                left[r, 4] += w * h1
-                left[r, 5] += w * h2
-                right[r, 0] -= w * g0
-                right[r, 1] -= w * g1
-                right[r, 2] -= w * g2
+def _add(a, b):
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+@kernel
+def _times(s, a):
+    return s * a[0], s * a[1], s * a[2]
+
+
+@kernel
+def _origin(f):
+    return f["r"][0], f["r"][1], f["r"][2]
+
+
+@kernel
+def _twist(f, first):
+    """Velocity of the origin (`first` 0) or angular velocity (3)."""
+    return f["tw"][first], f["tw"][first + 1], f["tw"][first + 2]
+
+
+@kernel
+def _along(b, k):
+    """Axis k of W, as `_kinematics` has left it in Pi."""
+    return b["Pi"][k, 0], b["Pi"][k, 1], b["Pi"][k, 2]
+
+
+@kernel
+def _spun(f, turn):
+    """Change of the spin with a turn of the body."""
+    return f["axle"][0] * turn[0] + f["axle"][1] * turn[1] + f["axle"][2] * turn[2]
+
+
+@kernel
+def _unit(c):
+    """Unit vector of column c of three; zero beyond."""
+    return 1.0 if c == 0 else 0.0, 1.0 if c == 1 else 0.0, 1.0 if c == 2 else 0.0
+
+
+@kernel
+def _axis(f):
+    return f["R"][0, 2], f["R"][1, 2], f["R"][2, 2]
+
+
+@kernel
+def _arms(b, f, g):
+    """Marker i from the origin of body i, from that of body j, and from marker j."""
+    own = _times(b["zi"], _axis(f))
+    arm = _add(_add(_origin(f), own), _times(-1.0, _origin(g)))
+    return own, arm, _add(arm, _times(-b["zj"], _axis(g)))
+
+
+@kernel
+def _moves(b, f, g, side, c):
+    """Change of twist, turn of W, change of axis i and of the three arms with one motion of one body.
+
+    Motion c of body i (`side` 0) or j (1) is a translation (c < 3) or a turn. W turns with the frame of body
+    j, which does not spin.
+    """
+    shift = _unit(c)
+    turn = _unit(c - 3)
+    if side == 0:
+        dn = _cross(turn, _axis(f))
+        d_own = _times(b["zi"], dn)
+        d_arm = _add(shift, d_own)
+        return _spun(f, turn), _unit(3), dn, d_own, d_arm, d_arm
+    twist = -_spun(g, turn)
+    frame = _add(turn, _times(twist, _axis(g)))
+    d_arm = _times(-1.0, shift)
+    d_gap = _add(d_arm, _times(-b["zj"], _cross(turn, _axis(g))))
+    return twist, frame, _unit(3), _unit(3), d_arm, d_gap
+
+
+@kernel
+def _turned_axis(b, n, frame, dn, k):
+    """Change of the axis of moment k: w_y x n, n x w_x or n."""
+    if k == 2:
+        return dn
+    w = _along(b, 1 - k)
+    de = _add(_cross(_cross(frame, w), n), _cross(w, dn))
+    return de if k == 0 else _times(-1.0, de)
+
+
+@kernel
+def _change(b, f, g, side, c):
+    """What changes with motion c of one body at constant twists, into columns of the scratch C.
+
+    0 the displacement u, 1 its rate P_i tw_i + P_j tw_j, 2 the wrench of body i at constant spring forces p,
+    3 that of body j.
+    """
+    n = _axis(f)
+    own, arm, gap = _arms(b, f, g)
+    twist, frame, dn, d_own, d_arm, d_gap = _moves(b, f, g, side, c)
+    oi = _twist(f, 3)
+    oj = _twist(g, 3)
+    across = _add(oi, _times(-1.0, oj))
+    force = _unit(3)
+    couple = _unit(3)
+    T = b["C"]
+    for k in range(3):
+        w = _along(b, k)
+        dw = _cross(frame, w)
+        T[k, 0] = _dot(dw, gap) + _dot(w, d_gap)
+        T[k, 1] = _dot(dw, _twist(f, 0)) + _dot(_add(_cross(d_own, w), _cross(own, dw)), oi)
+        T[k, 1] -= _dot(dw, _twist(g, 0)) + _dot(_add(_cross(d_arm, w), _cross(arm, dw)), oj)
+        de = _turned_axis(b, n, frame, dn, k)
+        T[3 + k, 1] = _dot(de, across)
+        force = _add(force, _times(b["f"][k], w))
+        couple = _add(couple, _times(b["f"][3 + k], de))
+        if k < 2:  # u_3 = -n . w_y, u_4 = n . w_x
+            s = _dot(dn, w) + _dot(n, dw)
+            T[4 - k, 0] = s if k == 0 else -s
+    T[5, 0] = twist
+    df = _cross(frame, force)
+    mi = _add(couple, _add(_cross(d_own, force), _cross(own, df)))
+    mj = _add(couple, _add(_cross(d_arm, force), _cross(arm, df)))
+    for r in range(3):
+        T[r, 2] = df[r]
+        T[3 + r, 2] = mi[r]
+        T[r, 3] = -df[r]
+        T[3 + r, 3] = -mj[r]
+
+
+@kernel
+def _exact(b, f, g, kk, ck):
+    """Add ck times the whole derivative of both wrenches by the places of both bodies, at constant twists."""
+    T = b["C"]
+    for side in range(2):
+        if side == 1 and b["j"] == 0:
+            break
+        ki = kk[b["ii"]] if side == 0 else kk[b["ij"]]
+        kj = kk[b["ji"]] if side == 0 else kk[b["jj"]]
+        for c in range(6):
+            _change(b, f, g, side, c)
+            for r in range(6):
+                s = 0.0
+                for h in range(6):
+                    s += b["K"][r, h] * T[h, 0] + b["D"][r, h] * T[h, 1]
+                T[r, 4] = s
+            for r in range(6):
+                s = -T[r, 2]
+                e = -T[r, 3]
+                for h in range(6):
+                    s += b["Pi"][h, r] * T[h, 4]
+                    e += b["Pj"][h, r] * T[h, 4]
+                ki[r, c] += ck * s
+                if b["j"] != 0:
+                    kj[r, c] += ck * e
 
 
 @kernel
@@ -289,13 +347,12 @@ def bearing(rec, ctl, fr, kk):
                 d += b["Pj"][h, r] * u[h]
             f["F"][r] += s
             g["F"][r] += d
-        if c["jac"] != 0:
+        if c["jac"] == 2:
+            _tangent(b, kk, 0.0, c["cd"])
+            if c["ck"] != 0.0:
+                _exact(b, f, g, kk, c["ck"])
+        elif c["jac"] != 0:
             _tangent(b, kk, c["ck"], c["cd"])
-            if c["jac"] == 2 and b["j"] == 0 and c["ck"] != 0.0:
-                _geometric(b, f, kk[b["ii"]], c["ck"])
-                _damping_geometric(b, f, kk[b["ii"]], c["ck"])
-            elif c["jac"] == 2 and c["ck"] != 0.0:
-                _rotating_damping(b, f, g, kk, c["ck"])
         if c["out"] != 0:
             out = observations(ctl)
             for r in range(6):

@@ -6,9 +6,9 @@ lines, this file turns the sums into wrenches, tangents and observations. Forces
 transverse plane of each flank plus their axial share: N_f = n_f - f tan(beta_b) m per unit of base-tangent
 force.
 
-Tangents hold at frozen mesh phase and frozen line of action: what the Newton iteration, static equilibrium
-and modes about an operating point need. The change of the stiffness with the phase shows up as parametric
-power.
+Tangents hold at frozen mesh phase and frozen line of action: what the Newton iteration and static equilibrium
+need. Exact ones, for modes about an operating point, follow the line of action too (`mesh_turning`). The
+change of the stiffness with the phase shows up as parametric power.
 """
 
 from __future__ import annotations
@@ -39,6 +39,7 @@ from pitchpoint.elements.mesh_line import (
 )
 from pitchpoint.elements.mesh_motion import motion, spin_motion
 from pitchpoint.elements.mesh_nodes import phase_flank, profile_flank
+from pitchpoint.elements.mesh_turning import add_turning, add_turning_damper
 from pitchpoint.elements.mesh_wrench import (
     add_spin_tangent,
     add_spin_torque,
@@ -139,6 +140,19 @@ def _sum(b, ctl, watch, x_0):
         b["growth"] = (b["hi_rate"] - b["lo_rate"]) / (b["z_hi"] - b["z_lo"])
         profile_flank(b, ctl, watch, x_0)
     return OK
+
+
+@kernel
+def _turning(b, c, f, g, kk, flank, x_0):
+    """Exact tangents: add what turns with the line of action; the flank is summed again for its damping."""
+    ck = c["ck"]
+    cd = c["cd"]
+    c["ck"] = 0.0
+    c["cd"] = 1.0
+    _flank(b, c, f, g, flank, x_0, 0, 0.0)
+    c["ck"] = ck
+    c["cd"] = cd
+    add_turning(b, f, g, kk, ck, flank)
 
 
 @kernel
@@ -250,6 +264,7 @@ def _one_mesh(b, ctl, fr, kk):
     front = 0.0
     back = 0.0
     tangent = 0.0
+    exact = c["jac"] == 2 and c["ck"] != 0.0 and b["fixed"] == 0
     if b["eps"] > 0.0 and b["z_hi"] > b["z_lo"]:
         for flank in (1, -1):
             x_0 = flank * x - 0.5 * b["gap"]
@@ -270,6 +285,8 @@ def _one_mesh(b, ctl, fr, kk):
                 add_wrench(b, f, g)
                 if c["jac"] != 0:
                     add_tangent(b, kk)
+                    if exact:
+                        _turning(b, c, f, g, kk, flank, x_0)
             if watch:
                 _write_flank(b, observations(ctl), flank)
     damper = 0.0
@@ -280,6 +297,8 @@ def _one_mesh(b, ctl, fr, kk):
             tangent += c["cd"] * b["d_gap"]
         else:
             damper, u_rate = mesh_damper(b, c, f, g, kk)
+            if exact:
+                add_turning_damper(b, f, g, kk, c["ck"], damper)
     if spins == 1:
         add_spin_torque(b, f, g, force)
         if c["jac"] != 0:

@@ -162,6 +162,8 @@ _SCRATCH = [
     ("acc", "f8", N_ACC),
     ("basis_i", "f8", (5, 6)),
     ("basis_j", "f8", (5, 6)),  # wrench basis on both bodies: 1, y of the normal force; 1, z, xi of friction
+    ("moved", "f8", (2, 12)),  # exact tangents: change of its first rows with one motion of one body
+    ("slope", "f8", (2, 12)),  # and of the normal rates with each motion of both bodies
 ]
 
 RECORD = np.dtype(

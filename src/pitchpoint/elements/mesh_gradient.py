@@ -121,3 +121,10 @@ def travel_direction(b, f, g):
     """Row 0 of the wrench basis: -du, the axial part included."""
     _no_axes(b)
     gradient(b, f, g, 0, -1.0, 0.0, -b["tan_b"])
+
+
+@kernel
+def offset_direction(b, f, g):
+    """Row 2 of the wrench basis: d(dz), the axial offset of the gears."""
+    _no_axes(b)
+    gradient(b, f, g, 2, 0.0, 0.0, 1.0)

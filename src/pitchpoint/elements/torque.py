@@ -48,6 +48,14 @@ def _tangent(f, k, s, torque, by_angle, by_speed, ck, cd):
     k[5, 4] -= t * n0
 
 
+@kernel
+def _spin_alone(f, k, s):
+    """Correct s times the slope over the angle: of a tilted body not every turn about its axis is spin."""
+    for r in range(3):
+        for a in range(3):
+            k[3 + r, 3 + a] += s * f["R"][r, 2] * (f["axle"][a] - f["R"][a, 2])
+
+
 @kernel(inline=True)
 def torque(rec, ctl, fr, kk):
     """Torques, tangents and observations of all loads."""
@@ -74,6 +82,10 @@ def torque(rec, ctl, fr, kk):
             _tangent(f, kk[b["ii"]], -1.0, value, by_angle, by_speed, c["ck"], c["cd"])
             if b["j"] != 0:
                 _tangent(f, kk[b["ji"]], 1.0, value, by_angle, by_speed, c["ck"], c["cd"])
+            if c["jac"] == 2 and by_angle != 0.0:
+                _spin_alone(f, kk[b["ii"]], -c["ck"] * by_angle)
+                if b["j"] != 0:
+                    _spin_alone(f, kk[b["ji"]], c["ck"] * by_angle)
         if c["out"] != 0:
             observations(ctl)[b["out"]] = value
     return OK

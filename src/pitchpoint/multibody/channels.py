@@ -70,6 +70,7 @@ FRAME = np.dtype(
         ("phi", "f8"),  # spin about the third axis, remainder in (-pi, pi] [rad]
         ("spin", "f8"),  # time derivative of phi [rad/s]
         ("turns", "i8"),  # whole turns: the spin is phi + 2 pi turns
+        ("axle", "f8", 3),  # with jac 2 only: a small turn w of the body [rad] changes phi by axle . w
     ],
     align=True,
 )

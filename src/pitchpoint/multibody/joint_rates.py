@@ -3,8 +3,30 @@
 
 from __future__ import annotations
 
+import math
+
 from pitchpoint.core.kernel import kernel
 from pitchpoint.multibody.joints import FREE
+
+
+@kernel
+def axles(body, fr, q):
+    """Write the vector of every body whose product with a small turn is the change of the spin.
+
+    It is the spin axis, unless the body is tilted about its second axis: the joint's first axis w1 then has a
+    share along the spin axis, and w1 x w2 / cos(beta) is the vector that stands on both tilt axes.
+    """
+    for b in range(1, body.size):
+        o = body[b]
+        axle = fr[b]["axle"]
+        for i in range(3):
+            axle[i] = o["axes"][i, 2]
+        if o["joint"] == FREE:
+            d = o["dof"]
+            ca = math.cos(q[d + 3]) / math.cos(q[d + 4])
+            sa = math.sin(q[d + 3]) / math.cos(q[d + 4])
+            for i in range(3):
+                axle[i] = ca * o["axes"][i, 2] - sa * o["axes"][i, 1]
 
 
 @kernel

@@ -14,7 +14,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.eigen import best_match, damped, ratio_of, undamped
+from pitchpoint.solvers.eigen import best_match, damped, ratio_of, symmetric, undamped
 from pitchpoint.solvers.modal import Linearised, energy_shares, linearise, rigid_rotations
 from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
@@ -87,7 +87,7 @@ def follow_modes(
 
 
 def _at_speed(linear: Linearised, speeds: dict[str, float]) -> tuple[Array, Array]:
-    """Damping matrix at some speeds, and what they add to the stiffness matrix."""
+    """Damping matrix at some speeds, and the stiffness matrix less its symmetric part at rest."""
     system, still = linear.system, linear.state.copy()
     still.v[:] = 0.0
     turning = still.copy()
@@ -98,7 +98,8 @@ def _at_speed(linear: Linearised, speeds: dict[str, float]) -> tuple[Array, Arra
         evaluate.matrix(system, turning, 0.0, cd, ck) - evaluate.matrix(system, still, 0.0, cd, ck)
         for cd, ck in ((1.0, 0.0), (0.0, 1.0))
     )
-    return linear.at_rest.D + D, K
+    at_rest = linear.at_rest
+    return at_rest.D + D, K + at_rest.K - symmetric(at_rest.K)
 
 
 def _orders(system: System, ratios: dict[str, float]) -> dict[str, float]:

@@ -33,6 +33,11 @@ def _are_rigid(shapes: Array, rigid: Array, M: Array) -> NDArray[np.bool_]:
     return np.asarray((within**2).sum(axis=0) > 1.0 - OVERLAP)
 
 
+def symmetric(A: Array) -> Array:
+    """Symmetric part of a matrix."""
+    return 0.5 * (A + A.T)
+
+
 def undamped(M: Array, K: Array, basis: Array, rigid: Array) -> tuple[Array, Array]:
     """Circular frequencies [rad/s] and mass-normalised shapes (n, nd) of M x'' + K x = 0.
 
@@ -51,7 +56,7 @@ def undamped(M: Array, K: Array, basis: Array, rigid: Array) -> tuple[Array, Arr
     SolverError
         If a free direction has no mass.
     """
-    m, k = (basis.T @ (0.5 * (A + A.T)) @ basis for A in (M, K))
+    m, k = (basis.T @ symmetric(A) @ basis for A in (M, K))
     scale = 1.0 / np.sqrt(np.diag(m)) if np.all(np.diag(m) > 0.0) else np.zeros(0)
     if scale.size != m.shape[0]:
         raise SolverError("a free direction has no mass, so it has no frequency", SINGULAR)
@@ -110,7 +115,8 @@ def damped(
     Parameters
     ----------
     D, K
-        Damping matrix, and what the speeds add to the stiffness matrix, shape (nd, nd).
+        Damping matrix, and the stiffness matrix less the symmetric part that the undamped modes have taken:
+        what the speeds add, and what loads that follow the bodies make unsymmetric. Shape (nd, nd).
     shapes, omega
         Undamped modes, shape (n, nd) and (n,): the basis in which the problem is well scaled.
 

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Modes about an operating point: frequencies, damping, shapes, energies, names.
 
-M x'' + D x' + K x = 0 with the exact derivatives of the residual at the loaded state; meshes count with the
-mean of their stiffness over the mesh cycle, or with the value at one phase. Undamped modes are those at rest
-(symmetric K); damped ones carry dampers and the gyroscopic terms of the speeds. Friction of the flanks is
-left out of both. Rayleigh and modal damping are made at the phase where the scenario starts.
+M x'' + D x' + K x = 0 with the derivatives of the residual at the loaded state, exact but for the phase of
+the meshes, which is held: they count with the mean of their stiffness over the mesh cycle, or with the value
+at one phase. Undamped modes are those at rest, with the symmetric part of K; damped ones carry dampers, the
+gyroscopic terms of the speeds and the whole K. A torque that follows its tilting body makes K unsymmetric
+and can feed energy into modes that nothing damps. Friction of the flanks is left out of both. Rayleigh and
+modal damping are made at the phase where the scenario starts.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.eigen import damped, ratio_of, undamped
+from pitchpoint.solvers.eigen import damped, ratio_of, symmetric, undamped
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
@@ -204,7 +206,7 @@ def find_modes(
     linear = linearise(system, scenario, phase=phase, mean=mean, progress=progress)
     parts = linear.at_rest
     omega, shapes = undamped(parts.M, parts.K, linear.basis, rigid_rotations(linear.system))
-    values, z = damped(linear.D, linear.K - parts.K, shapes, omega)
+    values, z = damped(linear.D, linear.K - symmetric(parts.K), shapes, omega)
     complex_shapes = _turned(np.asarray(z.T @ shapes, dtype=np.complex128), parts.M)
     kinetic, potential = energy_shares(parts, shapes, omega)
     return Modes(

@@ -119,7 +119,9 @@ def linearize(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Exact derivatives of the residual: M = dR/da, D = dR/dv, K = dR/dq, each (nd, nd).
 
-    Gyroscopic terms are in D, geometric stiffness from loads and spins in K.
+    Gyroscopic terms are in D; geometric stiffness from loads and spins, and what dampers of spinning bodies
+    do to a displacement, in K, which is not symmetric then. Held in K are phase, path of contact and shared
+    width of the meshes (docs/decisions/0006-frozen-phase-tangents.md), and their friction is not followed.
     """
     return (
         matrix(system, state, 1.0, 0.0, 0.0),

@@ -11,7 +11,7 @@ from pitchpoint.core.status import OK
 from pitchpoint.multibody.bodies import BODY, PATH
 from pitchpoint.multibody.channels import CTL, F8, FRAME, I8
 from pitchpoint.multibody.inertia import attitude, inertia
-from pitchpoint.multibody.joint_rates import joint_rates
+from pitchpoint.multibody.joint_rates import axles, joint_rates
 from pitchpoint.multibody.projection import PROJ, project_geometry, project_tangent
 from pitchpoint.system.residual import EXACT, residual, run_kinds, zero_blocks
 from pitchpoint.system.workspace import MACH
@@ -70,10 +70,11 @@ def entry(at, spare, other):
     cm = c["cm"]
     cd = c["cd"]
     ck = c["ck"]
+    fr = view(c["fr"], c["nb"], FRAME)
+    axles(view(m["body"], c["nb"], BODY), fr, view(c["q"], c["nd"], F8))
     status = residual(at, c["t"], EXACT, cm, cd, ck)
     if status != OK:
         return status
-    fr = view(c["fr"], c["nb"], FRAME)
     J = view(m["J"], (n, 6, 6), F8)
     A = view(c["A"], (c["na"], 6, 6), F8)
     project_geometry(view(m["proj"], m["nproj"], PROJ), view(m["path"], n, PATH), fr, J, A, ck)

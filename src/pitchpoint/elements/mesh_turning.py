@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the forces of a mesh turn with the line of action: what an exact linearisation adds to the tangent.
+
+The tangent of `mesh_wrench` holds at frozen line of action. Bodies that move also turn the directions of the
+forces (terms of the size force over centre distance) and, at speed, the directions along which dampers
+measure (damping times speed): without them a damper would seem to drive a gear out of its place. Mesh phase
+and contact lines stay frozen (docs/decisions/0006-frozen-phase-tangents.md).
+
+The directions are closed forms of the frames; their change is a difference of fourth order, good to 1e-11 of
+itself.
+"""
+
+from __future__ import annotations
+
+from pitchpoint.core.kernel import kernel
+from pitchpoint.elements.mesh_gradient import normal_directions, offset_direction, travel_direction
+from pitchpoint.elements.mesh_line import line_of_action
+
+STEP = 2e-4
+"""Distance of the points of a difference: turn [rad], or translation over centre distance."""
+
+
+@kernel
+def _directions(b, f, g, flank):
+    """Rows 0 and 1 of the wrench basis of a flank, or row 0 of that of the damper (`flank` 0)."""
+    line_of_action(b, f, g)
+    if flank == 0:
+        travel_direction(b, f, g)
+    else:
+        normal_directions(b, f, g, flank)
+
+
+@kernel
+def _nudged(b, f, g, body, c, h, flank):
+    """The directions with one body moved by h along axis c, or turned by h about axis c - 3."""
+    r = body["r"]
+    R = body["R"]
+    if c < 3:
+        kept = r[c]
+        r[c] += h
+        _directions(b, f, g, flank)
+        r[c] = kept
+        return
+    i = (c - 2) % 3
+    k = (c - 1) % 3
+    y = R[i, 2]
+    z = R[k, 2]
+    R[i, 2] = y - h * z
+    R[k, 2] = z + h * y
+    _directions(b, f, g, flank)
+    R[i, 2] = y
+    R[k, 2] = z
+
+
+@kernel
+def _change(b, f, g, body, c, flank):
+    """Derivative of the directions by the motion c of one body, into the scratch `moved`."""
+    h = STEP * abs(b["a"]) if c < 3 else STEP
+    moved = b["moved"]
+    for p in range(2):
+        for k in range(12):
+            moved[p, k] = 0.0
+    for step in (-2, -1, 1, 2):
+        weight = (2.0 / 3.0 if abs(step) == 1 else -1.0 / 6.0) / (step * h)
+        _nudged(b, f, g, body, c, step * h, flank)
+        for p in range(2):
+            for k in range(6):
+                moved[p, k] += weight * b["basis_i"][p, k]
+                moved[p, 6 + k] += weight * b["basis_j"][p, k]
+
+
+@kernel
+def _turn(b, f, g, body, side, ki, kj, ck, flank):
+    """Add the turn of the forces with the motions of one body; keep what they do to the rates in `slope`."""
+    acc = b["acc"]
+    rows = 1 if flank == 0 else 2
+    for c in range(6):
+        _change(b, f, g, body, c, flank)
+        for p in range(rows):
+            s = 0.0
+            for k in range(6):
+                di = b["moved"][p, k]
+                dj = b["moved"][p, 6 + k]
+                ki[k, c] -= ck * acc[p] * di
+                kj[k, c] -= ck * acc[p] * dj
+                s -= di * f["tw"][k] + dj * g["tw"][k]
+            b["slope"][p, 6 * side + c] = s
+
+
+@kernel
+def _brake(b, B, side, ki, kj, ck, flank):
+    """Add damping forces along the changed rates, and the lever of the force that moves with the width."""
+    acc = b["acc"]
+    Bi = b["basis_i"]
+    Bj = b["basis_j"]
+    for c in range(6):
+        across = 0.0 if flank == 0 else b["w_z"] * B[2, c]
+        at_point = b["slope"][0, 6 * side + c] + b["rate"][1] * across
+        s = acc[5] * at_point
+        e = 0.0
+        if flank != 0:
+            per_lever = b["slope"][1, 6 * side + c]
+            s += acc[6] * per_lever
+            e = acc[6] * at_point + acc[7] * per_lever + acc[0] * across
+        for k in range(6):
+            ki[k, c] -= ck * (s * Bi[0, k] + e * Bi[1, k])
+            kj[k, c] -= ck * (s * Bj[0, k] + e * Bj[1, k])
+
+
+@kernel
+def add_turning(b, f, g, kk, ck, flank):
+    """Add ck times the change of the wrenches with their directions.
+
+    Forces are acc[0] and acc[1], damping coefficients acc[5] to acc[7] (1, y, yy) [N s/m]. `flank` 0 stands
+    for the mesh damper.
+    """
+    _turn(b, f, g, f, 0, kk[b["ii"]], kk[b["ji"]], ck, flank)
+    _turn(b, f, g, g, 1, kk[b["ij"]], kk[b["jj"]], ck, flank)
+    _directions(b, f, g, flank)
+    if flank != 0:
+        offset_direction(b, f, g)
+    _brake(b, b["basis_i"], 0, kk[b["ii"]], kk[b["ji"]], ck, flank)
+    _brake(b, b["basis_j"], 1, kk[b["ij"]], kk[b["jj"]], ck, flank)
+
+
+@kernel
+def add_turning_damper(b, f, g, kk, ck, force):
+    """The same for the mesh damper with its force [N]."""
+    acc = b["acc"]
+    acc[0] = force
+    acc[5] = b["d_gap"]
+    add_turning(b, f, g, kk, ck, 0)
