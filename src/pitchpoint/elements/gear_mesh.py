@@ -25,6 +25,7 @@ from pitchpoint.elements.gear_mesh_record import (
     MAX_PAIRS,
     N_ACC,
     N_OUT,
+    NEAREST,
     OUTPUTS,
     PHASE,
     RECORD,
@@ -55,7 +56,11 @@ __all__ = ["EVENTS", "MAX_PAIRS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
 
 _LEAST = 1e-15
-"""Distance from contact [m] of an event function that only knows whether there is contact."""
+"""Least distance [m] of an event function from contact: it says on which side it is."""
+
+_NOWHERE = -0.1
+"""Distance from contact [m] of a flank without stiffness: no pair of teeth is there."""
+
 #: Added to the event functions of the flank that is farther from contact: no sign changes there.
 AWAY = 10.0
 
@@ -81,6 +86,7 @@ def _begin(b, flank, watch):
     acc = b["acc"]
     for k in range(N_ACC):
         acc[k] = 0.0
+    acc[NEAREST] = _NOWHERE
     if watch:
         for k in range(b["n_pair"]):
             b["pair"][k] = 0.0
@@ -110,7 +116,8 @@ def _stiffness_ratio(b, watch):
 @kernel
 def _flank(b, ctl, f, g, flank, x_0, spins, rate):
     """Sum one flank into `acc`; `spins` 1: the gears only spin and their travel rate is `rate`."""
-    _begin(b, flank, ctl["out"] != 0)
+    watched = ctl["out"] != 0 or ctl["ev"] != 0
+    _begin(b, flank, watched)
     b["kappa"] = 0.0
     if spins == 1:
         spin_flank_rates(b, rate)
@@ -119,7 +126,7 @@ def _flank(b, ctl, f, g, flank, x_0, spins, rate):
         if b["mu"] > 0.0:
             friction_directions(b, f, g, flank)
         flank_rates(b, f, g)
-    if ctl["out"] != 0:
+    if watched:
         return _sum(b, ctl, 1, x_0)
     return _sum(b, ctl, None, x_0)
 
@@ -192,20 +199,17 @@ def _place(psi):
 
 
 @kernel
-def _touching(depth, force):
-    """Penetration of perfect flanks with the sign of the contact of the real ones."""
-    return max(depth, _LEAST) if force > 0.0 else min(depth, -_LEAST)
+def _contact(distance, force):
+    """Distance from contact [m] as an event function: positive where the flank pushes, else negative."""
+    return max(distance, _LEAST) if force > 0.0 else min(distance, -_LEAST)
 
 
 @kernel
 def _roots(b, ev, x, front, back):
-    """Event functions at the deflection x and the forces of both flanks; see `gear_mesh_record`."""
+    """Event functions at the deflection x; those of contact are known. See `gear_mesh_record`."""
     k = b["ev"]
-    ev[k] = x - 0.5 * b["gap"]
-    ev[k + 1] = -x - 0.5 * b["gap"]
-    if b["tilt"] != 0.0 or b["n_sz"] > 0:
-        ev[k] = _touching(ev[k], front)
-        ev[k + 1] = _touching(ev[k + 1], back)
+    ev[k] = front
+    ev[k + 1] = back
     ev[k + 2] = 0.25 * b["travel_rate"] / (1.0 + abs(b["travel_rate"]))
     leaves = b["eps"]
     if b["source"] == PHASE and b["form"] == RECTANGULAR:
@@ -247,8 +251,8 @@ def _one_mesh(b, ctl, fr, kk):
     x = b["u"] - b["e_t"]
     slack = 0.0 if spins == 1 else _slack(b)
     force = 0.0
-    front = 0.0
-    back = 0.0
+    front = _contact(x - 0.5 * b["gap"] - b["sep_min"], 0.0)
+    back = _contact(-x - 0.5 * b["gap"] - b["sep_min"], 0.0)
     tangent = 0.0
     if b["eps"] > 0.0 and b["z_hi"] > b["z_lo"]:
         for flank in (1, -1):
@@ -260,9 +264,9 @@ def _one_mesh(b, ctl, fr, kk):
             if status != OK:
                 return status
             if flank > 0:
-                front = b["acc"][0]
+                front = _contact(b["acc"][NEAREST], b["acc"][0])
             else:
-                back = b["acc"][0]
+                back = _contact(b["acc"][NEAREST], b["acc"][0])
             if spins == 1:
                 force += flank * b["acc"][0]
                 tangent += b["acc"][5]

@@ -22,8 +22,10 @@ MAX_PAIRS = 8
 #: Sums over the nodes of one flank. With y = z + f tan(beta_b) xi, the lever of the normal force: 0-1 normal
 #: force (times 1, y), 2-4 friction force (times 1, z, xi), 5-7 normal tangent (1, y, yy), 8-13 tangent of
 #: friction over displacement (rows 1, z, xi; columns 1, y), 14-19 of friction over velocity (1, z, xi, zz,
-#: z xi, xi xi), 20 stiffness, 21 friction power, 22 damping power, 23 parametric power, 24 energy.
-N_ACC = 25
+#: z xi, xi xi), 20 stiffness, 21 friction power, 22 damping power, 23 parametric power, 24 energy. No sum is
+#: NEAREST: the largest force over stiffness of a node [m], below zero where it would have to pull or is open.
+N_ACC = 26
+NEAREST = 25
 
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
@@ -199,9 +201,11 @@ OUTPUTS = (
 )
 N_OUT = len(OUTPUTS)
 
-#: Event functions of one mesh: they change sign at the instants that users ask for. Those of pairs rise where
-#: the mesh phase goes on and fall where it goes back: a pair that passes A backwards leaves there. Each wraps
-#: round from 1/2 to -1/2 half a base pitch away, which is no event, and counts on the nearer flank only.
+#: Event functions of one mesh: they change sign at the instants that users ask for. Those of contact are
+#: positive exactly where the forces of a flank add up to more than zero, as `contact_state` has it; perfect
+#: flanks without contact damping give their penetration [m]. Those of pairs rise where the mesh phase goes on
+#: and fall where it goes back: a pair that passes A backwards leaves there. Each wraps round from 1/2 to -1/2
+#: half a base pitch away, which is no event, and counts on the nearer flank only.
 EVENTS = (
     ("front_gap", "front flank touches or parts"),
     ("back_gap", "back flank touches or parts"),

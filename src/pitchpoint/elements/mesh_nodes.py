@@ -7,7 +7,8 @@ points on every piece between kinks (start and end of contact, ends of the relie
 point where sliding turns, points of a table) integrate force, moments and tangent exactly. Slices are the
 same sum with one node in the middle of each slice; separation grids of modified flanks need them.
 
-Where nothing is observed, `watch` is None and energy and powers are left out when the kernels are compiled.
+Where nothing is observed, `watch` is None and energy, powers and what events ask for are left out when the
+kernels are compiled.
 
 Sums go to the scratch field `acc` (see gear_mesh_record). The normal force at (z, xi) has the moment y tau
 about the pitch point, y = z + f tan(beta_b) xi: axial force times path and transverse force times width turn
@@ -23,6 +24,7 @@ from pitchpoint.contact.friction import coulomb
 from pitchpoint.contact.load_correction import low_load, stored_energy
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
 from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.gear_mesh_record import NEAREST
 from pitchpoint.elements.mesh_line import pooled
 from pitchpoint.elements.mesh_separation import pair_separation
 from pitchpoint.multibody.channels import F8
@@ -41,9 +43,11 @@ def node(b, ctl, watch, x, x_rate, z, xi, k, k_rate, limit):
     `x` penetration [m] at (z, xi) [m], `k` stiffness [N/m], changing at `x_rate` [m/s] and `k_rate`
     [N/(m s)] where no force pushes: with the phase; `limit` force below which the pair softens [N].
     """
-    if x <= 0.0 or k <= 0.0:
-        return 0.0
     acc = b["acc"]
+    if x <= 0.0 or k <= 0.0:
+        if watch is not None and k > 0.0:
+            acc[NEAREST] = max(acc[NEAREST], x)
+        return 0.0
     rate = b["rate"]
     y = z + b["flank"] * b["tan_b"] * xi
     w = rate[0] + rate[1] * y
@@ -62,6 +66,8 @@ def node(b, ctl, watch, x, x_rate, z, xi, k, k_rate, limit):
         d *= share
         f += d * w
         kt += full * w * slope
+    if watch is not None:
+        acc[NEAREST] = max(acc[NEAREST], f / k)
     # a flank that would have to pull lets go, and the work of its elastic force is lost
     f = max(f, 0.0)
     if watch is not None:
