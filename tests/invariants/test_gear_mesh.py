@@ -399,9 +399,11 @@ def test_power_balance(pair, shape, slices, flank, motion):
 
 @every_pair
 @both_flanks
-def test_power_balance_of_modified_flanks(pair, flank):
-    """Contact lines that run over modified flanks of tilted gears: what the gap takes is parametric power."""
-    m = mesh(pair, "parabola", slices=33)
+@pytest.mark.parametrize("laws", [{}, dict(d_in=3e4, d_out=2e4, mu=0.05), dict(d_in=3e6, d_out=3e6)])
+def test_power_balance_of_modified_flanks(pair, flank, laws):
+    """Contact lines that run over modified flanks of tilted gears: what the gap takes is parametric power,
+    contact damping and flanks that let go (last) included."""
+    m = mesh(pair, "parabola", slices=33, **laws)
     rng = np.random.default_rng(7)
     z1, z2 = (abs(int(m.row[name])) for name in ("z1", "z2"))
     m.separate(1e-5 * rng.uniform(size=(2, z1, 4, 6)), 1e-5 * rng.uniform(size=(2, z2, 4, 6)))
@@ -412,6 +414,72 @@ def test_power_balance_of_modified_flanks(pair, flank):
     gap, scale = power_gap(m, twist)
     assert abs(gap) < 2e-6 * scale
     assert abs(m.get("parametric_power")) > 1e-5 * scale
+    assert m.get("damping_power") > 0.0 or not laws
+
+
+def wavy(pair, **laws):
+    """A pair whose stiffness is even over the path, with flanks that rise and fall along it."""
+    shape = PairShape(c_prime=14e9, S_R=1.0)
+    m = OneMesh(make_pair(**PAIRS[pair]), MeshLaws(stiffness=shape, slices=7, s_0=0.0, **laws))
+    rng = np.random.default_rng(11)
+    z1, z2 = (abs(int(m.row[name])) for name in ("z1", "z2"))
+    m.separate(1e-5 * rng.uniform(size=(2, z1, 4, 6)), 1e-5 * rng.uniform(size=(2, z2, 4, 6)))
+    m.rec["b2"] *= 1.2  # the shared width stays that of gear 1
+    m.rec["w_z"] = -m.row["w1"]
+    return m
+
+
+@every_pair
+@both_flanks
+@pytest.mark.parametrize("motion", ["spin", "any"])
+def test_contact_damping_acts_on_the_rate_of_the_real_penetration(pair, flank, motion):
+    """At even stiffness the elastic forces change by k times the rates of the penetration, and the damping is
+    d times the same rates: also those of contacts that run over the flanks. Axes stay parallel."""
+    m = wavy(pair, d_in=3e4, d_out=3e4)
+    m.press(5e-5, flank)
+    twist = np.zeros((2, 6))
+    if motion == "any":
+        twist[:, :3] = np.random.default_rng(4).normal(size=(2, 3)) * [0.03, 0.03, 0.05]
+    twist[:, 5] = np.array([40.0, -40.0 * m.row["r_b1"] / m.row["r_b2"]])
+    force = []
+    for sign in (-1, 1):
+        fr = m.frames
+        for body in range(2):
+            fr = moved(fr, body, sign * 1e-8 * twist[body])
+        m.evaluate(fr)
+        force.append(flank * m.get("mesh_force"))
+    expected = (force[1] - force[0]) / 2e-8 * 3e4 / m.row["k_ref"]
+    m.frames["tw"] = twist
+    m.frames["spin"] = twist[:, 5]
+    m.evaluate()
+    found = flank * m.get("mesh_force") - 0.5 * (force[0] + force[1])
+    assert abs(expected) > 1.0
+    assert found == pytest.approx(expected, rel=1e-5)
+
+
+@every_pair
+@both_flanks
+@pytest.mark.parametrize("mu", [0.0, 0.05])
+@pytest.mark.parametrize("fixed", [False, True])
+def test_damping_tangent_of_modified_flanks(pair, flank, mu, fixed):
+    """Over the spins exact; over the other rates but for the place of the contact, which moves with them too:
+    less than the steepest flank, 2e-5 m on 2 mm."""
+    m = wavy(pair, d_in=3e4, d_out=3e4, mu=mu, v_eps=0.5)
+    m.press(5e-5, flank)
+    m.rec["fixed"] = fixed  # with the line of action found just now
+    m.frames["tw"][:, 5] = m.frames["spin"] = [3.0, -3.1 * m.row["r_b1"] / m.row["r_b2"]]
+    m.evaluate(jac=1, ck=0.0, cd=1.0)
+    D = m.tangent().copy()
+    for body in range(2):
+        for k in (5,) if fixed else range(6):
+            slope = np.zeros((2, 6))
+            for sign in (1, -1):
+                fr = m.frames.copy()
+                fr["tw"][body, k] += sign * 1e-6
+                fr["spin"][body] += sign * 1e-6 * (k == 5)
+                slope -= m.evaluate(fr) * sign / 2e-6
+            left = 1e-6 if k == 5 else 1e-2
+            assert abs(D[:, :, body, k] - slope).max() < left * abs(D).max()
 
 
 @pytest.mark.parametrize("shape", ["parabola", "table"])

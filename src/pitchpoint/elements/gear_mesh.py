@@ -40,6 +40,12 @@ from pitchpoint.elements.mesh_line import (
 )
 from pitchpoint.elements.mesh_motion import motion, spin_motion
 from pitchpoint.elements.mesh_nodes import phase_flank, profile_flank
+from pitchpoint.elements.mesh_separation import (
+    add_roll_tangent,
+    begin_separation,
+    runs_damped,
+    spin_direction,
+)
 from pitchpoint.elements.mesh_wrench import (
     add_spin_tangent,
     add_spin_torque,
@@ -144,6 +150,8 @@ def _sum(b, ctl, watch, x_0):
     else:
         b["tilt"] = b["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
         b["growth"] = (b["hi_rate"] - b["lo_rate"]) / (b["z_hi"] - b["z_lo"])
+        if b["n_sz"] > 0:
+            begin_separation(b)
         profile_flank(b, ctl, watch, x_0)
     return OK
 
@@ -237,7 +245,7 @@ def _one_mesh(b, ctl, fr, kk):
     if b["fixed"] == 1:
         spin_motion(b, f["spin"], g["spin"])
         u_rate = b["r_b1"] * f["spin"] + b["r_b2"] * g["spin"]
-    elif b["n_e"] > 0 or c["out"] != 0 or c["ev"] != 0:
+    elif b["n_e"] > 0 or runs_damped(b) or c["out"] != 0 or c["ev"] != 0:
         motion(b, f, g)
     psi = flank_phase(b, 1)
     psi -= math.floor(psi)
@@ -270,10 +278,15 @@ def _one_mesh(b, ctl, fr, kk):
             if spins == 1:
                 force += flank * b["acc"][0]
                 tangent += b["acc"][5]
+                if c["jac"] != 0 and runs_damped(b):
+                    spin_direction(b)
+                    add_roll_tangent(b, kk, 1)
             else:
                 add_wrench(b, f, g)
                 if c["jac"] != 0:
                     add_tangent(b, kk)
+                    if runs_damped(b):
+                        add_roll_tangent(b, kk, 5 if b["mu"] > 0.0 else 2)
             if watch:
                 _write_flank(b, observations(ctl), flank)
     damper = 0.0
