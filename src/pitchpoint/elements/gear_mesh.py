@@ -25,6 +25,7 @@ from pitchpoint.elements.gear_mesh_record import (
     MAX_PAIRS,
     N_ACC,
     N_OUT,
+    NEAREST,
     OUTPUTS,
     PHASE,
     RECORD,
@@ -39,6 +40,12 @@ from pitchpoint.elements.mesh_line import (
 )
 from pitchpoint.elements.mesh_motion import motion, spin_motion
 from pitchpoint.elements.mesh_nodes import phase_flank, profile_flank
+from pitchpoint.elements.mesh_separation import (
+    add_roll_tangent,
+    begin_separation,
+    runs_damped,
+    spin_direction,
+)
 from pitchpoint.elements.mesh_turning import add_turning, add_turning_damper
 from pitchpoint.elements.mesh_wrench import (
     add_spin_tangent,
@@ -56,7 +63,11 @@ __all__ = ["EVENTS", "MAX_PAIRS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
 
 _LEAST = 1e-15
-"""Distance from contact [m] of an event function that only knows whether there is contact."""
+"""Least distance [m] of an event function from contact: it says on which side it is."""
+
+_NOWHERE = -0.1
+"""Distance from contact [m] of a flank without stiffness: no pair of teeth is there."""
+
 #: Added to the event functions of the flank that is farther from contact: no sign changes there.
 AWAY = 10.0
 
@@ -82,6 +93,7 @@ def _begin(b, flank, watch):
     acc = b["acc"]
     for k in range(N_ACC):
         acc[k] = 0.0
+    acc[NEAREST] = _NOWHERE
     if watch:
         for k in range(b["n_pair"]):
             b["pair"][k] = 0.0
@@ -111,7 +123,8 @@ def _stiffness_ratio(b, watch):
 @kernel
 def _flank(b, ctl, f, g, flank, x_0, spins, rate):
     """Sum one flank into `acc`; `spins` 1: the gears only spin and their travel rate is `rate`."""
-    _begin(b, flank, ctl["out"] != 0)
+    watched = ctl["out"] != 0 or ctl["ev"] != 0
+    _begin(b, flank, watched)
     b["kappa"] = 0.0
     if spins == 1:
         spin_flank_rates(b, rate)
@@ -120,7 +133,7 @@ def _flank(b, ctl, f, g, flank, x_0, spins, rate):
         if b["mu"] > 0.0:
             friction_directions(b, f, g, flank)
         flank_rates(b, f, g)
-    if ctl["out"] != 0:
+    if watched:
         return _sum(b, ctl, 1, x_0)
     return _sum(b, ctl, None, x_0)
 
@@ -138,6 +151,8 @@ def _sum(b, ctl, watch, x_0):
     else:
         b["tilt"] = b["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
         b["growth"] = (b["hi_rate"] - b["lo_rate"]) / (b["z_hi"] - b["z_lo"])
+        if b["n_sz"] > 0:
+            begin_separation(b)
         profile_flank(b, ctl, watch, x_0)
     return OK
 
@@ -206,20 +221,17 @@ def _place(psi):
 
 
 @kernel
-def _touching(depth, force):
-    """Penetration of perfect flanks with the sign of the contact of the real ones."""
-    return max(depth, _LEAST) if force > 0.0 else min(depth, -_LEAST)
+def _contact(distance, force):
+    """Distance from contact [m] as an event function: positive where the flank pushes, else negative."""
+    return max(distance, _LEAST) if force > 0.0 else min(distance, -_LEAST)
 
 
 @kernel
 def _roots(b, ev, x, front, back):
-    """Event functions at the deflection x and the forces of both flanks; see `gear_mesh_record`."""
+    """Event functions at the deflection x; those of contact are known. See `gear_mesh_record`."""
     k = b["ev"]
-    ev[k] = x - 0.5 * b["gap"]
-    ev[k + 1] = -x - 0.5 * b["gap"]
-    if b["tilt"] != 0.0 or b["n_sz"] > 0:
-        ev[k] = _touching(ev[k], front)
-        ev[k + 1] = _touching(ev[k + 1], back)
+    ev[k] = front
+    ev[k + 1] = back
     ev[k + 2] = 0.25 * b["travel_rate"] / (1.0 + abs(b["travel_rate"]))
     leaves = b["eps"]
     if b["source"] == PHASE and b["form"] == RECTANGULAR:
@@ -247,7 +259,7 @@ def _one_mesh(b, ctl, fr, kk):
     if b["fixed"] == 1:
         spin_motion(b, f["spin"], g["spin"])
         u_rate = b["r_b1"] * f["spin"] + b["r_b2"] * g["spin"]
-    elif b["n_e"] > 0 or c["out"] != 0 or c["ev"] != 0:
+    elif b["n_e"] > 0 or runs_damped(b) or c["out"] != 0 or c["ev"] != 0:
         motion(b, f, g)
     psi = flank_phase(b, 1)
     psi -= math.floor(psi)
@@ -261,8 +273,8 @@ def _one_mesh(b, ctl, fr, kk):
     x = b["u"] - b["e_t"]
     slack = 0.0 if spins == 1 else _slack(b)
     force = 0.0
-    front = 0.0
-    back = 0.0
+    front = _contact(x - 0.5 * b["gap"] - b["sep_min"], 0.0)
+    back = _contact(-x - 0.5 * b["gap"] - b["sep_min"], 0.0)
     tangent = 0.0
     exact = c["jac"] == 2 and c["ck"] != 0.0 and b["fixed"] == 0
     if b["eps"] > 0.0 and b["z_hi"] > b["z_lo"]:
@@ -275,16 +287,21 @@ def _one_mesh(b, ctl, fr, kk):
             if status != OK:
                 return status
             if flank > 0:
-                front = b["acc"][0]
+                front = _contact(b["acc"][NEAREST], b["acc"][0])
             else:
-                back = b["acc"][0]
+                back = _contact(b["acc"][NEAREST], b["acc"][0])
             if spins == 1:
                 force += flank * b["acc"][0]
                 tangent += b["acc"][5]
+                if c["jac"] != 0 and runs_damped(b):
+                    spin_direction(b)
+                    add_roll_tangent(b, kk, 1)
             else:
                 add_wrench(b, f, g)
                 if c["jac"] != 0:
                     add_tangent(b, kk)
+                    if runs_damped(b):
+                        add_roll_tangent(b, kk, 5 if b["mu"] > 0.0 else 2)
                     if exact:
                         _turning(b, c, f, g, kk, flank, x_0)
             if watch:

@@ -22,8 +22,12 @@ MAX_PAIRS = 8
 #: Sums over the nodes of one flank. With y = z + f tan(beta_b) xi, the lever of the normal force: 0-1 normal
 #: force (times 1, y), 2-4 friction force (times 1, z, xi), 5-7 normal tangent (1, y, yy), 8-13 tangent of
 #: friction over displacement (rows 1, z, xi; columns 1, y), 14-19 of friction over velocity (1, z, xi, zz,
-#: z xi, xi xi), 20 stiffness, 21 friction power, 22 damping power, 23 parametric power, 24 energy.
-N_ACC = 25
+#: z xi, xi xi), 20 stiffness, 21 friction power, 22 damping power, 23 parametric power, 24 energy, from ROLL
+#: on tangent over the rate of the path position (of normal force times 1, y, of friction times 1, z, xi). No
+#: sum is NEAREST: the largest force over stiffness of a node [m], below zero where it would pull or is open.
+N_ACC = 31
+ROLL = 25
+NEAREST = 30
 
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
@@ -152,6 +156,10 @@ _SCRATCH = [
     ("lam", "f8"),  # base pitches per metre of face width along a contact line
     ("kappa", "f8"),  # n_f . dn, loss of penetration per lever y
     ("tilt", "f8"),  # loss of penetration per width along a contact line
+    ("tan_a", "f8"),
+    ("tan_rate", "f8"),  # tan alpha and its rate, where flanks have separations
+    ("per_z", "f8", 2),
+    ("per_roll", "f8", 2),  # steps of the grids of both gears per metre
     ("growth", "f8"),  # rate of the shared width over itself, where the stiffness grows with it
     ("z_lo", "f8"),
     ("z_hi", "f8"),  # shared face width
@@ -201,9 +209,11 @@ OUTPUTS = (
 )
 N_OUT = len(OUTPUTS)
 
-#: Event functions of one mesh: they change sign at the instants that users ask for. Those of pairs rise where
-#: the mesh phase goes on and fall where it goes back: a pair that passes A backwards leaves there. Each wraps
-#: round from 1/2 to -1/2 half a base pitch away, which is no event, and counts on the nearer flank only.
+#: Event functions of one mesh: they change sign at the instants that users ask for. Those of contact are
+#: positive exactly where the forces of a flank add up to more than zero, as `contact_state` has it; perfect
+#: flanks without contact damping give their penetration [m]. Those of pairs rise where the mesh phase goes on
+#: and fall where it goes back: a pair that passes A backwards leaves there. Each wraps round from 1/2 to -1/2
+#: half a base pitch away, which is no event, and counts on the nearer flank only.
 EVENTS = (
     ("front_gap", "front flank touches or parts"),
     ("back_gap", "back flank touches or parts"),

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements import gear_mesh_record as mesh
+from pitchpoint.elements.mesh_nodes import MOST_SPLIT
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -100,12 +101,14 @@ def shift(record: np.void, share: float) -> None:
     record["xi_b"] -= share * record["p_bt"]
 
 
-def cycle_nodes(record: np.void, flank: int, pool: Array) -> tuple[Array, Array]:
+def cycle_nodes(record: np.void, flank: int, pool: Array, both: bool = False) -> tuple[Array, Array]:
     """Phases of a flank and weights whose sum is the mean over one mesh cycle.
 
-    Exact for the closed forms: three Gauss points between kinks (the total is a polynomial of at most degree
-    four there), equal steps for a Fourier series, the middles of the segments of a table and of both values
-    of a rectangular wave. Slices, tables of a pair and user laws are sampled at 128 points.
+    Exact for the closed forms and for tables of a pair of up to `MOST_SPLIT` points: three Gauss points
+    between kinks (the total is a polynomial of at most degree four there), equal steps for a Fourier series,
+    the middles of the segments of a table of the mesh. Longer tables of a pair count as smooth on sixteen
+    pieces. Slices and user laws are sampled at 128 points. `both`: the other flank carries too, and has kinks
+    of its own.
     """
     if record["source"] == mesh.PHASE:
         n = int(record["n_k"])
@@ -113,20 +116,33 @@ def cycle_nodes(record: np.void, flank: int, pool: Array) -> tuple[Array, Array]
             return _equal(max(8, 2 * n + 2))
         if record["form"] == 1:
             return _equal(n if n >= 32 else n * (32 // n + 1))
-        if record["form"] == 2:
-            share = float(pool[int(record["cosine"]) + 2])
-            return np.array([0.5 * share, 0.5 + 0.5 * share]), np.array([share, 1.0 - share])
+        if record["form"] == mesh.USER:
+            return _equal(128)
+    elif record["slices"] > 0 or record["n_sz"] > 0:
         return _equal(128)
-    if record["slices"] > 0 or record["n_table"] > 0 or record["n_sz"] > 0:
-        return _equal(128)
-    lam = flank * record["tan_b"] / record["p_bt"]
-    eps, L = float(record["eps"]), float(record["L"])
-    edges = [lam * float(record["z_lo"]), lam * float(record["z_hi"])]
-    kinks = np.unique([(p - z) % 1.0 for p in (0.0, eps, L, eps - L, 0.5 * eps) for z in edges])
+    kinks = _kinks(record, flank, pool)
+    if both:
+        # one phase falls as the other rises: both travel with the gears
+        turned = float(record["start"].sum() + (record["xi_0"] + record["xi_b"]) / record["p_bt"])
+        kinks = np.append(kinks, turned - _kinks(record, -flank, pool))
+    kinks = np.unique(kinks % 1.0)
     lengths = np.diff(np.append(kinks, kinks[0] + 1.0))
     middle = kinks + 0.5 * lengths
     phases = middle[:, None] + 0.5 * lengths[:, None] * _GAUSS_X
     return phases.ravel(), (0.5 * lengths[:, None] * _GAUSS_W).ravel()
+
+
+def _kinks(record: np.void, flank: int, pool: Array) -> Array:
+    """Phases of a flank where its total stiffness has a kink or jumps, whole base pitches apart from any."""
+    if record["source"] == mesh.PHASE:
+        return np.array([0.0, pool[int(record["cosine"]) + 2]])
+    lam = flank * record["tan_b"] / record["p_bt"]
+    eps, L, n = float(record["eps"]), float(record["L"]), int(record["n_table"])
+    places = [0.0, eps, L, eps - L, 0.5 * eps]
+    if n > 2:
+        places += list(np.linspace(0.0, eps, n if n <= MOST_SPLIT else 17)[1:-1])
+    ends = lam * np.array([record["z_lo"], record["z_hi"]], dtype=float)
+    return np.asarray(np.subtract.outer(places, ends).ravel())
 
 
 def _equal(n: int) -> tuple[Array, Array]:
@@ -211,9 +227,11 @@ def _cycle_mean(
     kept = record.copy()
     names = mesh_names(system)
     values = evaluate.observe(system, state)
-    flank = -1 if values[system.layout.channel(f"contact_state[{names[k]}]")] < 0.0 else 1
+    contact = values[system.layout.channel(f"contact_state[{names[k]}]")]
+    flank = -1 if contact < 0.0 else 1
     now = _phase(system, state, k, flank)
-    phases, weights = cycle_nodes(record, flank, system.pools["gear_mesh"])
+    both = bool(contact == 2.0 or record["gap"] < 0.0)
+    phases, weights = cycle_nodes(record, flank, system.pools["gear_mesh"], both)
     nd = system.sizes["nd"]
     total = np.zeros((2, nd, nd))
     at = state
