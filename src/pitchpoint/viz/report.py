@@ -127,7 +127,7 @@ class TimeRun:
     angle
         Name of the channel whose angle orders refer to; default that of the shaft of gear 1 of each mesh.
     highest_order
-        End of order maps and order spectra [-]; default three times the largest number of teeth, or 100.
+        End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 100.
     note
         Sentence shown above the signals (the status of a run that did not finish).
     """
@@ -184,7 +184,8 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     """The report as text; the same input gives the same characters."""
     facts = (("version", model.version), ("model", model.model_hash[:12]), ("date", model.date or ""))
     teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
-    highest = 3.0 * max(teeth) if teeth else 100.0
+    # a little more than three mesh orders, so that the third one does not stand on the frame
+    highest = 3.2 * max(teeth) if teeth else 100.0
     sections = [
         parts.gear_section(model.gears, model.meshes),
         parts.drawing_section(model.pairs),

@@ -231,10 +231,22 @@ def _label_peaks(
         figure.add_annotation(
             x=frequency * factor,
             y=float(np.log10(amplitude * gain)),
-            text=number(frequency * factor, 4),
+            text=peak_label(frequency, spectrum.resolution, factor),
             showarrow=False,
             # at the left edge a centred label would cover the numbers of the axis
             xanchor="left" if frequency < 0.03 * end else "center",
             yshift=9,
             font={"size": 11},
         )
+
+
+def peak_label(frequency: float, resolution: float, factor: float = 1.0) -> str:
+    """Number at a peak, with the digits that the distance between lines allows, four at most.
+
+    Examples
+    --------
+    >>> peak_label(49.9978, 1 / 11), peak_label(699.83, 3.33), peak_label(5499.7, 5.0, 1e-3)
+    ('50', '700', '5.5')
+    """
+    step = 10.0 ** np.ceil(np.log10(0.1 * resolution))
+    return number(round(frequency / step) * step * factor, 4)
