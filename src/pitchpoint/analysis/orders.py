@@ -17,15 +17,15 @@ from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_si
 from pitchpoint.analysis.spectra import Spectrum, one_sided, order_spectrum, window
 
 SAMPLES_PER_ORDER = 2.56
-"""Samples per revolution of a grid by the highest order of interest: what lies above half the grid's rate then
-folds to above that order, but for a band that the filter takes away."""
+"""Samples per revolution of a grid by the highest order of interest: what lies above half the grid's rate
+then folds to above that order, but for a band that the filter takes away."""
 MAX_OVERSAMPLING = 32
-"""Largest factor by which a creeping start may refine the grid over the angle before it is filtered and thinned
-out again; the mean samples per revolution of a record count without limit."""
+"""Largest factor by which a creeping start may refine the grid over the angle before it is filtered and
+thinned out again; the mean samples per revolution of a record count without limit."""
 FILTER_HALF_LENGTH, FILTER_BETA = 16, 8.0
-"""Length on either side, in samples after thinning out, and shape of the Kaiser window of the low-pass filter:
-below 0.84 times half the new rate it changes amplitudes by less than 0.02 %, above 1.16 times it leaves less than
-0.01 %."""
+"""Length on either side, in samples after thinning out, and shape of the Kaiser window of the low-pass
+filter: below 0.84 times half the new rate it changes amplitudes by less than 0.02 %, above 1.16 times it
+leaves less than 0.01 %."""
 
 
 @dataclass(frozen=True)
@@ -155,8 +155,8 @@ def highest_resolved_order(angle: ArrayLike) -> float:
 
     Notes
     -----
-    Half of 2π over the 99 % quantile of the steps of the angle [1]_. Above it a record holds nothing but images
-    of what lies below.
+    Half of 2π over the 99 % quantile of the steps of the angle [1]_. Above it a record holds nothing but
+    images of what lies below.
 
     References
     ----------
@@ -198,8 +198,8 @@ def tracked_spectrum(
 
     Notes
     -----
-    `resample_over_angle` with 2.56 samples per revolution and order, then `spectra.order_spectrum` [1]_. Valid
-    where the speed of the shaft is steady or the amplitudes do not depend on it.
+    `resample_over_angle` with 2.56 samples per revolution and order, then `spectra.order_spectrum` [1]_.
+    Valid where the speed of the shaft is steady or the amplitudes do not depend on it.
 
     References
     ----------

@@ -317,14 +317,15 @@ def largest_peaks(spectrum: Spectrum, count: int = 5, *, floor: float = 0.01) ->
 
     Notes
     -----
-    A line is a peak if it is higher than the line before it and not lower than the line after it. Its frequency is
-    that of the top of the parabola through the logarithms of the three [1]_; for a Hann window and a single sine
-    this is right to 2 % of the distance between lines. The amplitude is that of the line, as it is drawn.
+    A line is a peak if it is higher than the line before it and not lower than the line after it. Its
+    frequency is that of the top of the parabola through the logarithms of the three [1]_; for a Hann window
+    and a single sine this is right to 2 % of the distance between lines. The amplitude is that of the line,
+    as it is drawn.
 
     References
     ----------
-    .. [1] J. O. Smith, Spectral Audio Signal Processing, W3K Publishing, 2011, section on quadratic interpolation
-       of spectral peaks.
+    .. [1] J. O. Smith, Spectral Audio Signal Processing, W3K Publishing, 2011, section on quadratic
+       interpolation of spectral peaks.
 
     Examples
     --------
@@ -348,7 +349,7 @@ def largest_peaks(spectrum: Spectrum, count: int = 5, *, floor: float = 0.01) ->
 
 
 def _top_of_parabola(three: Array) -> float:
-    """Place of the top of the parabola through the logarithms of three lines, in lines from the middle one."""
+    """Top of the parabola through the logarithms of three lines, in lines from the middle one."""
     # neighbours that hold nothing but round-off do not move the top
     left, top, right = np.log(np.maximum(three, 1e-4 * float(three[1])))
     return float(0.5 * (left - right) / (left - 2.0 * top + right))
