@@ -19,23 +19,19 @@ if TYPE_CHECKING:
     from pitchpoint.core.progress import Progress
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
-    from pitchpoint.solvers.quasistatic import Roll
-    from pitchpoint.system.system import System
     from pitchpoint.viz.report import CampbellData, MeshCycleData, ModeData
 
-POINTS = 96
 SPEEDS = 41
 HARMONICS = 3
 NAMED = 6
 """Modes up to which a Campbell diagram has their names in its legend."""
-SAME = 1e-3
-"""Relative difference up to which the stiffness under load counts as that of the law."""
 
 
 def with_rolls(
     model: Model, cycles: dict[str, tuple[MeshCycleData, float]], progress: Progress
 ) -> tuple[dict[str, MeshCycleData], list[str]]:
     """Add transmission errors and load sharing to mesh cycles (with the stiffness of their ratio 1 [N/m])."""
+    from pitchpoint.report.rolls import from_roll, periods_to_roll, points_per_period
     from pitchpoint.solvers.quasistatic import roll_through
     from pitchpoint.system.compile import compile_model
 
@@ -52,12 +48,14 @@ def with_rolls(
         try:
             system = compile_model(steady, scenario)
             still = replace(scenario, quasi_static=None) if scenario is not None else None
-            roll = roll_through(system, still, POINTS, mesh=name)
+            periods = periods_to_roll(model, name)
+            points = points_per_period(periods)
+            roll = roll_through(system, still, points, periods, mesh=name)
             if roll.sentence != "finished":
                 notes.append(f"{name}: the slow roll stopped: {roll.sentence}.")
             notes += [f"{note}." for note in roll.notes]
             if len(roll.position) > 2:
-                found[name] = from_roll(model, name, data, unit, system, roll)
+                found[name] = from_roll(model, name, data, unit, system, roll, points)
         except PitchpointError as error:
             notes.append(f"{name}: no slow roll: {error}.")
         progress(k + 1, len(cycles), name)
@@ -77,52 +75,6 @@ def loaded_scenario(model: Model) -> Scenario | None:
             if scenario.kind == kind:
                 return scenario
     return None
-
-
-def from_roll(
-    model: Model, mesh: str, data: MeshCycleData, unit: float, system: System, roll: Roll
-) -> MeshCycleData:
-    """Mesh cycle with what a roll found, over the mesh phase."""
-    from pitchpoint.analysis.load_sharing import share_along_path
-    from pitchpoint.core.units import format_quantity
-
-    def channel(name: str) -> np.ndarray:
-        values: np.ndarray = roll.rows[:, system.layout.channel(f"{name}[{mesh}]")]
-        return values
-
-    pair, one = model.pairs[mesh], roll.meshes[mesh]
-    force = float(channel("mesh_force").mean())
-    sharing = share_along_path(
-        channel("mesh_phase"), one.share, pair.eps_alpha, pair.eps_beta, other_flank=force < 0.0
-    )
-    phase = (channel("mesh_phase") - sharing.offset) % 1.0
-    order = np.argsort(phase[:-1], kind="stable")
-    loaded = bool(np.all(channel("mesh_force") != 0.0))
-    shared = loaded and bool(np.any(one.share))  # a prescribed stiffness knows no single pairs
-    where = phase[order]
-    errors = {"without load": closed(where, one.unloaded[order])}
-    if loaded:
-        title = f"mesh force {format_quantity(abs(force), 'force', 4)}"
-        errors[title] = closed(where, channel("transmission_error")[order])
-    slope = closed(where, one.tangent_stiffness[order]) / unit
-    where = np.concatenate([[0.0], where, [1.0]])
-    law = np.interp(where, data.stiffness.phase, data.stiffness.stiffness_ratio)
-    # a jump of the law lies between two points of the roll
-    differs = float(np.median(np.abs(slope - law))) > SAME * float(data.stiffness.mean)
-    return replace(
-        data,
-        error_phase=where,
-        errors=errors,
-        loaded_ratio=slope if loaded and differs else (),
-        share_way=sharing.way if shared else (),
-        share=sharing.share if shared else (),
-    )
-
-
-def closed(phase: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Values of one cycle, shape (n,), with those at its ends, the phases 0 and 1, before and behind them."""
-    end = np.interp(0.0, [phase[-1] - 1.0, phase[0]], [values[-1], values[0]])
-    return np.concatenate([[end], values, [end]])
 
 
 def at_start(model: Model, scenario: Scenario | None) -> Model:

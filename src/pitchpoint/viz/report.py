@@ -15,6 +15,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from pitchpoint.viz import report_sections as parts
+from pitchpoint.viz.report_cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report_page import page
 from pitchpoint.viz.report_spectra import spectrum_section
 from pitchpoint.viz.report_tables import case_section, mode_section
@@ -68,6 +69,9 @@ class MeshCycleData:
         What the ratio refers to.
     error_phase, errors
         Phases [base pitches], shape (n,), and transmission errors [m], shape (n,), by load case.
+    cycles, repeats
+        Mesh cycles that these phases cover, and after how many everything repeats; a single cycle that
+        repeats is drawn twice, anything else once.
     loaded_ratio
         Slope of the force under load at the same phases, in the unit of the stiffness, if it is of interest.
     share_way, share
@@ -78,9 +82,31 @@ class MeshCycleData:
     stiffness_unit: str = "c′·b"
     error_phase: ArrayLike = ()
     errors: Mapping[str, ArrayLike] = field(default_factory=dict)
+    cycles: int = 1
+    repeats: int = 1
     loaded_ratio: ArrayLike = ()
     share_way: ArrayLike = ()
     share: ArrayLike = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class RollData:
+    """A slow roll that was computed before.
+
+    Attributes
+    ----------
+    curves
+        By mesh: its periods since the start [-], shape (n,), and transmission errors [m], shape (n,), by load
+        case.
+    mesh
+        The mesh whose periods were rolled.
+    note
+        Sentence shown above the curves (the status of a roll that did not finish).
+    """
+
+    curves: Mapping[str, tuple[ArrayLike, Mapping[str, ArrayLike]]]
+    mesh: str = ""
+    note: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -159,6 +185,8 @@ class ReportResults:
     ----------
     mesh_cycles
         By the name of the mesh.
+    rolls
+        Slow rolls by the name of the scenario.
     runs
         Time responses by the name of the scenario.
     sweeps
@@ -173,6 +201,7 @@ class ReportResults:
     """
 
     mesh_cycles: Mapping[str, MeshCycleData] = field(default_factory=dict)
+    rolls: Mapping[str, RollData] = field(default_factory=dict)
     runs: Mapping[str, TimeRun] = field(default_factory=dict)
     sweeps: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     campbell: CampbellData | None = None
@@ -189,7 +218,8 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     sections = [
         parts.gear_section(model.gears, model.meshes),
         parts.drawing_section(model.pairs),
-        parts.mesh_cycle_section(results.mesh_cycles),
+        mesh_cycle_section(results.mesh_cycles),
+        roll_section(results.rolls),
         mode_section(results.modes),
         parts.campbell_section(results.campbell),
         parts.sweep_section(results.sweeps),

@@ -13,11 +13,6 @@ from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
 from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
-from pitchpoint.viz.mesh_cycle_plot import (
-    plot_load_sharing,
-    plot_mesh_stiffness,
-    plot_transmission_error,
-)
 from pitchpoint.viz.quantities import Array, Channel, channels, number, scale
 from pitchpoint.viz.report_page import Section
 from pitchpoint.viz.run_record import changes_speed, owner, settled_part, turning_angle, uniform
@@ -66,35 +61,6 @@ def drawing_section(pairs: Mapping[str, tuple[Any, str, str]]) -> Section:
             f'{heading}<div class="pair"><figure>{pair_svg(pair, names=(first, second))}</figure>'
             f"<figure>{mesh_zone_svg(pair)}</figure></div>"
         )
-    return section
-
-
-def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
-    """Stiffness and transmission error over the mesh cycle."""
-    section = Section("cycle", "Over the mesh cycle")
-    for mesh, cycle in cycles.items():
-        section.add(f"<h3>{escape(mesh)}</h3>" if len(cycles) > 1 else "")
-        if cycle.stiffness is not None:
-            s = cycle.stiffness
-            caption = (
-                f"Mesh stiffness over two mesh cycles: mean {number(float(s.mean))}, "
-                f"from {number(float(s.minimum))} to {number(float(s.maximum))}, "
-                f"in units of {'its mean' if cycle.stiffness_unit == 'mean' else cycle.stiffness_unit}."
-            )
-            unit = "× mean" if cycle.stiffness_unit == "mean" else cycle.stiffness_unit
-            loaded = (cycle.error_phase, cycle.loaded_ratio) if np.size(cycle.loaded_ratio) else None
-            drawn = plot_mesh_stiffness(s, name=mesh, unit=unit, loaded=loaded)
-            section.add_figure(drawn, caption)
-        if cycle.errors:
-            section.add_figure(
-                plot_transmission_error(cycle.error_phase, cycle.errors),
-                "Quasi-static transmission error along the line of action over two mesh cycles.",
-            )
-        if np.size(cycle.share):
-            section.add_figure(
-                plot_load_sharing(cycle.share_way, cycle.share),
-                "Share of one tooth pair in the load, from its first to its last contact.",
-            )
     return section
 
 
