@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 Array = np.ndarray
 POSITION = "mesh_phase_position"
-POINTS, FEWEST_POINTS, ALL_POINTS = 96, 24, 1920
+POINTS, FEWEST_POINTS, ALL_POINTS = 96, 16, 960
 """Points per period of a roll, at least and altogether."""
-MOST_PERIODS, MOST_TURNS = 12, 120
+MOST_PERIODS, MOST_TURNS = 12, 60
 """Periods that are rolled at most: of meshes that disturb each other, and where single teeth differ."""
 SAME = 1e-3
 """Relative difference up to which two periods, or the stiffness under load and of the law, are the same."""

@@ -128,7 +128,7 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
     Parameters
     ----------
     way
-        Way since the beginning of contact at mid-face [base pitches], shape (n,).
+        Way since the beginning of contact at mid-face [base pitches], shape (n,); helical teeth touch before.
     share
         Share in the load, shape (n,).
     """
@@ -136,7 +136,7 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
 
     figure = go.Figure(
         layout=theme.layout(
-            "way of a tooth pair since the beginning of contact [base pitches]",
+            "way of a tooth pair, 0 where its mid-face comes into contact [base pitches]",
             "share in the load [%]",
             height=340,
         )

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.viz.mesh_cycle_plot import (
+    ROUND_OFF,
     plot_load_sharing,
     plot_mesh_stiffness,
     plot_transmission_error,
@@ -33,10 +34,10 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
             words = f"Quasi-static transmission error along the line of action over {_words(cycle)}."
             section.add_figure(drawn, words)
         if np.size(cycle.share):
-            section.add_figure(
-                plot_load_sharing(cycle.share_way, cycle.share),
-                "Share of one tooth pair in the load, from its first to its last contact.",
-            )
+            words = "Share of one tooth pair in the load, from its first to its last contact"
+            if float(np.min(cycle.share_way)) < 0.0:
+                words += "; helical teeth touch at one end of the face before its middle comes into contact"
+            section.add_figure(plot_load_sharing(cycle.share_way, cycle.share), f"{words}.")
     return section
 
 
@@ -63,7 +64,7 @@ def roll_section(rolls: Mapping[str, Any]) -> Section:
             if np.size(periods) < 2:
                 continue
             drawn = plot_transmission_error(
-                periods, errors, cycles=1, title=f"rolled, periods of {mesh} [base pitches]"
+                periods, errors, cycles=1, title=f"periods of {mesh} rolled [base pitches]"
             )
             section.add_figure(drawn, _roll_caption(mesh, periods, errors))
     return section
@@ -71,7 +72,8 @@ def roll_section(rolls: Mapping[str, Any]) -> Section:
 
 def _roll_caption(mesh: str, periods: Any, errors: Mapping[str, Any]) -> str:
     spans = {name: float(np.ptp(values)) for name, values in errors.items()}
-    shown = scale("m", list(spans.values()))
+    spans = {name: span if span > ROUND_OFF else 0.0 for name, span in spans.items()}
+    shown = scale("m", [*spans.values(), ROUND_OFF])
     words = ", ".join(f"{number(span * shown.factor, 4)} {shown.unit} {name}" for name, span in spans.items())
     words = words.replace(" mesh force", " at a mesh force of")
     count = number(float(np.max(periods)), 4)

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,12 +17,9 @@ from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
 from pitchpoint.viz.quantities import Array, Channel, channels, number, scale
 from pitchpoint.viz.report_page import Section
 from pitchpoint.viz.run_record import changes_speed, owner, settled_part, turning_angle, uniform
-from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
+from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals, signal_rows
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
 from pitchpoint.viz.tables import GEAR_ROWS, MESH_ROWS, plain_table, quantity_table, statistics_table
-
-if TYPE_CHECKING:
-    import plotly.graph_objects as go
 
 # Quantities that are drawn over time, in this order; a report shows what is read most, the result file holds
 # all.
@@ -39,7 +37,6 @@ TIME_QUANTITIES = (
 )
 FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
 MOST_LINES = 8
-MOST_ROWS = 30
 DETAIL_PERIODS = 12
 
 
@@ -96,13 +93,7 @@ def time_section(runs: Mapping[str, Any]) -> Section:
         section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
         settled = settled_part(time, run.settle_time)
         steady = not changes_speed(time[settled], turning_angle(run, found), settled)
-        rows = [
-            (c, c.statistics or vars(signal_statistics(c.values[settled], time[settled])))
-            for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
-            for c in found.values()
-            if c.quantity == quantity and np.all(np.isfinite(c.values))
-        ]
-        section.add(statistics_table(rows[:MOST_ROWS]))
+        _add_statistics(section, time[settled], found, settled)
         states = {owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
         section.add(_contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled))
         for quantity in TIME_QUANTITIES:
@@ -111,9 +102,7 @@ def time_section(runs: Mapping[str, Any]) -> Section:
             for unit in dict.fromkeys(c.unit for c in group):
                 same = [c for c in group if c.unit == unit]
                 state = states.get(owner(same[0])) if len(same) == 1 and quantity == "mesh_force" else None
-                whole = plot_signals(time, same[:MOST_LINES], contact_state=state)
-                end = _detail(time, same[:MOST_LINES], state) if steady else None
-                section.add_figure(whole, _caption(same), beside=end)
+                _add_signals(section, time, same, state, steady)
         parts = [
             c for q in FORCE_PARTS for c in found.values() if c.quantity == q and np.any(c.values != 0.0)
         ]
@@ -126,6 +115,44 @@ def time_section(runs: Mapping[str, Any]) -> Section:
                 plot_force_parts(time[part], shown), f"Parts of the tooth force of {mesh}, {where}."
             )
     return section
+
+
+def _add_statistics(section: Section, time: Array, found: Mapping[str, Channel], settled: np.ndarray) -> None:
+    """Table of the channels that are read most, and a sentence about all others."""
+    listed = [
+        c
+        for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
+        for c in found.values()
+        if c.quantity == quantity and np.all(np.isfinite(c.values))
+    ]
+    moving = [c for c in listed if np.any(c.values != 0.0)]
+    rows = [(c, c.statistics or vars(signal_statistics(c.values[settled], time))) for c in moving]
+    section.add(statistics_table(rows))
+    zeros, others = len(listed) - len(moving), len(found) - len(listed)
+    words = [f"{zeros} {_channels(zeros)} zero throughout"] if zeros else []
+    words += [f"{others} {_channels(others)} of other quantities"] if others else []
+    if words:
+        section.add(f"<p>Not listed, but in the result: {' and '.join(words)}.</p>")
+
+
+def _channels(count: int) -> str:
+    return "channel" if count == 1 else "channels"
+
+
+def _add_signals(
+    section: Section, time: Array, group: Sequence[Channel], state: Array | None, steady: bool
+) -> None:
+    """Signals of one quantity over the whole run and, where it is steady, their end magnified."""
+    drawn = group[:MOST_LINES]
+    part = _last_periods(time, drawn[0].values) if steady else slice(None)
+    end, rows = None, signal_rows(drawn)
+    if part.start is not None:
+        last = [replace(c, values=c.values[part]) for c in drawn]
+        # the end has settled: its ranges tell which lines can share an axis
+        rows = signal_rows(last)
+        end = plot_signals(time[part], last, contact_state=None if state is None else state[part], rows=rows)
+    whole = plot_signals(time, drawn, contact_state=state, rows=rows)
+    section.add_figure(whole, _caption(group), beside=end)
 
 
 def campbell_section(data: Any) -> Section:
@@ -171,19 +198,13 @@ def _last_periods(time: Array, values: Array) -> slice:
     return slice(int(np.searchsorted(time, time[-1] - DETAIL_PERIODS / spectrum.frequency[top])), None)
 
 
-def _detail(time: Array, group: Sequence[Channel], state: Array | None) -> go.Figure | None:
-    """The end of the signals, magnified so that single periods can be seen."""
-    part = _last_periods(time, group[0].values)
-    if part.start is None:
-        return None
-    shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in group]
-    return plot_signals(time[part], shown, contact_state=None if state is None else state[part])
-
-
 def _caption(group: Sequence[Channel]) -> str:
     """What a single channel is, in a sentence; of many, how many are not drawn."""
     if len(group) > MOST_LINES:
-        return f"{len(group) - MOST_LINES} more channels of this kind are in the result file."
+        more = len(group) - MOST_LINES
+        return (
+            f"{more} more {_channels(more)} of this kind {'is' if more == 1 else 'are'} in the result file."
+        )
     long = group[0].long_name
     return f"{long[:1].upper()}{long[1:]}." if len(group) == 1 and long else ""
 

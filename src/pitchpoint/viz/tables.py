@@ -56,11 +56,16 @@ MESH_ROWS = (
     "C_R",
     "C_B",
 )
+MOST_ROWS = 30
+"""Rows of statistics that are in view; more fold away."""
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
 
 
 def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> str:
     """One row per quantity, one column per gear or mesh; rows that nobody has are left out.
+
+    Rows of one letter (backlash j_bt, j_wt, j_bn) share the unit of the largest value among them, so that
+    rows and columns compare at a glance.
 
     Parameters
     ----------
@@ -71,15 +76,19 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
     """
     head = "".join(f'<th scope="col" class="num">{escape(name)}</th>' for name in things)
     body = []
-    for key in rows:
+    found = {key: [thing.get(key) for thing in things.values()] for key in rows}
+    largest: dict[tuple[str, str], float] = {}
+    for key, values in found.items():
+        sizes = [abs(float(v)) for v in values if isinstance(v, int | float)]
+        if sizes:
+            group = _group(key)
+            largest[group] = max(largest.get(group, 0.0), *sizes)
+    for key, values in found.items():
+        if not any(isinstance(v, int | float) for v in values):
+            continue
         entry = lookup(key)
         kind = entry.dimension or "dimensionless"
-        values = [thing.get(key) for thing in things.values()]
-        known = [float(v) for v in values if isinstance(v, int | float)]
-        if not known:
-            continue
-        # one unit per row: that of the largest value, so that the columns compare at a glance
-        unit = entry.display if entry.display == "deg" else display_unit(kind, max(abs(v) for v in known))
+        unit = entry.display if entry.display == "deg" else display_unit(kind, largest[_group(key)])
         words = entry.meaning.partition(";")[0]
         cells = "".join(f'<td class="num">{_cell(v, kind, unit)}</td>' for v in values)
         body.append(
@@ -95,13 +104,16 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
 
 
 def statistics_table(rows: Sequence[tuple[Channel, Mapping[str, float]]]) -> str:
-    """Mean, rms, minimum and maximum per channel; channels of one quantity share their display unit."""
+    """Mean, rms, minimum and maximum per channel; channels of one SI unit share their display unit.
+
+    Rows beyond `MOST_ROWS` fold away; a browser opens them.
+    """
     body = []
-    extent: dict[tuple[str, str], list[float]] = {}
+    extent: dict[str, list[float]] = {}
     for channel, values in rows:
-        extent.setdefault((channel.quantity, channel.unit), []).extend((values["min"], values["max"]))
+        extent.setdefault(channel.unit, []).extend((values["min"], values["max"]))
     for channel, values in rows:
-        shown = scale(channel.unit, extent[channel.quantity, channel.unit])
+        shown = scale(channel.unit, extent[channel.unit])
         # the alternating part of a constant is round-off, not a result
         noise = 1e-10 * max(abs(values["min"]), abs(values["max"]))
         known = {**values, "rms": values["rms"] if values["rms"] > noise else 0.0}
@@ -112,11 +124,14 @@ def statistics_table(rows: Sequence[tuple[Channel, Mapping[str, float]]]) -> str
         body.append(
             f'<tr><th scope="row">{escape(channel.label)}</th><td class="unit">{shown.unit}</td>{cells}</tr>'
         )
-    return (
-        plain_table(("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum"), body)
-        if body
-        else ""
-    )
+    if not body:
+        return ""
+    head = ("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum")
+    text = plain_table(head, body[:MOST_ROWS])
+    more = body[MOST_ROWS:]
+    if more:
+        text += f"<details><summary>{len(more)} more channels</summary>{plain_table(head, more)}</details>"
+    return text
 
 
 def plain_table(head: Sequence[str], body: Sequence[str]) -> str:
@@ -147,6 +162,11 @@ def symbol_html(symbol: str) -> str:
             text, index = text + f"<sub>{escape(index.strip(chr(0)))}</sub>", ""
         text += escape(letter)
     return text + (f"<sub>{escape(index.strip(chr(0)))}</sub>" if index else "")
+
+
+def _group(key: str) -> tuple[str, str]:
+    """What shares a unit: letter and dimension of a quantity."""
+    return key.partition("_")[0], lookup(key).dimension or "dimensionless"
 
 
 def _cell(value: Any, kind: str, unit: str) -> str:
