@@ -36,6 +36,7 @@ def describe(model: Model) -> ReportModel:
     """Collect what a report says about a model."""
     from pitchpoint.core.provenance import content_hash, package_version
     from pitchpoint.report.defaults import defaults
+    from pitchpoint.report.flanks import flank_lines
     from pitchpoint.report.numbers import geometry_of_model
 
     numbers = geometry_of_model(model)
@@ -46,6 +47,7 @@ def describe(model: Model) -> ReportModel:
         version=package_version(),
         gears=numbers["gears"],
         meshes=numbers["meshes"],
+        flanks=flank_lines(model),
         pairs={name: (pair, *model.meshes[name].gears) for name, pair in model.pairs.items()},
         shafts={mesh: body for mesh, body in bodies.items() if body},
         assumptions=[f"{key}: {value}" for key, value in defaults(model)],

@@ -35,6 +35,8 @@ class ReportModel:
         Shown only if given, so that the same data give the same file.
     gears, meshes
         SI values by identifier (`m_n`, `d_a`, `eps_alpha` …), by the name of the gear or mesh.
+    flanks
+        What flanks have besides the involute: gear, flanks, what, amount, extent.
     pairs
         `GearPair` and the names of its two gears, by the name of the mesh; these are drawn.
     shafts
@@ -49,6 +51,7 @@ class ReportModel:
     date: str | None = None
     gears: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     meshes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    flanks: Sequence[Sequence[str]] = ()
     pairs: Mapping[str, tuple[Any, str, str]] = field(default_factory=dict)
     shafts: Mapping[str, str] = field(default_factory=dict)
     warnings: Sequence[str] = ()
@@ -216,7 +219,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     # a little more than three mesh orders, so that the third one does not stand on the frame
     highest = 3.2 * max(teeth) if teeth else 100.0
     sections = [
-        parts.gear_section(model.gears, model.meshes),
+        parts.gear_section(model.gears, model.meshes, model.flanks),
         parts.drawing_section(model.pairs),
         mesh_cycle_section(results.mesh_cycles),
         roll_section(results.rolls),

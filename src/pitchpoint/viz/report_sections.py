@@ -19,7 +19,14 @@ from pitchpoint.viz.report_page import Section
 from pitchpoint.viz.run_record import changes_speed, owner, settled_part, turning_angle, uniform
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals, signal_rows
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
-from pitchpoint.viz.tables import GEAR_ROWS, MESH_ROWS, plain_table, quantity_table, statistics_table
+from pitchpoint.viz.tables import (
+    GEAR_ROWS,
+    MEASURE_ROWS,
+    MESH_ROWS,
+    plain_table,
+    quantity_table,
+    statistics_table,
+)
 
 # Quantities that are drawn over time, in this order; a report shows what is read most, the result file holds
 # all.
@@ -40,10 +47,23 @@ MOST_LINES = 8
 DETAIL_PERIODS = 12
 
 
-def gear_section(gears: Mapping[str, Mapping[str, Any]], meshes: Mapping[str, Mapping[str, Any]]) -> Section:
-    """Tables of gear and mesh data."""
+def gear_section(
+    gears: Mapping[str, Mapping[str, Any]],
+    meshes: Mapping[str, Mapping[str, Any]],
+    flanks: Sequence[Sequence[str]] = (),
+) -> Section:
+    """Tables of gear and mesh data, measures for the workshop, and what flanks have besides the involute."""
     section = Section("gears", "Gears and meshes")
     section.add(quantity_table(GEAR_ROWS, gears))
+    table = quantity_table(MEASURE_ROWS, gears)
+    section.add(f"<h3>Measures</h3>{table}" if table else "")
+    narrow = [name for name, gear in gears.items() if gear.get("span_measurable") is False]
+    if narrow:
+        section.add(f"<p>Too narrow for the span: {escape(', '.join(narrow))}.</p>")
+    if flanks:
+        rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in flanks]
+        head = ("gear", "flanks", "modification or deviation", "amount", "extent")
+        section.add(f"<h3>Flanks</h3>{plain_table(head, rows, numbers=False)}")
     table = quantity_table(MESH_ROWS, meshes)
     section.add(f"<h3>Meshes</h3>{table}" if table else "")
     return section

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
-from pitchpoint.core.nomenclature import lookup
+from pitchpoint.core.nomenclature import Entry, lookup
 from pitchpoint.core.units import display_unit, in_unit
 from pitchpoint.viz.quantities import Channel, number, pretty, scale
 
@@ -51,11 +51,26 @@ MESH_ROWS = (
     "j_bt",
     "j_wt",
     "j_bn",
+    "c_1",
+    "c_2",
+    "zeta_f1",
+    "zeta_a1",
+    "zeta_f2",
+    "zeta_a2",
     "c_prime",
     "c_gamma_alpha",
     "C_R",
     "C_B",
 )
+MEASURES = (
+    ("tip_thickness", "s_an", "length", "mm", "normal tip thickness"),
+    ("span_teeth", "k", "dimensionless", "", "teeth (internal: spaces) spanned"),
+    ("span", "W_k", "length", "mm", "span"),
+    ("ball_diameter", "D_M", "length", "mm", "ball diameter, touches at d + 2 x mₙ"),
+    ("dimension_over_balls", "M_dK", "length", "mm", "dimension over balls, internal gears: between"),
+)
+"""What is measured in the workshop: identifier, symbol, dimension, unit, words; not in the nomenclature."""
+MEASURE_ROWS = tuple(row[0] for row in MEASURES)
 MOST_ROWS = 30
 """Rows of statistics that are in view; more fold away."""
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
@@ -86,7 +101,7 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
     for key, values in found.items():
         if not any(isinstance(v, int | float) for v in values):
             continue
-        entry = lookup(key)
+        entry = _entry(key)
         kind = entry.dimension or "dimensionless"
         unit = entry.display if entry.display == "deg" else display_unit(kind, largest[_group(key)])
         words = entry.meaning.partition(";")[0]
@@ -134,10 +149,11 @@ def statistics_table(rows: Sequence[tuple[Channel, Mapping[str, float]]]) -> str
     return text
 
 
-def plain_table(head: Sequence[str], body: Sequence[str]) -> str:
+def plain_table(head: Sequence[str], body: Sequence[str], *, numbers: bool = True) -> str:
     """Table from ready rows; numbers are right-aligned from the third column on."""
     cells = "".join(
-        f'<th scope="col"{" class=num" if k > 1 else ""}>{escape(words)}</th>' for k, words in enumerate(head)
+        f'<th scope="col"{" class=num" if numbers and k > 1 else ""}>{escape(words)}</th>'
+        for k, words in enumerate(head)
     )
     rows = "".join(body)
     return f'<div class="scroll"><table><thead><tr>{cells}</tr></thead><tbody>{rows}</tbody></table></div>'
@@ -166,7 +182,15 @@ def symbol_html(symbol: str) -> str:
 
 def _group(key: str) -> tuple[str, str]:
     """What shares a unit: letter and dimension of a quantity."""
-    return key.partition("_")[0], lookup(key).dimension or "dimensionless"
+    return key.partition("_")[0], _entry(key).dimension or "dimensionless"
+
+
+def _entry(key: str) -> Entry:
+    """Symbol, words and unit of an identifier."""
+    for identifier, symbol, dimension, unit, words in MEASURES:
+        if identifier == key:
+            return Entry(identifier, symbol, "", "", dimension, unit, words, "ISO 21771")
+    return lookup(key)
 
 
 def _cell(value: Any, kind: str, unit: str) -> str:
