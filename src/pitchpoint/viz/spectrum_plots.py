@@ -228,10 +228,11 @@ def _label_peaks(
         ):
             continue
         taken.append(frequency)
+        shown = known_part(frequency, spectrum.resolution) * factor
         figure.add_annotation(
-            x=frequency * factor,
+            x=shown,
             y=float(np.log10(amplitude * gain)),
-            text=peak_label(frequency, spectrum.resolution, factor),
+            text=number(shown, 4),
             showarrow=False,
             # at the left edge a centred label would cover the numbers of the axis
             xanchor="left" if frequency < 0.03 * end else "center",
@@ -240,13 +241,12 @@ def _label_peaks(
         )
 
 
-def peak_label(frequency: float, resolution: float, factor: float = 1.0) -> str:
-    """Number at a peak, with the digits that the distance between lines allows, four at most.
+def known_part(frequency: float, resolution: float) -> float:
+    """Frequency or order of a peak, with the decimals that the distance between lines allows.
 
     Examples
     --------
-    >>> peak_label(49.9978, 1 / 11), peak_label(699.83, 3.33), peak_label(5499.7, 5.0, 1e-3)
-    ('50', '700', '5.5')
+    >>> known_part(49.9978, 1 / 11), known_part(699.83, 3.33), known_part(0.704, 0.5)
+    (50.0, 700.0, 0.7)
     """
-    step = 10.0 ** np.ceil(np.log10(0.1 * resolution))
-    return number(round(frequency / step) * step * factor, 4)
+    return round(frequency, -int(np.ceil(np.log10(0.1 * resolution))))

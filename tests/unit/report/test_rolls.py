@@ -134,18 +134,18 @@ def test_a_cycle_is_drawn_as_long_as_it_is() -> None:
 
 
 def test_a_faulty_tooth_is_seen_without_a_roll() -> None:
-    found, _ = collect(train(deviation=True), [], silent)
+    found, _ = collect(train("torsion", deviation=True), [], silent)
     unloaded = np.asarray(found.mesh_cycles["first"].errors["without load"])
     assert np.ptp(unloaded) == pytest.approx(30e-6 * np.cos(np.radians(20.0)), rel=0.1)
 
 
 @pytest.mark.parametrize("as_file", [True, False])
 def test_a_roll_that_is_given_is_drawn_over_all_its_periods(as_file: bool, tmp_path: Path) -> None:
-    model = train(deviation=True)
+    model = train("torsion")
     data = pp.solve_quasistatic(pp.compile_model(model, "roll"))
     given: list[object] = [data]
     if as_file:
-        (tmp_path / "m.yaml").write_text(text(deviation=True), encoding="utf-8")
+        (tmp_path / "m.yaml").write_text(text("torsion"), encoding="utf-8")
         target = tmp_path / "roll.h5"
         assert run_command(["run", str(tmp_path / "m.yaml"), "-s", "roll", "-q", "-o", str(target)]) == 0
         given, model = [target], pp.load_model(tmp_path / "m.yaml")
