@@ -132,6 +132,7 @@ def from_roll(
     cycles, until = _cycles(model, mesh, list(curves.values()), points)
     phase = whole_phase(channel("mesh_phase"), sharing.offset)
     where, drawn = _drawn(phase, [*curves.values(), one.tangent_stiffness], points * cycles)
+    rolled = math.ceil((len(force) - 1) / points)
     slope = drawn[-1] / unit
     law = np.interp(where % 1.0, data.stiffness.phase, data.stiffness.stiffness_ratio)
     # a jump of the law lies between two points of the roll
@@ -141,8 +142,8 @@ def from_roll(
         data,
         error_phase=where,
         errors=dict(zip(curves, drawn[:-1], strict=True)),
-        cycles=cycles or math.ceil((len(where) - 1) / points),
-        repeats=cycles or until,
+        cycles=cycles or rolled,
+        repeats=cycles or (until if until > rolled else 0),
         loaded_ratio=slope if loaded and differs else (),
         share_way=sharing.way if shared else (),
         share=sharing.share if shared else (),

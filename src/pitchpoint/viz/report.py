@@ -73,8 +73,8 @@ class MeshCycleData:
     error_phase, errors
         Phases [base pitches], shape (n,), and transmission errors [m], shape (n,), by load case.
     cycles, repeats
-        Mesh cycles that these phases cover, and after how many everything repeats; a single cycle that
-        repeats is drawn twice, anything else once.
+        Mesh cycles that these phases cover, and after how many everything repeats, 0 if that is not known;
+        a single cycle that repeats is drawn twice, anything else once.
     loaded_ratio
         Slope of the force under load at the same phases, in the unit of the stiffness, if it is of interest.
     share_way, share
