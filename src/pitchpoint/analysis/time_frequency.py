@@ -19,7 +19,7 @@ class TimeFrequencyMap:
     Attributes
     ----------
     time
-        Shape (n_frame,). Middle of each frame [s] after the first sample.
+        Shape (n_frame,). Middle of each frame [s], by the clock of `start`.
     frequency
         Shape (n_line,). Frequency [Hz].
     amplitude
@@ -40,6 +40,7 @@ def time_frequency_map(
     frames: int = 300,
     highest_frequency: float | None = None,
     window_name: str = "hann",
+    start: float = 0.0,
 ) -> TimeFrequencyMap:
     """Short-time Fourier transform as a map of window-corrected peak amplitudes.
 
@@ -58,6 +59,8 @@ def time_frequency_map(
         Highest frequency kept [Hz]; default f_s/2.
     window_name
         See `spectra.window`.
+    start
+        Time of the first sample [s].
 
     Returns
     -------
@@ -104,11 +107,11 @@ def time_frequency_map(
     w = window(window_name, length)
     gain = float(w.sum())
     amplitude = np.empty((starts.size, n_line))
-    for row, start in enumerate(starts):
-        piece = x[start : start + length]
+    for row, first in enumerate(starts):
+        piece = x[first : first + length]
         amplitude[row] = one_sided(np.fft.rfft(w * (piece - piece.mean())), length, gain)[:n_line]
     return TimeFrequencyMap(
-        time=np.asarray((starts + 0.5 * (length - 1)) / rate, dtype=np.float64),
+        time=np.asarray(start + (starts + 0.5 * (length - 1)) / rate, dtype=np.float64),
         frequency=np.arange(n_line) * rate / length,
         amplitude=amplitude,
     )

@@ -13,7 +13,8 @@ import numpy as np
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress
-from pitchpoint.viz.report import CaseTable, MeshCycleData, ReportModel, ReportResults, TimeRun
+from pitchpoint.report.rolls import POSITION, given_roll, without_given
+from pitchpoint.viz.report import CaseTable, MeshCycleData, ReportModel, ReportResults, RollData, TimeRun
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -35,6 +36,7 @@ def describe(model: Model) -> ReportModel:
     """Collect what a report says about a model."""
     from pitchpoint.core.provenance import content_hash, package_version
     from pitchpoint.report.defaults import defaults
+    from pitchpoint.report.flanks import flank_lines
     from pitchpoint.report.numbers import geometry_of_model
 
     numbers = geometry_of_model(model)
@@ -45,6 +47,7 @@ def describe(model: Model) -> ReportModel:
         version=package_version(),
         gears=numbers["gears"],
         meshes=numbers["meshes"],
+        flanks=flank_lines(model),
         pairs={name: (pair, *model.meshes[name].gears) for name, pair in model.pairs.items()},
         shafts={mesh: body for mesh, body in bodies.items() if body},
         assumptions=[f"{key}: {value}" for key, value in defaults(model)],
@@ -59,6 +62,7 @@ class _Found:
     runs: dict[str, TimeRun] = field(default_factory=dict)
     sweeps: dict[str, dict[str, Any]] = field(default_factory=dict)
     cases: dict[str, CaseTable] = field(default_factory=dict)
+    rolls: dict[str, RollData] = field(default_factory=dict)
     remarks: list[str] = field(default_factory=list)
 
 
@@ -85,7 +89,8 @@ def collect(
     filled, notes = with_rolls(model, cycles, progress)
     modes, campbell, more = linear_parts(model)
     shown = ReportResults(
-        mesh_cycles=filled,
+        mesh_cycles=without_given(filled, found.rolls),
+        rolls=found.rolls,
         modes=modes,
         campbell=campbell,
         runs=found.runs,
@@ -122,15 +127,17 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
                 ]
                 key = _free(f"{name}: {words}", own, found.sweeps)
                 found.sweeps[key] = {"points": case["points"], "jumps": jumps}
-    elif header["kind"] == "time":
+    elif header["kind"] in ("time", "quasi_static"):
         whole = header["status"] == "finished"
+        note = "" if whole else f"This run is not complete: {header['status']}. {header['sentence']}"
         with open_result(file) as data:
             data.load()
-        found.runs[_free(name, own, found.runs)] = TimeRun(
-            data=data,
-            settle_time=float(header["options"].get("settle_time", 0.0)),
-            note="" if whole else f"This run is not complete: {header['status']}. {header['sentence']}",
-        )
+        if header["kind"] == "quasi_static":
+            found.rolls[_free(name, own, found.rolls)] = given_roll(data, note)
+            return
+        settle = float(header["options"].get("settle_time", 0.0))
+        key = _free(name, own, found.runs)
+        found.runs[key] = TimeRun(data=data, settle_time=settle, note=note)
     else:
         kind = str(header["kind"]).replace("_", "-")
         found.remarks.append(
@@ -139,7 +146,7 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
 
 
 def _add_dataset(found: _Found, data: xr.Dataset) -> None:
-    """Put a time response or a speed sweep where the report looks for it."""
+    """Put a time response, a speed sweep or a slow roll where the report looks for it."""
     dimensions = set(getattr(data, "dims", ()))
     if "time" in dimensions:
         time = data["time"].values
@@ -149,11 +156,13 @@ def _add_dataset(found: _Found, data: xr.Dataset) -> None:
     elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
         name = _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
         found.sweeps[name] = _sweep_of(data)
+    elif POSITION in dimensions:
+        found.rolls[_free("slow roll", str(len(found.rolls) + 1), found.rolls)] = given_roll(data)
     else:
         kind = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
         raise PitchpointError(
             f"results: {kind} has no place in a report; "
-            "give a dataset of solve_time or sweep_speed, or the name of a result file"
+            "give a dataset of solve_time, solve_quasistatic or sweep_speed, or the name of a result file"
         )
 
 

@@ -16,26 +16,27 @@ import numpy as np
 from pitchpoint.core.errors import PitchpointError
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from pitchpoint.core.progress import Progress
+    from pitchpoint.model.components.law import Law
     from pitchpoint.model.model import Model
-    from pitchpoint.model.scenario import Scenario
-    from pitchpoint.solvers.quasistatic import Roll
-    from pitchpoint.system.system import System
+    from pitchpoint.model.scenario import Drive, Scenario
     from pitchpoint.viz.report import CampbellData, MeshCycleData, ModeData
 
-POINTS = 96
 SPEEDS = 41
 HARMONICS = 3
+MOMENTS = 1001
+"""Moments at which a drive is asked for its speed."""
 NAMED = 6
 """Modes up to which a Campbell diagram has their names in its legend."""
-SAME = 1e-3
-"""Relative difference up to which the stiffness under load counts as that of the law."""
 
 
 def with_rolls(
     model: Model, cycles: dict[str, tuple[MeshCycleData, float]], progress: Progress
 ) -> tuple[dict[str, MeshCycleData], list[str]]:
     """Add transmission errors and load sharing to mesh cycles (with the stiffness of their ratio 1 [N/m])."""
+    from pitchpoint.report.rolls import from_roll, periods_to_roll, points_per_period
     from pitchpoint.solvers.quasistatic import roll_through
     from pitchpoint.system.compile import compile_model
 
@@ -52,12 +53,14 @@ def with_rolls(
         try:
             system = compile_model(steady, scenario)
             still = replace(scenario, quasi_static=None) if scenario is not None else None
-            roll = roll_through(system, still, POINTS, mesh=name)
+            periods = periods_to_roll(model, name)
+            points = points_per_period(periods)
+            roll = roll_through(system, still, points, periods, mesh=name)
             if roll.sentence != "finished":
                 notes.append(f"{name}: the slow roll stopped: {roll.sentence}.")
             notes += [f"{note}." for note in roll.notes]
             if len(roll.position) > 2:
-                found[name] = from_roll(model, name, data, unit, system, roll)
+                found[name] = from_roll(model, name, data, unit, system, roll, points)
         except PitchpointError as error:
             notes.append(f"{name}: no slow roll: {error}.")
         progress(k + 1, len(cycles), name)
@@ -77,52 +80,6 @@ def loaded_scenario(model: Model) -> Scenario | None:
             if scenario.kind == kind:
                 return scenario
     return None
-
-
-def from_roll(
-    model: Model, mesh: str, data: MeshCycleData, unit: float, system: System, roll: Roll
-) -> MeshCycleData:
-    """Mesh cycle with what a roll found, over the mesh phase."""
-    from pitchpoint.analysis.load_sharing import share_along_path
-    from pitchpoint.core.units import format_quantity
-
-    def channel(name: str) -> np.ndarray:
-        values: np.ndarray = roll.rows[:, system.layout.channel(f"{name}[{mesh}]")]
-        return values
-
-    pair, one = model.pairs[mesh], roll.meshes[mesh]
-    force = float(channel("mesh_force").mean())
-    sharing = share_along_path(
-        channel("mesh_phase"), one.share, pair.eps_alpha, pair.eps_beta, other_flank=force < 0.0
-    )
-    phase = (channel("mesh_phase") - sharing.offset) % 1.0
-    order = np.argsort(phase[:-1], kind="stable")
-    loaded = bool(np.all(channel("mesh_force") != 0.0))
-    shared = loaded and bool(np.any(one.share))  # a prescribed stiffness knows no single pairs
-    where = phase[order]
-    errors = {"without load": closed(where, one.unloaded[order])}
-    if loaded:
-        title = f"mesh force {format_quantity(abs(force), 'force', 4)}"
-        errors[title] = closed(where, channel("transmission_error")[order])
-    slope = closed(where, one.tangent_stiffness[order]) / unit
-    where = np.concatenate([[0.0], where, [1.0]])
-    law = np.interp(where, data.stiffness.phase, data.stiffness.stiffness_ratio)
-    # a jump of the law lies between two points of the roll
-    differs = float(np.median(np.abs(slope - law))) > SAME * float(data.stiffness.mean)
-    return replace(
-        data,
-        error_phase=where,
-        errors=errors,
-        loaded_ratio=slope if loaded and differs else (),
-        share_way=sharing.way if shared else (),
-        share=sharing.share if shared else (),
-    )
-
-
-def closed(phase: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Values of one cycle, shape (n,), with those at its ends, the phases 0 and 1, before and behind them."""
-    end = np.interp(0.0, [phase[-1] - 1.0, phase[0]], [values[-1], values[0]])
-    return np.concatenate([[end], values, [end]])
 
 
 def at_start(model: Model, scenario: Scenario | None) -> Model:
@@ -208,27 +165,70 @@ def reference_body(model: Model) -> str | None:
 
 
 def highest_speed(model: Model, body: str, frequency: Any) -> float:
-    """End of the Campbell diagram [rad/s]: the mesh frequency has met every mode, and every scenario fits."""
+    """End of the Campbell diagram [rad/s]: 1.2 times the highest speed of all scenarios.
+
+    If none turns the body, the speed where the slowest mesh has met every mode.
+    """
     from pitchpoint.model.scenario import Scenario
 
+    reached = max((highest_of_scenario(model, s, body) for s in model.scenarios.values()), default=0.0)
+    if reached > 0.0:
+        return 1.2 * reached
     ratios = model.start_speeds(Scenario(speed={body: 1.0}))
     orders = []
     for mesh in model.meshes.values():
         turning = str(model.body_of(mesh.gears[0]))
         orders.append(abs(ratios.get(turning, 0.0)) * model.gears[mesh.gears[0]].number_of_teeth)
     lowest = min((o for o in orders if o > 0.0), default=math.inf)
-    speeds = [
-        abs(model.start_speeds(replace(s, speed={**s.speed, **prescribed(s)})).get(body, 0.0))
-        for s in model.scenarios.values()
-    ]
-    return 1.2 * max(2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest, *speeds, 0.0)
+    return 1.2 * 2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest
 
 
-def prescribed(scenario: Scenario) -> dict[str, float]:
-    """Constant speeds of drives, and the highest speed of a sweep given by speeds [rad/s]."""
-    from pitchpoint.model.components.law import Constant
+def highest_of_scenario(model: Model, scenario: Scenario, body: str) -> float:
+    """Highest speed of a body in a scenario [rad/s], as far as the model file says it."""
+    from pitchpoint.model.scenario import Scenario
 
-    found = {n: d.speed.value for n, d in scenario.drive.items() if isinstance(d.speed, Constant)}
-    if scenario.sweep is not None and scenario.sweep.speed is not None:
-        found[scenario.sweep.body] = scenario.sweep.speed[1]
-    return found
+    speeds = [scenario.speed, *({name: speed} for name, speed in prescribed(model, scenario))]
+    reached = 0.0
+    for given in speeds:
+        ratios = model.start_speeds(Scenario(speed=dict(given)))
+        reached = max(reached, abs(ratios.get(body, 0.0)))
+    return reached
+
+
+def prescribed(model: Model, scenario: Scenario) -> list[tuple[str, float]]:
+    """Highest prescribed speeds of bodies [rad/s]: of drives, and the end of a sweep."""
+    end = scenario.duration or 0.0
+    found = [(name, _fastest(drive, end)) for name, drive in scenario.drive.items()]
+    sweep = scenario.sweep
+    if sweep is not None and sweep.speed is not None:
+        found.append((sweep.body, sweep.speed[1]))
+    elif sweep is not None and sweep.mesh_frequency is not None:
+        teeth = abs(model.sweep_mesh(scenario)[1])
+        found.append((sweep.body, 2.0 * math.pi * sweep.mesh_frequency[1] / teeth))
+    return [(name, speed) for name, speed in found if speed > 0.0]
+
+
+def _fastest(drive: Drive, duration: float) -> float:
+    """Highest speed of a drive up to the end of the scenario [rad/s]; 0 if its law is Python code."""
+    moments = np.linspace(0.0, duration, MOMENTS)
+    if drive.speed is not None:
+        return float(np.max(np.abs(_values(drive.speed, moments, "angular_speed"))))
+    if drive.angle is not None and duration > 0.0:
+        return float(np.max(np.abs(np.diff(_values(drive.angle, moments, "angle")))) / moments[1])
+    return 0.0
+
+
+def _values(law: Law, moments: NDArray[np.float64], dimension: str) -> NDArray[np.float64]:
+    """Values of a law at some moments; zeros where it cannot be known without running it."""
+    from pitchpoint.core.formula import Formula
+    from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
+
+    if isinstance(law, Constant):
+        return np.full(moments.size, law.value)
+    if isinstance(law, TableLaw):
+        return np.interp(moments, law.abscissa, law.values)
+    if isinstance(law, FormulaLaw):
+        rest = (0.0,) * (len(law.variables) - 1)
+        formula = Formula.parse(law.text, law.variables, dimension)
+        return np.array([float(formula(t, *rest)) for t in moments])
+    return np.zeros(moments.size)

@@ -34,9 +34,10 @@ def write_report(
     path_out
         The HTML file to write; its folder is made if it does not exist, an older report is replaced.
     *results
-        Result files (`.h5`) of runs, sweeps and cases, and datasets of `solve_time` and `sweep_speed`, in any
-        number. The first fifth of a dataset counts as settling, of a file what its scenario says. What
-        follows from the model alone (geometry, mesh cycle, modes) is computed and shown in any case.
+        Result files (`.h5`) of runs, slow rolls, sweeps and cases, and datasets of `solve_time`,
+        `solve_quasistatic` and `sweep_speed`, in any number. The first fifth of a dataset counts as settling,
+        of a file what its scenario says. What follows from the model alone (geometry, mesh cycle, modes) is
+        computed and shown in any case.
     allow_code
         Whether a model file may name Python code.
     progress

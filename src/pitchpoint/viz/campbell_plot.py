@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.campbell import campbell_crossings
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import scale
+from pitchpoint.viz.quantities import Array, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 MOST_NAMES = 6
 """Modes up to which the legend names them; more are labelled at their lines."""
+HEIGHT, TOP, MARGINS, TEXT_HEIGHT = 460, 76, 124, 13
+"""Height of the figure, its margin above, both margins and a line of text [pixels]."""
 
 
 def plot_campbell(
@@ -57,26 +59,15 @@ def plot_campbell(
         layout=theme.layout(
             revolutions.title(f"speed of {shaft}" if shaft else "speed"),
             pitch.title("frequency"),
-            height=460,
+            height=HEIGHT,
             # room for two rows of order names between picture and legend
-            margin={"t": 76},
+            margin={"t": TOP},
             legend={"y": 1.1},
         )
     )
     crowded = modes.shape[1] > MOST_NAMES
-    for k in range(modes.shape[1]):
-        name = mode_names[k] if k < len(mode_names) else f"mode {k + 1}"
-        if crowded:
-            figure.add_annotation(
-                x=float(omega[0]) * revolutions.factor,
-                y=float(modes[0, k]) * pitch.factor,
-                text=name,
-                showarrow=False,
-                xanchor="left",
-                yanchor="bottom",
-                xshift=4 + 24 * (k % 3),
-                font={"size": 11},
-            )
+    names = [mode_names[k] if k < len(mode_names) else f"mode {k + 1}" for k in range(modes.shape[1])]
+    for k, name in enumerate(names):
         figure.add_scatter(
             x=omega * revolutions.factor,
             y=modes[:, k] * pitch.factor,
@@ -85,30 +76,25 @@ def plot_campbell(
             showlegend=not crowded,
             line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 2},
         )
+    # names stand beside and above the picture, where no circle and no line can be
+    room = _beside(figure, names, modes[-1] * pitch.factor, top * pitch.factor) if crowded else 0
+    leaving: dict[str, float] = {}
     for row, (name, order) in enumerate(_distinct(orders)):
-        lines = order * omega / (2.0 * np.pi)
         figure.add_scatter(
             x=omega * revolutions.factor,
-            y=lines * pitch.factor,
+            y=order * omega / (2.0 * np.pi) * pitch.factor,
             mode="lines",
             name=name,
             showlegend=False,
             line={"color": theme.GREY, "width": 1, "dash": "dash"},
         )
-        # the label sits where the line leaves the picture: at the top or at the right edge
-        end = min(float(omega[-1]), 2.0 * np.pi * top / order)
-        at_top = end < float(omega[-1])
-        figure.add_annotation(
-            x=end * revolutions.factor,
-            y=order * end / (2.0 * np.pi) * pitch.factor,
-            text=name,
-            showarrow=False,
-            # a label in the middle of its line would be cut at the edge of the picture
-            xanchor="center" if end < 0.85 * float(omega[-1]) else "right",
-            yanchor="bottom",
-            yshift=1 + (13 * (row % 2) if at_top else 0),
-            font={"size": 11},
-        )
+        end = 2.0 * np.pi * top / order
+        if end < float(omega[-1]):
+            _above(figure, name, end * revolutions.factor, row)
+        else:
+            leaving[name] = order * float(omega[-1]) / (2.0 * np.pi) * pitch.factor
+    room = _beside(figure, list(leaving), np.array([*leaving.values()]), top * pitch.factor, room)
+    figure.update_layout(margin={"r": 16 + room})
     crossings = (
         campbell_crossings(omega, modes, [order for _, order in _distinct(orders)])
         if modes.size and orders
@@ -126,6 +112,68 @@ def plot_campbell(
     figure.update_xaxes(range=[float(omega[0]) * revolutions.factor, float(omega[-1]) * revolutions.factor])
     figure.update_layout(showlegend=True)
     return figure
+
+
+def _above(figure: go.Figure, name: str, at: float, row: int) -> None:
+    """Name of a line that leaves through the top of the picture; neighbours on two levels."""
+    figure.add_annotation(
+        x=at,
+        y=1,
+        yref="paper",
+        text=name,
+        showarrow=False,
+        xanchor="center",
+        yanchor="bottom",
+        yshift=1 + 13 * (row % 2),
+        font={"size": 11},
+    )
+
+
+def _beside(figure: go.Figure, names: Sequence[str], ends: Array, top: float, room: int = 0) -> int:
+    """Names at the right ends of lines, `room` beside the picture; those closer than a text line share one.
+
+    Returns
+    -------
+    int
+        Room that names take now [pixels].
+    """
+    closest = TEXT_HEIGHT / (HEIGHT - MARGINS) * top
+    groups: list[list[int]] = []
+    for k in sorted((k for k in range(len(names)) if np.isfinite(ends[k])), key=lambda k: float(ends[k])):
+        if groups and ends[k] - np.mean(ends[groups[-1]]) < closest:
+            groups[-1].append(k)
+        else:
+            groups.append([k])
+    texts = [_together([names[k] for k in group]) for group in groups]
+    for group, text in zip(groups, texts, strict=True):
+        figure.add_annotation(
+            x=1,
+            xref="paper",
+            y=float(np.mean(ends[group])),
+            text=text,
+            showarrow=False,
+            xanchor="left",
+            yanchor="middle",
+            xshift=4 + room,
+            font={"size": 11},
+        )
+    return room + max((8 + 7 * len(text) for text in texts), default=0)
+
+
+def _together(names: Sequence[str]) -> str:
+    """Names of lines that lie together: a range of numbers, or all of them.
+
+    Examples
+    --------
+    >>> _together(["3"]), _together(["3", "4", "5"]), _together(["3", "5"]), _together(["a", "b"])
+    ('3', '3–5', '3, 5', 'a, b')
+    """
+    if len(names) > 1 and all(name.isdigit() for name in names):
+        numbers = sorted(map(int, names))
+        if numbers[-1] - numbers[0] == len(numbers) - 1:
+            return f"{numbers[0]}–{numbers[-1]}"
+        return ", ".join(map(str, numbers))
+    return ", ".join(names)
 
 
 def _distinct(orders: Mapping[str, float]) -> list[tuple[str, float]]:

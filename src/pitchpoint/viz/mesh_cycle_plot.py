@@ -25,8 +25,9 @@ def plot_mesh_stiffness(
     name: str = "",
     unit: str = "c′·b",
     loaded: tuple[ArrayLike, ArrayLike] | None = None,
+    cycles: int = 2,
 ) -> go.Figure:
-    """Stiffness over two mesh cycles, with its mean.
+    """Stiffness over mesh cycles, with its mean.
 
     Parameters
     ----------
@@ -38,11 +39,14 @@ def plot_mesh_stiffness(
     unit
         What the ratio refers to: c′·b for tooth pair laws, the mean for prescribed stiffness.
     loaded
-        Phases and slopes of the force under load, in the same unit, where they differ from the law.
+        Phases and slopes of the force under load, in the same unit, where they differ from the law; a single
+        cycle of them is repeated like that of the law.
+    cycles
+        Number of cycles drawn.
     """
     import plotly.graph_objects as go
 
-    phase, ratio = _two_cycles(cycle.phase, cycle.stiffness_ratio)
+    phase, ratio = _repeated(cycle.phase, cycle.stiffness_ratio, cycles)
     figure = go.Figure(
         layout=theme.layout("mesh phase ψ [base pitches]", f"mesh stiffness [{unit}]", height=340)
     )
@@ -54,7 +58,7 @@ def plot_mesh_stiffness(
         line={"color": theme.BLUE, "width": 2, "simplify": False},
     )
     if loaded is not None:
-        x, y = _two_cycles(*loaded)
+        x, y = _repeated(*loaded, cycles)
         figure.add_scatter(x=x, y=y, mode="lines", name="under load", line={"color": theme.RED, "width": 2})
     figure.add_hline(y=float(cycle.mean), line={"color": theme.GREY, "dash": "dash", "width": 1})
     figure.add_scatter(
@@ -69,11 +73,18 @@ def plot_mesh_stiffness(
         low, high = min(low, float(np.min(loaded[1]))), max(high, float(np.max(loaded[1])))
     margin = max(0.08 * (high - low), 0.02 * abs(float(cycle.mean)))
     figure.update_yaxes(range=[low - margin, high + margin])
+    figure.update_xaxes(range=[0.0, cycles])
     return figure
 
 
-def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -> go.Figure:
-    """Transmission error over two mesh cycles about its mean, one line per load case.
+def plot_transmission_error(
+    phase: ArrayLike,
+    errors: Mapping[str, ArrayLike],
+    *,
+    cycles: int = 2,
+    title: str = "mesh phase ψ [base pitches]",
+) -> go.Figure:
+    """Transmission error over mesh cycles about its mean, one line per load case.
 
     The means, half the backlash and the deflection under load, are many times larger than what excites
     vibration; they stand in the legend.
@@ -81,9 +92,13 @@ def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -
     Parameters
     ----------
     phase
-        Mesh phase [base pitches], shape (n,), within one period.
+        Mesh phase [base pitches], shape (n,).
     errors
         Transmission error along the line of action [m], shape (n,) each, by the name of the load case.
+    cycles
+        Number of cycles drawn: a single cycle of phases is repeated, longer ones are drawn as they are.
+    title
+        Title of the horizontal axis.
     """
     import plotly.graph_objects as go
 
@@ -92,13 +107,9 @@ def plot_transmission_error(phase: ArrayLike, errors: Mapping[str, ArrayLike]) -
     means = {name: mean if abs(mean) > ROUND_OFF else 0.0 for name, mean in means.items()}
     sizes = [np.atleast_1d(v - means[name]) for name, v in data.items()]
     shown = scale("m", np.concatenate([*sizes, [ROUND_OFF]]))
-    figure = go.Figure(
-        layout=theme.layout(
-            "mesh phase ψ [base pitches]", shown.title("transmission error − mean"), height=340
-        )
-    )
+    figure = go.Figure(layout=theme.layout(title, shown.title("transmission error − mean"), height=340))
     for index, (name, values) in enumerate(data.items()):
-        x, y = _two_cycles(phase, values - means[name])
+        x, y = _repeated(phase, values - means[name], cycles)
         whole = scale("m", [means[name]]) if means[name] else shown
         figure.add_scatter(
             x=x,
@@ -117,7 +128,7 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
     Parameters
     ----------
     way
-        Way since the beginning of contact at mid-face [base pitches], shape (n,).
+        Way since the beginning of contact at mid-face [base pitches], shape (n,); helical teeth touch before.
     share
         Share in the load, shape (n,).
     """
@@ -125,7 +136,7 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
 
     figure = go.Figure(
         layout=theme.layout(
-            "way of a tooth pair since the beginning of contact [base pitches]",
+            "way of a tooth pair, 0 where its mid-face comes into contact [base pitches]",
             "share in the load [%]",
             height=340,
         )
@@ -140,9 +151,12 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
     return figure
 
 
-def _two_cycles(phase: ArrayLike, values: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    """The cycle twice, so that what happens at its ends can be seen."""
+def _repeated(phase: ArrayLike, values: ArrayLike, cycles: int) -> tuple[np.ndarray, np.ndarray]:
+    """A single cycle several times, so that its ends can be seen; longer curves as they are."""
     x = np.asarray(phase, dtype=np.float64)
     y = np.asarray(values, dtype=np.float64)
-    second = slice(1, None) if np.isclose(x[-1] - x[0], 1.0) and np.isclose(y[-1], y[0]) else slice(None)
-    return np.concatenate([x, x[second] + 1.0]), np.concatenate([y, y[second]])
+    if x.size == 0 or x[-1] - x[0] > 1.5:
+        return x, y
+    later = slice(1, None) if np.isclose(x[-1] - x[0], 1.0) and np.isclose(y[-1], y[0]) else slice(None)
+    more = range(1, cycles)
+    return np.concatenate([x, *(x[later] + k for k in more)]), np.concatenate([y, *(y[later] for _ in more)])

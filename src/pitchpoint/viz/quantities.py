@@ -46,6 +46,10 @@ class Scale:
         return f"{name} [{self.unit}]" if self.unit else name
 
 
+# Angles of channels are tilts of shafts, which are small; angles of gears are given in degrees elsewhere.
+_TILTS = ((0.1, Scale("rad", 1.0)), (1e-3, Scale("mrad", 1e3)), (0.0, Scale("µrad", 1e6)))
+
+
 @dataclass(frozen=True)
 class Channel:
     """One variable of a result: name, values in SI (n,), SI unit, and what to call it.
@@ -91,18 +95,21 @@ def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
     --------
     >>> scale("m", [2e-6, 5e-6])
     Scale(unit='µm', factor=1000000.0)
-    >>> scale("rad/s").unit, scale("kg m^2")
-    ('rpm', Scale(unit='kg m²', factor=1.0))
+    >>> scale("rad/s").unit, scale("kg m^2"), scale("rad", [2e-5]).unit
+    ('rpm', Scale(unit='kg m²', factor=1.0), 'µrad')
     """
     plain = _SPELLINGS.get(unit, unit)
     kind = _KINDS.get(plain)
-    if kind is None:
+    if kind is None and plain != "rad":
         return Scale(pretty(plain), 1.0)
     data = np.abs(
         np.asarray(list(values) if not isinstance(values, np.ndarray) else values, dtype=np.float64)
     )
     data = data[np.isfinite(data)]
-    shown = display_unit(kind, float(data.max())) if data.size and data.max() > 0.0 else display_unit(kind)
+    largest = float(data.max()) if data.size else 0.0
+    if kind is None:
+        return next(s for least, s in _TILTS if largest >= least)
+    shown = display_unit(kind, largest) if largest > 0.0 else display_unit(kind)
     return Scale(pretty(shown), in_unit(1.0, kind, shown))
 
 

@@ -15,6 +15,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from pitchpoint.viz import report_sections as parts
+from pitchpoint.viz.report_cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report_page import page
 from pitchpoint.viz.report_spectra import spectrum_section
 from pitchpoint.viz.report_tables import case_section, mode_section
@@ -34,6 +35,8 @@ class ReportModel:
         Shown only if given, so that the same data give the same file.
     gears, meshes
         SI values by identifier (`m_n`, `d_a`, `eps_alpha` …), by the name of the gear or mesh.
+    flanks
+        What flanks have besides the involute: gear, flanks, what, amount, extent.
     pairs
         `GearPair` and the names of its two gears, by the name of the mesh; these are drawn.
     shafts
@@ -48,6 +51,7 @@ class ReportModel:
     date: str | None = None
     gears: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     meshes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    flanks: Sequence[Sequence[str]] = ()
     pairs: Mapping[str, tuple[Any, str, str]] = field(default_factory=dict)
     shafts: Mapping[str, str] = field(default_factory=dict)
     warnings: Sequence[str] = ()
@@ -68,6 +72,9 @@ class MeshCycleData:
         What the ratio refers to.
     error_phase, errors
         Phases [base pitches], shape (n,), and transmission errors [m], shape (n,), by load case.
+    cycles, repeats
+        Mesh cycles that these phases cover, and after how many everything repeats, 0 if that is not known;
+        a single cycle that repeats is drawn twice, anything else once.
     loaded_ratio
         Slope of the force under load at the same phases, in the unit of the stiffness, if it is of interest.
     share_way, share
@@ -78,9 +85,31 @@ class MeshCycleData:
     stiffness_unit: str = "c′·b"
     error_phase: ArrayLike = ()
     errors: Mapping[str, ArrayLike] = field(default_factory=dict)
+    cycles: int = 1
+    repeats: int = 1
     loaded_ratio: ArrayLike = ()
     share_way: ArrayLike = ()
     share: ArrayLike = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class RollData:
+    """A slow roll that was computed before.
+
+    Attributes
+    ----------
+    curves
+        By mesh: its periods since the start [-], shape (n,), and transmission errors [m], shape (n,), by load
+        case.
+    mesh
+        The mesh whose periods were rolled.
+    note
+        Sentence shown above the curves (the status of a roll that did not finish).
+    """
+
+    curves: Mapping[str, tuple[ArrayLike, Mapping[str, ArrayLike]]]
+    mesh: str = ""
+    note: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,7 +156,7 @@ class TimeRun:
     angle
         Name of the channel whose angle orders refer to; default that of the shaft of gear 1 of each mesh.
     highest_order
-        End of order maps and order spectra [-]; default three times the largest number of teeth, or 100.
+        End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 100.
     note
         Sentence shown above the signals (the status of a run that did not finish).
     """
@@ -159,6 +188,8 @@ class ReportResults:
     ----------
     mesh_cycles
         By the name of the mesh.
+    rolls
+        Slow rolls by the name of the scenario.
     runs
         Time responses by the name of the scenario.
     sweeps
@@ -173,6 +204,7 @@ class ReportResults:
     """
 
     mesh_cycles: Mapping[str, MeshCycleData] = field(default_factory=dict)
+    rolls: Mapping[str, RollData] = field(default_factory=dict)
     runs: Mapping[str, TimeRun] = field(default_factory=dict)
     sweeps: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     campbell: CampbellData | None = None
@@ -184,11 +216,13 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     """The report as text; the same input gives the same characters."""
     facts = (("version", model.version), ("model", model.model_hash[:12]), ("date", model.date or ""))
     teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
-    highest = 3.0 * max(teeth) if teeth else 100.0
+    # a little more than three mesh orders, so that the third one does not stand on the frame
+    highest = 3.2 * max(teeth) if teeth else 100.0
     sections = [
-        parts.gear_section(model.gears, model.meshes),
+        parts.gear_section(model.gears, model.meshes, model.flanks),
         parts.drawing_section(model.pairs),
-        parts.mesh_cycle_section(results.mesh_cycles),
+        mesh_cycle_section(results.mesh_cycles),
+        roll_section(results.rolls),
         mode_section(results.modes),
         parts.campbell_section(results.campbell),
         parts.sweep_section(results.sweeps),

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -13,20 +14,19 @@ from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
 from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
-from pitchpoint.viz.mesh_cycle_plot import (
-    plot_load_sharing,
-    plot_mesh_stiffness,
-    plot_transmission_error,
-)
 from pitchpoint.viz.quantities import Array, Channel, channels, number, scale
 from pitchpoint.viz.report_page import Section
 from pitchpoint.viz.run_record import changes_speed, owner, settled_part, turning_angle, uniform
-from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
+from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals, signal_rows
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
-from pitchpoint.viz.tables import GEAR_ROWS, MESH_ROWS, plain_table, quantity_table, statistics_table
-
-if TYPE_CHECKING:
-    import plotly.graph_objects as go
+from pitchpoint.viz.tables import (
+    GEAR_ROWS,
+    MEASURE_ROWS,
+    MESH_ROWS,
+    plain_table,
+    quantity_table,
+    statistics_table,
+)
 
 # Quantities that are drawn over time, in this order; a report shows what is read most, the result file holds
 # all.
@@ -44,14 +44,26 @@ TIME_QUANTITIES = (
 )
 FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
 MOST_LINES = 8
-MOST_ROWS = 30
 DETAIL_PERIODS = 12
 
 
-def gear_section(gears: Mapping[str, Mapping[str, Any]], meshes: Mapping[str, Mapping[str, Any]]) -> Section:
-    """Tables of gear and mesh data."""
+def gear_section(
+    gears: Mapping[str, Mapping[str, Any]],
+    meshes: Mapping[str, Mapping[str, Any]],
+    flanks: Sequence[Sequence[str]] = (),
+) -> Section:
+    """Tables of gear and mesh data, measures for the workshop, and what flanks have besides the involute."""
     section = Section("gears", "Gears and meshes")
     section.add(quantity_table(GEAR_ROWS, gears))
+    table = quantity_table(MEASURE_ROWS, gears)
+    section.add(f"<h3>Measures</h3>{table}" if table else "")
+    narrow = [name for name, gear in gears.items() if gear.get("span_measurable") is False]
+    if narrow:
+        section.add(f"<p>Too narrow for the span: {escape(', '.join(narrow))}.</p>")
+    if flanks:
+        rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in flanks]
+        head = ("gear", "flanks", "modification or deviation", "amount", "extent")
+        section.add(f"<h3>Flanks</h3>{plain_table(head, rows, numbers=False)}")
     table = quantity_table(MESH_ROWS, meshes)
     section.add(f"<h3>Meshes</h3>{table}" if table else "")
     return section
@@ -66,35 +78,6 @@ def drawing_section(pairs: Mapping[str, tuple[Any, str, str]]) -> Section:
             f'{heading}<div class="pair"><figure>{pair_svg(pair, names=(first, second))}</figure>'
             f"<figure>{mesh_zone_svg(pair)}</figure></div>"
         )
-    return section
-
-
-def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
-    """Stiffness and transmission error over the mesh cycle."""
-    section = Section("cycle", "Over the mesh cycle")
-    for mesh, cycle in cycles.items():
-        section.add(f"<h3>{escape(mesh)}</h3>" if len(cycles) > 1 else "")
-        if cycle.stiffness is not None:
-            s = cycle.stiffness
-            caption = (
-                f"Mesh stiffness over two mesh cycles: mean {number(float(s.mean))}, "
-                f"from {number(float(s.minimum))} to {number(float(s.maximum))}, "
-                f"in units of {'its mean' if cycle.stiffness_unit == 'mean' else cycle.stiffness_unit}."
-            )
-            unit = "× mean" if cycle.stiffness_unit == "mean" else cycle.stiffness_unit
-            loaded = (cycle.error_phase, cycle.loaded_ratio) if np.size(cycle.loaded_ratio) else None
-            drawn = plot_mesh_stiffness(s, name=mesh, unit=unit, loaded=loaded)
-            section.add_figure(drawn, caption)
-        if cycle.errors:
-            section.add_figure(
-                plot_transmission_error(cycle.error_phase, cycle.errors),
-                "Quasi-static transmission error along the line of action over two mesh cycles.",
-            )
-        if np.size(cycle.share):
-            section.add_figure(
-                plot_load_sharing(cycle.share_way, cycle.share),
-                "Share of one tooth pair in the load, from its first to its last contact.",
-            )
     return section
 
 
@@ -130,13 +113,7 @@ def time_section(runs: Mapping[str, Any]) -> Section:
         section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
         settled = settled_part(time, run.settle_time)
         steady = not changes_speed(time[settled], turning_angle(run, found), settled)
-        rows = [
-            (c, c.statistics or vars(signal_statistics(c.values[settled], time[settled])))
-            for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
-            for c in found.values()
-            if c.quantity == quantity and np.all(np.isfinite(c.values))
-        ]
-        section.add(statistics_table(rows[:MOST_ROWS]))
+        _add_statistics(section, time[settled], found, settled)
         states = {owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
         section.add(_contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled))
         for quantity in TIME_QUANTITIES:
@@ -145,9 +122,7 @@ def time_section(runs: Mapping[str, Any]) -> Section:
             for unit in dict.fromkeys(c.unit for c in group):
                 same = [c for c in group if c.unit == unit]
                 state = states.get(owner(same[0])) if len(same) == 1 and quantity == "mesh_force" else None
-                whole = plot_signals(time, same[:MOST_LINES], contact_state=state)
-                end = _detail(time, same[:MOST_LINES], state) if steady else None
-                section.add_figure(whole, _caption(same), beside=end)
+                _add_signals(section, time, same, state, steady)
         parts = [
             c for q in FORCE_PARTS for c in found.values() if c.quantity == q and np.any(c.values != 0.0)
         ]
@@ -160,6 +135,44 @@ def time_section(runs: Mapping[str, Any]) -> Section:
                 plot_force_parts(time[part], shown), f"Parts of the tooth force of {mesh}, {where}."
             )
     return section
+
+
+def _add_statistics(section: Section, time: Array, found: Mapping[str, Channel], settled: np.ndarray) -> None:
+    """Table of the channels that are read most, and a sentence about all others."""
+    listed = [
+        c
+        for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
+        for c in found.values()
+        if c.quantity == quantity and np.all(np.isfinite(c.values))
+    ]
+    moving = [c for c in listed if np.any(c.values != 0.0)]
+    rows = [(c, c.statistics or vars(signal_statistics(c.values[settled], time))) for c in moving]
+    section.add(statistics_table(rows))
+    zeros, others = len(listed) - len(moving), len(found) - len(listed)
+    words = [f"{zeros} {_channels(zeros)} zero throughout"] if zeros else []
+    words += [f"{others} {_channels(others)} of other quantities"] if others else []
+    if words:
+        section.add(f"<p>Not listed, but in the result: {' and '.join(words)}.</p>")
+
+
+def _channels(count: int) -> str:
+    return "channel" if count == 1 else "channels"
+
+
+def _add_signals(
+    section: Section, time: Array, group: Sequence[Channel], state: Array | None, steady: bool
+) -> None:
+    """Signals of one quantity over the whole run and, where it is steady, their end magnified."""
+    drawn = group[:MOST_LINES]
+    part = _last_periods(time, drawn[0].values) if steady else slice(None)
+    end, rows = None, signal_rows(drawn)
+    if part.start is not None:
+        last = [replace(c, values=c.values[part]) for c in drawn]
+        # the end has settled: its ranges tell which lines can share an axis
+        rows = signal_rows(last)
+        end = plot_signals(time[part], last, contact_state=None if state is None else state[part], rows=rows)
+    whole = plot_signals(time, drawn, contact_state=state, rows=rows)
+    section.add_figure(whole, _caption(group), beside=end)
 
 
 def campbell_section(data: Any) -> Section:
@@ -205,19 +218,13 @@ def _last_periods(time: Array, values: Array) -> slice:
     return slice(int(np.searchsorted(time, time[-1] - DETAIL_PERIODS / spectrum.frequency[top])), None)
 
 
-def _detail(time: Array, group: Sequence[Channel], state: Array | None) -> go.Figure | None:
-    """The end of the signals, magnified so that single periods can be seen."""
-    part = _last_periods(time, group[0].values)
-    if part.start is None:
-        return None
-    shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in group]
-    return plot_signals(time[part], shown, contact_state=None if state is None else state[part])
-
-
 def _caption(group: Sequence[Channel]) -> str:
     """What a single channel is, in a sentence; of many, how many are not drawn."""
     if len(group) > MOST_LINES:
-        return f"{len(group) - MOST_LINES} more channels of this kind are in the result file."
+        more = len(group) - MOST_LINES
+        return (
+            f"{more} more {_channels(more)} of this kind {'is' if more == 1 else 'are'} in the result file."
+        )
     long = group[0].long_name
     return f"{long[:1].upper()}{long[1:]}." if len(group) == 1 and long else ""
 

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from pitchpoint.analysis.orders import order_map, resample_over_angle
+from pitchpoint.analysis.orders import highest_resolved_order, order_map, tracked_spectrum
 from pitchpoint.analysis.sampled import SignalError
-from pitchpoint.analysis.spectra import amplitude_spectrum, order_spectrum
+from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.viz import spectrum_plots
 from pitchpoint.viz.quantities import Array, Channel, channels
@@ -84,8 +84,7 @@ def _add_order_spectrum(
 ) -> None:
     name = channel.label
     try:
-        turned = resample_over_angle(channel.values, angle, samples_per_revolution=np.ceil(2.56 * highest))
-        spectrum = order_spectrum(turned.values, turned.samples_per_revolution)
+        spectrum = tracked_spectrum(channel.values, angle, highest_order=highest)
     except SignalError as reason:
         section.add(f"<p>No order spectrum of {escape(name)}: {escape(str(reason))}.</p>")
         return
@@ -101,13 +100,14 @@ def _add_maps(
 ) -> None:
     values, rate = uniform(time, channel.values)
     top = min(0.5 * rate, highest * _top_speed(time, angle) / (2.0 * np.pi))
-    data = time_frequency_map(values, rate, highest_frequency=top)
+    data = time_frequency_map(values, rate, highest_frequency=top, start=float(time[0]))
     section.add_figure(
         spectrum_plots.plot_time_frequency(data, unit=channel.unit, quantity=channel.label),
         "Amplitudes over time and frequency: orders rise with the speed, resonances stay at their frequency.",
     )
     try:
-        tracked = order_map(channel.values, angle, time, highest_order=highest, revolutions=_frame(angle))
+        shown = min(highest, highest_resolved_order(angle))
+        tracked = order_map(channel.values, angle, time, highest_order=shown, revolutions=_frame(angle))
     except SignalError as reason:
         section.add(f"<p>No order map of {escape(channel.label)}: {escape(str(reason))}.</p>")
         return

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,6 +19,14 @@ if TYPE_CHECKING:
 STATE_COLOURS = {0: theme.RED, -1: theme.ORANGE, 2: theme.PURPLE}
 STATE_NAMES = {0: "separated", -1: "back flank", 2: "both flanks"}
 MAX_BANDS = 120
+NOISE = 1e-5
+"""Share of a value below which its changes are round-off."""
+VISIBLE = 0.25
+"""Share of an axis that the ripple of a line has to fill, or it gets an axis of its own."""
+ONE_ROW, ROW, LINE, GAP, MARGINS = 320, 110, 17, 12, 78
+"""Heights [pixels]: figure with one row, axes of one of several rows, line of names, gap, both margins."""
+HEAD_WIDTH = 60
+"""Letters that fit above one of two figures side by side."""
 
 
 def plot_signals(
@@ -27,8 +36,9 @@ def plot_signals(
     contact_state: Array | None = None,
     points: int = 8000,
     title: str = "",
+    rows: Sequence[Sequence[int]] | None = None,
 ) -> go.Figure:
-    """Channels of one unit over time, drawn so that no peak is lost.
+    """Channels of one unit over time, drawn so that no peak and no ripple is lost.
 
     Parameters
     ----------
@@ -44,6 +54,8 @@ def plot_signals(
         dense lines.
     title
         Name of the vertical axis; default the names of the channels.
+    rows
+        Indices of the channels of each row; default those of `signal_rows`.
 
     Raises
     ------
@@ -56,25 +68,108 @@ def plot_signals(
         raise ValueError("channels: need one or more channels of one unit; plot other units on their own")
     shown = scale(channels[0].unit, np.concatenate([c.values for c in channels]))
     clock = scale("s", time if time.size else [1.0])
-    figure = go.Figure(
-        layout=theme.layout(clock.title("time"), shown.title(title or _common_name(channels)), height=320)
-    )
-    for index, channel in enumerate(channels):
-        kept = kept_samples(channel.values, points)
-        figure.add_scatter(
-            # single precision is finer than any screen and halves the size of a report
-            x=(time[kept] * clock.factor).astype(np.float32),
-            y=(channel.values[kept] * shown.factor).astype(np.float32),
-            mode="lines",
-            name=channel.label,
-            # plotly's own thinning leaves gaps in dense lines; the samples were chosen above
-            line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
-        )
-    _keep_noise_small(figure, np.concatenate([c.values for c in channels]) * shown.factor)
+    rows = signal_rows(channels) if rows is None else rows
+    y_title = shown.title(title or _common_name(channels))
+    figure = go.Figure(layout=theme.layout(clock.title("time"), y_title, height=ONE_ROW))
+    for k, row in enumerate(rows, start=1):
+        for index in row:
+            channel = channels[index]
+            kept = kept_samples(channel.values, points)
+            figure.add_scatter(
+                # single precision is finer than any screen and halves the size of a report
+                x=(time[kept] * clock.factor).astype(np.float32),
+                y=(channel.values[kept] * shown.factor).astype(np.float32),
+                yaxis=f"y{k}" if k > 1 else "y",
+                mode="lines",
+                name=channel.label,
+                # plotly's own thinning leaves gaps in dense lines; the samples were chosen above
+                line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
+            )
+    if len(channels) > 1:
+        _arrange(figure, channels, rows, f"[{shown.unit}]" if shown.unit else y_title)
+    for k, row in enumerate(rows, start=1):
+        values = np.concatenate([channels[index].values for index in row]) * shown.factor
+        _keep_noise_small(figure.layout[f"yaxis{k}" if k > 1 else "yaxis"], values)
     if contact_state is not None:
-        _shade(figure, time * clock.factor, contact_state)
-    figure.update_layout(showlegend=len(figure.data) > 1)
+        _shade(figure, time * clock.factor, contact_state, f"y{len(rows) + 1}")
+    # lines are named above their row; a legend is left for the bands of contact
+    figure.update_layout(showlegend=len(channels) == 1 and len(figure.data) > 1)
     return figure
+
+
+def signal_rows(channels: Sequence[Channel]) -> list[list[int]]:
+    """Indices of the channels that share an axis: those whose ranges overlap.
+
+    All share one where that shows every ripple, or where there is none.
+
+    Examples
+    --------
+    >>> ripple = np.sin(np.arange(20.0))
+    >>> parts = [Channel("a", 300 + ripple), Channel("b", -300 + ripple), Channel("c", 301 + ripple)]
+    >>> signal_rows(parts), signal_rows(parts[:1]), signal_rows([parts[0], parts[2]])
+    ([[0, 2], [1]], [[0]], [[0, 1]])
+    """
+    spans = [(float(np.nanmin(c.values)), float(np.nanmax(c.values))) for c in channels if c.values.size]
+    if len(spans) < len(channels):
+        return [list(range(len(channels)))]
+    ripples = [high - low for low, high in spans if high - low > NOISE * max(abs(low), abs(high))]
+    whole = max(high for _, high in spans) - min(low for low, _ in spans)
+    if not ripples or min(ripples) >= VISIBLE * whole:
+        return [list(range(len(channels)))]
+    rows: list[list[int]] = []
+    top = -np.inf
+    for index in sorted(range(len(channels)), key=lambda k: spans[k]):
+        low, high = spans[index]
+        if low <= top:
+            rows[-1].append(index)
+        else:
+            rows.append([index])
+        top = max(top, high)
+    return sorted(sorted(row) for row in rows)
+
+
+def _arrange(
+    figure: go.Figure, channels: Sequence[Channel], rows: Sequence[Sequence[int]], row_title: str
+) -> None:
+    """Rows one below the other, each below the names of its lines in their colours."""
+    heads = [_head(channels, row) for row in rows]
+    height = ONE_ROW - MARGINS if len(rows) == 1 else ROW
+    whole = float(sum(height + LINE * len(head) + GAP for head in heads))
+    at = whole
+    for k, head in enumerate(heads, start=1):
+        at -= LINE * len(head) + GAP
+        name = f"yaxis{k}" if k > 1 else "yaxis"
+        look = theme.axis(row_title, nticks=5) if len(rows) > 1 else {}
+        look |= {"domain": [(at - height) / whole, at / whole], "anchor": "x"}
+        figure.update_layout({name: look})
+        figure.add_annotation(
+            x=0,
+            y=at / whole,
+            xref="paper",
+            yref="paper",
+            xanchor="left",
+            yanchor="bottom",
+            align="left",
+            text="<br>".join(head),
+            showarrow=False,
+            font={"size": 12},
+        )
+        at -= height
+    figure.update_layout(height=int(whole) + MARGINS, margin={"t": 8})
+    figure.update_xaxes(anchor=f"y{len(rows)}" if len(rows) > 1 else "y")
+
+
+def _head(channels: Sequence[Channel], row: Sequence[int]) -> list[str]:
+    """Lines of text that name the channels of a row."""
+    lines, width = [""], 0
+    for index in row:
+        name = channels[index].label
+        if width and width + len(name) > HEAD_WIDTH:
+            lines, width = [*lines, ""], 0
+        colour = theme.colour_of(channels[index].name, index)
+        lines[-1] += f'{"&nbsp;&nbsp; " if width else ""}<span style="color:{colour}">{escape(name)}</span>'
+        width += len(name) + 3
+    return lines
 
 
 def plot_force_parts(time: Array, channels: Sequence[Channel], *, points: int = 8000) -> go.Figure:
@@ -82,12 +177,12 @@ def plot_force_parts(time: Array, channels: Sequence[Channel], *, points: int = 
     return plot_signals(time, channels, points=points, title="tooth force")
 
 
-def _keep_noise_small(figure: go.Figure, values: Array) -> None:
+def _keep_noise_small(axis: go.layout.YAxis, values: Array) -> None:
     """A channel that is constant up to round-off is drawn as constant, not as a picture of round-off."""
     finite = values[np.isfinite(values)]
-    if finite.size and np.ptp(finite) < 1e-5 * float(np.abs(finite).max()):
+    if finite.size and np.ptp(finite) < NOISE * float(np.abs(finite).max()):
         middle = float(finite.mean())
-        figure.update_yaxes(range=[middle - 0.01 * abs(middle), middle + 0.01 * abs(middle)])
+        axis.update(range=[middle - 0.01 * abs(middle), middle + 0.01 * abs(middle)])
 
 
 def _common_name(channels: Sequence[Channel]) -> str:
@@ -95,7 +190,7 @@ def _common_name(channels: Sequence[Channel]) -> str:
     return names.pop() if len(names) == 1 else "value"
 
 
-def _shade(figure: go.Figure, time: Array, state: Array) -> None:
+def _shade(figure: go.Figure, time: Array, state: Array, axis: str) -> None:
     """Bands where the front flanks do not touch, unless they are too many to be told apart."""
     codes = np.rint(state).astype(np.int64)
     edges = np.concatenate([[0], np.flatnonzero(np.diff(codes)) + 1, [codes.size]])
@@ -116,7 +211,7 @@ def _shade(figure: go.Figure, time: Array, state: Array) -> None:
         figure.add_scatter(
             x=x,
             y=y,
-            yaxis="y2",
+            yaxis=axis,
             mode="lines",
             fill="toself",
             line={"width": 0},
@@ -126,11 +221,13 @@ def _shade(figure: go.Figure, time: Array, state: Array) -> None:
             hoverinfo="skip",
         )
     figure.update_layout(
-        yaxis2={
-            "overlaying": "y",
-            "range": [0, 1],
-            "visible": False,
-            "fixedrange": True,
-            "layer": "below traces",
+        {
+            f"yaxis{axis[1:]}": {
+                "overlaying": "y",
+                "range": [0, 1],
+                "visible": False,
+                "fixedrange": True,
+                "layer": "below traces",
+            }
         }
     )

@@ -228,13 +228,25 @@ def _label_peaks(
         ):
             continue
         taken.append(frequency)
+        shown = known_part(frequency, spectrum.resolution) * factor
         figure.add_annotation(
-            x=frequency * factor,
+            x=shown,
             y=float(np.log10(amplitude * gain)),
-            text=number(frequency * factor, 4),
+            text=number(shown, 4),
             showarrow=False,
             # at the left edge a centred label would cover the numbers of the axis
             xanchor="left" if frequency < 0.03 * end else "center",
             yshift=9,
             font={"size": 11},
         )
+
+
+def known_part(frequency: float, resolution: float) -> float:
+    """Frequency or order of a peak, with the decimals that the distance between lines allows.
+
+    Examples
+    --------
+    >>> known_part(49.9978, 1 / 11), known_part(699.83, 3.33), known_part(0.704, 0.5)
+    (50.0, 700.0, 0.7)
+    """
+    return round(frequency, -int(np.ceil(np.log10(0.1 * resolution))))

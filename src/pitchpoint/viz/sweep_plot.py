@@ -143,7 +143,7 @@ def _mark_jumps(
         figure.add_annotation(
             x=middle * x_factor,
             y=max(low, high),
-            text=number(middle * x_factor, 4),
+            text=number(middle * x_factor),
             showarrow=False,
             yshift=10,
             xanchor="right" if direction == "down" else "left",

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
-from pitchpoint.core.nomenclature import lookup
+from pitchpoint.core.nomenclature import Entry, lookup
 from pitchpoint.core.units import display_unit, in_unit
 from pitchpoint.viz.quantities import Channel, number, pretty, scale
 
@@ -51,16 +51,36 @@ MESH_ROWS = (
     "j_bt",
     "j_wt",
     "j_bn",
+    "c_1",
+    "c_2",
+    "zeta_f1",
+    "zeta_a1",
+    "zeta_f2",
+    "zeta_a2",
     "c_prime",
     "c_gamma_alpha",
     "C_R",
     "C_B",
 )
+MEASURES = (
+    ("tip_thickness", "s_an", "length", "mm", "normal tip thickness"),
+    ("span_teeth", "k", "dimensionless", "", "teeth (internal: spaces) spanned"),
+    ("span", "W_k", "length", "mm", "span"),
+    ("ball_diameter", "D_M", "length", "mm", "ball diameter, touches at d + 2 x mₙ"),
+    ("dimension_over_balls", "M_dK", "length", "mm", "dimension over balls, internal gears: between"),
+)
+"""What is measured in the workshop: identifier, symbol, dimension, unit, words; not in the nomenclature."""
+MEASURE_ROWS = tuple(row[0] for row in MEASURES)
+MOST_ROWS = 30
+"""Rows of statistics that are in view; more fold away."""
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
 
 
 def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> str:
     """One row per quantity, one column per gear or mesh; rows that nobody has are left out.
+
+    Rows of one letter (backlash j_bt, j_wt, j_bn) share the unit of the largest value among them, so that
+    rows and columns compare at a glance.
 
     Parameters
     ----------
@@ -71,15 +91,19 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
     """
     head = "".join(f'<th scope="col" class="num">{escape(name)}</th>' for name in things)
     body = []
-    for key in rows:
-        entry = lookup(key)
-        kind = entry.dimension or "dimensionless"
-        values = [thing.get(key) for thing in things.values()]
-        known = [float(v) for v in values if isinstance(v, int | float)]
-        if not known:
+    found = {key: [thing.get(key) for thing in things.values()] for key in rows}
+    largest: dict[tuple[str, str], float] = {}
+    for key, values in found.items():
+        sizes = [abs(float(v)) for v in values if isinstance(v, int | float)]
+        if sizes:
+            group = _group(key)
+            largest[group] = max(largest.get(group, 0.0), *sizes)
+    for key, values in found.items():
+        if not any(isinstance(v, int | float) for v in values):
             continue
-        # one unit per row: that of the largest value, so that the columns compare at a glance
-        unit = entry.display if entry.display == "deg" else display_unit(kind, max(abs(v) for v in known))
+        entry = _entry(key)
+        kind = entry.dimension or "dimensionless"
+        unit = entry.display if entry.display == "deg" else display_unit(kind, largest[_group(key)])
         words = entry.meaning.partition(";")[0]
         cells = "".join(f'<td class="num">{_cell(v, kind, unit)}</td>' for v in values)
         body.append(
@@ -95,13 +119,16 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
 
 
 def statistics_table(rows: Sequence[tuple[Channel, Mapping[str, float]]]) -> str:
-    """Mean, rms, minimum and maximum per channel; channels of one quantity share their display unit."""
+    """Mean, rms, minimum and maximum per channel; channels of one SI unit share their display unit.
+
+    Rows beyond `MOST_ROWS` fold away; a browser opens them.
+    """
     body = []
-    extent: dict[tuple[str, str], list[float]] = {}
+    extent: dict[str, list[float]] = {}
     for channel, values in rows:
-        extent.setdefault((channel.quantity, channel.unit), []).extend((values["min"], values["max"]))
+        extent.setdefault(channel.unit, []).extend((values["min"], values["max"]))
     for channel, values in rows:
-        shown = scale(channel.unit, extent[channel.quantity, channel.unit])
+        shown = scale(channel.unit, extent[channel.unit])
         # the alternating part of a constant is round-off, not a result
         noise = 1e-10 * max(abs(values["min"]), abs(values["max"]))
         known = {**values, "rms": values["rms"] if values["rms"] > noise else 0.0}
@@ -112,17 +139,21 @@ def statistics_table(rows: Sequence[tuple[Channel, Mapping[str, float]]]) -> str
         body.append(
             f'<tr><th scope="row">{escape(channel.label)}</th><td class="unit">{shown.unit}</td>{cells}</tr>'
         )
-    return (
-        plain_table(("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum"), body)
-        if body
-        else ""
-    )
+    if not body:
+        return ""
+    head = ("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum")
+    text = plain_table(head, body[:MOST_ROWS])
+    more = body[MOST_ROWS:]
+    if more:
+        text += f"<details><summary>{len(more)} more channels</summary>{plain_table(head, more)}</details>"
+    return text
 
 
-def plain_table(head: Sequence[str], body: Sequence[str]) -> str:
+def plain_table(head: Sequence[str], body: Sequence[str], *, numbers: bool = True) -> str:
     """Table from ready rows; numbers are right-aligned from the third column on."""
     cells = "".join(
-        f'<th scope="col"{" class=num" if k > 1 else ""}>{escape(words)}</th>' for k, words in enumerate(head)
+        f'<th scope="col"{" class=num" if numbers and k > 1 else ""}>{escape(words)}</th>'
+        for k, words in enumerate(head)
     )
     rows = "".join(body)
     return f'<div class="scroll"><table><thead><tr>{cells}</tr></thead><tbody>{rows}</tbody></table></div>'
@@ -147,6 +178,19 @@ def symbol_html(symbol: str) -> str:
             text, index = text + f"<sub>{escape(index.strip(chr(0)))}</sub>", ""
         text += escape(letter)
     return text + (f"<sub>{escape(index.strip(chr(0)))}</sub>" if index else "")
+
+
+def _group(key: str) -> tuple[str, str]:
+    """What shares a unit: letter and dimension of a quantity."""
+    return key.partition("_")[0], _entry(key).dimension or "dimensionless"
+
+
+def _entry(key: str) -> Entry:
+    """Symbol, words and unit of an identifier."""
+    for identifier, symbol, dimension, unit, words in MEASURES:
+        if identifier == key:
+            return Entry(identifier, symbol, "", "", dimension, unit, words, "ISO 21771")
+    return lookup(key)
 
 
 def _cell(value: Any, kind: str, unit: str) -> str:

@@ -71,7 +71,8 @@ def axis(title: str, **more: Any) -> dict[str, Any]:
         "showline": True,
         "ticks": "outside",
         "tickcolor": LIGHT["soft"],
-        "exponentformat": "power",
+        # units carry the prefix: 5000 rpm and 2 kHz, no powers of ten beside them
+        "exponentformat": "none",
         "hoverformat": ".5g",
         "nticks": 8,
     }
@@ -82,6 +83,8 @@ def layout(x_title: str, y_title: str, *, height: int = 380, **more: Any) -> dic
     """Layout of a figure with one pair of axes and a legend above it."""
     look: dict[str, Any] = {
         "font": {"family": FONT, "size": 13, "color": LIGHT["ink"]},
+        # a decimal point, nothing between thousands
+        "separators": ".",
         "paper_bgcolor": LIGHT["paper"],
         "plot_bgcolor": LIGHT["paper"],
         "height": height,

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.analysis.orders import order_map, resample_over_angle
+from pitchpoint.analysis.orders import order_map, resample_over_angle, tracked_spectrum
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.spectra import amplitude_spectrum, largest_peaks, order_spectrum
 from pitchpoint.analysis.time_frequency import time_frequency_map
@@ -97,3 +97,54 @@ def test_time_frequency_map_stops_where_asked() -> None:
     assert m.amplitude.shape == (11, 21)
     with pytest.raises(SignalError, match="frame"):
         time_frequency_map(np.ones(100), 1.0, frame=101)
+
+
+@pytest.mark.parametrize("order", [151.0, 160.0, 184.0, 200.0, 233.5, 400.0, 734.0, 1100.0, 1999.0])
+@pytest.mark.parametrize("steady", [True, False])
+def test_nothing_above_the_highest_order_folds_into_an_order_spectrum(order: float, steady: bool) -> None:
+    """Orders 151 ... 1999 of a record with 4000 samples per revolution, asked for up to 150."""
+    t = np.linspace(0.0, 1.0, 40_001)
+    angle = 2 * np.pi * (10.0 * t if steady else 9.0 * t + t**2)
+    found = tracked_spectrum(np.cos(order * angle), angle, highest_order=150)
+    assert found.frequency[-1] == 150.0
+    # the window of ten revolutions reaches two lines to either side
+    assert found.amplitude[found.frequency < order - 0.5].max() < 1e-3
+
+
+@pytest.mark.parametrize("order", [1.0, 50.0, 113.0, 149.0, 150.0])
+def test_an_order_inside_is_right(order: float) -> None:
+    t = np.linspace(0.0, 1.0, 40_001)
+    angle = 2 * np.pi * (10.3 * t + 1.1 * t**2)
+    found = tracked_spectrum(
+        2.0 * np.cos(order * angle + 0.3) + np.cos(210 * angle), angle, highest_order=150
+    )
+    highest = int(np.argmax(found.amplitude))
+    assert found.frequency[highest] == pytest.approx(order)
+    assert found.amplitude[highest] == pytest.approx(2.0, rel=0.01)
+
+
+def test_an_order_spectrum_ends_where_the_record_resolves_no_more() -> None:
+    """100 samples per revolution hold 50 orders; order 40 has its image at 60."""
+    angle = 2 * np.pi * np.arange(2001) / 100
+    found = tracked_spectrum(np.cos(40 * angle), angle, highest_order=150)
+    assert found.frequency[-1] == pytest.approx(50.0)
+    assert found.amplitude[found.frequency < 39.0].max() < 1e-3
+
+
+def test_order_map_holds_nothing_of_what_lies_above() -> None:
+    t, angle = run_up(240_001)
+    m = order_map(np.cos(70 * angle), angle, t, highest_order=40, revolutions=4)
+    assert m.amplitude[2:-2].max() < 1e-3
+
+
+def test_time_frequency_map_keeps_the_clock_of_the_record() -> None:
+    x = np.sin(np.arange(5000.0))
+    late = time_frequency_map(x, 1000.0, start=0.3)
+    np.testing.assert_allclose(late.time, 0.3 + time_frequency_map(x, 1000.0).time)
+
+
+@pytest.mark.parametrize("frequency", [700.0, 701.3, 702.5, 704.9])
+def test_a_peak_between_two_lines_is_found(frequency: float) -> None:
+    t = np.arange(4000) / 20_000.0
+    found = amplitude_spectrum(np.sin(2 * np.pi * frequency * t), 20_000.0)
+    assert largest_peaks(found, 1)[0][0] == pytest.approx(frequency, abs=0.02 * found.resolution)

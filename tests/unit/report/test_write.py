@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import pitchpoint as pp
@@ -13,8 +14,9 @@ from pitchpoint.core.progress import silent
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.collect import collect
 from pitchpoint.report.defaults import defaults
+from pitchpoint.report.flanks import flank_lines
 from pitchpoint.report.numbers import geometry_of_model
-from pitchpoint.report.statics import held_bodies
+from pitchpoint.report.statics import held_bodies, highest_of_scenario, highest_speed
 
 TEXT = """
 title: pair for a report
@@ -142,3 +144,45 @@ def test_a_scenario_that_is_not_there_is_told_with_those_that_are(file: Path) ->
         pp.compile_model(model, "stedy")
     with pytest.raises(pp.PitchpointError, match=r"scenario: there is no 'nope'; there are: steady"):
         pp.compile_model(model, "nope")
+
+
+def test_designers_find_modifications_measures_and_sliding(tmp_path: Path) -> None:
+    own = (
+        "number_of_teeth: 50, modifications: {left: {tip_relief: {amount: 20 um, length: 2 mm, "
+        "shape: parabolic}, lead_crowning: 5 um}, both: {helix_slope: -3 um}}, "
+        "deviations: {runout: {amount: 30 um}}"
+    )
+    model = loads_model(
+        TEXT.replace("number_of_teeth: 50", own, 1).replace(
+            "law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1]", "law: din3990"
+        )
+    )
+    assert flank_lines(model) == [
+        ("g1", "left", "tip relief", "20 µm", "parabolic, over 2 mm"),
+        ("g1", "left", "lead crowning", "5 µm", ""),
+        ("g1", "right", "helix slope", "−3 µm", ""),
+        ("g1", "left and right", "runout", "30 µm", ""),
+    ]
+    text = pp.write_report(model, tmp_path / "x.html").read_text(encoding="utf-8")
+    for words in (
+        "parabolic, over 2 mm",
+        "span",
+        "dimension over balls",
+        "tip clearance of gear 1",
+        "ζ<sub>",
+    ):
+        assert words in text
+
+
+def test_speeds_of_a_campbell_diagram_end_where_the_scenarios_do(file: Path) -> None:
+    """1200 Hz of 50 teeth are 1440 rpm, less than the 1500 rpm of the other scenarios."""
+    model = pp.load_model(file)
+    rpm = np.pi / 30.0
+    found = [highest_of_scenario(model, s, "driver") / rpm for s in model.scenarios.values()]
+    assert found == pytest.approx([1500.0, 1500.0, 1440.0])
+    assert highest_speed(model, "driver", [2500.0]) / rpm == pytest.approx(1800.0)
+    ramps = TEXT.replace("speed: 1500 rpm}}", 'speed: "100 rpm + 2000 rpm/s * t"}}', 1)
+    ramp = loads_model(ramps.replace("duration: 20 ms}\n  sweep", "duration: 1 s}\n  sweep", 1))
+    assert highest_of_scenario(ramp, ramp.scenarios["driven"], "driven") / rpm == pytest.approx(2100.0)
+    bare = loads_model(TEXT.partition("scenarios:")[0])
+    assert highest_speed(bare, "driver", [2500.0]) / rpm == pytest.approx(1.2 * 3000.0)

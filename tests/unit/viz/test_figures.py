@@ -16,7 +16,7 @@ from pitchpoint.viz.quantities import Channel, channels, number, scale
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
 from pitchpoint.viz.spectrum_plots import plot_order_map, plot_spectrum, plot_time_frequency
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
-from pitchpoint.viz.tables import statistics_table
+from pitchpoint.viz.tables import quantity_table, statistics_table
 from tests.support.report_data import cycle, sweep
 
 TIME = np.arange(20_000) / 1e5
@@ -45,6 +45,16 @@ def test_transmission_error_in_micrometres() -> None:
     assert max(figure.data[1].y) == pytest.approx(0.0)
 
 
+def test_longer_curves_are_drawn_once() -> None:
+    phase = np.linspace(0.0, 3.0, 31)
+    figure = plot_transmission_error(phase, {"loaded": 1e-6 * np.sin(2 * np.pi * phase / 3)}, cycles=3)
+    assert list(figure.data[0].x) == list(phase)
+    once = plot_transmission_error([0.0, 0.5, 1.0], {"loaded": [0.0, 1e-6, 2e-6]}, cycles=1)
+    assert list(once.data[0].x) == [0.0, 0.5, 1.0]
+    law = plot_mesh_stiffness(cycle(), loaded=(phase, np.ones(31)), cycles=3)
+    assert law.data[0].x[-1] == law.data[1].x[-1] == 3.0
+
+
 def test_load_sharing_in_per_cent() -> None:
     figure = plot_load_sharing([0.0, 0.5, 1.5], [0.5, 1.0, 0.5])
     assert titles(figure)[1] == "share in the load [%]"
@@ -55,7 +65,18 @@ def test_many_modes_are_labelled_at_their_lines() -> None:
     names = [str(k) for k in range(1, 10)]
     figure = plot_campbell([0.0, 100.0], 100.0 * np.arange(1, 10), {"stage × 1": 30.0}, mode_names=names)
     assert not any(t.showlegend for t in figure.data if t.name in names)
-    assert {a.text for a in figure.layout.annotations} >= set(names)
+    # 100 Hz apart on a picture of 1035 Hz: every number has its own line of text, right of all circles
+    places = {a.text: a for a in figure.layout.annotations if a.text in names}
+    assert list(places) == names
+    assert all((a.xref, a.x, a.xanchor) == ("paper", 1, "left") for a in places.values())
+
+
+def test_modes_that_lie_together_share_a_label() -> None:
+    modes = [100.0, 101.0, 102.0, 500.0, 2000.0, 2001.0, 3000.0]
+    names = ["1", "2", "3", "4", "5", "7", "9"]
+    figure = plot_campbell([0.0, 100.0], modes, {"stage × 1": 30.0}, mode_names=names)
+    assert [a.text for a in figure.layout.annotations] == ["1–3", "4", "5, 7", "9", "stage × 1"]
+    assert figure.layout.margin.r > 60
 
 
 def test_signals_keep_peaks_and_show_units() -> None:
@@ -75,6 +96,52 @@ def test_contact_is_shaded_unless_it_cannot_be_told_apart() -> None:
     assert names == ["mesh force, stage", "separated", "back flank"]
     rattling = np.where(np.arange(TIME.size) % 10 < 5, 1.0, 0.0)
     assert len(plot_signals(TIME, [channel], contact_state=rattling).data) == 1
+
+
+def speeds() -> list[Channel]:
+    ripple = np.sin(2 * np.pi * 500 * TIME)
+    values = (345.0 + ripple, -345.0 + ripple, 345.5 + ripple)
+    return [Channel(f"speed[{name}]", v, "rad/s") for name, v in zip("abc", values, strict=True)]
+
+
+def test_lines_far_apart_have_axes_of_their_own() -> None:
+    """Two shafts at ±3300 rpm with a ripple of ±10 rpm: each axis shows its ripple."""
+    figure = plot_signals(TIME, speeds())
+    assert [t.yaxis for t in figure.data] == ["y", "y", "y2"]
+    assert [t.name for t in figure.data] == ["speed, a", "speed, c", "speed, b"]
+    upper, lower = figure.layout.yaxis.domain, figure.layout.yaxis2.domain
+    assert 0.0 <= lower[0] < lower[1] < upper[0] < upper[1] <= 1.0
+    assert figure.layout.xaxis.anchor == "y2"
+    assert figure.layout.yaxis2.title.text == "[rpm]"
+    assert not figure.layout.showlegend
+    names = [a.text for a in figure.layout.annotations]
+    assert "speed, a" in names[0]
+    assert "speed, c" in names[0]
+    assert "speed, b" in names[1]
+
+
+def test_lines_that_overlap_share_an_axis_and_are_named_above_it() -> None:
+    figure = plot_signals(TIME, [speeds()[0], speeds()[2]])
+    assert {t.yaxis for t in figure.data} == {"y"}
+    assert titles(figure)[1] == "speed [rpm]"
+    assert theme.BLUE in figure.layout.annotations[0].text
+
+
+def test_names_of_many_lines_have_room_above_them() -> None:
+    many = [Channel(f"displacement[a_long_shaft_{k}.rx]", np.sin(300 * TIME + k), "rad") for k in range(8)]
+    figure = plot_signals(TIME, many)
+    (head,) = figure.layout.annotations
+    lines = head.text.count("<br>") + 1
+    assert lines == 8
+    room = (1.0 - figure.layout.yaxis.domain[1]) * (figure.layout.height - 78)
+    assert room >= 16 * lines
+
+
+def test_tilts_are_shown_in_microradians_and_axes_without_powers_of_ten() -> None:
+    figure = plot_signals(TIME, [Channel("displacement[a.rx]", 2e-5 * np.sin(300 * TIME), "rad")])
+    assert titles(figure)[1] == "displacement [µrad]"
+    assert figure.layout.yaxis.exponentformat == "none"
+    assert figure.layout.separators == "."
 
 
 def test_a_constant_with_round_off_is_drawn_as_constant() -> None:
@@ -155,8 +222,9 @@ def test_campbell_marks_crossings() -> None:
 def test_campbell_labels_equal_orders_once_and_names_the_shaft() -> None:
     orders = {"a × 1": 20.0, "b × 2": 20.0, "c × 2": 40.0, "d × 1": 10.0, "e × 1": 10.0, "f × 1": 10.0}
     figure = plot_campbell([0.0, 400.0], [1000.0], orders, mode_names=["first"], shaft="crank")
-    texts = [a.text for a in figure.layout.annotations]
-    assert texts == ["d × 1 and 2 more", "a × 1, b × 2", "c × 2"]
+    # two leave through the top of the picture, one at its right
+    texts = [(a.text, a.xref) for a in figure.layout.annotations]
+    assert texts == [("a × 1, b × 2", None), ("c × 2", None), ("d × 1 and 2 more", "paper")]
     assert figure.layout.xaxis.title.text == "speed of crank [rpm]"
     crossings = next(t for t in figure.data if t.name == "crossings")
     assert len(set(crossings.x)) == len(crossings.x)
@@ -173,6 +241,26 @@ def test_statistics_of_one_quantity_share_their_unit() -> None:
     text = statistics_table(rows)
     assert text.count(">mm<") == 2
     assert ">0.09<" in text
+
+
+def test_channels_of_one_unit_share_it_and_rows_beyond_thirty_fold_away() -> None:
+    numbers = {"mean": 0.0, "rms": 0.0, "min": -9e-5, "max": 9e-5}
+    rows = [(Channel("transmission_error[a]", np.zeros(1), "m"), numbers)]
+    rows += [
+        (Channel(f"deflection[{k}]", np.zeros(1), "m"), {**numbers, "max": 2e-4, "min": 0.0})
+        for k in range(40)
+    ]
+    text = statistics_table(rows)
+    assert text.count(">mm<") == 41
+    assert "µm" not in text
+    assert text.count("<tr>") == 41 + 2
+    assert "<summary>11 more channels</summary>" in text
+
+
+def test_rows_of_one_letter_share_a_unit() -> None:
+    text = quantity_table(("j_bt", "j_wt", "j_bn", "a_w"), {"m": {"j_bt": 7e-5, "j_wt": 2e-4, "a_w": 0.09}})
+    assert text.count(">mm<") == 3
+    assert ">0.07<" in text
 
 
 def test_round_off_is_no_transmission_error() -> None:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 from dataclasses import replace
 from html.parser import HTMLParser
@@ -11,7 +12,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pitchpoint.viz.report import ReportModel, ReportResults, TimeRun, report_html
+from pitchpoint.viz.report import (
+    MeshCycleData,
+    ReportModel,
+    ReportResults,
+    RollData,
+    TimeRun,
+    report_html,
+)
+from pitchpoint.viz.report_cycles import mesh_cycle_section
 from pitchpoint.viz.tables import symbol_html
 from tests.support.report_data import run
 
@@ -185,3 +194,60 @@ def test_symbols(symbol: str, html: str) -> None:
 
 def test_a_failed_case_says_what_happened(text: str) -> None:
     assert "<td>a force became &lt;infinite&gt; at t = 0.004 s</td>" in text
+
+
+@pytest.mark.parametrize(
+    ("cycles", "repeats", "words", "end"),
+    [
+        (1, 1, "two mesh cycles.", 2.0),
+        (3, 3, "three mesh cycles, after which it repeats.", 3.0),
+        (12, 57, "the first 12 of 57 mesh cycles, after which it repeats.", 12.0),
+        (1, 0, "one mesh cycle; it has not repeated by then.", 1.0),
+    ],
+)
+def test_a_roll_is_drawn_as_far_as_it_is_known(cycles: int, repeats: int, words: str, end: float) -> None:
+    phase = np.linspace(0.0, cycles, 10 * cycles + 1)
+    data = MeshCycleData(error_phase=phase, errors={"loaded": 1e-6 * phase}, cycles=cycles, repeats=repeats)
+    page = Page("".join(mesh_cycle_section({"m": data}).parts))
+    figure: Any = page.figures[0]
+    assert plotted(figure["data"][0]["x"])[-1] == end
+    assert words in mesh_cycle_section({"m": data}).parts[-1]
+
+
+def test_a_given_roll_has_a_section_with_all_its_periods(model: ReportModel) -> None:
+    periods = np.linspace(0.0, 40.0, 401)
+    curves = {"m": (periods, {"without load": 1e-6 * np.sin(periods), "mesh force 5 N": 0.0 * periods})}
+    text = report_html(
+        model, ReportResults(rolls={"r": RollData(curves=curves, mesh="m", note="It stopped.")})
+    )
+    page = Page(text)
+    assert "roll" in page.sections
+    assert "It stopped." in text
+    assert "over the 40 periods rolled; peak to peak 2 µm without load, 0 µm at a mesh force of 5 N." in text
+
+
+def plotted(values: Any) -> Any:
+    """Numbers of a trace as they stand in a page."""
+    if isinstance(values, list):
+        return values
+    return np.frombuffer(base64.b64decode(values["bdata"]), dtype=values["dtype"])
+
+
+def test_what_a_table_of_channels_leaves_out_is_said(model: ReportModel) -> None:
+    data = run(1800.0, 1800.0, 0.05)
+    channel = type(data["angle[driver]"])
+    zeros = {f"friction_power[{k}]": channel(f"friction_power[{k}]", 0.0 * data["time"], "W") for k in "abc"}
+    text = report_html(model, ReportResults(runs={"r": TimeRun(data=data | zeros)}))
+    assert "Not listed, but in the result: 3 channels zero throughout and 3 channels of other" in text
+
+
+def test_a_map_over_time_starts_where_the_settled_part_does(model: ReportModel) -> None:
+    runs = {"r": TimeRun(data=run(500.0, 3000.0, 0.5), settle_time=0.1)}
+    figures: list[Any] = Page(report_html(model, ReportResults(runs=runs))).figures
+    maps = [f for f in figures if f["data"][0]["type"] == "heatmap"]
+    over_time = [f for f in maps if f["layout"]["xaxis"]["title"]["text"] == "time [ms]"]
+    assert over_time
+    for figure in over_time:
+        x = plotted(figure["data"][0]["x"])
+        assert 100.0 < x[0] < 130.0
+        assert 470.0 < x[-1] < 500.0

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is made of the flanks of a model besides the involute: intended modifications and real deviations."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.units import format_quantity
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.modifications import Deviations
+    from pitchpoint.model.model import Model
+
+HEIGHTS = ("profile_crowning", "lead_crowning", "profile_slope", "helix_slope")
+
+Line = tuple[str, str, str, str, str]
+"""Gear, flanks, what, amount, extent."""
+
+
+def flank_lines(model: Model) -> list[Line]:
+    """Describe what the flanks of all gears have besides the involute, amounts in micrometres."""
+    return [(name, *line) for name, gear in model.gears.items() for line in _lines(gear)]
+
+
+def _lines(gear: Gear) -> list[tuple[str, str, str, str]]:
+    found = []
+    made = gear.modifications
+    if made is not None:
+        left, right = made.side("left"), made.side("right")
+        sides = [("left and right", left)] if left == right else [("left", left), ("right", right)]
+        found += [
+            (side, *line) for side, flank in sides if flank is not None for line in _modifications(flank)
+        ]
+    if gear.deviations is not None:
+        found += _deviations(gear.deviations)
+    if gear.tooth_profile is not None:
+        parts = ", ".join(gear.tooth_profile.given)
+        found.append((parts.replace("both", "left and right"), "profile given as points", "–", ""))
+    return found
+
+
+def _modifications(flank: Any) -> list[tuple[str, str, str]]:
+    """Modifications of one kind of flank: what, amount, extent."""
+    found = []
+    for name in ("tip_relief", "root_relief", "end_relief"):
+        relief = getattr(flank, name)
+        if relief is None or relief.amount == 0.0:
+            continue
+        start = getattr(relief, "start_diameter", None)
+        words = [relief.shape]
+        words += [f"from diameter {format_quantity(start, 'length')}"] if start is not None else []
+        words += [f"over {format_quantity(relief.length, 'length')}"] if relief.length is not None else []
+        found.append((name.replace("_", " "), _micrometres(relief.amount), ", ".join(words)))
+    for name in HEIGHTS:
+        amount = getattr(flank, name)
+        if amount != 0.0:
+            found.append((name.replace("_", " "), _micrometres(amount), ""))
+    return found
+
+
+def _deviations(real: Deviations) -> list[tuple[str, str, str, str]]:
+    """Deviations of single teeth: flanks, what, largest amount, extent."""
+    found = []
+    left, right = real.pitch_of("left"), real.pitch_of("right")
+    sides = [("left and right", left)] if left == right else [("left", left), ("right", right)]
+    for side, pitch in sides:
+        if any(pitch):
+            found.append((side, "single pitch deviations", _span(pitch), f"{len(pitch)} teeth"))
+    if real.runout is not None and real.runout.amount:
+        turned = f"towards {format_quantity(real.runout.phase, 'angle')}" if real.runout.phase else ""
+        found.append(("left and right", "runout", _micrometres(real.runout.amount), turned))
+    for one in real.flank_maps:
+        values = [value for row in one.values for value in row]
+        found.append((one.flank, "measured flank", _span(values), f"tooth {one.tooth}"))
+    return found
+
+
+def _span(values: Sequence[float]) -> str:
+    return f"{_number(min(values))} to {_micrometres(max(values))}"
+
+
+def _micrometres(value: float) -> str:
+    return f"{_number(value)} µm"
+
+
+def _number(value: float) -> str:
+    return f"{1e6 * value:.4g}".replace("-", "−")

@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Slow rolls in a report: how far to roll until everything repeats, and curves of rolls made or given."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+    from pitchpoint.solvers.quasistatic import Roll
+    from pitchpoint.system.system import System
+    from pitchpoint.viz.report import MeshCycleData, RollData
+
+Array = np.ndarray
+POSITION = "mesh_phase_position"
+POINTS, FEWEST_POINTS, ALL_POINTS = 96, 16, 960
+"""Points per period of a roll, at least and altogether."""
+MOST_PERIODS, MOST_TURNS = 12, 60
+"""Periods that are rolled at most: of meshes that disturb each other, and where single teeth differ."""
+SAME = 1e-3
+"""Relative difference up to which two periods, or the stiffness under load and of the law, are the same."""
+ROUND_OFF = 1e-10
+"""Transmission errors that differ by less are the same [m]."""
+
+
+def periods_until_repeat(model: Model, mesh: str) -> int:
+    """Periods of a mesh after which everything that a slow roll meets has come round.
+
+    Another mesh of the train comes round when the ratio of the tooth frequencies times the periods is whole,
+    a gear whose teeth differ when it has made whole turns.
+    """
+    turning, order = _rates(model, mesh)
+    if not order:
+        return 1
+    rates = [_order_of(model, name, turning) for name in model.meshes]
+    for name, body in ((g, model.body_of(g)) for g in model.gears):
+        if model.gears[name].deviations is not None and body is not None:
+            rates.append(abs(turning.get(body, 0.0)))
+    return math.lcm(*(_denominator(rate / order) for rate in rates))
+
+
+def periods_to_roll(model: Model, mesh: str) -> int:
+    """Periods that a report rolls: until everything repeats, unless that is too long."""
+    most = MOST_TURNS if _single_teeth(model) else MOST_PERIODS
+    return min(periods_until_repeat(model, mesh), most)
+
+
+def points_per_period(periods: int) -> int:
+    """Points per period, fewer where many periods are rolled."""
+    return max(FEWEST_POINTS, min(POINTS, ALL_POINTS // periods))
+
+
+def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:
+    """Speeds of all bodies where the first turning one of a mesh has 1, and the tooth frequency then."""
+    from pitchpoint.core.errors import PitchpointError
+    from pitchpoint.model.scenario import Scenario
+
+    for gear in model.meshes[mesh].gears:
+        body = model.body_of(gear)
+        if body is not None and model.bodies[body].motion != "fixed":
+            try:
+                turning = model.start_speeds(Scenario(speed={body: 1.0}))
+            except PitchpointError:
+                return {}, 0.0
+            return turning, float(model.gears[gear].number_of_teeth)
+    return {}, 0.0
+
+
+def _order_of(model: Model, mesh: str, turning: dict[str, float]) -> float:
+    """Tooth frequency of a mesh for these speeds of the bodies; zero if it does not turn."""
+    for gear in model.meshes[mesh].gears:
+        speed = turning.get(model.body_of(gear) or "", 0.0)
+        if speed:
+            return abs(speed) * model.gears[gear].number_of_teeth
+    return 0.0
+
+
+def _denominator(ratio: float) -> int:
+    """Denominator of a ratio of tooth numbers, which floating point holds to fifteen digits.
+
+    Examples
+    --------
+    >>> _denominator(19 / 57), _denominator(3.0), _denominator(20 / 57)
+    (3, 1, 57)
+    """
+    return Fraction(ratio).limit_denominator(10**6).denominator
+
+
+def from_roll(
+    model: Model, mesh: str, data: MeshCycleData, unit: float, system: System, roll: Roll, points: int
+) -> MeshCycleData:
+    """Mesh cycle with what a roll of whole periods found, over the mesh phase.
+
+    Parameters
+    ----------
+    model, mesh, system
+        What was rolled.
+    data
+        Mesh cycle without a roll.
+    unit
+        Stiffness of its ratio 1 [N/m].
+    roll
+        The roll.
+    points
+        Points per period of it.
+    """
+    from pitchpoint.analysis.load_sharing import share_along_path
+
+    def channel(name: str) -> Array:
+        values: Array = roll.rows[:, system.layout.channel(f"{name}[{mesh}]")]
+        return values
+
+    pair, one = model.pairs[mesh], roll.meshes[mesh]
+    force, te = channel("mesh_force"), channel("transmission_error")
+    loaded = bool(np.all(force != 0.0))
+    first = slice(0, points + 1)
+    sharing = share_along_path(
+        channel("mesh_phase")[first],
+        one.share[first],
+        pair.eps_alpha,
+        pair.eps_beta,
+        other_flank=float(force.mean()) < 0.0,
+    )
+    curves = {"without load": one.unloaded} | ({force_title(force): te} if loaded else {})
+    cycles, until = _cycles(model, mesh, list(curves.values()), points)
+    phase = whole_phase(channel("mesh_phase"), sharing.offset)
+    where, drawn = _drawn(phase, [*curves.values(), one.tangent_stiffness], points * cycles)
+    rolled = math.ceil((len(force) - 1) / points)
+    slope = drawn[-1] / unit
+    law = np.interp(where % 1.0, data.stiffness.phase, data.stiffness.stiffness_ratio)
+    # a jump of the law lies between two points of the roll
+    differs = float(np.median(np.abs(slope - law))) > SAME * float(data.stiffness.mean)
+    shared = loaded and bool(np.any(one.share))  # a prescribed stiffness knows no single pairs
+    return replace(
+        data,
+        error_phase=where,
+        errors=dict(zip(curves, drawn[:-1], strict=True)),
+        cycles=cycles or rolled,
+        repeats=cycles or (until if until > rolled else 0),
+        loaded_ratio=slope if loaded and differs else (),
+        share_way=sharing.way if shared else (),
+        share=sharing.share if shared else (),
+    )
+
+
+def _cycles(model: Model, mesh: str, curves: list[Array], points: int) -> tuple[int, int]:
+    """Periods after which the curves of a roll repeat, 0 if that is not known; and what the model says."""
+    periods, until = (len(curves[0]) - 1) // points, periods_until_repeat(model, mesh)
+    cycles = shortest_cycle(curves, points, periods)
+    if periods < until:
+        # what was rolled may repeat although teeth that differ are still to come
+        known = not _single_teeth(model) and cycles <= periods // 2
+        cycles = cycles if known else 0
+    return cycles, until
+
+
+def _single_teeth(model: Model) -> bool:
+    """Whether some teeth differ from others of their gear."""
+    return any(gear.deviations is not None for gear in model.gears.values())
+
+
+def force_title(force: Array) -> str:
+    """Name of the load case of a roll: its mean mesh force."""
+    from pitchpoint.core.units import format_quantity
+
+    return f"mesh force {format_quantity(abs(float(force.mean())), 'force', 4)}"
+
+
+def whole_phase(phase: Array, offset: float = 0.0) -> Array:
+    """Phase of a mesh [base pitches] without its jumps back to zero, starting between 0 and 1."""
+    whole: Array = np.unwrap(np.asarray(phase, dtype=np.float64) - offset, period=1.0)
+    return whole - np.floor(whole.min() + 1e-9)
+
+
+def shortest_cycle(curves: list[Array], points: int, periods: int) -> int:
+    """Periods after which all curves repeat within a roll of whole periods; 0 if they do not close.
+
+    Examples
+    --------
+    >>> wave = np.sin(2 * np.pi * np.arange(25) / 8)
+    >>> shortest_cycle([wave], 4, 6), shortest_cycle([np.arange(13.0)], 4, 3)
+    (2, 0)
+    """
+    for cycles in range(1, periods + 1):
+        if periods % cycles == 0 and all(
+            _repeats(c[: points * periods + 1], points * cycles) for c in curves
+        ):
+            return cycles
+    return 0
+
+
+def _repeats(curve: Array, points: int) -> bool:
+    """Whether a curve is the same a number of points further on."""
+    allowed = max(SAME * float(np.ptp(curve)), ROUND_OFF)
+    return curve.size > points and float(np.max(np.abs(curve[points:] - curve[:-points]))) <= allowed
+
+
+def _drawn(phase: Array, curves: list[Array], points: int) -> tuple[Array, list[Array]]:
+    """Phases and curves as they are drawn: one cycle from 0 on if it repeats, else the roll as it is."""
+    if not points:
+        order = np.argsort(phase, kind="stable")
+        return phase[order], [curve[order] for curve in curves]
+    cycle = float(round(abs(phase[points] - phase[0])))
+    once = phase[:points] % cycle
+    order = np.argsort(once, kind="stable")
+    where = once[order]
+    return np.concatenate([[0.0], where, [cycle]]), [closed(where, curve[order], cycle) for curve in curves]
+
+
+def closed(phase: Array, values: Array, cycle: float = 1.0) -> Array:
+    """Values of one cycle, shape (n,), with those at its ends, the phases 0 and `cycle`, at either side."""
+    end = np.interp(0.0, [phase[-1] - cycle, phase[0]], [values[-1], values[0]])
+    return np.concatenate([[end], values, [end]])
+
+
+def given_roll(data: xr.Dataset, note: str = "") -> RollData:
+    """Transmission errors of a roll that was computed before, over the periods of each mesh."""
+    from pitchpoint.viz.report import RollData
+
+    position = np.asarray(data[POSITION].values, dtype=np.float64)
+    words = str(data[POSITION].attrs.get("long_name", ""))
+    found: dict[str, tuple[Array, dict[str, Array]]] = {}
+    for name in map(str, data.data_vars):
+        if not name.startswith("unloaded_transmission_error["):
+            continue
+        mesh = name.partition("[")[2].rstrip("]")
+        force = data[f"mesh_force[{mesh}]"].values
+        errors = {"without load": data[name].values}
+        if np.all(force != 0.0) and force.size:
+            errors[force_title(force)] = data[f"transmission_error[{mesh}]"].values
+        found[mesh] = _own_periods(position, data[f"mesh_phase[{mesh}]"].values), errors
+    rolled = words.removeprefix("periods of ").removesuffix(" rolled")
+    return RollData(curves=found, mesh=rolled if rolled in found else "", note=note)
+
+
+def _own_periods(position: Array, phase: Array) -> Array:
+    """Periods of a mesh since the start of a roll; those of the rolled mesh if they cannot be counted."""
+    if phase.size < 2:
+        return position
+    turned = np.unwrap(np.asarray(phase, dtype=np.float64), period=1.0)
+    if float(np.max(np.abs(np.diff(turned)))) > 0.4:
+        return position
+    own: Array = np.abs(turned - turned[0])
+    return own
+
+
+def without_given(cycles: dict[str, MeshCycleData], rolls: dict[str, Any]) -> dict[str, MeshCycleData]:
+    """Mesh cycles less the transmission errors of meshes whose roll is shown as it was given."""
+    given = {roll.mesh for roll in rolls.values()}
+    return {name: replace(c, errors={}) if name in given else c for name, c in cycles.items()}

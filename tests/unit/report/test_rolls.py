@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How far a report rolls a mesh, and that it shows the rolls it is given."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pitchpoint as pp
+from pitchpoint.cli.main import run_command
+from pitchpoint.core.progress import silent
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.model import Model
+from pitchpoint.report.collect import collect
+from pitchpoint.report.rolls import given_roll, periods_to_roll, periods_until_repeat
+
+PITCH = ", ".join(["0 um"] * 5 + ["30 um", "-30 um"] + ["0 um"] * 12)
+
+
+def gear(teeth: int, more: str = "") -> str:
+    return (
+        f"{{number_of_teeth: {teeth}, normal_module: 3 mm, face_width: 20 mm, "
+        f"profile_shift_coefficient: 0{more}}}"
+    )
+
+
+def train(motion: str = "planar", middle: tuple[int, int] = (57, 19), deviation: bool = False) -> Model:
+    return loads_model(text(motion, middle, deviation))
+
+
+def text(motion: str = "planar", middle: tuple[int, int] = (57, 19), deviation: bool = False) -> str:
+    """Two stages, 19/57 and 19/59 teeth; planar bodies sit on soft bearings."""
+    own = f", deviations: {{pitch: [{PITCH}]}}" if deviation else ""
+    names = ("input", "middle", "output")
+    bearings = "".join(
+        f"  b{k}: {{body: {name}, stiffness: {{radial: 5e7 N/m}}, damping: {{ratio: 0.03}}}}\n"
+        for k, name in enumerate(names)
+    )
+    law = "stiffness: {law: din3990, tip_relief_factor: 0.3}, damper: {ratio: 0.04}"
+    first = 1.5 * (19 + middle[0]) + 0.1
+    second = 1.5 * (middle[1] + 59) + 0.1
+    return f"""
+gears:
+  z1: {gear(19, own)}
+  z2: {gear(middle[0])}
+  z3: {gear(middle[1])}
+  z4: {gear(59)}
+bodies:
+  input: {{gears: [z1], motion: {motion}, mass: 2 kg, inertia: 2e-3 kg m^2}}
+  middle: {{gears: [z2, z3], motion: {motion}, mass: 5 kg, inertia: 6e-3 kg m^2}}
+  output: {{gears: [z4], motion: {motion}, mass: 9 kg, inertia: 5e-2 kg m^2}}
+meshes:
+  first: {{gears: [z1, z2], center_distance: {first} mm, {law}}}
+  second: {{gears: [z3, z4], center_distance: {second} mm, direction: 40 deg, {law}}}
+{"bearings:" if motion == "planar" else ""}
+{bearings if motion == "planar" else ""}
+loads:
+  motor: {{body: input, torque: 60 N m}}
+  brake: {{body: output, torque: balance}}
+scenarios:
+  roll: {{quasi_static: {{mesh: first, points: 40, periods: 6}}}}
+"""
+
+
+def test_a_mesh_is_rolled_until_the_others_have_come_round() -> None:
+    """The second mesh has 19/57 = 1/3 of the tooth frequency of the first one."""
+    model = train()
+    assert [periods_until_repeat(model, mesh) for mesh in model.meshes] == [3, 1]
+    other = train(middle=(57, 20))
+    assert [periods_until_repeat(other, mesh) for mesh in other.meshes] == [57, 20]
+    assert periods_to_roll(other, "first") == 12
+
+
+def test_a_gear_whose_teeth_differ_is_rolled_once_round() -> None:
+    """The input makes one turn in 19 periods of the first mesh, in 19/3 of the second one."""
+    model = train(deviation=True)
+    assert [periods_to_roll(model, mesh) for mesh in model.meshes] == [57, 19]
+
+
+def helical_train() -> Model:
+    """The same ratios with helical gears on shafts that tilt in their bearings."""
+    gears, bodies, bearings = "", "", ""
+    rows = (("z1", 21, 2, 18, "right", 25), ("z2", 57, 2, 18, "left", 24))
+    rows += (("z3", 19, 3, 12, "left", 35), ("z4", 59, 3, 12, "right", 34))
+    for name, z, m, beta, hand, b in rows:
+        gears += (
+            f"  {name}: {{number_of_teeth: {z}, normal_module: {m} mm, helix_angle: {beta} deg, "
+            f"hand: {hand}, face_width: {b} mm, profile_shift_coefficient: {0.3 if z < 30 else 0.1}}}\n"
+        )
+    shafts = (("input", "z1: -60 mm"), ("middle", "z2: -60 mm, z3: 20 mm"), ("output", "z4: 20 mm"))
+    for name, own in shafts:
+        bodies += (
+            f"  {name}: {{gears: {{{own}}}, motion: free, mass: 5 kg, inertia: 6e-3 kg m^2, "
+            "transverse_inertia: 2e-2 kg m^2}\n"
+        )
+        for side, sign, axial in (("a", "-", ", axial: 1e8 N/m"), ("b", "", "")):
+            bearings += (
+                f"  {name}_{side}: {{body: {name}, position: [0, 0, {sign}100 mm], "
+                f"stiffness: {{radial: 2e8 N/m{axial}}}, damping: {{ratio: 0.02}}}}\n"
+            )
+    law = "stiffness: {law: din3990, tip_relief_factor: 0.3}, damper: {ratio: 0.04}"
+    return loads_model(
+        f"""
+gears:
+{gears}
+bodies:
+{bodies}
+meshes:
+  first: {{gears: [z1, z2], center_distance: 82.9 mm, {law}}}
+  second: {{gears: [z3, z4], center_distance: 121 mm, direction: 40 deg, {law}}}
+bearings:
+{bearings}
+loads:
+  motor: {{body: input, torque: 60 N m}}
+  brake: {{body: output, torque: balance}}
+"""
+    )
+
+
+def test_a_cycle_is_drawn_as_long_as_it_is() -> None:
+    """Where shafts tilt the meshes disturb each other; spur gears under constant loads do not."""
+    found, _ = collect(helical_train(), [], silent)
+    first, second = found.mesh_cycles["first"], found.mesh_cycles["second"]
+    assert (first.cycles, first.repeats, second.cycles, second.repeats) == (3, 3, 1, 1)
+    phase, loaded = np.asarray(first.error_phase), np.asarray(list(first.errors.values())[1])
+    assert (phase[0], phase[-1]) == (0.0, 3.0)
+    assert loaded[0] == loaded[-1]
+    thirds = [np.interp(np.linspace(k, k + 0.99, 50), phase, loaded) for k in range(3)]
+    assert np.abs(thirds[0] - thirds[1]).max() > 0.02 * np.ptp(loaded)
+    alone, _ = collect(train("torsion"), [], silent)
+    assert [(c.cycles, c.repeats) for c in alone.mesh_cycles.values()] == [(1, 1), (1, 1)]
+
+
+def test_a_faulty_tooth_is_seen_without_a_roll() -> None:
+    found, _ = collect(train("torsion", deviation=True), [], silent)
+    unloaded = np.asarray(found.mesh_cycles["first"].errors["without load"])
+    assert np.ptp(unloaded) == pytest.approx(30e-6 * np.cos(np.radians(20.0)), rel=0.1)
+
+
+@pytest.mark.parametrize("as_file", [True, False])
+def test_a_roll_that_is_given_is_drawn_over_all_its_periods(as_file: bool, tmp_path: Path) -> None:
+    model = train("torsion")
+    data = pp.solve_quasistatic(pp.compile_model(model, "roll"))
+    given: list[object] = [data]
+    if as_file:
+        (tmp_path / "m.yaml").write_text(text("torsion"), encoding="utf-8")
+        target = tmp_path / "roll.h5"
+        assert run_command(["run", str(tmp_path / "m.yaml"), "-s", "roll", "-q", "-o", str(target)]) == 0
+        given, model = [target], pp.load_model(tmp_path / "m.yaml")
+    found, remarks = collect(model, given, silent)  # type: ignore[arg-type]
+    assert not remarks
+    ((_, roll),) = found.rolls.items()
+    assert roll.mesh == "first"
+    periods, errors = roll.curves["first"]
+    np.testing.assert_allclose(np.asarray(periods)[[0, -1]], [0.0, 6.0], atol=0.02)
+    np.testing.assert_allclose(np.asarray(roll.curves["second"][0])[-1], 2.0, atol=0.02)
+    np.testing.assert_allclose(errors["without load"], data["unloaded_transmission_error[first]"].values)
+    assert [name.startswith("mesh force ") for name in errors] == [False, True]
+    # the curve of the file stands in the place of one computed anew
+    assert not found.mesh_cycles["first"].errors
+    assert found.mesh_cycles["second"].errors
+
+
+def test_a_roll_without_load_has_one_curve() -> None:
+    model = train().replace("loads.motor.torque", 0.0)
+    roll = given_roll(pp.solve_quasistatic(pp.compile_model(model, "roll")))
+    assert all(list(errors) == ["without load"] for _, errors in roll.curves.values())
