@@ -11,7 +11,9 @@ from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.rules.gear_mesh import mean_stiffness, mesh_laws
 from tests.support.machines import compiled, pair
 
-pytestmark = pytest.mark.filterwarnings("ignore:.*both flanks carry without load")
+pytestmark = pytest.mark.filterwarnings(
+    "ignore:.*both flanks carry without load", "ignore:.*slices has no effect: the law rectangular"
+)
 
 TABLE = "values: [0.6, 0.8, 0.95, 1, 0.9, 0.8, 0.7]"
 LAWS = {
