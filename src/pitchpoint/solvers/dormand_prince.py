@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import DIED, NOT_FINITE, OK, STEP_UNDERFLOW
 from pitchpoint.multibody.channels import CTL, F8, I8
+from pitchpoint.solvers.dormand_prince_events import events_up_to, find_events, interpolate
 from pitchpoint.solvers.dormand_prince_pairs import Pair
 from pitchpoint.solvers.explicit import DENSE, NEW, OLD, ROWS, bring_state, keep_state, slope
-from pitchpoint.solvers.sampling import changes_sign, harvest_at, take
+from pitchpoint.solvers.sampling import harvest_at, take
 from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STEPS, VALID
@@ -108,122 +109,6 @@ def _prepare_dense(at, h, D, last):
 
 
 @kernel
-def _interpolate(at, x, n):
-    """Put the state at the share x of the step into the workspace; n coefficients."""
-    c = view(at, 1, CTL)[0]
-    nd = c["nd"]
-    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
-    q = view(c["q"], nd, F8)
-    v = view(c["v"], nd, F8)
-    for i in range(2 * nd):
-        s = 0.0
-        for r in range(n - 1, -1, -1):
-            s = (s + stage[DENSE + r, i]) * (x if r % 2 == 0 else 1.0 - x)
-        s += stage[OLD, i]
-        if i < nd:
-            q[i] = s
-        else:
-            v[i - nd] = s
-
-
-@kernel
-def _estimate(a, b, low, high, most):
-    """Where to look next for a sign change between a and b, at most `most` from the middle (the ITP method).
-
-    The chord, moved a little towards the middle, so that the far end follows: I. F. D. Oliveira,
-    R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2020), no. 5, with kappa_1 0.2, kappa_2 2.
-    """
-    middle = 0.5 * (a + b)
-    chord = b - high * (b - a) / (high - low)
-    off = chord - middle
-    side = 1.0 if off > 0.0 else -1.0
-    off = side * max(abs(off) - 0.2 * (b - a) * (b - a), 0.0)
-    return middle + min(max(off, -most), most)
-
-
-@kernel
-def _locate(at, t, h, n, k, low, high):
-    """Share of the step, just behind the sign change of event function k, to rounding of the time.
-
-    Takes one evaluation more than halving would, at most, whatever the function: contact may jump.
-    """
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    ev = view(m["ev1"], c["ne"], F8)
-    a = 0.0
-    b = 1.0
-    close = 1e-13 * max(abs(t), abs(h)) / abs(h)
-    room = 0.5 * close  # half the largest bracket from which halving ends in time
-    while room < 1.0:
-        room *= 2.0
-    while b - a > close and room > 0.1 * close:
-        x = _estimate(a, b, low, high, room - 0.5 * (b - a))
-        room *= 0.5
-        _interpolate(at, x, n)
-        if evaluate_events(at, t + x * h, m["ev1"]) != OK:
-            break
-        f = ev[k]
-        if (f < 0.0) == (low < 0.0) and f != 0.0:
-            a = x
-            low = f
-        else:
-            b = x
-            high = f
-            if f == 0.0:
-                break
-    return b
-
-
-@kernel
-def _events(at, t, h, dense, found, n):
-    """Find all sign changes of the step, in order of the functions; returns count and the earliest share."""
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    ev0 = view(m["ev0"], c["ne"], F8)
-    ev1 = view(m["ev1"], c["ne"], F8)
-    first = 2.0
-    for k in range(ev0.size):
-        _interpolate(at, 1.0, dense)
-        if evaluate_events(at, t + h, m["ev1"]) != OK:
-            return n, -1.0
-        low = ev0[k]
-        high = ev1[k]
-        if changes_sign(low, high):
-            x = _locate(at, t, h, dense, k, low, high)
-            if x < first:
-                first = x
-            if n < found.shape[0]:
-                found[n, 0] = t + x * h
-                found[n, 1] = k
-                found[n, 2] = 1.0 if high > low else -1.0
-            n += 1
-    return n, first
-
-
-@kernel
-def _up_to(at, end, share, dense, found, before, n):
-    """Drop the events of a step that have not happened where it is cut; returns the number of records.
-
-    Several functions may change sign at one instant, located a little apart: all that have changed count.
-    """
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    ev0 = view(m["ev0"], c["ne"], F8)
-    ev1 = view(m["ev1"], c["ne"], F8)
-    _interpolate(at, share, dense)
-    if evaluate_events(at, end, m["ev1"]) != OK:
-        return n
-    kept = before
-    for r in range(before, min(n, found.shape[0])):
-        k = int(found[r, 1])
-        if found[r, 0] <= end or (ev1[k] > 0.0) != (ev0[k] > 0.0):
-            for j in range(3):
-                found[kept, j] = found[r, j]
-            kept += 1
-    return kept
-
-
-@kernel
 def _samples_up_to(t, grid):
     """Number of the last sample up to a time, which is within it where only rounding parts the two."""
     limit = t + 1e-15 * abs(t)
@@ -308,16 +193,16 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
             dense = _prepare_dense(at, h, pair.D, last_stage)
         if watch:
             before = done[2]
-            done[2], share = _events(at, t, h, dense, found, done[2])
+            done[2], share = find_events(at, t, h, dense, found, done[2])
             if share < 0.0:
                 return _stop(at, NOT_FINITE)
             if restart != 0 and share <= 1.0:
                 end = t + share * h
-                done[2] = _up_to(at, end, share, dense, found, before, done[2])
+                done[2] = events_up_to(at, end, share, dense, found, before, done[2])
         if grid[1] > 0.0:
             for k in range(_samples_up_to(t, grid) + 1, _samples_up_to(end, grid) + 1):
                 s = grid[0] + k * grid[1]
-                _interpolate(at, (s - t) / h, dense)
+                interpolate(at, (s - t) / h, dense)
                 status = solve_acceleration(at, s, rate)
                 if status == OK:
                     status = take(at, s, harvest, measure, 1)
@@ -325,7 +210,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
                     return _stop(at, status)
                 clock[VALID] = 1
         if restart != 0 and share <= 1.0:
-            _interpolate(at, share, dense)
+            interpolate(at, share, dense)
             status = slope(at, end, 0, rate)
             if status != OK:
                 return _stop(at, status)
