@@ -72,6 +72,13 @@ def known_scenario(model: Model, name: str) -> str:
     return name
 
 
+def refuse_idle(what: str, options: Mapping[str, Any]) -> None:
+    """Refuse options that were given although they change nothing about what is computed."""
+    for name, value in options.items():
+        if value is not None:
+            raise click.UsageError(f"{name} has no effect {what}; leave it out")
+
+
 def result_path(output: str | None, file: str, scenario: str) -> Path:
     """Name the result file: as asked, or after model file and scenario in the current folder.
 

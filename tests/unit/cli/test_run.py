@@ -114,8 +114,36 @@ def test_events_are_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[st
 
 
 @pytest.mark.parametrize(
+    ("step", "rate", "note"),
+    [
+        (
+            "5 ms",
+            "sample_rate: 100 kHz",
+            "the step is 10 µs instead of 5 ms: steps divide the sample period, 10 µs",
+        ),
+        ("5 us", "sample_rate: 100 kHz", ""),
+        ("3 us", "settle_time: 0 s", "the step is 2.8 µs instead of 3 µs: steps divide the duration"),
+    ],
+)
+def test_a_step_that_had_to_be_shortened_is_told(
+    step: str, rate: str, note: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = SHORT.replace("sample_rate: 100 kHz", rate)
+    if not note.endswith("10 µs"):
+        text = text.replace("0.02 s", "0.0001 s" if "3" not in step else "0.000028 s")
+    target = tmp_path / "out.h5"
+    found = json_of(
+        ["run", written(tmp_path, text), "-s", "steady", "--step", step, "-o", str(target)], capsys
+    )
+    assert found["notes"] == ([note] if note else [])
+    assert read_header(target)["notes"] == note
+
+
+@pytest.mark.parametrize(
     ("arguments", "expected"),
     [
+        (["--jobs", "2"], "--jobs has no effect without --vary"),
+        (["--decimate", "2", "--vary", "loads.input.torque=1 N m"], "--decimate has no effect with --vary"),
         (["--scenario", "stedy"], "did you mean 'steady'?"),
         (["--scenario", "sweep"], "of the kind sweep"),
         (["--step", "3 kg"], "'kg'"),
