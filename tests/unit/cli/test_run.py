@@ -24,10 +24,11 @@ SHORT = TORSION.replace("duration: 0.5 s", "duration: 0.02 s")
 LONG = TORSION.replace("duration: 0.5 s", "duration: 500 s")
 
 
-def start(file: str, target: Path) -> subprocess.Popen[str]:
+def start(file: str, target: Path, *options: str) -> subprocess.Popen[str]:
     """Start a run in a process of its own and wait until its file holds samples."""
     code = "from pitchpoint.cli.main import main; main()"
     command = [sys.executable, "-c", code, "run", file, "--scenario", "steady", "-o", str(target), "--json"]
+    command += options
     child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 120.0
     while time.monotonic() < deadline and child.poll() is None:
@@ -229,3 +230,36 @@ def test_what_nothing_holds_is_named_with_exit_code_3(
     for command in (["run", file, "-o", str(tmp_path / "x.h5")], ["modes", file]):
         assert run_command(command) == 3
         assert words in capsys.readouterr().err
+
+
+LOOP = """\
+def torque(t, x, p):
+    while t > 0.11:
+        pass
+    return 150.0
+"""
+
+
+def test_a_second_ctrl_c_ends_a_compiled_law_that_never_returns(tmp_path: Path) -> None:
+    """Python cannot act there; samples that were written before stay readable."""
+    (tmp_path / "law.py").write_text(LOOP)
+    text = LONG.replace("500 s", "0.5 s").replace(
+        "input:  {body: driver, torque: 150 N m}", "input:  {body: driver, torque: {python: 'law.py:torque'}}"
+    )
+    target = tmp_path / "out.h5"
+    child = start(written(tmp_path, text), target, "--allow-code")
+    time.sleep(1.0)
+    child.send_signal(signal.SIGINT)
+    time.sleep(2.5)
+    assert child.poll() is None
+    child.send_signal(signal.SIGINT)
+    out, err = child.communicate(timeout=30)
+    assert child.returncode == 130
+    assert out == ""
+    assert "press Ctrl-C again" in err
+    assert "Traceback" not in err
+    assert read_header(target)["status"] == "running"
+    t, force = read_channel(target, "mesh_force[stage]")
+    assert t.size > 1000
+    assert t[-1] <= 0.11
+    assert np.isfinite(force).all()
