@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
+from pitchpoint.cli.output import NOTHING, emit_json, greatest, show, shown, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -254,7 +254,7 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
         else:
             rows.append([*values, *(cell for cells in per_mesh for cell in cells)])
     notes = [f"{len(results) - MOST_ROWS} more cases are in the file"] if len(results) > MOST_ROWS else []
-    table(title, columns, rows, notes)
+    table(title, columns, rows, notes, keys=len(paths) + (rolled and several))
     for result in results:
         if result.status != OK:
             show(
@@ -289,14 +289,14 @@ def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
         return roll.mesh_cells(result.channels, mesh)
     if result.points:
         rms = max(p["deflection"]["rms"] for p in result.points)
-        force = max(p["mesh_force"]["max"] for p in result.points)
+        force = max((greatest(p["mesh_force"]) for p in result.points), key=abs)
         lost = f"{100.0 * max(p['contact_loss_share'] for p in result.points):.1f} %"
     elif f"deflection[{mesh}]" in result.channels:
         rms = result.channels[f"deflection[{mesh}]"]["rms"]
-        force = result.channels[f"mesh_force[{mesh}]"]["max"]
-        least = result.channels[f"contact_state[{mesh}]"]["min"]
-        # a case that failed before its window has no sample
-        lost = NOTHING if math.isnan(least) else "yes" if least < 1.0 else "no"
+        force = greatest(result.channels[f"mesh_force[{mesh}]"])
+        state = result.channels[f"contact_state[{mesh}]"]
+        # a case that failed before its window has no sample; the back flank counts -1
+        lost = NOTHING if math.isnan(state["min"]) else "yes" if state["min"] <= 0.0 <= state["max"] else "no"
     else:
         return [NOTHING] * count
     return [shown(rms, "length", 4), shown(force, "force", 5), lost]

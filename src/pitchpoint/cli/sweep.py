@@ -10,7 +10,7 @@ import click
 
 from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet, scenario
-from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.output import emit_json, greatest, show, shown, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -166,7 +166,7 @@ def _print(title: str, summary: dict[str, Any], body: str, per_speed: float | No
                 str(len(here)),
                 shown(top["deflection"]["rms"], "length", 4),
                 place(top["mesh_frequency"]),
-                shown(max(p["mesh_force"]["max"] for p in here), "force", 5),
+                shown(max((greatest(p["mesh_force"]) for p in here), key=abs), "force", 5),
                 f"{100.0 * lost['contact_loss_share']:.1f} %",
                 ", ".join(place(f) for f in jumps) or "none",
             ]
