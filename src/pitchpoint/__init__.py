@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.model.model import Model
     from pitchpoint.report.write import write_report
+    from pitchpoint.solvers.campbell import solve_campbell
     from pitchpoint.solvers.equilibrium import solve_equilibrium
     from pitchpoint.solvers.modal import solve_modal
     from pitchpoint.solvers.quasistatic import solve_quasistatic
@@ -52,6 +53,7 @@ __all__ = [
     "load_model",
     "open_result",
     "run_cases",
+    "solve_campbell",
     "solve_equilibrium",
     "solve_modal",
     "solve_quasistatic",
@@ -77,6 +79,7 @@ _HOMES = {
     "io.yaml_model": ("load_model",),
     "model.model": ("Model",),
     "report.write": ("write_report",),
+    "solvers.campbell": ("solve_campbell",),
     "solvers.equilibrium": ("solve_equilibrium",),
     "solvers.modal": ("solve_modal",),
     "solvers.quasistatic": ("solve_quasistatic",),

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
+from pitchpoint.cli.output import NOTHING, emit_json, greatest, show, shown, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -228,22 +228,33 @@ def as_data(result: CaseResult) -> dict[str, Any]:
 
 
 def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> None:
-    """Show one row per case: its values, and what the meshes did."""
+    """Show what the meshes did in each case beside its values; one row per case, of a roll one per mesh."""
+    from pitchpoint.cli import roll
     from pitchpoint.cli.results import how_a_status_ends
     from pitchpoint.core.status import OK
 
-    meshes = list(dict.fromkeys(m for r in results for m in meshes_of(r)))
-    columns = [*(shortest(path, paths) for path in paths)]
-    columns += [f"{word} {mesh}".rstrip() for mesh in (meshes if len(meshes) > 1 else [""]) for word in WORDS]
+    meshes = list(dict.fromkeys(m for r in results for m in meshes_of(r))) or [""]
+    rolled = any(is_roll(r) for r in results)
+    words = roll.WORDS if rolled else WORDS
+    columns = [shortest(path, paths) for path in paths]
+    several = len(meshes) > 1
+    if rolled:
+        columns += ["mesh"] * several + list(words)
+    else:
+        columns += [f"{word} {mesh}".rstrip() for mesh in (meshes if several else [""]) for word in words]
     rows = []
     for result in results[:MOST_ROWS]:
         values = [str(result.values[path]) for path in paths]
-        cells = [cell for mesh in meshes or [""] for cell in mesh_cells(result, mesh)]
-        if result.status != OK and all(cell == NOTHING for cell in cells):
-            cells[0] = f"{how_a_status_ends(result.status)} ({result.status})"
-        rows.append([*values, *cells])
+        per_mesh = [mesh_cells(result, mesh, len(words)) for mesh in meshes]
+        if result.status != OK and all(cell == NOTHING for cells in per_mesh for cell in cells):
+            per_mesh[0][0] = f"{how_a_status_ends(result.status)} ({result.status})"
+        if rolled:
+            named = [[mesh] * several for mesh in meshes]
+            rows += [[*values, *name, *cells] for name, cells in zip(named, per_mesh, strict=True)]
+        else:
+            rows.append([*values, *(cell for cells in per_mesh for cell in cells)])
     notes = [f"{len(results) - MOST_ROWS} more cases are in the file"] if len(results) > MOST_ROWS else []
-    table(title, columns, rows, notes)
+    table(title, columns, rows, notes, keys=len(paths) + (rolled and several))
     for result in results:
         if result.status != OK:
             show(
@@ -255,6 +266,11 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
 WORDS = ("rms of deflection", "greatest force", "contact lost")
 
 
+def is_roll(result: CaseResult) -> bool:
+    """Whether a case is a slow roll with at least one point."""
+    return any(name.startswith("unloaded_transmission_error[") for name in result.channels)
+
+
 def meshes_of(result: CaseResult) -> list[str]:
     """Names of the meshes of a case; a sweep has one without a name."""
     if result.points:
@@ -262,20 +278,27 @@ def meshes_of(result: CaseResult) -> list[str]:
     return [n[len("deflection[") : -1] for n in result.channels if n.startswith("deflection[")]
 
 
-def mesh_cells(result: CaseResult, mesh: str) -> list[str]:
-    """Greatest rms of the deflection, greatest force and share of lost contact of one mesh, for people."""
+def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
+    """What people see of one mesh: as after a slow roll, or rms of the deflection, force and contact lost.
+
+    There are `count` cells, also of a case without numbers.
+    """
+    if is_roll(result):
+        from pitchpoint.cli import roll
+
+        return roll.mesh_cells(result.channels, mesh)
     if result.points:
         rms = max(p["deflection"]["rms"] for p in result.points)
-        force = max(p["mesh_force"]["max"] for p in result.points)
+        force = max((greatest(p["mesh_force"]) for p in result.points), key=abs)
         lost = f"{100.0 * max(p['contact_loss_share'] for p in result.points):.1f} %"
     elif f"deflection[{mesh}]" in result.channels:
         rms = result.channels[f"deflection[{mesh}]"]["rms"]
-        force = result.channels[f"mesh_force[{mesh}]"]["max"]
-        least = result.channels[f"contact_state[{mesh}]"]["min"]
-        # a case that failed before its window has no sample
-        lost = NOTHING if math.isnan(least) else "yes" if least < 1.0 else "no"
+        force = greatest(result.channels[f"mesh_force[{mesh}]"])
+        state = result.channels[f"contact_state[{mesh}]"]
+        # a case that failed before its window has no sample; the back flank counts -1
+        lost = NOTHING if math.isnan(state["min"]) else "yes" if state["min"] <= 0.0 <= state["max"] else "no"
     else:
-        return [NOTHING] * len(WORDS)
+        return [NOTHING] * count
     return [shown(rms, "length", 4), shown(force, "force", 5), lost]
 
 

@@ -16,6 +16,8 @@ from functools import partial
 
 import click
 
+from pitchpoint.cli.interrupt import end_at_the_second_interrupt
+
 COMMANDS = {
     "check": "Read a model file and say what will be simulated.",
     "gears": "Geometry of gears and pairs; drawings.",
@@ -97,6 +99,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     """Run one command and leave with its exit code; the entry point of the installed script."""
     # the start makes a million objects that all live: looking for garbage among them takes a twentieth of it
     gc.set_threshold(50_000, 20, 20)
+    end_at_the_second_interrupt()
     sys.exit(run_command(list(sys.argv[1:] if arguments is None else arguments)))
 
 

@@ -6,14 +6,19 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 import click
 
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from pitchpoint.cli.columns import Column
+
 NOTHING = "–"
-SHORT = 30
-"""Length up to which the names in a first column are never broken."""
-_NUMBER = tuple("0123456789-+–")
+PIPE = 160
+"""Width of what is not printed on a terminal."""
 
 
 def emit_json(data: Mapping[str, Any]) -> None:
@@ -48,34 +53,59 @@ def show(text: str = "") -> None:
 
 
 def table(
-    title: str, columns: Sequence[str], rows: Sequence[Sequence[str]], notes: Sequence[str] = ()
+    title: str,
+    columns: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    notes: Sequence[str] = (),
+    *,
+    keys: int = 1,
 ) -> None:
-    """Print a table: words left, numbers right; rows of one empty text are rules."""
-    from rich import box
+    """Print a table: words left, numbers right; rows of one empty text are rules.
+
+    Columns that do not fit beside each other follow in tables of their own, behind the first `keys` columns.
+    """
     from rich.console import Console
+    from rich.markup import escape
+
+    from pitchpoint.cli.columns import Column, fit, groups, total
+
+    filled = [row for row in rows if any(row)]
+    laid = [Column(name, [row[k] for row in filled], k == 0) for k, name in enumerate(columns)]
+    console = Console(highlight=False)
+    # A pipe has no width of its own; a table cut at 80 columns would lose numbers.
+    room = console.width if console.is_terminal else PIPE
+    for number, group in enumerate(groups(laid, room, keys)):
+        chosen = [replace(laid[k]) for k in group]
+        fit(chosen, room)
+        # what still does not fit is left to the terminal, which loses nothing
+        wide = total([column.width for column in chosen])
+        console = Console(highlight=False, width=max(room, wide))
+        if number == 0:
+            # A title inside the table would be broken at the width of the columns.
+            console.print(f"[bold]{escape(title)}[/bold]", soft_wrap=True)
+        console.print(_made(chosen, rows))
+    for note in notes:
+        console.print(f"  {escape(note)}", soft_wrap=True)
+
+
+def _made(columns: Sequence[Column], rows: Sequence[Sequence[str]]) -> Table:
+    """Make the table of columns that have their width; rows only say where the rules are."""
+    from rich import box
     from rich.markup import escape
     from rich.table import Table
 
     made = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for k, name in enumerate(columns):
-        cells = [row[k] for row in rows if any(row)]
-        words = k == 0 or 2 * sum(cell[:1] in _NUMBER for cell in cells) < len(cells)
-        short = k == 0 and max(map(len, cells), default=0) <= SHORT
-        made.add_column(escape(name), justify="left" if words else "right", overflow="fold", no_wrap=short)
+    for column in columns:
+        side: Any = "left" if column.words else "right"
+        heading = escape(column.lines(column.heading))
+        made.add_column(heading, justify=side, width=column.width, no_wrap=True)
+    cells = iter(zip(*(map(column.lines, column.cells) for column in columns), strict=True))
     for row in rows:
-        if not any(row):
-            made.add_section()
+        if any(row):
+            made.add_row(*map(escape, next(cells)))
         else:
-            made.add_row(*(escape(cell) for cell in row))
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        # A pipe has no width of its own; a table cut at 80 columns would lose numbers.
-        console = Console(highlight=False, width=160)
-    # A title inside the table would be broken at the width of the columns.
-    console.print(f"[bold]{escape(title)}[/bold]", soft_wrap=True)
-    console.print(made)
-    for note in notes:
-        console.print(f"  {escape(note)}", soft_wrap=True)
+            made.add_section()
+    return made
 
 
 def shown(value: Any, dimension: str = "dimensionless", digits: int = 7) -> str:
@@ -97,3 +127,14 @@ def shown(value: Any, dimension: str = "dimensionless", digits: int = 7) -> str:
     from pitchpoint.core.units import format_quantity
 
     return format_quantity(float(value) + 0.0, dimension, digits)  # no "-0"
+
+
+def greatest(row: Mapping[str, Any]) -> float:
+    """Value of the greatest size among the extremes of a channel: on the back flank forces are negative.
+
+    Examples
+    --------
+    >>> greatest({"min": -3.0, "max": 1.0})
+    -3.0
+    """
+    return max(float(row["min"]), float(row["max"]), key=abs)

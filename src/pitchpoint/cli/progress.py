@@ -16,6 +16,8 @@ import click
 PATIENCE = 2.0
 LINE_EVERY = 3.0
 BAR_EVERY = 0.1
+COMPLETE = 0.9995
+"""Share from which work counts as complete: a last short step is not reported."""
 
 
 def duration_text(seconds: float) -> str:
@@ -58,6 +60,7 @@ class ProgressDisplay:
         self._bar: Any = None
         self._task: Any = None
         self.lines = 0
+        self._left_out: tuple[float, float, str] | None = None
 
     def __call__(self, done: float, total: float, note: str = "") -> None:
         """Take notice; draws at most ten times a second."""
@@ -68,10 +71,15 @@ class ProgressDisplay:
         if self.quiet or now - self._start < PATIENCE:
             return
         if now - self._last < (BAR_EVERY if self._terminal else LINE_EVERY) and self.lines:
+            self._left_out = (done, total, note)
             return
-        self._last = now
+        self._show(now, done, total, note)
+
+    def _show(self, now: float, done: float, total: float, note: str) -> None:
+        """Draw the bar, or print a line."""
+        self._last, self._left_out = now, None
         self.lines += 1
-        since, before = self._first
+        since, before = self._first or (now, done)
         rate = (done - before) / (now - since) if now > since else 0.0
         remaining = (total - done) / rate if rate > 0.0 else float("inf")
         if self._terminal:
@@ -79,7 +87,7 @@ class ProgressDisplay:
         else:
             share = 100.0 * done / total if total > 0.0 else 0.0
             parts = [f"{self.title}: {share:.0f} %", self._rate_text(rate)]
-            if remaining < float("inf"):
+            if 0.0 < remaining < float("inf"):
                 parts.append(f"{duration_text(remaining)} left")
             click.echo(", ".join([p for p in parts if p] + ([note] if note else [])), err=True)
 
@@ -104,7 +112,7 @@ class ProgressDisplay:
             )
             self._task = self._bar.add_task(self.title, total=total, rate="", remaining="", note="")
             self._bar.start()
-        left = f"{duration_text(remaining)} left" if remaining < float("inf") else ""
+        left = f"{duration_text(remaining)} left" if 0.0 < remaining < float("inf") else ""
         self._bar.update(self._task, completed=done, total=total, rate=rate, remaining=left, note=note)
         self._bar.refresh()
 
@@ -114,5 +122,9 @@ class ProgressDisplay:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        if self._left_out is not None and self.lines:
+            done, total, note = self._left_out
+            if done >= total * COMPLETE:  # the last thing to be seen is the end
+                self._show(time.monotonic(), total, total, note)
         if self._bar is not None:
             self._bar.stop()

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -40,9 +40,13 @@ def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: 
     model = read_model(models[0], allow_code, quiet) if models else _kept_model(results, allow_code)
     target = Path(output) if output else Path(models[0] if models else results[0]).with_suffix(".html")
     with ProgressDisplay("report", "meshes", quiet=quiet) as progress:
-        write_report(model, target, *results, allow_code=allow_code, progress=progress)
+        notes: list[str] = []
+        options: dict[str, Any] = {"allow_code": allow_code, "progress": progress, "on_note": notes.append}
+        write_report(model, target, *results, **options)
     if not quiet:
         show(f"report written to {target}")
+        for note in notes:
+            show(f"note: {note}")
 
 
 def _kept_model(results: Sequence[str], allow_code: bool) -> Model:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import time
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -28,6 +29,8 @@ SHOWN = (
     "coupling_force",
 )
 """Channels that people see after a run; all of them are in the file."""
+
+STATISTICS = ("mean", "rms", "min", "max")
 
 Computed = tuple[dict[str, Any], BaseException | None]
 """What `--json` prints of a computation, and what stopped it early."""
@@ -70,6 +73,13 @@ def known_scenario(model: Model, name: str) -> str:
         hint = f"did you mean {near[0]!r}?" if near else f"there are: {listed}"
         raise click.BadParameter(f"no scenario {name!r}; {hint}", param_hint="--scenario")
     return name
+
+
+def refuse_idle(what: str, options: Mapping[str, Any]) -> None:
+    """Refuse options that were given although they change nothing about what is computed."""
+    for name, value in options.items():
+        if value is not None:
+            raise click.UsageError(f"{name} has no effect {what}; leave it out")
 
 
 def result_path(output: str | None, file: str, scenario: str) -> Path:
@@ -139,10 +149,25 @@ def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, 
 
 
 def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> None:
-    """Show the statistics of the channels that people ask for first."""
-    rows = []
+    """Show the statistics of the channels that people ask for first; those that are zero only as a count."""
+    rows, zeros = [], []
     for name, row in channels.items():
         if name.partition("[")[0] in SHOWN:
-            dimension = _DIMENSIONS.get(row["unit"], "dimensionless")
-            rows.append([name, *(shown(row[key], dimension, 5) for key in ("mean", "rms", "min", "max"))])
-    table(title, ["channel", "mean", "alternating rms", "min", "max"], rows)
+            if any(row[key] != 0.0 for key in STATISTICS):
+                rows.append([name, *statistics_cells(row)])
+            else:
+                zeros.append(name.partition("[")[0])
+    counts = ", ".join(f"{zeros.count(kind)} of {kind}" for kind in dict.fromkeys(zeros))
+    notes = [f"zero all the time, not shown: {counts}"] if zeros else []
+    table(title, ["channel", "mean", "alternating rms", "min", "max"], rows, notes)
+
+
+def statistics_cells(row: Mapping[str, Any]) -> list[str]:
+    """Write the statistics of a channel; what is zero has the unit of the rest."""
+    from pitchpoint.core.units import display_unit
+
+    dimension = _DIMENSIONS.get(row["unit"], "dimensionless")
+    values = [row[key] for key in STATISTICS]
+    most = max((abs(v) for v in values if v is not None and math.isfinite(v)), default=0.0)
+    nothing = f"0 {display_unit(dimension, most)}".rstrip()
+    return [nothing if v == 0.0 else shown(v, dimension, 5) for v in values]

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.cli.output import shown, table
@@ -13,6 +14,18 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.quasistatic import Roll, Table
+
+WORDS = (
+    "mesh force, mean",
+    "transmission error, mean",
+    "peak to peak",
+    "without load, mean",
+    "without load, peak to peak",
+    "mesh stiffness, mean",
+)
+"""What people see of a mesh after a slow roll."""
+ROUND_OFF = 1e-12
+"""Lengths that are shown as zero [m]."""
 
 NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "periods_rolled": [], "meshes": {}, "channels": {}}
 """What is empty of a roll that failed before its first point."""
@@ -36,8 +49,8 @@ def compute(
         roll = roll_through(system, chosen, progress=progress)
     found = tables(system, roll)
     channels = {t.name: statistics(t) for t in found if t.rolled and len(t.values)}
-    status = how_a_status_ends(roll.status)
-    store(target, header_of(model, file, name, "quasi_static", "quasistatic"), roll, found, status)
+    status, notes = how_a_status_ends(roll.status), [*roll.notes, *roll.cycle_notes]
+    store(target, header_of(model, file, name, "quasi_static", "quasistatic"), roll, found, status, notes)
     summary = {
         "status": status,
         "sentence": roll.sentence,
@@ -45,7 +58,7 @@ def compute(
         "wall_s": time.perf_counter() - begun,
         "mesh": roll.mesh,
         "output": str(target),
-        "notes": list(roll.notes),
+        "notes": notes,
         "periods_rolled": roll.position,
         "meshes": {name: numbers(name, roll, found) for name in roll.meshes},
         "channels": channels,
@@ -53,7 +66,7 @@ def compute(
     return summary, None if roll.status == OK else SolverError(roll.sentence, roll.status, str(target))
 
 
-def store(path: Path, header: Any, roll: Roll, found: list[Table], status: str) -> None:
+def store(path: Path, header: Any, roll: Roll, found: list[Table], status: str, notes: Sequence[str]) -> None:
     """Write a roll to a result file, over the periods rolled."""
     from pitchpoint.io.tables import Axis, Quantity, write_tables
     from pitchpoint.solvers.quasistatic import DIMENSION
@@ -70,7 +83,7 @@ def store(path: Path, header: Any, roll: Roll, found: list[Table], status: str) 
         sentence=roll.sentence,
         code=roll.status,
         steps=len(roll.position),
-        notes=roll.notes,
+        notes=notes,
     )
 
 
@@ -91,26 +104,38 @@ def numbers(mesh: str, roll: Roll, found: list[Table]) -> dict[str, Any]:
             f"unloaded_transmission_error_peak_to_peak[{mesh}]"
         ],
         "mean_stiffness": float(stiffness[: max(len(stiffness) - 1, 1)].mean()) if len(stiffness) else None,
+        "repeats_after_periods": roll.meshes[mesh].repeats_after,
     }
 
 
 def show_roll(title: str, summary: dict[str, Any]) -> None:
-    """Show transmission errors and stiffness of every mesh."""
+    """Show transmission errors and stiffness of every mesh, and of which meshes they are partial."""
     rows = []
+    periods = round(float(summary["periods_rolled"][-1]))
     for name, mesh in summary["meshes"].items():
-        force = summary["channels"][f"mesh_force[{name}]"]
-        rows += [
-            [f"{name}: mesh force, mean", shown(force["mean"], "force", 5)],
-            ["  transmission error, mean", shown(mesh["transmission_error_mean"], "length", 5)],
-            ["  peak to peak", shown(mesh["transmission_error_peak_to_peak"], "length", 4)],
-            ["  without load, mean", shown(mesh["unloaded_transmission_error_mean"], "length", 5)],
-            ["  peak to peak", shown(_quiet(mesh), "length", 4)],
-            ["  mesh stiffness, mean", shown(mesh["mean_stiffness"], "stiffness", 5)],
-        ]
+        whole = mesh["repeats_after_periods"]
+        part = f", {periods} of {whole} periods" if 0 < periods < whole else ""
+        words = [f"{name}{part}: {WORDS[0]}", *(f"  {word}" for word in WORDS[1:])]
+        rows += [list(row) for row in zip(words, mesh_cells(summary["channels"], name), strict=True)]
     table(title, ["slow roll", "value"], rows)
 
 
-def _quiet(mesh: dict[str, Any]) -> float:
-    """Range of the error without load; what is only round-off becomes zero."""
-    span = float(mesh["unloaded_transmission_error_peak_to_peak"])
-    return span if span > 1e-12 else 0.0
+def mesh_cells(channels: Mapping[str, Mapping[str, Any]], mesh: str) -> list[str]:
+    """Write what `WORDS` name, from the statistics of the channels of a roll."""
+    force, stiffness = channels[f"mesh_force[{mesh}]"], channels[f"tangent_stiffness[{mesh}]"]
+    errors = []
+    for name in ("transmission_error", "unloaded_transmission_error"):
+        row = channels[f"{name}[{mesh}]"]
+        errors += [length(row["mean"], 5), length(row["max"] - row["min"], 4)]
+    return [shown(force["mean"], "force", 5), *errors, shown(stiffness["mean"], "stiffness", 5)]
+
+
+def length(value: float, digits: int) -> str:
+    """Write a length of the size of a transmission error; what is only round-off becomes zero.
+
+    Examples
+    --------
+    >>> length(2.5e-6, 4), length(4e-19, 4)
+    ('2.5 µm', '0 µm')
+    """
+    return shown(value, "length", digits) if not abs(value) <= ROUND_OFF else "0 µm"

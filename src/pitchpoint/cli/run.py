@@ -15,8 +15,11 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
 
 
+ALIKE = 0.999
+"""Share of the step that was asked for from which a shorter one goes without a word."""
 NOT_BEGUN: dict[str, Any] = {
     "steps": 0,
     "step": None,
@@ -34,7 +37,7 @@ NOT_BEGUN: dict[str, Any] = {
 @output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if left out.")
 @quantity("--step", "time", "Time step instead of that of the scenario, as in '5 us'.")
 @click.option(
-    "--decimate", type=click.IntRange(min=1), default=1, metavar="N", help="Store every N-th sample only."
+    "--decimate", type=click.IntRange(min=1), metavar="N", help="Store every N-th sample only; 1 if left out."
 )
 @vary_option
 @as_json
@@ -46,7 +49,7 @@ def run(
     scenario: str | None,
     output: str | None,
     step: float | None,
-    decimate: int,
+    decimate: int | None,
     vary: tuple[str, ...],
     jobs: int | None,
     as_json: bool,
@@ -61,6 +64,7 @@ def run(
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import (
         choose_scenario,
+        refuse_idle,
         result_path,
         statistics_table,
         unless_it_cannot_begin,
@@ -68,6 +72,10 @@ def run(
 
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "time", "quasi_static")
+    rolls = model.scenarios[name].kind == "quasi_static"
+    refuse_idle("on a slow roll", {"--step": step, "--decimate": decimate} if rolls else {})
+    refuse_idle("with --vary, whose table has statistics only", {"--decimate": decimate} if vary else {})
+    refuse_idle("without --vary", {} if vary else {"--jobs": jobs})
     if step is not None:
         model = model.replace(f"scenarios.{name}.step", step)
     if vary:
@@ -75,11 +83,11 @@ def run(
 
         goal = result_path(output, file, f"{name}-cases")
         return run_varied(model, file, name, goal, vary, jobs=jobs, as_json=as_json, quiet=quiet)
-    if model.scenarios[name].kind == "quasi_static":
+    if rolls:
         return _roll(model, file, name, output, as_json=as_json, quiet=quiet)
     target = result_path(output, file, name)
     summary, error = unless_it_cannot_begin(
-        lambda: compute(model, file, name, target, decimate=decimate, quiet=quiet), NOT_BEGUN
+        lambda: compute(model, file, name, target, decimate=decimate or 1, quiet=quiet), NOT_BEGUN
     )
     if as_json:
         emit_json(summary)
@@ -138,6 +146,7 @@ def compute(
             done = run_time(system, chosen, sink=writer, progress=progress)
         if events:
             writer.append_events(done.events)
+        notes = (*done.notes, *step_notes(chosen, done.step))
         status = how_a_status_ends(done.status)
         writer.finish(
             status,
@@ -145,7 +154,7 @@ def compute(
             code=done.status,
             steps=done.steps,
             wall_s=done.wall_s,
-            notes=done.notes,
+            notes=notes,
             statistics=done.channels,
         )
     sentence = f"{done.sentence} (at t = {done.t_end:.6g} s)" if done.status != OK else done.sentence
@@ -158,8 +167,19 @@ def compute(
         "t_end": done.t_end,
         "window": done.window,
         "output": str(target),
-        "notes": done.notes,
+        "notes": notes,
         "events": len(done.events),
         "channels": done.channels,
     }
     return summary, None if done.status == OK else SolverError(sentence, done.status, str(target))
+
+
+def step_notes(scenario: Scenario, used: float) -> tuple[str, ...]:
+    """Say that the step that was asked for had to be shortened; `used` [s] is 0 for adaptive methods."""
+    if scenario.step is None or not 0.0 < used < ALIKE * scenario.step:
+        return ()
+    asked, taken = shown(scenario.step, "time", 4), shown(used, "time", 4)
+    if scenario.sample_rate is None:
+        return (f"the step is {taken} instead of {asked}: steps divide the duration",)
+    period = shown(1.0 / scenario.sample_rate, "time", 4)
+    return (f"the step is {taken} instead of {asked}: steps divide the sample period, {period}",)

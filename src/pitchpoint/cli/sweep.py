@@ -10,7 +10,7 @@ import click
 
 from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet, scenario
-from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.output import emit_json, greatest, show, shown, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -47,10 +47,11 @@ def sweep(
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.cli.results import choose_scenario, result_path, unless_it_cannot_begin
+    from pitchpoint.cli.results import choose_scenario, refuse_idle, result_path, unless_it_cannot_begin
 
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "sweep")
+    refuse_idle("without --vary", {} if vary else {"--jobs": jobs})
     if vary:
         from pitchpoint.cli.cases import run_varied
 
@@ -63,7 +64,7 @@ def sweep(
     if as_json:
         emit_json(summary)
     elif summary["points"]:
-        _print(f"{model.title or file}: {name}", summary)
+        _print(f"{model.title or file}: {name}", summary, *_scale(model, name))
         if not quiet:
             show(f"{len(summary['points'])} points in {summary['wall_s']:.3g} s, written to {target}")
             for note in summary["notes"]:
@@ -89,7 +90,8 @@ def compute(
     system = compile_model(model, name)
     mesh, directions, speeds, frequencies = plan(model, name)
     header = header_of(model, file, name, "sweep", model.scenarios[name].method)
-    with SweepWriter(target, header, mesh, directions, speeds, frequencies) as writer:
+    channels = [(c.name, c.unit, c.long_name) for c in system.layout.channels]
+    with SweepWriter(target, header, mesh, directions, speeds, frequencies, channels) as writer:
 
         def keep(point: dict[str, Any]) -> None:
             nearest = min(range(len(speeds)), key=lambda k: abs(speeds[k] - point["speed"]))
@@ -131,8 +133,25 @@ def plan(model: Model, name: str) -> tuple[str, list[str], list[float], list[flo
     return mesh, directions, speeds, [speed * per_speed for speed in speeds]
 
 
-def _print(title: str, summary: dict[str, Any]) -> None:
-    """Show jumps, and the points at which the deflection vibrates most."""
+def _scale(model: Model, name: str) -> tuple[str, float | None]:
+    """Swept body and its mesh frequency at 1 rad/s [Hz]; none where the scenario gives mesh frequencies."""
+    sweep = model.scenarios[name].sweep
+    assert sweep is not None  # the kind of the scenario was checked
+    given = sweep.speed is not None
+    return sweep.body, model.sweep_mesh(name)[1] / (2.0 * math.pi) if given else None
+
+
+def _print(title: str, summary: dict[str, Any], body: str, per_speed: float | None) -> None:
+    """Show jumps, and the points at which the deflection of the swept mesh vibrates most.
+
+    With `per_speed`, the mesh frequency [Hz] at 1 rad/s of the swept body, points are told by their speed.
+    """
+
+    def place(frequency: float) -> str:
+        if per_speed is None:
+            return shown(frequency, "frequency", 5)
+        return shown(frequency / per_speed, "angular_speed", 5)
+
     points = summary["points"]
     rows = []
     for direction in dict.fromkeys(p["direction"] for p in points):
@@ -140,16 +159,18 @@ def _print(title: str, summary: dict[str, Any]) -> None:
         top = max(here, key=lambda p: p["deflection"]["rms"])
         lost = max(here, key=lambda p: p["contact_loss_share"])
         jumps = [j["mesh_frequency"] for j in summary["jumps"] if j["direction"] == direction]
+        ends = [place(p["mesh_frequency"]) for p in (here[0], here[-1])]
         rows.append(
             [
-                direction,
+                f"{direction}, {ends[0]} to {ends[1]}",
                 str(len(here)),
                 shown(top["deflection"]["rms"], "length", 4),
-                shown(top["mesh_frequency"], "frequency", 5),
-                shown(max(p["mesh_force"]["max"] for p in here), "force", 5),
+                place(top["mesh_frequency"]),
+                shown(max((greatest(p["mesh_force"]) for p in here), key=abs), "force", 5),
                 f"{100.0 * lost['contact_loss_share']:.1f} %",
-                ", ".join(shown(f, "frequency", 5) for f in jumps) or "none",
+                ", ".join(place(f) for f in jumps) or "none",
             ]
         )
-    columns = ["direction", "points", "greatest rms of deflection", "at", "greatest mesh force"]
-    table(title, [*columns, "contact lost, at most", "jumps at"], rows)
+    first = "mesh frequency" if per_speed is None else f"speed of {body}"
+    columns = [first, "points", "greatest rms of deflection", "at", "greatest mesh force"]
+    table(f"{title}, mesh {summary['mesh']}", [*columns, "contact lost, at most", "jumps at"], rows)

@@ -59,6 +59,7 @@ def warmup(quiet: bool) -> None:
             progress(k, len(found), name)
             with contextlib.suppress(SolverError):  # compiled is compiled, whatever the numbers are
                 job()
+        progress(len(found), len(found))
     if not quiet:
         seconds = time.perf_counter() - begun
         show(f"{len(found)} jobs in {seconds:.1f} s; the machine code is in {cache_folder()}")

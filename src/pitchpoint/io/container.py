@@ -189,7 +189,7 @@ class Container:
         if not growing:
             # Space is given before others may read: a table that grows the file later would lie beyond the
             # end that a reader has just been told.
-            made[...] = made.fillvalue
+            made[...] = np.full(shape, made.fillvalue, made.dtype)  # a bare number is written row by row
         return self._attach(made, scales, attributes)
 
     def _attach(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A speed sweep on disk: a table of direction, point and statistic per quantity, filled point by point."""
+"""A speed sweep on disk: a table of direction, point and statistic per channel, filled point by point."""
 
 from __future__ import annotations
 
@@ -32,11 +32,13 @@ class SweepWriter:
     path, header
         File and provenance; the kind of the header is `sweep`.
     mesh
-        Mesh whose statistics are kept.
+        Mesh that is swept: its shares are kept, and its statistics in any case.
     directions
         `up`, `down` or both, in the order in which they are run.
     speeds, mesh_frequencies
         Speed of the swept body [rad/s] and mesh frequency [Hz] of every point, ascending, shape (n,).
+    channels
+        Name, SI unit and words of all channels whose statistics are kept.
     """
 
     def __init__(
@@ -47,8 +49,12 @@ class SweepWriter:
         directions: Sequence[str],
         speeds: Sequence[float],
         mesh_frequencies: Sequence[float],
+        channels: Sequence[tuple[str, str, str]] = (),
     ) -> None:
         self.mesh = mesh
+        own = {f"{name}[{mesh}]" for name, _, _ in QUANTITIES}
+        others = [c for c in channels if c[0] not in own]
+        self._others = [name for name, _, _ in others]
         self._directions = list(directions)
         axes = [
             Axis("direction", self._directions, long_name="direction of the sweep"),
@@ -59,6 +65,7 @@ class SweepWriter:
         quantities = [
             Quantity("speed", ("mesh_frequency",), "rad/s", "speed of the swept body", "omega"),
             *(Quantity(f"{n}[{mesh}]", (*point, "statistic"), unit, words) for n, unit, words in QUANTITIES),
+            *(Quantity(name, (*point, "statistic"), unit, words) for name, unit, words in others),
             *(Quantity(f"{n}[{mesh}]", point, "1", words) for n, words in SHARES),
             Quantity("point_status", point, "1", "status of the computation of the point", dtype="i4"),
         ]
@@ -73,11 +80,15 @@ class SweepWriter:
         return self._table.path
 
     def put(self, direction: str, point: int, values: Mapping[str, Any], status: int = 1) -> None:
-        """Write one point: `values` as in the JSON of a sweep, by quantity; what is missing stays NaN."""
+        """Write one point: `values` as in the points of `SweepSummary`; what is missing stays NaN."""
         at = (self._directions.index(direction), point)
         for name, _, _ in QUANTITIES:
             if name in values:
                 self._table.put(f"{name}[{self.mesh}]", at, [values[name][key] for key in STATISTICS])
+        known = values.get("channels", {})
+        for name in self._others:
+            if name in known:
+                self._table.put(name, at, [known[name][key] for key in STATISTICS])
         for name, _ in SHARES:
             if name in values:
                 self._table.put(f"{name}[{self.mesh}]", at, values[name])
@@ -117,10 +128,13 @@ class SweepWriter:
 
 
 def read_sweep(path: str | os.PathLike[str]) -> dict[str, Any]:
-    """Read a sweep as plain data: `mesh`, `points` in the order run, `jumps`; without points not computed."""
+    """Read the swept mesh as plain data: `mesh`, `points` in the order run, `jumps`.
+
+    Points that were not computed are left out; `open_result` has all channels.
+    """
     with open_table(path, "sweep") as file:
-        force = next(name for name in file if name.startswith("mesh_force["))
-        mesh = force[len("mesh_force[") : -1]
+        first = f"{SHARES[0][0]}["  # only the swept mesh has shares
+        mesh = next(name for name in file if name.startswith(first))[len(first) : -1]
         directions = [d.decode() if isinstance(d, bytes) else d for d in file["direction"][...]]
         frequencies, speeds = file["mesh_frequency"][...], file["speed"][...]
         tables = {name: file[f"{name}[{mesh}]"][...] for name, _, _ in QUANTITIES}

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -24,6 +25,7 @@ def write_report(
     *results: str | os.PathLike[str] | xr.Dataset,
     allow_code: bool = False,
     progress: Progress = silent,
+    on_note: Callable[[str], None] | None = None,
 ) -> Path:
     """Write one self-contained HTML page about a model and its results.
 
@@ -42,6 +44,8 @@ def write_report(
         Whether a model file may name Python code.
     progress
         Told the number of meshes that have been rolled.
+    on_note
+        Told every warning that the page has, as soon as the page is written.
 
     Returns
     -------
@@ -80,7 +84,11 @@ def write_report(
         found, remarks = collect(model, results, progress)
     texts = [str(w.message) for w in heard if issubclass(w.category, ValidityWarning)]
     about = replace(about, warnings=list(dict.fromkeys([*texts, *remarks])))
-    return write_file(path, report_html(about, found))
+    written = write_file(path, report_html(about, found))
+    if on_note is not None:
+        for text in about.warnings:
+            on_note(text)
+    return written
 
 
 def files_of(*things: Model | str | os.PathLike[str] | xr.Dataset) -> list[str]:

@@ -61,7 +61,7 @@ def follow_modes(
     *,
     progress: Progress = silent,
 ) -> Campbell:
-    """Natural frequencies over speed; parameters as in `campbell`."""
+    """Natural frequencies over speed; parameters as in `solve_campbell`."""
     if system.model is None:
         raise SolverError("Campbell data need a system made from a model, for its gear ratios", INCONSISTENT)
     body = body or next(iter(system.model.bodies))
@@ -114,7 +114,7 @@ def _orders(system: System, ratios: dict[str, float]) -> dict[str, float]:
     return found
 
 
-def campbell(
+def solve_campbell(
     system: System,
     speeds: ArrayLike,
     body: str | None = None,
@@ -140,8 +140,15 @@ def campbell(
     Returns
     -------
     xarray.Dataset
-        Over `speed` and `mode`: frequency [Hz], damping_ratio; over `mesh`: order (mesh frequency over
-        rotational frequency of the body); over `speed` and `mesh`: mesh_frequency [Hz].
+        Over `speed` [rad/s] and `mode`: frequency [Hz], 0 where a mode does not oscillate, and damping_ratio,
+        NaN where it creeps; over `mode`: name, from its shape at rest; over `mesh`: order (mesh frequency
+        over rotational frequency of the body); over `speed` and `mesh`: mesh_frequency [Hz]. Each mode is
+        followed from speed to speed by its shape, so `frequency[:, k]` is one curve of the diagram.
+
+    Raises
+    ------
+    SolverError
+        If there is no such body or scenario, or no equilibrium.
     """
     import xarray as xr
 
@@ -169,3 +176,6 @@ def campbell(
     }
     attrs = attributes(system, "campbell", wall_s=time.perf_counter() - began, body=c.body)
     return xr.Dataset(data, coords=coords, attrs={**attrs, "body": c.body})
+
+
+campbell = solve_campbell

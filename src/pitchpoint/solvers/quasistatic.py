@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,6 +25,7 @@ from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import operating_point
+from pitchpoint.solvers.roll_notes import load_notes
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
 from pitchpoint.solvers.touch import tangent_stiffness, touching_error
 from pitchpoint.solvers.trains import held_spins, rotations, same_train
@@ -34,6 +36,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 DIMENSION = "mesh_phase_position"
+LARGEST_RATIO = 10**6
+"""Denominator up to which a ratio of speeds is told from its rounded value."""
 
 
 @dataclass(frozen=True)
@@ -48,11 +52,19 @@ class MeshRoll:
         Derivative of the mesh force by the transmission error, all else kept [N/m].
     share
         Share of every tooth pair in the mesh force, shape (n, n_pair).
+    pitches
+        Tooth pitches it goes on per period of the rolled mesh; 0 if it stands still.
     """
 
     unloaded: Array
     tangent_stiffness: Array
     share: Array
+    pitches: Fraction = Fraction(1)
+
+    @property
+    def repeats_after(self) -> int:
+        """Periods of the rolled mesh after which this one stands at the same phase again."""
+        return self.pitches.denominator
 
 
 @dataclass(frozen=True)
@@ -86,6 +98,22 @@ class Roll:
     status: int = OK
     sentence: str = ""
 
+    @property
+    def cycle_notes(self) -> tuple[str, ...]:
+        """Say of which other meshes a finished roll shows no whole cycles: their numbers are partial."""
+        if self.status != OK:
+            return ()
+        periods, found = round(float(self.position[-1])), []
+        for name, mesh in self.meshes.items():
+            cycles = mesh.pitches * periods
+            if cycles.denominator != 1:
+                what = "peak to peak is" if cycles < 1 else "mean is"
+                found.append(
+                    f"mesh {name} repeats after {mesh.repeats_after} periods of {self.mesh}; "
+                    f"its {what} that of {periods}"
+                )
+        return tuple(found)
+
 
 def roll_through(
     system: System,
@@ -114,7 +142,7 @@ def roll_through(
     state = point.state.copy()
     state.v[:] = 0.0
     n = points * periods + 1
-    rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros(n)
+    rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
     names = mesh_names(own)
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
@@ -125,7 +153,7 @@ def roll_through(
             found = find_equilibrium(own, state, held)
             state = found.state
             rows[s] = found.observe(own)
-            reaction[s] = found.reaction[0]
+            reaction[s] = found.reaction
             for m in range(len(names)):
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 tangent[m, s] = tangent_stiffness(own, state, m)
@@ -143,6 +171,7 @@ def roll_through(
             unloaded[m, :done],
             tangent[m, :done],
             _shares(own, rows, name, int(own.records["gear_mesh"][m]["n_pair"])),
+            _pitches(own, own.records["gear_mesh"][m], rates) / abs(int(z)),
         )
         for m, name in enumerate(names)
     }
@@ -151,8 +180,8 @@ def roll_through(
         c.name: {"min": column.min(initial=np.inf), "max": column.max(initial=-np.inf)}
         for c, column in zip(own.layout.channels, rows.T, strict=True)
     }
-    notes = (*point.notes, *deep_contacts(own.model, [spans]))
-    return Roll(mesh, position, rows, meshes, reaction[:done], notes, status, text)
+    notes = (*load_notes(own, held, reaction[:done], rows), *deep_contacts(own.model, [spans]))
+    return Roll(mesh, position, rows, meshes, reaction[:done, 0], notes, status, text)
 
 
 def _plan(
@@ -201,6 +230,15 @@ def _assembled(system: System, state: State) -> State:
     new.q[:] = 0.0
     new.q[spins] = state.q[spins]
     return new
+
+
+def _pitches(system: System, record: np.void, rates: Array) -> Fraction:
+    """Tooth pitches that a mesh goes on while the rolled body turns by 2 pi; ratios of trains are exact."""
+    for body, teeth in ((record["i"], record["z1"]), (record["j"], record["z2"])):
+        spin = system.program["body"][body]["spin"]
+        if spin >= 0:
+            return Fraction(abs(float(rates[spin]))).limit_denominator(LARGEST_RATIO) * abs(int(teeth))
+    return Fraction(0)
 
 
 def _shares(system: System, rows: Array, name: str, n_pair: int) -> Array:
@@ -259,7 +297,7 @@ def solve_quasistatic(
     data = xr.Dataset(
         {t.name: ((DIMENSION,) * t.rolled, t.values, channel_attributes(t)) for t in tables(system, roll)},
         coords={DIMENSION: ((DIMENSION,), roll.position, words)},
-        attrs={**attrs, "notes": "; ".join(roll.notes)},
+        attrs={**attrs, "notes": "; ".join((*roll.notes, *roll.cycle_notes))},
     )
     if roll.status != OK:
         raise SolverError(roll.sentence, roll.status, data)
@@ -283,14 +321,14 @@ class Table:
 
 def statistics(found: Table) -> dict[str, Any]:
     """Mean, rms of the alternating part and extremes of a quantity over whole periods."""
-    # the last point repeats the first one
+    # the last point repeats the first one, but for meshes that are in the midst of a cycle there
     once = found.values[:-1] if len(found.values) > 1 else found.values
     return {
         "unit": found.unit,
         "mean": float(once.mean()),
         "rms": float(once.std()),
-        "min": float(once.min()),
-        "max": float(once.max()),
+        "min": float(found.values.min()),
+        "max": float(found.values.max()),
     }
 
 

@@ -242,7 +242,7 @@ def _run(
         roll = roll_through(system, scenario, progress=listen)
         channels = {t.name: statistics(t) for t in tables(system, roll) if np.size(t.values) and t.rolled}
         found = {"channels": channels, "steps": len(roll.position)}
-        status, words, notes = roll.status, roll.sentence, roll.notes
+        status, words, notes = roll.status, roll.sentence, (*roll.notes, *roll.cycle_notes)
     else:
         from pitchpoint.solvers.time import run_time
 

@@ -27,6 +27,7 @@ from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.time import next_chunk, scenario_of
+from pitchpoint.sweep.tables import STATISTICS, channel_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
 
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario, Sweep
 
 QUANTITIES = ("transmission_error", "deflection", "mesh_force")
+SHARES = ("contact_loss_share", "back_contact_share")
 DRIFT = 0.005
 """Share of its speed by which a machine may leave it at a point without a word."""
 STEPS_PER_PERIOD = 200
@@ -57,7 +59,7 @@ class SweepSummary:
     points
         One mapping per point in the order run: direction, speed [rad/s], mesh_frequency [Hz], statistics of
         the swept mesh by quantity (unit, mean, rms, min, max), contact_loss_share and back_contact_share;
-        `channels` holds the statistics of every other channel.
+        `channels` holds the statistics of every channel.
     jumps
         Direction and mesh frequency [Hz] of every jump.
     steps, wall_s
@@ -305,8 +307,11 @@ def sweep_speed(
     -------
     xarray.Dataset
         Dimensions `direction` and `mesh_frequency` [Hz]; for each quantity of the swept mesh `QUANTITY_mean`,
-        `_rms`, `_min`, `_max`, and the shares of lost and of back contact; NaN where a point is missing.
-        Jumps and notes are in the attributes.
+        `_rms`, `_min`, `_max`, and the shares of lost and of back contact; every channel of the system under
+        its own name, such as `bearing_force[left.fx]`, with `statistic` (mean, rms, min, max) as a third
+        dimension; `jump_direction` (index in `direction`) and `jump_mesh_frequency` [Hz] over `jump`. NaN
+        where a point is missing. The attributes hold the notes. A result file of `pitchpoint sweep` has the
+        channels and the jumps under the same names.
 
     Raises
     ------
@@ -320,38 +325,21 @@ def sweep_speed(
     found = run_sweep(system, scenario, progress=progress)
     directions = sorted({p["direction"] for p in found.points}, reverse=True)
     grid = sorted({p["mesh_frequency"] for p in found.points})
-    data: dict[str, Any] = {}
-    for name in QUANTITIES:
-        for key in ("mean", "rms", "min", "max"):
-            values = _on_grid(found.points, directions, grid, lambda p, n=name, k=key: p[n][k])
-            unit = found.points[0][name]["unit"] if found.points else ""
-            words = f"{name.replace('_', ' ')}, {key}"
-            data[f"{name}_{key}"] = (
-                ("direction", "mesh_frequency"),
-                values,
-                {"units": unit, "long_name": words},
-            )
-    for name in ("contact_loss_share", "back_contact_share", "speed"):
-        values = _on_grid(found.points, directions, grid, lambda p, n=name: p[n])
-        described = {"units": "rad/s" if name == "speed" else "1", "long_name": name.replace("_", " ")}
-        data[name] = (("direction", "mesh_frequency"), values, described)
+    at = places(found.points, directions, grid)
+    data = {
+        **mesh_tables(found.points, at, QUANTITIES, SHARES),
+        **channel_tables(system.layout.channels, found.points, at),
+        **jump_tables(found.jumps, directions),
+    }
     coords: dict[str, Any] = {
         "direction": directions,
         "mesh_frequency": ("mesh_frequency", np.array(grid), {"units": "Hz", "long_name": "mesh frequency"}),
+        "statistic": list(STATISTICS),
+        "jump": np.arange(len(found.jumps)),
     }
     attrs = attributes(system, "speed sweep", found.status, found.wall_s)
-    attrs["jumps"] = [f"{j['direction']} {j['mesh_frequency']:.9g} Hz" for j in found.jumps]
     attrs["notes"] = "; ".join(found.notes)
     result = xr.Dataset(data, coords=coords, attrs=attrs)
     if found.status != OK:
         raise SolverError(found.sentence, found.status, result)
     return result
-
-
-def _on_grid(
-    points: list[dict[str, Any]], directions: list[str], grid: list[float], pick: Any
-) -> NDArray[np.float64]:
-    values = np.full((len(directions), len(grid)), np.nan)
-    for p in points:
-        values[directions.index(p["direction"]), grid.index(p["mesh_frequency"])] = pick(p)
-    return values

@@ -234,3 +234,13 @@ def test_interrupted_cases_did_not_fail(
     assert (head["status"], head["status_code"]) == ("interrupted", 9)
     with open_result(target) as data:
         assert data.sizes["case"] == 3
+
+
+def test_contact_on_the_back_flank_is_contact(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Torques of the other sign press the other flanks: forces are negative, no contact is lost."""
+    text = SHORT.replace("torque: 150 N m", "torque: -150 N m")
+    command = ["run", written(tmp_path, text), "-s", "steady", "--vary", "meshes.stage.damper.ratio=0.05,0.1"]
+    assert run_command([*command, "-o", str(tmp_path / "cases.h5")]) == 0
+    rows = [line.split() for line in capsys.readouterr().out.splitlines() if line.split()[:1] == ["0.1"]]
+    assert rows[0][-1] == "no"
+    assert float(rows[0][-3]) < -2128.0  # 150 N m at 70.477 mm

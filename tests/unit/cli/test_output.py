@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import json
 import math
+import re
 
 import numpy as np
 import pytest
 
-from pitchpoint.cli import output, progress
+from pitchpoint.cli import output, progress, results
 
 
 def test_json_is_strict_and_plain(capsys: pytest.CaptureFixture[str]) -> None:
@@ -52,6 +53,83 @@ def test_tables_keep_every_character_in_a_pipe(capsys: pytest.CaptureFixture[str
         assert text in out
 
 
+def printed(capsys: pytest.CaptureFixture[str]) -> list[str]:
+    """Lines on stdout, without blank ones and rules."""
+    return [line.strip() for line in capsys.readouterr().out.splitlines() if line.strip(" ─")]
+
+
+def test_a_narrow_table_breaks_neither_numbers_nor_keys(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(output, "PIPE", 80)
+    columns = ["channel", "mean", "alternating rms", "min", "max"]
+    rows = [
+        ["transmission_error[second]", "-58.948 µm", "0.91291 µm", "-60.735 µm", "-58.021 µm"],
+        ["bearing_force[A1.mx]", "-1469.4 N m", "10.041 N m", "-1105.9 N m", "-1104.8 N m"],
+    ]
+    output.table("run", columns, rows)
+    lines = printed(capsys)
+    assert max(map(len, lines)) <= 80
+    assert re.split(r"\s{2,}", lines[-1]) == rows[1]
+    assert [word for word in lines[-3].split("  ") if word][0] == "transmission_error"
+    assert lines[-2] == "[second]"
+    assert sum("alternating" in line for line in lines) == 1
+
+
+def test_a_share_stays_with_its_sign_of_per_cent(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(output, "PIPE", 60)
+    name = "intermediate translation x 47 %, output translation x 21 %, intermediate rotation 12 %"
+    output.table("modes", ["mode", "frequency", "damping ratio"], [[name, "1512.23 Hz", "3.216 %"]])
+    lines = printed(capsys)
+    assert max(map(len, lines)) <= 60
+    assert "1512.23 Hz" in lines[2]
+    assert "3.216 %" in lines[2]
+    for share in ("47 %,", "21 %,", "12 %"):
+        assert any(share in line for line in lines)
+
+
+def test_columns_without_room_follow_below(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(output, "PIPE", 80)
+    names = [f"gear{k}" for k in range(8)]
+    output.table("T", ["", *names], [["polar inertia", *(f"{k}.1166e-05 kg m^2" for k in range(8))], []])
+    lines = printed(capsys)
+    assert lines[0] == "T"
+    assert sum("polar inertia" in line for line in lines) == 3
+    assert max(map(len, lines)) <= 80
+    text = "\n".join(lines)
+    assert all(f"{k}.1166e-05 kg m^2" in text for k in range(8))
+    output.table("T", ["one", "two", *names], [["a", "b", *["1.23456789 N/(mm µm)"] * 8]], keys=2)
+    lines = printed(capsys)
+    assert sum(line.split()[:2] == ["a", "b"] for line in lines) == 3
+
+
+def test_a_word_that_fits_nowhere_is_kept(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(output, "PIPE", 30)
+    output.table("T", ["key", "value"], [["k" * 50, "v" * 40]])
+    out = capsys.readouterr().out
+    assert "k" * 50 in out
+    assert "v" * 40 in out
+
+
+def test_channels_that_are_zero_are_counted(capsys: pytest.CaptureFixture[str]) -> None:
+    """A zero beside micrometres is told in micrometres."""
+    nothing = {"unit": "N", "mean": 0.0, "rms": 0.0, "min": 0.0, "max": 0.0}
+    channels = {f"bearing_force[left.{axis}]": nothing for axis in ("mx", "my", "mz")}
+    channels["deflection[m]"] = {"unit": "m", "mean": 2e-6, "rms": 0.0, "min": 2e-6, "max": 2e-6}
+    results.statistics_table("run", channels)
+    lines = printed(capsys)
+    assert lines[-1] == "zero all the time, not shown: 3 of bearing_force"
+    assert lines[-2].split("  ")[-1].strip() == "2 µm"
+    assert "0 µm" in lines[-2]
+    assert sum("bearing_force" in line for line in lines) == 1
+
+
 class Clock:
     """A clock that only moves when told to."""
 
@@ -82,6 +160,25 @@ def test_progress_is_silent_for_two_seconds_then_a_line_every_few(
     ]
 
 
+@pytest.mark.parametrize(("last", "lines"), [(100.0, ["10 %", "25 %", "100 %"]), (60.0, ["10 %", "25 %"])])
+def test_the_last_line_of_finished_work_is_100_per_cent(
+    last: float,
+    lines: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The end comes too soon after the line before; what is stopped on the way has no such line."""
+    clock = Clock()
+    monkeypatch.setattr(progress.time, "monotonic", clock.monotonic)
+    with progress.ProgressDisplay("run", "steps") as display:
+        for now, done in ((0.0, 0.0), (2.0, 10.0), (5.0, 25.0), (6.0, last)):
+            clock.now = 100.0 + now
+            display(done, 100.0)
+    said = capsys.readouterr().err.splitlines()
+    assert [line.split(": ")[1].split(",")[0] for line in said] == lines
+    assert "0 s left" not in said[-1]
+
+
 def test_quiet_progress_says_nothing(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -105,4 +202,7 @@ def test_terminals_get_a_bar(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Cap
         assert display._bar.tasks[0].completed == 5.0
         assert display._bar.tasks[0].fields["rate"] == "1 points/s"
         assert display._bar.tasks[0].fields["remaining"] == "5 s left"
+        display(10.0, 10.0)
+        assert display._bar.tasks[0].completed == 5.0
+    assert display._bar.tasks[0].completed == 10.0
     assert display._bar.live.is_started is False

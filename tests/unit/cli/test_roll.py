@@ -78,3 +78,68 @@ def test_no_equilibrium_exits_3(tmp_path: Path, capsys: pytest.CaptureFixture[st
     found = json.loads(captured.out)
     assert (found["status"], found["steps"], found["meshes"]) == ("failed", 0, {})
     assert "not a number" in captured.err
+
+
+TRAIN = """\
+gears:
+  a: {number_of_teeth: 21, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  b: {number_of_teeth: 57, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  c: {number_of_teeth: 19, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  d: {number_of_teeth: 60, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+bodies: {input: {gears: [a]}, middle: {gears: [b, c]}, output: {gears: [d]}}
+meshes:
+  first: {gears: [a, b], stiffness: {law: fourier, mean: 4e8 N/m, cosine: [-0.2]}}
+  second: {gears: [c, d], direction: 40 deg, stiffness: {law: fourier, mean: 4e8 N/m, cosine: [-0.2]}}
+loads: {motor: {body: input, torque: 60 N m}, brake: {body: output, torque: balance}}
+scenarios: {roll: {quasi_static: {mesh: first, points: 30, periods: 1}}}
+"""
+
+
+def test_partial_cycles_are_told_in_table_json_and_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    note = "mesh second repeats after 3 periods of first; its peak to peak is that of 1"
+    file, target = written(tmp_path, TRAIN), tmp_path / "roll.h5"
+    found = json_of(["run", file, "-o", str(target)], capsys)
+    assert found["notes"] == [note]
+    assert [mesh["repeats_after_periods"] for mesh in found["meshes"].values()] == [1, 3]
+    assert read_header(target)["notes"] == note
+    assert run_command(["run", file, "-o", str(target)]) == 0
+    out = capsys.readouterr().out
+    assert "second, 1 of 3 periods: mesh force" in out
+    assert "first: mesh force" in out
+    assert f"note: {note}" in out
+
+
+def test_cases_of_a_roll_show_what_a_single_roll_shows(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, out = written(tmp_path, TRAIN), ["-o", str(tmp_path / "out.h5")]
+    assert run_command(["run", file, *out]) == 0
+    single = [line.split("  ")[-1].strip() for line in capsys.readouterr().out.splitlines()]
+    assert run_command(["run", file, *out, "--vary", "loads.motor.torque=30 N m,60 N m"]) == 0
+    text = capsys.readouterr().out
+    for name in ("transmission error, mean", "peak to peak", "without load, mean", "mesh stiffness, mean"):
+        assert name in text
+    for mesh, numbers in (("first", single[4:10]), ("second", single[10:16])):
+        row = next(line for line in text.splitlines() if line.split()[:4] == ["60", "N", "m", mesh])
+        assert [cell for cell in numbers if cell not in row] == []
+    assert "note: case 1: mesh second repeats after 3 periods of first" in text
+
+
+@pytest.mark.parametrize("option", ["--step=5 us", "--decimate=2", "--jobs=2"])
+def test_options_without_effect_on_a_roll_are_refused(
+    option: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run_command(["run", written(tmp_path, ROLL), "-s", "roll", option]) == 2
+    assert f"{option.partition('=')[0]} has no effect" in capsys.readouterr().err
+    assert list(tmp_path.glob("*.h5")) == []
+
+
+def test_a_roll_that_nothing_loads_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = ROLL.replace("output: {body: driven, torque: 150 N m}", "output: {body: driven, torque: 0 N m}")
+    assert run_command(["run", written(tmp_path, text), "-s", "roll", "-o", str(tmp_path / "r.h5")]) == 0
+    out = capsys.readouterr().out
+    assert "note: nothing loads mesh stage; 150 N m on driver go into holding it" in out
+    assert "speed" not in out
+    assert "0 mm" not in out

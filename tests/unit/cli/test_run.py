@@ -24,10 +24,11 @@ SHORT = TORSION.replace("duration: 0.5 s", "duration: 0.02 s")
 LONG = TORSION.replace("duration: 0.5 s", "duration: 500 s")
 
 
-def start(file: str, target: Path) -> subprocess.Popen[str]:
+def start(file: str, target: Path, *options: str) -> subprocess.Popen[str]:
     """Start a run in a process of its own and wait until its file holds samples."""
     code = "from pitchpoint.cli.main import main; main()"
     command = [sys.executable, "-c", code, "run", file, "--scenario", "steady", "-o", str(target), "--json"]
+    command += options
     child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 120.0
     while time.monotonic() < deadline and child.poll() is None:
@@ -114,8 +115,36 @@ def test_events_are_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[st
 
 
 @pytest.mark.parametrize(
+    ("step", "rate", "note"),
+    [
+        (
+            "5 ms",
+            "sample_rate: 100 kHz",
+            "the step is 10 µs instead of 5 ms: steps divide the sample period, 10 µs",
+        ),
+        ("5 us", "sample_rate: 100 kHz", ""),
+        ("3 us", "settle_time: 0 s", "the step is 2.8 µs instead of 3 µs: steps divide the duration"),
+    ],
+)
+def test_a_step_that_had_to_be_shortened_is_told(
+    step: str, rate: str, note: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = SHORT.replace("sample_rate: 100 kHz", rate)
+    if not note.endswith("10 µs"):
+        text = text.replace("0.02 s", "0.0001 s" if "3" not in step else "0.000028 s")
+    target = tmp_path / "out.h5"
+    found = json_of(
+        ["run", written(tmp_path, text), "-s", "steady", "--step", step, "-o", str(target)], capsys
+    )
+    assert found["notes"] == ([note] if note else [])
+    assert read_header(target)["notes"] == note
+
+
+@pytest.mark.parametrize(
     ("arguments", "expected"),
     [
+        (["--jobs", "2"], "--jobs has no effect without --vary"),
+        (["--decimate", "2", "--vary", "loads.input.torque=1 N m"], "--decimate has no effect with --vary"),
         (["--scenario", "stedy"], "did you mean 'steady'?"),
         (["--scenario", "sweep"], "of the kind sweep"),
         (["--step", "3 kg"], "'kg'"),
@@ -201,3 +230,36 @@ def test_what_nothing_holds_is_named_with_exit_code_3(
     for command in (["run", file, "-o", str(tmp_path / "x.h5")], ["modes", file]):
         assert run_command(command) == 3
         assert words in capsys.readouterr().err
+
+
+LOOP = """\
+def torque(t, x, p):
+    while t > 0.11:
+        pass
+    return 150.0
+"""
+
+
+def test_a_second_ctrl_c_ends_a_compiled_law_that_never_returns(tmp_path: Path) -> None:
+    """Python cannot act there; samples that were written before stay readable."""
+    (tmp_path / "law.py").write_text(LOOP)
+    text = LONG.replace("500 s", "0.5 s").replace(
+        "input:  {body: driver, torque: 150 N m}", "input:  {body: driver, torque: {python: 'law.py:torque'}}"
+    )
+    target = tmp_path / "out.h5"
+    child = start(written(tmp_path, text), target, "--allow-code")
+    time.sleep(1.0)
+    child.send_signal(signal.SIGINT)
+    time.sleep(2.5)
+    assert child.poll() is None
+    child.send_signal(signal.SIGINT)
+    out, err = child.communicate(timeout=30)
+    assert child.returncode == 130
+    assert out == ""
+    assert "press Ctrl-C again" in err
+    assert "Traceback" not in err
+    assert read_header(target)["status"] == "running"
+    t, force = read_channel(target, "mesh_force[stage]")
+    assert t.size > 1000
+    assert t[-1] <= 0.11
+    assert np.isfinite(force).all()

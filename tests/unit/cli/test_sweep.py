@@ -6,11 +6,12 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pitchpoint.cli import sweep as command
 from pitchpoint.cli.main import run_command
-from pitchpoint.io.reading import read_header
+from pitchpoint.io.reading import open_result, read_header
 from pitchpoint.io.sweep_store import read_sweep
 from pitchpoint.io.yaml_model import load_model
 from tests.support.cli_files import TORSION, json_of, written
@@ -45,14 +46,54 @@ def test_contract(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         assert one["mesh_frequency"] == pytest.approx(two["mesh_frequency"])
 
 
+def test_the_file_has_all_channels(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Bearings of a second machine part over speed: mean, rms, least and greatest at every point."""
+    text = SMALL.replace("motion: torsion, inertia: 0.0115", "motion: planar, mass: 3 kg, inertia: 0.0115")
+    text = text.replace("loads:", "bearings:\n  left: {body: driver, stiffness: {radial: 2e8 N/m}}\n"
+                        "  right: {body: driven, stiffness: {radial: 2e8 N/m}}\nloads:")  # fmt: skip
+    target = tmp_path / "sweep.h5"
+    found = json_of(["sweep", written(tmp_path, text), "-o", str(target)], capsys)
+    with open_result(target) as data:
+        force = data["bearing_force[left.fy]"]
+        assert force.dims == ("direction", "mesh_frequency", "statistic")
+        assert (force.attrs["units"], force.attrs["symbol"]) == ("N", "F_B")
+        assert np.isfinite(force.values).all()
+        low, mean, high = (force.sel(statistic=s).values for s in ("min", "mean", "max"))
+        assert np.all(low < mean)
+        assert np.all(mean < high)
+        assert "displacement[driver.x]" in data
+        mesh = data["deflection[stage]"].sel(direction="up", statistic="rms").values
+        assert mesh == pytest.approx([p["deflection"]["rms"] for p in found["points"][:4]], rel=1e-15)
+    assert read_sweep(target)["mesh"] == "stage"
+
+
 def test_people_get_a_table(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert run_command(["sweep", written(tmp_path, SMALL.replace("both", "up"))]) == 0
     out = capsys.readouterr().out
-    for text in ("up", "greatest rms of deflection", "jumps at", "4 points in", "model-sweep.h5"):
+    assert "sweep, mesh stage" in out
+    for text in (
+        "up, 1000 Hz to 5000 Hz",
+        "mesh frequency",
+        "greatest rms of deflection",
+        "jumps at",
+        "4 points in",
+        "model-sweep.h5",
+    ):
         assert text in out
+
+
+def test_speeds_of_the_scenario_are_speeds_of_the_table(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = SMALL.replace("mesh_frequency: [1000 Hz, 5000 Hz]", "speed: [1200 rpm, 6000 rpm]")
+    assert run_command(["sweep", written(tmp_path, text), "-o", str(tmp_path / "s.h5")]) == 0
+    out = capsys.readouterr().out
+    for words in ("speed of driver", "up, 1200 rpm to 6000 rpm", "down, 6000 rpm to 1200 rpm"):
+        assert words in out
+    assert "Hz" not in out
 
 
 def test_ctrl_c_keeps_the_finished_points(

@@ -10,7 +10,7 @@ import pytest
 
 from pitchpoint.contact.mesh_cycle import mesh_cycle
 from pitchpoint.core.errors import SolverError
-from pitchpoint.solvers.quasistatic import roll_through, solve_quasistatic
+from pitchpoint.solvers.quasistatic import roll_through, solve_quasistatic, statistics, tables
 from tests.support.machines import R_B1, compiled, pair
 
 E_COS = (1e-6, 0.5e-6)
@@ -135,3 +135,87 @@ scenarios: {slow: {quasi_static: {points: 21, periods: 17}, hold: [b1]}}
     assert error.max() == pytest.approx(mean, abs=1e-9)
     share = np.mean(error[:-1] < mean - 0.5 * ahead_by)
     assert share == pytest.approx(model.pairs["stage"].eps_alpha / 17.0, abs=1.0 / 17 / 21)
+
+
+STAGES = """\
+gears:
+  a: {number_of_teeth: 21, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  b: {number_of_teeth: 57, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  c: {number_of_teeth: 19, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  d: {number_of_teeth: 60, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+bodies: {input: {gears: [a]}, middle: {gears: [b, c]}, output: {gears: [d]}}
+meshes:
+  first: {gears: [a, b], stiffness: {law: fourier, mean: 4e8 N/m, cosine: [-0.2]}}
+  second: {gears: [c, d], direction: 40 deg, stiffness: {law: fourier, mean: 4e8 N/m, cosine: [-0.2]}}
+loads: {motor: {body: input, torque: 60 N m}, brake: {body: output, torque: balance}}
+scenarios:
+  one: {quasi_static: {mesh: first, points: 30, periods: 1}}
+  three: {quasi_static: {mesh: first, points: 30, periods: 3}}
+  four: {quasi_static: {mesh: second, points: 30, periods: 4}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("scenario", "notes"),
+    [
+        ("one", "mesh second repeats after 3 periods of first; its peak to peak is that of 1"),
+        ("three", ""),  # 57/19: the second stage has turned by one tooth
+        ("four", ""),
+    ],
+)
+def test_meshes_whose_cycles_a_roll_does_not_complete_are_named(scenario, notes):
+    system = compiled(STAGES, scenario)[1]
+    data = solve_quasistatic(system)
+    assert data.attrs["notes"] == notes
+    span = float(data["transmission_error_peak_to_peak[second]"])
+    # k from 0.8 to 1.2 of its mean over a whole cycle, under 60 N m * 57/21 at the base radius of c
+    force = 60.0 * 57 / 21 / (0.5 * 19 * 3e-3 * math.cos(math.radians(20.0)))
+    whole = force / 4e8 * (1 / 0.8 - 1 / 1.2)
+    assert (span == pytest.approx(whole, rel=1e-2)) is not bool(notes)
+
+
+def test_a_mesh_that_turns_faster_than_the_rolled_one_has_a_partial_mean():
+    text = STAGES.replace("19", "20").replace(
+        "mesh: first, points: 30, periods: 1", "mesh: second, periods: 1"
+    )
+    roll = roll_through(compiled(text, "one")[1])  # 57/20: 2.85 cycles of the first stage
+    assert roll.cycle_notes == ("mesh first repeats after 20 periods of second; its mean is that of 1",)
+    assert roll.meshes["first"].repeats_after == 20
+
+
+@pytest.mark.parametrize(
+    ("torque", "words", "sign"),
+    [
+        ("balance", (), 1.0),
+        ("0 N m", ("nothing loads mesh first and second; 60 N m on input go into holding it",), 0.0),
+        ("-200 N m", ("the loads do not balance: 36.67 N m on input are left over",), 1.0),
+        (
+            "514.3 N m",
+            (
+                "the loads do not balance: 120 N m on input are left over",
+                "motor and brake turn the train the",
+            ),
+            -1.0,
+        ),
+    ],
+)
+def test_loads_that_do_not_balance_are_told_as_what_they_mean_for_a_roll(torque, words, sign):
+    """60 N m times 57/21 times 60/19 are 514.3 N m; input and output turn the same way round."""
+    text = STAGES.replace("torque: balance", f"torque: {torque}")
+    system = compiled(text, "three")[1]
+    roll = roll_through(system)
+    assert len(roll.notes) == len(words), roll.notes
+    for note, expected in zip(roll.notes, words, strict=True):
+        assert note.startswith(expected)
+        assert "speed" not in note
+    force = channel(system, roll, "mesh_force[first]")
+    assert np.all(np.sign(np.round(force, 3)) == sign)
+
+
+def test_extremes_of_a_part_of_a_cycle_are_those_of_all_points():
+    system = compiled(STAGES, "one")[1]
+    roll = roll_through(system)
+    table = {t.name: t for t in tables(system, roll)}
+    found = statistics(table["transmission_error[second]"])
+    span = table["transmission_error_peak_to_peak[second]"].values
+    assert found["max"] - found["min"] == pytest.approx(span, rel=1e-15)

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Columns of tables for people: where their cells may be broken, and how they fit into a given width.
+
+Cells are broken between words, long keys at their dots and brackets if need be; a number stays with its unit.
+Columns that do not fit beside each other go below each other.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+BESIDE, EDGES = 3, 2
+"""Characters between two columns and at both ends of a table."""
+KEY = 20
+"""Width that a first column keeps, if its cells are that long: what is narrower is hard to read."""
+_FIRST = tuple("0123456789-+–")
+_NUMBER = re.compile(r"[-+]?\d[\d.e+-]*")
+_GO_ON = ("N", "kN", "kg", "m", "s")
+"""Units that may have another one behind them, as in 12 N m."""
+_INSIDE = re.compile(r"(?<=[.,/])|(?=\[)")
+
+
+@dataclass
+class Column:
+    """One column of words or of numbers.
+
+    Parameters
+    ----------
+    heading, cells
+        Its texts.
+    first
+        Whether it says what the row is about.
+    """
+
+    heading: str
+    cells: Sequence[str]
+    first: bool = False
+    width: int = field(init=False)
+    words: bool = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.width = max(map(len, (self.heading, *self.cells)))
+        numbers = sum(cell[:1] in _FIRST for cell in self.cells)
+        self.words = self.first or 2 * numbers < len(self.cells)
+
+    def least(self, *, inside: bool) -> int:
+        """Width that it needs if cells are broken between words, or also inside long keys."""
+        parts = [p for cell in self.cells for p in self._pieces(cell)] + pieces(self.heading)
+        if inside and self.words:
+            parts = [p for part in parts for p in _INSIDE.split(part)]
+        return max(max(map(len, parts), default=0), min(self.width, KEY) if self.first else 0)
+
+    def lines(self, text: str) -> str:
+        """A cell or the heading, with line breaks where it is wider than the column."""
+        if len(text) <= self.width:
+            return text
+        return wrap(pieces(text) if text == self.heading else self._pieces(text), self.width)
+
+    def _pieces(self, cell: str) -> list[str]:
+        """What of a cell stays in one piece; of numbers whole entries of a list."""
+        return pieces(cell) if self.words else re.split(r"(?<=,) ", cell)
+
+
+def total(widths: Sequence[int]) -> int:
+    """Width of a table with columns of these widths.
+
+    Examples
+    --------
+    >>> total([10, 20])
+    35
+    """
+    return sum(widths) + BESIDE * (len(widths) - 1) + EDGES
+
+
+def groups(columns: Sequence[Column], room: int, keys: int = 1) -> list[list[int]]:
+    """Columns that stand beside each other, by their indices; each group begins with the first `keys`."""
+    least = [column.least(inside=True) for column in columns]
+    front = list(range(keys))
+    found = [list(front)]
+    for k in range(keys, len(columns)):
+        if len(found[-1]) > keys and total([least[i] for i in (*found[-1], k)]) > room:
+            found.append(list(front))
+        found[-1].append(k)
+    return found
+
+
+def fit(columns: Sequence[Column], room: int) -> None:
+    """Make columns narrower, the widest first, until they have room or none can give way."""
+    for inside in (False, True):
+        least = [column.least(inside=inside) for column in columns]
+        while total([column.width for column in columns]) > room:
+            able = [k for k, column in enumerate(columns) if column.width > least[k]]
+            if not able:
+                break
+            columns[max(able, key=lambda k: columns[k].width)].width -= 1
+
+
+def pieces(text: str) -> list[str]:
+    """Split a text into what stays in one piece: words, and numbers with their unit.
+
+    Examples
+    --------
+    >>> pieces("wheel tilt 66 %, base 12.5 N m up")
+    ['wheel', 'tilt', '66 %,', 'base', '12.5 N m up']
+    >>> pieces("  peak to peak")
+    ['  peak', 'to', 'peak']
+    """
+    found: list[str] = []
+    joined = False
+    for word in text.split():
+        if joined:
+            found[-1] += f" {word}"
+            joined = word in _GO_ON
+        else:
+            found.append(word)
+            joined = _NUMBER.fullmatch(word) is not None
+    if not found:
+        return [text]
+    return [" " * (len(text) - len(text.lstrip(" "))) + found[0], *found[1:]]
+
+
+def wrap(parts: Sequence[str], width: int) -> str:
+    """Put pieces into lines of a width, those that are too long in parts of their own.
+
+    Examples
+    --------
+    >>> wrap(["a", "2 mm,", "b"], 6)
+    'a\\n2 mm,\\nb'
+    >>> wrap(["scenarios.steady.step"], 12), wrap(["force[left.fx]"], 10)
+    ('scenarios.\\nsteady.step', 'force\\n[left.fx]')
+    """
+    lines: list[str] = []
+    for part in parts:
+        for k, piece in enumerate([part] if len(part) <= width else _INSIDE.split(part)):
+            between = " " if k == 0 else ""
+            if lines and len(lines[-1]) + len(between) + len(piece) <= width:
+                lines[-1] += between + piece
+            else:
+                lines.append(piece)
+    return "\n".join(lines)

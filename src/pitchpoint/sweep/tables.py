@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Points of a speed sweep as tables over direction and mesh frequency, for the dataset of `sweep_speed`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.solvers.dataset import channel_attributes
+from pitchpoint.system.layout import Channel
+
+STATISTICS = ("mean", "rms", "min", "max")
+DIMENSIONS = ("direction", "mesh_frequency")
+
+Point = Mapping[str, Any]
+Variable = tuple[Any, ...]
+"""Dimensions, values and attributes, as xarray takes them."""
+
+
+@dataclass(frozen=True)
+class Places:
+    """Where the points of a sweep stand: shape of the tables, row and column of each point."""
+
+    shape: tuple[int, int]
+    rows: tuple[int, ...]
+    columns: tuple[int, ...]
+
+    def table(self, values: Sequence[Any], *more: int) -> NDArray[np.float64]:
+        """Values of the points in a table, shape (direction, mesh_frequency, *more), NaN elsewhere."""
+        filled = np.full((*self.shape, *more), np.nan)
+        if len(values):
+            filled[list(self.rows), list(self.columns)] = values
+        return filled
+
+
+def places(points: Sequence[Point], directions: Sequence[str], grid: Sequence[float]) -> Places:
+    """Find the places of points among directions and mesh frequencies [Hz].
+
+    Parameters
+    ----------
+    points
+        As in `SweepSummary`.
+    directions, grid
+        Every direction and every mesh frequency that occurs.
+    """
+    row = {direction: k for k, direction in enumerate(directions)}
+    column = {frequency: k for k, frequency in enumerate(grid)}
+    return Places(
+        (len(row), len(column)),
+        tuple(row[p["direction"]] for p in points),
+        tuple(column[p["mesh_frequency"]] for p in points),
+    )
+
+
+def mesh_tables(
+    points: Sequence[Point], at: Places, quantities: Sequence[str], shares: Sequence[str]
+) -> dict[str, Variable]:
+    """Every statistic of the swept mesh as a variable of its own, the shares and the speed."""
+    data: dict[str, Variable] = {}
+    for name in quantities:
+        for key in STATISTICS:
+            unit = points[0][name]["unit"] if points else ""
+            described = {"units": unit, "long_name": f"{name.replace('_', ' ')}, {key}"}
+            data[f"{name}_{key}"] = (DIMENSIONS, at.table([p[name][key] for p in points]), described)
+    for name in (*shares, "speed"):
+        described = {"units": "rad/s" if name == "speed" else "1", "long_name": name.replace("_", " ")}
+        data[name] = (DIMENSIONS, at.table([p[name] for p in points]), described)
+    return data
+
+
+def channel_tables(channels: Sequence[Channel], points: Sequence[Point], at: Places) -> dict[str, Variable]:
+    """Statistics of every channel, one variable each, with `statistic` as last dimension."""
+    data: dict[str, Variable] = {}
+    for c in channels:
+        values = [[p["channels"][c.name][key] for key in STATISTICS] for p in points]
+        table = at.table(values, len(STATISTICS))
+        data[c.name] = ((*DIMENSIONS, "statistic"), table, channel_attributes(c))
+    return data
+
+
+def jump_tables(jumps: Sequence[Mapping[str, Any]], directions: Sequence[str]) -> dict[str, Variable]:
+    """Direction (its index) and mesh frequency [Hz] of every jump."""
+    which = np.array([directions.index(j["direction"]) for j in jumps], dtype=np.int32)
+    where = np.array([j["mesh_frequency"] for j in jumps], dtype=np.float64)
+    words = "direction of the jump, its index in `direction`"
+    return {
+        "jump_direction": ("jump", which, {"long_name": words}),
+        "jump_mesh_frequency": ("jump", where, {"units": "Hz", "long_name": "mesh frequency of the jump"}),
+    }

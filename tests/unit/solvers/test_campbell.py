@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`solve_campbell` against a rotor whose whirl frequencies are the roots of a polynomial."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import pitchpoint as pp
+from pitchpoint.core.errors import SolverError
+from tests.support.machines import compiled, pair
+
+M, I_P, I_T = 3.0, 0.02, 0.012
+K_1, K_2, A, B = 2e7, 5e7, 0.05, 0.12
+K_Z, C_Z = 4e6, 150.0
+ROTOR = f"""\
+bodies:
+  disc: {{motion: free, mass: {M}, inertia: {I_P}, transverse_inertia: {I_T}}}
+bearings:
+  left: {{body: disc, position: [0, 0, {-A}], stiffness: {{radial: {K_1}, axial: {K_Z}, torsion: 1}},
+         damping: {{axial: {C_Z}}}}}
+  right: {{body: disc, position: [0, 0, {B}], stiffness: {{radial: {K_2}}}}}
+"""
+
+
+def whirl(speed: float) -> np.ndarray:
+    """Whirl frequencies [rad/s] of a rigid rotor on two isotropic bearings, by value.
+
+    With z = x + i y, p = ry - i rx and e^(i w t): m z'' + k z + c p = 0 and I_t p'' - i I_p W p' + q p + c z
+    = 0, so (k - m w^2) (q + I_p W w - I_t w^2) = c^2; negative roots whirl backwards.
+    """
+    k, c, q = K_1 + K_2, K_2 * B - K_1 * A, K_1 * A**2 + K_2 * B**2
+    left, right = np.poly1d([-M, 0.0, k]), np.poly1d([-I_T, I_P * speed, q])
+    return np.sort(np.abs((left * right - c**2).roots.real))
+
+
+def test_whirl_of_a_rotor_on_two_bearings():
+    speeds = np.array([0.0, 200.0, 1000.0])
+    data = pp.solve_campbell(compiled(ROTOR)[1], speeds, "disc")
+    assert data["frequency"].dims == data["damping_ratio"].dims == ("speed", "mode")
+    assert (data["frequency"].attrs["units"], data["speed"].attrs["units"]) == ("Hz", "rad/s")
+    names = [str(name) for name in data["name"].values]
+    lateral = [k for k, name in enumerate(names) if "tilt" in name or " x" in name or " y" in name]
+    found = np.sort(data["frequency"].values[:, lateral], axis=1) * 2.0 * math.pi
+    assert found == pytest.approx(np.array([whirl(speed) for speed in speeds]), rel=1e-9)
+    assert np.all(np.diff(found[:, -1]) > 0.0)  # the highest mode whirls forwards and stiffens
+    axial = names.index("disc translation z 100 %")
+    zeta = C_Z / (2.0 * math.sqrt(K_Z * M))
+    damped = math.sqrt(K_Z / M * (1.0 - zeta**2)) / (2.0 * math.pi)
+    assert data["damping_ratio"].values[:, axial] == pytest.approx(np.full(3, zeta), rel=1e-9)
+    assert data["frequency"].values[:, axial] == pytest.approx(np.full(3, damped), rel=1e-9)
+
+
+def test_orders_follow_from_the_teeth():
+    system = compiled(pair("{law: constant, value: 3e8 N/m}"))[1]
+    for body, teeth in (("driver", 30), ("driven", 45)):
+        data = pp.solve_campbell(system, [0.0, 50.0], body)
+        assert data.attrs["body"] == body
+        assert data["order"].sel(mesh="stage").item() == teeth
+        expected = teeth * 50.0 / (2.0 * math.pi)
+        assert data["mesh_frequency"].sel(speed=50.0, mesh="stage").item() == pytest.approx(expected)
+
+
+def test_an_unknown_body_is_named():
+    with pytest.raises(SolverError, match="no body 'rotor'; there are: disc"):
+        pp.solve_campbell(compiled(ROTOR)[1], [0.0], "rotor")
