@@ -60,6 +60,8 @@ def delegate(entries: Sequence[str]) -> None:
 
 def await_entry(entry: str) -> None:
     """Wait until the companion has finished an entry, or has ended; at once if it was not asked for it."""
+    from pitchpoint.core.machine_code import clear_drafts
+
     while entry in _pending:
         process = _pending[entry]
         assert process.stdout is not None
@@ -71,6 +73,7 @@ def await_entry(entry: str) -> None:
             process.stdout.close()
             process.kill()  # what was withdrawn is made here; every file is in place at once or not at all
             process.wait()
+            clear_drafts(process.pid)
 
 
 def withdraw(entry: str) -> None:

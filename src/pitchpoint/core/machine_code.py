@@ -14,6 +14,7 @@ import contextlib
 import hashlib
 import importlib.util
 import os
+import shutil
 import sys
 import tempfile
 import time
@@ -31,6 +32,10 @@ UNREACHED = "NRT_MemInfo_call_dtor"
 
 #: Words in the names of settings of Numba that do not change its code.
 _NO_MATTER = ("CACHE", "THREAD", "DISABLE_JIT")
+
+#: What the names of drafts begin with, before the number of the process; after an hour nobody writes one.
+_DRAFT = "draft-"
+_DRAFT_AGE = 3600.0
 
 _begun = time.time()
 
@@ -153,7 +158,7 @@ def save(function: Any, code: bytes, needs: list[str]) -> None:
     data = b"\n".join([_HEAD, hashlib.sha256(body).hexdigest().encode(), body])
     with contextlib.suppress(OSError):  # a cache that cannot be written costs time only
         file.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=file.parent) as draft:
+        with tempfile.TemporaryDirectory(prefix=f"{_DRAFT}{os.getpid()}-", dir=file.parent) as draft:
             whole = Path(draft, file.name)
             whole.write_bytes(data)
             whole.replace(file)  # at once, also for a process that reads it now
@@ -161,6 +166,21 @@ def save(function: Any, code: bytes, needs: list[str]) -> None:
         for other in file.parent.glob(f"{_family(function)}-*.code"):
             if other.name.rpartition("-")[2] != stamp:  # the same sources may hold two functions of one name
                 other.unlink(missing_ok=True)
+        clear_drafts()
+
+
+def clear_drafts(process: int | None = None) -> None:
+    """Remove what killed processes left in the cache as they wrote machine code.
+
+    Parameters
+    ----------
+    process
+        Number of a process that has ended; without it, all drafts older than `_DRAFT_AGE` go.
+    """
+    for draft in _folder().glob(f"{_DRAFT}*" if process is None else f"{_DRAFT}{process}-*"):
+        with contextlib.suppress(OSError):  # another process was quicker
+            if process is not None or time.time() - draft.stat().st_mtime > _DRAFT_AGE:
+                shutil.rmtree(draft)
 
 
 def _read(function: Any) -> tuple[list[str], bytes] | None:

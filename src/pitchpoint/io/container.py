@@ -11,6 +11,7 @@ still says so, with no process behind it, was cut off.
 
 from __future__ import annotations
 
+import contextlib
 import datetime
 import json
 import os
@@ -20,7 +21,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.io.target import check_target, reason_of
+from pitchpoint.io.claim import is_at, keep, make_way
+from pitchpoint.io.target import cannot_be_written, check_target
 
 if TYPE_CHECKING:
     import h5py
@@ -61,7 +63,8 @@ class Container:
     Parameters
     ----------
     path
-        File to write; an existing result file is replaced, any other is refused; its folder is made.
+        File to write; an existing result file is replaced, any other is refused, and so is one that another
+        process writes; its folder is made.
     header
         Provenance, stored as attributes of the file.
     """
@@ -72,11 +75,7 @@ class Container:
         from pitchpoint.core.provenance import package_version
 
         self.path = check_target(path, "result")
-        try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            self.file = h5py.File(self.path, "w", libver="latest", rdcc_nbytes=_CHUNK_CACHE)
-        except OSError as error:
-            raise ResultError(f"{self.path}: cannot be written ({reason_of(error)})") from error
+        self.file = self._make_file()
         self._open = True
         attributes = self.file.attrs
         attributes["Conventions"] = "CF-1.11"
@@ -99,6 +98,24 @@ class Container:
             self._text[name] = (h5py.string_dtype("utf-8", length), length)
             attributes.create(name, _cut("", length), dtype=self._text[name][0])
         self._set_text("status", RUNNING)
+        self.flush()  # from here on a file that is cut off says whose it is
+
+    def _make_file(self) -> h5py.File:
+        """Replace what stands there by a new file; a link goes on pointing to it."""
+        import h5py
+
+        self._place = place = self.path.resolve()
+        try:
+            place.parent.mkdir(parents=True, exist_ok=True)
+            mode = make_way(place)
+            # "w" would empty the file of another writer before it is known to be locked
+            file = h5py.File(place, "x", libver="latest", rdcc_nbytes=_CHUNK_CACHE)
+        except (OSError, ValueError) as error:
+            raise ResultError(cannot_be_written(self.path, error)) from error
+        if mode is not None:
+            with contextlib.suppress(OSError):  # a file system without permissions
+                place.chmod(mode)
+        return file
 
     def dimension(
         self,
@@ -189,14 +206,18 @@ class Container:
         return self._open
 
     def begin(self) -> None:
-        """Freeze the structure and let others read."""
-        self.file.swmr_mode = True
+        """Freeze the structure and let others read, but not replace the file."""
+        self.file.swmr_mode = True  # here HDF5 lets go of its lock
+        if not keep(self.file.id.get_vfd_handle(), self._place):
+            self._open = False
+            self.file.close()
+            raise ResultError(cannot_be_written(self.path, BlockingIOError()))
         self.flush()
 
     def flush(self) -> None:
         """Bring everything written so far to the disk, in an order that is consistent at any moment."""
         self.file.flush()
-        clear_writer_flag(self.path)
+        clear_writer_flag(self._place)
 
     def finish(
         self,
@@ -208,7 +229,13 @@ class Container:
         wall_s: float = 0.0,
         notes: Sequence[str] = (),
     ) -> None:
-        """Write how the computation ended and what is to be known, and close; a second call does nothing."""
+        """Write how the computation ended and what is to be known, and close; a second call does nothing.
+
+        Raises
+        ------
+        ResultError
+            If the file was taken away or replaced while it was written.
+        """
         if not self._open:
             return
         self._set_text("status", status)
@@ -218,7 +245,10 @@ class Container:
         self.file.attrs.modify("steps", int(steps))
         self.file.attrs.modify("wall_s", float(wall_s))
         self._open = False
+        there = is_at(self.file.id.get_vfd_handle(), self._place)
         self.file.close()
+        if not there:
+            raise ResultError(f"{self.path}: was taken away or replaced while it was written; run again")
 
     def _set_text(self, name: str, text: str) -> None:
         import numpy as np

@@ -16,7 +16,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.mass_properties import RIM_OF_RING
 from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.geometry.tooth_form import REGIONS, gear_outline, root_radius, tooth_form, tooth_profile
-from pitchpoint.io.target import check_target, write_file
+from pitchpoint.io.target import DXF_MARK, SVG_MARK, check_target, write_file
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -65,8 +65,8 @@ def drawing_dxf(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float =
     Examples
     --------
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-    >>> drawing_dxf(CylindricalGear(z=17, m_n=1e-3), 10).split()[:4]
-    ['0', 'SECTION', '2', 'HEADER']
+    >>> drawing_dxf(CylindricalGear(z=17, m_n=1e-3), 10).split()[:6]
+    ['999', 'pitchpoint', '0', 'SECTION', '2', 'HEADER']
     """
     lines: list[str] = []
 
@@ -91,7 +91,7 @@ def drawing_dxf(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float =
     for layer, diameter in circles:
         pairs((0, "CIRCLE"), (8, layer), (10, 0.0), (20, 0.0), (30, 0.0), (40, 0.5 * diameter * _MM))
     pairs((0, "ENDSEC"), (0, "EOF"))
-    return "\n".join(lines) + "\n"
+    return DXF_MARK + "\n".join(lines) + "\n"
 
 
 def drawing_svg(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float = 0.0) -> str:
@@ -137,7 +137,7 @@ def drawing_svg(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float =
     )
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{2 * size:.4f}mm" height="{2 * size:.4f}mm" '
-        f'viewBox="{-size:.6f} {-size:.6f} {2 * size:.6f} {2 * size:.6f}">\n'
+        f'viewBox="{-size:.6f} {-size:.6f} {2 * size:.6f} {2 * size:.6f}">\n{SVG_MARK}\n'
         f"<title>{abs(gear.z)} teeth, m_n {gear.m_n * _MM:g} mm</title>\n"
         f'<path d="{path}" fill="#cdd6df" fill-rule="evenodd" stroke="#1b2733" stroke-width="{pen:.4f}" '
         f'stroke-linejoin="round"/>\n{dashed}</svg>\n'
@@ -199,8 +199,8 @@ def export_gear(
     gear
         External or internal gear.
     path
-        File to write; its ending names the format unless `format` does. An existing file is replaced if it
-        is of the same format.
+        File to write; its ending names the format unless `format` does. An existing file is replaced if
+        pitchpoint wrote it, in the same format.
     format
         "csv", "dxf", "svg" or "stl".
     n_flank
@@ -220,7 +220,7 @@ def export_gear(
     GeometryError
         If the format is unknown or there is no such tooth.
     OutputError
-        If the file cannot be written, or another kind of file stands there.
+        If the file cannot be written, or another kind of file or one of another program stands there.
     """
     path = Path(path)
     kind = (format or path.suffix.lstrip(".")).lower()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Before a file is written: what stands there may be replaced only by its own kind, and never an input.
+"""Before a file is written: only what pitchpoint wrote of the same kind may be replaced, and never an input.
 
-The kind is read from the contents, not from the ending. Nothing is asked of what is no ordinary file (a pipe,
-a terminal).
+Kind and writer are read from the contents, not from the ending. Nothing is asked of what is no ordinary file
+(a pipe, a terminal).
 """
 
 from __future__ import annotations
@@ -11,12 +11,17 @@ import errno
 import os
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import Any
 
 from pitchpoint.core.errors import PitchpointError, Problem
+from pitchpoint.io.claim import is_held
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
 HEAD = 1024
 """Bytes from which a kind of file is known."""
+
+_SUPERBLOCK = 48
+"""Bytes of what HDF5 writes first: a file that ends there has no contents."""
 
 
 class OutputError(PitchpointError, OSError):
@@ -24,28 +29,48 @@ class OutputError(PitchpointError, OSError):
 
 
 def _is_result(path: Path, head: bytes) -> bool:
+    """Recognise a result by its attribute `format`, which is on the disk before any other contents.
+
+    What cannot be opened may be somebody's damaged file: it is no result.
+    """
     if not head.startswith(HDF5):
         return False
+    if len(head) <= _SUPERBLOCK:
+        return True  # a run that was killed as it began
     import h5py
 
+    # the mark of a writer that was killed in the instant of a flush; swmr would also open a file cut short
+    killed = head[8] >= 3 and head[11] != 0
+    options: dict[str, Any] = {"libver": "latest", "swmr": True} if killed else {}
     try:
-        with h5py.File(path, "r") as file:
+        with h5py.File(path, "r", **options) as file:
             return str(file.attrs.get("format", "")).startswith("pitchpoint")
-    except OSError:
-        # a run that was cut off as it made its file, or one that still writes: the writer says what is wrong
-        return True
+    except (BlockingIOError, FileNotFoundError):
+        raise  # another process has just begun to write it, or has taken it away
+    except (OSError, KeyError, RuntimeError, ValueError):
+        return False
 
 
-def _begins(*words: bytes) -> Callable[[Path, bytes], bool]:
-    return lambda _, head: head.removeprefix(b"\xef\xbb\xbf").lstrip().lower().startswith(words)
+def _begins(word: bytes) -> Callable[[Path, bytes], bool]:
+    return lambda _, head: head.startswith(word)
+
+
+def _marked(word: bytes, mark: str) -> Callable[[Path, bytes], bool]:
+    return lambda _, head: head.startswith(word) and mark.encode() in head
+
+
+PAGE_MARK = '<meta name="generator" content="pitchpoint">'
+SVG_MARK = "<!-- generator: pitchpoint -->"
+DXF_MARK = "999\npitchpoint\n"
+"""How pages and drawings say who wrote them; in DXF the group 999 is a comment."""
 
 
 KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
-    "result": ("a result file of pitchpoint", _is_result),
-    "page": ("an HTML page", _begins(b"<!doctype html", b"<html")),
-    "csv": ("points of a gear", _begins(b"x [mm],y [mm],tooth,region")),
-    "dxf": ("a drawing (DXF)", _begins(b"0\nsection", b"0\r\nsection")),
-    "svg": ("a drawing (SVG)", _begins(b"<svg")),
+    "result": ("a readable result file of pitchpoint", _is_result),
+    "page": ("an HTML page of pitchpoint", _marked(b"<!DOCTYPE html>", PAGE_MARK)),
+    "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
+    "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
+    "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint gear")),
 }
 """Words for a kind of file and how it is recognised, by name."""
@@ -54,7 +79,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
 def check_target(
     path: str | os.PathLike[str], kind: str, inputs: Iterable[str | os.PathLike[str]] = ()
 ) -> Path:
-    """Give the path of a file that may be written: a new or empty one, or one of the same kind.
+    """Give the path of a file that may be written: a new or empty one, or an older one of the same kind.
 
     Parameters
     ----------
@@ -68,7 +93,8 @@ def check_target(
     Raises
     ------
     OutputError
-        If writing is not possible there, or would destroy an input or a file of another kind.
+        If writing is not possible there, or would destroy an input, a file of another kind or origin, or a
+        result that another process writes.
     """
     target = Path(path)
     words, recognised = KINDS[kind]
@@ -78,6 +104,8 @@ def check_target(
             return target
         if any(Path(name).exists() and target.samefile(name) for name in inputs):
             raise _refused(target, "is read by the same command", "a file of its own", "name another file")
+        if kind == "result":
+            _replaceable(target)
         with target.open("rb") as file:
             head = file.read(HEAD)
         if head and not recognised(target, head):
@@ -85,8 +113,10 @@ def check_target(
             raise _refused(target, f"exists and is not {words}", f"a new file, or {words}", remedy)
     except OutputError:
         raise
+    except FileNotFoundError:
+        return target  # another process has just taken it away
     except (OSError, ValueError) as error:
-        raise OutputError(f"{target}: cannot be written ({reason_of(error)})") from error
+        raise OutputError(cannot_be_written(target, error)) from error
     return target
 
 
@@ -103,13 +133,20 @@ def write_file(path: str | os.PathLike[str], data: str | bytes) -> Path:
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes(data.encode("utf-8") if isinstance(data, str) else data)
     except (OSError, ValueError) as error:
-        raise OutputError(f"{target}: cannot be written ({reason_of(error)})") from error
+        raise OutputError(cannot_be_written(target, error)) from error
     return target
+
+
+def cannot_be_written(target: Path, error: OSError | ValueError) -> str:
+    """Say that a file cannot be written and why, and what to do if another process is at it."""
+    held = isinstance(error, BlockingIOError | FileExistsError)
+    remedy = "; wait until it is closed, or name another file" if held else ""
+    return f"{target}: cannot be written ({reason_of(error)}){remedy}"
 
 
 def reason_of(error: OSError | ValueError) -> str:
     """Say in a few words what the system, or HDF5, did not like about a file."""
-    if isinstance(error, BlockingIOError):
+    if isinstance(error, BlockingIOError | FileExistsError):
         return "another process holds it"
     if isinstance(error, OSError) and error.errno:
         return os.strerror(error.errno)  # HDF5 wraps the same words in many of its own
@@ -128,6 +165,14 @@ def _accessible(target: Path) -> None:
     else:
         return
     raise OSError(error, os.strerror(error))
+
+
+def _replaceable(target: Path) -> None:
+    """Say whether the result that stands there is being written, or its folder forbids to replace it."""
+    if not os.access(target.resolve().parent, os.W_OK):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    if is_held(target):
+        raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
 
 
 def _refused(target: Path, message: str, limit: str, remedy: str) -> OutputError:

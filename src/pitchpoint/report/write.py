@@ -32,7 +32,7 @@ def write_report(
     model
         A model, or the name of its file.
     path_out
-        The HTML file to write; its folder is made if it does not exist, another HTML page is replaced.
+        The HTML file to write; its folder is made if it does not exist, an older report is replaced.
     *results
         Result files (`.h5`) of runs, sweeps and cases, and datasets of `solve_time` and `sweep_speed`, in any
         number. The first fifth of a dataset counts as settling, of a file what its scenario says. What

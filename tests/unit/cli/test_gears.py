@@ -119,7 +119,7 @@ def test_only_one_gear(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
 
 
 @pytest.mark.parametrize(
-    ("ending", "begin"), [("dxf", b"0\n"), ("svg", b"<svg"), ("csv", b"x [mm]"), ("stl", b"")]
+    ("ending", "begin"), [("dxf", b"999\n"), ("svg", b"<svg"), ("csv", b"x [mm]"), ("stl", b"")]
 )
 def test_drawings(ending: str, begin: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, target = written(tmp_path, ISO_EX1), tmp_path / f"pinion.{ending}"

@@ -5,11 +5,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.core import kernel
-from pitchpoint.io.reading import read_header
+from pitchpoint.io import claim
+from pitchpoint.io.container import Header
+from pitchpoint.io.reading import read_channel, read_header
+from pitchpoint.io.writing import Channel, ResultWriter
 from tests.support.cli_files import TORSION, written
 
 TEXT = TORSION.replace("duration: 0.5 s", "duration: 1 ms") + "  roll: {quasi_static: {points: 2}}\n"
@@ -77,6 +81,23 @@ def test_a_result_may_be_replaced_by_a_result_but_not_by_its_report(
     refused(["report", str(target), "-o", str(target)], "is read by the same command", capsys)
     refused(["report", file, "-o", str(target)], "is not an HTML page", capsys)
     assert target.read_bytes() == before
+
+
+@pytest.mark.skipif(claim.fcntl is None, reason="Windows has no advisory locks")
+@pytest.mark.usefixtures("nothing_compiles")
+@pytest.mark.parametrize("name", ["run", "roll", "cases", "sweep", "swept cases", "modes"])
+def test_a_result_that_is_being_written_stays(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, target = written(tmp_path, TEXT), tmp_path / "r.h5"
+    command = [file if word == "FILE" else word for word in COMMANDS[name]]
+    with ResultWriter(target, Header("time"), [Channel("x", "m")]) as writer:  # locks know no processes
+        writer.append(np.zeros(3), np.zeros((3, 1)))
+        assert run_command([*command, str(target)]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "r.h5: cannot be written (another process holds it); wait until it is closed" in captured.err
+    assert len(read_channel(target, "x")[0]) == 3
 
 
 def test_the_name_chosen_without_an_option_is_looked_at_too(

@@ -3,7 +3,12 @@
 
 from __future__ import annotations
 
-from pitchpoint.core import companion
+import os
+import subprocess
+import sys
+import textwrap
+
+from pitchpoint.core import companion, machine_code
 
 
 def test_an_entry_that_nobody_was_asked_for_is_not_waited_for():
@@ -24,3 +29,45 @@ def test_people_are_told_once():
     companion.announce()
     assert len(heard) == 1
     assert "once" in heard[0]
+
+
+def entry(a: int) -> int:
+    """Something that has sources."""
+    return a
+
+
+def test_killed_processes_leave_no_drafts(tmp_path, monkeypatch):
+    """Of the companion at once, of others an hour later."""
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    code = """
+        import os, pathlib, signal
+        from pitchpoint.core import machine_code
+        from tests.unit.core.test_companion import entry
+        pathlib.Path.write_bytes = lambda *_: os.kill(os.getpid(), signal.SIGKILL)
+        machine_code.save(entry, b"code", [])
+    """
+    killed = subprocess.Popen([sys.executable, "-c", textwrap.dedent(code)])
+    assert killed.wait() != 0
+    folder = machine_code._folder()
+    (left,) = folder.iterdir()
+    machine_code.save(entry, b"code", [])
+    assert left.is_dir()
+    os.utime(left, (0.0, 0.0))
+    machine_code.save(entry, b"code", [])
+    assert [f.suffix for f in folder.iterdir()] == [".code"]
+    draft = folder / left.name
+    draft.mkdir()
+    machine_code.clear_drafts(killed.pid)
+    assert not draft.exists()
+
+
+def test_a_killed_companion_leaves_no_drafts(tmp_path, monkeypatch):
+    monkeypatch.setattr(companion, "cores", lambda: 2)
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    companion.delegate(["pitchpoint.no_such_module:entry"])
+    (process,) = companion._pending.values()
+    draft = machine_code._folder() / f"draft-{process.pid}-x"
+    draft.mkdir(parents=True)
+    (draft / "half.code").touch()
+    companion.await_entry("pitchpoint.no_such_module:entry")
+    assert not draft.exists()

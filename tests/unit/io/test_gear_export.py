@@ -101,7 +101,7 @@ def test_csv_holds_the_outline(tmp_path: Path) -> None:
 def test_dxf_is_a_closed_polyline_of_pairs(tmp_path: Path) -> None:
     lines = export_gear(SPUR, tmp_path / "gear.dxf", n_flank=10, bore_diameter=5e-3).read_text().splitlines()
     pairs = list(zip(lines[::2], lines[1::2], strict=True))
-    assert pairs[0] == ("0", "SECTION")
+    assert pairs[:2] == [("999", "pitchpoint"), ("0", "SECTION")]
     assert pairs[-1] == ("0", "EOF")
     assert pairs.count(("0", "VERTEX")) == len(gear_outline(SPUR, 10)) - 1
     assert ("70", "1") in pairs

@@ -352,7 +352,7 @@ def test_errors_name_file_and_remedy(tmp_path: Path) -> None:
         pass
     with pytest.raises(ResultError, match="not a result file"):
         open_result(tmp_path / "other.h5")
-    with pytest.raises(ResultError, match="cannot be written"):
+    with pytest.raises(PitchpointError, match="cannot be written"):
         ResultWriter(tmp_path, Header("time"), CHANNELS)
     with pytest.raises(ResultError, match="same name"):
         ResultWriter(path, Header("time"), [CHANNELS[0], CHANNELS[0]])

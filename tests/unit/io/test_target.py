@@ -16,6 +16,7 @@ from pitchpoint.io.container import Container, Header
 from pitchpoint.io.gear_export import FORMATS, export_gear
 from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
 from pitchpoint.io.writing import Channel, ResultWriter
+from pitchpoint.viz.report_page import page
 
 GEAR = CylindricalGear(z=17, m_n=1e-3, b=0.01)
 
@@ -26,7 +27,7 @@ def own_file(kind: str, path: Path) -> Path:
         with ResultWriter(path, Header("time"), [Channel("x", "m")]) as writer:
             writer.append(np.zeros(1), np.zeros((1, 1)))
     elif kind == "page":
-        path.write_text("\n <!DOCTYPE html>\n<title>a</title>", encoding="utf-8")
+        path.write_text(page("a", [], [], ""), encoding="utf-8")
     else:
         export_gear(GEAR, path, kind, n_flank=5)
     return path
@@ -52,16 +53,40 @@ def test_a_kind_replaces_itself_and_nothing_else(kind: str, tmp_path: Path) -> N
         check_target(text, kind)
 
 
-def test_foreign_hdf5_is_no_result_but_one_cut_off_at_its_start_is(tmp_path: Path) -> None:
+FOREIGN = {
+    "page": b"<!DOCTYPE html>\n<html><head><title>mine</title></head></html>",
+    "dxf": b"0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n",
+    "svg": b"<svg xmlns='http://www.w3.org/2000/svg'></svg>",
+    "csv": b"x,y\n1,2\n",
+    "stl": b"solid mine\nendsolid mine\n",
+}
+
+
+@pytest.mark.parametrize("kind", FOREIGN)
+def test_files_of_other_programs_stay_though_their_kind_is_right(kind: str, tmp_path: Path) -> None:
+    foreign = tmp_path / f"mine.{kind}"
+    foreign.write_bytes(FOREIGN[kind])
+    with pytest.raises(OutputError, match="of pitchpoint .*name another file, or delete this one first"):
+        check_target(foreign, kind)
+    assert foreign.read_bytes() == FOREIGN[kind]
+
+
+def test_foreign_and_damaged_hdf5_is_no_result(tmp_path: Path) -> None:
     foreign, cut = tmp_path / "measured.h5", tmp_path / "cut.h5"
     with h5py.File(foreign, "w") as file:
         file["force"] = np.arange(3.0)
-    with pytest.raises(OutputError, match="is not a result file of pitchpoint"):
+    with pytest.raises(OutputError, match="is not a readable result file of pitchpoint"):
         Container(foreign, Header("time"))
     with h5py.File(foreign) as file:
         assert file["force"][2] == 2.0
-    cut.write_bytes(foreign.read_bytes()[:100])
-    assert check_target(cut, "result") == cut
+    own = own_file("result", tmp_path / "own.h5").read_bytes()
+    for whole in (foreign.read_bytes(), own):
+        cut.write_bytes(whole[:-100])
+        with pytest.raises(OutputError, match="is not a readable result file of pitchpoint"):
+            Container(cut, Header("time"))
+        assert cut.read_bytes() == whole[:-100]
+    cut.write_bytes(own[:48])
+    assert check_target(cut, "result") == cut  # the superblock alone: nothing was written yet
 
 
 @pytest.mark.parametrize("how", ["itself", "symbolic", "hard", "relative"])
