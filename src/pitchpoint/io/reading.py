@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-PATIENCE = 2.0
+PATIENCE = 5.0
 """How long to wait for a writer that is just making its file [s]."""
 
 
