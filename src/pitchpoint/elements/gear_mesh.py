@@ -18,7 +18,7 @@ import math
 import numpy as np
 
 from pitchpoint.contact.pair_shape import RECTANGULAR, phase_stiffness
-from pitchpoint.core.kernel import call_law, kernel, view
+from pitchpoint.core.kernel import call, call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.gear_mesh_record import (
     EVENTS,
@@ -46,7 +46,7 @@ from pitchpoint.elements.mesh_separation import (
     runs_damped,
     spin_direction,
 )
-from pitchpoint.elements.mesh_turning import add_turning, add_turning_damper
+from pitchpoint.elements.mesh_turning import entry as turning_entry
 from pitchpoint.elements.mesh_wrench import (
     add_spin_tangent,
     add_spin_torque,
@@ -68,6 +68,9 @@ _LEAST = 1e-15
 _NOWHERE = -0.1
 """Distance from contact [m] of a flank without stiffness: no pair of teeth is there."""
 
+#: Entries that only exact tangents need, by the field of the record that holds their address.
+EXACT = {"turning": turning_entry}
+RECORD_BYTES = RECORD.itemsize
 #: Added to the event functions of the flank that is farther from contact: no sign changes there.
 AWAY = 10.0
 
@@ -158,7 +161,7 @@ def _sum(b, ctl, watch, x_0):
 
 
 @kernel
-def _turning(b, c, f, g, kk, flank, x_0):
+def _turning(b, c, f, g, flank, x_0):
     """Exact tangents: add what turns with the line of action; the flank is summed again for its damping."""
     ck = c["ck"]
     cd = c["cd"]
@@ -167,7 +170,7 @@ def _turning(b, c, f, g, kk, flank, x_0):
     _flank(b, c, f, g, flank, x_0, 0, 0.0)
     c["ck"] = ck
     c["cd"] = cd
-    add_turning(b, f, g, kk, ck, flank)
+    call(b["turning"], b["here"], b["control"], flank)
 
 
 @kernel
@@ -303,7 +306,7 @@ def _one_mesh(b, ctl, fr, kk):
                     if runs_damped(b):
                         add_roll_tangent(b, kk, 5 if b["mu"] > 0.0 else 2)
                     if exact:
-                        _turning(b, c, f, g, kk, flank, x_0)
+                        _turning(b, c, f, g, flank, x_0)
             if watch:
                 _write_flank(b, observations(ctl), flank)
     damper = 0.0
@@ -315,7 +318,9 @@ def _one_mesh(b, ctl, fr, kk):
         else:
             damper, u_rate = mesh_damper(b, c, f, g, kk)
             if exact:
-                add_turning_damper(b, f, g, kk, c["ck"], damper)
+                b["acc"][0] = damper
+                b["acc"][5] = b["d_gap"]
+                call(b["turning"], b["here"], b["control"], 0)
     if spins == 1:
         add_spin_torque(b, f, g, force)
         if c["jac"] != 0:
@@ -342,4 +347,9 @@ def gear_mesh(rec, ctl, fr, kk):
 def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
-    return gear_mesh(view(rec, n, RECORD), c, fr, kk)
+    records = view(rec, n, RECORD)
+    if c[0]["jac"] == 2:
+        for r in range(n):
+            records[r]["here"] = rec + r * RECORD_BYTES
+            records[r]["control"] = ctl
+    return gear_mesh(records, c, fr, kk)

@@ -72,6 +72,7 @@ _STIFFNESS = [
     ("n_k", "i8"),
     ("cosine", "i8"),
     ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
+    ("turning", "i8"),  # address of `mesh_turning.entry`, where exact tangents are asked for
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
@@ -170,6 +171,8 @@ _SCRATCH = [
     ("acc", "f8", N_ACC),
     ("basis_i", "f8", (5, 6)),
     ("basis_j", "f8", (5, 6)),  # wrench basis on both bodies: 1, y of the normal force; 1, z, xi of friction
+    ("here", "i8"),
+    ("control", "i8"),  # addresses of this record and of the control, for calls through an address
     ("moved", "f8", (2, 12)),  # exact tangents: change of its first rows with one motion of one body
     ("slope", "f8", (2, 12)),  # and of the normal rates with each motion of both bodies
 ]

@@ -12,9 +12,12 @@ itself.
 
 from __future__ import annotations
 
-from pitchpoint.core.kernel import kernel
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.elements.gear_mesh_record import RECORD
 from pitchpoint.elements.mesh_gradient import normal_directions, offset_direction, travel_direction
 from pitchpoint.elements.mesh_line import line_of_action
+from pitchpoint.multibody.channels import frame_args
 
 STEP = 2e-4
 """Distance of the points of a difference: turn [rad], or translation over centre distance."""
@@ -108,12 +111,17 @@ def _brake(b, B, side, ki, kj, ck, flank):
 
 
 @kernel
-def add_turning(b, f, g, kk, ck, flank):
-    """Add ck times the change of the wrenches with their directions.
+def entry(record, control, flank):
+    """Add ck times the change of the wrenches of one mesh with their directions.
 
     Forces are acc[0] and acc[1], damping coefficients acc[5] to acc[7] (1, y, yy) [N s/m]. `flank` 0 stands
-    for the mesh damper.
+    for the mesh damper. Compiled only where exact tangents are asked for.
     """
+    b = view(record, 1, RECORD)[0]
+    ctl, fr, kk = frame_args(control)
+    ck = ctl[0]["ck"]
+    f = fr[b["i"]]
+    g = fr[b["j"]]
     _turn(b, f, g, f, 0, kk[b["ii"]], kk[b["ji"]], ck, flank)
     _turn(b, f, g, g, 1, kk[b["ij"]], kk[b["jj"]], ck, flank)
     _directions(b, f, g, flank)
@@ -121,12 +129,4 @@ def add_turning(b, f, g, kk, ck, flank):
         offset_direction(b, f, g)
     _brake(b, b["basis_i"], 0, kk[b["ii"]], kk[b["ji"]], ck, flank)
     _brake(b, b["basis_j"], 1, kk[b["ij"]], kk[b["jj"]], ck, flank)
-
-
-@kernel
-def add_turning_damper(b, f, g, kk, ck, force):
-    """The same for the mesh damper with its force [N]."""
-    acc = b["acc"]
-    acc[0] = force
-    acc[5] = b["d_gap"]
-    add_turning(b, f, g, kk, ck, 0)
+    return OK

@@ -10,7 +10,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK, sentence
 from pitchpoint.system import linearise
 from pitchpoint.system.law_fault import law_fault
-from pitchpoint.system.link import kind_of_row
+from pitchpoint.system.link import kind_of_row, link_exact
 from pitchpoint.system.perform import ACCELERATE, EVENTS, OBSERVE, RESIDUAL, REST, WRAP, ask, perform
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System
@@ -103,7 +103,10 @@ def matrix(
     prepare(system)
     load(system, state)
     w = system.workspace
-    entry = linearise.entry if jac == EXACT else perform
+    entry = perform
+    if jac == EXACT:
+        entry = linearise.entry
+        link_exact(system.records)
     check(system, ask(w, RESIDUAL, state.t, jac, (cm, cd, ck), entry=entry))
     nd = system.sizes["nd"]
     dense = np.zeros((nd, nd))

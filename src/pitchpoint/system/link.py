@@ -59,6 +59,13 @@ def prepare_kernels(kinds: Iterable[str]) -> None:
     prepare([*_PARTS.values(), perform], [registry.find(name).load().entry for name in ordered])
 
 
+def link_exact(records: Mapping[str, NDArray[np.void]]) -> None:
+    """Compile what only exact tangents need and write its addresses into the records."""
+    for name, bank in records.items():
+        for field, kernel in getattr(registry.find(name).load(), "EXACT", {}).items():
+            bank[field] = address(kernel)
+
+
 def link_parts() -> dict[str, int]:
     """Addresses of the parts of the core."""
     return {name: address(kernel) for name, kernel in _PARTS.items()}
