@@ -46,7 +46,7 @@ from pitchpoint.elements.mesh_separation import (
     runs_damped,
     spin_direction,
 )
-from pitchpoint.elements.mesh_turning import entry as turning_entry
+from pitchpoint.elements.mesh_turning import turning
 from pitchpoint.elements.mesh_wrench import (
     add_spin_tangent,
     add_spin_torque,
@@ -69,7 +69,7 @@ _NOWHERE = -0.1
 """Distance from contact [m] of a flank without stiffness: no pair of teeth is there."""
 
 #: Entries that only exact tangents need, by the field of the record that holds their address.
-EXACT = {"turning": turning_entry}
+EXACT = {"turning": turning}
 RECORD_BYTES = RECORD.itemsize
 #: Added to the event functions of the flank that is farther from contact: no sign changes there.
 AWAY = 10.0

@@ -72,7 +72,7 @@ _STIFFNESS = [
     ("n_k", "i8"),
     ("cosine", "i8"),
     ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
-    ("turning", "i8"),  # address of `mesh_turning.entry`, where exact tangents are asked for
+    ("turning", "i8"),  # address of `mesh_turning.turning`, where exact tangents are asked for
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear

@@ -111,7 +111,7 @@ def _brake(b, B, side, ki, kj, ck, flank):
 
 
 @kernel
-def entry(record, control, flank):
+def turning(record, control, flank):
     """Add ck times the change of the wrenches of one mesh with their directions.
 
     Forces are acc[0] and acc[1], damping coefficients acc[5] to acc[7] (1, y, yy) [N s/m]. `flank` 0 stands
