@@ -178,4 +178,4 @@ def solve_campbell(
     return xr.Dataset(data, coords=coords, attrs={**attrs, "body": c.body})
 
 
-campbell = solve_campbell
+campbell = solve_campbell  # its name before it was public

@@ -34,8 +34,8 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
     rows
         All observations, shape (n, no).
     """
-    if not len(rows):
-        return ()
+    if not len(rows) or system.model is None or not system.model.loads:
+        return ()  # whoever gives no loads asks for the flanks alone
     torques = load_torques(system, rows[0])
     least = max(IMBALANCE * max(map(abs, torques.values()), default=0.0), 1e-9)
     driven = driven_spins(system)

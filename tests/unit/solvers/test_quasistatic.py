@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -210,6 +211,11 @@ def test_loads_that_do_not_balance_are_told_as_what_they_mean_for_a_roll(torque,
         assert "speed" not in note
     force = channel(system, roll, "mesh_force[first]")
     assert np.all(np.sign(np.round(force, 3)) == sign)
+
+
+def test_a_model_without_loads_is_rolled_without_a_word():
+    text = re.sub(r"loads: .*\n", "", STAGES)
+    assert roll_through(compiled(text, "three")[1]).notes == ()
 
 
 def test_extremes_of_a_part_of_a_cycle_are_those_of_all_points():
