@@ -176,6 +176,3 @@ def solve_campbell(
     }
     attrs = attributes(system, "campbell", wall_s=time.perf_counter() - began, body=c.body)
     return xr.Dataset(data, coords=coords, attrs={**attrs, "body": c.body})
-
-
-campbell = solve_campbell  # its name before it was public

@@ -11,7 +11,7 @@ import pytest
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import OK
 from pitchpoint.solvers import generalized_alpha
-from pitchpoint.solvers.campbell import campbell
+from pitchpoint.solvers.campbell import solve_campbell
 from pitchpoint.solvers.modal import find_modes, linearise, solve_modal
 from pitchpoint.solvers.start import prepare_start
 from tests.support.engine import differences
@@ -169,7 +169,7 @@ def test_gyroscopic_split_of_a_tilting_disc():
     )
     system = compiled(text)[1]
     speeds = np.array([0.0, 100.0, 400.0])
-    data = campbell(system, speeds, "disc")
+    data = solve_campbell(system, speeds, "disc")
     g = 0.02 * speeds / 0.012
     root = np.sqrt(0.25 * g**2 + 1e4 / 0.012)
     tilts = [k for k, name in enumerate(data["name"].values) if "tilt" in name]
@@ -221,7 +221,7 @@ def test_a_run_vibrates_and_decays_as_the_damped_modes_say(mode):
 def test_a_campbell_diagram_of_a_machine_whose_spins_are_all_driven_has_no_modes():
     rest = "scenarios:\n  turn: {drive: {driver: {speed: 150}, driven: {speed: -100}}, duration: 1 ms}\n"
     system = compiled(pair(FOURIER, rest=rest), "turn")[1]
-    assert campbell(system, np.linspace(0.0, 100.0, 3), "driver")["frequency"].size == 0
+    assert solve_campbell(system, np.linspace(0.0, 100.0, 3), "driver")["frequency"].size == 0
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
@@ -363,5 +363,5 @@ def test_torques_that_follow_the_axes_drive_undamped_tilts():
     assert expected.real.max() > 0.3
     assert found.real == pytest.approx(expected.real, rel=1e-4, abs=1e-3)
     assert found.imag == pytest.approx(expected.imag, rel=1e-6)
-    follow = campbell(system, [linear.state.v[system.spin("driver")]], "driver", "s")
+    follow = solve_campbell(system, [linear.state.v[system.spin("driver")]], "driver", "s")
     assert np.nanmin(follow["damping_ratio"].values) < 0.0
