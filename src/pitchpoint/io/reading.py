@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import time
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -150,14 +151,25 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
         lengths = [v.shape[0] for v in where.values() if hasattr(v, "maxshape") and v.maxshape[:1] == (None,)]
         growing = "time" if "time" in where else ""
         events = None if group else _events(file)
-    store = xr.backends.H5NetCDFStore(h5netcdf.File(_open(path), "r"), group=group)
-    dataset = xr.open_dataset(store, decode_times=False)
+    file = _open(path)
+    try:
+        store = xr.backends.H5NetCDFStore(h5netcdf.File(file, "r"), group=group)
+        dataset = xr.open_dataset(store, decode_times=False)
+    except (RuntimeError, KeyError, ValueError, OSError) as error:  # what HDF5 says of a damaged file
+        file.close()
+        raise ResultError(f"{os.fspath(path)}: is damaged ({error})") from error
     if growing and dataset.sizes.get(growing, 0) > min(lengths, default=0):
         dataset = dataset.isel({growing: slice(0, min(lengths))})
     for name, variable in (events or {}).items():
         dataset[name] = variable
     dataset.encoding["source"] = os.fspath(path)
+    dataset.set_close(partial(_close, store, file))
     return dataset
+
+
+def _close(*opened: Any) -> None:
+    for one in opened:
+        one.close()
 
 
 def _events(file: h5py.File) -> dict[str, Any] | None:

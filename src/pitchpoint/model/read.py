@@ -204,7 +204,7 @@ class Reader:
     def numbers(self, description: Key, data: Any, path: Place) -> Any:
         """Read a list of quantities, or the name of a text file for lists of any length."""
         if isinstance(data, str) and description.length[0] == 0:
-            data = read_file.column(self, data, path)
+            data = read_file.column(self, description, data, path)
             if data is BAD:
                 return BAD
         return self.sequence(description, data, path, self.number)

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 _MAX_BYTES = 10_000_000
 _SEPARATOR = re.compile(r"[,;\t]")
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf)", re.IGNORECASE)
 _HEADING = re.compile(r"([^\[\]]*)\[([^\[\]]+)\]")
 _SHOWN = 5
 """Bad lines of one file that are reported one by one."""
@@ -41,40 +42,59 @@ def lines(reader: Reader, name: str, path: Place, instead: str) -> Any:
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is no text file"
         return reader.problem(path, f"the file '{name}' cannot be read: {reason}", remedy=f"give {instead}")
-    return [(n, [cell.strip() for cell in _SEPARATOR.split(text)]) for n, text in found if text]
+    return [(n, _cells(text)) for n, text in found if text]
 
 
-def _with_unit(found: list[Line]) -> list[list[float | str]]:
+def _cells(text: str) -> list[str]:
+    """Cells between commas, semicolons or tabs; a line of plain numbers may have blanks between them."""
+    parts = text.split()
+    if not _SEPARATOR.search(text) and all(_NUMBER.fullmatch(part) for part in parts):
+        return parts
+    return [cell.strip() for cell in _SEPARATOR.split(text)]
+
+
+def _quantities(reader: Reader, name: str, found: list[Line], dimension: str, path: Place) -> Any:
     """Quantities of all lines; a first line such as 'f_p [um]' gives the bare numbers below it their unit."""
     unit = ""
     if found and len(found[0][1]) == 1:
         match = _HEADING.fullmatch(found[0][1][0])
         if match:
             unit, found = f" {match[2]}", found[1:]
-
-    def quantity(cell: str) -> float | str:
+    rows: list[list[float]] = []
+    faults = 0
+    for number, cells in found:
         try:
-            number = float(cell)
-        except ValueError:
-            return cell
-        return f"{cell}{unit}" if unit else number
+            row = []
+            for cell in cells:
+                bare = _NUMBER.fullmatch(cell)
+                row.append(parse_quantity(f"{cell}{unit}" if bare else cell, dimension))
+            rows.append(row)
+        except UnitError as error:
+            faults += 1
+            if faults <= _SHOWN:
+                remedy = "write numbers between commas or blanks; a first line [um] gives their unit"
+                reader.problem(path, f"{error} (file '{name}', line {number})", remedy=remedy)
+    if faults > _SHOWN:
+        reader.problem(path, f"there are {faults - _SHOWN} more such lines in '{name}'")
+    return BAD if faults else rows
 
-    return [[quantity(cell) for cell in cells] for _, cells in found]
 
-
-def column(reader: Reader, name: str, path: Place) -> Any:
-    """Read a text file with one quantity per line."""
+def column(reader: Reader, key: Key, name: str, path: Place) -> Any:
+    """Read a text file with one quantity per line, or several."""
     found = lines(reader, name, path, "a list of quantities")
-    return BAD if found is BAD else [cell for row in _with_unit(found) for cell in row]
+    if found is BAD:
+        return BAD
+    rows = _quantities(reader, name, found, key.dimension, path)
+    return BAD if rows is BAD else [cell for row in rows for cell in row]
 
 
 def grid(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a rectangular list of lists of quantities, or a text file with one row a line."""
     if isinstance(data, str):
         found = lines(reader, data, path, "a list of rows")
-        if found is BAD:
+        data = BAD if found is BAD else _quantities(reader, data, found, key.dimension, path)
+        if data is BAD:
             return BAD
-        data = _with_unit(found)
     row = Key("quantities", "", dimension=key.dimension, length=(1, 10**6))
     rows = reader.sequence(row, data, path, reader.numbers)
     if rows is BAD:

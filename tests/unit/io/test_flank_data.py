@@ -125,3 +125,33 @@ def test_flank_map_files_are_checked(tmp_path: Path) -> None:
         (tmp_path / "map.csv").write_text(text)
         with pytest.raises(ModelError, match=words):
             load_model(file)
+
+
+def with_map(name: str, folder: Path):
+    """Model with one gear whose left flank 3 is that of a file beside it."""
+    deviations = f"deviations: {{flank_maps: [{{tooth: 3, flank: left, values: {name}}}]}}"
+    (folder / "model.yaml").write_text("gears:\n" + gear("a", more=deviations))
+    return load_model(folder / "model.yaml")
+
+
+def test_a_map_may_come_from_numpy_with_one_unit_for_all(tmp_path: Path) -> None:
+    """np.savetxt puts blanks between the numbers."""
+    values = np.round(np.random.default_rng(5).normal(scale=4.0, size=(5, 3)), 3)
+    np.savetxt(tmp_path / "blanks.txt", values, header="[um]", comments="")
+    (tmp_path / "commas.csv").write_text("\n".join(",".join(f"{v} um" for v in row) for row in values))
+    found = []
+    for name in ("blanks.txt", "commas.csv"):
+        found.append(with_map(name, tmp_path).gears["a"].deviations.flank_maps[0].values)
+    assert np.array(found[0]) == pytest.approx(1e-6 * values, rel=1e-12)
+    assert np.array(found[1]) == pytest.approx(np.array(found[0]), rel=1e-12)
+
+
+def test_bad_numbers_of_a_file_are_told_with_file_and_line(tmp_path: Path) -> None:
+    (tmp_path / "map.txt").write_text("0 1e-6\n0, 2 bananas\n" + "x\n" * 9)
+    with pytest.raises(ModelError) as caught:
+        with_map("map.txt", tmp_path)
+    found = [str(problem) for problem in caught.value.problems]
+    assert "(file 'map.txt', line 2)" in found[0]
+    assert "bananas" in found[0]
+    assert "there are 5 more such lines in 'map.txt'" in found[-1]
+    assert len(found) == 6

@@ -390,3 +390,28 @@ def test_a_reader_waits_for_a_writer_that_has_only_just_begun(tmp_path, monkeypa
     with pytest.raises(ResultError, match="no readable HDF5 file"):
         reading.read_header(target)
     assert time.monotonic() - begun >= 0.1
+
+
+def test_a_closed_dataset_lets_go_of_its_file(tmp_path: Path) -> None:
+    """What is opened afterwards is what stands there then, not what this process saw before."""
+    path = tmp_path / "run.h5"
+    for n in (5, 9):
+        with ResultWriter(path, Header("time"), [Channel("x", "m")]) as writer:
+            writer.append(np.arange(float(n)), np.zeros((n, 1)))
+        with open_result(path) as data:
+            assert data.sizes["time"] == n
+
+
+def test_a_damaged_file_is_told_with_its_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import h5netcdf
+
+    path = tmp_path / "run.h5"
+    with ResultWriter(path, Header("time"), [Channel("x", "m")]) as writer:
+        writer.append(np.zeros(1), np.zeros((1, 1)))
+
+    def broken(*_: object) -> None:
+        raise RuntimeError("bad version number for attribute message")
+
+    monkeypatch.setattr(h5netcdf, "File", broken)
+    with pytest.raises(ResultError, match=r"run\.h5: is damaged \(bad version number"):
+        open_result(path)

@@ -95,7 +95,8 @@ class FlankMap:
         "grid",
         "deviation along the transverse base tangent, > 0 is more material: rows at equal lengths of roll "
         "from root form to tip form circle, columns at equal distances over the face width; or the name of a "
-        "text file with one row a line",
+        "text file with one row a line, numbers between commas, semicolons, tabs or blanks; a first line "
+        "such as [um] gives their unit",
         dimension="length",
     )
 
@@ -120,7 +121,8 @@ class Deviations:
         "pitch",
         "single pitch deviations f_p (ISO 1328-1; not summed up), one per tooth: entry i is what the pitch "
         "from tooth i - 1 to tooth i is too long on the reference circle; a list or the name of a text file "
-        "for both flanks, or {left: ..., right: ...}",
+        "(one number a line, a first line such as [um] gives their unit) for both flanks, or {left: ..., "
+        "right: ...}",
         (),
         dimension="length",
         of=FlankPitch,
