@@ -52,6 +52,8 @@ def choose_scenario(model: Model, name: str | None, *kinds: str) -> str:
     if name is None and len(fitting) == 1:
         return fitting[0]
     listed = ", ".join(fitting) or "none"
+    if not fitting and name is None:
+        raise click.UsageError(f"the model has no scenario of the kind {kind}; add one under scenarios:")
     if name is None:
         raise click.UsageError(f"say which --scenario; of the kind {kind} there are: {listed}")
     if known_scenario(model, name) not in fitting:

@@ -78,7 +78,8 @@ def drawing_dxf(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float =
         for code, value in items:
             put(code, value)
 
-    pairs((0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009"), (0, "ENDSEC"))
+    pairs((0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009"))
+    pairs((9, "$INSUNITS"), (70, 4), (9, "$MEASUREMENT"), (70, 1), (0, "ENDSEC"))  # millimetres
     pairs((0, "SECTION"), (2, "ENTITIES"))
     pairs((0, "POLYLINE"), (8, "OUTLINE"), (66, 1), (10, 0.0), (20, 0.0), (30, 0.0), (70, 1))
     for x, y in gear_outline(gear, n_flank)[:-1] * _MM:

@@ -47,8 +47,11 @@ def load_model(path: str | Path, allow_code: bool = False, progress: Progress = 
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        line = data[: error.start].count(b"\n") + 1
-        problem = Problem("YAML syntax", "is no UTF-8 text", remedy="save the file as UTF-8", line=line)
+        line: int | None = data[: error.start].count(b"\n") + 1
+        remedy = "save the file as UTF-8"
+        if b"\0" in data[:1024]:
+            line, remedy = None, "name the model file; this one holds no text at all"
+        problem = Problem("YAML syntax", "is no UTF-8 text", remedy=remedy, line=line)
         raise ModelError([problem], str(path)) from None
     return loads_model(text, allow_code=allow_code, file=str(path), progress=progress)
 

@@ -14,6 +14,7 @@ from numbers import Real
 from typing import Any
 
 from pitchpoint.core.errors import Problem, UnitError
+from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import parse_quantity
 from pitchpoint.model import read_file, read_forms, read_law
 from pitchpoint.model.keys import BAD, Key, Place, defaults_of, keys_of
@@ -119,6 +120,8 @@ class Reader:
     # --- plain values -----------------------------------------------------------------------------------
     def number(self, description: Key, data: Any, path: Place) -> Any:
         """Read a quantity; check dimension, finiteness and range."""
+        if data is None:
+            return self.problem(path, "is empty", remedy=f"write {example(description)}")
         if isinstance(data, bool) or not isinstance(data, Real | str):
             return self.problem(
                 path, "is not a number", value=shown(data), remedy=f"write {example(description)}"
@@ -131,16 +134,19 @@ class Reader:
         except OverflowError:
             return self.problem(path, "is too large for a number", value=shown(data))
         if not description.allows(result):
-            remedy = f"write {example(description)}"
-            if not isinstance(data, str) and description.dimension in ("length", "angle"):
-                remedy = f"a bare number is in {SI[description.dimension]}; {remedy}"
             return self.problem(
-                path, "is out of range", value=shown(data), limit=limit_text(description), remedy=remedy
+                path,
+                "is out of range",
+                value=shown(data),
+                limit=limit_text(description),
+                remedy=_within(description, data, result),
             )
         return result
 
     def whole(self, description: Key, data: Any, path: Place) -> Any:
         """Read a whole number."""
+        if data is None:
+            return self.problem(path, "is empty", remedy=f"write {example(description)}")
         number = isinstance(data, Real) and not isinstance(data, bool)
         if not number or data != data or data in (math.inf, -math.inf):
             quoted = f"write {data.strip()} without quotes" if _is_quoted_number(data) else ""
@@ -153,7 +159,8 @@ class Reader:
             remedy = f"write {round(data)}"
             return self.problem(path, "is not a whole number", value=shown(data), remedy=remedy)
         if not description.allows(value):
-            remedy = f"write {-value}" if description.allows(-value) else f"write {example(description)}"
+            nearest = int(min(max(value, description.minimum), description.maximum))
+            remedy = f"write {-value if description.allows(-value) else nearest}"
             return self.problem(
                 path, "is out of range", value=shown(data), limit=description.limit, remedy=remedy
             )
@@ -269,6 +276,18 @@ class Reader:
         if word is BAD:
             return BAD
         return self.component(laws[word], {k: v for k, v in data.items() if k != "law"}, path)
+
+
+def _within(description: Key, data: Any, value: float) -> str:
+    """What to write instead of a quantity out of range: its number in the usual unit, or without its sign."""
+    if not isinstance(data, str) and description.dimension in ("length", "angle"):
+        meant = f"{data} {DIMENSIONS[description.dimension].example.partition(' ')[2]}"
+        fits = description.allows(parse_quantity(meant, description.dimension))
+        better = meant if fits else example(description)
+        return f"a bare number is in {SI[description.dimension]}; write {better}"
+    if isinstance(data, str) and description.allows(-value):
+        return f"write {data.strip().lstrip('+-−').strip()}"
+    return f"write {example(description)}"
 
 
 def _is_quoted_number(data: Any) -> bool:

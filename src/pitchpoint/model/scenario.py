@@ -80,7 +80,12 @@ class Scenario:
     )
     hold: tuple[str, ...] = key("names", "bodies whose speed is held at its start value", ())
     duration: float | None = positive("time", "length of the time response; required without sweep", None)
-    sample_rate: float | None = positive("frequency", "samples per second", None, display="every step")
+    sample_rate: float | None = positive(
+        "frequency",
+        "samples per second, taken without a filter: vibration above half of it shows at wrong frequencies",
+        None,
+        display="every step",
+    )
     settle_time: float | None = quantity(
         "time", "start of the window of the statistics", None, minimum=0.0, display="20 % of duration"
     )

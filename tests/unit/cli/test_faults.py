@@ -267,3 +267,23 @@ def test_ctrl_c_before_the_first_step_has_json_too(
     target = str(tmp_path / "out.h5")
     assert run_command(["run", written(tmp_path, TORSION), "-s", "steady", "-o", target, "--json"]) == 130
     assert json.loads(capsys.readouterr().out)["status"] == "interrupted"
+
+
+def test_a_stiffness_below_zero_is_told_with_law_and_phase(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "law.py").write_text("def k(t, x, p):\n    return 3e8 - 5e8 * (x >= 0.5)\n", encoding="utf-8")
+    file = written(tmp_path, TORSION.replace(FOURIER, "{law: user, python: 'law.py:k'}"))
+    out = str(tmp_path / "out.h5")
+    assert run_command(["run", file, "--scenario", "steady", "-o", out, "--allow-code"]) == 3
+    assert "law.py:k gives -2e+08 N/m (mesh phase 0.5000); a stiffness is > 0" in capsys.readouterr().err
+
+
+def test_what_is_no_model_at_all_is_said_plainly(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "result.h5"
+    file.write_bytes(b"\x89HDF\r\n\x1a\n\0\0\0\xff")
+    assert run_command(["check", str(file)]) == 2
+    assert "name the model file; this one holds no text" in capsys.readouterr().err
+    text = TORSION[: TORSION.index("scenarios:")]
+    assert run_command(["sweep", written(tmp_path, text)]) == 2
+    assert "the model has no scenario of the kind sweep; add one" in capsys.readouterr().err

@@ -27,7 +27,7 @@ def test_an_empty_material_says_what_each_key_means() -> None:
 
 @pytest.mark.parametrize(
     ("teeth", "remedy"),
-    [("-24", "write 24"), ("true", "write 20"), ("2", "write 20"), ("'24'", "write 24 without quotes")],
+    [("-24", "write 24"), ("true", "write 20"), ("2", "write 3"), ("'24'", "write 24 without quotes")],
 )
 def test_numbers_of_teeth(teeth: str, remedy: str) -> None:
     (problem,) = problems("gears:\n" + gear("a").replace("number_of_teeth: 30", f"number_of_teeth: {teeth}"))

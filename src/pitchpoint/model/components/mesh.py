@@ -80,6 +80,7 @@ class Mesh:
         "length",
         "centre distance, positive for internal pairs too",
         None,
+        maximum=50.0,
         display="zero backlash from both x",
     )
     direction: float | None = quantity(

@@ -83,12 +83,18 @@ def describe_stiffness(model: Model, mesh: str) -> Description:
 def _try(law: UserLaw) -> None:
     """Go once through the mesh cycle: a law that fails is a failed computation, not a wrong file."""
     from pitchpoint.core.errors import SolverError
-    from pitchpoint.core.status import NOT_FINITE
+    from pitchpoint.core.status import NOT_FINITE, REFUSED
 
     for k in range(N_TRIES):
         said = law.diagnose(0.0, k / N_TRIES)
         if said:
             raise SolverError(f"{said} (mesh phase {k / N_TRIES:.4f})", NOT_FINITE)
+        value = law(0.0, k / N_TRIES)
+        if value <= 0.0:
+            raise SolverError(
+                f"{law.source} gives {value:.6g} N/m (mesh phase {k / N_TRIES:.4f}); a stiffness is > 0",
+                REFUSED,
+            )
 
 
 def _energy_options(model: Model, mesh: str, law: laws.Energy) -> dict[str, Any]:
