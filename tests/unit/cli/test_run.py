@@ -160,7 +160,7 @@ def test_bad_input(
 
 def test_a_model_without_scenarios(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run_command(["run", written(tmp_path, ISO_EX1)]) == 2
-    assert "none" in capsys.readouterr().err
+    assert "the model has no scenario of the kind time or quasi_static" in capsys.readouterr().err
 
 
 def test_a_failed_run_says_so_and_keeps_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
