@@ -20,6 +20,21 @@ R_B1 = 0.0422861679353659
 """Base radius of gear 1 without helix angle [m]: 0.5 * 30 * 3 mm * cos 20 deg."""
 
 
+STAGES = """\
+gears:
+  a: {number_of_teeth: 21, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  b: {number_of_teeth: 57, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  c: {number_of_teeth: 19, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  d: {number_of_teeth: 60, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+bodies: {input: {gears: [a]}, middle: {gears: [b, c]}, output: {gears: [d]}}
+meshes:
+  first: {gears: [a, b], stiffness: {law: fourier, mean: 4e8 N/m, cosine: [-0.2]}}
+  second: {gears: [c, d], direction: 40 deg, stiffness: {law: fourier, mean: 4e8 N/m, cosine: [-0.2]}}
+loads: {motor: {body: input, torque: 60 N m}, brake: {body: output, torque: balance}}
+"""
+"""Two stages in a row; the second repeats after three periods of the first."""
+
+
 def pair(
     stiffness: str, *, beta: str = "", motion: str = "torsion", torque: str = "200 N m", rest: str = ""
 ) -> str:

@@ -104,8 +104,7 @@ def resample_over_angle(
     References
     ----------
     .. [1] K. R. Fyfe, E. D. S. Munck, Analysis of computed order tracking, Mechanical Systems and Signal
-    Processing
-       11(2), 1997, 187-205.
+       Processing 11(2), 1997, 187-205.
 
     Examples
     --------
@@ -204,8 +203,7 @@ def tracked_spectrum(
     References
     ----------
     .. [1] K. R. Fyfe, E. D. S. Munck, Analysis of computed order tracking, Mechanical Systems and Signal
-    Processing
-       11(2), 1997, 187-205.
+       Processing 11(2), 1997, 187-205.
 
     Examples
     --------
@@ -272,8 +270,7 @@ def order_map(
     References
     ----------
     .. [1] K. R. Fyfe, E. D. S. Munck, Analysis of computed order tracking, Mechanical Systems and Signal
-    Processing
-       11(2), 1997, 187-205.
+       Processing 11(2), 1997, 187-205.
 
     Examples
     --------

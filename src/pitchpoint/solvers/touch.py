@@ -49,7 +49,8 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
         which, radius = "i", float(record["r_b1"])
     spin = int(system.program["body"][record[which]]["spin"])
     names = mesh_names(system)
-    u = system.layout.channel(f"transmission_error[{names[m]}]")
+    u, pushes = (system.layout.channel(f"{c}[{names[m]}]") for c in ("transmission_error", "mesh_force"))
+    nowhere = SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, clear)
     aim = DEPTH * float(record["k_ref"])
     state = clear.copy()
     evaluate.residual(system, state)
@@ -57,16 +58,18 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
     for _ in range(200):
         # force against depth beyond any gap: go in until it bites, then down to the edge
         values = evaluate.observe(system, state)
-        force = flank * float(values[u + 2])
+        force = flank * float(values[pushes])
         if force > 0.0:
             break
         state.q[spin] += flank * span / radius
         span *= 1.2
+    else:
+        raise nowhere
     reach = span
     inside, outside = state.q[spin], math.nan
     for _ in range(NEWTON_STEPS):
         values = evaluate.observe(system, state)
-        force = flank * float(values[u + 2])
+        force = flank * float(values[pushes])
         if force > 0.0:
             inside = state.q[spin]
             change = (force - aim) / abs(tangent_stiffness(system, state, m))
@@ -80,10 +83,10 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
             state.q[spin] += flank * reach / radius
             reach *= 4.0
     if math.isnan(outside):
-        raise SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, state)
+        raise nowhere
     while abs(inside - outside) * radius > DEPTH:
         state.q[spin] = 0.5 * (inside + outside)
-        if flank * float(evaluate.observe(system, state)[u + 2]) > 0.0:
+        if flank * float(evaluate.observe(system, state)[pushes]) > 0.0:
             inside = state.q[spin]
         else:
             outside = state.q[spin]

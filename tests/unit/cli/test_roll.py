@@ -12,6 +12,7 @@ import pytest
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.reading import open_result, read_header
 from tests.support.cli_files import TORSION, json_of, written
+from tests.support.machines import STAGES
 
 ROLL = TORSION + "  roll: {quasi_static: {points: 40}}\n"
 
@@ -80,19 +81,7 @@ def test_no_equilibrium_exits_3(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert "not a number" in captured.err
 
 
-TRAIN = """\
-gears:
-  a: {number_of_teeth: 21, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-  b: {number_of_teeth: 57, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-  c: {number_of_teeth: 19, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-  d: {number_of_teeth: 60, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-bodies: {input: {gears: [a]}, middle: {gears: [b, c]}, output: {gears: [d]}}
-meshes:
-  first: {gears: [a, b], stiffness: {law: fourier, mean: 4e8 N/m, cosine: [-0.2]}}
-  second: {gears: [c, d], direction: 40 deg, stiffness: {law: fourier, mean: 4e8 N/m, cosine: [-0.2]}}
-loads: {motor: {body: input, torque: 60 N m}, brake: {body: output, torque: balance}}
-scenarios: {roll: {quasi_static: {mesh: first, points: 30, periods: 1}}}
-"""
+TRAIN = STAGES + "scenarios: {roll: {quasi_static: {mesh: first, points: 30, periods: 1}}}\n"
 
 
 def test_partial_cycles_are_told_in_table_json_and_file(

@@ -136,7 +136,7 @@ def test_a_cycle_is_drawn_as_long_as_it_is() -> None:
 def test_a_faulty_tooth_is_seen_without_a_roll() -> None:
     found, _ = collect(train("torsion", deviation=True), [], silent)
     unloaded = np.asarray(found.mesh_cycles["first"].errors["without load"])
-    assert np.ptp(unloaded) == pytest.approx(30e-6 * np.cos(np.radians(20.0)), rel=0.1)
+    assert np.ptp(unloaded) == pytest.approx(30e-6 * np.cos(np.radians(20.0)), abs=1e-10)
 
 
 @pytest.mark.parametrize("as_file", [True, False])

@@ -12,7 +12,7 @@ import pytest
 from pitchpoint.contact.mesh_cycle import mesh_cycle
 from pitchpoint.core.errors import SolverError
 from pitchpoint.solvers.quasistatic import roll_through, solve_quasistatic, statistics, tables
-from tests.support.machines import R_B1, compiled, pair
+from tests.support.machines import R_B1, STAGES, compiled, pair
 
 E_COS = (1e-6, 0.5e-6)
 WAVE = "{law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1]}, transmission_error: {cosine: [1.0e-6, 0.5e-6]}"
@@ -138,22 +138,15 @@ scenarios: {slow: {quasi_static: {points: 21, periods: 17}, hold: [b1]}}
     assert share == pytest.approx(model.pairs["stage"].eps_alpha / 17.0, abs=1.0 / 17 / 21)
 
 
-STAGES = """\
-gears:
-  a: {number_of_teeth: 21, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-  b: {number_of_teeth: 57, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-  c: {number_of_teeth: 19, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-  d: {number_of_teeth: 60, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-bodies: {input: {gears: [a]}, middle: {gears: [b, c]}, output: {gears: [d]}}
-meshes:
-  first: {gears: [a, b], stiffness: {law: fourier, mean: 4e8 N/m, cosine: [-0.2]}}
-  second: {gears: [c, d], direction: 40 deg, stiffness: {law: fourier, mean: 4e8 N/m, cosine: [-0.2]}}
-loads: {motor: {body: input, torque: 60 N m}, brake: {body: output, torque: balance}}
+ROLLED = (
+    STAGES
+    + """\
 scenarios:
   one: {quasi_static: {mesh: first, points: 30, periods: 1}}
   three: {quasi_static: {mesh: first, points: 30, periods: 3}}
   four: {quasi_static: {mesh: second, points: 30, periods: 4}}
 """
+)
 
 
 @pytest.mark.parametrize(
@@ -165,7 +158,7 @@ scenarios:
     ],
 )
 def test_meshes_whose_cycles_a_roll_does_not_complete_are_named(scenario, notes):
-    system = compiled(STAGES, scenario)[1]
+    system = compiled(ROLLED, scenario)[1]
     data = solve_quasistatic(system)
     assert data.attrs["notes"] == notes
     span = float(data["transmission_error_peak_to_peak[second]"])
@@ -176,7 +169,7 @@ def test_meshes_whose_cycles_a_roll_does_not_complete_are_named(scenario, notes)
 
 
 def test_a_mesh_that_turns_faster_than_the_rolled_one_has_a_partial_mean():
-    text = STAGES.replace("19", "20").replace(
+    text = ROLLED.replace("19", "20").replace(
         "mesh: first, points: 30, periods: 1", "mesh: second, periods: 1"
     )
     roll = roll_through(compiled(text, "one")[1])  # 57/20: 2.85 cycles of the first stage
@@ -202,7 +195,7 @@ def test_a_mesh_that_turns_faster_than_the_rolled_one_has_a_partial_mean():
 )
 def test_loads_that_do_not_balance_are_told_as_what_they_mean_for_a_roll(torque, words, sign):
     """60 N m times 57/21 times 60/19 are 514.3 N m; input and output turn the same way round."""
-    text = STAGES.replace("torque: balance", f"torque: {torque}")
+    text = ROLLED.replace("torque: balance", f"torque: {torque}")
     system = compiled(text, "three")[1]
     roll = roll_through(system)
     assert len(roll.notes) == len(words), roll.notes
@@ -214,12 +207,12 @@ def test_loads_that_do_not_balance_are_told_as_what_they_mean_for_a_roll(torque,
 
 
 def test_a_model_without_loads_is_rolled_without_a_word():
-    text = re.sub(r"loads: .*\n", "", STAGES)
+    text = re.sub(r"loads: .*\n", "", ROLLED)
     assert roll_through(compiled(text, "three")[1]).notes == ()
 
 
 def test_extremes_of_a_part_of_a_cycle_are_those_of_all_points():
-    system = compiled(STAGES, "one")[1]
+    system = compiled(ROLLED, "one")[1]
     roll = roll_through(system)
     table = {t.name: t for t in tables(system, roll)}
     found = statistics(table["transmission_error[second]"])
