@@ -9,6 +9,7 @@ jj
   (bodies, pair blocks; filled by the layout) and whose last is out, the index of its first observation;
 * ``entry``, the kernel with the uniform signature ``int64 entry(int64 ctl, int64 records, int64 n)``;
 * ``OUTPUTS``, tuple of (name, unit, long name) per record; ``{}`` in the name stands for the element's name;
+* optionally ``BODY_FIXED = True``, if it reads the frames S of its bodies,
 * optionally ``EXACT``, entries that only exact tangents call, by the record field of their address, and
 * optionally ``EVENTS`` (the same for event functions, first index in the field event), ``ROWS`` (constraint
 rows
@@ -23,7 +24,7 @@ from types import ModuleType
 
 from pitchpoint.core.errors import CompileError
 
-FRAME, COORDINATE, CONSTRAINT = "frame", "coordinate", "constraint"
+FRAME, COORDINATE, CONSTRAINT, MOTION = "frame", "coordinate", "constraint", "motion"
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ class Kind:
     module
         Dotted name of the module with RECORD and entry.
     channel
-        "frame", "coordinate" or "constraint".
+        "frame", "coordinate", "constraint" or "motion".
     pairs
         Pairs of record fields that hold interacting bodies.
     """
@@ -72,7 +73,7 @@ def register(kind: Kind) -> None:
     """Add a kind at run time; an existing name is refused."""
     if kind.name in _KINDS and _KINDS[kind.name] != kind:
         raise CompileError(f"the kind {kind.name!r} is registered already ({_KINDS[kind.name].module})")
-    if kind.channel not in (FRAME, COORDINATE, CONSTRAINT):
+    if kind.channel not in (FRAME, COORDINATE, CONSTRAINT, MOTION):
         raise CompileError(f"the kind {kind.name!r} names no known channel: {kind.channel!r}")
     _KINDS[kind.name] = kind
 

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The body record: where a body hangs, how it may move, what it weighs.
 
-A body has a *non-spinning frame* whose third axis is its spin axis; the spin is an angle beside the frame.
-Mass is distributed symmetrically about the spin axis, so the inertia is constant in that frame and no sine of
-the spin is needed. Every body hangs on its parent by one joint; today the parent is ground.
+Every body hangs on its parent, another body or ground, by one joint at its origin; parents come before their
+children. A body has a *frame* R whose third axis is its spin axis and which does not spin; the spin is an
+angle beside it, and S is R turned by that angle, the frame that is fixed to the body. Bodies on ground whose
+mass is round about the spin axis ("round" bodies: gears, shafts) never need S: their inertia is constant in
+R and no sine of the spin is taken.
 """
 
 from __future__ import annotations
@@ -14,30 +16,64 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.multibody.joints import FIXED, FREE, JOINTS, PLANAR, TORSION
+from pitchpoint.multibody.joints import (
+    AXES,
+    FIXED,
+    FREE,
+    GUIDED,
+    JOINTS,
+    PLANAR,
+    ROUND,
+    SCREW,
+    TORSION,
+    TUMBLING,
+)
 
-__all__ = ["BODY", "FIXED", "FREE", "PATH", "PLANAR", "TORSION", "Body", "body_records"]
+__all__ = ["BODY", "FIXED", "FREE", "GENERAL", "PATH", "PLANAR", "TORSION", "Body", "body_records"]
+
+GENERAL = 7
+"""Code of every joint that is not that of a round body."""
 
 BODY = np.dtype(
     [
-        ("joint", "i8"),  # number of coordinates = code of the joint (see joints.py)
+        ("joint", "i8"),  # FIXED, TORSION, PLANAR, FREE of a round body, else GENERAL
+        ("n", "i8"),  # number of coordinates
         ("parent", "i8"),  # body it hangs on, 0 = ground
         ("dof", "i8"),  # index of its first coordinate
         ("spin", "i8"),  # index of its spin coordinate, -1 if it has none
-        ("path", "i8"),  # its own entry in the list of paths, -1 if fixed to ground
+        ("path", "i8"),  # its own entry in the list of paths, -1 without coordinates
+        ("first", "i8"),  # first entry of its path from ground
+        ("count", "i8"),  # entries of its path
         ("ii", "i8"),  # its diagonal pair block, 0 = dump
-        ("pos", "f8", 3),  # reference position of the origin, world [m]
-        ("axes", "f8", (3, 3)),  # reference frame, columns in world axes; third = spin axis
+        ("axis", "i8", 6),  # displacements that are its coordinates
+        ("chart", "i8"),  # attitude from which its turns count, -1 for none
+        ("guide", "i8"),  # displacements given by functions, -1 for none
+        ("fixed_axes", "i8"),  # 1: S is asked for
+        ("lead", "f8"),  # screw: way along the axis per radian [m/rad]
+        ("sense", "f8"),  # spin axis against that of the parent: 1 parallel, -1 opposite, 0 neither
+        ("pos", "f8", 3),  # reference position of the origin, axes S of the parent [m]
+        ("axes", "f8", (3, 3)),  # reference frame, columns in axes S of the parent; third = spin axis
         ("mass", "f8"),  # [kg]
-        ("i_p", "f8"),  # inertia about the spin axis [kg m^2]
-        ("i_t", "f8"),  # inertia about any transverse axis through the centre of mass [kg m^2]
-        ("c_z", "f8"),  # centre of mass along the spin axis, from the origin [m]
+        ("i_p", "f8"),  # round: inertia about the spin axis [kg m^2]
+        ("i_t", "f8"),  # round: inertia about any transverse axis through the centre of mass [kg m^2]
+        ("c_z", "f8"),  # round: centre of mass along the spin axis, from the origin [m]
+        ("com", "f8", 3),  # centre of mass from the origin, axes S [m]
+        ("inertia", "f8", (3, 3)),  # inertia about the origin, axes S [kg m^2]
     ],
     align=True,
 )
 
-# One row per joint on the way from ground to a body; with all bodies on ground: one per moving body.
-PATH = np.dtype([("body", "i8"), ("joint", "i8"), ("dof", "i8"), ("n", "i8")], align=True)
+# One row per joint on the way from ground to a body, bodies in order, each from the root to its own joint.
+PATH = np.dtype(
+    [
+        ("body", "i8"),
+        ("joint", "i8"),  # TORSION, FREE of a round body (shortcuts) or GENERAL
+        ("dof", "i8"),
+        ("n", "i8"),
+        ("owner", "i8"),  # body whose joint it is
+    ],
+    align=True,
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,28 +83,66 @@ class Body:
     Parameters
     ----------
     motion
-        Code of the joint to ground: 0 fixed, 1 torsion, 3 planar, 6 free.
+        Code of the joint to the parent (see joints.py).
+    parent
+        Number of the body it hangs on, counted from 1 in the order of the list; 0 = ground.
     position
-        Reference position of the origin in world axes [m].
+        Position of the origin (the place of the joint) in world axes with all coordinates zero [m].
     axes
-        Reference frame (3, 3), columns in world axes, right-handed; the third is the spin axis.
+        Frame of the joint then (3, 3), columns in world axes, right-handed; the third is the spin axis.
     mass, polar_inertia, transverse_inertia
         [kg], [kg m^2] about the spin axis, [kg m^2] about a transverse axis through the centre of mass.
     center
         Centre of mass along the spin axis from the origin [m].
+    com, inertia
+        For bodies that are not round: centre of mass (3,) from the origin [m] and inertia (3, 3) about the
+        centre of mass [kg m^2], both in the axes of the body; they replace the four numbers but the mass.
+    lead
+        Way of a screw along its axis per radian of its spin [m/rad].
+    guided_by
+        Coordinates (name, unit) of a guided body, at most six; it may have none and follow time alone.
     angle
         Initial spin [rad]; any number of turns.
     """
 
     motion: int = TORSION
+    parent: int = 0
     position: ArrayLike = (0.0, 0.0, 0.0)
     axes: ArrayLike = field(default_factory=lambda: np.eye(3))
     mass: float = 0.0
     polar_inertia: float = 0.0
     transverse_inertia: float = 0.0
     center: float = 0.0
+    com: ArrayLike = (0.0, 0.0, 0.0)
+    inertia: ArrayLike | None = None
+    lead: float = 0.0
+    guided_by: tuple[tuple[str, str], ...] = ()
     angle: float = 0.0
     name: str = ""
+
+    @property
+    def is_round(self) -> bool:
+        """Whether the body hangs on ground and is round about its spin axis."""
+        return self.parent == 0 and self.motion in ROUND and self.inertia is None
+
+    @property
+    def coordinates(self) -> tuple[tuple[str, str], ...]:
+        """Names and units of the coordinates of its joint."""
+        return self.guided_by if self.motion == GUIDED else JOINTS[self.motion]
+
+    def tensor(self) -> NDArray[np.float64]:
+        """Inertia about the origin in the axes of the body, shape (3, 3) [kg m^2]."""
+        com = self.center_of_mass()
+        about = self.inertia
+        if about is None:
+            about = np.diag([self.transverse_inertia, self.transverse_inertia, self.polar_inertia])
+        return np.asarray(about, float) + self.mass * (com @ com * np.eye(3) - np.outer(com, com))
+
+    def center_of_mass(self) -> NDArray[np.float64]:
+        """Centre of mass from the origin in the axes of the body, shape (3,) [m]."""
+        if self.inertia is None:
+            return np.array([0.0, 0.0, self.center])
+        return np.asarray(self.com, float)
 
     def faults(self) -> list[str]:
         """Say what makes the body impossible to compute; empty if nothing does."""
@@ -78,9 +152,16 @@ class Body:
         axes = np.asarray(self.axes, float)
         if axes.shape != (3, 3) or np.abs(axes.T @ axes - np.eye(3)).max() > 1e-9 or np.linalg.det(axes) < 0:
             found.append("axes must be a right-handed orthonormal frame")
-        numbers = (self.mass, self.polar_inertia, self.transverse_inertia, self.center, self.angle)
-        if not np.all(np.isfinite(numbers)) or not np.all(np.isfinite(np.asarray(self.position, float))):
+        numbers = (self.mass, self.polar_inertia, self.transverse_inertia, self.center, self.angle, self.lead)
+        places = np.concatenate([np.asarray(self.position, float), np.asarray(self.com, float)])
+        if not np.all(np.isfinite(numbers)) or not np.all(np.isfinite(places)):
             found.append("every number must be finite")
+        if self.motion == SCREW and self.lead == 0.0:
+            found.append("a screw needs a lead")
+        return found + (self._round_faults() if self.is_round else self._tensor_faults())
+
+    def _round_faults(self) -> list[str]:
+        found = []
         if self.motion != FIXED and not self.polar_inertia > 0.0:
             found.append("polar_inertia must be positive for a body that spins")
         if self.motion in (PLANAR, FREE) and not self.mass > 0.0:
@@ -89,14 +170,31 @@ class Body:
             found.append("transverse_inertia must be positive for a body that tilts")
         return found
 
+    def _tensor_faults(self) -> list[str]:
+        """A body in a tree may be without mass, if what hangs on it has some."""
+        if min(self.mass, self.polar_inertia, self.transverse_inertia) < 0.0:
+            return ["mass and inertia must not be negative"]
+        if self.inertia is None:
+            return []
+        about = np.asarray(self.inertia, float)
+        if about.shape != (3, 3) or not np.all(np.isfinite(about)):
+            return ["inertia must be a finite matrix (3, 3)"]
+        scale = np.abs(about).max(initial=0.0)
+        if np.abs(about - about.T).max() > 1e-9 * scale:
+            return ["inertia must be symmetric"]
+        least, middle, most = np.linalg.eigvalsh(about)
+        if least < -1e-9 * scale or least + middle < most * (1.0 - 1e-6):
+            return ["inertia that no mass has: principal moments are >= 0, none above the sum of the others"]
+        return []
+
 
 def body_records(bodies: Sequence[Body]) -> NDArray[np.void]:
-    """Fill the body records, ground first; coordinate indices are left to the layout.
+    """Fill the body records, ground first; coordinate and path indices are left to the layout.
 
     Parameters
     ----------
     bodies
-        The bodies without ground; body k of this list gets index k + 1.
+        The bodies without ground; body k of this list gets index k + 1, parents come first.
 
     Returns
     -------
@@ -104,11 +202,40 @@ def body_records(bodies: Sequence[Body]) -> NDArray[np.void]:
     """
     records = np.zeros(len(bodies) + 1, BODY)
     records["axes"] = np.eye(3)
-    records["spin"] = records["path"] = -1
+    for name in ("spin", "path", "chart", "guide"):
+        records[name] = -1
+    charts = guides = 0
     for record, body in zip(records[1:], bodies, strict=True):
-        record["joint"] = body.motion
-        record["pos"] = body.position
-        record["axes"] = body.axes
+        axes = AXES[body.motion]
+        record["joint"] = body.motion if body.is_round else GENERAL
+        record["n"], record["parent"] = len(body.coordinates), body.parent
+        record["axis"][: len(axes)] = axes
+        record["lead"] = body.lead if body.motion == SCREW else 0.0
+        if body.motion in TUMBLING:
+            record["chart"] = charts
+            charts += 1
+        if body.motion == GUIDED:
+            record["guide"] = guides
+            guides += 1
+        _hang(record, body, bodies)
         record["mass"], record["i_p"] = body.mass, body.polar_inertia
         record["i_t"], record["c_z"] = body.transverse_inertia, body.center
+        record["com"], record["inertia"] = body.center_of_mass(), body.tensor()
+        if not body.is_round:
+            record["fixed_axes"] = 1
+            records[body.parent]["fixed_axes"] = 1
     return records
+
+
+def _hang(record: np.void, body: Body, bodies: Sequence[Body]) -> None:
+    """Place of the joint in the axes of the parent."""
+    position, axes = np.asarray(body.position, float), np.asarray(body.axes, float)
+    if body.parent == 0:
+        record["pos"], record["axes"] = position, axes
+        return
+    parent = bodies[body.parent - 1]
+    turned = np.asarray(parent.axes, float)
+    record["pos"] = turned.T @ (position - np.asarray(parent.position, float))
+    record["axes"] = turned.T @ axes
+    along = float(record["axes"][2, 2])
+    record["sense"] = np.sign(along) if abs(abs(along) - 1.0) < 1e-9 else 0.0

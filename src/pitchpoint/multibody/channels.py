@@ -67,9 +67,12 @@ FRAME = np.dtype(
         ("tw", "f8", 6),  # world twist: velocity of the origin [m/s], angular velocity with spin [rad/s]
         ("ac", "f8", 6),  # time derivative of tw [m/s^2, rad/s^2]
         ("F", "f8", 6),  # accumulator: force [N] and moment about the origin [N m], world axes; [0] is a sink
+        ("S", "f8", (3, 3)),  # frame fixed to the body: R turned by phi; only where `fixed_axes` asks for it
         ("phi", "f8"),  # spin about the third axis, remainder in (-pi, pi] [rad]
         ("spin", "f8"),  # time derivative of phi [rad/s]
         ("turns", "i8"),  # whole turns: the spin is phi + 2 pi turns
+        ("base", "f8"),  # turn of R about the third axis by the spins of the bodies it hangs on [rad]
+        ("base_turns", "i8"),  # and the whole turns of them
         ("axle", "f8", 3),  # with jac 2 only: a small turn w of the body [rad] changes phi by axle . w
     ],
     align=True,

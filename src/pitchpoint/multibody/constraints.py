@@ -15,16 +15,16 @@ REDUNDANT = 1e-10
 
 
 @kernel
-def frame_rows(rows, path_of, path, fr, J, Gf, G, lam):
+def frame_rows(rows, body, path, fr, J, Gf, G, lam):
     """Add rows given on frames to G through the joint columns, and their multipliers to the wrenches."""
     for r in range(rows.shape[0]):
         for side in range(2):
             b = rows[r, side]
-            p = path_of[b]
             f = fr[b]
             for i in range(6):
                 f["F"][i] -= lam[r] * Gf[r, side, i]
-            if p >= 0:
+            first = body[b]["first"]
+            for p in range(first, first + body[b]["count"]):
                 w = path[p]
                 for c in range(w["n"]):
                     s = 0.0

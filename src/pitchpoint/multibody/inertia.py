@@ -10,6 +10,7 @@ the direction of n (ck).
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
+from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.multibody.joints import FREE
 
 
@@ -168,7 +169,7 @@ def inertia(body, fr, kk, jac, cm, cd):
                 mass_tangent(o, f, k, cm)
                 if cd != 0.0:
                     gyro_tangent(o, f, k, cd)
-        else:
+        elif o["joint"] != GENERAL:
             # a body that only spins about a fixed axis feels no gyroscopic moment it could follow
             for i in range(3):
                 f["F"][i] = -o["mass"] * f["ac"][i]

@@ -1,97 +1,149 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How twists and accelerations change with moving joint axes; only exact linearisation asks."""
+"""How twists and accelerations change with moving joint axes; only exact linearisation asks.
+
+Take one displacement c of a joint, its axis w through the origin r_k of the body it moves, and a body b
+further out. With o and e the angular velocity of the frame after c and its derivative, rho = r_b - r_k and
+
+    v_b = v_k + o x rho + v_r,   a_b = a_k + e x rho + o x (o x rho) + 2 o x v_r + a_r,
+    omega_b = o + o_r,           e_b = e + e_r + o x o_r,
+
+a turn about w turns rho, v_r, a_r, o_r and e_r like vectors of one rigid thing, and a rate about w adds w to
+o and o x w to e. A translation along w moves what is further out by w in the frame of the parent.
+"""
 
 from __future__ import annotations
 
-import math
-
 from pitchpoint.core.kernel import kernel
-from pitchpoint.multibody.joints import FREE
+from pitchpoint.multibody.joints import Z
+from pitchpoint.multibody.tree import body_axes, joint_motion
 
 
 @kernel
-def axles(body, fr, q):
-    """Write the vector of every body whose product with a small turn is the change of the spin.
+def joint_motions(body, fr, motions, guides, charts, q, v, a):
+    """Displacements and columns of all joints, round bodies too, at the frames in the workspace.
 
-    It is the spin axis, unless the body is tilted about its second axis: the joint's first axis w1 then has a
-    share along the spin axis, and w1 x w2 / cos(beta) is the vector that stands on both tilt axes.
+    Also written is the vector of every body whose product with a small turn is the change of its spin. It is
+    the spin axis, unless beta tilts the body: w1 then has a share along the spin axis, and
+    w1 x w2 / cos(beta) is the vector that stands on both tilt axes.
     """
+    for b in range(body.size):
+        body_axes(fr[b])
     for b in range(1, body.size):
         o = body[b]
-        axle = fr[b]["axle"]
-        for i in range(3):
-            axle[i] = o["axes"][i, 2]
-        if o["joint"] == FREE:
-            d = o["dof"]
-            ca = math.cos(q[d + 3]) / math.cos(q[d + 4])
-            sa = math.sin(q[d + 3]) / math.cos(q[d + 4])
-            for i in range(3):
-                axle[i] = ca * o["axes"][i, 2] - sa * o["axes"][i, 1]
+        f = fr[b]
+        joint_motion(o, fr[o["parent"]], f, motions[b], guides, charts, q, v, a)
+        W = motions[b]["W"]
+        x, y, z = _cross(_axis(W, 3), _axis(W, 4))
+        s = x * W[3, 5] + y * W[4, 5] + z * W[5, 5]
+        f["axle"][0] = x / s
+        f["axle"][1] = y / s
+        f["axle"][2] = z / s
 
 
 @kernel
-def cross(J, p, c, x, y, z, out, col):
-    """Write column c of the rotations of J crossed with (x, y, z) into rows 3..5 of out[p, :, col]."""
-    a = J[p, 3, c]
-    b = J[p, 4, c]
-    d = J[p, 5, c]
-    out[p, 3, col] = b * z - d * y
-    out[p, 4, col] = d * x - a * z
-    out[p, 5, col] = a * y - b * x
+def _cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 @kernel
-def joint_rates(body, fr, J, Tq, Av, Aq, v, a):
-    """Derivatives of twists and accelerations that only an exact linearisation needs.
+def _add(a, b):
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
-    Tq = d(twist)/dq, Av = d(acceleration)/dv, Aq = d(acceleration)/dq at fixed coordinates of the rest. Only
-    the two tilts of a free body have any: all vectors turn about w1 with alpha; with beta only n moves.
+
+@kernel
+def _less(a, b):
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+@kernel
+def _times(s, a):
+    return s * a[0], s * a[1], s * a[2]
+
+
+@kernel
+def _half(x, first):
+    return x[first], x[first + 1], x[first + 2]
+
+
+@kernel
+def _axis(W, m):
+    """Direction of displacement m: rows 0..2 of a translation, 3..5 of a turn."""
+    first = 0 if m < 3 else 3
+    return W[first, m], W[first + 1, m], W[first + 2, m]
+
+
+@kernel
+def _after(p, mo, m):
+    """Angular velocity and its derivative of the frame after the turns up to m."""
+    o = _half(p["tw"], 3)
+    e = _half(p["ac"], 3)
+    for k in range(3, m + 1):
+        w = _axis(mo["W"], k)
+        s = _times(mo["rate"][k], w)
+        e = _add(e, _add(_times(mo["second"][k], w), _cross(o, s)))
+        o = _add(o, s)
+    return o, e
+
+
+@kernel
+def _put(out, t, c, factor, linear, angular):
+    for i in range(3):
+        out[t, i, c] += factor * linear[i]
+        out[t, 3 + i, c] += factor * angular[i]
+
+
+@kernel
+def _displacement(p, k, f, mo, m, t, c, factor, rates):
+    """Add factor times the rates by displacement m of the joint of k, as felt by body f, to column c."""
+    Tq, Av, Aq = rates
+    w = _axis(mo["W"], m)
+    nothing = (0.0, 0.0, 0.0)
+    if m < 3:
+        o = _half(p["tw"], 3)
+        s = _cross(o, w)
+        _put(Tq, t, c, factor, s, nothing)
+        _put(Av, t, c, 2.0 * factor, s, nothing)
+        _put(Aq, t, c, factor, _add(_cross(_half(p["ac"], 3), w), _cross(o, s)), nothing)
+        return
+    o, e = _after(p, mo, m)
+    rho = _less(_half(f["r"], 0), _half(k["r"], 0))
+    o_r = _less(_half(f["tw"], 3), o)
+    e_r = _less(_less(_half(f["ac"], 3), e), _cross(o, o_r))
+    turned = _cross(w, rho)
+    swept = _cross(o, rho)
+    v_r = _less(_less(_half(f["tw"], 0), _half(k["tw"], 0)), swept)
+    a_r = _less(_less(_half(f["ac"], 0), _half(k["ac"], 0)), _cross(e, rho))
+    a_r = _less(_less(a_r, _cross(o, swept)), _times(2.0, _cross(o, v_r)))
+    dv = _cross(w, v_r)
+    do = _cross(w, o_r)
+    tilt = _cross(o, w)
+    _put(Tq, t, c, factor, _add(_cross(o, turned), dv), do)
+    by_rate = _add(_cross(tilt, rho), _add(_cross(w, swept), _cross(o, turned)))
+    _put(Av, t, c, factor, _add(by_rate, _times(2.0, dv)), _add(tilt, do))
+    by_place = _add(_cross(e, turned), _cross(o, _cross(o, turned)))
+    by_place = _add(by_place, _add(_times(2.0, _cross(o, dv)), _cross(w, a_r)))
+    _put(Aq, t, c, factor, by_place, _add(_cross(w, e_r), _cross(o, do)))
+
+
+@kernel
+def joint_rates(body, path, fr, motions, rates):
+    """Derivatives of twists and accelerations that only an exact linearisation needs, after `joint_motions`.
+
+    `rates` are Tq = d(twist)/dq, Av = d(acceleration)/dv, Aq = d(acceleration)/dq, one column per coordinate
+    of every entry of a path, the columns of the joint itself apart.
     """
-    for p in range(J.shape[0]):
+    Tq, Av, Aq = rates
+    for t in range(path.size):
         for i in range(6):
             for c in range(6):
-                Tq[p, i, c] = 0.0
-                Av[p, i, c] = 0.0
-                Aq[p, i, c] = 0.0
-    for b in range(1, body.size):
-        o = body[b]
-        if o["joint"] == FREE:
-            f = fr[b]
-            d = o["dof"]
-            p = o["path"]
-            va = v[d + 3]
-            vb = v[d + 4]
-            vs = v[d + 5]
-            cross(J, p, 3, f["tw"][3], f["tw"][4], f["tw"][5], Tq, 3)
-            cross(J, p, 3, f["ac"][3], f["ac"][4], f["ac"][5], Aq, 3)
-            nx = J[p, 3, 5]
-            ny = J[p, 4, 5]
-            nz = J[p, 5, 5]
-            m0 = f["R"][0, 0]  # w2 x n, the derivative of n by beta
-            m1 = f["R"][1, 0]
-            m2 = f["R"][2, 0]
-            w0 = J[p, 3, 3] * va + J[p, 3, 4] * vb  # velocity of the frame without spin
-            w1 = J[p, 4, 3] * va + J[p, 4, 4] * vb
-            w2 = J[p, 5, 3] * va + J[p, 5, 4] * vb
-            Tq[p, 3, 4] = vs * m0
-            Tq[p, 4, 4] = vs * m1
-            Tq[p, 5, 4] = vs * m2
-            Aq[p, 3, 4] = a[d + 5] * m0 + vs * (w1 * m2 - w2 * m1)
-            Aq[p, 4, 4] = a[d + 5] * m1 + vs * (w2 * m0 - w0 * m2)
-            Aq[p, 5, 4] = a[d + 5] * m2 + vs * (w0 * m1 - w1 * m0)
-            Av[p, 3, 5] = w1 * nz - w2 * ny
-            Av[p, 4, 5] = w2 * nx - w0 * nz
-            Av[p, 5, 5] = w0 * ny - w1 * nx
-            s0 = J[p, 3, 4] * vb + nx * vs
-            s1 = J[p, 4, 4] * vb + ny * vs
-            s2 = J[p, 5, 4] * vb + nz * vs
-            cross(J, p, 3, s0, s1, s2, Av, 3)  # w1 x (beta' w2 + phi' n)
-            Av[p, 3, 4] = m0 * vs
-            Av[p, 4, 4] = m1 * vs
-            Av[p, 5, 4] = m2 * vs
-            c0 = J[p, 4, 3] * J[p, 5, 4] - J[p, 5, 3] * J[p, 4, 4]
-            c1 = J[p, 5, 3] * J[p, 3, 4] - J[p, 3, 3] * J[p, 5, 4]
-            c2 = J[p, 3, 3] * J[p, 4, 4] - J[p, 4, 3] * J[p, 3, 4]
-            Av[p, 3, 4] += va * c0
-            Av[p, 4, 4] += va * c1
-            Av[p, 5, 4] += va * c2
+                Tq[t, i, c] = 0.0
+                Av[t, i, c] = 0.0
+                Aq[t, i, c] = 0.0
+        k = path[t]["owner"]
+        o = body[k]
+        p = fr[o["parent"]]
+        f = fr[path[t]["body"]]
+        for c in range(o["n"]):
+            _displacement(p, fr[k], f, motions[k], o["axis"][c], t, c, 1.0, rates)
+            if o["lead"] != 0.0:
+                _displacement(p, fr[k], f, motions[k], Z, t, c, o["lead"], rates)

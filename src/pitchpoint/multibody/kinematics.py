@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From coordinates to frames: positions, twists, accelerations and joint columns of every body.
+"""From coordinates to frames: positions, twists, accelerations and joint columns of round bodies on ground.
+
+All others are in `tree`.
 
 With w1 the first reference axis, w2 the second axis after the turn alpha, n the spin axis:
 omega = alpha' w1 + beta' w2 + phi' n, and its derivative has the bias alpha' beta' w1 x w2
@@ -12,6 +14,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
+from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.multibody.joints import FREE, PLANAR, TORSION
 
 
@@ -25,14 +28,17 @@ def rest_pose(body, fr, J):
             f["r"][i] = o["pos"][i]
             for c in range(3):
                 f["R"][i, c] = o["axes"][i, c]
+                f["S"][i, c] = o["axes"][i, c]
         for i in range(6):
             f["tw"][i] = 0.0
             f["ac"][i] = 0.0
             f["F"][i] = 0.0
         f["phi"] = 0.0
         f["spin"] = 0.0
+        f["base"] = 0.0
+        f["base_turns"] = 0
         p = o["path"]
-        if p >= 0:
+        if p >= 0 and o["joint"] != GENERAL:
             for i in range(6):
                 for c in range(6):
                     J[p, i, c] = 0.0

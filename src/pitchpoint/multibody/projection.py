@@ -14,7 +14,7 @@ from pitchpoint.core.kernel import kernel
 from pitchpoint.multibody.joints import FREE, TORSION
 
 #: Shortcuts of a programme row.
-GENERAL, SPINS, SHAFTS = 0, 1, 2
+ANY, SPINS, SHAFTS = 0, 1, 2
 
 PROJ = np.dtype(
     [(name, "i8") for name in ("pair", "pi", "pj", "blk", "ni", "nj", "oi", "oj", "short")],

@@ -21,13 +21,22 @@ def load(system: System, state: State) -> None:
     w = system.workspace
     w.q[:], w.v[:], w.a[:], w.lam[:] = state.q, state.v, state.a, state.lam
     w.fr["turns"] = state.turns
+    w.arrays["charts"][:] = state.charts
     w.ctl[0]["t"] = state.t
 
 
 def store(system: System, t: float) -> State:
     """Copy the state out of the workspace of a system."""
     w = system.workspace
-    return State(float(t), w.q.copy(), w.v.copy(), w.a.copy(), w.lam.copy(), w.fr["turns"].copy())
+    return State(
+        float(t),
+        w.q.copy(),
+        w.v.copy(),
+        w.a.copy(),
+        w.lam.copy(),
+        w.fr["turns"].copy(),
+        w.arrays["charts"].copy(),
+    )
 
 
 def explain(system: System, status: int) -> str:

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.multibody.block_lu import plan
-from pitchpoint.multibody.bodies import PATH, Body
-from pitchpoint.multibody.joints import FREE, JOINTS, TORSION
-from pitchpoint.multibody.projection import GENERAL, PROJ, SHAFTS, SPINS
+from pitchpoint.multibody.bodies import GENERAL, PATH, Body
+from pitchpoint.multibody.joints import FREE, SPIN, TORSION, TUMBLING
+from pitchpoint.multibody.projection import ANY, PROJ, SHAFTS, SPINS
 
 NODE = 6  # most coordinates of one node
 
@@ -115,8 +115,10 @@ def place_coordinates(
         for b in node:
             node_of[b], offset_of[b] = k, dof - starts[k]
             records[b]["dof"] = dof
-            dof += int(records[b]["joint"])
-            records[b]["spin"] = dof - 1
+            n = int(records[b]["n"])
+            dof += n
+            if n and records[b]["guide"] < 0 and records[b]["axis"][n - 1] == SPIN:
+                records[b]["spin"] = dof - 1
         sizes.append(dof - starts[k])
     return node_of, offset_of, starts, sizes
 
@@ -124,12 +126,12 @@ def place_coordinates(
 def structure(
     records: NDArray[np.void], pairs: set[tuple[int, int]], blocks_only: set[tuple[int, int]]
 ) -> tuple[dict[str, NDArray[Any]], dict[tuple[int, int], int], dict[str, Any]]:
-    """Write every integer programme of a set of bodies on ground.
+    """Write every integer programme of a tree of bodies.
 
     Parameters
     ----------
     records
-        Body records; their dof, spin, path and ii fields are filled in.
+        Body records; their dof, spin, path, first, count and ii fields are filled in.
     pairs
         Pairs of bodies joined by frame kinds.
     blocks_only
@@ -139,40 +141,38 @@ def structure(
     -------
     program, pair_index, layout parts
     """
-    moving = [b for b in range(records.size) if records[b]["joint"] > 0]
-    live = {(i, j) for i, j in pairs | blocks_only if i != j and i in moving and j in moving}
-    nodes = group([int(n) for n in records["joint"]], live)
+    nb = records.size
+    owners = _owners(records)
+    moving = [b for b in range(nb) if owners[b]]
+    joined = {(i, j) for i, j in pairs | blocks_only if i != j and owners[i] and owners[j]}
+    joined |= {(b, b) for b in moving}
+    live = {(a, c) for i, j in joined for a in owners[i] for c in owners[j] if a != c}
+    nodes = group([int(n) for n in records["n"]], live)
     node_of, offset_of, starts, sizes = place_coordinates(records, nodes)
     index: dict[tuple[int, int], int] = {}
     for b in moving:
         index[b, b] = len(index) + 1
         records[b]["ii"] = index[b, b]
     for i, j in sorted(pairs):
-        if i != j and i in moving and j in moving:
+        if i != j and owners[i] and owners[j]:
             for key in ((i, j), (j, i)):
                 index.setdefault(key, len(index) + 1)
-    blocks, factor, solve = plan(sizes, {(node_of[i], node_of[j]) for i, j in live}, starts)
-    path = np.zeros(len(moving), PATH)
-    path_of = np.full(records.size, -1, np.int64)
-    for p, b in enumerate(moving):
-        records[b]["path"] = path_of[b] = p
-        n = int(records[b]["joint"])
-        path[p] = (b, n, records[b]["dof"], n)
-    proj = np.zeros(len(index), PROJ)
-    for k, ((i, j), pair) in enumerate(index.items()):
-        ni, nj = int(records[i]["joint"]), int(records[j]["joint"])
-        short = SPINS if ni == nj == TORSION else SHAFTS if ni == nj == FREE else GENERAL
-        block = blocks[node_of[i], node_of[j]]
-        proj[k] = (pair, path_of[i], path_of[j], block, ni, nj, offset_of[i], offset_of[j], short)
-    spins = np.array([(records[b]["spin"], b) for b in moving], np.int64).reshape(-1, 2)
+    blocks, factor, solve = plan(sizes, {(node_of[a], node_of[c]) for a, c in live}, starts)
+    path = _paths(records, owners)
+    proj = [
+        _projection(records, pair, (path, p), (path, s), blocks, node_of, offset_of)
+        for (i, j), pair in index.items()
+        for p in range(records[i]["first"], records[i]["first"] + records[i]["count"])
+        for s in range(records[j]["first"], records[j]["first"] + records[j]["count"])
+    ]
+    spins = [(records[b]["spin"], b) for b in range(nb) if records[b]["spin"] >= 0]
     program = {
         "body": records,
         "path": path,
-        "path_of": path_of,
-        "proj": proj,
+        "proj": np.array(proj, PROJ),
         "factor": factor,
         "solve": solve,
-        "spins": spins,
+        "spins": np.array(spins, np.int64).reshape(-1, 2),
     }
     parts = {
         "node_of": tuple(node_of),
@@ -182,6 +182,46 @@ def structure(
         "node_size": tuple(sizes),
     }
     return program, index, parts
+
+
+def _owners(records: NDArray[np.void]) -> list[list[int]]:
+    """Bodies whose joints move each body, from ground outwards; parents come before their children."""
+    owners: list[list[int]] = [[]]
+    for b in range(1, records.size):
+        own = [b] if records[b]["n"] > 0 else []
+        owners.append(owners[int(records[b]["parent"])] + own)
+    return owners
+
+
+def _paths(records: NDArray[np.void], owners: list[list[int]]) -> NDArray[np.void]:
+    """List the joints on the way to every body; the bodies learn where theirs stand."""
+    rows: list[tuple[int, ...]] = []
+    for b, mine in enumerate(owners):
+        records[b]["first"], records[b]["count"] = len(rows), len(mine)
+        for k in mine:
+            short = records[k]["joint"] if k == b else GENERAL
+            rows.append((b, short, records[k]["dof"], records[k]["n"], k))
+        records[b]["path"] = len(rows) - 1 if mine and mine[-1] == b else -1
+    return np.array(rows, PATH)
+
+
+def _projection(
+    records: NDArray[np.void],
+    pair: int,
+    one: tuple[NDArray[np.void], int],
+    two: tuple[NDArray[np.void], int],
+    blocks: Mapping[tuple[int, int], int],
+    node_of: Sequence[int],
+    offset_of: Sequence[int],
+) -> tuple[int, ...]:
+    """One row of the projection programme: a pair of bodies through one joint of either."""
+    (path, p), (_, s) = one, two
+    a, c = int(path[p]["owner"]), int(path[s]["owner"])
+    joints = path[p]["joint"], path[s]["joint"]
+    short = SPINS if joints == (TORSION, TORSION) else SHAFTS if joints == (FREE, FREE) else ANY
+    block = blocks[node_of[a], node_of[c]]
+    sizes = int(records[a]["n"]), int(records[c]["n"])
+    return (pair, p, s, block, *sizes, offset_of[a], offset_of[c], short)
 
 
 def body_channels(
@@ -195,9 +235,11 @@ def body_channels(
     table: list[tuple[int, int, int, int]] = []
     words = {"alpha": "rx", "beta": "ry"}
     for b, (body, name) in enumerate(zip(bodies, names, strict=True), start=1):
-        for k, (coordinate, unit) in enumerate(JOINTS[body.motion]):
+        for k, (coordinate, unit) in enumerate(body.coordinates):
             dof = int(records[b]["dof"]) + k
             at = first + len(channels)
+            if body.motion in TUMBLING and unit == "rad":
+                continue  # they jump where the turns start afresh
             if coordinate == "spin":
                 channels.append(Channel(f"angle[{name}]", "rad", f"angle of {name}"))
                 channels.append(Channel(f"speed[{name}]", "rad/s", f"speed of {name}"))

@@ -11,9 +11,11 @@ from pitchpoint.core.status import OK
 from pitchpoint.multibody.bodies import BODY, PATH
 from pitchpoint.multibody.channels import CTL, F8, FRAME, I8
 from pitchpoint.multibody.inertia import attitude, inertia
-from pitchpoint.multibody.joint_rates import axles, joint_rates
+from pitchpoint.multibody.joint_rates import joint_motions, joint_rates
 from pitchpoint.multibody.projection import PROJ, project_geometry, project_tangent
-from pitchpoint.system.residual import EXACT, residual, run_kinds, zero_blocks
+from pitchpoint.multibody.rigid_inertia import tree_attitude, tree_inertia
+from pitchpoint.multibody.tree import GUIDE, MOTION
+from pitchpoint.system.residual import EXACT, FORCES, residual, run_kinds, zero_blocks
 from pitchpoint.system.workspace import MACH
 
 
@@ -37,12 +39,14 @@ def exact_rates(at, cm, cd, ck):
     kk = view(c["kk"], (c["np"], 6, 6), F8)
     A = view(c["A"], (c["na"], 6, 6), F8)
     proj = view(m["proj"], m["nproj"], PROJ)
-    joint_rates(body, fr, J, Tq, Av, Aq, view(c["v"], c["nd"], F8), view(c["a"], c["nd"], F8))
+    joint_rates(body, view(m["path"], n, PATH), fr, view(m["motions"], c["nb"], MOTION), (Tq, Av, Aq))
     zero_blocks(kk)
     attitude(body, fr, kk, ck)
+    tree_attitude(body, fr, kk, ck)
     project_tangent(proj, J, kk, J, A, T)
     zero_blocks(kk)
     inertia(body, fr, kk, EXACT, 0.0, 1.0)
+    tree_inertia(body, fr, kk, EXACT, 0.0, 1.0)
     c["ck"] = 0.0
     c["cd"] = 1.0
     c["jac"] = EXACT
@@ -57,6 +61,7 @@ def exact_rates(at, cm, cd, ck):
     project_tangent(proj, J, kk, Tq, A, T)
     zero_blocks(kk)
     inertia(body, fr, kk, EXACT, 1.0, 0.0)
+    tree_inertia(body, fr, kk, EXACT, 1.0, 0.0)
     project_tangent(proj, J, kk, Aq, A, T)
     return OK
 
@@ -71,7 +76,20 @@ def entry(at, spare, other):
     cd = c["cd"]
     ck = c["ck"]
     fr = view(c["fr"], c["nb"], FRAME)
-    axles(view(m["body"], c["nb"], BODY), fr, view(c["q"], c["nd"], F8))
+    nd = c["nd"]
+    status = residual(at, c["t"], FORCES, cm, cd, ck)
+    if status != OK:
+        return status
+    joint_motions(
+        view(m["body"], c["nb"], BODY),
+        fr,
+        view(m["motions"], c["nb"], MOTION),
+        view(m["guides"], m["nguides"], GUIDE),
+        view(m["charts"], (m["ncharts"], 3, 3), F8),
+        view(c["q"], nd, F8),
+        view(c["v"], nd, F8),
+        view(c["a"], nd, F8),
+    )
     status = residual(at, c["t"], EXACT, cm, cd, ck)
     if status != OK:
         return status

@@ -12,24 +12,25 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import address, law_address, prepare
 from pitchpoint.elements import registry
-from pitchpoint.system import linear, residual
+from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
 
-_CHANNEL = {registry.FRAME: 0, registry.COORDINATE: 1, registry.CONSTRAINT: 2}
+_CHANNEL = {registry.FRAME: 0, registry.COORDINATE: 1, registry.CONSTRAINT: 2, registry.MOTION: 3}
+_TABLE = {registry.CONSTRAINT: "cons", registry.MOTION: "guiding"}
 
 
 def link(
     records: Mapping[str, NDArray[np.void]],
     pools: Mapping[str, NDArray[np.float64]],
     laws: Mapping[str, Sequence[Any]],
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Make the two address tables (forces, constraints), rows (entry, records, count, channel).
+) -> dict[str, NDArray[np.int64]]:
+    """Make the address tables forces, cons and guiding, rows (entry, records, count, channel).
 
     Kinds come in alphabetical order, so sums are reproducible. Addresses of pools and user laws are written
     into the records on the way.
     """
-    forces: list[tuple[int, ...]] = []
-    constraints: list[tuple[int, ...]] = []
+    tables: dict[str, list[tuple[int, ...]]] = {"forces": [], "cons": [], "guiding": []}
     for name in sorted(records):
         bank = records[name]
         kind = registry.find(name)
@@ -39,11 +40,8 @@ def link(
             if law is not None:
                 bank[k]["law"] = law_address(law)
         row = (address(kind.load().entry), bank.ctypes.data, bank.size, _CHANNEL[kind.channel])
-        (constraints if kind.channel == registry.CONSTRAINT else forces).append(row)
-    return (
-        np.array(forces, np.int64).reshape(-1, 4),
-        np.array(constraints, np.int64).reshape(-1, 4),
-    )
+        tables[_TABLE.get(kind.channel, "forces")].append(row)
+    return {name: np.array(rows, np.int64).reshape(-1, 4) for name, rows in tables.items()}
 
 
 #: Parts of the core that every driver calls: fields of MACH and their kernels.
@@ -66,12 +64,18 @@ def link_exact(records: Mapping[str, NDArray[np.void]]) -> None:
             bank[field] = address(kernel)
 
 
-def link_parts() -> dict[str, int]:
-    """Addresses of the parts of the core."""
-    return {name: address(kernel) for name, kernel in _PARTS.items()}
+def link_parts(body: NDArray[np.void]) -> dict[str, int]:
+    """Addresses of the parts of the core that these bodies need."""
+    parts = dict(_PARTS)
+    if np.any(body["joint"] == GENERAL) or np.any(body["fixed_axes"]):
+        parts["tree"] = tree.entry
+    if np.any(body["chart"] >= 0):
+        parts["tumble"] = tree.tumble_entry
+    return {name: address(kernel) for name, kernel in parts.items()}
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:
-    """Name of the kind in a row of the tables, constraints counted after forces."""
-    ordered = sorted(records, key=lambda n: (registry.find(n).channel == registry.CONSTRAINT, n))
+    """Name of the kind in a row of the tables: forces, then constraints, then guides."""
+    tables = ("forces", "cons", "guiding")
+    ordered = sorted(records, key=lambda n: (tables.index(_TABLE.get(registry.find(n).channel, "forces")), n))
     return ordered[row] if 0 <= row < len(ordered) else "?"

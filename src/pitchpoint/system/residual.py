@@ -81,7 +81,7 @@ def constraints(at):
     add_multipliers(G, lam, view(c["R"], c["nd"], F8))
     frame_rows(
         view(m["rows"], (nc, 2), I8),
-        view(m["path_of"], c["nb"], I8),
+        view(m["body"], c["nb"], BODY),
         view(m["path"], m["npath"], PATH),
         view(c["fr"], c["nb"], FRAME),
         view(m["J"], (m["npath"], 6, 6), F8),
@@ -112,6 +112,10 @@ def entry(at, jac, spare):
         zero_blocks(A)
         zero_blocks(kk)
     inertia(body, fr, kk, jac, c["cm"], c["cd"])
+    if m["tree"] != 0:
+        status = call(m["tree"], at, jac, 0)
+        if status != OK:
+            return status
     c["jac"] = FORCES if jac == MASS else jac
     status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 0)
     if status != OK:
@@ -200,3 +204,5 @@ def wrap(at):
         while q[d] <= -0.5 * TWO_PI:
             q[d] += TWO_PI
             fr[spins[e, 1]]["turns"] -= 1
+    if m["tumble"] != 0:
+        call(m["tumble"], at, 0, 0)

@@ -40,6 +40,8 @@ class State:
         Multipliers of the constraint rows, shape (nc,).
     turns
         Whole turns of every body, ground first, shape (nb,); the spin is q + 2 pi turns.
+    charts
+        Attitudes from which the turns of tumbling bodies count, shape (number of them, 3, 3).
     """
 
     t: float
@@ -48,10 +50,11 @@ class State:
     a: NDArray[np.float64]
     lam: NDArray[np.float64]
     turns: NDArray[np.int64]
+    charts: NDArray[np.float64]
 
     def copy(self) -> State:
         """Independent copy."""
-        return State(self.t, self.q.copy(), self.v.copy(), self.a.copy(), self.lam.copy(), self.turns.copy())
+        return replace(self, **{name: x.copy() for name, x in vars(self).items() if name != "t"})
 
 
 @dataclass(frozen=True)
@@ -100,8 +103,9 @@ class System:
     @cached_property
     def workspace(self) -> Workspace:
         """Memory and addresses, made at first use in this process."""
-        forces, cons = link(self.records, self.pools, self.laws)
-        return Workspace(dict(self.program), dict(self.sizes), forces, cons, link_parts(), self.weight)
+        tables = link(self.records, self.pools, self.laws)
+        parts = link_parts(self.program["body"])
+        return Workspace(dict(self.program), dict(self.sizes), tables, parts, self.weight)
 
     def __getstate__(self) -> dict[str, Any]:
         state = dict(self.__dict__)
@@ -139,10 +143,12 @@ class System:
         nd, nb = self.sizes["nd"], self.sizes["nb"]
         q, turns = np.zeros(nd), np.zeros(nb, np.int64)
         for b, body in enumerate(self.bodies, start=1):
-            if self.program["body"][b]["joint"]:
+            spin = self.program["body"][b]["spin"]
+            if spin >= 0:
                 turns[b] = int(np.round(body.angle / TWO_PI))
-                q[self.program["body"][b]["spin"]] = body.angle - TWO_PI * turns[b]
-        return State(0.0, q, np.zeros(nd), np.zeros(nd), np.zeros(self.sizes["nc"]), turns)
+                q[spin] = body.angle - TWO_PI * turns[b]
+        charts = np.tile(np.eye(3), (int(self.program["body"]["chart"].max()) + 1, 1, 1))
+        return State(0.0, q, np.zeros(nd), np.zeros(nd), np.zeros(self.sizes["nc"]), turns, charts)
 
     def spin(self, body: str) -> int:
         """Index of the spin coordinate of a body by name."""
@@ -197,7 +203,8 @@ def _fill(
             for body, end in ((i, a), (j, b)):
                 values = {
                     f"dof_{end}": records[body]["dof"],
-                    f"n_{end}": records[body]["joint"],
+                    f"n_{end}": records[body]["n"],
+                    f"guide_{end}": records[body]["guide"],
                     f"o_{end}": max(parts["offset_of"][body], 0),
                     f"spin_{end}": records[body]["spin"],
                 }
@@ -281,10 +288,21 @@ def assemble(
         faults.append("names of bodies must differ")
     if faults:
         raise CompileError("; ".join(faults))
+    faults += [
+        f"{n}: hangs on body {body.parent}, which is not among the {k} before it"
+        for k, (n, body) in enumerate(zip(named, bodies, strict=True))
+        if not 0 <= body.parent <= k
+    ]
+    if faults:
+        raise CompileError("; ".join(faults))
     records = body_records(bodies)
     given = {**banks, **(constraints or {})}
     ordered = {n: _checked(registry.find(n), given[n], records.size) for n in sorted(given)}
     ordered = {n: bank for n, bank in ordered.items() if bank.size}
+    for name, bank in ordered.items():
+        if getattr(registry.find(name).load(), "BODY_FIXED", False):
+            for field in {f for pair in registry.find(name).pairs for f in pair}:
+                records["fixed_axes"][bank[field]] = 1
     program, pair_index, parts = structure(
         records, _pairs(ordered, registry.FRAME), _pairs(ordered, registry.COORDINATE)
     )
@@ -312,8 +330,12 @@ def assemble(
         rows=tuple(rows),
         **parts,
     )
-    angles = ("alpha", "beta", "spin")
-    weight = np.array([weight_radius if c.rsplit(".", 1)[1] in angles else 1.0 for c in coordinates])
+    units = {
+        f"{name}.{word}": unit
+        for body, name in zip(bodies, named, strict=True)
+        for word, unit in body.coordinates
+    }
+    weight = np.array([weight_radius if units[c] == "rad" else 1.0 for c in coordinates])
     return System(
         bodies=tuple(bodies),
         layout=layout,
@@ -329,10 +351,8 @@ def assemble(
 
 
 def _coordinate_names(bodies: Sequence[Body], named: Sequence[str], records: NDArray[np.void]) -> list[str]:
-    from pitchpoint.multibody.joints import JOINTS
-
     found: dict[int, str] = {}
     for b, (body, name) in enumerate(zip(bodies, named, strict=True), start=1):
-        for k, (coordinate, _) in enumerate(JOINTS[body.motion]):
+        for k, (coordinate, _) in enumerate(body.coordinates):
             found[int(records[b]["dof"]) + k] = f"{name}.{coordinate}"
     return [found[d] for d in sorted(found)]

@@ -13,9 +13,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.multibody.channels import CTL, FRAME
+from pitchpoint.multibody.tree import GUIDE, MOTION
 
 # slots of the clock (int64): what a driver counts and remembers between chunks
-STEPS, EVALUATIONS, FACTORISATIONS, ITERATIONS, VALID, BAD_KIND, BAD_RECORD, REDUNDANT, REJECTED = range(9)
+(
+    STEPS,
+    EVALUATIONS,
+    FACTORISATIONS,
+    ITERATIONS,
+    VALID,
+    BAD_KIND,
+    BAD_RECORD,
+    REDUNDANT,
+    REJECTED,
+    RECHARTED,
+) = range(10)
 
 #: Rows of the array of stages: 16 stages, two states, 7 coefficients of the dense output.
 STAGE_ROWS = 25
@@ -26,6 +38,9 @@ _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("Tq", "f8", ("npath", "6", "6")),  # d twist / dq
     ("Av", "f8", ("npath", "6", "6")),  # d acceleration / dv
     ("Aq", "f8", ("npath", "6", "6")),  # d acceleration / dq
+    ("motions", MOTION, ("nb",)),  # displacements of every joint and their columns
+    ("guides", GUIDE, ("nguides",)),  # displacements that are functions
+    ("charts", "f8", ("ncharts", "3", "3")),  # attitudes from which the turns of tumbling bodies count
     ("T", "f8", ("6", "6")),  # scratch block
     ("y6", "f8", ("6",)),  # scratch column
     ("order6", "i8", ("6",)),  # scratch of the block inversion
@@ -54,10 +69,12 @@ MACH = np.dtype(
         (name, "i8")
         for name in (
             *("body", "path", "path_of", "proj", "factor", "solve", "spins", "body_out", "rows"),
-            *("forces", "cons"),
+            *("forces", "cons", "guiding"),
             *(name for name, _, _ in _ARRAYS),
             *("npath", "nproj", "nfactor", "nsolve", "nspins", "nbody_out", "nforces", "ncons"),
+            *("nguiding", "nguides", "ncharts"),
             *("residual", "factor_entry", "solve_entry"),  # addresses of the parts that all drivers share
+            *("tree", "tumble"),  # and of those that only trees need, 0 without
             "constant_mass",  # 1: M does not depend on q
         )
     ],
@@ -74,8 +91,8 @@ class Workspace:
         Structure arrays made by the layout: body, path, path_of, proj, factor, solve, spins, body_out, rows.
     sizes
         nb, nd, np, na, nc, no, ne.
-    forces, cons
-        Address tables of the kinds: rows (entry, records, count, channel).
+    tables
+        Address tables of the kinds, forces, cons and guiding: rows (entry, records, count, channel).
     parts
         Addresses of the residual and of the linear algebra (`link.link_parts`).
     weight
@@ -86,13 +103,15 @@ class Workspace:
         self,
         program: dict[str, NDArray[Any]],
         sizes: dict[str, int],
-        forces: NDArray[np.int64],
-        cons: NDArray[np.int64],
+        tables: dict[str, NDArray[np.int64]],
         parts: dict[str, int],
         weight: NDArray[np.float64],
     ) -> None:
         nb, nd, nc = sizes["nb"], sizes["nd"], sizes["nc"]
-        dims = {**sizes, "npath": program["path"].size, "nd2": 2 * nd, "6": 6, "16": 16}
+        dims = {**sizes, "npath": program["path"].size, "nd2": 2 * nd, "3": 3, "6": 6, "16": 16}
+        body = program["body"]
+        dims["nguides"] = int(body["guide"].max()) + 1
+        dims["ncharts"] = int(body["chart"].max()) + 1
         dims["stages"] = STAGE_ROWS
         self.ctl = np.zeros(1, CTL)
         self.mach = np.zeros(1, MACH)
@@ -103,11 +122,12 @@ class Workspace:
         self.g, self.gt, self.gtt, self.lam = (np.zeros(nc) for _ in range(4))
         self.G, self.Gf = np.zeros((nc, nd)), np.zeros((nc, 2, 6))
         self.program = program
-        self.forces, self.cons = forces, cons
+        self.tables = tables
         self.arrays = {name: np.zeros([int(dims[d]) for d in shape], dtype) for name, dtype, shape in _ARRAYS}
         self.arrays["weight"][:] = weight
         self.arrays["relative"][:] = 1.0
         self.arrays["relative"][program["spins"][:, 0]] = 0.0
+        self.arrays["charts"][:] = np.eye(3)
         self.ready = False  # constant parts of frames and columns written yet?
         self._fill(sizes, parts)
 
@@ -117,11 +137,13 @@ class Workspace:
             ctl[name] = sizes[name]
         for name in ("fr", "q", "v", "a", "R", "kk", "A", "g", "G", "Gf", "gt", "gtt", "lam"):
             ctl[name] = getattr(self, name).ctypes.data
-        for name, array in {**program, **self.arrays, "forces": self.forces, "cons": self.cons}.items():
+        for name, array in {**program, **self.arrays, **self.tables}.items():
             mach[name] = array.ctypes.data
         for name in ("path", "proj", "factor", "solve", "spins", "body_out"):
             mach[f"n{name}"] = len(program[name])
-        mach["nforces"], mach["ncons"] = len(self.forces), len(self.cons)
+        for name, table in self.tables.items():
+            mach[f"n{name}"] = len(table)
+        mach["nguides"], mach["ncharts"] = len(self.arrays["guides"]), len(self.arrays["charts"])
         for name, where in parts.items():
             mach[name] = where
         mach["constant_mass"] = int(np.all(program["body"]["joint"] < 6))

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Inertia of bodies that need not be round: Newton and Euler about the body origin, world axes.
+
+With c the centre of mass from the origin, I the inertia about the origin (both turned with S), o the angular
+velocity and e its derivative:
+
+    F = -m (a + e x c + o x (o x c)),  M = -(I e + o x I o + m c x a)
+
+Tangents as in `inertia`: the 6 x 6 mass matrix (factor cm), the derivative by the velocity (cd) and, for
+exact linearisation, by the attitude (ck).
+"""
+
+from __future__ import annotations
+
+from pitchpoint.core.kernel import kernel
+from pitchpoint.multibody.bodies import GENERAL
+
+
+@kernel
+def _cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+@kernel
+def _add(a, b):
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+@kernel
+def _into_body(S, a):
+    """Components along the axes of the body."""
+    return (
+        S[0, 0] * a[0] + S[1, 0] * a[1] + S[2, 0] * a[2],
+        S[0, 1] * a[0] + S[1, 1] * a[1] + S[2, 1] * a[2],
+        S[0, 2] * a[0] + S[1, 2] * a[1] + S[2, 2] * a[2],
+    )
+
+
+@kernel
+def _into_world(S, a):
+    return (
+        S[0, 0] * a[0] + S[0, 1] * a[1] + S[0, 2] * a[2],
+        S[1, 0] * a[0] + S[1, 1] * a[1] + S[1, 2] * a[2],
+        S[2, 0] * a[0] + S[2, 1] * a[1] + S[2, 2] * a[2],
+    )
+
+
+@kernel
+def _times_inertia(T, a):
+    return (
+        T[0, 0] * a[0] + T[0, 1] * a[1] + T[0, 2] * a[2],
+        T[1, 0] * a[0] + T[1, 1] * a[1] + T[1, 2] * a[2],
+        T[2, 0] * a[0] + T[2, 1] * a[1] + T[2, 2] * a[2],
+    )
+
+
+@kernel
+def _turned_inertia(o, f, a):
+    """I a with the inertia turned into the world."""
+    return _into_world(f["S"], _times_inertia(o["inertia"], _into_body(f["S"], a)))
+
+
+@kernel
+def _center(o, f):
+    """Centre of mass from the origin, world axes."""
+    return _into_world(f["S"], (o["com"][0], o["com"][1], o["com"][2]))
+
+
+@kernel
+def _half(x, first):
+    return x[first], x[first + 1], x[first + 2]
+
+
+@kernel
+def _unit(c):
+    return 1.0 if c == 0 else 0.0, 1.0 if c == 1 else 0.0, 1.0 if c == 2 else 0.0
+
+
+@kernel
+def _put(k, row, col, factor, a):
+    for i in range(3):
+        k[row + i, col] += factor * a[i]
+
+
+@kernel
+def _wrench(o, f):
+    """Start the wrench of a body with its inertia forces."""
+    m = o["mass"]
+    w = _half(f["tw"], 3)
+    e = _half(f["ac"], 3)
+    a = _half(f["ac"], 0)
+    c = _center(o, f)
+    h = _turned_inertia(o, f, w)
+    s = _add(a, _add(_cross(e, c), _cross(w, _cross(w, c))))
+    t = _add(_turned_inertia(o, f, e), _cross(w, h))
+    u = _cross(c, a)
+    for i in range(3):
+        f["F"][i] = -m * s[i]
+        f["F"][3 + i] = -(t[i] + m * u[i])
+
+
+@kernel
+def _mass_and_gyration(o, f, k, cm, cd):
+    """Add cm times the mass matrix and cd times the derivative of the velocity forces by the twist."""
+    m = o["mass"]
+    w = _half(f["tw"], 3)
+    c = _center(o, f)
+    h = _turned_inertia(o, f, w)
+    for j in range(3):
+        x = _unit(j)
+        xc = _cross(x, c)
+        k[j, j] += cm * m
+        _put(k, 0, 3 + j, cm * m, xc)
+        _put(k, 3, 3 + j, cm, _turned_inertia(o, f, x))
+        _put(k, 3, j, cm * m, _cross(c, x))
+        if cd != 0.0:
+            _put(k, 0, 3 + j, cd * m, _add(_cross(x, _cross(w, c)), _cross(w, xc)))
+            _put(k, 3, 3 + j, cd, _add(_cross(x, h), _cross(w, _turned_inertia(o, f, x))))
+
+
+@kernel
+def _attitude(o, f, k, ck):
+    """Add ck times the derivative of the inertia forces by a turn of the body (fixed twist, acceleration).
+
+    A turn x changes c by x x c and I b by x x (I b) - I (x x b).
+    """
+    m = o["mass"]
+    w = _half(f["tw"], 3)
+    e = _half(f["ac"], 3)
+    a = _half(f["ac"], 0)
+    c = _center(o, f)
+    h = _turned_inertia(o, f, w)
+    g = _turned_inertia(o, f, e)
+    for j in range(3):
+        x = _unit(j)
+        neg = (-x[0], -x[1], -x[2])
+        dc = _cross(x, c)
+        dh = _add(_cross(x, h), _turned_inertia(o, f, _cross(neg, w)))
+        dg = _add(_cross(x, g), _turned_inertia(o, f, _cross(neg, e)))
+        _put(k, 0, 3 + j, ck * m, _add(_cross(e, dc), _cross(w, _cross(w, dc))))
+        _put(k, 3, 3 + j, ck, _add(dg, _cross(w, dh)))
+        _put(k, 3, 3 + j, ck * m, _cross(dc, a))
+
+
+@kernel
+def tree_inertia(body, fr, kk, jac, cm, cd):
+    """Set the wrenches of bodies that are not round to their inertia forces; with jac > 0 add tangents."""
+    for b in range(body.size):
+        o = body[b]
+        if o["joint"] == GENERAL:
+            _wrench(o, fr[b])
+            if jac != 0:
+                _mass_and_gyration(o, fr[b], kk[o["ii"]], cm, cd)
+
+
+@kernel
+def tree_attitude(body, fr, kk, ck):
+    """Add the tangents of the inertia forces by the attitude (exact linearisation)."""
+    for b in range(body.size):
+        o = body[b]
+        if o["joint"] == GENERAL:
+            _attitude(o, fr[b], kk[o["ii"]], ck)
