@@ -58,6 +58,7 @@ _KINDS: dict[str, Kind] = {
     k.name: k
     for k in (
         Kind("bearing", _HERE + "bearing", FRAME),
+        Kind("closure", _HERE + "closure", CONSTRAINT),
         Kind("coupling", _HERE + "coupling", FRAME),
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),

@@ -132,6 +132,13 @@ def constraint_rates(ctl):
 
 
 @kernel
+def tangents(ctl):
+    """Pair tangents kk[np,6,6], for constraint kinds on frames."""
+    c = ctl[0]
+    return view(c["kk"], (c["np"], 6, 6), F8)
+
+
+@kernel
 def observations(ctl):
     """The row of observations [no]; ask only when ``ctl[0]["out"] != 0``."""
     return view(ctl[0]["out"], ctl[0]["no"], F8)

@@ -16,6 +16,7 @@ from __future__ import annotations
 from pitchpoint.core.kernel import kernel
 from pitchpoint.multibody.joints import Z
 from pitchpoint.multibody.tree import body_axes, joint_motion
+from pitchpoint.multibody.vectors import add, cross, less, times, triple
 
 
 @kernel
@@ -33,36 +34,11 @@ def joint_motions(body, fr, motions, guides, charts, q, v, a):
         f = fr[b]
         joint_motion(o, fr[o["parent"]], f, motions[b], guides, charts, q, v, a)
         W = motions[b]["W"]
-        x, y, z = _cross(_axis(W, 3), _axis(W, 4))
+        x, y, z = cross(_axis(W, 3), _axis(W, 4))
         s = x * W[3, 5] + y * W[4, 5] + z * W[5, 5]
         f["axle"][0] = x / s
         f["axle"][1] = y / s
         f["axle"][2] = z / s
-
-
-@kernel
-def _cross(a, b):
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-@kernel
-def _add(a, b):
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
-@kernel
-def _less(a, b):
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-@kernel
-def _times(s, a):
-    return s * a[0], s * a[1], s * a[2]
-
-
-@kernel
-def _half(x, first):
-    return x[first], x[first + 1], x[first + 2]
 
 
 @kernel
@@ -75,13 +51,13 @@ def _axis(W, m):
 @kernel
 def _after(p, mo, m):
     """Angular velocity and its derivative of the frame after the turns up to m."""
-    o = _half(p["tw"], 3)
-    e = _half(p["ac"], 3)
+    o = triple(p["tw"], 3)
+    e = triple(p["ac"], 3)
     for k in range(3, m + 1):
         w = _axis(mo["W"], k)
-        s = _times(mo["rate"][k], w)
-        e = _add(e, _add(_times(mo["second"][k], w), _cross(o, s)))
-        o = _add(o, s)
+        s = times(mo["rate"][k], w)
+        e = add(e, add(times(mo["second"][k], w), cross(o, s)))
+        o = add(o, s)
     return o, e
 
 
@@ -99,30 +75,30 @@ def _displacement(p, k, f, mo, m, t, c, factor, rates):
     w = _axis(mo["W"], m)
     nothing = (0.0, 0.0, 0.0)
     if m < 3:
-        o = _half(p["tw"], 3)
-        s = _cross(o, w)
+        o = triple(p["tw"], 3)
+        s = cross(o, w)
         _put(Tq, t, c, factor, s, nothing)
         _put(Av, t, c, 2.0 * factor, s, nothing)
-        _put(Aq, t, c, factor, _add(_cross(_half(p["ac"], 3), w), _cross(o, s)), nothing)
+        _put(Aq, t, c, factor, add(cross(triple(p["ac"], 3), w), cross(o, s)), nothing)
         return
     o, e = _after(p, mo, m)
-    rho = _less(_half(f["r"], 0), _half(k["r"], 0))
-    o_r = _less(_half(f["tw"], 3), o)
-    e_r = _less(_less(_half(f["ac"], 3), e), _cross(o, o_r))
-    turned = _cross(w, rho)
-    swept = _cross(o, rho)
-    v_r = _less(_less(_half(f["tw"], 0), _half(k["tw"], 0)), swept)
-    a_r = _less(_less(_half(f["ac"], 0), _half(k["ac"], 0)), _cross(e, rho))
-    a_r = _less(_less(a_r, _cross(o, swept)), _times(2.0, _cross(o, v_r)))
-    dv = _cross(w, v_r)
-    do = _cross(w, o_r)
-    tilt = _cross(o, w)
-    _put(Tq, t, c, factor, _add(_cross(o, turned), dv), do)
-    by_rate = _add(_cross(tilt, rho), _add(_cross(w, swept), _cross(o, turned)))
-    _put(Av, t, c, factor, _add(by_rate, _times(2.0, dv)), _add(tilt, do))
-    by_place = _add(_cross(e, turned), _cross(o, _cross(o, turned)))
-    by_place = _add(by_place, _add(_times(2.0, _cross(o, dv)), _cross(w, a_r)))
-    _put(Aq, t, c, factor, by_place, _add(_cross(w, e_r), _cross(o, do)))
+    rho = less(triple(f["r"], 0), triple(k["r"], 0))
+    o_r = less(triple(f["tw"], 3), o)
+    e_r = less(less(triple(f["ac"], 3), e), cross(o, o_r))
+    turned = cross(w, rho)
+    swept = cross(o, rho)
+    v_r = less(less(triple(f["tw"], 0), triple(k["tw"], 0)), swept)
+    a_r = less(less(triple(f["ac"], 0), triple(k["ac"], 0)), cross(e, rho))
+    a_r = less(less(a_r, cross(o, swept)), times(2.0, cross(o, v_r)))
+    dv = cross(w, v_r)
+    do = cross(w, o_r)
+    tilt = cross(o, w)
+    _put(Tq, t, c, factor, add(cross(o, turned), dv), do)
+    by_rate = add(cross(tilt, rho), add(cross(w, swept), cross(o, turned)))
+    _put(Av, t, c, factor, add(by_rate, times(2.0, dv)), add(tilt, do))
+    by_place = add(cross(e, turned), cross(o, cross(o, turned)))
+    by_place = add(by_place, add(times(2.0, cross(o, dv)), cross(w, a_r)))
+    _put(Aq, t, c, factor, by_place, add(cross(w, e_r), cross(o, do)))
 
 
 @kernel

@@ -214,10 +214,12 @@ def _fill(
 
 
 def _pairs(banks: Mapping[str, NDArray[np.void]], channel: str) -> set[tuple[int, int]]:
+    """Pairs of bodies that the records of a channel join; of constraints only those on turning frames."""
     return {
         (int(record[a]), int(record[b]))
         for name, bank in banks.items()
         if registry.find(name).channel == channel
+        if channel != registry.CONSTRAINT or hasattr(registry.find(name).load(), "BODY_FIXED")
         for a, b in registry.find(name).pairs
         for record in bank
     }
@@ -304,7 +306,9 @@ def assemble(
             for field in {f for pair in registry.find(name).pairs for f in pair}:
                 records["fixed_axes"][bank[field]] = 1
     program, pair_index, parts = structure(
-        records, _pairs(ordered, registry.FRAME), _pairs(ordered, registry.COORDINATE)
+        records,
+        _pairs(ordered, registry.FRAME) | _pairs(ordered, registry.CONSTRAINT),
+        _pairs(ordered, registry.COORDINATE),
     )
     for name, bank in ordered.items():
         _fill(registry.find(name), bank, records, pair_index, parts)
