@@ -22,7 +22,10 @@ from tests.support.engine import (
 )
 
 #: Kinds with a contract suite of their own.
-ELSEWHERE = {"gear_mesh": "tests/invariants/test_gear_mesh.py"}
+ELSEWHERE = {
+    "closure": "tests/unit/elements/test_closure.py",
+    "gear_mesh": "tests/invariants/test_gear_mesh.py",
+}
 
 
 def _bearing(rng):
@@ -63,7 +66,7 @@ SAMPLES = {
     "damping": _damping,
     "drive": _drive,
     "force": _force,
-    "gear_constraint": lambda rng: gear_rows([(1, 2, 20, 41)]),
+    "ratio": lambda rng: gear_rows([(1, 2, 20, 41)]),
     "torque": _torque,
 }
 MADE = sorted(SAMPLES)
@@ -131,7 +134,7 @@ def test_whole_turns_change_nothing(name):
     if name in ("drive", "coupling"):  # they hold the spin against time or ground
         return
     before = evaluate.residual(system, state)
-    state.turns[1] += 41 if name == "gear_constraint" else 5
-    state.turns[2] += -20 if name == "gear_constraint" else 5
+    state.turns[1] += 41 if name == "ratio" else 5
+    state.turns[2] += -20 if name == "ratio" else 5
     np.testing.assert_array_equal(evaluate.residual(system, state), before)
     assert np.all(np.abs(system.workspace.g) < 10.0)

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.elements.ratio import is_gear_pair
 from pitchpoint.system.system import System
 
 SAME_SPEED = 1e-6
@@ -56,8 +57,10 @@ def _links(system: System) -> dict[int, list[tuple[int, float]]]:
     links: dict[int, list[tuple[int, float]]] = {b: [] for b in range(len(system.layout.bodies))}
     for kind, records in system.records.items():
         for record in records:
-            if kind in ("gear_mesh", "gear_constraint"):
+            if kind == "gear_mesh":
                 ratio = -float(record["z1"]) / float(record["z2"])
+            elif kind == "ratio" and is_gear_pair(record):
+                ratio = -float(record["c_i"]) / float(record["c_j"])
             elif kind == "coupling" or (kind == "bearing" and record["K"][5, 5] != 0.0):
                 ratio = 1.0
             else:

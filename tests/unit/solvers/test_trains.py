@@ -104,7 +104,7 @@ def test_what_closes_a_loop_at_another_ratio_cannot_turn():
 
 
 def test_rigid_gears_and_springs_make_trains_too():
-    system = chain([1.0, 1.0, 1.0], [5.0], gear_constraint=gear_rows([(2, 3, 20, -60)]))
+    system = chain([1.0, 1.0, 1.0], [5.0], ratio=gear_rows([(2, 3, 20, -60)]))
     (train,) = trains(system)
     assert train.free
     assert train.speeds == pytest.approx({1: 1.0, 2: 1.0, 3: 1 / 3})
