@@ -24,6 +24,7 @@ from tests.support.engine import (
 #: Kinds with a contract suite of their own.
 ELSEWHERE = {
     "closure": "tests/unit/elements/test_closure.py",
+    "guide": "tests/unit/elements/test_guide.py",
     "gear_mesh": "tests/invariants/test_gear_mesh.py",
 }
 

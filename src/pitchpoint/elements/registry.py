@@ -64,6 +64,7 @@ _KINDS: dict[str, Kind] = {
         Kind("drive", _HERE + "drive", CONSTRAINT),
         Kind("force", _HERE + "force", FRAME),
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
+        Kind("guide", _HERE + "guide", MOTION),
         Kind("ratio", _HERE + "ratio", CONSTRAINT, (("i", "j"), ("i", "k"))),
         Kind("torque", _HERE + "torque", FRAME),
     )
