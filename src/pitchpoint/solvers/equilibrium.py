@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
+from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
 from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
 from pitchpoint.solvers.surfaces import Surface, crossed
 from pitchpoint.solvers.trains import free_spins, same_train
@@ -94,7 +95,7 @@ def find_equilibrium(
     Parameters
     ----------
     system
-        The system; constraint rows are not taken into account (they prescribe motion, not rest).
+        The system; rows of drives are not taken into account (they prescribe motion, not rest).
     start
         Where to begin; velocities are kept as they are and may carry friction. Default: the initial state.
     held
@@ -116,6 +117,10 @@ def find_equilibrium(
     kept = free_spins(system) if held is None else tuple(held)
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
+    if is_looped(system):
+        mechanism = rest_of_mechanism(system, state, kept, tolerance)
+        reaction = mechanism.residual[list(kept)].copy()
+        return Equilibrium(_wrapped(system, mechanism.state), kept, reaction, mechanism.steps)
     found, count, failure = _pseudo_time(system, state, free, tolerance)
     if failure:
         from pitchpoint.solvers.unheld import advice, unheld  # which needs this module
