@@ -64,6 +64,7 @@ _KINDS: dict[str, Kind] = {
         Kind("force", _HERE + "force", FRAME),
         Kind("gear_constraint", _HERE + "gear_constraint", CONSTRAINT),
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
+        Kind("gravity", _HERE + "gravity", FRAME),
         Kind("torque", _HERE + "torque", FRAME),
     )
 }
