@@ -82,7 +82,9 @@ def wrenches(system, state):
     evaluate.residual(system, state)
     with_elements = system.workspace.fr["F"].copy()
     bare = assemble(system.bodies, {})
-    evaluate.residual(bare, state)
+    order = [system.layout.coordinate(name) for name in bare.layout.coordinates]  # it may be another one
+    q, v, a = (x[order] for x in (state.q, state.v, state.a))
+    evaluate.residual(bare, replace(state, q=q, v=v, a=a))
     found = with_elements - bare.workspace.fr["F"]
     found[0] = with_elements[0]
     return found

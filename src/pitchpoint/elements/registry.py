@@ -54,10 +54,13 @@ class Kind:
 
 
 _HERE = "pitchpoint.elements."
+WITH_STATE = (("i", "j"), ("i", "k"), ("j", "k"))
+"""Pairs of kinds whose state is the spin rate of a hidden body k."""
 _KINDS: dict[str, Kind] = {
     k.name: k
     for k in (
         Kind("bearing", _HERE + "bearing", FRAME),
+        Kind("bushing", _HERE + "bushing", FRAME),
         Kind("coupling", _HERE + "coupling", FRAME),
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),
@@ -65,6 +68,8 @@ _KINDS: dict[str, Kind] = {
         Kind("gear_constraint", _HERE + "gear_constraint", CONSTRAINT),
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
         Kind("gravity", _HERE + "gravity", FRAME),
+        Kind("maxwell", _HERE + "maxwell", FRAME, WITH_STATE),
+        Kind("spring_damper", _HERE + "spring_damper", FRAME),
         Kind("torque", _HERE + "torque", FRAME),
     )
 }
