@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Elastic bushing: a 6 x 6 spring and damper between two body-fixed markers, for large rotations.
 
-Marker i against marker j, in the axes of marker j: the displacement u of the origin and the rotation vector s.
-With x = (u, s) - x0 and its true rate x', the generalised force is
+Marker i against marker j, in the axes of marker j: the displacement u of the origin and the rotation vector
+s. With x = (u, s) - x0 and its true rate x', the generalised force is
 
     f = -K x - D x'
 
 u and s are components of one displacement, and the wrenches are conjugate to it: the power on both bodies is
-f . x', so energy is stored and lost as K and D say, whatever the rotations are. The rotation may go up to half
-a turn; beyond, the shorter way back counts. For springs about a spin axis over many turns there is `coupling`.
+f . x', so energy is stored and lost as K and D say, whatever the rotations are. The rotation may go up to
+half a turn; beyond, the shorter way back counts. For springs about a spin axis over many turns there is
+`coupling`.
 """
 
 from __future__ import annotations

@@ -61,6 +61,7 @@ _KINDS: dict[str, Kind] = {
     for k in (
         Kind("bearing", _HERE + "bearing", FRAME),
         Kind("bushing", _HERE + "bushing", FRAME),
+        Kind("clearance_bearing", _HERE + "clearance_bearing", FRAME),
         Kind("coupling", _HERE + "coupling", FRAME),
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),
@@ -69,6 +70,7 @@ _KINDS: dict[str, Kind] = {
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
         Kind("gravity", _HERE + "gravity", FRAME),
         Kind("maxwell", _HERE + "maxwell", FRAME, WITH_STATE),
+        Kind("rolling_bearing", _HERE + "rolling_bearing", FRAME),
         Kind("spring_damper", _HERE + "spring_damper", FRAME),
         Kind("torque", _HERE + "torque", FRAME),
     )

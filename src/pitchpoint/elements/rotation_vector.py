@@ -6,8 +6,8 @@ further small turn p of it (in the axes of the first frame) changes s by
 
     ds = B(s) p,  B p = p - s x p/2 + c s x (s x p),  c = (1 - (t/2) cot(t/2))/t^2
 
-and a moment m conjugate to s is the moment B^T m, which differs in the sign of the middle term. O. A. Bauchau,
-*Flexible Multibody Dynamics*, 2011, ch. 13 (the inverse of the tangent operator).
+and a moment m conjugate to s is the moment B^T m, which differs in the sign of the middle term. O. A.
+Bauchau, *Flexible Multibody Dynamics*, 2011, ch. 13 (the inverse of the tangent operator).
 """
 
 from __future__ import annotations

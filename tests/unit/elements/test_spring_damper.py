@@ -92,7 +92,9 @@ def test_laws_of_elongation_and_rate(form):
     near, far = (length(system, record, along(system, state, s * h)) for s in (-1.0, 1.0))
     x, rate = length(system, record, state) - 0.2, (far - near) / (2.0 * h)
     found = evaluate.observe(system, state)
-    assert found[system.layout.channel("tension[spring_damper0]")] == pytest.approx(expected(x, rate), rel=1e-8)
+    assert found[system.layout.channel("tension[spring_damper0]")] == pytest.approx(
+        expected(x, rate), rel=1e-8
+    )
     assert found[system.layout.channel("elongation[spring_damper0]")] == pytest.approx(x)
 
 
