@@ -262,8 +262,8 @@ def test_nothing_pulls_however_fast_it_opens(make):
 
 
 def test_tilting_moments_of_an_angular_contact_bearing():
-    """Small tilt of a preloaded bearing, 90 elements: M = n/2 (d_m/2)^2 sin^2(alpha) Q'(d0) times the
-    tilt.""" bodies = shaft()
+    """Small tilt of a preloaded bearing: M = n/2 (d_m/2)^2 sin^2(alpha) Q'(d0) times the tilt."""
+    bodies = shaft()
     angle, play = 0.5, 0.02
     record = rolling(bodies, 1, 0, n=90, angle=angle, gap=-play, element=0.001)
     system = assemble(bodies, {"rolling_bearing": record})
