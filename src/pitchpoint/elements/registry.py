@@ -66,6 +66,7 @@ _KINDS: dict[str, Kind] = {
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),
         Kind("force", _HERE + "force", FRAME),
+        Kind("friction_clutch", _HERE + "friction_clutch", FRAME, WITH_STATE),
         Kind("gear_constraint", _HERE + "gear_constraint", CONSTRAINT),
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
         Kind("gravity", _HERE + "gravity", FRAME),
