@@ -127,9 +127,7 @@ def force(rec, ctl, fr, kk):
         push(f, arm, load, couple, scale)
         push(g, reach, load, couple, -scale)
         if c["jac"] != 0:
-            _tangents(
-                b, f, g, kk, ctl, sense, (arm, reach, m), (load, couple), (scale, by_angle, by_speed)
-            )
+            _tangents(b, f, g, kk, ctl, sense, (arm, reach, m), (load, couple), (scale, by_angle, by_speed))
     return OK
 
 

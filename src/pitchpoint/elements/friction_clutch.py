@@ -2,12 +2,13 @@
 """Clutch between two bodies or brake on ground: dry friction about their axis, with stick and slip.
 
 The capacity C(t, angle, speed), a signal, is the torque of fast sliding; the engaging force or pressure is in
-it, zero means open. With the relative speed w about the common axis (see `turning`) and Stribeck's g(w), 1 for
-fast sliding and `ratio` at rest:
+it, zero means open. With the relative speed w about the common axis (see `turning`) and Stribeck's g(w), 1
+for fast sliding and `ratio` at rest:
 
 REGULARISED  T = -C g(w) S(w/v_eps), S the smooth sign: simple, but what should stick creeps.
 BRISTLE      T = -C (y + sigma y'), y' as in `pitchpoint.contact.bristle`: a spring until it slips, so what
-             sticks stays where it is. The deflection y has the capacity as unit, so a clutch that opens lets go.
+             sticks stays where it is. The deflection y has the capacity as unit, so a clutch that opens
+             lets go.
 
 Body k is the hidden torsional body of polar inertia 1 kg m^2 on ground whose spin rate is y (ground where the
 law is REGULARISED).
@@ -133,9 +134,7 @@ def friction_clutch(rec, ctl, fr, kk):
             over_speed = by_speed * part + capacity * part_by_speed
             torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle * part, over_speed)
             if b["sticking"] == BRISTLE:
-                _state_tangent(
-                    b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed
-                )
+                _state_tangent(b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed)
         if c["out"] != 0:
             out = observations(ctl)
             out[b["out"]] = torque

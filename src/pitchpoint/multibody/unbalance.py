@@ -28,8 +28,8 @@ def with_point_mass(body: Body, mass: float, place: ArrayLike) -> Body:
 
     Notes
     -----
-    Parallel axes: with T the inertia about the origin, T' = T + mass (p.p - p p^T); the centre of mass moves to
-    the mean of both.
+    Parallel axes: with T the inertia about the origin, T' = T + mass (p.p - p p^T); the centre of mass
+    moves to the mean of both.
 
     Examples
     --------

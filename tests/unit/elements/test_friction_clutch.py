@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Clutches and brakes: sticking without creep, slip, capacity over time, stick-slip against other solutions."""
+"""Clutches and brakes: sticking without creep, slip, capacity over time, stick-slip against other
+solutions."""
 
 from __future__ import annotations
 
@@ -73,7 +74,8 @@ STIFF = {"stiffness": 1e4, "sigma": 2e-3, "v_s": 1e-2, "onset": 0.8, "v_eps": 1e
 
 
 def test_what_sticks_stays_where_it_is():
-    """Half the capacity and a vibration below breakaway for 100 periods: no creep with bristles, a drift without."""
+    """Half the capacity and a vibration below breakaway for 100 periods: no creep with bristles, a drift
+    without."""
     load = "4*(1 - exp(-20*t)) + 2*sin(40*t)"
     moved = {}
     for sticking in (BRISTLE, REGULARISED):
@@ -106,7 +108,8 @@ def test_breakaway_and_steady_slip():
 
 
 def test_a_clutch_engages_over_time_and_synchronises():
-    """Two discs, a capacity that rises: speeds meet at the common momentum, the loss is the energy given up."""
+    """Two discs, a capacity that rises: speeds meet at the common momentum, the loss is the energy given
+    up."""
     bodies = [
         Body(polar_inertia=0.5, name="a"),
         Body(polar_inertia=1.5, name="b"),
@@ -151,8 +154,8 @@ def belt(v_belt, k, capacity, ratio, stiffness, sigma, v_s):
 def test_stick_slip_of_a_mass_on_a_belt():
     """Limit cycle against SciPy on the same friction and against the closed form of dry friction.
 
-    Closed form (static friction mu_s, dynamic mu_d, drop at once): stick over 2 (mu_s - mu_d) C/k at the speed
-    of the belt, slip over the phase pi + 2 atan(v k/(w (mu_s - mu_d) C)) of the free oscillator w.
+    Closed form (static friction mu_s, dynamic mu_d, drop at once): stick over 2 (mu_s - mu_d) C/k at the
+    speed of the belt, slip over the phase pi + 2 atan(v k/(w (mu_s - mu_d) C)) of the free oscillator w.
     """
     v, k, C, ratio, stiffness, sigma, v_s = 0.1, 100.0, 10.0, 1.5, 1e6, 6e-4, 2e-3
     system, state = belt(v, k, C, ratio, stiffness, sigma, v_s)
@@ -177,9 +180,7 @@ def test_stick_slip_of_a_mass_on_a_belt():
     # steps of 1e-5 s against a drop of friction within 4e-4 s: the moments of slip agree to microseconds
     np.testing.assert_allclose(found[:, 1], other.y[0], atol=2e-5)
     # sliding starts where the relative speed passes half of its largest value
-    begin = [
-        found[n, 0] for n in range(1, len(found)) if found[n, 2] < 0.0 <= found[n - 1, 2]
-    ]
+    begin = [found[n, 0] for n in range(1, len(found)) if found[n, 2] < 0.0 <= found[n - 1, 2]]
     w, drop = np.sqrt(k), (ratio - 1.0) * C / k
     period = 2.0 * drop / v + (np.pi + 2.0 * np.arctan2(v / w, drop)) / w
     # bristles of 1.5e-6 rad and a drop over 2e-3 rad/s instead of none: 1 %

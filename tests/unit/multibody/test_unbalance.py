@@ -50,12 +50,20 @@ def test_a_point_mass_is_a_small_body_that_is_bolted_on():
         motion=FREE, axes=axes, mass=2.0, polar_inertia=0.3, transverse_inertia=0.2, center=0.1, name="rotor"
     )
     bolt = Body(
-        motion=FIXED, parent=1, position=axes @ place, axes=axes, mass=0.4, inertia=np.zeros((3, 3)), name="bolt"
+        motion=FIXED,
+        parent=1,
+        position=axes @ place,
+        axes=axes,
+        mass=0.4,
+        inertia=np.zeros((3, 3)),
+        name="bolt",
     )
     one, two = assemble([with_point_mass(rotor, 0.4, place)], {}), assemble([rotor, bolt], {})
     state = one.initial_state()
     state.q, state.v, state.a = 0.4 * rng.normal(size=6), rng.normal(size=6), rng.normal(size=6)
-    np.testing.assert_allclose(evaluate.residual(one, state), evaluate.residual(two, _like(two, state)), rtol=1e-12)
+    np.testing.assert_allclose(
+        evaluate.residual(one, state), evaluate.residual(two, _like(two, state)), rtol=1e-12
+    )
     for a, b in zip(evaluate.linearize(one, state), evaluate.linearize(two, _like(two, state)), strict=True):
         np.testing.assert_allclose(a, b, rtol=1e-11, atol=1e-11)
 
