@@ -57,6 +57,7 @@ _HERE = "pitchpoint.elements."
 _KINDS: dict[str, Kind] = {
     k.name: k
     for k in (
+        Kind("beam", _HERE + "beam", FRAME),
         Kind("bearing", _HERE + "bearing", FRAME),
         Kind("closure", _HERE + "closure", CONSTRAINT),
         Kind("coupling", _HERE + "coupling", FRAME),
@@ -65,6 +66,7 @@ _KINDS: dict[str, Kind] = {
         Kind("force", _HERE + "force", FRAME),
         Kind("gear_constraint", _HERE + "gear_constraint", CONSTRAINT),
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
+        Kind("shaft_beam", _HERE + "shaft_beam", FRAME),
         Kind("torque", _HERE + "torque", FRAME),
     )
 }
