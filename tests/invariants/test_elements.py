@@ -7,7 +7,10 @@ import numpy as np
 import pytest
 
 from pitchpoint.elements import drive, registry
+from pitchpoint.elements.beam import beam_row
 from pitchpoint.elements.force import RECORD as FORCE
+from pitchpoint.elements.shaft_beam import shaft_row
+from pitchpoint.multibody.beam_section import Beam, rectangle, tube
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
@@ -34,6 +37,15 @@ def _bearing(rng):
     return records
 
 
+def _beam(rng):
+    beam = Beam(section=rectangle(0.02, 0.01), length=0.03, E=1e4, G=4e3, rho=2e3)
+    return beam_row(beam, bodies=(1, 2), eta=1e-2)
+
+
+def _shaft_beam(rng):
+    return shaft_row(Beam(section=tube(0.02), length=0.03, E=1e4, G=4e3, rho=2e3), bodies=(1, 2), eta=1e-2)
+
+
 def _force(rng):
     records = np.zeros(1, FORCE)
     records["i"], records["value"], records["z"] = 1, 1.0, 0.3
@@ -58,12 +70,14 @@ def _drive(rng):
 
 
 SAMPLES = {
+    "beam": _beam,
     "bearing": _bearing,
     "coupling": lambda rng: couplings([(1, 2, 50.0, 0.5, 0.0), (1, 0, 20.0, 0.2, 0.1)]),
     "damping": _damping,
     "drive": _drive,
     "force": _force,
     "gear_constraint": lambda rng: gear_rows([(1, 2, 20, 41)]),
+    "shaft_beam": _shaft_beam,
     "torque": _torque,
 }
 MADE = sorted(SAMPLES)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Timoshenko beam between two bodies (body 0 = ground), any section, fixed to the bodies: rotations of any size.
+"""Timoshenko beam between two bodies (body 0 = ground), any section, fixed to the bodies: rotations of any
+size.
 
 Nodes and section axes are fixed to the bodies and turn with them. For round shafts that spin fast between
 bodies on ground, `shaft_beam` does the same without asking how far they have spun. Formulas: `beam_forces`.

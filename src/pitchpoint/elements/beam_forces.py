@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forces of beams between turning bodies: small strains, rotations of any size.
 
-Seen from its chord, the line e from node i to node j, an end section with the normal t has the slope t - e:
-twice the sine of half its angle. With g_i, g_j the slopes and N the tension, the energy is
+With e the chord, the line from node i to node j, and t_i, t_j the normals of the end sections, bending is
+what the angle a between both normals and the sum of their slopes against the chord, s = t_i + t_j less its
+part along e, make it. With N the tension the energy is
 
-    1/2 k_u u^2 + 1/2 k_t twist^2 + k_a/2 (g_i^2 + g_j^2) + k_b g_i . g_j,
-    u = chord - length + length/60 (4 g_i^2 - 2 g_i . g_j + 4 g_j^2),
+    1/2 k_u u^2 + 1/2 k_t twist^2 + 1/2 k_d a^2 + 1/2 k_s s^2,   k_d = E I/L,   k_s = 3 E I / (1 + phi) L,
+    u = chord - length + length/24 a^2 + length/40 s^2,
 
-u being the stretch of the bowed axis, so that tension stiffens bending also inside one element. Nothing in it
-asks how far a round section has spun; the twist is the difference of the counted spins and of the
-frames that do not spin, along the shortest turn from t_i to t_j. Sections that are stiffer in one direction add the same
-energy of the slopes towards their first axis. Damping acts on the rates seen from a frame that goes with the
-chord and spins with the shaft, so a shaft that spins faster than it whirls is driven by it.
+u being the stretch of the bowed axis, so that tension stiffens bending also inside one element; a circle is
+exact. Nothing in it asks how far a round section has spun; the twist is the difference of the counted spins
+and of the frames that do not spin, along the shortest turn from t_i to t_j. Sections that are stiffer in one
+direction add the energy of the slopes p . e of their first axes p. Damping acts on the rates seen from axes
+that go with the chord and spin with the shaft, so a shaft that spins faster than it whirls is driven by it.
 
 Inertia is that of points x = sum N_k w_k, which are sums with constant factors of the five vectors w: both
 nodes, e, t_i and t_j. A variation of the energy is sum f_k . dw_k, and e goes with the nodes: the wrenches on
@@ -97,67 +98,104 @@ def _chord(b):
 
 
 @kernel
-def _bow(b, x, k):
-    """Elongation by bowing per slope k, a third of a fourth of both slopes of x."""
-    return times(b["length"] / 30.0, less(times(4.0, _row(x, k)), _row(x, 1 - k)))
+def _arc(w):
+    """Angle over its sine and the derivative of that by the cosine w."""
+    y = 1.0 - w
+    if y > 0.05:
+        s = 1.0 - w * w
+        g = math.acos(w) / math.sqrt(s)
+        return g, (w * g - 1.0) / s
+    g = 1.0
+    g1 = 0.0
+    a = 1.0
+    power = 1.0
+    for n in range(1, 11):  # a_n = a_(n-1) n/(2 n + 1); the rest is below 1e-16
+        a *= n / (2.0 * n + 1.0)
+        g1 -= n * a * power
+        power *= y
+        g += a * power
+    return g, g1
 
 
 @kernel
-def _slopes(b, x, k):
-    """Bending moments k of two slopes."""
-    return add(times(b["k_a"], _row(x, k)), times(b["k_b"], _row(x, 1 - k)))
+def _bend(b):
+    """Difference of the normals and sum of the slopes, their rates, and rates in axes that turn with the
+    chord."""
+    e = _row(b["w"], E)
+    e1 = _row(b["w1"], E)
+    ti = _row(b["w"], TI)
+    tj = _row(b["w"], TJ)
+    ti1 = _row(b["w1"], TI)
+    tj1 = _row(b["w1"], TJ)
+    both = add(ti, tj)
+    both1 = add(ti1, tj1)
+    b["cos"] = dot(both, e)
+    b["cos1"] = dot(both1, e) + dot(both, e1)
+    D = less(tj, ti)
+    D1 = less(tj1, ti1)
+    S = less(both, times(b["cos"], e))
+    S1 = less(both1, add(times(b["cos1"], e), times(b["cos"], e1)))
+    b["s"] = 0.5 * dot(e, add(_row(b["omega"], 0), _row(b["omega"], 1)))
+    frame = add(cross(e, e1), times(b["s"], e))
+    _set(b["D"], 0, D)
+    _set(b["D"], 1, D1)
+    _set(b["D"], 2, less(D1, cross(frame, D)))
+    _set(b["S"], 0, S)
+    _set(b["S"], 1, S1)
+    _set(b["S"], 2, less(S1, cross(frame, S)))
+    b["arc"], b["arc1"] = _arc(dot(ti, tj))
 
 
 @kernel
 def _strain(b):
-    """Slopes, tension and the forces of the slopes."""
+    """Tension and the forces of bending."""
+    _bend(b)
+    D = _row(b["D"], 0)
+    S = _row(b["S"], 0)
+    length = b["length"]
+    eta = b["eta"]
+    # a^2 to the accuracy of its sine's square; `arc` is a over sine a
+    w = dot(_row(b["w"], TI), _row(b["w"], TJ))
+    square = b["arc"] * b["arc"] * (1.0 - w * w)
+    u = b["ell"] - length + length * (square / 24.0 + dot(S, S) / 40.0)
+    u1 = b["ell1"] + length * (b["arc"] * dot(D, _row(b["D"], 1)) / 12.0 + dot(S, _row(b["S"], 1)) / 20.0)
+    N = b["k_u"] * (u + eta * u1)
+    b["axial"] = N
+    fd = times((b["k_d"] + N * length / 12.0) * b["arc"], D)
+    fs = times(b["k_s"] + N * length / 20.0, S)
+    fd = add(fd, times(eta * b["k_d"], _row(b["D"], 2)))
+    fs = add(fs, times(eta * b["k_s"], _row(b["S"], 2)))
+    c = add(cross(D, fd), cross(S, fs))
+    for r in range(3):
+        b["f_d"][r] = fd[r]
+        b["f_s"][r] = fs[r]
+        b["c"][r] = c[r]
     e = _row(b["w"], E)
     e1 = _row(b["w1"], E)
-    b["s"] = 0.5 * dot(e, add(_row(b["omega"], 0), _row(b["omega"], 1)))
-    frame = add(cross(e, e1), times(b["s"], e))
     for k in range(2):
-        g = less(_row(b["w"], TI + k), e)
-        g1 = less(_row(b["w1"], TI + k), e1)
-        _set(b["g"], k, g)
-        _set(b["g1"], k, g1)
-        _set(b["rho"], k, less(g1, cross(frame, g)))
-    u = b["ell"] - b["length"]
-    u1 = b["ell1"]
-    for k in range(2):
-        q = _bow(b, b["g"], k)
-        _set(b["q"], k, q)
-        u += 0.5 * dot(q, _row(b["g"], k))
-        u1 += dot(q, _row(b["g1"], k))
-    eta = b["eta"]
-    b["axial"] = b["k_u"] * (u + eta * u1)
-    c = (0.0, 0.0, 0.0)
-    for k in range(2):
-        f = add(_slopes(b, b["g"], k), times(eta, _slopes(b, b["rho"], k)))
-        f = add(f, times(b["axial"], _row(b["q"], k)))
-        _set(b["f"], k, f)
-        c = add(c, cross(_row(b["g"], k), f))
         own = dot(_row(b["w"], PI + k), e)
         other = dot(_row(b["w"], PJ - k), e)
         own += eta * (dot(_row(b["w1"], PI + k), e) + dot(_row(b["w"], PI + k), e1))
         other += eta * (dot(_row(b["w1"], PJ - k), e) + dot(_row(b["w"], PJ - k), e1))
         b["h"][k] = b["c_a"] * own + b["c_b"] * other
-    for r in range(3):
-        b["c"][r] = c[r]
 
 
 @kernel
 def _elastic(b):
-    """Force of the chord and moments of both ends; the force V at the nodes is left to `_gather`."""
+    """Force of the chord and moments of both ends; the force V at the nodes is left to `_cut`."""
     e = _row(b["w"], E)
     c = triple(b["c"], 0)
-    G = times(-1.0, cross(c, e))
+    fd = triple(b["f_d"], 0)
+    fs = triple(b["f_s"], 0)
+    G = times(-1.0, add(times(b["cos"], fs), cross(c, e)))
     for k in range(2):
         first = _row(b["w"], PI + k)
         h = b["h"][k]
-        G = add(G, less(times(h, first), _row(b["f"], k)))
-        mu = add(cross(_row(b["w"], TI + k), _row(b["f"], k)), cross(first, times(h, e)))
-        mu = less(mu, times(0.5 * dot(c, e), e))
         sign = 1.0 if k == 1 else -1.0
+        G = add(G, times(h, first))
+        mu = cross(_row(b["w"], TI + k), add(fs, times(sign, fd)))
+        mu = add(mu, cross(first, times(h, e)))
+        mu = less(mu, times(0.5 * dot(c, e), e))
         _set(b["mu"], k, add(mu, times(sign * b["torque"], triple(b["m"], 0))))
     for r in range(3):
         b["G"][r] = G[r]
@@ -165,7 +203,8 @@ def _elastic(b):
 
 @kernel
 def _twisted(b, angle):
-    """Torque of the twist, and the vector m whose product with a turn of an end is the change of the twist."""
+    """Torque of the twist, and the vector m whose product with a turn of an end is the change of the
+    twist."""
     ti = _row(b["w"], TI)
     tj = _row(b["w"], TJ)
     m = times(1.0 / (1.0 + dot(ti, tj)), add(ti, tj))
@@ -245,7 +284,8 @@ def loads(b, f, g, angle):
 
 @kernel
 def internal(b, out, first, axes_i, axes_j):
-    """Forces in the sections at both ends, without the inertia of the beam itself, in the axes of the ends."""
+    """Forces in the sections at both ends, without the inertia of the beam itself, in the axes of the
+    ends."""
     _elastic(b)
     _cut(b)
     V = triple(b["V"], 0)

@@ -18,14 +18,14 @@ RECORD = np.dtype(
         ("length", "f8"),  # length without force [m]
         ("k_u", "f8"),  # axial stiffness [N/m]
         ("k_t", "f8"),  # torsional stiffness [N m/rad]
-        ("k_a", "f8"),  # bending moment of an end by its own slope against the chord [N m/rad]
-        ("k_b", "f8"),  # and by the slope of the other end
-        ("c_a", "f8"),  # the same, of bending towards axis 1 less that towards axis 2 [N m/rad]
-        ("c_b", "f8"),
+        ("k_d", "f8"),  # bending moment per angle between the ends [N m/rad]
+        ("k_s", "f8"),  # moment of either end per sum of both slopes against the chord [N m/rad]
+        ("c_a", "f8"),  # moment by the own slope towards axis 1, as far as that is stiffer [N m/rad]
+        ("c_b", "f8"),  # and by the slope of the other end
         ("eta", "f8"),  # damping per stiffness [s]
         ("twist", "f8"),  # angle of end j against end i without torque [rad]
         ("mass", "f8"),  # [kg]; 0: the beam has no inertia
-        ("M", "f8", (5, 5)),  # mass of the vectors XI..TJ: 1/2 sum M_kl w_k' . w_l' is its energy [kg, kg m, ...]
+        ("M", "f8", (5, 5)),  # mass of XI..TJ, energy 1/2 sum M_kl w_k' . w_l' [kg, kg m, kg m^2]
         ("gyro", "f8", (3, 3)),  # polar inertia shared by E, TI, TJ [kg m^2]
         ("polar", "f8", (2, 2)),  # polar inertia shared by both spins [kg m^2]
         ("gravity", "f8", 3),  # [m/s^2], world axes
@@ -33,7 +33,6 @@ RECORD = np.dtype(
         ("p_j", "f8", 3),
         ("B_i", "f8", (3, 3)),  # section axes 1, 2 and beam axis in the frame of body i, columns
         ("B_j", "f8", (3, 3)),
-        ("out", "i8"),
     ]
     # scratch: filled and read within one call
     + [
@@ -52,11 +51,18 @@ RECORD = np.dtype(
         ("d_theta", "f8", (2, 3)),
         ("d_omega", "f8", (2, 3)),
         ("d_alpha", "f8", (2, 3)),
-        ("g", "f8", (2, 3)),  # slopes against the chord, rates, rates seen from the turning chord
-        ("g1", "f8", (2, 3)),
-        ("rho", "f8", (2, 3)),
-        ("f", "f8", (2, 3)),  # their forces [N m]
-        ("q", "f8", (2, 3)),  # elongation by bowing per slope [m]
+        (
+            "D",
+            "f8",
+            (3, 3),
+        ),  # difference of the ends' normals; its rate; the rate in axes that turn with the chord
+        ("S", "f8", (3, 3)),  # sum of the ends' slopes against the chord, likewise
+        ("f_d", "f8", 3),  # their forces [N m]
+        ("f_s", "f8", 3),
+        ("arc", "f8"),  # angle between the ends over its sine, and the derivative by its cosine
+        ("arc1", "f8"),
+        ("cos", "f8"),  # sum of the cosines of both slopes and its rate
+        ("cos1", "f8"),
         ("h", "f8", 2),  # forces of the slopes towards axis 1, as far as that is stiffer [N m]
         ("m", "f8", 3),  # twist per turn of the second end
         ("c", "f8", 3),  # moment of dampers about the chord
@@ -69,6 +75,7 @@ RECORD = np.dtype(
         ("ell", "f8"),  # length of the chord and its rate
         ("ell1", "f8"),
         ("s", "f8"),  # mean spin about the chord [rad/s]
+        ("out", "i8"),
     ],
     align=True,
 )
@@ -82,7 +89,8 @@ _PLACES = (
     ("mz", "N m", "torque"),
 )
 
-#: Forces in the section at both ends: what the part beyond the section puts on the part before it. In the axes of
+# : Forces in the section at both ends: what the part beyond the section puts on the part before it. In the
+# axes of
 #: the end, which do not spin with a shaft.
 OUTPUTS = tuple(
     (f"beam_force[{{}}.{end}.{word}]", unit, f"{text}, {which} end")
@@ -128,10 +136,11 @@ def beam_row(
     r["B_i"], r["B_j"] = axes if axes is not None else (np.eye(3), np.eye(3))
     r["length"], r["eta"], r["twist"], r["gravity"] = h, eta, twist, gravity
     r["k_u"], r["k_t"] = beam.E * s.A / h, beam.G * s.J / h
-    r["k_a"], r["k_b"] = _bending(beam, 2)
+    own, other = _bending(beam, 2)
+    r["k_d"], r["k_s"] = 0.5 * (own - other), 0.5 * (own + other)
     if not s.round:
         one = _bending(beam, 1)
-        r["c_a"], r["c_b"] = one[0] - r["k_a"], one[1] - r["k_b"]
+        r["c_a"], r["c_b"] = one[0] - own, one[1] - other
     r["mass"] = beam.mass
     if beam.mass > 0.0:
         r["M"], r["gyro"], r["polar"] = _inertia(beam)
@@ -149,8 +158,8 @@ def _bending(beam: Beam, plane: int) -> tuple[float, float]:
 def _inertia(beam: Beam) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Consistent mass of the vectors of a beam, exact by Gauss's rule of four stations.
 
-    A point of the axis is x = sum N_k w_k and the normal of its section n = sum nu_k w_k, with the static shape
-    functions of a shear-flexible beam; rotary inertia is that of the mean of both planes.
+    A point of the axis is x = sum N_k w_k and the normal of its section n = sum nu_k w_k, with the static
+    shape functions of a shear-flexible beam; rotary inertia is that of the mean of both planes.
     """
     s, h = beam.section, beam.length
     p = 0.5 * (beam.phi(1) + beam.phi(2))

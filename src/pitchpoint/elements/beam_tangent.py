@@ -8,7 +8,7 @@ changes are linear, so one pass gives the column of ck K + cd D + cm M.
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.beam_forces import E, PI, PJ, TI, XI, XJ, _row, _set
+from pitchpoint.elements.beam_forces import PI, PJ, TI, TJ, XI, XJ, E, _row, _set
 from pitchpoint.multibody.vectors import add, cross, dot, less, times, triple, unit
 
 
@@ -105,19 +105,6 @@ def _spin(b):
 
 
 @kernel
-def _seen(b, k, ds):
-    """Change of the rate of slope k as seen from the turning chord."""
-    e = _row(b["w"], E)
-    e1 = _row(b["w1"], E)
-    de = _row(b["dw"], E)
-    frame = add(cross(e, e1), times(b["s"], e))
-    d_frame = add(add(cross(de, e1), cross(e, _row(b["dw1"], E))), add(times(ds, e), times(b["s"], de)))
-    dg = less(_row(b["dw"], TI + k), de)
-    dg1 = less(_row(b["dw1"], TI + k), _row(b["dw1"], E))
-    return less(dg1, add(cross(d_frame, _row(b["g"], k)), cross(frame, dg)))
-
-
-@kernel
 def _inertial(b, ds):
     """Changes of the inertia forces of the five vectors."""
     e = _row(b["w"], E)
@@ -181,31 +168,56 @@ def _twist(b):
 
 
 @kernel
-def _slope_forces(b, d_ell, d_ell1, ds):
-    """Changes of the tension, of the slopes' forces, and of the moment c of the dampers."""
+def _bend(b, ds):
+    """Changes of the difference of the normals and of the sum of the slopes, of their rates, and of the
+    rates in axes that turn with the chord; last that of the sum of cosines."""
+    e = _row(b["w"], E)
+    e1 = _row(b["w1"], E)
     de = _row(b["dw"], E)
     de1 = _row(b["dw1"], E)
-    g0 = less(_row(b["dw"], TI), de)
-    g1 = less(_row(b["dw"], TI + 1), de)
-    r0 = less(_row(b["dw1"], TI), de1)
-    r1 = less(_row(b["dw1"], TI + 1), de1)
-    bow = b["length"] / 30.0
-    q0 = times(bow, less(times(4.0, g0), g1))
-    q1 = times(bow, less(times(4.0, g1), g0))
-    qi = _row(b["q"], 0)
-    qj = _row(b["q"], 1)
-    u = d_ell + dot(qi, g0) + dot(qj, g1)
-    rate = d_ell1 + dot(q0, _row(b["g1"], 0)) + dot(q1, _row(b["g1"], 1)) + dot(qi, r0) + dot(qj, r1)
-    dN = b["k_u"] * (u + b["eta"] * rate)
-    s0 = add(g0, times(b["eta"], _seen(b, 0, ds)))
-    s1 = add(g1, times(b["eta"], _seen(b, 1, ds)))
-    f0 = add(times(b["k_a"], s0), times(b["k_b"], s1))
-    f1 = add(times(b["k_a"], s1), times(b["k_b"], s0))
-    f0 = add(f0, add(times(dN, qi), times(b["axial"], q0)))
-    f1 = add(f1, add(times(dN, qj), times(b["axial"], q1)))
-    c = add(cross(g0, _row(b["f"], 0)), cross(_row(b["g"], 0), f0))
-    c = add(c, add(cross(g1, _row(b["f"], 1)), cross(_row(b["g"], 1), f1)))
-    return dN, f0, f1, c
+    both = add(_row(b["w"], TI), _row(b["w"], TJ))
+    both1 = add(_row(b["w1"], TI), _row(b["w1"], TJ))
+    x = add(_row(b["dw"], TI), _row(b["dw"], TJ))
+    x1 = add(_row(b["dw1"], TI), _row(b["dw1"], TJ))
+    dcos = dot(x, e) + dot(both, de)
+    dcos1 = dot(x1, e) + dot(both1, de) + dot(x, e1) + dot(both, de1)
+    D = less(_row(b["dw"], TJ), _row(b["dw"], TI))
+    D1 = less(_row(b["dw1"], TJ), _row(b["dw1"], TI))
+    S = less(x, add(times(dcos, e), times(b["cos"], de)))
+    S1 = less(x1, add(times(dcos1, e), times(b["cos1"], de)))
+    S1 = less(S1, add(times(dcos, e1), times(b["cos"], de1)))
+    frame = add(cross(e, e1), times(b["s"], e))
+    turn = add(add(cross(de, e1), cross(e, de1)), add(times(ds, e), times(b["s"], de)))
+    D2 = less(D1, add(cross(turn, _row(b["D"], 0)), cross(frame, D)))
+    S2 = less(S1, add(cross(turn, _row(b["S"], 0)), cross(frame, S)))
+    return D, D1, D2, S, S1, S2, dcos
+
+
+@kernel
+def _bend_forces(b, d_ell, d_ell1, ds):
+    """Changes of the tension, of the forces of bending, of the moment c of the dampers, and of the
+    cosines."""
+    D, D1, D2, S, S1, S2, dcos = _bend(b, ds)
+    x = _row(b["D"], 0)
+    y = _row(b["S"], 0)
+    length = b["length"]
+    eta = b["eta"]
+    arc = b["arc"]
+    dw = dot(_row(b["dw"], TI), _row(b["w"], TJ)) + dot(_row(b["w"], TI), _row(b["dw"], TJ))
+    darc = b["arc1"] * dw
+    u = d_ell + length * (dot(y, S) / 20.0 - arc * dw / 12.0)
+    x1 = _row(b["D"], 1)
+    rate = arc * (dot(D, x1) + dot(x, D1)) + darc * dot(x, x1)
+    rate = d_ell1 + length * (rate / 12.0 + (dot(S, _row(b["S"], 1)) + dot(y, S1)) / 20.0)
+    dN = b["k_u"] * (u + eta * rate)
+    stiff = b["k_d"] + b["axial"] * length / 12.0
+    fd = add(times(stiff * darc + dN * length / 12.0 * arc, x), times(stiff * arc, D))
+    fd = add(fd, times(eta * b["k_d"], D2))
+    fs = add(times(dN * length / 20.0, y), times(b["k_s"] + b["axial"] * length / 20.0, S))
+    fs = add(fs, times(eta * b["k_s"], S2))
+    c = add(cross(D, triple(b["f_d"], 0)), cross(x, fd))
+    c = add(c, add(cross(S, triple(b["f_s"], 0)), cross(y, fs)))
+    return dN, fd, fs, c, dcos
 
 
 @kernel
@@ -218,14 +230,14 @@ def _end(b, k, df, dh, along, along_c, torque, dm):
     p = _row(b["w"], PI + k)
     dp = _row(b["dw"], PI + k)
     h = b["h"][k]
-    f = _row(b["f"], k)
+    sign = 1.0 if k == 1 else -1.0
+    f = add(triple(b["f_s"], 0), times(sign, triple(b["f_d"], 0)))
     if b["mass"] > 0.0:
         f = add(f, _row(b["inert"], TI + k))
         df = add(df, _row(b["d_inert"], TI + k))
     mu = add(cross(dt, f), cross(t, df))
     mu = add(mu, add(cross(dp, times(h, e)), cross(p, add(times(dh, e), times(h, de)))))
     mu = less(mu, add(times(0.5 * along_c, e), times(0.5 * along, de)))
-    sign = 1.0 if k == 1 else -1.0
     mu = add(mu, times(sign, add(times(torque, triple(b["m"], 0)), times(b["torque"], dm))))
     if b["mass"] > 0.0:
         mu = add(mu, _polar(b, k))
@@ -248,7 +260,7 @@ def _motion(b, side, c, cm, cd, ck, to_i, to_j):
     _move(b, side, c, cm, cd, ck)
     d_ell, d_ell1 = _chord(b)
     ds = _spin(b)
-    dN, f0, f1, dc = _slope_forces(b, d_ell, d_ell1, ds)
+    dN, fd, fs, dc, dcos = _bend_forces(b, d_ell, d_ell1, ds)
     e = _row(b["w"], E)
     de = _row(b["dw"], E)
     cv = triple(b["c"], 0)
@@ -256,7 +268,8 @@ def _motion(b, side, c, cm, cd, ck, to_i, to_j):
     y1 = _first_axis(b, 1)
     h0 = b["c_a"] * y0 + b["c_b"] * y1
     h1 = b["c_a"] * y1 + b["c_b"] * y0
-    dG = times(-1.0, add(add(f0, f1), add(cross(dc, e), cross(cv, de))))
+    dG = add(times(b["cos"], fs), times(dcos, triple(b["f_s"], 0)))
+    dG = times(-1.0, add(dG, add(cross(dc, e), cross(cv, de))))
     dG = add(dG, add(times(h0, _row(b["w"], PI)), times(b["h"][0], _row(b["dw"], PI))))
     dG = add(dG, add(times(h1, _row(b["w"], PJ)), times(b["h"][1], _row(b["dw"], PJ))))
     if b["mass"] > 0.0:
@@ -270,8 +283,8 @@ def _motion(b, side, c, cm, cd, ck, to_i, to_j):
     torque, dm = _twist(b)
     along = dot(cv, e)
     along_c = dot(dc, e) + dot(cv, de)
-    mu_i = _end(b, 0, f0, h0, along, along_c, torque, dm)
-    mu_j = _end(b, 1, f1, h1, along, along_c, torque, dm)
+    mu_i = _end(b, 0, less(fs, fd), h0, along, along_c, torque, dm)
+    mu_j = _end(b, 1, add(fs, fd), h1, along, along_c, torque, dm)
     Fi = V
     Fj = times(-1.0, V)
     if b["mass"] > 0.0:

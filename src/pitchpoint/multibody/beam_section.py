@@ -5,9 +5,9 @@ The axis of the beam is its third axis, as the spin axis of a body. Order of the
 translations and three rotations of the first end, then those of the second. Shape functions are the exact
 static ones of a shear-flexible beam, with phi = 12 E I / (kappa A G L^2) in each plane.
 
-Sources: Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010), section 5.4 and 5.5; Przemieniecki,
-Theory of Matrix Structural Analysis (1968), chapters 5, 11 and 15; shear factors: Cowper, J. Appl. Mech. 33
-(1966) 335-340.
+Sources: Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010), section 5.4 and 5.5;
+Przemieniecki, Theory of Matrix Structural Analysis (1968), chapters 5, 11 and 15; shear factors: Cowper, J.
+Appl. Mech. 33 (1966) 335-340.
 """
 
 from __future__ import annotations
@@ -87,8 +87,8 @@ def rectangle(width: float, height: float, nu: float = 0.3) -> Section:
     nu
         Poisson's ratio [-], for the shear factor 10 (1 + nu) / (12 + 11 nu) (Cowper 1966).
 
-    The torsion constant is Saint-Venant's series, a b^3 (1/3 - 64/pi^5 (b/a) sum tanh(n pi a / 2 b) / n^5) over
-    odd n, with a >= b.
+    The torsion constant is Saint-Venant's series, a b^3 (1/3 - 64/pi^5 (b/a) sum tanh(n pi a / 2 b) / n^5)
+    over odd n, with a >= b.
 
     Examples
     --------
