@@ -159,9 +159,9 @@ def beam_line(beams: Sequence[Beam]) -> Structure:
         columns.append(np.tile(at, 12))
         stiff.append(beam.stiffness().ravel())
         heavy.append(beam.consistent_mass().ravel())
-    at = np.concatenate(rows), np.concatenate(columns)
-    K = coo_array((np.concatenate(stiff), at), (n, n))
-    M = coo_array((np.concatenate(heavy), at), (n, n))
+    entries = np.concatenate(rows), np.concatenate(columns)
+    K = coo_array((np.concatenate(stiff), entries), (n, n))
+    M = coo_array((np.concatenate(heavy), entries), (n, n))
     places = np.zeros((ends.size, 3))
     places[:, 2] = ends
     return make_structure(K, M, places)
