@@ -277,7 +277,7 @@ def structure_from_dmig(
         what = "is a scalar point: it has no place"
         raise ModelError([Problem(f"point {scalar[0]}", what, remedy="reduce to grid points alone")])
     nodes = sorted({g for g, _ in order})
-    known = {**file.grids, **{g: tuple(p) for g, p in (places or {}).items()}}
+    known: dict[int, Any] = {**file.grids, **{g: tuple(p) for g, p in (places or {}).items()}}
     missing = [g for g in nodes if g not in known]
     if missing:
         remedy = "add GRID entries to the file or give `places`"
