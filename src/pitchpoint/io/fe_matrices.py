@@ -277,7 +277,7 @@ def structure_from_dmig(
         what = "is a scalar point: it has no place"
         raise ModelError([Problem(f"point {scalar[0]}", what, remedy="reduce to grid points alone")])
     nodes = sorted({g for g, _ in order})
-    known: dict[int, Any] = {**file.grids, **{g: tuple(p) for g, p in (places or {}).items()}}
+    known: dict[int, Any] = {**file.grids, **(places or {})}
     missing = [g for g in nodes if g not in known]
     if missing:
         remedy = "add GRID entries to the file or give `places`"
@@ -366,7 +366,8 @@ def read_npz(path: str | os.PathLike[str]) -> Structure:
         elif all(p in data for p in parts):
             n = data[parts[2]].size - 1
             try:
-                matrix = csc_array(tuple(data[p] for p in parts), shape=(n, n))
+                arrays_of: Any = tuple(data[p] for p in parts)
+                matrix = csc_array(arrays_of, shape=(n, n))
                 matrix.check_format()
             except (ValueError, TypeError) as error:
                 raise _refuse(file, f"{name}: parts do not fit ({error})") from None

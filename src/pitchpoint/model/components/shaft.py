@@ -44,8 +44,8 @@ class Shaft:
     )
     internal_damping: float = quantity(
         "time",
-        "damping per stiffness, in axes that spin with the shaft: the ratio of a mode is half of it times its "
-        "angular frequency",
+        "damping per stiffness, in axes that spin with the shaft: the ratio of a mode is half of it times "
+        "its angular frequency",
         0.0,
         minimum=0.0,
     )

@@ -130,7 +130,12 @@ def shaft_parts(
     start = np.asarray(origin, float)
     bodies = [
         _station(
-            f"{name}.{k + 1}", start + [0.0, 0.0, place], sat.get(k, []), BARE * mass, BARE * polar, angle
+            f"{name}.{k + 1}",
+            np.add(start, (0.0, 0.0, place)),
+            sat.get(k, []),
+            BARE * mass,
+            BARE * polar,
+            angle,
         )
         for k, place in enumerate(places)
     ]
