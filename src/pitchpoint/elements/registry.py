@@ -59,11 +59,16 @@ _KINDS: dict[str, Kind] = {
     for k in (
         Kind("bearing", _HERE + "bearing", FRAME),
         Kind("coupling", _HERE + "coupling", FRAME),
+        Kind("curve_curve", _HERE + "curve_curve", FRAME),
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),
         Kind("force", _HERE + "force", FRAME),
         Kind("gear_constraint", _HERE + "gear_constraint", CONSTRAINT),
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
+        Kind("point_curve", _HERE + "point_curve", FRAME),
+        Kind("point_on_curve", _HERE + "point_on_curve", CONSTRAINT),
+        Kind("point_surface", _HERE + "point_surface", FRAME),
+        Kind("surface_surface", _HERE + "surface_surface", FRAME),
         Kind("torque", _HERE + "torque", FRAME),
     )
 }
