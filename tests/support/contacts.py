@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import numpy as np
 
 from pitchpoint.contact.impact import set_friction, set_impact
+from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.elements.contact_record import new_records
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
@@ -95,3 +98,42 @@ def unmoved(system, state):
     bank["k"], bank["c"], bank["depth"] = stiffness, damping, depth
     evaluate.residual(system, state)
     return whole - without
+
+
+def ball(radius, times):
+    """Sphere of triangles: an icosahedron whose faces are cut into four several times."""
+    g = 0.5 * (1.0 + np.sqrt(5.0))
+    points = [(0, s, t * g) for s in (-1, 1) for t in (-1, 1)]
+    points = np.array([np.roll(p, k) for k in range(3) for p in points], float)
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    faces = [
+        f
+        for f in combinations(range(12), 3)
+        if max(np.linalg.norm(points[f[a]] - points[f[b]]) for a, b in ((0, 1), (1, 2), (2, 0))) < 1.1
+    ]
+    triangles = points[np.array(faces)]
+    for _ in range(times):
+        a, b, c = (triangles[:, k] for k in range(3))
+        ab, bc, ca = (0.5 * (x + y) for x, y in ((a, b), (b, c), (c, a)))
+        triangles = np.concatenate(
+            [np.stack(t, axis=1) for t in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))]
+        )
+        triangles /= np.linalg.norm(triangles, axis=2)[:, :, None]
+    out = np.einsum("ij,ij->i", np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), triangles[:, 0])
+    triangles[out < 0.0] = triangles[out < 0.0][:, ::-1]
+    return TriangleSurface.from_triangles(radius * triangles)
+
+
+def box(sides, cuts=4):
+    """Box of triangles about the origin, every side cut into squares and these into two triangles."""
+    found = []
+    x = np.linspace(-0.5, 0.5, cuts + 1)
+    for axis in range(3):
+        for side in (-0.5, 0.5):
+            for a in range(cuts):
+                for b in range(cuts):
+                    corners = [(x[a], x[b]), (x[a + 1], x[b]), (x[a + 1], x[b + 1]), (x[a], x[b + 1])]
+                    p = np.array([np.roll((side, u, w), axis) for u, w in corners]) * np.asarray(sides)
+                    p = p if side > 0.0 else p[::-1]
+                    found += [p[[0, 1, 2]], p[[0, 2, 3]]]
+    return TriangleSurface.from_triangles(np.array(found))

@@ -3,8 +3,9 @@
 
 Body i touches body j. Each carries a marker, a frame fixed to the body (`S`), in which its shape is given. The
 unit normal n points out of body j. A contact has a place Q on body i, or in the middle of its rounding, at the
-signed distance phi from body j; with the radius r of the rounding the gap is h = phi - r. Forces act halfway
-between the two surfaces, at P = Q - (r + h/2) n, so bodies may change places and nothing else changes.
+signed distance phi from body j; with the radius r of the rounding the gap is h = phi - r. (A node of body j
+against triangles of body i has Q on j.) Forces act halfway between the two surfaces, at P = Q - (r + h/2) n,
+so bodies may change places and nothing else changes.
 """
 
 from __future__ import annotations
@@ -15,7 +16,13 @@ from numpy.typing import ArrayLike
 from pitchpoint.contact.curve import Curve
 from pitchpoint.contact.curve_pair import HIT, MOST
 from pitchpoint.contact.impact import CONTACT_LAW
+from pitchpoint.contact.surface import TRIANGLES
+from pitchpoint.contact.triangle_search import MOST_PLACES, PLACE
+from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.elements.signal import Pool
+
+MOST_STATIONS = 8
+"""Most places along a line of contact."""
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
@@ -34,6 +41,7 @@ RECORD = np.dtype(
         ("depth", "f8"),  # deepest overlap that counts [m]; what overlaps more is another side
         ("margin", "f8"),  # largest gap that is looked for and shown [m]
         ("stations", "i8"),  # places along a line of contact
+        ("along", "f8", (MOST_STATIONS, 2)),  # where they are [m], and their weights
         ("ev", "i8"),
         ("pool", "i8"),
         ("start_i", "i8"),  # curve or triangles of body i in the pool
@@ -50,11 +58,16 @@ RECORD = np.dtype(
         ("hits", "f8", (MOST, HIT)),
         ("Q", "f8", 3),
         ("n", "f8", 3),
-        ("W", "f8", (3, 3)),  # curvature of the distance, in axes of the marker, then of the world
+        ("y", "f8", 3),  # a point in axes of the marker of a surface
+        ("V", "f8", (3, 3)),  # curvature of the distance there, in axes of the marker
+        ("W", "f8", (3, 3)),  # and of the world
+        ("hit", "f8", PLACE),  # place on triangles
+        ("touching", "f8", (MOST_PLACES, PLACE)),
         ("dQ", "f8", (3, 12)),  # change of Q and n with the displacement twists of bodies i and j
         ("dn", "f8", (3, 12)),
         ("h", "f8"),  # gap [m]
         ("r", "f8"),  # from Q to the surface of body i [m]
+        ("side", "f8"),  # 1: Q belongs to body i, -1: to body j
         ("weight", "f8"),  # share of the law: part of a line, or an area
         ("gap", "f8"),  # results: smallest gap
         ("normal", "f8"),  # sum of the normal forces
@@ -94,7 +107,7 @@ def new_records(n: int) -> np.ndarray:
     """
     records = np.zeros(n, RECORD)
     records["Bi"] = records["Bj"] = np.eye(3)
-    records["sense"] = records["stations"] = 1
+    records["sense"] = 1
     return records
 
 
@@ -136,3 +149,21 @@ def set_curve(record: np.void, body: str, pool: Pool, curve: Curve) -> None:
     record["start_" + body], record["rows_" + body] = pool.add(curve.rows), len(curve.rows)
     if body == "j":
         record["reach"][3:] = curve.circle()
+
+
+def set_triangles(record: np.void, body: str, pool: Pool, surface: TriangleSurface) -> None:
+    """Give a contact the triangles of one of its bodies.
+
+    Parameters
+    ----------
+    record
+        Record of the contact.
+    body
+        "i" or "j".
+    pool
+        Pool of the kind.
+    surface
+        The surface, in axes of the marker.
+    """
+    record["start_" + body], record["rows_" + body] = pool.add(surface.packed()), len(surface.faces)
+    record["form_" + body] = TRIANGLES

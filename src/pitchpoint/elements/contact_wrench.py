@@ -48,6 +48,14 @@ def column(A, c):
 
 
 @kernel
+def put_3(a, x):
+    """Write a triple into an array of three."""
+    a[0] = x[0]
+    a[1] = x[1]
+    a[2] = x[2]
+
+
+@kernel
 def put(A, c, x):
     """Write a triple into column c of an array of three rows."""
     A[0, c] = x[0]
@@ -110,7 +118,7 @@ def begin(b, f, g):
 @kernel
 def _arms(b, f, g):
     """Point of attack, and its arms about the origins of both bodies."""
-    P = plus(triple(b["Q"], 0), -(b["r"] + 0.5 * b["h"]), triple(b["n"], 0))
+    P = plus(triple(b["Q"], 0), -(b["r"] + 0.5 * b["side"] * b["h"]), triple(b["n"], 0))
     return P, plus(P, -1.0, triple(f["r"], 0)), plus(P, -1.0, triple(g["r"], 0))
 
 
@@ -168,7 +176,8 @@ def _tangent(b, ctl, f, g, kk, F, u, rate, law, slip):
             _add(ki, kj, c, -ctl["cd"], dF, cross(ai, dF), cross(aj, dF), b["j"])
         if ctl["ck"] != 0.0:
             dn = column(b["dn"], k)
-            dP = plus(plus(column(b["dQ"], k), -(b["r"] + 0.5 * b["h"]), dn), -0.5 * dh, n)
+            dP = plus(column(b["dQ"], k), -(b["r"] + 0.5 * b["side"] * b["h"]), dn)
+            dP = plus(dP, -0.5 * b["side"] * dh, n)
             di = dP
             dj = dP
             if c < 3 and side == 0:

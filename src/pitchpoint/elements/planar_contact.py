@@ -29,6 +29,7 @@ from pitchpoint.elements.contact_wrench import (
     moved,
     plus,
     put,
+    put_3,
     triple,
     turned,
 )
@@ -95,17 +96,10 @@ def place_contact(b, f, g, A, B, hit):
     phi = (px - qx) * by - (py - qy) * bx
     b["r"] = b["radius"]
     b["h"] = phi - b["radius"]
+    b["side"] = 1.0
     b["weight"] = 1.0
     size = aspeed / speed if speed > 0.0 else 1.0
     _running(b, f, g, along, T, size, (aturn, aspeed, bturn, bspeed, phi))
-
-
-@kernel
-def put_3(a, x):
-    """Write a triple into an array of three."""
-    a[0] = x[0]
-    a[1] = x[1]
-    a[2] = x[2]
 
 
 @kernel
