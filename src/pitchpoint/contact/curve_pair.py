@@ -215,11 +215,11 @@ def contacts(A, B, M, d, reach, hits):
         y = d[1] + M[1, 0] * A[ka, 1] + M[1, 1] * A[ka, 2]
         r = A[ka, 3] + offset
         whole = math.sqrt((x - reach[3]) ** 2 + (y - reach[4]) ** 2) - r - reach[5]
-        if whole > max(best, 0.0):
+        if whole > max(best, reach[1]):  # overlaps are no longer than the deepest that counts
             continue
         for kb in range(B.shape[0]):
             bound = math.sqrt((x - B[kb, 1]) ** 2 + (y - B[kb, 2]) ** 2) - r - B[kb, 3]
-            if bound > max(best, 0.0):
+            if bound > max(best, reach[1]):
                 continue
             found, s, t, gap = common_normal(A, ka, B, kb, M, d)
             gap -= offset

@@ -71,8 +71,8 @@ def restitution_factor(e: float) -> float:
     """
     if not 0.0 < e <= 1.0:
         raise ValueError("a coefficient of restitution lies in (0, 1]")
-    if 1.0 - e < 1e-7:
-        return 1.5 * (1.0 - e)
+    if 1.0 - e < 1e-4:  # series, right to (1 - e)^2; the logarithms cancel there
+        return 1.5 * (1.0 - e * e) / (1.0 + e**3)
     low, high = 0.5 * (1.0 - e), 1.0 / e
     for _ in range(200):
         middle = 0.5 * (low + high)
