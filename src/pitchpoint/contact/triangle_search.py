@@ -20,8 +20,10 @@ BOX = 9
 FACE = 33
 """Corners (9), normal (3), nodes (3), owns node (3), sums of normals at edges (9), owns edge (3), node across
 (3)."""
-NODE = 9
-"""Place (3), area, normal (3), first neighbour, number of neighbours."""
+POINT = 4
+"""Middle of a face (3) and its area."""
+NODE = 8
+"""Place (3), normal (3), first neighbour, number of neighbours."""
 CORNER, EDGE, INSIDE = 0, 3, 6
 SAME_SIDE = 0.8660254037844386
 """Cosine of the angle between normals (30 deg) below which two places of a sphere count as one."""
@@ -56,13 +58,13 @@ def faces_of(where):
 
 
 @kernel
-def node_tree_of(where):
-    """Tree of the nodes of a packed surface at an address.
+def point_tree_of(where):
+    """Tree of the points of a packed surface at an address.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
-    >>> float(node_tree_of(one.ctypes.data)[0, 8])
-    3.0
+    >>> float(point_tree_of(one.ctypes.data)[0, 8])
+    1.0
     """
     header = view(where, HEADER, F8)
     skip = HEADER + int(header[0]) * BOX + int(header[1]) * FACE
@@ -70,16 +72,30 @@ def node_tree_of(where):
 
 
 @kernel
-def nodes_of(where):
-    """Nodes of a packed surface at an address, in the order of their tree.
+def points_of(where):
+    """Points of a packed surface at an address, in the order of their tree.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
-    >>> round(3 * float(nodes_of(one.ctypes.data)[0, 3]), 6)
-    0.866025
+    >>> points_of(one.ctypes.data).round(6).tolist()
+    [[0.333333, 0.333333, 0.333333, 0.866025]]
     """
     header = view(where, HEADER, F8)
     skip = HEADER + (int(header[0]) + int(header[2])) * BOX + int(header[1]) * FACE
+    return view(where + 8 * skip, (int(header[1]), POINT), F8)
+
+
+@kernel
+def nodes_of(where):
+    """Nodes of a packed surface at an address.
+
+    >>> from pitchpoint.contact.triangles import TriangleSurface
+    >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
+    >>> nodes_of(one.ctypes.data)[0, :3].tolist()
+    [1.0, 0.0, 0.0]
+    """
+    header = view(where, HEADER, F8)
+    skip = HEADER + (int(header[0]) + int(header[2])) * BOX + int(header[1]) * (FACE + POINT)
     return view(where + 8 * skip, (int(header[3]), NODE), F8)
 
 
@@ -89,11 +105,11 @@ def neighbours_of(where):
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
-    >>> len(neighbours_of(one.ctypes.data))
-    6
+    >>> neighbours_of(one.ctypes.data).tolist()
+    [1.0, 2.0, 0.0, 2.0, 0.0, 1.0]
     """
     header = view(where, HEADER, F8)
-    skip = HEADER + (int(header[0]) + int(header[2])) * BOX + int(header[1]) * FACE
+    skip = HEADER + (int(header[0]) + int(header[2])) * BOX + int(header[1]) * (FACE + POINT)
     return view(where + 8 * (skip + int(header[3]) * NODE), int(header[4]), F8)
 
 
@@ -243,9 +259,9 @@ def signed_place(where, y, place, W):
         nz = faces[k, at + 2]
     else:
         node = nodes_of(where)[int(faces[k, 12 + feature])]
-        nx = node[4]
-        ny = node[5]
-        nz = node[6]
+        nx = node[3]
+        ny = node[4]
+        nz = node[5]
     d = math.sqrt(dx * dx + dy * dy + dz * dz)
     if d < LEAST:
         size = math.sqrt(nx * nx + ny * ny + nz * nz)
@@ -299,8 +315,8 @@ def is_nearest_around(where, y, face, feature, qx, qy, qz):
         return False
     node = nodes[int(faces[face, 12 + feature])]
     around = neighbours_of(where)
-    first = int(node[7])
-    for h in range(first, first + int(node[8])):
+    first = int(node[6])
+    for h in range(first, first + int(node[7])):
         o = nodes[int(around[h])]
         s = (y[0] - qx) * (o[0] - qx) + (y[1] - qy) * (o[1] - qy) + (y[2] - qz) * (o[2] - qz)
         if s > 0.0:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Triangle surfaces as data: faces with their neighbours, nodes with their areas, trees of boxes around both.
+"""Triangle surfaces as data: faces with their neighbours, points with their areas, trees of boxes around both.
 
-A surface becomes one float array: a header of 8, the tree of the faces, the faces, the tree of the nodes, the
-nodes, and the list of the neighbours of each node. Trees are walked without a stack: their boxes stand in the
+A surface becomes one float array: a header of 8, the tree of the faces, the faces, the tree of their middle
+points, these points with the areas of the faces, the nodes, and the neighbours of each node. A point stands
+for its face alone, so that the area of one side of a sharp edge never presses on the other. Trees are walked without a stack: their boxes stand in the
 order of a walk in depth, each with the number of the box to go on with if it is left out.
 """
 
@@ -13,10 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.contact.triangle_search import BOX, FACE, HEADER, NODE
+from pitchpoint.contact.triangle_search import FACE, HEADER, NODE
 
 LEAF = 4
-"""Most faces or nodes in one leaf of a tree."""
+"""Most things in one leaf of a tree."""
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -128,32 +129,28 @@ class TriangleSurface:
         other = self._across()
         corner = self.vertices[self.faces]
         tree, order = bounding_tree(corner.min(axis=1), corner.max(axis=1))
-        node_tree, node_order = bounding_tree(self.vertices, self.vertices)
-        place = np.empty(node_order.size, np.int64)
-        place[node_order] = np.arange(node_order.size)
-        weights, node_normals = self._nodes(normals, areas)
-        nodes = np.zeros((node_order.size, NODE))
-        nodes[:, :3], nodes[:, 3], nodes[:, 4:7] = self.vertices, weights, node_normals
-        starts, neighbours = self._neighbours(place)
-        nodes[:, 7], nodes[:, 8] = starts, np.diff(np.append(starts, neighbours.size))
+        middle = corner.mean(axis=1)
+        point_tree, point_order = bounding_tree(middle, middle)
+        points = np.column_stack([middle, areas])[point_order]
+        nodes, neighbours = self._nodes(normals, areas)
         faces = np.zeros((order.size, FACE))
         faces[:, :9], faces[:, 9:12] = corner[order].reshape(-1, 9), normals[order]
-        owned = np.full(node_order.size, -1)
+        owned = np.full(len(nodes), -1)
         rank = np.empty(order.size, np.int64)
         rank[order] = np.arange(order.size)
         for row, face in enumerate(order):
             for k in range(3):
                 vertex, (across, opposite) = self.faces[face, k], other[face, k]
-                faces[row, 12 + k] = place[vertex]
+                faces[row, 12 + k] = vertex
                 if owned[vertex] < 0:
                     owned[vertex], faces[row, 15 + k] = row, 1.0
                 both = normals[face] + (normals[across] if across >= 0 else 0.0)
                 faces[row, 18 + 3 * k : 21 + 3 * k] = both
                 faces[row, 27 + k] = 1.0 if across < 0 or row < rank[across] else 0.0
-                faces[row, 30 + k] = place[opposite] if across >= 0 else -1
+                faces[row, 30 + k] = opposite
         header = np.zeros(HEADER)
-        header[:5] = len(tree), len(faces), len(node_tree), len(nodes), neighbours.size
-        parts = (header, tree, faces, node_tree, nodes[node_order], neighbours)
+        header[:5] = len(tree), len(faces), len(point_tree), len(nodes), neighbours.size
+        parts = (header, tree, faces, point_tree, points, nodes, neighbours)
         return np.concatenate([np.asarray(part, float).ravel() for part in parts])
 
     def _across(self) -> NDArray[np.int64]:
@@ -173,20 +170,16 @@ class TriangleSurface:
         return found
 
     def _nodes(self, normals: FloatArray, areas: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Area of every node, a third of that of its faces, and its normal, weighted by their angles."""
-        weights, sums = np.zeros(len(self.vertices)), np.zeros((len(self.vertices), 3))
+        """Nodes with normals weighted by the angles of their faces, and the list of their neighbours."""
+        nodes = np.zeros((len(self.vertices), NODE))
+        nodes[:, :3] = self.vertices
         corner = self.vertices[self.faces]
         for k in range(3):
             one, two = (corner[:, (k + m) % 3] - corner[:, k] for m in (1, 2))
-            cos = np.einsum("ij,ij->i", one, two)
-            angle = np.arctan2(2.0 * areas, cos)
-            np.add.at(weights, self.faces[:, k], areas / 3.0)
-            np.add.at(sums, self.faces[:, k], normals * angle[:, None])
-        return weights, sums
-
-    def _neighbours(self, place: IntArray) -> tuple[FloatArray, FloatArray]:
-        """Nodes joined to every node by an edge: first place in the list per node, and the list."""
+            angle = np.arctan2(2.0 * areas, np.einsum("ij,ij->i", one, two))
+            np.add.at(nodes[:, 3:6], self.faces[:, k], normals * angle[:, None])
         pairs = np.concatenate([self.faces[:, [k, (k + 1) % 3]] for k in range(3)])
         pairs = np.unique(np.concatenate([pairs, pairs[:, ::-1]]), axis=0)
-        starts = np.searchsorted(pairs[:, 0], np.arange(len(self.vertices)))
-        return starts.astype(float), place[pairs[:, 1]].astype(float)
+        nodes[:, 6] = np.searchsorted(pairs[:, 0], np.arange(len(nodes)))
+        nodes[:, 7] = np.bincount(pairs[:, 0], minlength=len(nodes))
+        return nodes, pairs[:, 1].astype(float)

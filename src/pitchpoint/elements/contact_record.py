@@ -3,7 +3,7 @@
 
 Body i touches body j. Each carries a marker, a frame fixed to the body (`S`), in which its shape is given. The
 unit normal n points out of body j. A contact has a place Q on body i, or in the middle of its rounding, at the
-signed distance phi from body j; with the radius r of the rounding the gap is h = phi - r. (A node of body j
+signed distance phi from body j; with the radius r of the rounding the gap is h = phi - r. (A point of body j
 against triangles of body i has Q on j.) Forces act halfway between the two surfaces, at P = Q - (r + h/2) n,
 so bodies may change places and nothing else changes.
 """

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from pitchpoint.contact.curve_pair import carried, contacts
 from pitchpoint.contact.curve_point import WIDTH, arc_length, point_of
+from pitchpoint.contact.surface import SPHERE
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contact_record import RECORD
@@ -103,6 +104,15 @@ def place_contact(b, f, g, A, B, hit):
 
 
 @kernel
+def _without_axes(b):
+    """A roller is round: the axes of its marker count as those of the curve."""
+    for r in range(3):
+        for k in range(3):
+            b["Ei"][r, k] = b["Ej"][r, k]
+            b["M"][r, k] = 1.0 if r == k else 0.0
+
+
+@kernel
 def planar_contact(rec, ctl, fr, kk):
     """Wrenches, tangents and results of all contacts of planar curves."""
     c = ctl[0]
@@ -111,6 +121,8 @@ def planar_contact(rec, ctl, fr, kk):
         f = fr[b["i"]]
         g = fr[b["j"]]
         begin(b, f, g)
+        if b["form_i"] == SPHERE:
+            _without_axes(b)
         A = view(b["pool"] + 8 * b["start_i"], (b["rows_i"], WIDTH), F8)
         B = view(b["pool"] + 8 * b["start_j"], (b["rows_j"], WIDTH), F8)
         b["reach"][0] = b["radius"]

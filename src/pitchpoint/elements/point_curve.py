@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from pitchpoint.contact.curve import Curve, chain, vertex
+from pitchpoint.contact.surface import SPHERE
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.contact_record import EVENTS, PATHS, RECORD, RESULTS, set_curve
 from pitchpoint.elements.planar_contact import planar_entry
@@ -42,7 +43,7 @@ def set_cam(record: np.void, pool: Pool, curve: Curve, radius: float = 0.0, dept
     size = curve.circle()[2]
     set_curve(record, "i", pool, chain([vertex()], True))
     set_curve(record, "j", pool, curve)
-    record["radius"] = radius
+    record["form_i"], record["radius"] = SPHERE, radius
     record["depth"] = 0.05 * (size + radius) if depth is None else depth
     record["margin"] = 100.0 * (size + math.hypot(*curve.circle()[:2]) + radius)
 

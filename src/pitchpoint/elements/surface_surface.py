@@ -8,8 +8,9 @@ is zero) in the plane z = 0. Spheres against anything are the kind point_surface
   linear law while all of the line is in touch; the law counts for the whole line;
 * ring on plane: the lowest place of the circle;
 * cylinder on cylinder: the common normal of the axes, which must not be parallel; round ends;
-* triangles: every node of one surface that is below the other one presses with its own area, in both
-  directions with half of it, so that finer triangles converge to a layer of springs (law per area).
+* triangles: the middle of every face of one surface that is below the other one presses with the area of its
+  face, in both directions with half of it, so that finer triangles converge to a layer of springs (law per
+  area).
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contact_record import EVENTS, MOST_STATIONS, RECORD, RESULTS, set_triangles
 from pitchpoint.elements.contact_wrench import act, begin, finish
-from pitchpoint.elements.node_contact import nodes_on_triangles
+from pitchpoint.elements.triangle_contact import points_on_triangles
 from pitchpoint.elements.rod_place import rim_place, rods_place
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.channels import frame_args
@@ -121,7 +122,7 @@ def set_meshes(
     surfaces
         Closed surfaces of bodies i and j.
     depth
-        How deep a node may be below the other surface, and up to which distance a gap is looked for [m];
+        How deep a point may be below the other surface, and up to which distance a gap is looked for [m];
         None = a hundredth of the smaller one. Small ones save time.
     """
     set_triangles(record, "i", pool, surfaces[0])
@@ -140,7 +141,7 @@ def surface_surface(rec, ctl, fr, kk):
         g = fr[b["j"]]
         begin(b, f, g)
         if b["form_j"] == TRIANGLES:
-            nodes_on_triangles(b, c, f, g, kk)
+            points_on_triangles(b, c, f, g, kk)
         elif b["form_j"] == CYLINDER:
             rods_place(b, f, g)
             act(b, c, f, g, kk)

@@ -13,6 +13,7 @@ from pitchpoint.contact.triangle_search import (
     MOST_PLACES,
     PLACE,
     nearest_place,
+    points_of,
     signed_place,
     sphere_places,
 )
@@ -129,12 +130,12 @@ def test_finer_triangles_do_not_multiply_the_places():
 
 
 def test_areas_and_volume():
-    """Areas of the nodes add up to that of the surface; the box tree holds everything once."""
+    """Areas of the points add up to that of the surface; the box tree holds everything once."""
     surface = box((0.4, 0.5, 0.6), 3)
     normals, areas = surface.normals()
     assert areas.sum() == pytest.approx(2 * (0.2 + 0.24 + 0.3))
-    weights, _ = surface._nodes(normals, areas)
-    assert weights.sum() == pytest.approx(areas.sum())
+    packed = surface.packed()
+    assert points_of(packed.ctypes.data)[:, 3].sum() == pytest.approx(areas.sum())
     assert len(surface.vertices) == 56
     tree, order = bounding_tree(surface.vertices, surface.vertices)
     assert sorted(order.tolist()) == list(range(56))

@@ -189,7 +189,7 @@ def test_follower_on_an_eccentric_cam_parts_where_it_weighs_nothing():
     a = 1.2
     root = math.sqrt(reach**2 - (e * math.sin(a)) ** 2)
     state = system.initial_state()
-    state.q[:] = e * math.cos(a) + root - e - reach - force(a) * root / reach / 1e9, a
+    state.q[:] = e * math.cos(a) + root - e - reach - force(a) * reach / root / 1e9, a
     state.v[:] = (-e * math.sin(a) - e**2 * math.sin(2 * a) / (2 * root)) * omega, omega
     run = generalized_alpha.start(system, state, 1e-5, rho_inf=0.5)
     parted = None
@@ -275,48 +275,59 @@ def test_triangles_on_triangles_converge_to_a_layer_of_springs():
     assert found[2] == pytest.approx(1.0, abs=0.03)
 
 
-def involute_contact_radius(gear):
-    return 0.5 * gear.d_b
+def line_force(gears, distance, at, x, k):
+    """Normal force of all tooth pairs from one place of contact, `at` from T1 on the line of action."""
+    r1, r2 = (0.5 * g.d_b for g in gears)
+    line = math.sqrt(distance**2 - (r1 + r2) ** 2)
+    start = line - math.sqrt((0.5 * gears[1].d_a) ** 2 - r2**2)
+    end = math.sqrt((0.5 * gears[0].d_a) ** 2 - r1**2)
+    pitch = 2.0 * math.pi * r1 / gears[0].z
+    force = 0.0
+    for pair in range(-3, 4):
+        rho = at + pair * pitch
+        if start < rho < end:
+            half = math.sqrt(2.0 * x * rho * (line - rho) / line)
+            # a tip in contact ends the strip
+            low, high = max(-half, start - rho), min(half, end - rho)
+            curved = (high**3 - low**3) / (3.0 * half**2)
+            force += k * min(g.b for g in gears) * x * (high - low - curved)
+    return force
 
 
 def test_gears_of_triangles_press_along_the_line_of_action():
-    """Torques of two gears of triangles are as their base radii, and the force is that of a pressed line.
+    """Against the analytic line of action: directions, torques, and the force of a pressed layer of springs.
 
-    Flanks turned into each other by x along the base tangent overlap by x at the line of contact and by less
-    beside it: rho_1 and rho_2 give N = (4/3) k b sqrt(2 R) x^1.5 per pair for a layer of springs k.
+    Flanks turned into each other by x along the base tangent overlap by x - s^2/(2 R) at the distance s from
+    the line of contact: 4/3 k b x sqrt(2 R x) per pair. Of 60 points to a flank, 12 to 20 lie in that strip.
     """
     gears = [CylindricalGear(z=z, m_n=3e-3, b=b) for z, b in ((20, 0.008), (31, 0.012))]
     distance = 0.5 * (gears[0].d + gears[1].d)
     k, x = 1e14, 30e-6
-    surfaces = [TriangleSurface.from_triangles(gear_solid(g, 60, n)) for g, n in zip(gears, (8, 12), strict=True)]
+    surfaces = [
+        TriangleSurface.from_triangles(gear_solid(g, 60, n)) for g, n in zip(gears, (8, 12), strict=True)
+    ]
 
-    def system_at(turn_1, turn_2):
-        def setup(record, pool):
-            record["j"] = 2
-            set_meshes(record, pool, surfaces, 2e-4)
-            set_impact(record, k, 1.0)
+    def setup(record, pool):
+        record["j"] = 2
+        set_meshes(record, pool, surfaces, 2e-4)
+        set_impact(record, k, 1.0)
 
-        bodies = [
-            Body(polar_inertia=1.0, angle=turn_1, name="pinion"),
-            Body(polar_inertia=1.0, angle=turn_2, position=(distance, 0, 0), name="wheel"),
-        ]
-        return one_contact("surface_surface", bodies, setup)
-
+    bodies = [Body(polar_inertia=1.0, name="pinion"), Body(polar_inertia=1.0, position=(distance, 0, 0), name="wheel")]
+    system = one_contact("surface_surface", bodies, setup)
     r1, r2 = (0.5 * g.d_b for g in gears)
-    pitch = math.pi / gears[1].z
-    ratio = []
+    line = math.sqrt(distance**2 - (r1 + r2) ** 2)
+    ratio, forces = [], []
     for phase in (0.05, 0.12, 0.2):
-        # mid-gap: a tooth of the pinion on the line of centres in a space of the wheel
-        turn_1 = phase
-        turn_2 = math.pi + pitch - phase * r1 / r2 + 0.0
-        system = system_at(turn_1, turn_2)
         state = system.initial_state()
-        state.q[0] += x / r1
+        # tooth 0 of the pinion in the middle of a space (odd number of teeth), then turned by x/r1
+        state.q[:] = phase + x / r1, -phase * r1 / r2
         evaluate.residual(system, state)
         torque = [system.workspace.fr[b]["F"][5] for b in (1, 2)]
-        assert abs(torque[0]) > 0.0
         ratio.append(torque[1] / torque[0] * r1 / r2)
-        force = abs(torque[0]) / r1
         normal = read(system, state, "contact_force[surface_surface0]")
-        assert force == pytest.approx(normal, rel=2e-2)
-    assert ratio == pytest.approx([1.0] * 3, abs=2e-2)
+        assert abs(torque[0]) / r1 == pytest.approx(normal, rel=5e-3)
+        place = [read(system, state, f"contact_location[surface_surface0.{c}]") for c in "xy"]
+        at = line - math.sqrt(place[0] ** 2 + place[1] ** 2 - r2**2)
+        forces.append(normal / line_force(gears, distance, at, x, k))
+    assert ratio == pytest.approx([1.0] * 3, abs=5e-3)
+    assert forces == pytest.approx([1.0] * 3, abs=3e-2)

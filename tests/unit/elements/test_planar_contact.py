@@ -31,6 +31,11 @@ OPPOSITE = chain([involute_piece(0.05, math.pi, (0.1, 0.6))], False)
 #: kind, shapes, place of the first body in the axes of the second
 SHAPES = {
     "roller on cam": ("point_curve", lambda r, p: set_cam(r, p, CAM, 0.01), (0.0695, 0.0, 0.003)),
+    "roller lying across": (
+        "point_curve",
+        lambda r, p: (set_cam(r, p, CAM, 0.01), set_marker(r, "i", (0, 0, 0), np.eye(3)[[1, 2, 0]])),
+        (0.0695, 0.0, 0.003),
+    ),
     "roller in corner": (
         "point_curve",
         lambda r, p: set_cam(r, p, polygon([(0.05, 0.0), (0.0, 0.0), (0.0, 0.05)], closed=False), 0.01, 0.002),

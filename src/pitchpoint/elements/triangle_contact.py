@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Triangles against triangles: nodes of each surface below the other one, with their areas."""
+"""Triangles against triangles: middle points of the faces of each surface below the other one."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import math
 from pitchpoint.contact.triangle_search import (
     box_distance,
     nearest_place,
-    node_tree_of,
-    nodes_of,
+    point_tree_of,
+    points_of,
     signed_place,
     tree_of,
 )
@@ -20,17 +20,17 @@ from pitchpoint.elements.surface_place import curvature_in_world, local, point_p
 
 @kernel
 def _one_way(b, c, f, g, kk, side):
-    """Nodes of body i against triangles of body j (side 1), or those of j against i (-1)."""
+    """Points of body i against triangles of body j (side 1), or those of j against i (-1)."""
     of_i = side > 0.0
-    points = b["pool"] + 8 * (b["start_i"] if of_i else b["start_j"])
+    other = b["pool"] + 8 * (b["start_i"] if of_i else b["start_j"])
     where = b["pool"] + 8 * (b["start_j"] if of_i else b["start_i"])
     E = b["Ei"] if of_i else b["Ej"]
     o = b["oi"] if of_i else b["oj"]
     E_s = b["Ej"] if of_i else b["Ei"]
     o_s = b["oj"] if of_i else b["oi"]
     depth = b["depth"]
-    tree = node_tree_of(points)
-    nodes = nodes_of(points)
+    tree = point_tree_of(other)
+    points = points_of(other)
     boxes = tree_of(where)
     k = 0
     while k < tree.shape[0]:
@@ -47,7 +47,7 @@ def _one_way(b, c, f, g, kk, side):
             continue
         first = int(tree[k, 7])
         for h in range(first, first + int(tree[k, 8])):
-            Q = plus(triple(o, 0), 1.0, rotated(E, triple(nodes[h], 0)))
+            Q = plus(triple(o, 0), 1.0, rotated(E, triple(points[h], 0)))
             local(b, E_s, o_s, Q)
             if not nearest_place(where, b["y"], depth, b["hit"]):
                 continue
@@ -56,13 +56,13 @@ def _one_way(b, c, f, g, kk, side):
                 continue
             b["side"] = side
             curvature_in_world(E_s, b["V"], b["W"])
-            point_place(b, f, g, Q, rotated(E_s, (nx, ny, nz)), phi, 0.0, 0.5 * nodes[h, 3])
+            point_place(b, f, g, Q, rotated(E_s, (nx, ny, nz)), phi, 0.0, 0.5 * points[h, 3])
             act(b, c, f, g, kk)
         k += 1
 
 
 @kernel
-def nodes_on_triangles(b, c, f, g, kk):
+def points_on_triangles(b, c, f, g, kk):
     """Contact of two triangle surfaces, both ways."""
     _one_way(b, c, f, g, kk, 1.0)
     _one_way(b, c, f, g, kk, -1.0)
