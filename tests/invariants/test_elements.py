@@ -22,7 +22,14 @@ from tests.support.engine import (
 )
 
 #: Kinds with a contract suite of their own.
-ELSEWHERE = {"gear_mesh": "tests/invariants/test_gear_mesh.py"}
+ELSEWHERE = {
+    "curve_curve": "tests/unit/elements/test_planar_contact.py",
+    "gear_mesh": "tests/invariants/test_gear_mesh.py",
+    "point_curve": "tests/unit/elements/test_planar_contact.py",
+    "point_on_curve": "tests/unit/elements/test_point_on_curve.py",
+    "point_surface": "tests/unit/elements/test_surface_contact.py",
+    "surface_surface": "tests/unit/elements/test_surface_contact.py",
+}
 
 
 def _bearing(rng):

@@ -61,7 +61,14 @@ def pair(kind, made, apart, rng, where="free"):
         bodies = [solid("a", at, E)]
     elif where == "tree":
         records["i"], records["j"] = 2, 3
-        arm = Body(motion=TORSION, position=rng.normal(size=3), axes=frame(rng), mass=1.0, polar_inertia=0.5, name="arm")
+        arm = Body(
+            motion=TORSION,
+            position=rng.normal(size=3),
+            axes=frame(rng),
+            mass=1.0,
+            polar_inertia=0.5,
+            name="arm",
+        )
         bodies = [arm, solid("a", at, E, 1, FLOATING), solid("b", base, E, 1)]
     else:
         bodies = [solid("a", at, E), solid("b", base, E)]
@@ -85,7 +92,7 @@ def read(system, state, name):
 
 
 def unmoved(system, state):
-    """Wrenches of the elements alone on all bodies, shape (n, 6): those of the state less those at no force."""
+    """Wrenches of the contacts alone on all bodies, shape (n, 6): with less without their laws."""
     w = system.workspace
     evaluate.residual(system, state)
     whole = w.fr["F"].copy()
@@ -119,7 +126,11 @@ def ball(radius, times):
             [np.stack(t, axis=1) for t in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))]
         )
         triangles /= np.linalg.norm(triangles, axis=2)[:, :, None]
-    out = np.einsum("ij,ij->i", np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), triangles[:, 0])
+    out = np.einsum(
+        "ij,ij->i",
+        np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]),
+        triangles[:, 0],
+    )
     triangles[out < 0.0] = triangles[out < 0.0][:, ::-1]
     return TriangleSurface.from_triangles(radius * triangles)
 

@@ -82,7 +82,7 @@ def _row(form: int, numbers: Sequence[float], points: FloatArray, length: float)
 
 def _line(start: complex, end: complex) -> FloatArray:
     points = np.array([[start.real, start.imag], [end.real, end.imag]])
-    row = _row(LINE, points.ravel(), points, abs(end - start))
+    row = _row(LINE, points.ravel().tolist(), points, abs(end - start))
     row[3] = 0.5 * abs(end - start)
     return row
 
@@ -207,9 +207,7 @@ def polygon(points: ArrayLike, radii: ArrayLike = 0.0, closed: bool = True) -> C
         if turn != 0.0:
             side = math.copysign(1.0, turn)
             normal = -1j * side * one
-            arcs[k] = _arc(
-                entry[k] - r[k] * normal, float(r[k]), math.atan2(normal.imag, normal.real), turn
-            )
+            arcs[k] = _arc(entry[k] - r[k] * normal, float(r[k]), math.atan2(normal.imag, normal.real), turn)
     rows: list[FloatArray] = []
     for k in range(n if closed else n - 1):
         if arcs[k] is not None:

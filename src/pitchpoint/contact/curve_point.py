@@ -17,7 +17,7 @@ EDGE = 1e-9
 
 @kernel
 def point_of(rows, k, t):
-    """Place x, y [m], unit direction, speed [m] and turn of the direction [rad] per parameter of piece k at t.
+    """Place x, y [m], unit direction, speed [m] and turn of it [rad] per parameter, of piece k at t.
 
     The curvature is turn/speed; arcs of radius zero have a turn without speed.
 

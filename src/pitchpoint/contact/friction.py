@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Friction: the smooth sign function that Coulomb's law needs near zero sliding, and what is built on it.
 
-At the pitch point of two flanks the sliding velocity changes its sign; a true sign function would make the force jump there
-and stop every implicit integrator. The regularisation velocity v_eps sets where full friction is reached.
+At the pitch point of two flanks the sliding velocity changes its sign; a true sign function would make the
+force jump there and stop every implicit integrator. The regularisation velocity v_eps sets where full
+friction is reached.
 """
 
 from __future__ import annotations

@@ -11,8 +11,8 @@ All laws push and never pull, and begin with the elastic force K delta^e.
   against the transition speed v, within which one goes over into the other.
 
 The laws of Lankarani and Nikravesh (1990) and Flores et al. (2011) need the speed at first touch as a memory,
-and their factors 3 (1 - e^2)/4 and 8 (1 - e)/(5 e) are approximations of x(e): at e = 0.5 they give back 0.725
-and 0.470 of the speed.
+and their factors 3 (1 - e^2)/4 and 8 (1 - e)/(5 e) are approximations of x(e): at e = 0.5 they give back
+0.725 and 0.470 of the speed.
 """
 
 from __future__ import annotations

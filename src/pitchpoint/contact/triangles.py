@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Triangle surfaces as data: faces with their neighbours, points with their areas, trees of boxes around both.
+"""Triangle surfaces as data: faces with neighbours, points with areas, trees of boxes around both.
 
 A surface becomes one float array: a header of 8, the tree of the faces, the faces, the tree of their middle
 points, these points with the areas of the faces, the nodes, and the neighbours of each node. A point stands
-for its face alone, so that the area of one side of a sharp edge never presses on the other. Trees are walked without a stack: their boxes stand in the
-order of a walk in depth, each with the number of the box to go on with if it is left out.
+for its face alone, so that the area of one side of a sharp edge never presses on the other. Trees are walked
+without a stack: their boxes stand in the order of a walk in depth, each with the number of the box to go on
+with if it is left out.
 """
 
 from __future__ import annotations

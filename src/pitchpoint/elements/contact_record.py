@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The record that all kinds of contact share, and what fills it.
 
-Body i touches body j. Each carries a marker, a frame fixed to the body (`S`), in which its shape is given. The
-unit normal n points out of body j. A contact has a place Q on body i, or in the middle of its rounding, at the
-signed distance phi from body j; with the radius r of the rounding the gap is h = phi - r. (A point of body j
-against triangles of body i has Q on j.) Forces act halfway between the two surfaces, at P = Q - (r + h/2) n,
-so bodies may change places and nothing else changes.
+Body i touches body j. Each carries a marker, a frame fixed to the body (`S`), in which its shape is given.
+The unit normal n points out of body j. A contact has a place Q on body i, or in the middle of its rounding,
+at the signed distance phi from body j; with the radius r of the rounding the gap is h = phi - r. (A point of
+body j against triangles of body i has Q on j.) Forces act halfway between the two surfaces, at P = Q - (r +
+h/2) n, so bodies may change places and nothing else changes.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Planar curves of two bodies in contact, with force and friction: cams on flat followers, tooth profiles.
 
-The curves lie in planes of their markers, whose third axes point (nearly) the same way. Up to four places
+The curves lie in planes of their markers, whose third axes point (nearly) the same way; a tilt beyond 84 deg
+is refused. Up to four places
 touch at once; straight pieces that touch along their length do so at the corners.
 """
 
@@ -22,7 +23,11 @@ OUTPUTS = RESULTS + PATHS
 
 
 def set_curves(
-    record: np.void, pool: Pool, curves: tuple[Curve, Curve], depth: float | None = None, margin: float | None = None
+    record: np.void,
+    pool: Pool,
+    curves: tuple[Curve, Curve],
+    depth: float | None = None,
+    margin: float | None = None,
 ) -> None:
     """Give a contact its curves.
 

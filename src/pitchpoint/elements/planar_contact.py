@@ -18,7 +18,7 @@ from pitchpoint.contact.curve_pair import carried, contacts
 from pitchpoint.contact.curve_point import WIDTH, arc_length, point_of
 from pitchpoint.contact.surface import SPHERE
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import OK
+from pitchpoint.core.status import OK, REFUSED
 from pitchpoint.elements.contact_record import RECORD
 from pitchpoint.elements.contact_wrench import (
     act,
@@ -35,6 +35,9 @@ from pitchpoint.elements.contact_wrench import (
     turned,
 )
 from pitchpoint.multibody.channels import F8, frame_args
+
+LEAST_COSINE = 0.1
+"""Planes of two curves must not be tilted more than that: the curve of i would be seen from its edge."""
 
 
 @kernel
@@ -123,6 +126,9 @@ def planar_contact(rec, ctl, fr, kk):
         begin(b, f, g)
         if b["form_i"] == SPHERE:
             _without_axes(b)
+        elif not b["M"][2, 2] > LEAST_COSINE:
+            c["bad"] = e
+            return REFUSED
         A = view(b["pool"] + 8 * b["start_i"], (b["rows_i"], WIDTH), F8)
         B = view(b["pool"] + 8 * b["start_j"], (b["rows_j"], WIDTH), F8)
         b["reach"][0] = b["radius"]

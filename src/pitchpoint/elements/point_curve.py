@@ -24,7 +24,9 @@ BODY_FIXED = True
 OUTPUTS = RESULTS + PATHS
 
 
-def set_cam(record: np.void, pool: Pool, curve: Curve, radius: float = 0.0, depth: float | None = None) -> None:
+def set_cam(
+    record: np.void, pool: Pool, curve: Curve, radius: float = 0.0, depth: float | None = None
+) -> None:
     """Give a contact its curve and its roller.
 
     Parameters
@@ -38,7 +40,7 @@ def set_cam(record: np.void, pool: Pool, curve: Curve, radius: float = 0.0, dept
     radius
         Radius of the roller of body i, 0 for a point [m].
     depth
-        Deepest overlap that counts as contact [m]; None = a twentieth of the size of the curve and the roller.
+        Deepest overlap that counts as contact [m]; None = a twentieth of the size of both.
     """
     size = curve.circle()[2]
     set_curve(record, "i", pool, chain([vertex()], True))

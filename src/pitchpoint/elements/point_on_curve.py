@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A point or the centre of a roller that stays on a planar curve: a cam and follower that never part.
 
-The constraint row is g = phi(y) - r, phi being the signed distance of the point y of body i, in the plane of the
-marker of body j, from the curve. The place on the curve is eliminated: with the unit normal n, the direction
-tau, the curvature kappa and W = kappa/(1 + kappa phi) tau tau^T,
+The constraint row is g = phi(y) - r, phi being the signed distance of the point y of body i, in the plane of
+the marker of body j, from the curve. The place on the curve is eliminated: with the unit normal n, the
+direction tau, the curvature kappa and W = kappa/(1 + kappa phi) tau tau^T,
 
     g' = n . u,    g'' = n . du/dt + n' . u,    n' = omega_j x n + W u,
 

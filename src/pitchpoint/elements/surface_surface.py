@@ -25,9 +25,9 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contact_record import EVENTS, MOST_STATIONS, RECORD, RESULTS, set_triangles
 from pitchpoint.elements.contact_wrench import act, begin, finish
-from pitchpoint.elements.triangle_contact import points_on_triangles
 from pitchpoint.elements.rod_place import rim_place, rods_place
 from pitchpoint.elements.signal import Pool
+from pitchpoint.elements.triangle_contact import points_on_triangles
 from pitchpoint.multibody.channels import frame_args
 
 __all__ = [
@@ -88,9 +88,7 @@ def set_ring_on_plane(record: np.void, radius: float, tube: float = 0.0) -> None
     record["margin"] = np.inf
 
 
-def set_crossed_cylinders(
-    record: np.void, radii: Sequence[float], lengths: Sequence[float]
-) -> None:
+def set_crossed_cylinders(record: np.void, radii: Sequence[float], lengths: Sequence[float]) -> None:
     """Two cylinders that cross.
 
     Parameters

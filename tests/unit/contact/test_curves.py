@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Planar curves: places, directions and curvature against closed forms, nearest places against a fine search."""
+"""Planar curves: places, directions, curvature against closed forms, nearest places against a search."""
 
 from __future__ import annotations
 
@@ -107,7 +107,9 @@ def test_a_pin_in_a_slot_touches_both_sides():
 
 
 def test_deepest_first_and_no_more_than_four():
-    star = polygon([(r * math.cos(a), r * math.sin(a)) for a, r in zip(ANGLE, [0.05, 0.03] * 12, strict=True)])
+    star = polygon(
+        [(r * math.cos(a), r * math.sin(a)) for a, r in zip(ANGLE, [0.05, 0.03] * 12, strict=True)]
+    )
     n, gap, hits = touch(star, circle(0.0499, hole=True), (0.0, 1e-5))
     assert n == MOST
     assert np.all(np.diff(hits[:, 0]) >= 0.0)

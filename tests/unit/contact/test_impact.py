@@ -115,7 +115,14 @@ def rebound(record, speed, mass=0.3):
     apart.terminal, apart.direction = True, -1
     depth = (1.25 * mass * speed**2 / float(record["k"])) ** 0.4
     done = solve_ivp(
-        slope, (0.0, 1.0), [1e-12, speed], "LSODA", rtol=1e-10, atol=1e-14, events=apart, max_step=depth / speed / 10
+        slope,
+        (0.0, 1.0),
+        [1e-12, speed],
+        "LSODA",
+        rtol=1e-10,
+        atol=1e-14,
+        events=apart,
+        max_step=depth / speed / 10,
     )
     return -done.y[1, -1] / speed
 
@@ -135,7 +142,9 @@ def test_a_ball_bounces_with_the_asked_coefficient(e):
 def test_restitution_at_other_speeds(speed):
     record = np.zeros((), LAW)
     set_restitution(record, 1e9, 0.6, 0.5)
-    assert rebound(record[()], speed) == pytest.approx(restitution_at(restitution_factor(0.6), speed / 0.5), abs=1e-6)
+    assert rebound(record[()], speed) == pytest.approx(
+        restitution_at(restitution_factor(0.6), speed / 0.5), abs=1e-6
+    )
 
 
 @pytest.mark.parametrize("e", [0.1, 0.5, 0.9])

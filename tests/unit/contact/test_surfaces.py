@@ -104,7 +104,11 @@ def test_a_point_is_inside_whatever_feature_is_nearest():
         triangles += [np.array([low[k], low[m], high[m]]), np.array([low[k], high[m], high[k]])]
     packed = TriangleSurface.from_triangles(np.array(triangles)).packed()
     place, W = np.zeros(PLACE), np.zeros((3, 3))
-    for y, wanted in (((1.0, 0.9, 0.0), -0.1), ((1.0, 1.1, 0.0), 0.1 / math.sqrt(2)), ((-0.1, -0.1, 0.0), 0.1 * math.sqrt(2))):
+    for y, wanted in (
+        ((1.0, 0.9, 0.0), -0.1),
+        ((1.0, 1.1, 0.0), 0.1 / math.sqrt(2)),
+        ((-0.1, -0.1, 0.0), 0.1 * math.sqrt(2)),
+    ):
         y = np.array(y)
         assert nearest_place(packed.ctypes.data, y, 1.0, place)
         assert signed_place(packed.ctypes.data, y, place, W)[0] == pytest.approx(wanted, rel=1e-12)

@@ -93,8 +93,8 @@ def solid_ball(radius, mass, position):
 def test_a_ball_rolls_down_an_incline_inside_the_friction_cone(slope, mu):
     """tan(slope) < 7/2 mu: rolls with 5/7 g sin; else it slips with g (sin - mu cos).
 
-    The plane is turned about y, so downhill is its -x... x axis; sticking friction creeps at a constant speed,
-    which does not show in the acceleration. 1e-3 for what is left of the start.
+    Downhill is the x axis of the plane; sticking friction creeps at a constant speed, which does not show in
+    the acceleration. 1e-3 for what is left of the start.
     """
     radius, mass, K = 0.05, 0.8, 1e6
     c, s = math.cos(slope), math.sin(slope)
@@ -312,7 +312,10 @@ def test_gears_of_triangles_press_along_the_line_of_action():
         set_meshes(record, pool, surfaces, 2e-4)
         set_impact(record, k, 1.0)
 
-    bodies = [Body(polar_inertia=1.0, name="pinion"), Body(polar_inertia=1.0, position=(distance, 0, 0), name="wheel")]
+    bodies = [
+        Body(polar_inertia=1.0, name="pinion"),
+        Body(polar_inertia=1.0, position=(distance, 0, 0), name="wheel"),
+    ]
     system = one_contact("surface_surface", bodies, setup)
     r1, r2 = (0.5 * g.d_b for g in gears)
     line = math.sqrt(distance**2 - (r1 + r2) ** 2)

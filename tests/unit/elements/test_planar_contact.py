@@ -8,8 +8,9 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.contact.curve import chain, circle, involute_piece, polygon, spline
+from pitchpoint.contact.curve import Curve, chain, circle, involute_piece, polygon, spline
 from pitchpoint.contact.impact import set_friction, set_impact
+from pitchpoint.core.errors import SolverError
 from pitchpoint.elements.contact_record import set_marker
 from pitchpoint.elements.curve_curve import set_curves
 from pitchpoint.elements.point_curve import set_cam
@@ -38,7 +39,9 @@ SHAPES = {
     ),
     "roller in corner": (
         "point_curve",
-        lambda r, p: set_cam(r, p, polygon([(0.05, 0.0), (0.0, 0.0), (0.0, 0.05)], closed=False), 0.01, 0.002),
+        lambda r, p: set_cam(
+            r, p, polygon([(0.05, 0.0), (0.0, 0.0), (0.0, 0.05)], closed=False), 0.01, 0.002
+        ),
         (0.0097, 0.0096, 0.001),
     ),
     "cam on cam": ("curve_curve", lambda r, p: set_curves(r, p, (CAM, CAM)), (0.1195, 0.002, 0.001)),
@@ -83,7 +86,6 @@ def build(name, where, tilt, seed=2):
     return system, state, kind
 
 
-@pytest.mark.nojit
 @pytest.mark.parametrize("tilt", [0.0, 0.02])
 @pytest.mark.parametrize("where", ["free", "ground", "tree"])
 @pytest.mark.parametrize("name", SHAPES)
@@ -99,6 +101,19 @@ def test_tangents_are_derivatives_of_the_force(name, where, tilt):
     for found, key, step in ((D, "v", 1e-6), (K, "q", 1e-8)):
         wanted = differences(system, state, key, step)
         np.testing.assert_allclose(found, wanted, atol=1e-7 * np.abs(wanted).max())
+
+
+@pytest.mark.nojit
+@pytest.mark.parametrize("name", ["roller on cam", "cam on cam", "corner on circle"])
+def test_tangents_without_the_compiler(name):
+    test_tangents_are_derivatives_of_the_force(name, "free", 0.02)
+
+
+def test_curves_seen_from_the_edge_are_refused():
+    system, state, _ = build("cam on cam", "free", 0.0)
+    state.q[3] = 1.5
+    with pytest.raises(SolverError, match="no possible model"):
+        evaluate.residual(system, state)
 
 
 @pytest.mark.parametrize("where", ["free", "ground"])
@@ -160,8 +175,6 @@ def test_bodies_may_change_places(name):
             for one, other in (("i", "j"), ("j", "i")):
                 r["start_" + one], r["rows_" + one] = curves[other]
             rows = pools[kind][r["start_j"] : r["start_j"] + 16 * r["rows_j"]].reshape(-1, 16)
-            from pitchpoint.contact.curve import Curve
-
             r["reach"][3:] = Curve(rows, True).circle()
             r["i"], r["j"] = 2, 1
         system = pair(kind, (records, pools), (*apart[:2], 0.0), rng)
@@ -192,7 +205,9 @@ def test_roller_on_an_eccentric_circle_has_the_lift_of_a_crank():
             set_impact(record, 1e7, 1.0)
             set_friction(record, 0.0, 0.0, 1.0, 2.0)
 
-        system = pair("point_curve", contact("point_curve", shapes), (0.0, y - press, 0.0), np.random.default_rng(1))
+        system = pair(
+            "point_curve", contact("point_curve", shapes), (0.0, y - press, 0.0), np.random.default_rng(1)
+        )
         state = system.initial_state()
         cos_b = math.sqrt(1.0 - (e * math.sin(a) / reach) ** 2)
         assert read(system, state, "gap[point_curve0]") == pytest.approx(-press * cos_b, rel=1e-3)
@@ -220,7 +235,9 @@ def test_flat_follower_on_an_eccentric_circle():
         system = pair("curve_curve", contact("curve_curve", shapes), (0.0, y, 0.0), np.random.default_rng(1))
         state = system.initial_state()
         assert read(system, state, "gap[curve_curve0]") == pytest.approx(-1e-6, abs=1e-15)
-        assert read(system, state, "contact_location[curve_curve0.x]") == pytest.approx(-e * math.sin(a), abs=1e-12)
+        assert read(system, state, "contact_location[curve_curve0.x]") == pytest.approx(
+            -e * math.sin(a), abs=1e-12
+        )
 
 
 def test_involutes_press_along_one_line_of_action():
@@ -235,7 +252,7 @@ def test_involutes_press_along_one_line_of_action():
         # along the line of action from T1; angle of the base point of each involute from the line of centres
         u1, u2 = share * path / r1, (1.0 - share) * path / r2
 
-        def shapes(record, pool):
+        def shapes(record, pool, u1=u1, u2=u2):
             one = chain([involute_piece(r1, 0.0, (1.6, 0.05), -1)], False)
             two = chain([involute_piece(r2, 0.0, (1.6, 0.05), -1)], False)
             set_curves(record, pool, (two, one), depth=1e-3, margin=0.01)
@@ -247,7 +264,9 @@ def test_involutes_press_along_one_line_of_action():
             set_impact(record, 1e9, 1.0)
             set_friction(record, 0.0, 0.0, 1.0, 2.0)
 
-        system = pair("curve_curve", contact("curve_curve", shapes), (distance, 0, 0), np.random.default_rng(4))
+        system = pair(
+            "curve_curve", contact("curve_curve", shapes), (distance, 0, 0), np.random.default_rng(4)
+        )
         state = system.initial_state()
         gap = read(system, state, "gap[curve_curve0]")
         assert abs(gap) == pytest.approx(1e-5, rel=1e-9)
