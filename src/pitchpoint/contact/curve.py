@@ -80,17 +80,52 @@ def _row(form: int, numbers: Sequence[float], points: FloatArray, length: float)
     return row
 
 
-def _line(start: complex, end: complex) -> FloatArray:
-    points = np.array([[start.real, start.imag], [end.real, end.imag]])
-    row = _row(LINE, points.ravel().tolist(), points, abs(end - start))
-    row[3] = 0.5 * abs(end - start)
+def line_piece(start: ArrayLike, end: ArrayLike) -> FloatArray:
+    """A straight line, as a row for `chain`.
+
+    Parameters
+    ----------
+    start, end
+        Its ends [m], shape (2,).
+
+    Examples
+    --------
+    >>> float(line_piece((0.0, 0.0), (3.0, 4.0))[LENGTH])
+    5.0
+    """
+    points = np.array([start, end], float)
+    length = float(np.hypot(*(points[1] - points[0])))
+    row = _row(LINE, points.ravel().tolist(), points, length)
+    row[3] = 0.5 * length
     return row
 
 
-def _arc(center: complex, radius: float, start: float, sweep: float) -> FloatArray:
-    row = _row(ARC, (center.real, center.imag, radius, start, sweep), np.zeros((1, 2)), radius * abs(sweep))
-    row[1:4] = center.real, center.imag, radius
+def arc_piece(center: ArrayLike, radius: float, start: float, sweep: float) -> FloatArray:
+    """An arc of a circle, as a row for `chain`.
+
+    Parameters
+    ----------
+    center, radius
+        [m]; a radius of zero is a corner.
+    start
+        Angle at which it begins [rad].
+    sweep
+        Angle over which it runs [rad]: positive counter-clockwise around material, negative clockwise around
+        a hollow.
+
+    Examples
+    --------
+    >>> round(float(arc_piece((0.0, 0.0), 0.5, 0.0, -1.0)[LENGTH]), 9)
+    0.5
+    """
+    x, y = np.asarray(center, float)
+    row = _row(ARC, (x, y, radius, start, sweep), np.zeros((1, 2)), radius * abs(sweep))
+    row[1:4] = x, y, radius
     return row
+
+
+def _pair(z: complex) -> tuple[float, float]:
+    return z.real, z.imag
 
 
 def _ends(row: FloatArray) -> tuple[complex, complex, complex, complex]:
@@ -132,7 +167,7 @@ def chain(rows: Sequence[FloatArray], closed: bool) -> Curve:
         angle = math.atan2(turn.imag, turn.real)
         if angle > SMOOTH:
             normal = -1j * ends[k][3]
-            found.append(_arc(ends[k][1], 0.0, math.atan2(normal.imag, normal.real), angle))
+            found.append(arc_piece(_pair(ends[k][1]), 0.0, math.atan2(normal.imag, normal.real), angle))
     made = np.array(found)
     made[:, BEGIN] = np.concatenate([[0.0], np.cumsum(made[:-1, LENGTH])])
     return Curve(made, closed)
@@ -153,7 +188,7 @@ def circle(radius: float, center: tuple[float, float] = (0.0, 0.0), hole: bool =
     >>> round(circle(0.5).length, 6)
     3.141593
     """
-    return chain([_arc(complex(*center), radius, 0.0, -TWO_PI if hole else TWO_PI)], True)
+    return chain([arc_piece(center, radius, 0.0, -TWO_PI if hole else TWO_PI)], True)
 
 
 def vertex(x: float = 0.0, y: float = 0.0) -> FloatArray:
@@ -169,7 +204,7 @@ def vertex(x: float = 0.0, y: float = 0.0) -> FloatArray:
     >>> float(vertex(1.0)[4])
     1.0
     """
-    return _arc(complex(x, y), 0.0, 0.0, TWO_PI)
+    return arc_piece((x, y), 0.0, 0.0, TWO_PI)
 
 
 def polygon(points: ArrayLike, radii: ArrayLike = 0.0, closed: bool = True) -> Curve:
@@ -207,7 +242,9 @@ def polygon(points: ArrayLike, radii: ArrayLike = 0.0, closed: bool = True) -> C
         if turn != 0.0:
             side = math.copysign(1.0, turn)
             normal = -1j * side * one
-            arcs[k] = _arc(entry[k] - r[k] * normal, float(r[k]), math.atan2(normal.imag, normal.real), turn)
+            arcs[k] = arc_piece(
+                _pair(entry[k] - r[k] * normal), float(r[k]), math.atan2(normal.imag, normal.real), turn
+            )
     rows: list[FloatArray] = []
     for k in range(n if closed else n - 1):
         if arcs[k] is not None:
@@ -217,7 +254,7 @@ def polygon(points: ArrayLike, radii: ArrayLike = 0.0, closed: bool = True) -> C
         if along.real < -1e-12:
             raise ValueError(f"the arcs at corners {k + 1} and {(k + 1) % n + 1} overlap")
         if along.real > 1e-12:
-            rows.append(_line(start, end))
+            rows.append(line_piece(_pair(start), _pair(end)))
     return chain(rows, closed)
 
 

@@ -8,7 +8,16 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.contact.curve import Curve, chain, circle, involute_piece, polygon, spline
+from pitchpoint.contact.curve import (
+    Curve,
+    arc_piece,
+    chain,
+    circle,
+    involute_piece,
+    line_piece,
+    polygon,
+    spline,
+)
 from pitchpoint.contact.impact import set_friction, set_impact
 from pitchpoint.core.errors import SolverError
 from pitchpoint.elements.contact_record import set_marker
@@ -278,3 +287,74 @@ def test_involutes_press_along_one_line_of_action():
         assert force > 0.0
         assert abs(torque[0]) == pytest.approx(r2 * force, rel=1e-9)
         assert abs(torque[1]) == pytest.approx(r1 * force, rel=1e-9)
+
+
+def gear_outline(z, r_b, alpha, radii, backlash=0.0):
+    """Outline of an involute gear with a tooth on the x axis, radial lines and a chord in its spaces.
+
+    The reference circle r_b/cos(alpha) carries teeth of half a pitch, less `backlash` on each flank along the
+    base tangent; `radii` are those of root and tip.
+    """
+    half = math.pi / (2.0 * z) + math.tan(alpha) - alpha - backlash / r_b  # half a tooth at the base circle
+    u_a, u_f = math.sqrt((radii[1] / r_b) ** 2 - 1.0), 0.02
+    tip = half - (u_a - math.atan(u_a))
+    foot = half - (u_f - math.atan(u_f))
+    rows = []
+    for k in range(z):
+        a = 2.0 * math.pi * k / z
+        ends = [
+            np.array([math.cos(b), math.sin(b)]) for b in (a - foot, a + foot, a + 2.0 * math.pi / z - foot)
+        ]
+        start = r_b * math.sqrt(1.0 + u_f**2)
+        rows += [
+            line_piece(radii[0] * ends[0], start * ends[0]),
+            involute_piece(r_b, a - half, (u_f, u_a), 1),
+            arc_piece((0.0, 0.0), radii[1], a - tip, 2.0 * tip),
+            involute_piece(r_b, a + half, (u_a, u_f), -1),
+            line_piece(start * ends[1], radii[0] * ends[1]),
+            line_piece(radii[0] * ends[1], radii[0] * ends[2]),
+        ]
+    return chain(rows, True)
+
+
+def test_two_gears_by_their_outlines():
+    """All pairs on the line of action overlap by r_b times the turn, and the pairs are those of the ratio.
+
+    z = 20 and 31, no undercut: between A and E lie floor or ceil of the contact ratio pairs; each presses with
+    K x. The reference of a mesh spring: torques -r_b F on both.
+    """
+    z, m, alpha, x, K = (20, 31), 3e-3, math.radians(20.0), 2e-5, 1e8
+    r_b = [0.5 * m * n * math.cos(alpha) for n in z]
+    r_a = [0.5 * m * (n + 2) for n in z]
+    distance = 0.5 * m * sum(z)
+    line = distance * math.sin(alpha)
+    p_b = math.pi * m * math.cos(alpha)
+    start, end = line - math.sqrt(r_a[1] ** 2 - r_b[1] ** 2), math.sqrt(r_a[0] ** 2 - r_b[0] ** 2)
+    outlines = [
+        gear_outline(n, r, alpha, (a - 2.25 * m, a), 1e-5) for n, r, a in zip(z, r_b, r_a, strict=True)
+    ]
+
+    def shapes(record, pool):
+        set_curves(record, pool, (outlines[1], outlines[0]), depth=1e-3, margin=1e-3)
+        set_impact(record, K, 1.0)
+        set_friction(record, 0.0, 0.0, 1.0, 2.0)
+
+    system = pair("curve_curve", contact("curve_curve", shapes), (distance, 0, 0), np.random.default_rng(4))
+    seen = set()
+    for phase in np.linspace(0.0, 2.0 * math.pi / z[0], 9)[:-1] + 0.011:
+        state = system.initial_state()
+        # the wheel is body a; a gap of 2e-5 in all is taken up by half of it on this flank
+        state.q[5], state.q[11] = -phase * r_b[0] / r_b[1], phase + (x + 1e-5 + 1e-5) / r_b[0]
+        evaluate.residual(system, state)
+        # left flank of tooth 0 of the pinion, half a tooth ahead of the line of centres: place from T1
+        first = r_b[0] * (math.tan(alpha) + phase) + 0.25 * math.pi * m * math.cos(alpha)
+        places = [first + k * p_b for k in range(-4, 5)]
+        if min(abs(p - edge) for p in places for edge in (start, end)) < 6e-4:
+            continue  # the edge of a tip carries as long as it overlaps: sqrt(2 x rho) = 0.45 mm
+        pairs = sum(start < p < end for p in places)
+        seen.add(pairs)
+        axes = np.asarray(system.bodies[1].axes)
+        torque = [(axes.T @ system.workspace.fr[b]["F"][3:])[2] for b in (2, 1)]
+        assert torque[0] == pytest.approx(-r_b[0] * K * x * pairs, rel=1e-6)
+        assert torque[1] == pytest.approx(-r_b[1] * K * x * pairs, rel=1e-6)
+    assert seen == {1, 2}
