@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Prescribed spin of a body: constant speed, speed in pieces or angle formula, as a constraint row.
+"""Prescribed spin of a body, or another coordinate of its joint: speed or angle over time, as a row.
 
 g = spin - theta(t), with the time derivatives that explicit methods need. The observation is the torque that
-the drive puts on the spin.
+the drive puts on the spin, or the force on a coordinate that is a length.
 """
 
 from __future__ import annotations
@@ -26,7 +26,10 @@ RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
         ("form", "i8"),  # SPEED, SPEED_PIECES or ANGLE_FORMULA
-        ("spin_i", "i8"),  # coordinate; written by the layout
+        ("spin_i", "i8"),  # spin coordinate, -1 for none; written by the layout
+        ("dof_i", "i8"),  # first coordinate of the body; written by the layout
+        ("other", "i8"),  # 0: drives the spin; k: coordinate k - 1 of the joint
+        ("linear", "i8"),  # 1: the coordinate is a length
         ("row", "i8"),  # constraint row; written by the layout
         ("angle", "f8"),  # spin at t = 0 [rad]
         ("speed", "f8"),  # SPEED: [rad/s]
@@ -40,6 +43,16 @@ RECORD = np.dtype(
 )
 
 OUTPUTS = (("torque", "N m", "torque of the drive on its body"),)
+
+
+def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
+    """Names of the observations of one record: a torque, or a force where the coordinate is a length."""
+    return (("force", "N", "force of the drive on its body"),) if record["linear"] else OUTPUTS
+
+
+def coordinate_of(record: np.void) -> int:
+    """Index of the coordinate that a drive of an assembled system prescribes."""
+    return int(record["dof_i"] + record["other"] - 1 if record["other"] else record["spin_i"])
 
 
 def set_speed_pieces(record: np.void, pool: Pool, pieces: SpeedPieces) -> None:
@@ -126,9 +139,10 @@ def drive(rec, ctl, fr, q, g, G):
     for e in range(rec.size):
         b = rec[e]
         r = b["row"]
-        d = b["spin_i"]
+        d = b["dof_i"] + b["other"] - 1 if b["other"] != 0 else b["spin_i"]
         angle, speed, acceleration = target(b, c["t"])
-        g[r] = q[d] + TWO_PI * fr[b["i"]]["turns"] - angle
+        turns = fr[b["i"]]["turns"] if d == b["spin_i"] else 0
+        g[r] = q[d] + TWO_PI * turns - angle
         gt[r] = -speed
         gtt[r] = -acceleration
         G[r, d] = 1.0

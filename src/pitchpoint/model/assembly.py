@@ -21,6 +21,7 @@ from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.mechanism import Mechanism, hang, place_joined
 from pitchpoint.model.pair_check import check_gear, check_pair, hand_on
 from pitchpoint.model.read import Reader
 from pitchpoint.model.scenario import Scenario
@@ -44,11 +45,13 @@ class Parts:
     loads: dict[str, Load]
     damping: Damping | None
     scenarios: dict[str, Scenario]
+    sections: dict[str, dict[str, Any]] = field(default_factory=dict)  # all others, found as attributes
     names: dict[str, set[str]] = field(default_factory=dict)
     pairs: dict[str, GearPair] = field(default_factory=dict)
     misshapen: set[str] = field(default_factory=set)  # gears whose own shape is impossible
     placed: dict[str, tuple[str, str, str]] = field(default_factory=dict)
     """For bodies without a position: kind and name of the link that placed it, and the body it hangs on."""
+    mechanism: Mechanism = field(default_factory=Mechanism)
 
     @classmethod
     def of(cls, groups: Mapping[str, Any], damping: Damping | None) -> Parts:
@@ -66,7 +69,18 @@ class Parts:
             loads=group("loads"),
             scenarios=group("scenarios"),
             damping=damping,
+            sections={
+                name: group(name)
+                for name, found in groups.items()
+                if isinstance(found, Mapping) and name not in cls.__dataclass_fields__
+            },
         )
+
+    def __getattr__(self, name: str) -> dict[str, Any]:
+        """Section of this name; one that a file does not have is empty."""
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return self.__dict__.get("sections", {}).get(name, {})
 
     def known(self, group: str) -> set[str]:
         """All names of a group, those of unreadable parts included."""
@@ -207,22 +221,33 @@ def _places(parts: Parts, report: Reader) -> None:
     links = _links(parts)
     for name, body in parts.bodies.items():
         parts.bodies[name] = replace(body, origin=body.position)
-    _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None])
+    parts.mechanism = hang(parts)
+    _spread_all(parts, links)
     # one train may go without any position: its first body is the origin
-    first = next((n for n, b in parts.bodies.items() if b.origin is None), None)
+    carried = parts.mechanism.carried
+    first = next((n for n, b in parts.bodies.items() if b.origin is None and n not in carried), None)
     if first is not None:
         parts.bodies[first] = replace(parts.bodies[first], origin=(0.0, 0.0, 0.0))
-        _spread(parts, links, [first])
+        _spread_all(parts, links)
     _directions(parts, report)
-    if not _all_linked_known(parts, report):
+    if not all_linked_known(parts, report):
         return
     for name, body in parts.bodies.items():
-        if body.origin is None:
+        if body.origin is None and name not in carried:
             report.problem(
                 ("bodies", name),
                 "has no place: no mesh or coupling connects it to the bodies before it",
                 remedy="give position: [x, y, z]",
             )
+
+
+def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
+    """Place what follows from the bodies with a place: by joints, meshes and couplings in turn."""
+    before = -1
+    while len(placed := [n for n, b in parts.bodies.items() if b.origin is not None]) > before:
+        before = len(placed)
+        place_joined(parts)
+        _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None])
 
 
 def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[str]) -> None:
@@ -236,11 +261,11 @@ def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[
                 queue.append(there)
 
 
-def _all_linked_known(parts: Parts, report: Reader) -> bool:
+def all_linked_known(parts: Parts, report: Reader) -> bool:
     """False when something unreadable or impossible may have been the missing link."""
     if parts.misshapen:
         return False
-    groups = ("meshes", "couplings", "bodies", "gears")
+    groups = ("meshes", "couplings", "bodies", "gears", "joints")
     return all(set(getattr(parts, g)) == parts.known(g) for g in groups) and not any(
         (g,) in report.tainted for g in groups
     )

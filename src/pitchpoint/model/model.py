@@ -17,11 +17,15 @@ from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.components.joint import Joint
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.components.ratio import Ratio
+from pitchpoint.model.components.rod import Rod
 from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import BAD, Key, component, defaults_of, derived, key, keys_of, text
+from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.pair_check import gap
 from pitchpoint.model.phasing import Phasing, assemble
 from pitchpoint.model.read import Reader
@@ -59,7 +63,10 @@ class Model:
 
     title: str = text("what the file describes", "")
     gears: Mapping[str, Gear] = key("components", "the gears by name", {}, of=Gear)
-    bodies: Mapping[str, Body] = key("components", "bodies that carry the gears", {}, of=Body)
+    bodies: Mapping[str, Body] = key("components", "bodies, with the gears that they carry", {}, of=Body)
+    joints: Mapping[str, Joint] = key("components", "joints between bodies", {}, of=Joint)
+    rods: Mapping[str, Rod] = key("components", "rods that hold two points at a distance", {}, of=Rod)
+    ratios: Mapping[str, Ratio] = key("components", "fixed ratios between coordinates", {}, of=Ratio)
     meshes: Mapping[str, Mesh] = key("components", "pairs of gears in mesh", {}, of=Mesh)
     bearings: Mapping[str, Bearing] = key("components", "bearings between bodies and ground", {}, of=Bearing)
     couplings: Mapping[str, Coupling] = key("components", "couplings between bodies", {}, of=Coupling)
@@ -70,6 +77,8 @@ class Model:
     """Path of the file the model came from."""
     pairs: Mapping[str, GearPair] = derived()
     """Pair of every mesh at its centre distance; the common face width is what overlaps."""
+    mechanism: Mechanism = derived()
+    """How the bodies hang on each other: tree, cut joints, places and frames of joints."""
 
     def __post_init__(self) -> None:
         for group in GROUPS:
@@ -104,6 +113,7 @@ class Model:
     def _settle(self, parts: Parts) -> None:
         for group in (*GROUPS, "pairs"):
             object.__setattr__(self, group, Frozen(getattr(parts, group)))
+        object.__setattr__(self, "mechanism", parts.mechanism)
 
     def _parts(self) -> Parts:
         return Parts.of({group: getattr(self, group) for group in GROUPS}, self.damping)
@@ -197,7 +207,8 @@ class Model:
         return model_table(self)
 
 
-GROUPS = ("gears", "bodies", "meshes", "bearings", "couplings", "loads", "scenarios")
+GROUPS = tuple(name for name, found in keys_of(Model).items() if found.kind == "components")
+"""Sections of a file that hold components by name."""
 
 
 def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at: tuple[str, ...] = ()) -> Any:
@@ -222,6 +233,7 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
         report.problem(here, "is below a key without keys", remedy="replace the whole value above it")
         return part
     keys = keys_of(type(part))
+    report.within = vars(part)
     if name not in keys:
         report.unknown({name: value}, keys, at)
         return part

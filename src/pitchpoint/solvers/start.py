@@ -52,7 +52,8 @@ def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
         raise SolverError("the system was not made from a model; give a state instead of a scenario", 0)
     given = dict(scenario.speed)
     for name, record in drive_records(system):
-        given[name] = drive_element.target_of(record, 0.0)[1]
+        if record["other"] == 0:
+            given[name] = drive_element.target_of(record, 0.0)[1]
     # a drive need not fit the ratio of the teeth: the gap takes up the rest
     return {**model.start_speeds(replace(scenario, speed=given)), **given}
 
@@ -86,12 +87,16 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
             state.v[system.spin(name)] = speed
     driven = []
     for name, record in drive_records(system):
-        spin = system.spin(name)
-        body = system.layout.bodies.index(name)
-        angle = drive_element.target_of(record, 0.0)[0]
-        state.turns[body] = round(angle / (2.0 * np.pi))
-        state.q[spin] = angle - 2.0 * np.pi * state.turns[body]
-        driven.append(spin)
+        d = drive_element.coordinate_of(record)
+        angle, speed, _ = drive_element.target_of(record, 0.0)
+        state.q[d] = angle
+        if record["other"] == 0:
+            body = system.layout.bodies.index(name)
+            state.turns[body] = round(angle / (2.0 * np.pi))
+            state.q[d] -= 2.0 * np.pi * state.turns[body]
+        else:
+            state.v[d] = speed
+        driven.append(d)
     held = list(held_spins(system))
     if scenario.start == "assembled":
         return Start(_with_damping(system, state), state)

@@ -105,7 +105,8 @@ def same_train(system: System, one: int, two: int) -> bool:
 
 def driven_spins(system: System) -> tuple[int, ...]:
     """Spin coordinates of the bodies whose motion is prescribed, in the order of the drives."""
-    return tuple(int(system.program["body"][int(r["i"])]["spin"]) for r in system.records.get("drive", ()))
+    records = system.records.get("drive", ())
+    return tuple(int(system.program["body"][int(r["i"])]["spin"]) for r in records if r["other"] == 0)
 
 
 def held_spins(system: System) -> tuple[int, ...]:
