@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from pitchpoint.core.errors import ModelError, Problem
-from pitchpoint.model.assembly import Parts
 from pitchpoint.model.keys import BAD, keys_of
 from pitchpoint.model.model import GROUPS, Model
+from pitchpoint.model.parts import Parts
 from pitchpoint.model.read import Reader
 from pitchpoint.model.validate import check
 

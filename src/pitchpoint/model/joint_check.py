@@ -13,10 +13,10 @@ from pitchpoint.model.keys import Place, keys_of
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
-    from pitchpoint.model.assembly import Parts
     from pitchpoint.model.components.body import Body
     from pitchpoint.model.components.joint import Joint
     from pitchpoint.model.components.marker import Axes
+    from pitchpoint.model.parts import Parts
 
 SQUARE = 1e-6
 """Cosine of the angle up to which two directions count as perpendicular."""

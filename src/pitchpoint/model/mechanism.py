@@ -28,7 +28,7 @@ from pitchpoint.model.frames import (
 )
 
 if TYPE_CHECKING:
-    from pitchpoint.model.assembly import Parts
+    from pitchpoint.model.parts import Parts
 
 MOTIONS = {"fixed": "fixed", "torsion": "revolute", "planar": "planar", "free": "shaft"}
 """Type of the joint to ground that a motion stands for."""

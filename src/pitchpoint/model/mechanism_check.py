@@ -25,7 +25,7 @@ from pitchpoint.model.mechanism import ONE_WAY, Seat, axial_offset, coordinate, 
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
-    from pitchpoint.model.assembly import Parts
+    from pitchpoint.model.parts import Parts
 
 CLOSE = 1e-6
 """Distance of two markers over the size of the machine, and angle [rad], up to which they count as one."""

@@ -16,7 +16,7 @@ from pitchpoint.model.mechanism import Seat, seat_frame
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
-    from pitchpoint.model.assembly import Parts
+    from pitchpoint.model.parts import Parts
 
 NOTHING = 1e-20
 """Share of mass times size squared that is round-off: places are off by 1e-16 of their size at most."""

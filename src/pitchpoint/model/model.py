@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from pitchpoint.core.errors import ModelError, Problem
-from pitchpoint.model.assembly import Parts
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.coupling import Coupling
@@ -27,6 +26,7 @@ from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import BAD, Key, component, defaults_of, derived, key, keys_of, text
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.pair_check import gap
+from pitchpoint.model.parts import Parts
 from pitchpoint.model.phasing import Phasing, assemble
 from pitchpoint.model.read import Reader
 from pitchpoint.model.recheck import recheck

@@ -12,7 +12,7 @@ from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
-    from pitchpoint.model.assembly import Parts
+    from pitchpoint.model.parts import Parts
     from pitchpoint.model.scenario import Scenario
 
 SPEED_TOLERANCE = 1e-6

@@ -12,8 +12,8 @@ from pitchpoint.model.frames import frame
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
-    from pitchpoint.model.assembly import Parts
     from pitchpoint.model.components.coupling import Coupling
+    from pitchpoint.model.parts import Parts
 
 COAXIAL = 1e-6
 """Distance of two axes [m] up to which they count as one: what places computed from meshes differ by."""

@@ -9,7 +9,6 @@ from collections.abc import Iterable
 from typing import Any
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.model.assembly import Parts
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.law import Balance, Constant
 from pitchpoint.model.components.modifications import FlankPitch
@@ -17,6 +16,7 @@ from pitchpoint.model.components.stiffness import Fourier, Rectangular
 from pitchpoint.model.inertia import BodyInertia, asks_gears, body_inertia, gear_inertia
 from pitchpoint.model.keys import Place
 from pitchpoint.model.pair_check import hand_on
+from pitchpoint.model.parts import Parts
 from pitchpoint.model.read import Reader
 from pitchpoint.model.scenario_check import check_scenarios, links_of
 
