@@ -8,6 +8,7 @@ import pytest
 
 from pitchpoint.elements import drive, registry
 from pitchpoint.elements.force import RECORD as FORCE
+from pitchpoint.elements.ratio import SPIN
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
@@ -57,7 +58,7 @@ def _damping(rng):
 
 def _drive(rng):
     records = np.zeros(1, drive.RECORD)
-    records["i"], records["speed"] = 1, 3.0
+    records["i"], records["q_i"], records["speed"] = 1, SPIN, 3.0
     return records
 
 

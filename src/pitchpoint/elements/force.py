@@ -15,6 +15,8 @@ from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.signal import SIGNAL, signal
 from pitchpoint.multibody.channels import frame_args
 
+SPINS = "free"
+
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + SIGNAL

@@ -50,13 +50,10 @@ def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
     return (("force", "N", "force of the ratio on the first body"),) if record["linear"] else OUTPUTS
 
 
-def is_gear_pair(record: np.void) -> bool:
-    """Whether a row holds two spins in a ratio and nothing else."""
-    spins = all(
-        record[f"q_{end}"] == SPIN or record[f"dof_{end}"] + record[f"q_{end}"] == record[f"spin_{end}"]
-        for end in "ij"
-    )
-    return bool(spins and record["c_j"] != 0.0 and record["c_k"] == 0.0)
+def place_of(record: np.void, end: str) -> int:
+    """Index of the coordinate of one end, "i", "j" or "k", of a record of this kind or of a drive."""
+    q = int(record[f"q_{end}"])
+    return int(record[f"spin_{end}"]) if q == SPIN else int(record[f"dof_{end}"]) + q
 
 
 @kernel

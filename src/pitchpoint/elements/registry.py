@@ -9,6 +9,8 @@ jj
   (bodies, pair blocks; filled by the layout) and whose last is out, the index of its first observation;
 * ``entry``, the kernel with the uniform signature ``int64 entry(int64 ctl, int64 records, int64 n)``;
 * ``OUTPUTS``, tuple of (name, unit, long name) per record; ``{}`` in the name stands for the element's name;
+* optionally ``SPINS``: "free" if it keeps no body from turning about its axis, "together" if both its bodies
+  turn together; otherwise it counts as holding them (see `solvers.trains`),
 * optionally ``BODY_FIXED = True``, if it reads the frames S of its bodies,
 * optionally ``EXACT``, entries that only exact tangents call, by the record field of their address, and
 * optionally ``EVENTS`` (the same for event functions, first index in the field event), ``ROWS`` (constraint

@@ -16,6 +16,8 @@ from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
 from pitchpoint.multibody.channels import frame_args, observations
 
+SPINS = "free"
+
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")] + SIGNAL + [("out", "i8")], align=True
 )
