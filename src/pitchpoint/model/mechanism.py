@@ -246,6 +246,26 @@ def _spin(mechanism: Mechanism, machine: Machine, body: str) -> tuple[str, int, 
     return body, seat.coordinates.index("spin"), "angle"
 
 
+def given(mechanism: Mechanism, machine: Machine, key: str) -> tuple[str, ...]:
+    """Coordinates that joints give at the start, as the system names them: BODY.DISPLACEMENT.
+
+    Parameters
+    ----------
+    mechanism, machine
+        Tree and parts.
+    key
+        "start" for their values, "speed" for their rates.
+    """
+    found = []
+    for seat in mechanism.seats.values():
+        if seat.joint is not None:
+            words = COORDINATES[seat.kind] or seat.coordinates
+            values = getattr(machine.joints[seat.joint], key)
+            pairs = zip(words, seat.coordinates, strict=True)
+            found += [f"{seat.body}.{word}" for word, own in pairs if own in values]
+    return tuple(found)
+
+
 def rows_of(joint: Joint) -> int:
     """Directions that a joint holds fast."""
     return 6 - len(joint.names)

@@ -35,16 +35,12 @@ def drive_bank(model: Model, scenario: Scenario) -> Bank:
     speeds = model.start_speeds(scenario)
     for word, drive in scenario.drive.items():
         row = np.zeros(1, element.RECORD)[0]
-    for word, drive in scenario.drive.items():
-        row = np.zeros(1, element.RECORD)[0]
         found = coordinate(model.mechanism, model, word)
         if isinstance(found, str):
             raise CompileError(f"drive.{word}: {found}")
         body, row["q_i"], dimension = found
         row["i"], row["linear"] = number[body], dimension == "length"
         _prescribe(row, pool, drive, scenario.duration or 1.0, f"drive.{word}")
-        rows.append(row)
-        names.append(word)
         rows.append(row)
         names.append(word)
     for body in scenario.hold:
