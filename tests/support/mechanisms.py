@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mechanisms as plain mappings, as they stand in files: a slider-crank, chains, and how to move or reverse one."""
+"""Mechanisms as they stand in files: a slider-crank, chains, and how to move or reverse one."""
 
 from __future__ import annotations
 
@@ -128,7 +128,5 @@ def centers(system, frames):
         )
         arm = S @ body.center_of_mass()
         w, e = f["tw"][3:], f["ac"][3:]
-        found[body.name] = np.concatenate(
-            [f["ac"][:3] + np.cross(e, arm) + np.cross(w, np.cross(w, arm)), e]
-        )
+        found[body.name] = np.concatenate([f["ac"][:3] + np.cross(e, arm) + np.cross(w, np.cross(w, arm)), e])
     return found

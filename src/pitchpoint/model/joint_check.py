@@ -180,7 +180,7 @@ def check_joints(parts: Parts, report: Reader) -> None:
 
 def _functions(joint: Joint, at: Place, report: Reader) -> None:
     """A joint made of functions has some, and each of its coordinates moves something."""
-    if not joint.motion:
+    if not joint.motion and (*at, "motion") not in report.tainted:
         report.problem((*at, "motion"), "is missing", remedy="add motion: {x: 2 mm * sin(t / 1 s)}, say")
     if joint.type == "moved":
         if joint.coordinates:
@@ -190,7 +190,7 @@ def _functions(joint: Joint, at: Place, report: Reader) -> None:
                 remedy="write type: user, or remove them",
             )
         return
-    if not joint.coordinates:
+    if not joint.coordinates and (*at, "coordinates") not in report.tainted:
         report.problem((*at, "coordinates"), "is missing", remedy="add coordinates: {s: length}, say")
     used = {v for laws in joint.motion.values() for law in laws for v in _variables(law)}
     for word in joint.coordinates:

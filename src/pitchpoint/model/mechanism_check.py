@@ -126,16 +126,19 @@ def _cuts(parts: Parts, report: Reader) -> None:
 
 
 def _placed(parts: Parts, report: Reader) -> None:
-    """Every joint has a place, unless what broke before would have given it."""
+    """Every joint has a place; told of those from which the others would follow."""
     from pitchpoint.model.assembly import all_linked_known
 
-    for name, joint in parts.joints.items() if all_linked_known(parts, report) else ():
-        if joint_place(parts, joint) is None:
-            report.problem(
-                ("joints", name, "position"),
-                "is missing: neither a marker nor a body says where the joint is",
-                remedy="give position: [x, y, z], or a marker of a body with a place",
-            )
+    if not all_linked_known(parts, report):
+        return  # what broke before would have given it
+    lost = {n: j for n, j in parts.joints.items() if joint_place(parts, j) is None}
+    near = [n for n, j in lost.items() if any(place_of(parts, e) is not None for e in j.bodies)]
+    for name in near or list(lost)[:1]:
+        report.problem(
+            ("joints", name, "position"),
+            "is missing: neither a marker nor a body says where the joint is",
+            remedy="give position: [x, y, z], or a marker of a body with a place",
+        )
 
 
 def _size(parts: Parts) -> float:

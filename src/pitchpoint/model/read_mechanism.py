@@ -130,7 +130,10 @@ def motions(reader: Reader, key: Key, data: Any, path: Place) -> Any:
             for i, one in enumerate(given if many else [given])
         ]
         out[str(name)] = BAD if BAD in found else tuple(found)
-    return BAD if any(v is BAD for v in out.values()) or len(out) != len(data) else out
+    if len(out) != len(data):
+        reader.tainted.add(path)  # that nothing is left of it is no problem of its own
+        return BAD
+    return BAD if any(v is BAD for v in out.values()) else out
 
 
 def _function(reader: Reader, key: Key, data: Any, path: Place) -> Any:

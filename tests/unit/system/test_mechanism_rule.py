@@ -54,12 +54,16 @@ def crank_acceleration(theta, omega):
     def reduced(theta):
         _, (d_phi, d_x), _ = slider_crank(theta)
         phi = slider_crank(theta)[0][0]
-        along = np.array([-R * np.sin(theta) - 0.12 * np.sin(phi) * d_phi, R * np.cos(theta) + 0.12 * np.cos(phi) * d_phi])
+        along = np.array(
+            [-R * np.sin(theta) - 0.12 * np.sin(phi) * d_phi, R * np.cos(theta) + 0.12 * np.cos(phi) * d_phi]
+        )
         crank = 1.2e-3 + 1.0 * (0.04**2 + 0.005**2)
         return crank + 0.8 * along @ along + 8e-3 * d_phi**2 + 0.5 * d_x**2
 
     h = 1e-3
-    slope = 8.0 * (reduced(theta + h) - reduced(theta - h)) - (reduced(theta + 2 * h) - reduced(theta - 2 * h))
+    slope = 8.0 * (reduced(theta + h) - reduced(theta - h)) - (
+        reduced(theta + 2 * h) - reduced(theta - 2 * h)
+    )
     return -0.5 * slope / (12.0 * h) * omega**2 / reduced(theta)
 
 
@@ -78,7 +82,9 @@ def test_a_slider_crank_accelerates_as_in_closed_form(theta):
     found = assemble_state(system, state, keep=[crank], keep_rates=[crank])
     assert found.freedoms == 1
     np.testing.assert_allclose(found.state.q[[rod_spin, piston]], [phi - theta, x - R - L], atol=1e-13)
-    np.testing.assert_allclose(found.state.v[[rod_spin, piston]], [(d_phi - 1.0) * omega, d_x * omega], atol=1e-12)
+    np.testing.assert_allclose(
+        found.state.v[[rod_spin, piston]], [(d_phi - 1.0) * omega, d_x * omega], atol=1e-12
+    )
     a, _ = accelerations(system, found.state)
     # differences of fourth order in the closed form: 1e-11 of J''''' h^4
     alpha = crank_acceleration(theta, omega)
@@ -108,7 +114,12 @@ def test_a_slider_crank_is_the_one_assembled_by_hand():
             name="rod",
         ),
         Body(
-            motion=joints.PRISMATIC, position=(0.4, 0.0, 0.0), axes=turned, mass=0.5, inertia=np.zeros((3, 3)), name="piston"
+            motion=joints.PRISMATIC,
+            position=(0.4, 0.0, 0.0),
+            axes=turned,
+            mass=0.5,
+            inertia=np.zeros((3, 3)),
+            name="piston",
         ),
     ]
     rows, words = cut_joint(joints.TORSION, bodies, 3, 2, (0.4, 0.0, 0.0), np.eye(3))
@@ -118,7 +129,9 @@ def test_a_slider_crank_is_the_one_assembled_by_hand():
     state = by_hand.initial_state()
     state.q[:], state.v[:], state.a[:] = (0.1, -0.2, 0.05), (1.0, 2.0, 3.0), (4.0, 5.0, 6.0)
     state.lam[:] = np.arange(5.0)
-    np.testing.assert_allclose(evaluate.residual(system, state), evaluate.residual(by_hand, state), rtol=1e-14)
+    np.testing.assert_allclose(
+        evaluate.residual(system, state), evaluate.residual(by_hand, state), rtol=1e-14
+    )
     np.testing.assert_allclose(system.workspace.g, by_hand.workspace.g, rtol=1e-14)
 
 
@@ -175,7 +188,9 @@ def test_a_four_bar_is_the_one_assembled_by_hand():
     # the frames of the bodies differ by the directions of the bars at most: joints stand along the world
     np.testing.assert_allclose(two.state.q, one.state.q, atol=1e-14)
     np.testing.assert_allclose(two.state.v, one.state.v, rtol=1e-12)
-    np.testing.assert_allclose(accelerations(system, two.state)[0], accelerations(by_hand, one.state)[0], rtol=1e-11)
+    np.testing.assert_allclose(
+        accelerations(system, two.state)[0], accelerations(by_hand, one.state)[0], rtol=1e-11
+    )
 
 
 def test_a_spatial_chain_is_the_one_assembled_by_hand():
@@ -188,7 +203,10 @@ def test_a_spatial_chain_is_the_one_assembled_by_hand():
     bodies = []
     for k, (word, parent) in enumerate(zip(types, parents, strict=True), start=1):
         body, joint = data["bodies"][f"b{k}"], data["joints"][f"j{k}"]
-        E, A = (np.column_stack([(x := part["axes"])["x"], np.cross(x["z"], x["x"]), x["z"]]) for part in (joint, body))
+        E, A = (
+            np.column_stack([(x := part["axes"])["x"], np.cross(x["z"], x["x"]), x["z"]])
+            for part in (joint, body)
+        )
         xx, yy, zz, xy, yz, zx = body["inertia_tensor"]
         about = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
         place = np.array(body["position"]) + A @ body["center_of_mass"]
@@ -220,8 +238,12 @@ def test_a_spatial_chain_is_the_one_assembled_by_hand():
 def looped(rng, word):
     """A tree of many joints whose last body is held to another by a joint of a type, at a marker of each."""
     data = random_chain(rng, ("free", "universal", "revolute", "shaft", "cylindrical"), (0, 1, 2, 0, 4))
-    data["bodies"]["b3"]["markers"] = {"m": {"position": vector(rng.normal(size=3)), "axes": axes(frame(rng))}}
-    data["joints"]["loop"] = {"type": word, "bodies": ["b3.m", "b5"]} | ({"lead": 0.3} if word == "screw" else {})
+    data["bodies"]["b3"]["markers"] = {
+        "m": {"position": vector(rng.normal(size=3)), "axes": axes(frame(rng))}
+    }
+    data["joints"]["loop"] = {"type": word, "bodies": ["b3.m", "b5"]} | (
+        {"lead": 0.3} if word == "screw" else {}
+    )
     for k in range(1, 6):
         data["joints"][f"j{k}"]["speed"] = {}
     return data
@@ -295,7 +317,7 @@ def test_reversed_joints_to_ground_carry_the_same_bodies(word):
     assert {n: s.parent for n, s in one.mechanism.seats.items()} == {
         n: s.parent for n, s in two.mechanism.seats.items()
     }
-    # the mass matrix in its own coordinates has the same eigenvalues where those are the same up to their sign
+    # in coordinates that are the same up to their signs and order the mass matrix has the same eigenvalues
     systems = [compile_model(m) for m in (one, two)]
     masses = [evaluate.linearize(s, s.initial_state())[0] for s in systems]
     found = [np.linalg.eigvalsh(M) for M in masses]
@@ -324,13 +346,17 @@ def test_reversed_cut_joints_hold_the_same():
 def test_places_on_bodies_are_where_the_file_has_them():
     rng = np.random.default_rng(6)
     data = random_chain(rng, ("universal", "spherical"), (0, 1))
-    data["bodies"]["b2"]["markers"] = {"m": {"position": vector(rng.normal(size=3)), "axes": axes(frame(rng))}}
+    data["bodies"]["b2"]["markers"] = {
+        "m": {"position": vector(rng.normal(size=3)), "axes": axes(frame(rng))}
+    }
     data["rods"] = {"r": {"ends": ["ground", "b2.m"]}}
     model, system = system_of(data)
     number, point, local = end_of(model, "b2.m")
     body = system.bodies[number - 1]
     part = data["bodies"]["b2"]
-    A = np.column_stack([part["axes"]["x"], np.cross(part["axes"]["z"], part["axes"]["x"]), part["axes"]["z"]])
+    A = np.column_stack(
+        [part["axes"]["x"], np.cross(part["axes"]["z"], part["axes"]["x"]), part["axes"]["z"]]
+    )
     m = part["markers"]["m"]
     np.testing.assert_allclose(
         body.position + body.axes @ point, part["position"] + A @ m["position"], rtol=1e-13, atol=1e-13
@@ -365,15 +391,30 @@ def test_start_values_count_whole_turns():
 def test_a_mass_without_extent_hangs_from_a_joint():
     data = {
         "bodies": {"bob": {"mass": 2.0, "center_of_mass": [0.0, 0.0, -0.5]}},
-        "joints": {"pivot": {"type": "revolute", "bodies": ["ground", "bob"], "axes": {"z": [1, 0, 0]}, "position": [0, 0, 0]}},
+        "joints": {
+            "pivot": {
+                "type": "revolute",
+                "bodies": ["ground", "bob"],
+                "axes": {"z": [1, 0, 0]},
+                "position": [0, 0, 0],
+            }
+        },
     }
     _, system = system_of(data)
     assert evaluate.linearize(system, system.initial_state())[0][0, 0] == pytest.approx(0.5)
 
 
 def test_gears_on_an_off_axis_body_give_their_inertia():
-    gear = {"number_of_teeth": 30, "normal_module": 0.003, "face_width": 0.02, "profile_shift_coefficient": 0.0}
-    data = {"gears": {"g": gear}, "bodies": {"b": {"gears": {"g": 0.1}, "center_of_mass": [0.01, 0.02, 0.03]}}}
+    gear = {
+        "number_of_teeth": 30,
+        "normal_module": 0.003,
+        "face_width": 0.02,
+        "profile_shift_coefficient": 0.0,
+    }
+    data = {
+        "gears": {"g": gear},
+        "bodies": {"b": {"gears": {"g": 0.1}, "center_of_mass": [0.01, 0.02, 0.03]}},
+    }
     inertia = model_of(data).body_inertia("b")
     from pitchpoint.model.inertia import gear_inertia
 
