@@ -45,6 +45,7 @@ def check_mechanism(parts: Parts, report: Reader) -> None:
     _meet(parts, report)
     _rods(parts, report)
     _axes(parts, report)
+    _polar(parts, report)
     _coordinates(parts, report)
     _ratios(parts, report)
     if not report.problems:
@@ -241,6 +242,25 @@ def _axes(parts: Parts, report: Reader) -> None:
                     f"turns about the z axis of {name}, which is not that of the joint {seat.joint}",
                     remedy=f"give {name} axes whose z lies along the axis of {seat.joint}",
                 )
+
+
+def _polar(parts: Parts, report: Reader) -> None:
+    """A polar inertia alone is enough for bodies that turn about their own axis, and for no others."""
+    for name, seat in parts.mechanism.seats.items():
+        body = parts.bodies[name]
+        if (
+            seat.joint is None
+            or not body.is_round
+            or body.inertia is None
+            or axial_offset(parts, seat) is not None
+        ):
+            continue
+        if body.transverse_inertia is None and not body.gears:
+            report.problem(
+                ("bodies", name, "inertia"),
+                f"does not say how the mass lies about the axis of {seat.joint}, which is not the z axis of {name}",
+                remedy="give inertia_tensor about the centre of mass instead, or transverse_inertia beside it",
+            )
 
 
 def _parallel(parts: Parts, seat: Seat) -> bool:

@@ -116,7 +116,9 @@ class Model:
         object.__setattr__(self, "mechanism", parts.mechanism)
 
     def _parts(self) -> Parts:
-        return Parts.of({group: getattr(self, group) for group in GROUPS}, self.damping)
+        parts = Parts.of({group: getattr(self, group) for group in GROUPS}, self.damping)
+        parts.mechanism = self.mechanism or parts.mechanism
+        return parts
 
     def replace(self, path: str, value: Any) -> Model:
         """New model with one value changed; everything that follows from it is settled again.

@@ -191,6 +191,11 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
         "bodies.crank.center_of_mass",
         "lies off the axis",
     ),
+    "a polar inertia about another axis": (
+        [("{mass: 0.5 kg}", "{mass: 0.5 kg, inertia: 0.1 kg m^2}")],
+        "bodies.piston.inertia",
+        "does not say how the mass lies about the axis of cylinder",
+    ),
     "a rod of no length": (
         [(PIN, f"{PIN}rods:\n  r: {{ends: [crank.pin, rod.big]}}\n")],
         "rods.r.ends",

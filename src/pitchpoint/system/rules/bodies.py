@@ -77,7 +77,7 @@ def _body(model: Model, seat: Seat, parent: int) -> Body:
         start=start,
         rate=rate,
     )
-    if parent != 0 or body.motion not in joints.ROUND or not _is_round(com, about):
+    if not _is_round(com, about):
         return replace(body, com=com, inertia=about)
     if joint is None:  # to the last bit as the model has it
         i_p, i_t, c = inertia.polar, inertia.central, inertia.center
