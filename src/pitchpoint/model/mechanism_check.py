@@ -248,17 +248,12 @@ def _polar(parts: Parts, report: Reader) -> None:
     """A polar inertia alone is enough for bodies that turn about their own axis, and for no others."""
     for name, seat in parts.mechanism.seats.items():
         body = parts.bodies[name]
-        if (
-            seat.joint is None
-            or not body.is_round
-            or body.inertia is None
-            or axial_offset(parts, seat) is not None
-        ):
+        if seat.joint is None or not body.is_round or body.inertia is None or body.gears:
             continue
-        if body.transverse_inertia is None and not body.gears:
+        if body.transverse_inertia is None and axial_offset(parts, seat) is None:
             report.problem(
                 ("bodies", name, "inertia"),
-                f"does not say how the mass lies about the axis of {seat.joint}, which is not the z axis of {name}",
+                f"does not say how the mass lies about the axis of {seat.joint}, not the z axis of {name}",
                 remedy="give inertia_tensor about the centre of mass instead, or transverse_inertia beside it",
             )
 
