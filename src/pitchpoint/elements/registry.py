@@ -56,18 +56,27 @@ class Kind:
 
 
 _HERE = "pitchpoint.elements."
+WITH_STATE = (("i", "j"), ("i", "k"), ("j", "k"))
+"""Pairs of kinds whose state is the spin rate of a hidden body k."""
 _KINDS: dict[str, Kind] = {
     k.name: k
     for k in (
         Kind("bearing", _HERE + "bearing", FRAME),
+        Kind("bushing", _HERE + "bushing", FRAME),
+        Kind("clearance_bearing", _HERE + "clearance_bearing", FRAME),
         Kind("closure", _HERE + "closure", CONSTRAINT),
         Kind("coupling", _HERE + "coupling", FRAME),
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),
         Kind("force", _HERE + "force", FRAME),
+        Kind("friction_clutch", _HERE + "friction_clutch", FRAME, WITH_STATE),
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
+        Kind("gravity", _HERE + "gravity", FRAME),
         Kind("guide", _HERE + "guide", MOTION),
+        Kind("maxwell", _HERE + "maxwell", FRAME, WITH_STATE),
         Kind("ratio", _HERE + "ratio", CONSTRAINT, (("i", "j"), ("i", "k"))),
+        Kind("rolling_bearing", _HERE + "rolling_bearing", FRAME),
+        Kind("spring_damper", _HERE + "spring_damper", FRAME),
         Kind("torque", _HERE + "torque", FRAME),
     )
 }
