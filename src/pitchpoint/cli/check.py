@@ -66,6 +66,7 @@ def summary(model: Model) -> dict[str, Any]:
         "ok": True,
         "title": model.title,
         "degrees_of_freedom": sum(len(_freedoms(model, name)) for name in model.bodies),
+        "gravity": list(model.gravity) if model.gravity is not None else None,
         "gears": list(model.gears),
         "bodies": bodies,
         "meshes": {

@@ -254,7 +254,7 @@ def _polar(parts: Parts, report: Reader) -> None:
             report.problem(
                 ("bodies", name, "inertia"),
                 f"does not say how the mass lies about the axis of {seat.joint}, not the z axis of {name}",
-                remedy="give inertia_tensor about the centre of mass instead, or transverse_inertia beside it",
+                remedy="give inertia_tensor about the centre of mass, or transverse_inertia beside it",
             )
 
 

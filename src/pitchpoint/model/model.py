@@ -19,11 +19,12 @@ from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.joint import Joint
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.load import Load
+from pitchpoint.model.components.marker import Triple
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.components.ratio import Ratio
 from pitchpoint.model.components.rod import Rod
 from pitchpoint.model.inertia import BodyInertia, body_inertia
-from pitchpoint.model.keys import BAD, Key, component, defaults_of, derived, key, keys_of, text
+from pitchpoint.model.keys import BAD, Key, component, defaults_of, derived, key, keys_of, quantities, text
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.pair_check import gap
 from pitchpoint.model.parts import Parts
@@ -62,6 +63,13 @@ class Model:
     """
 
     title: str = text("what the file describes", "")
+    gravity: Triple | None = quantities(
+        "acceleration",
+        "acceleration of gravity along the axes of the world; without it nothing has weight",
+        None,
+        length=(3, 3),
+        sample="[0, 0, -9.81 m/s^2]",
+    )
     gears: Mapping[str, Gear] = key("components", "the gears by name", {}, of=Gear)
     bodies: Mapping[str, Body] = key("components", "bodies, with the gears that they carry", {}, of=Body)
     joints: Mapping[str, Joint] = key("components", "joints between bodies", {}, of=Joint)
@@ -94,18 +102,21 @@ class Model:
         self._settle(parts)
 
     @classmethod
-    def from_parts(cls, parts: Parts, title: str = "", file: str | None = None) -> Model:
+    def from_parts(cls, parts: Parts, keys: Mapping[str, Any], file: str | None = None) -> Model:
         """Model of parts that `validate.check` has settled and found without problems.
 
         Parameters
         ----------
         parts
             The parts.
-        title, file
+        keys
+            Values of the keys that are no sections; those left out have their defaults.
+        file
             As in the class.
         """
         model = object.__new__(cls)
-        for name, value in (("title", title), ("file", file), ("damping", parts.damping)):
+        plain = {n: v for n, v in {**defaults_of(cls), **keys}.items() if n not in GROUPS}
+        for name, value in {**plain, "file": file, "damping": parts.damping}.items():
             object.__setattr__(model, name, value)
         model._settle(parts)
         return model

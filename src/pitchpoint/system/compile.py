@@ -16,6 +16,7 @@ from pitchpoint.system.rules.closure import closure_bank
 from pitchpoint.system.rules.damping import damping_bank
 from pitchpoint.system.rules.drive import drive_bank
 from pitchpoint.system.rules.gear_mesh import mesh_bank
+from pitchpoint.system.rules.gravity import gravity_bank
 from pitchpoint.system.rules.guide import guide_bank
 from pitchpoint.system.rules.load import load_banks
 from pitchpoint.system.rules.ratio import ratio_bank
@@ -53,6 +54,7 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
         bearing_bank(model),
         *load_banks(model),
         damping_bank(model),
+        gravity_bank(model),
         guide_bank(model, chosen),
     ]
     constraints = [closure_bank(model), ratio_bank(model)]
