@@ -1,132 +1,59 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mechanisms as they stand in files: a slider-crank, chains, and how to move or reverse one."""
+"""Small mechanisms made from numbers: four-bar, slider-crank."""
 
 from __future__ import annotations
 
-import copy
-
 import numpy as np
 
-from pitchpoint.model.build import build_model
-from pitchpoint.model.read import Reader
-from pitchpoint.system import evaluate
-from pitchpoint.system.compile import compile_model
-from tests.support.engine import frame
-from tests.support.trees import positive_inertia
-
-SLIDER_CRANK = """\
-bodies:
-  crank:
-    mass: 1 kg
-    center_of_mass: [40 mm, 5 mm, 0]
-    inertia_tensor: [2e-4, 1.1e-3, 1.2e-3, 0, 0, 0]
-    markers: {pin: {position: [100 mm, 0, 0]}}
-  rod:
-    mass: 0.8 kg
-    center_of_mass: [120 mm, 0, 0]
-    inertia_tensor: [1e-4, 8e-3, 8e-3, 0, 0, 0]
-    markers: {big: {}, small: {position: [300 mm, 0, 0]}}
-  piston: {mass: 0.5 kg}
-joints:
-  main: {type: revolute, bodies: [ground, crank], position: [0, 0, 0]}
-  crank_pin: {type: revolute, bodies: [crank.pin, rod.big]}
-  cylinder: {type: prismatic, bodies: [ground, piston], axes: {z: [1, 0, 0]}}
-  piston_pin: {type: revolute, bodies: [rod.small, piston]}
-"""
+from pitchpoint.elements.closure_rows import cut_joint
+from pitchpoint.multibody.bodies import TORSION, Body
+from pitchpoint.multibody.joints import PLANAR, PRISMATIC
+from pitchpoint.system.system import assemble
 
 
-def model_of(data):
-    """Model of a mapping."""
-    return build_model(copy.deepcopy(data), Reader())
+def bar(start, end, mass=1.0, **more):
+    """Slender bar in the x-y plane from one point to another, hung at its start."""
+    start, end = np.array([*start, 0.0]), np.array([*end, 0.0])
+    along = end - start
+    length = float(np.linalg.norm(along))
+    x = along / length
+    axes = np.column_stack([x, np.cross([0.0, 0.0, 1.0], x), [0.0, 0.0, 1.0]])
+    inertia = mass * length**2 / 12.0 * np.diag([1e-6, 1.0, 1.0])
+    inertia[0, 0] = 1e-6 * inertia[1, 1]
+    return Body(
+        position=start,
+        axes=axes,
+        mass=mass,
+        com=(0.5 * length, 0.0, 0.0),
+        inertia=inertia,
+        **{"motion": TORSION, **more},
+    )
 
 
-def system_of(data, scenario=None):
-    """Model and system of a mapping."""
-    model = model_of(data)
-    return model, compile_model(model, scenario)
+def four_bar(points=((0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0)), cut=TORSION, **kinds):
+    """Crank, coupler and rocker between four points, the last joint cut to a revolute on ground."""
+    a, b, c, d = points
+    bodies = [
+        bar(a, b, name="crank"),
+        bar(b, c, name="coupler", parent=1),
+        bar(c, d, name="rocker", parent=2),
+    ]
+    records, words = cut_joint(cut, bodies, 3, 0, (*d, 0.0), np.eye(3))
+    names = {"closure": [f"pivot {word}" for word in words]}
+    return assemble(bodies, kinds, {"closure": records}, names=names)
 
 
-def vector(x):
-    """Array as it stands in a file."""
-    return [float(v) for v in x]
-
-
-def axes(columns):
-    """Frame as it stands in a file."""
-    return {"z": vector(columns[:, 2]), "x": vector(columns[:, 0])}
-
-
-def heavy(rng):
-    """Keys of a body with a mass of its own."""
-    about = positive_inertia(rng)
-    return {
-        "mass": float(rng.uniform(0.5, 2.0)),
-        "center_of_mass": vector(0.3 * rng.normal(size=3)),
-        "inertia_tensor": vector(about[(0, 1, 2, 0, 1, 2), (0, 1, 2, 1, 2, 0)]),
-    }
-
-
-def random_chain(rng, types, parents):
-    """Bodies b1, b2 ... with random places, axes and masses on joints j1, j2 ...; parent 0 is ground."""
-    bodies, joints = {}, {}
-    for k, (word, parent) in enumerate(zip(types, parents, strict=True), start=1):
-        bodies[f"b{k}"] = heavy(rng) | {"position": vector(rng.normal(size=3)), "axes": axes(frame(rng))}
-        joints[f"j{k}"] = {
-            "type": word,
-            "bodies": [f"b{parent}" if parent else "ground", f"b{k}"],
-            "position": vector(rng.normal(size=3)),
-            "axes": axes(frame(rng)),
-        } | ({"lead": 0.3} if word == "screw" else {})
-    return {"bodies": bodies, "joints": joints}
-
-
-def moved(data, shift, turn):
-    """The same mechanism with the world moved and turned."""
-    data = copy.deepcopy(data)
-    for part in (*data["bodies"].values(), *data.get("joints", {}).values()):
-        if "position" in part:
-            part["position"] = vector(turn @ np.array(part["position"]) + shift)
-        given = part.get("axes")
-        if given is None:
-            given = axes(np.eye(3)) if "mass" in part else None
-        if given is not None:
-            part["axes"] = {word: vector(turn @ np.array(v)) for word, v in given.items()}
-    if "gravity" in data:
-        data["gravity"] = vector(turn @ np.array(data["gravity"]))
-    return data
-
-
-def reversed_joints(data):
-    """The same mechanism with the bodies of every joint exchanged."""
-    data = copy.deepcopy(data)
-    for joint in data["joints"].values():
-        joint["bodies"] = joint["bodies"][::-1]
-    return data
-
-
-def accelerations(system, state):
-    """Accelerations of all coordinates, and the frames that go with them."""
-    evaluate.prepare(system)
-    evaluate.load(system, state)
-    evaluate.check(system, evaluate.ask(system.workspace, evaluate.ACCELERATE, state.t))
-    found = evaluate.store(system, state.t)
-    evaluate.residual(system, found)
-    return found.a, system.workspace.fr.copy()
-
-
-def centers(system, frames):
-    """Acceleration of the centre of mass and angular acceleration of every body by name, world axes."""
-    found = {}
-    for k, body in enumerate(system.bodies, start=1):
-        f = frames[k]
-        S = f["R"] @ np.array(
-            [
-                [np.cos(f["phi"]), -np.sin(f["phi"]), 0.0],
-                [np.sin(f["phi"]), np.cos(f["phi"]), 0.0],
-                [0.0, 0.0, 1.0],
-            ]
-        )
-        arm = S @ body.center_of_mass()
-        w, e = f["tw"][3:], f["ac"][3:]
-        found[body.name] = np.concatenate([f["ac"][:3] + np.cross(e, arm) + np.cross(w, np.cross(w, arm)), e])
-    return found
+def slider_crank(crank=0.3, rod=1.0, angle=0.4, **kinds):
+    """Crank on ground, rod, slider along x held to the rod's end by a cut revolute joint (planar)."""
+    pin = (crank * np.cos(angle), crank * np.sin(angle))
+    end = (pin[0] + np.sqrt(rod**2 - pin[1] ** 2), 0.0)
+    along_x = np.column_stack([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])
+    slider = Body(
+        motion=PRISMATIC, position=(*end, 0.0), axes=along_x, mass=1.0, inertia=np.eye(3), name="slider"
+    )
+    bodies = [bar((0.0, 0.0), pin, name="crank"), bar(pin, end, name="rod", parent=1), slider]
+    records, words = cut_joint(PLANAR, bodies, 2, 3, (*end, 0.0), np.eye(3))
+    point, at = cut_joint(TORSION, bodies, 2, 3, (*end, 0.0), np.eye(3))
+    rows = np.concatenate([point[:2], records[:0]])
+    assert words[0] == "z"
+    return assemble(bodies, kinds, {"closure": rows}, names={"closure": [f"pin {w}" for w in at[:2]]})

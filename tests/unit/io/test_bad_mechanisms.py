@@ -8,7 +8,7 @@ import pytest
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
-from tests.support.mechanisms import SLIDER_CRANK
+from tests.support.mechanism_files import SLIDER_CRANK
 from tests.support.model_files import gear
 
 CRANK = "markers: {pin: {position: [100 mm, 0, 0]}}"

@@ -13,7 +13,7 @@ from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.solvers.kinematics import moved_to
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
-from tests.support.mechanisms import SLIDER_CRANK, accelerations
+from tests.support.mechanism_files import SLIDER_CRANK, accelerations
 
 RACK = """\
 bodies:

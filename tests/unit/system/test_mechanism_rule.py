@@ -16,7 +16,7 @@ from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.bodies import CODES, end_of
 from pitchpoint.system.system import assemble
 from tests.support.engine import frame
-from tests.support.mechanisms import (
+from tests.support.mechanism_files import (
     SLIDER_CRANK,
     accelerations,
     axes,
