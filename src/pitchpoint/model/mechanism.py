@@ -242,7 +242,7 @@ def _spin(mechanism: Mechanism, machine: Machine, body: str) -> tuple[str, int, 
     seat = mechanism.seats.get(body)
     if seat is None or seat.kind in (*TUMBLING, *FUNCTIONS) or "spin" not in seat.coordinates:
         how = "" if seat is None or seat.joint is None else f" ({seat.joint}: {seat.kind})"
-        return f"names {body}{how}, which has no spin; name a coordinate as JOINT.COORDINATE"
+        return f"names {body}{how}, which has no spin"
     return body, seat.coordinates.index("spin"), "angle"
 
 

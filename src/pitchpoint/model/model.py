@@ -229,6 +229,9 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
     name = path[0]
     here = (*at, name)
     if isinstance(part, Mapping):
+        if name not in part and ".".join(path[:2]) in part:  # JOINT.COORDINATE is one name
+            path = (".".join(path[:2]), *path[2:])
+            name, here = path[0], (*at, path[0])
         if name not in part:
             report.problem(here, "does not exist", remedy=f"there are {', '.join(map(str, part)) or 'none'}")
             return part
