@@ -23,7 +23,7 @@ SAME = math.sqrt(0.5)
 """Cosine of the angle up to which two axes count as one."""
 
 
-@kernel
+@kernel(inline=True)
 def sense_of(f, g, j):
     """How body j turns about the axis of body i: 1 in the same sense, -1 in the opposite, 0 not."""
     if j == 0:
@@ -32,17 +32,20 @@ def sense_of(f, g, j):
     return 1 if along > SAME else -1 if along < -SAME else 0
 
 
-@kernel
+@kernel(inline=True)
 def common_axis(f, g, sense):
     """Unit vector half-way between both spin axes."""
     n = spin_axis(f)
     if sense == 0:
         return n
-    m = add(n, times(float(sense), spin_axis(g)))
+    other = times(float(sense), spin_axis(g))
+    if n[0] == other[0] and n[1] == other[1] and n[2] == other[2]:  # discs on one axis
+        return n
+    m = add(n, other)
     return times(1.0 / math.sqrt(dot(m, m)), m)
 
 
-@kernel
+@kernel(inline=True)
 def turn_between(f, g, sense):
     """Angle of body i against body j: remainder [rad] and whole turns."""
     angle = f["phi"] + f["base"]
@@ -53,13 +56,13 @@ def turn_between(f, g, sense):
     return angle, turns
 
 
-@kernel
+@kernel(inline=True)
 def speed_between(f, g, m):
     """Angular velocity of body i against body j about m [rad/s]."""
     return dot(m, less(angular_velocity(f), angular_velocity(g)))
 
 
-@kernel
+@kernel(inline=True)
 def add_torque(f, g, m, torque):
     """Add a torque about m on body i and its reaction on body j."""
     for r in range(3):
