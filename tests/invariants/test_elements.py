@@ -18,6 +18,7 @@ from pitchpoint.elements import (
     spring_damper,
 )
 from pitchpoint.elements.force import RECORD as FORCE
+from pitchpoint.elements.ratio import SPIN
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
@@ -32,7 +33,11 @@ from tests.support.engine import (
 )
 
 #: Kinds with a contract suite of their own.
-ELSEWHERE = {"gear_mesh": "tests/invariants/test_gear_mesh.py"}
+ELSEWHERE = {
+    "closure": "tests/unit/elements/test_closure.py",
+    "guide": "tests/unit/elements/test_guide.py",
+    "gear_mesh": "tests/invariants/test_gear_mesh.py",
+}
 
 
 def _bearing(rng):
@@ -115,7 +120,7 @@ def _damping(rng):
 
 def _drive(rng):
     records = np.zeros(1, drive.RECORD)
-    records["i"], records["speed"] = 1, 3.0
+    records["i"], records["q_i"], records["speed"] = 1, SPIN, 3.0
     return records
 
 
@@ -128,9 +133,9 @@ SAMPLES = {
     "drive": _drive,
     "force": _force,
     "friction_clutch": _friction_clutch,
-    "gear_constraint": lambda rng: gear_rows([(1, 2, 20, 41)]),
     "gravity": _gravity,
     "maxwell": _maxwell,
+    "ratio": lambda rng: gear_rows([(1, 2, 20, 41)]),
     "rolling_bearing": lambda rng: _ring(
         rolling_bearing, rng, n=9, pitch=0.1, element=0.02, angle=0.4, gap=-0.05
     ),
@@ -207,7 +212,7 @@ def test_whole_turns_change_nothing(name):
     if name in ("drive", "coupling"):  # they hold the spin against time or ground
         return
     before = evaluate.residual(system, state)
-    state.turns[1] += 41 if name == "gear_constraint" else 5
-    state.turns[2] += -20 if name == "gear_constraint" else 5
+    state.turns[1] += 41 if name == "ratio" else 5
+    state.turns[2] += -20 if name == "ratio" else 5
     np.testing.assert_array_equal(evaluate.residual(system, state), before)
     assert np.all(np.abs(system.workspace.g) < 10.0)

@@ -31,6 +31,8 @@ from pitchpoint.multibody.channels import frame_args, observations
 
 TWO_PI = 6.283185307179586
 
+SPINS = "together"
+
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [

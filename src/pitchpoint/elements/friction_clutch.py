@@ -34,11 +34,12 @@ from pitchpoint.elements.turning import (
     turn_between,
     turn_column,
 )
-from pitchpoint.elements.vectors import spin_axis
+from pitchpoint.elements.wrench import spin_axis
 from pitchpoint.multibody.channels import frame_args, observations
 
 TWO_PI = 6.283185307179586
 REGULARISED, BRISTLE = 0, 1
+SPINS = "free"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]

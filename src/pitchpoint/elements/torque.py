@@ -24,6 +24,8 @@ from pitchpoint.elements.turning import (
 )
 from pitchpoint.multibody.channels import frame_args, observations
 
+SPINS = "free"
+
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")] + SIGNAL + [("out", "i8")], align=True
 )

@@ -17,7 +17,8 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.vectors import add, angular_velocity, cross, dot, less, spin_axis, times, unit
+from pitchpoint.elements.wrench import angular_velocity, spin_axis
+from pitchpoint.multibody.vectors import add, cross, dot, less, times, unit
 
 SAME = math.sqrt(0.5)
 """Cosine of the angle up to which two axes count as one."""

@@ -13,6 +13,7 @@ from pitchpoint.core.formula import Formula
 from pitchpoint.elements import coupling, drive, friction_clutch, torque
 from pitchpoint.elements import signal as sig
 from pitchpoint.elements.friction_clutch import BRISTLE, REGULARISED
+from pitchpoint.elements.ratio import SPIN
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.generalized_alpha import start
 from pitchpoint.system import evaluate
@@ -141,7 +142,7 @@ def belt(v_belt, k, capacity, ratio, stiffness, sigma, v_s):
     springs = np.zeros(1, coupling.RECORD)
     springs["i"], springs["k"] = 1, k
     drives = np.zeros(1, drive.RECORD)
-    drives["i"], drives["speed"] = 2, v_belt
+    drives["i"], drives["q_i"], drives["speed"] = 2, SPIN, v_belt
     record = clutch(
         1, 2, 3, BRISTLE, value=capacity, ratio=ratio, stiffness=stiffness, sigma=sigma, v_s=v_s, onset=0.8
     )
