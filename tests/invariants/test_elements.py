@@ -16,6 +16,7 @@ from pitchpoint.elements import (
     registry,
     rolling_bearing,
     spring_damper,
+    torsion_maxwell,
 )
 from pitchpoint.elements.force import RECORD as FORCE
 from pitchpoint.elements.ratio import SPIN
@@ -79,10 +80,12 @@ def _friction_clutch(rng):
     return records
 
 
-def _maxwell(rng):
-    records = np.zeros(1, maxwell.RECORD)
+def _maxwell(rng, kind=maxwell):
+    records = np.zeros(1, kind.RECORD)
     records["i"], records["j"], records["k"] = 1, 2, 3
-    records["p_i"], records["stiffness"], records["damping"] = rng.normal(size=3), 40.0, 3.0
+    records["stiffness"], records["damping"] = 40.0, 3.0
+    if kind is maxwell:
+        records["p_i"] = rng.normal(size=3)
     return records
 
 
@@ -141,6 +144,7 @@ SAMPLES = {
     ),
     "spring_damper": _spring_damper,
     "torque": _torque,
+    "torsion_maxwell": lambda rng: _maxwell(rng, torsion_maxwell),
 }
 MADE = sorted(SAMPLES)
 ON_FRAMES = [n for n in MADE if registry.find(n).channel == registry.FRAME]

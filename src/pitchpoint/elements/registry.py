@@ -77,6 +77,7 @@ _KINDS: dict[str, Kind] = {
         Kind("ratio", _HERE + "ratio", CONSTRAINT, (("i", "j"), ("i", "k"))),
         Kind("rolling_bearing", _HERE + "rolling_bearing", FRAME),
         Kind("spring_damper", _HERE + "spring_damper", FRAME),
+        Kind("torsion_maxwell", _HERE + "torsion_maxwell", FRAME, WITH_STATE),
         Kind("torque", _HERE + "torque", FRAME),
     )
 }

@@ -113,3 +113,32 @@ def torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle, by_speed):
                 x = s * m[r] + c["ck"] * torque * dm[r]
                 ki[3 + r, 3 + k] -= x
                 kj[3 + r, 3 + k] += x
+
+
+@kernel
+def state_tangent(b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed):
+    """Add the tangents of a torque that depends on a state y, the spin rate of body k with the axis n.
+
+    `by_state` is the slope of the torque by y, the others are the slopes of y' by y and by the speed. b needs
+    the index fields of all pairs of i, j and k.
+    """
+    c = ctl[0]
+    exact = 1 if c["jac"] == 2 else 0
+    cd = c["cd"]
+    for r in range(3):
+        for h in range(3):
+            kk[b["ik"], 3 + r, 3 + h] -= cd * by_state * m[r] * n[h]
+            kk[b["jk"], 3 + r, 3 + h] += cd * by_state * m[r] * n[h]
+            kk[b["kk"], 3 + r, 3 + h] -= cd * rate_by_state * n[r] * n[h]
+    for side in range(2):
+        if side == 1 and b["j"] == 0:
+            break
+        back = 1.0 if side == 0 else -1.0
+        for h in range(3):
+            angle, speed, dm = turn_column(f, g, sense, m, side, h, exact)
+            s = rate_by_speed * (c["ck"] * speed + cd * back * m[h])
+            for r in range(3):
+                if side == 0:
+                    kk[b["ki"], 3 + r, 3 + h] -= s * n[r]
+                else:
+                    kk[b["kj"], 3 + r, 3 + h] -= s * n[r]
