@@ -17,8 +17,8 @@ def stribeck(v, ratio, v_s):
     """Friction at steady sliding over that of fast sliding, and its derivative by v.
 
     1 + (ratio - 1) exp(-(v/v_s)^2), with the ratio of static to dynamic friction and the Stribeck speed v_s;
-    v_s = 0: friction is dynamic as soon as anything slides. R. Stribeck, Z. VDI 46 (1902); the curve
-    as by Bo and Pavelescu, Wear 82 (1982).
+    v_s = 0 means that friction is dynamic as soon as anything slides. R. Stribeck, Z. VDI 46 (1902); the
+    curve as by Bo and Pavelescu, Wear 82 (1982).
 
     >>> value, slope = stribeck(0.01, 1.5, 0.01)
     >>> round(float(value), 6), round(float(slope), 6)

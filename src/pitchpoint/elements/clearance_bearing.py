@@ -24,6 +24,7 @@ from pitchpoint.multibody.channels import frame_args, observations
 BODY_FIXED = True
 SPINS = "free"
 
+
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + RING

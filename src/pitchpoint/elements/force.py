@@ -27,7 +27,6 @@ from pitchpoint.multibody.channels import frame_args
 from pitchpoint.multibody.vectors import add, cross, less, times, triple, unit
 
 SPINS = "free"
-
 WORLD, BODY = 0, 1
 
 RECORD = np.dtype(

@@ -41,6 +41,7 @@ TWO_PI = 6.283185307179586
 REGULARISED, BRISTLE = 0, 1
 SPINS = "free"
 
+
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]
     + SIGNAL  # torque capacity at fast sliding, >= 0 [N m]

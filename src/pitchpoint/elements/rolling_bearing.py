@@ -44,6 +44,7 @@ TWO_PI = 6.283185307179586
 SPLIT = 67108864.0
 """2^26: a share of the cage is cut after so many binary digits, so that whole turns of it are exact."""
 
+
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + RING
