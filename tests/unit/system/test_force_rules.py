@@ -39,7 +39,8 @@ POINTS = {"eye": np.array([0.0, 0.3, 0.0])}
 
 def end(name):
     body, _, marker = name.partition(".")
-    return NUMBER[body], POINTS.get(marker, np.zeros(3)), np.eye(3)
+    turned = np.diag([-1.0, -1.0, 1.0]) if marker == "turned" else np.eye(3)
+    return NUMBER[body], POINTS.get(marker, np.zeros(3)), turned
 
 
 def world(name):
@@ -47,7 +48,7 @@ def world(name):
     return point if number == 0 else point + BODIES[number - 1].position
 
 
-PLACES = Places(end, world, {"m": 3}.__getitem__)
+PLACES = Places(end, world, lambda name: end(name)[2], {"m": 3}.__getitem__)
 
 
 def system_of(bank, states=()):
@@ -129,7 +130,10 @@ def test_rolling_bearings():
     assert 1e3 * (1000.0 / record["stiffness"]) ** 0.9 == pytest.approx(
         2 * 3.84e-5 * 1000.0**0.9 / 12.0**0.8, rel=4e-3
     )
-    given = RollingBearing(stiffness=1e9, **BALLS)
+    given = RollingBearing(stiffness=1e9, **BALLS | {"ends": ("a.turned", "b")})
+    np.testing.assert_allclose(
+        rolling_bearing_bank({"r": given}, PLACES).records["A_i"][0], np.eye(3), atol=1e-15
+    )
     assert rolling_bearing_bank({"r": given}, PLACES).records["stiffness"][0] == 1e9
     with pytest.raises(CompileError, match=r"rolling_bearings\.r: give grooves, or stiffness"):
         rolling_bearing_bank({"r": RollingBearing(**BALLS)}, PLACES)

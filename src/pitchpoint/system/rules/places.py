@@ -26,12 +26,15 @@ class Places:
         in the frame that is fixed to the body.
     world
         Of the same: the place in the world with all coordinates zero [m].
+    axes
+        Of the same: the axes in the world then, columns.
     state
         Of an element with a state: number of its hidden body.
     """
 
     end: Callable[[str], tuple[int, Array, Array]]
     world: Callable[[str], Array]
+    axes: Callable[[str], Array]
     state: Callable[[str], int]
 
     def mark(self, row: Any, ends: Iterable[str]) -> None:

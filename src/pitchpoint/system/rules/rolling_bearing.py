@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
@@ -14,7 +15,7 @@ from pitchpoint.elements import clearance_bearing, rolling_bearing
 from pitchpoint.geometry.materials import Material, material
 from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.places import Places
+from pitchpoint.system.rules.places import Array, Places
 
 
 def rolling_bearing_bank(bearings: Mapping[str, RollingBearing], places: Places) -> Bank:
@@ -23,6 +24,7 @@ def rolling_bearing_bank(bearings: Mapping[str, RollingBearing], places: Places)
     for name, part in bearings.items():
         row = np.zeros(1, rolling_bearing.RECORD)[0]
         places.mark(row, part.ends)
+        row["A_i"] = row["A_i"] @ _untwisted(*(places.axes(end) for end in part.ends))
         row["n"], row["pitch"], row["element"] = part.elements, part.pitch_diameter, part.element_diameter
         row["angle"], row["gap"] = part.contact_angle, 0.5 * part.clearance
         row["exponent"] = POINT if part.type == "ball" else LINE
@@ -31,6 +33,17 @@ def rolling_bearing_bank(bearings: Mapping[str, RollingBearing], places: Places)
             row["grooves"] = (sum(part.grooves) - 1.0) * part.element_diameter
         rows.append(row)
     return pack("rolling_bearing", rolling_bearing.RECORD, rows, list(bearings))
+
+
+def _untwisted(inner: Array, outer: Array) -> Array:
+    """Turn of the inner marker about its own axis that leaves no twist against the outer one as assembled.
+
+    Whole turns are counted from there; where the markers are twisted by half a turn they could not be told.
+    """
+    B = outer.T @ inner
+    twist = math.atan2(B[1, 0] - B[0, 1], B[0, 0] + B[1, 1])
+    c, s = math.cos(twist), math.sin(twist)
+    return np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
 def _stiffness(name: str, part: RollingBearing) -> float:
