@@ -18,8 +18,11 @@ from pitchpoint.elements import (
     spring_damper,
     torsion_maxwell,
 )
+from pitchpoint.elements.beam import beam_row
 from pitchpoint.elements.force import RECORD as FORCE
 from pitchpoint.elements.ratio import SPIN
+from pitchpoint.elements.shaft_beam import shaft_row
+from pitchpoint.multibody.beam_section import Beam, rectangle, tube
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
@@ -97,6 +100,15 @@ def _spring_damper(rng):
     return records
 
 
+def _beam(rng):
+    beam = Beam(section=rectangle(0.02, 0.01), length=0.03, E=1e4, G=4e3, rho=2e3)
+    return beam_row(beam, bodies=(1, 2), eta=1e-2)
+
+
+def _shaft_beam(rng):
+    return shaft_row(Beam(section=tube(0.02), length=0.03, E=1e4, G=4e3, rho=2e3), bodies=(1, 2), eta=1e-2)
+
+
 def _force(rng):
     records = np.zeros(1, FORCE)
     records["i"], records["value"], records["z"] = 1, 1.0, 0.3
@@ -128,6 +140,7 @@ def _drive(rng):
 
 
 SAMPLES = {
+    "beam": _beam,
     "bearing": _bearing,
     "bushing": _bushing,
     "clearance_bearing": lambda rng: _ring(clearance_bearing, rng, gap=1e-3),
@@ -143,6 +156,7 @@ SAMPLES = {
         rolling_bearing, rng, n=9, pitch=0.1, element=0.02, angle=0.4, gap=-0.05
     ),
     "spring_damper": _spring_damper,
+    "shaft_beam": _shaft_beam,
     "torque": _torque,
     "torsion_maxwell": lambda rng: _maxwell(rng, torsion_maxwell),
 }

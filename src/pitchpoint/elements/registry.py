@@ -61,6 +61,7 @@ WITH_STATE = (("i", "j"), ("i", "k"), ("j", "k"))
 _KINDS: dict[str, Kind] = {
     k.name: k
     for k in (
+        Kind("beam", _HERE + "beam", FRAME),
         Kind("bearing", _HERE + "bearing", FRAME),
         Kind("bushing", _HERE + "bushing", FRAME),
         Kind("clearance_bearing", _HERE + "clearance_bearing", FRAME),
@@ -76,6 +77,7 @@ _KINDS: dict[str, Kind] = {
         Kind("maxwell", _HERE + "maxwell", FRAME, WITH_STATE),
         Kind("ratio", _HERE + "ratio", CONSTRAINT, (("i", "j"), ("i", "k"))),
         Kind("rolling_bearing", _HERE + "rolling_bearing", FRAME),
+        Kind("shaft_beam", _HERE + "shaft_beam", FRAME),
         Kind("spring_damper", _HERE + "spring_damper", FRAME),
         Kind("torsion_maxwell", _HERE + "torsion_maxwell", FRAME, WITH_STATE),
         Kind("torque", _HERE + "torque", FRAME),

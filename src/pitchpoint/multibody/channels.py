@@ -11,7 +11,9 @@ of guided joints before frames are made. An entry is four lines::
         return bearing(view(rec, n, RECORD), c, fr, kk)
 
 Frame kinds with jac > 0 add ``-(ck dF_i/dx_j + cd dF_i/dxdot_j)`` to ``kk[pair]``, x being the small world
-displacement twist (translation of the origin, rotation) of body j. Kinds write results only when
+displacement twist (translation of the origin, rotation) of body j. Kinds with mass subtract the inertia of
+their own from the wrenches and add ``-cm dF_i/dxddot_j`` wherever ``ctl["cm"]`` is not zero, whatever jac
+says. Kinds write results only when
 ``ctl["out"]`` is not zero, and values of event functions only when ``ctl["ev"]`` is not zero.
 """
 

@@ -52,6 +52,7 @@ def exact_rates(at, cm, cd, ck):
     zero_blocks(kk)
     inertia(body, fr, kk, EXACT, 0.0, 1.0)
     tree_inertia(body, fr, kk, EXACT, 0.0, 1.0)
+    c["cm"] = 0.0
     c["ck"] = 0.0
     c["cd"] = 1.0
     c["jac"] = EXACT
@@ -67,6 +68,12 @@ def exact_rates(at, cm, cd, ck):
     zero_blocks(kk)
     inertia(body, fr, kk, EXACT, 1.0, 0.0)
     tree_inertia(body, fr, kk, EXACT, 1.0, 0.0)
+    c["cm"] = 1.0  # elements with mass add theirs
+    c["cd"] = 0.0
+    c["jac"] = FORCES
+    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 1)
+    if status != OK:
+        return status
     project_tangent(proj, J, kk, Aq, A, T)
     return OK
 

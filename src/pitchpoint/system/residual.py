@@ -111,6 +111,8 @@ def entry(at, jac, spare):
     if jac != FORCES:
         zero_blocks(A)
         zero_blocks(kk)
+    else:
+        c["cm"] = 0.0  # elements with mass go by this factor, also where nothing but masses is asked for
     inertia(body, fr, kk, jac, c["cm"], c["cd"])
     c["jac"] = FORCES if jac == MASS else jac
     if m["tree"] != 0:
