@@ -188,3 +188,16 @@ def test_stick_slip_of_a_mass_on_a_belt():
     assert begin[-1] - begin[-2] == pytest.approx(period, rel=0.01)
     steady = found[found[:, 0] > 2.0]
     assert steady[:, 1].max() - steady[:, 1].min() == pytest.approx(2.0 * np.hypot(drop, v / w), rel=0.01)
+
+
+def test_a_stuck_brake_rings_on_its_bristles():
+    """Linearised at rest: J x'' + C (y + s k x') = 0, y' = k x', the oscillator of stiffness C k."""
+    J, C, k, s = 0.5, 10.0, 1e4, 1e-4
+    system = brake("0", BRISTLE, C, **STIFF | {"stiffness": k, "sigma": s})
+    M, D, K = evaluate.linearize(system, system.initial_state())
+    A = np.block([[np.zeros((2, 2)), np.eye(2)], [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]])
+    found = np.linalg.eigvals(A)
+    wanted = np.roots([J, C * s * k, C * k])
+    np.testing.assert_allclose(
+        np.sort_complex(found[np.abs(found) > 1.0]), np.sort_complex(wanted), rtol=1e-9
+    )
