@@ -39,8 +39,14 @@ from tests.support.engine import (
 #: Kinds with a contract suite of their own.
 ELSEWHERE = {
     "closure": "tests/unit/elements/test_closure.py",
+    "joint_friction": "tests/unit/elements/test_joint_friction.py",
     "guide": "tests/unit/elements/test_guide.py",
     "gear_mesh": "tests/invariants/test_gear_mesh.py",
+    "curve_curve": "tests/unit/elements/test_planar_contact.py",
+    "point_curve": "tests/unit/elements/test_planar_contact.py",
+    "point_on_curve": "tests/unit/elements/test_point_on_curve.py",
+    "point_surface": "tests/unit/elements/test_surface_contact.py",
+    "surface_surface": "tests/unit/elements/test_surface_contact.py",
 }
 
 
