@@ -87,6 +87,7 @@ _KINDS: dict[str, Kind] = {
         Kind("shaft_beam", _HERE + "shaft_beam", FRAME),
         Kind("spring_damper", _HERE + "spring_damper", FRAME),
         Kind("surface_surface", _HERE + "surface_surface", FRAME),
+        Kind("torsion_maxwell", _HERE + "torsion_maxwell", FRAME, WITH_STATE),
         Kind("torque", _HERE + "torque", FRAME),
     )
 }
