@@ -231,7 +231,8 @@ def iterate(at, where, spare):
         if last > 0.0:
             real[0] = max(size / last, 1e-4)
         theta = real[0]
-        if size <= SMALL or (theta < 1.0 and size * theta <= 1.0 - theta):
+        known = last > 0.0 or size <= 1.0  # a large correction shows its rate by the next one
+        if size <= SMALL or (known and theta < 1.0 and size * theta <= 1.0 - theta):
             return OK
         if full > 0 or (last > 0.0 and theta > SLOW_RATE) or count >= MOST_ITERATIONS:
             clock[VALID] = 0

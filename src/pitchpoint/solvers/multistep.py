@@ -55,8 +55,8 @@ from pitchpoint.system.workspace import MACH, RECHARTED, REJECTED, STEPS
 
 NEWTON_SHARE = 0.02
 """Error that the Newton iteration may leave, as a share of the tolerance of the step."""
-ROUND_OFF = 2e-14
-"""Correction over the size of what is corrected below which nothing but round-off is left."""
+ROUND_OFF = 1e-14
+"""Tolerance over the size of what is iterated that no Newton iteration can go below: some units of rounding."""
 FIRST_SHARE = 0.5
 """Error of the first step of order 1 as a share of the tolerance."""
 LADDER = 1.0 / 1024.0
@@ -174,13 +174,13 @@ def _predict(at, where, h):
         q[i] = ahead[i]
         v[i] = slope[i]
         a[i] = slope[nd + i] + cd * (slope[i] - ahead[nd + i])
-        floor = ROUND_OFF * (1.0 + abs(q[i]))
+        floor = ROUND_OFF * (abs(q[i]) + (1.0 if nc > 0 else 0.0))  # rows round at the size of the machine
         per_q[i] = 1.0 / max(NEWTON_SHARE * allowed[i], floor)
         per_v[i] = 0.0
         if b["rates"] != 0:
             per_v[i] = 1.0 / max(NEWTON_SHARE * allowed[nd + i], ROUND_OFF * abs(v[i]) + cd * floor)
     for r in range(nc):
-        lam[r] = slope[2 * nd + nc + r] if b["integrals"] != 0 else rows[0, 2 * nd + r]
+        lam[r] = slope[2 * nd + nc + r] if b["integrals"] != 0 else ahead[2 * nd + r]
 
 
 @kernel

@@ -208,7 +208,8 @@ def choose(at, where, h, cut, nominal):
     b["failures"] = 0
     b["steady"] += 1
     if b["kind"] == CONSTANT:
-        if b["steady"] > k + 1 and not cut:
+        # a doubled step wakes the roots that do not belong to the solution; those of high orders fade slowly
+        if b["steady"] >= (k + 2 if k < 4 else 2 ** (k - 1)) and not cut:
             if k < b["most_k"]:
                 b["next_k"] = k + 1
             else:
