@@ -39,8 +39,10 @@ FADING = 1.2
 """Growth of the contraction rate from step to step while it is not measured: the matrix ages meanwhile."""
 DRIFT = 0.1
 """Relative change of cd up to which a matrix is kept."""
-SMALL = 0.1
+SMALL = 0.5
 """Share of the tolerance below which a correction is taken without a look at the rate: it may be round-off."""
+STUCK = 10.0
+"""Multiple of the tolerance that is taken when not even a new matrix makes corrections smaller: round-off."""
 
 _ARRAYS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
     ("per_q", "f8", ("nd",)),  # one over the tolerance of each coordinate
@@ -233,6 +235,8 @@ def iterate(at, where, spare):
         theta = real[0]
         known = last > 0.0 or size <= 1.0  # a large correction shows its rate by the next one
         if size <= SMALL or (known and theta < 1.0 and size * theta <= 1.0 - theta):
+            return OK
+        if full > 1 and size <= STUCK and size > SLOW_RATE * last:
             return OK
         if full > 0 or (last > 0.0 and theta > SLOW_RATE) or count >= MOST_ITERATIONS:
             clock[VALID] = 0

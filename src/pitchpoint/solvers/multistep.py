@@ -55,8 +55,8 @@ from pitchpoint.system.workspace import MACH, RECHARTED, REJECTED, STEPS
 
 NEWTON_SHARE = 0.02
 """Error that the Newton iteration may leave, as a share of the tolerance of the step."""
-ROUND_OFF = 1e-14
-"""Tolerance over the size of what is iterated that no Newton iteration can go below: some units of rounding."""
+ROUND_OFF = 2e-15
+"""Least tolerance over the size of what is iterated: some units of rounding."""
 FIRST_SHARE = 0.5
 """Error of the first step of order 1 as a share of the tolerance."""
 LADDER = 1.0 / 1024.0
@@ -122,6 +122,7 @@ def begin(at, where, nominal, reach):
     b["h"] = h
     b["gridded"] = h
     b["k"] = 1
+    b["origin"] = b["t"]
     b["points"] = 2
     b["steady"] = 0
     b["failures"] = 0
@@ -243,6 +244,19 @@ def _keep_accelerations(at):
 
 
 @kernel
+def _time_after(where, h, limit, nominal):
+    """Time at the end of a step: the limit if only rounding parts them, or a place of the grid."""
+    b = view(where, 1, PAST)[0]
+    t = b["t"] + h
+    if abs(limit - t) <= SAME * h + ROUND_OFF * abs(limit):
+        return limit
+    unit = LADDER * nominal
+    if b["kind"] == CONSTANT and h > 0.9 * unit:
+        return b["origin"] + math.floor((t - b["origin"]) / unit + 0.5) * unit
+    return t
+
+
+@kernel
 def _step(at, where, limit, nominal):
     """One accepted step that ends at `limit` at the latest; the history has its row then."""
     c = view(at, 1, CTL)[0]
@@ -258,8 +272,9 @@ def _step(at, where, limit, nominal):
         rest = limit - b["t"]
         cut = 0
         if h >= rest * (1.0 - SAME):
-            cut = 0 if abs(h - rest) <= SAME * h else 1
-            h = h if cut == 0 else rest
+            same = abs(h - rest) <= SAME * h + ROUND_OFF * abs(limit)
+            cut = 0 if same else 1
+            h = h if same else rest
         elif h > 0.5 * rest and b["kind"] != CONSTANT:
             cut = 1
             h = 0.5 * rest
@@ -294,7 +309,9 @@ def _step(at, where, limit, nominal):
     for i in range(new.size):
         rows[0, i] = new[i]
     b["used"] = h
-    b["t"] = limit if abs(limit - b["t"] - h) <= SAME * h else b["t"] + h
+    b["t"] = _time_after(where, h, limit, nominal)
+    if cut != 0:
+        b["origin"] = b["t"]
     return OK
 
 

@@ -36,6 +36,7 @@ PAST = np.dtype(
         ("h", "f8"),  # step to try next
         ("gridded", "f8"),  # step of the grid on which the history stands, 0: on none
         ("used", "f8"),  # length of the last step
+        ("origin", "f8"),  # time from which the grid of equal steps counts
         ("error", "f8"),  # of the step under way, in units of the tolerance
         ("estimate", "f8"),  # of the order that is chosen next
         ("kind", "i8"),
@@ -210,10 +211,11 @@ def choose(at, where, h, cut, nominal):
     if b["kind"] == CONSTANT:
         # a doubled step wakes the roots that do not belong to the solution; those of high orders fade slowly
         if b["steady"] >= (k + 2 if k < 4 else 2 ** (k - 1)) and not cut:
+            x = (b["t"] + h - b["origin"]) / (2.0 * h)
             if k < b["most_k"]:
                 b["next_k"] = k + 1
-            else:
-                b["h"] = min(2.0 * h, nominal) if 2.0 * h < 0.99 * nominal else nominal
+            elif abs(x - math.floor(x + 0.5)) < 1e-3:  # on the grid of the longer step
+                b["h"] = 2.0 * h if 2.0 * h < 0.99 * nominal else nominal
         share = 1.0
     elif b["rising"] != 0 and b["next_k"] == k:
         share = 2.0
