@@ -20,7 +20,7 @@ from pitchpoint.core.kernel import address
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.solvers.constrained_newton import iterate, new_iteration
 from pitchpoint.solvers.multistep import ORDER, entry
-from pitchpoint.solvers.multistep_control import CONSTANT, FIXED, LEADING, PAST, VARIABLE
+from pitchpoint.solvers.multistep_control import CONSTANT, FIXED, LARGEST, LEADING, PAST, VARIABLE
 from pitchpoint.solvers.multistep_history import DEPTH
 from pitchpoint.solvers.rows import rows_agree
 from pitchpoint.solvers.sampling import Chunk, advance_into, new_harvest
@@ -69,6 +69,11 @@ class StiffRun:
         return float(self.past[0]["t"])
 
     @property
+    def longest(self) -> float:
+        """Longest step [s]."""
+        return float(self.tolerances[LARGEST])
+
+    @property
     def order(self) -> int:
         """Order of the next step."""
         return int(self.past[0]["k"])
@@ -88,7 +93,7 @@ class StiffRun:
         An event is located on the polynomial of its step and does not interrupt the method (`restart` has no
         effect): what a jump does to the solution is left to the error of the step.
         """
-        reach = min(t_end - self.t, most * float(self.tolerances[3]))
+        reach = min(t_end - self.t, most * self.longest)
         room = int(reach / sample) + 2 if sample > 0.0 else 0
         harvest = new_harvest(self.system.sizes["no"], rows=room, sums=statistics, events=events)
         order = np.array([(t_end, self.t0, sample, self.past.ctypes.data, most)], ORDER)
