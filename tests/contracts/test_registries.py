@@ -62,7 +62,8 @@ def test_stiffness_sources_can_be_found_under_their_name(name):
 
 @pytest.mark.parametrize("name", sorted(COMMANDS))
 def test_commands_can_be_found_under_their_name(name):
-    command = getattr(importlib.import_module(f"pitchpoint.cli.{name}"), name)
+    function = name.replace("-", "_")
+    command = getattr(importlib.import_module(f"pitchpoint.cli.{function}"), function)
     assert isinstance(command, Command)
     assert command.help
     assert all(p.help for p in command.params if isinstance(p, Option))

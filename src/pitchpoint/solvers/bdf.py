@@ -112,7 +112,7 @@ def start(
     kind: str = "gstiff",
     *,
     form: str = "SI2",
-    rtol: float = 1e-6,
+    rtol: float | None = None,
     atol: float | None = None,
     atol_rate: float | None = None,
     order: int | None = None,
@@ -130,7 +130,8 @@ def start(
         One of `FORMS`. I3 judges the error of positions only where there are constraints: the rates follow,
         but an estimate of theirs says little after a change of step.
     rtol
-        Relative tolerance of rates and displacements (not of spins) per step.
+        Relative tolerance of rates and displacements (not of spins) per step, default 1e-6. constant_bdf has
+        no error control: its tolerance, default 1e-9, is that of its Newton iteration alone.
     atol, atol_rate
         Absolute tolerances as lengths [m] and velocities [m/s]; angles count with the weight of the system.
         Default 1e-4 rtol and rtol.
@@ -147,6 +148,7 @@ def start(
     """
     constant = kind == "constant_bdf"
     order = order or (2 if constant else 5)
+    rtol = rtol or (1e-9 if constant else 1e-6)
     _check(kind, form, order, largest_step)
     nd, nc = system.sizes["nd"], system.sizes["nc"]
     evaluate.prepare(system)

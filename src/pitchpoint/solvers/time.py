@@ -216,7 +216,7 @@ class _Loop:
             self.start.state,
             chosen.method,
             form=chosen.chosen_form,
-            rtol=chosen.tolerance,
+            rtol=chosen.tolerance if self.adaptive else None,
             order=chosen.order,
             largest_step=largest_stiff_step(self.start, chosen) if self.adaptive else self.h,
         )
