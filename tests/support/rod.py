@@ -15,7 +15,8 @@ from pitchpoint.system.system import assemble
 
 ROWS = 1
 RECORD = np.dtype(
-    [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")] + [("row", "i8"), ("length", "f8"), ("out", "i8")],
+    [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
+    + [("row", "i8"), ("length", "f8"), ("out", "i8")],
     align=True,
 )
 OUTPUTS = ()

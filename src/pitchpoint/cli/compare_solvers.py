@@ -102,7 +102,9 @@ def rows_of(found: Comparison) -> list[dict[str, Any]]:
     """Collect what `--json` prints of each run."""
     from pitchpoint.cli.results import how_a_status_ends
 
-    return [{**vars(run), "code": run.status, "status": how_a_status_ends(run.status)} for run in found.attempts]
+    return [
+        {**vars(run), "code": run.status, "status": how_a_status_ends(run.status)} for run in found.attempts
+    ]
 
 
 def _draw(target: Path, runs: list[dict[str, Any]], title: str) -> None:

@@ -219,13 +219,13 @@ def _scenarios(model: Model) -> Iterator[str]:
             )
         if "form" in keys and scenario.method in ("runge_kutta", "rk4"):
             yield (
-                f"scenarios.{name}.form: has no effect with method: {scenario.method}, which holds constraints "
-                "on accelerations"
+                f"scenarios.{name}.form: has no effect with method: {scenario.method}, which holds "
+                "constraints on accelerations"
             )
         if "order" in keys and scenario.method not in STIFF_METHODS:
             yield (
-                f"scenarios.{name}.order: has no effect with method: {scenario.method}; methods with a choice "
-                f"of order are {_listed(STIFF_METHODS)}"
+                f"scenarios.{name}.order: has no effect with method: {scenario.method}; methods with a "
+                f"choice of order are {_listed(STIFF_METHODS)}"
             )
 
 

@@ -97,17 +97,19 @@ class Scenario:
     step: float | None = positive(
         "time", "time step", None, display="1/200 of the shortest period of mesh and modes"
     )
-    tolerance: float = positive("dimensionless", "relative tolerance of methods that choose their steps", 1e-7, maximum=0.1)
+    tolerance: float = positive(
+        "dimensionless", "relative tolerance of methods that choose their steps", 1e-7, maximum=0.1
+    )
     method: str = choice(
         METHODS,
-        "time integration; stiff: gstiff, wstiff, dassl with fixed, variable coefficients, fixed leading one, "
-        "and constant_bdf with equal steps",
+        "time integration; stiff: gstiff, wstiff, dassl with fixed, variable coefficients, fixed leading "
+        "one, and constant_bdf with equal steps",
         "generalized_alpha",
     )
     form: str | None = choice(
         FORMS,
-        "what constraints hold on: positions (I3), positions and rates (SI2), the same with the multipliers as "
-        "rates (SI1)",
+        "what constraints hold on: positions (I3), positions and rates (SI2), the same with the multipliers "
+        "as rates (SI1)",
         None,
         display="I3 of generalized_alpha and dassl, SI2 of the other stiff methods",
     )

@@ -131,7 +131,7 @@ def start(
         but an estimate of theirs says little after a change of step.
     rtol
         Relative tolerance of rates and displacements (not of spins) per step, default 1e-6. constant_bdf has
-        no error control: its tolerance, default 1e-9, is that of its Newton iteration alone.
+        no error control: its tolerance, default 1e-11, is that of its Newton iteration alone.
     atol, atol_rate
         Absolute tolerances as lengths [m] and velocities [m/s]; angles count with the weight of the system.
         Default 1e-4 rtol and rtol.
@@ -148,7 +148,7 @@ def start(
     """
     constant = kind == "constant_bdf"
     order = order or (2 if constant else 5)
-    rtol = rtol or (1e-9 if constant else 1e-6)
+    rtol = rtol or (1e-11 if constant else 1e-6)
     _check(kind, form, order, largest_step)
     nd, nc = system.sizes["nd"], system.sizes["nc"]
     evaluate.prepare(system)

@@ -173,9 +173,7 @@ def compare_solvers(
     return Comparison(tuple(attempts), words, doubt)
 
 
-def _reference(
-    begin: Start, scenario: Scenario, limit_s: float
-) -> tuple[NDArray[np.float64], str, float]:
+def _reference(begin: Start, scenario: Scenario, limit_s: float) -> tuple[NDArray[np.float64], str, float]:
     """Samples to compare with, what they are, and how far a second run is from them."""
     tight = TIGHTER * min(TOLERANCES)
     found: list[tuple[str, NDArray[np.float64]]] = []
@@ -228,9 +226,9 @@ def _attempt(
     rows = np.zeros((0, 1))
     if memory.rows:
         rows = np.column_stack([np.concatenate(memory.times), np.concatenate(memory.rows)])
-    error, channel = float("nan"), ""
+    miss, channel = float("nan"), ""
     if status == OK and reference is not None:
-        error, channel = _error(begin.system, rows, reference)
+        miss, channel = _error(begin.system, rows, reference)
     attempt = Attempt(
         case.method,
         case.form,
@@ -241,7 +239,7 @@ def _attempt(
         steps,
         cpu_s,
         t_end,
-        error,
+        miss,
         channel,
     )
     return attempt, rows

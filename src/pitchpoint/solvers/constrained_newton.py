@@ -39,10 +39,12 @@ FADING = 1.2
 """Growth of the contraction rate from step to step while it is not measured: the matrix ages meanwhile."""
 DRIFT = 0.1
 """Relative change of cd up to which a matrix is kept."""
+AGED = 0.25
+"""Contraction rate from which the next step is not left to the matrix of this one."""
 SMALL = 0.5
-"""Share of the tolerance below which a correction is taken without a look at the rate: it may be round-off."""
+"""Share of the tolerance below which a correction is taken whatever the rate: it may be round-off."""
 STUCK = 10.0
-"""Multiple of the tolerance that is taken when not even a new matrix makes corrections smaller: round-off."""
+"""Multiple of the tolerance that is taken when not even a new matrix makes corrections smaller."""
 
 _ARRAYS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
     ("per_q", "f8", ("nd",)),  # one over the tolerance of each coordinate
@@ -152,6 +154,11 @@ def _split_rows(at, where):
     mu = view(n["mu"], nc, F8)
     for r in range(nc):
         mu[r] += n["cd"] * y[r]
+    for i in range(nd):  # along the rows of here: those of the matrix would push the state along its motion
+        s = 0.0
+        for r in range(nc):
+            s += G[r, i] * y[r]
+        e[i] = -s
 
 
 @kernel
@@ -235,6 +242,8 @@ def iterate(at, where, spare):
         theta = real[0]
         known = last > 0.0 or size <= 1.0  # a large correction shows its rate by the next one
         if size <= SMALL or (known and theta < 1.0 and size * theta <= 1.0 - theta):
+            if count > 3 or (last > 0.0 and theta > AGED):
+                clock[VALID] = 0  # the next step gets a matrix of its own
             return OK
         if full > 1 and size <= STUCK and size > SLOW_RATE * last:
             return OK

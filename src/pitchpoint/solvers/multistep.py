@@ -9,8 +9,8 @@ for the state: with this the rates are v = q'_p + alpha/h (q - q_p) and their de
 way. The kinds differ in alpha and in what the past is: LEADING keeps the leading coefficient at its value for
 equal steps; VARIABLE passes through the last k values at their own times; FIXED has the coefficients of equal
 steps, and when the step changes the past is moved to the new grid along its polynomial, as a Nordsieck array
-does (C. W. Gear, Numerical Initial Value Problems in Ordinary Differential Equations, 1971, 9.2); CONSTANT has
-a step and an order that are given, and no control of errors. Forms of constraints: `constrained_newton`.
+does (C. W. Gear, Numerical Initial Value Problems in Ordinary Differential Equations, 1971, 9.2); CONSTANT
+has a step and an order that are given, and no control of errors. Forms: `constrained_newton`.
 
 After whole turns the past of a spin is moved by them; when a body that tumbles starts its turns afresh, the
 method starts at order 1.
@@ -23,11 +23,9 @@ import math
 import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import DIED, NOT_FINITE, OK, STEP_UNDERFLOW
+from pitchpoint.core.status import DIED, OK, STEP_UNDERFLOW
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.constrained_newton import ITERATION, constrained_step
-from pitchpoint.solvers.dormand_prince_events import find_events
-from pitchpoint.solvers.explicit import DENSE, OLD, ROWS, keep_state
 from pitchpoint.solvers.multistep_control import (
     CONSTANT,
     FIXED,
@@ -39,18 +37,18 @@ from pitchpoint.solvers.multistep_control import (
     set_allowed,
     shrink,
 )
+from pitchpoint.solvers.multistep_harvest import go_back, keep_accelerations, leave_behind, view_past
 from pitchpoint.solvers.multistep_history import (
     DEPTH,
     combine,
-    dense_weights,
     push,
     regrid,
     slopes_at,
     weights_at,
 )
 from pitchpoint.solvers.newton import rows_hold
-from pitchpoint.solvers.sampling import harvest_at, samples_up_to, take
-from pitchpoint.system.residual import evaluate_events, wrap
+from pitchpoint.solvers.sampling import harvest_at
+from pitchpoint.system.residual import wrap
 from pitchpoint.system.workspace import MACH, RECHARTED, REJECTED, STEPS
 
 NEWTON_SHARE = 0.02
@@ -66,20 +64,6 @@ SAME = 1e-9
 
 
 @kernel
-def _view_past(at, where):
-    """Rows of the history, their times, scratch weights."""
-    c = view(at, 1, CTL)[0]
-    b = view(where, 1, PAST)[0]
-    size = 2 * c["nd"] + 3 * c["nc"]
-    return (
-        view(b["rows"], (DEPTH, size), F8),
-        view(b["times"], DEPTH, F8),
-        view(b["p"], 2 * DEPTH, F8),
-        view(b["W"], (DEPTH, DEPTH), F8),
-    )
-
-
-@kernel
 def begin(at, where, nominal, reach):
     """Begin at order 1 with the state in the workspace; a second row is made from its derivatives."""
     c = view(at, 1, CTL)[0]
@@ -90,7 +74,7 @@ def begin(at, where, nominal, reach):
     v = view(c["v"], nd, F8)
     a = view(c["a"], nd, F8)
     lam = view(c["lam"], nc, F8)
-    rows, times, _, _ = _view_past(at, where)
+    rows, times, _, _ = view_past(at, where)
     for i in range(nd):
         rows[0, i] = q[i]
         rows[0, nd + i] = v[i]
@@ -147,7 +131,7 @@ def _predict(at, where, h):
     n = view(b["iteration"], 1, ITERATION)[0]
     nd = c["nd"]
     nc = c["nc"]
-    rows, times, w, W = _view_past(at, where)
+    rows, times, w, W = view_past(at, where)
     k = b["k"]
     if b["kind"] == FIXED and not abs(h - b["gridded"]) <= SAME * h:
         regrid(rows, times, k + 1, h, W)
@@ -212,38 +196,6 @@ def _collect(at, where):
 
 
 @kernel
-def _go_back(at, where):
-    """Bring the state before the step back; its accelerations wait in a row of their own."""
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    b = view(where, 1, PAST)[0]
-    nd = c["nd"]
-    nc = c["nc"]
-    newest = view(b["rows"], 2 * nd + nc, F8)
-    q = view(c["q"], nd, F8)
-    v = view(c["v"], nd, F8)
-    a = view(c["a"], nd, F8)
-    ap = view(m["ap"], nd, F8)
-    lam = view(c["lam"], nc, F8)
-    for i in range(nd):
-        q[i] = newest[i]
-        v[i] = newest[nd + i]
-        a[i] = ap[i]
-    for r in range(nc):
-        lam[r] = newest[2 * nd + r]
-
-
-@kernel
-def _keep_accelerations(at):
-    """Copy the accelerations of the workspace to where a step that fails finds them."""
-    c = view(at, 1, CTL)[0]
-    a = view(c["a"], c["nd"], F8)
-    ap = view(view(c["mach"], 1, MACH)[0]["ap"], c["nd"], F8)
-    for i in range(a.size):
-        ap[i] = a[i]
-
-
-@kernel
 def _time_after(where, h, limit, nominal):
     """Time at the end of a step: the limit if only rounding parts them, or a place of the grid."""
     b = view(where, 1, PAST)[0]
@@ -263,9 +215,9 @@ def _step(at, where, limit, nominal):
     m = view(c["mach"], 1, MACH)[0]
     b = view(where, 1, PAST)[0]
     clock = view(m["clock"], 16, I8)
-    rows, times, _, _ = _view_past(at, where)
+    rows, times, _, _ = view_past(at, where)
     new = view(b["new"], rows.shape[1], F8)
-    _keep_accelerations(at)
+    keep_accelerations(at)
     set_allowed(at, where)
     while True:
         h = min(b["h"], nominal)
@@ -286,7 +238,7 @@ def _step(at, where, limit, nominal):
         if solved and c["nc"] > 0:
             status = rows_hold(at, b["t"] + h)
             if status != OK:
-                _go_back(at, where)
+                go_back(at, where)
                 return status
         if solved:
             _collect(at, where)
@@ -294,11 +246,11 @@ def _step(at, where, limit, nominal):
             if b["error"] <= 1.0:
                 break
         elif status == DIED:
-            _go_back(at, where)
+            go_back(at, where)
             return status
         clock[REJECTED] += 1
         shrink(where, h, solved)
-        _go_back(at, where)
+        go_back(at, where)
         if not b["h"] > 1e-14 * max(abs(b["t"]), 1e-9):
             return STEP_UNDERFLOW if status == OK else status
         c["bad"] = -1  # a shorter step may do without what this one met
@@ -316,85 +268,6 @@ def _step(at, where, limit, nominal):
 
 
 @kernel
-def _look_back(at, where, s, n):
-    """Put the state at the offset s, within the last step, into the workspace."""
-    c = view(at, 1, CTL)[0]
-    nd = c["nd"]
-    nc = c["nc"]
-    rows, times, w, _ = _view_past(at, where)
-    q = view(c["q"], nd, F8)
-    v = view(c["v"], nd, F8)
-    a = view(c["a"], nd, F8)
-    lam = view(c["lam"], nc, F8)
-    weights_at(times, n, s, w[:DEPTH])
-    slopes_at(times, n, s, w[DEPTH:])
-    for i in range(nd):
-        x = 0.0
-        y = 0.0
-        z = 0.0
-        for j in range(n):
-            x += w[j] * rows[j, i]
-            y += w[j] * rows[j, nd + i]
-            z += w[DEPTH + j] * rows[j, nd + i]
-        q[i] = x
-        v[i] = y
-        a[i] = z
-    for r in range(nc):
-        x = 0.0
-        for j in range(n):
-            x += w[j] * rows[j, 2 * nd + r]
-        lam[r] = x
-
-
-@kernel
-def _prepare_events(at, where, h, n):
-    """Coefficients of the last step where the search for events wants them."""
-    c = view(at, 1, CTL)[0]
-    nd = c["nd"]
-    rows, times, w, W = _view_past(at, where)
-    stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
-    dense_weights(times, n, h, W, w)
-    for i in range(2 * nd):
-        for r in range(n):
-            s = 0.0
-            for j in range(n):
-                s += W[r, j] * rows[j, i]
-            stage[OLD if r == 0 else DENSE + r - 1, i] = s
-    return n - 1
-
-
-@kernel
-def _leave_behind(at, where, grid, watch, harvest):
-    """Samples, statistics and events of the last step; the state after it is in the workspace again."""
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    b = view(where, 1, PAST)[0]
-    h = b["used"]
-    t = b["t"]
-    done = harvest.done
-    measure = 1 if harvest.sums.shape[0] > 0 else 0
-    n = min(b["points"] - 1, b["next_k"] + 1)
-    _keep_accelerations(at)
-    if watch:
-        dense = _prepare_events(at, where, h, n)
-        done[2], share = find_events(at, t - h, h, dense, harvest.found, done[2])
-        if share < 0.0:
-            return NOT_FINITE
-    if grid[1] > 0.0:
-        for k in range(samples_up_to(t - h, grid) + 1, samples_up_to(t, grid) + 1):
-            s = grid[0] + k * grid[1]
-            if s >= t:
-                _go_back(at, where)
-            else:
-                _look_back(at, where, s - t, n)
-            status = take(at, s, harvest, measure, 1)
-            if status != OK:
-                return status
-    _go_back(at, where)
-    return evaluate_events(at, t, m["ev0"]) if watch else OK
-
-
-@kernel
 def _follow_turns(at, where, nominal, reach):
     """Count whole turns and move the past along; begin anew where a body starts its turns afresh."""
     c = view(at, 1, CTL)[0]
@@ -403,7 +276,7 @@ def _follow_turns(at, where, nominal, reach):
     clock = view(m["clock"], 16, I8)
     q = view(c["q"], c["nd"], F8)
     spins = view(m["spins"], (m["nspins"], 2), I8)
-    rows, _, _, _ = _view_past(at, where)
+    rows, _, _, _ = view_past(at, where)
     fresh = clock[RECHARTED]
     wrap(at)
     if clock[RECHARTED] != fresh:
@@ -429,11 +302,10 @@ def advance_multistep(at, where, t_end, grid, most, harvest):
     if b["k"] == 0:
         begin(at, where, nominal, t_end - b["t"])
     while b["t"] < t_end and done[0] < most:
-        keep_state(at, OLD)
         status = _step(at, where, t_end, nominal)
         if status != OK:
             return status
-        status = _leave_behind(at, where, grid, watch, harvest)
+        status = leave_behind(at, where, grid, watch, harvest)
         if status != OK:
             return status
         _follow_turns(at, where, nominal, max(t_end - b["t"], b["used"]))
