@@ -43,7 +43,8 @@ def test_element_kinds_keep_to_their_contract(name):
 
 
 def test_every_file_with_an_entry_is_a_registered_kind():
-    listed = {find(name).module.rpartition(".")[2] for name in names()}
+    modules = [find(name).module for name in names()]  # tests may have added kinds of their own
+    listed = {name.rpartition(".")[2] for name in modules if name.startswith("pitchpoint.")}
     entries = {
         path.stem
         for path in (PACKAGE / "elements").glob("*.py")
