@@ -19,7 +19,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import address
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.solvers.constrained_newton import iterate, new_iteration
-from pitchpoint.solvers.multistep import ORDER, entry
+from pitchpoint.solvers.multistep import ORDER, entry, step
 from pitchpoint.solvers.multistep_control import CONSTANT, FIXED, LARGEST, LEADING, PAST, VARIABLE
 from pitchpoint.solvers.multistep_history import DEPTH
 from pitchpoint.solvers.rows import rows_agree
@@ -184,7 +184,7 @@ def start(
     past[0]["t"], past[0]["kind"], past[0]["most_k"] = state.t, KINDS[kind], order
     past[0]["rates"] = nc == 0 or form != "I3"
     past[0]["integrals"] = nc > 0 and form == "SI1"
-    past[0]["iterate"] = address(iterate)
+    past[0]["iterate"], past[0]["step"] = address(iterate), address(step)
     return StiffRun(system, past, tolerances, state.t, 0, [*keep, *arrays.values()])
 
 

@@ -22,7 +22,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.kernel import call, kernel, view
 from pitchpoint.core.status import DIED, OK, STEP_UNDERFLOW
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.constrained_newton import ITERATION, constrained_step
@@ -209,14 +209,19 @@ def _time_after(where, h, limit, nominal):
 
 
 @kernel
-def _step(at, where, limit, nominal):
-    """One accepted step that ends at `limit` at the latest; the history has its row then."""
+def step(at, where, spare):
+    """One accepted step that ends at the limit at the latest; the history has its row then.
+
+    Reached through its address, so that it is compiled once and not again inside the driver.
+    """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     b = view(where, 1, PAST)[0]
     clock = view(m["clock"], 16, I8)
     rows, times, _, _ = view_past(at, where)
     new = view(b["new"], rows.shape[1], F8)
+    limit = b["limit"]
+    nominal = view(b["tol"], LARGEST + 1, F8)[LARGEST]
     keep_accelerations(at)
     set_allowed(at, where)
     while True:
@@ -302,7 +307,8 @@ def advance_multistep(at, where, t_end, grid, most, harvest):
     if b["k"] == 0:
         begin(at, where, nominal, t_end - b["t"])
     while b["t"] < t_end and done[0] < most:
-        status = _step(at, where, t_end, nominal)
+        b["limit"] = t_end
+        status = call(b["step"], at, where, 0)
         if status != OK:
             return status
         status = leave_behind(at, where, grid, watch, harvest)

@@ -36,6 +36,7 @@ PAST = np.dtype(
         ("h", "f8"),  # step to try next
         ("gridded", "f8"),  # step of the grid on which the history stands, 0: on none
         ("used", "f8"),  # length of the last step
+        ("limit", "f8"),  # time that no step passes
         ("origin", "f8"),  # time from which the grid of equal steps counts
         ("error", "f8"),  # of the step under way, in units of the tolerance
         ("estimate", "f8"),  # of the order that is chosen next
@@ -53,7 +54,8 @@ PAST = np.dtype(
             (name, "i8")
             for name in ("rows", "times", "new", "ahead", "slope", "allowed", "W", "p", "tol", "iteration")
         ),
-        ("iterate", "i8"),  # address of the Newton iteration
+        ("iterate", "i8"),  # addresses of the Newton iteration
+        ("step", "i8"),  # and of one whole step
     ],
     align=True,
 )
