@@ -209,7 +209,9 @@ def newton_step(at, t, cm, cd, tol):
         for r in range(nc):
             lam[r] += y[r]
         theta = real[0]
-        if theta < 1.0 and size * theta / (1.0 - theta) <= tol:
+        # rows turn with the state: with them a rate of the step before says nothing about a large correction
+        known = nc == 0 or last > 0.0 or size <= tol
+        if known and theta < 1.0 and size * theta / (1.0 - theta) <= tol:
             if count > 2 or theta > SLOW_RATE:
                 clock[VALID] = 0
             return OK
