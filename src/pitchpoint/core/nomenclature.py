@@ -19,6 +19,7 @@ _PARTS = {
     "displacement": {"rx": "tilt", "ry": "tilt", "rz": "angle"},
     "bearing_force": {"mx": "bearing_moment", "my": "bearing_moment", "mz": "bearing_moment"},
     "coupling_force": {"mx": "coupling_moment", "my": "coupling_moment", "mz": "coupling_moment"},
+    "bushing_force": {"mx": "bushing_moment", "my": "bushing_moment", "mz": "bushing_moment"},
 }
 
 

@@ -49,14 +49,14 @@ RECORD = np.dtype(
     align=True,
 )
 
-OUTPUTS = (("reaction", "N", "multiplier of the row: force along its direction, moment about it"),)
+OUTPUTS = (("reaction_force", "N", "force that the row puts on the first body"),)
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
     """Names of the observations of one record: a force, or the moment that keeps a right angle."""
     if record["form"] == RIGHT:
-        return (("reaction_moment{}", "N m", "moment that the row puts on the first body"),)
-    return (("reaction_force{}", "N", "force that the row puts on the first body"),)
+        return (("reaction_moment", "N m", "moment that the row puts on the first body"),)
+    return OUTPUTS
 
 
 @kernel
@@ -239,7 +239,7 @@ def closure(rec, ctl, fr, g):
         r = b["row"]
         f = fr[b["i"]]
         h = fr[b["j"]]
-        ck = c["ck"] * lam[r] if c["jac"] != 0 else 0.0
+        ck = c["ck"] * lam[r] if c["jac"] == 2 else 0.0
         if b["form"] == POINT:
             g[r], gtt[r] = _point(b, f, h, rows, r, ck, kk)
         elif b["form"] == SCREW:

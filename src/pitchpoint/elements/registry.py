@@ -9,6 +9,8 @@ jj
   (bodies, pair blocks; filled by the layout) and whose last is out, the index of its first observation;
 * ``entry``, the kernel with the uniform signature ``int64 entry(int64 ctl, int64 records, int64 n)``;
 * ``OUTPUTS``, tuple of (name, unit, long name) per record; ``{}`` in the name stands for the element's name;
+* optionally ``SPINS``: "free" if it keeps no body from turning about its axis, "together" if both its bodies
+  turn together; otherwise it counts as holding them (see `solvers.trains`),
 * optionally ``BODY_FIXED = True``, if it reads the frames S of its bodies,
 * optionally ``EXACT``, entries that only exact tangents call, by the record field of their address, and
 * optionally ``EVENTS`` (the same for event functions, first index in the field event), ``ROWS`` (constraint
@@ -54,19 +56,29 @@ class Kind:
 
 
 _HERE = "pitchpoint.elements."
+WITH_STATE = (("i", "j"), ("i", "k"), ("j", "k"))
+"""Pairs of kinds whose state is the spin rate of a hidden body k."""
 _KINDS: dict[str, Kind] = {
     k.name: k
     for k in (
         Kind("beam", _HERE + "beam", FRAME),
         Kind("bearing", _HERE + "bearing", FRAME),
+        Kind("bushing", _HERE + "bushing", FRAME),
+        Kind("clearance_bearing", _HERE + "clearance_bearing", FRAME),
         Kind("closure", _HERE + "closure", CONSTRAINT),
         Kind("coupling", _HERE + "coupling", FRAME),
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),
         Kind("force", _HERE + "force", FRAME),
-        Kind("gear_constraint", _HERE + "gear_constraint", CONSTRAINT),
+        Kind("friction_clutch", _HERE + "friction_clutch", FRAME, WITH_STATE),
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
+        Kind("gravity", _HERE + "gravity", FRAME),
+        Kind("guide", _HERE + "guide", MOTION),
+        Kind("maxwell", _HERE + "maxwell", FRAME, WITH_STATE),
+        Kind("ratio", _HERE + "ratio", CONSTRAINT, (("i", "j"), ("i", "k"))),
+        Kind("rolling_bearing", _HERE + "rolling_bearing", FRAME),
         Kind("shaft_beam", _HERE + "shaft_beam", FRAME),
+        Kind("spring_damper", _HERE + "spring_damper", FRAME),
         Kind("torque", _HERE + "torque", FRAME),
     )
 }

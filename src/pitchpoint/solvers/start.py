@@ -11,9 +11,10 @@ import numpy as np
 from pitchpoint.core.errors import SolverError
 from pitchpoint.elements import damping as damping_element
 from pitchpoint.elements import drive as drive_element
+from pitchpoint.elements.ratio import place_of
 from pitchpoint.elements.signal import set_constant
 from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques, find_equilibrium
-from pitchpoint.solvers.trains import free_spins, held_spins, rotations
+from pitchpoint.solvers.trains import driven_coordinates, free_spins, held_spins, rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -52,6 +53,8 @@ def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
         raise SolverError("the system was not made from a model; give a state instead of a scenario", 0)
     given = dict(scenario.speed)
     for name, record in drive_records(system):
+        if place_of(record, "i") != int(record["spin_i"]):
+            continue
         given[name] = drive_element.target_of(record, 0.0)[1]
     # a drive need not fit the ratio of the teeth: the gap takes up the rest
     return {**model.start_speeds(replace(scenario, speed=given)), **given}
@@ -84,14 +87,13 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     for name, speed in speeds.items():
         if speed != 0.0:
             state.v[system.spin(name)] = speed
-    driven = []
-    for name, record in drive_records(system):
-        spin = system.spin(name)
-        body = system.layout.bodies.index(name)
-        angle = drive_element.target_of(record, 0.0)[0]
-        state.turns[body] = round(angle / (2.0 * np.pi))
-        state.q[spin] = angle - 2.0 * np.pi * state.turns[body]
-        driven.append(spin)
+    driven = list(driven_coordinates(system))
+    for place, (_, record) in zip(driven, drive_records(system), strict=True):
+        value, rate, _ = drive_element.target_of(record, 0.0)
+        state.q[place], state.v[place] = value, rate
+        if place == int(record["spin_i"]):
+            state.turns[record["i"]] = round(value / (2.0 * np.pi))
+            state.q[place] = value - 2.0 * np.pi * state.turns[record["i"]]
     held = list(held_spins(system))
     if scenario.start == "assembled":
         return Start(_with_damping(system, state), state)

@@ -114,11 +114,11 @@ def entry(at, jac, spare):
     else:
         c["cm"] = 0.0  # elements with mass go by this factor, also where nothing but masses is asked for
     inertia(body, fr, kk, jac, c["cm"], c["cd"])
+    c["jac"] = FORCES if jac == MASS else jac
     if m["tree"] != 0:
         status = call(m["tree"], at, jac, 0)
         if status != OK:
             return status
-    c["jac"] = FORCES if jac == MASS else jac
     status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 0)
     if status != OK:
         return status

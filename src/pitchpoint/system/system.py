@@ -182,6 +182,22 @@ def _outputs(rows: Sequence[tuple[str, ...]], label: str) -> list[Channel]:
     return found
 
 
+def _movers(records: NDArray[np.void], b: int) -> set[int]:
+    """Bodies whose joints move a body."""
+    found = set()
+    while b:
+        if records[b]["n"] > 0:
+            found.add(b)
+        b = int(records[b]["parent"])
+    return found
+
+
+def _carried(records: NDArray[np.void], i: int, j: int) -> int:
+    """Which of two gears carries the line between them round: the one whose base moves with more joints."""
+    one, two = (_movers(records, int(records[b]["parent"])) for b in (i, j))
+    return 0 if one == two else 1 if len(one) > len(two) else 2
+
+
 def _fill(
     kind: registry.Kind,
     bank: NDArray[np.void],
@@ -197,6 +213,8 @@ def _fill(
             for name, key in ((a + a, (i, i)), (a + b, (i, j)), (b + a, (j, i)), (b + b, (j, j))):
                 if name in fields:
                     record[name] = pair_index.get(key, 0)
+            if "carried" in fields:
+                record["carried"] = _carried(records, i, j)
             if "blk" in fields:
                 ni, nj = parts["node_of"][i], parts["node_of"][j]
                 record["blk"] = parts["blocks"].get((ni, nj), 0) if ni >= 0 and nj >= 0 else 0

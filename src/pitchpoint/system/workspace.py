@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.multibody.channels import CTL, FRAME
-from pitchpoint.multibody.tree import GUIDE, MOTION
+from pitchpoint.multibody.channels import CTL, FRAME, GUIDE
+from pitchpoint.multibody.tree import MOTION
 
 # slots of the clock (int64): what a driver counts and remembers between chunks
 (
@@ -72,7 +72,7 @@ MACH = np.dtype(
             *("forces", "cons", "guiding"),
             *(name for name, _, _ in _ARRAYS),
             *("npath", "nproj", "nfactor", "nsolve", "nspins", "nbody_out", "nforces", "ncons"),
-            *("nguiding", "nguides", "ncharts"),
+            *("nguiding", "ncharts"),
             *("residual", "factor_entry", "solve_entry"),  # addresses of the parts that all drivers share
             *("tree", "tumble"),  # and of those that only trees need, 0 without
             "constant_mass",  # 1: M does not depend on q
@@ -143,7 +143,8 @@ class Workspace:
             mach[f"n{name}"] = len(program[name])
         for name, table in self.tables.items():
             mach[f"n{name}"] = len(table)
-        mach["nguides"], mach["ncharts"] = len(self.arrays["guides"]), len(self.arrays["charts"])
+        mach["ncharts"] = len(self.arrays["charts"])
+        ctl["guides"], ctl["ng"] = self.arrays["guides"].ctypes.data, len(self.arrays["guides"])
         for name, where in parts.items():
             mach[name] = where
         mach["constant_mass"] = int(np.all(program["body"]["joint"] < 6))

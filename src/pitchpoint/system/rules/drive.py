@@ -12,6 +12,7 @@ from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.formula import Formula
 from pitchpoint.core.status import NOT_FINITE
 from pitchpoint.elements import drive as element
+from pitchpoint.elements.ratio import SPIN
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.speed_pieces import SpeedPieces, fit_pieces, straight_pieces
 from pitchpoint.model.components.law import Constant, FormulaLaw, Law, PythonLaw, TableLaw
@@ -33,13 +34,13 @@ def drive_bank(model: Model, scenario: Scenario) -> Bank:
     speeds = model.start_speeds(scenario)
     for body, drive in scenario.drive.items():
         row = np.zeros(1, element.RECORD)[0]
-        row["i"] = number[body]
+        row["i"], row["q_i"] = number[body], SPIN
         _prescribe(row, pool, drive, scenario.duration or 1.0, f"drive.{body}")
         rows.append(row)
         names.append(body)
     for body in scenario.hold:
         row = np.zeros(1, element.RECORD)[0]
-        row["i"] = number[body]
+        row["i"], row["q_i"] = number[body], SPIN
         row["form"], row["speed"] = element.SPEED, speeds[body]
         rows.append(row)
         names.append(body)
