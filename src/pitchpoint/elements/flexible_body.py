@@ -169,6 +169,55 @@ def modal_bodies(name: str, n: int, first: int) -> tuple[list[Body], NDArray[np.
     return bodies, np.concatenate(rows)
 
 
+def interface_bodies(
+    name: str, shape: ArrayLike, *, place: ArrayLike, axes: ArrayLike, frame: int, hidden: tuple[int, ...], first: int
+) -> tuple[list[Body], NDArray[np.void]]:
+    """Frame that goes with one node of an elastic body: a body without mass for joints and forces.
+
+    It is a chain of bodies, one per three modal coordinates, the last of which is at the deflected place; their
+    small turns follow one another.
+
+    Parameters
+    ----------
+    name
+        Name of the last body; those before it are called ``NAME.1`` and so on.
+    shape
+        Displacement and turn of the node per modal coordinate in the axes of the frame, (6, n).
+    place, axes
+        Node and axes of the floating frame in the world with all coordinates zero, as of other bodies.
+    frame, hidden
+        Numbers of the floating frame and of the bodies of `modal_bodies`.
+    first
+        Number of the first body of the chain in the records.
+
+    Returns
+    -------
+    list of Body, records of the kind guide
+    """
+    phi = np.asarray(shape, float)
+    bodies, rows = [], []
+    for g, master in enumerate(hidden):
+        last = g == len(hidden) - 1
+        bodies.append(
+            Body(
+                motion=GUIDED,
+                parent=first + g - 1 if g else frame,
+                position=place,
+                axes=axes,
+                shares=master,
+                name=name if last else f"{name}.{g + 1}",
+            )
+        )
+        mine = range(GROUP * g, min(GROUP * (g + 1), phi.shape[1]))
+        for k in mine:
+            for m in range(6):
+                row = np.zeros(1, guide.RECORD)
+                row["i"], row["m"], row["k"], row["slope"] = first + g, m, k - GROUP * g, phi[m, k]
+                row["first"] = k == mine[0] and m == 0
+                rows.append(row)
+    return bodies, np.concatenate(rows)
+
+
 @kernel
 def flexible_body(rec, ctl, fr, kk):
     """Forces, tangents and observations of all elastic bodies."""

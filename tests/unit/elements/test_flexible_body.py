@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.elements.flexible_body import flexible_row, modal_bodies
+from pitchpoint.elements.flexible_body import flexible_row, interface_bodies, modal_bodies
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.craig_bampton import free_modes
-from pitchpoint.multibody.joints import FLOATING
+from pitchpoint.multibody.joints import FLOATING, GUIDED
 from pitchpoint.multibody.mass_invariants import mass_invariants
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
@@ -128,3 +128,67 @@ def test_too_many_modes_are_refused():
         flexible_row(
             mass_invariants(body, free_modes(body, 13).shape), np.ones(13), frame=1, hidden=(2, 3, 4, 5, 6)
         )
+
+
+def held(n=6, spring=300.0):
+    """Truss with two nodes on springs to ground and between themselves, through interface frames."""
+    from pitchpoint.elements import spring_damper
+
+    system, body, shape, stiffness = flying(n)
+    base, hidden = system.bodies[0], list(system.bodies[1:])
+    numbers = tuple(range(2, 2 + len(hidden)))
+    bodies, guides = [base, *hidden], [system.records["guide"]]
+    for node in (2, 7):
+        part = np.zeros((6, n))
+        part[:3] = shape[3 * node : 3 * node + 3]
+        part[3:] = 0.1 * np.random.default_rng(node).normal(size=(3, n))  # as if the node could turn
+        more, rows = interface_bodies(
+            f"node{node}",
+            part,
+            place=body.places[node] - ORIGIN,
+            axes=np.eye(3),
+            frame=1,
+            hidden=numbers,
+            first=len(bodies) + 1,
+        )
+        bodies += more
+        guides.append(rows)
+    ends = [k for k, b in enumerate(bodies, start=1) if b.name in ("node2", "node7")]
+    springs = np.zeros(3, spring_damper.RECORD)
+    springs["i"], springs["j"] = (ends[0], ends[1], ends[0]), (0, 0, ends[1])
+    springs["p_i"], springs["p_j"] = (0.1, 0.0, 0.2), (1.0, 2.0, 3.0)
+    springs["k"], springs["d"], springs["free"] = spring, 2.0, 1.0
+    clean = np.concatenate(guides)
+    banks = {"flexible_body": system.records["flexible_body"], "guide": clean, "spring_damper": springs}
+    return assemble(bodies, banks), body, shape
+
+
+def test_interface_frames_go_with_their_nodes():
+    system, body, shape = held()
+    state = stirred(system, size=0.05)
+    evaluate.residual(system, state)
+    fr = system.workspace.fr
+    at = [system.layout.coordinate(f"body.{k // 3 + 1}.eta{k + 1}") for k in range(6)]
+    for node in (2, 7):
+        f = fr[system.layout.bodies.index(f"node{node}")]
+        local = body.places[node] - ORIGIN + shape[3 * node : 3 * node + 3] @ state.q[at]
+        expected = fr[1]["r"] + fr[1]["S"] @ local
+        # the second group of coordinates moves along axes that the first has turned by 0.1 * 0.05
+        np.testing.assert_allclose(f["r"], expected, atol=0.02 * np.abs(shape @ state.q[at]).max())
+    assert system.sizes["nd"] == 12
+
+
+def test_interface_forces_have_exact_tangents():
+    system, *_ = held()
+    state = stirred(system)
+    M, D, K = evaluate.linearize(system, state)
+    for found, key, step in ((M, "a", 1e-2), (D, "v", 1e-3), (K, "q", 1e-5)):
+        np.testing.assert_allclose(found, differences(system, state, key, step), atol=1e-7 * np.abs(K).max())
+
+
+def test_only_guided_bodies_share():
+    bodies = [Body(mass=1.0, polar_inertia=1.0, name="a"), Body(mass=1.0, polar_inertia=1.0, shares=1, name="b")]
+    with pytest.raises(CompileError, match="b: only a guided body"):
+        assemble(bodies, {})
+    with pytest.raises(CompileError, match="b: shares the coordinates of body 3"):
+        assemble([bodies[0], Body(motion=GUIDED, shares=3, name="b")], {})
