@@ -40,6 +40,7 @@ ELSEWHERE = {
     "closure": "tests/unit/elements/test_closure.py",
     "guide": "tests/unit/elements/test_guide.py",
     "gear_mesh": "tests/invariants/test_gear_mesh.py",
+    "flexible_body": "tests/unit/elements/test_flexible_body.py",
 }
 
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Inertia and stiffness of an elastic body in its floating frame (docs/decisions/0015-floating-frame.md).
 
-Body i is the floating frame. Its modal coordinates eta are the displacements of bodies without mass that hang on
-ground and only translate, three coordinates each: j, k, l and m. Their wrenches are the modal forces. With the
-integrals of `multibody/mass_invariants.py`, everything in the axes of the frame, a its acceleration less gravity:
+Body i is the floating frame. Its modal coordinates eta are the displacements of bodies without mass that
+hang on ground and only translate, three coordinates each: j, k, l and m. Their wrenches are the modal
+forces. With the integrals of `multibody/mass_invariants.py`, everything in the axes of the frame, a its
+acceleration less gravity:
 
     s = s0 + P eta,  J = J0 + sum eta_k (J1_k + sum eta_l J2_kl),  C = C0 + sum eta_k A_k,
     F   = -(m a + alpha x s + omega x (omega x s) + 2 omega x P eta' + P eta'')
@@ -11,8 +12,8 @@ integrals of `multibody/mass_invariants.py`, everything in the axes of the frame
     Q_k = -(P_k . a + C_k . alpha + m_kl eta_l'' + 2 eta_l' A_l,k . omega - 1/2 omega . dJ/deta_k omega
             + (K + K_g)_kl eta_l + D_kl eta_l')
 
-K_g is the stiffness by the loads that steady inertia forces put on the body: a sum over the components of a and
-the products of those of omega. Its reactions on the frame are of second order in eta and left out.
+K_g is the stiffness by the loads that steady inertia forces put on the body: a sum over the components of a
+and the products of those of omega. Its reactions on the frame are of second order in eta and left out.
 """
 
 from __future__ import annotations
@@ -126,7 +127,8 @@ def flexible_row(
         r[name] = number
     r["inertia"], r["gravity"] = integrals.inertia, gravity
     r["P"][:, :n], r["C0"][:, :n] = integrals.momentum, integrals.angular
-    # points without rotary inertia make A antisymmetric in both modes; what elements with rotations add is dropped
+    # points without rotary inertia make A antisymmetric in both modes; what elements with rotations add is
+    # dropped
     r["A"][:n, :, :n] = 0.5 * (integrals.angular_1 - integrals.angular_1.transpose(2, 1, 0))
     r["J1"][:n] = integrals.inertia_1
     r["J2"][:n, :n] = 0.5 * (integrals.inertia_2 + integrals.inertia_2.transpose(1, 0, 2, 3))
@@ -170,12 +172,19 @@ def modal_bodies(name: str, n: int, first: int) -> tuple[list[Body], NDArray[np.
 
 
 def interface_bodies(
-    name: str, shape: ArrayLike, *, place: ArrayLike, axes: ArrayLike, frame: int, hidden: tuple[int, ...], first: int
+    name: str,
+    shape: ArrayLike,
+    *,
+    place: ArrayLike,
+    axes: ArrayLike,
+    frame: int,
+    hidden: tuple[int, ...],
+    first: int,
 ) -> tuple[list[Body], NDArray[np.void]]:
     """Frame that goes with one node of an elastic body: a body without mass for joints and forces.
 
-    It is a chain of bodies, one per three modal coordinates, the last of which is at the deflected place; their
-    small turns follow one another.
+    It is a chain of bodies, one per three modal coordinates, the last of which is at the deflected place;
+    their small turns follow one another.
 
     Parameters
     ----------

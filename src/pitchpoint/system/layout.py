@@ -151,7 +151,8 @@ def structure(
     nodes = group([int(r["n"]) if of[b] == b else 0 for b, r in enumerate(records)], live)
     node_of, offset_of, starts, sizes = place_coordinates(records, nodes)
     for b, master in enumerate(of):
-        records[b]["dof"], node_of[b], offset_of[b] = records[master]["dof"], node_of[master], offset_of[master]
+        records[b]["dof"] = records[master]["dof"]
+        node_of[b], offset_of[b] = node_of[master], offset_of[master]
     index: dict[tuple[int, int], int] = {}
     for b in moving:
         index[b, b] = len(index) + 1
