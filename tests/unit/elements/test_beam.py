@@ -511,9 +511,10 @@ def test_shaft_from_a_spinning_carrier():
 
 @pytest.mark.parametrize(("speed", "first"), [(0.0, 3.5160), (6.0, 7.3604), (12.0, 13.1702)])
 def test_blade_of_beams_stiffens_as_it_turns(speed, first):
-    """Wright, Smith, Thresher, Wang, J. Appl. Mech. 49 (1982) 197-202, hub radius 0, flapping; E I = rho A = 1.
+    """Wright, Smith, Thresher, Wang, J. Appl. Mech. 49 (1982) 197-202, hub radius 0, flapping.
 
-    Eight beams on a hub that turns; their tension is found, not given. Their number errs by less than 1e-3.
+    E I = rho A = 1. Eight beams on a hub that turns; their tension is found, not given. Their number errs by
+    less than 1e-3.
     """
     n = 8
     thin = Section(A=1e-2, I_1=1e-8, I_2=1e-8, J=2e-8, kappa_1=0.0, kappa_2=0.0)
