@@ -146,7 +146,7 @@ def test_bearing_force_acts_on_the_body() -> None:
 def test_beam_forces_are_those_of_the_part_beyond():
     beam = Beam(section=tube(0.02), length=0.5, E=2e11, G=8e10)
     tip = Body(
-        motion=FREE, position=(0, 0, 0.5), mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, name="tip"
+        motion=SHAFT, position=(0, 0, 0.5), mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, name="tip"
     )
     system = assemble([tip], {"shaft_beam": shaft_row(beam, bodies=(0, 1))}, names={"shaft_beam": ["rod"]})
     state = system.initial_state()
