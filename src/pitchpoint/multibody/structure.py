@@ -203,3 +203,18 @@ def axial_stiffening(beams: Sequence[Beam], structure: Structure, start: float =
         found[3, at, at] += pull * unit
         found[4, at, at] += pull * unit
     return found
+
+
+def turned_stiffening(stiffening: ArrayLike, axes: ArrayLike) -> Array:
+    """Stiffness per load (9, n, n) for loads in other axes, columns (3, 3) in the present ones."""
+    given, Q = np.asarray(stiffening, float), np.asarray(axes, float)
+    square = np.zeros((3, 3, *given.shape[1:]))
+    for r, (i, j) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))):
+        square[i, j] += 0.5 * given[3 + r]
+        square[j, i] += 0.5 * given[3 + r]
+    square = np.einsum("ia,jb,ijkl->abkl", Q, Q, square)
+    found = np.zeros_like(given)
+    found[:3] = np.einsum("ia,ikl->akl", Q, given[:3])
+    for r, (i, j) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))):
+        found[3 + r] = square[i, j] if i == j else square[i, j] + square[j, i]
+    return found
