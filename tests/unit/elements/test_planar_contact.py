@@ -320,8 +320,8 @@ def gear_outline(z, r_b, alpha, radii, backlash=0.0):
 def test_two_gears_by_their_outlines():
     """All pairs on the line of action overlap by r_b times the turn, and the pairs are those of the ratio.
 
-    z = 20 and 31: between A and E lie one or two pairs (contact ratio 1.6); each presses with K x. A mesh
-    spring has the same torques, -r_b F on both.
+    z = 20 and 31, no undercut: between A and E lie floor or ceil of the contact ratio pairs; each presses
+    with K x. The reference of a mesh spring: torques -r_b F on both.
     """
     z, m, alpha, x, K = (20, 31), 3e-3, math.radians(20.0), 2e-5, 1e8
     r_b = [0.5 * m * n * math.cos(alpha) for n in z]
