@@ -6,6 +6,7 @@ from __future__ import annotations
 import dataclasses
 from functools import cached_property
 
+import numpy as np
 import pytest
 
 from pitchpoint.core.errors import PitchpointError
@@ -52,7 +53,10 @@ def test_every_channel_and_every_number_of_the_command_line_has_a_row(name):
 def test_outputs_of_all_element_kinds_have_rows_with_their_unit():
     for name in names():
         module = find(name).load()
-        for output, si, _ in getattr(module, "OUTPUTS", ()):
+        outputs = [*getattr(module, "OUTPUTS", ())]
+        if hasattr(module, "outputs"):
+            outputs += module.outputs(np.ones(1, module.RECORD)[0])
+        for output, si, _ in outputs:
             channel = output.format("name")
             assert unit(channel) == si, channel
 

@@ -12,7 +12,7 @@ from click import Command, Option
 from pitchpoint.cli.main import COMMANDS
 from pitchpoint.contact.stiffness import REGISTRY
 from pitchpoint.core import status
-from pitchpoint.elements.registry import find, names
+from pitchpoint.elements.registry import FRAME, find, names
 from tests.contracts.source import PACKAGE, functions, is_kernel
 
 FIRST = ("i", "j", "ii", "ij", "ji", "jj")
@@ -32,7 +32,7 @@ def test_element_kinds_keep_to_their_contract(name):
     record = module.RECORD
     assert record.isalignedstruct
     assert plain(record)
-    assert record.names[:6] == FIRST
+    assert record.names[:6] == FIRST if kind.channel == FRAME else record.names[:2] == FIRST[:2]
     assert record.names[-1] == "out"
     for pair in kind.pairs:
         assert set(pair) <= set(record.names)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pitchpoint.elements import bearing, coupling, damping, gear_constraint, torque
+from pitchpoint.elements import bearing, coupling, damping, ratio, torque
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
@@ -43,9 +43,10 @@ def torques(rows):
 
 def gear_rows(rows):
     """Rigid gear couplings from rows (i, j, z1, z2)."""
-    records = np.zeros(len(rows), gear_constraint.RECORD)
+    records = np.zeros(len(rows), ratio.RECORD)
+    records["q_i"] = records["q_j"] = records["q_k"] = ratio.SPIN
     for record, (i, j, z1, z2) in zip(records, rows, strict=True):
-        record["i"], record["j"], record["z1"], record["z2"] = i, j, z1, z2
+        record["i"], record["j"], record["c_i"], record["c_j"] = i, j, z1, z2
     return records
 
 

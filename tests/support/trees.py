@@ -5,8 +5,41 @@ from __future__ import annotations
 
 import numpy as np
 
+from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import AXES, SCREW, TUMBLING
 from pitchpoint.system import evaluate
+from tests.support.engine import frame, positive
+
+
+def tree(rng, motions, parents):
+    """Bodies with random frames, places and masses."""
+    return [
+        Body(
+            motion=motion,
+            parent=parent,
+            position=rng.normal(size=3),
+            axes=frame(rng),
+            mass=rng.uniform(0.5, 2.0),
+            com=0.3 * rng.normal(size=3),
+            inertia=positive_inertia(rng),
+            lead=0.2 if motion == SCREW else 0.0,
+            name=f"b{k}",
+        )
+        for k, (motion, parent) in enumerate(zip(motions, parents, strict=True), start=1)
+    ]
+
+
+def positive_inertia(rng):
+    """Inertia that a mass can have."""
+    spread = positive(rng, 3)
+    return np.trace(spread) * np.eye(3) - spread
+
+
+def moving(system, rng):
+    state = system.initial_state()
+    n = system.sizes["nd"]
+    state.q, state.v, state.a = 0.6 * rng.normal(size=n), rng.normal(size=n), rng.normal(size=n)
+    return state
 
 
 def turning(angle, axis):

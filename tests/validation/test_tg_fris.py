@@ -28,7 +28,7 @@ def test_case_b_two_rotors_over_equal_gears():
     inertias = (400e-6, 25e-6, 25e-6, 700e-6, 700e-6)
     bodies = [Body(polar_inertia=i, name=n) for i, n in zip(inertias, names, strict=True)]
     links = couplings([(1, 2, 1e4, 0.0, 0.0), (2, 4, 5e3, 0.0, 0.0), (3, 5, 5e3, 0.0, 0.0)])
-    system = assemble(bodies, {"coupling": links}, {"gear_constraint": gear_rows([(2, 3, 20, 20)])})
+    system = assemble(bodies, {"coupling": links}, {"ratio": gear_rows([(2, 3, 20, 20)])})
     state = system.initial_state()
     M, _, K = evaluate.linearize(system, state)
     G = evaluate.constraint_jacobian(system, state)

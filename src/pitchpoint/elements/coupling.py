@@ -1,30 +1,48 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Torsional coupling between two bodies (body 0 = ground): spring and damper on the difference of the spins.
+"""Torsional coupling or torsion spring between two bodies (body 0 = ground).
 
-With a gap the spring acts beyond +-gap/2 only; the damper acts always. The torque turns about the spin axis
-of each body, so it is meant for bodies whose axes are (nearly) parallel; the sense flips where they are
-opposite.
+    T = -k x(u) - d w + L(t, u, w)
+
+u is the angle of body i against body j less the angle without torque, w the relative speed, x(u) = u or, with
+a gap, the part of u beyond +-gap/2. L is a signal: a table, a formula (angle stands for u, speed for w) or a
+user's law; a table over one turn takes whole turns out exactly. How angle, speed and the axis of the torque
+are found for bodies on spinning parents, tilted bodies and bodies that turn in opposite senses stands in
+`turning`.
 """
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import OK
+from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
+from pitchpoint.elements.turning import (
+    add_torque,
+    common_axis,
+    sense_of,
+    speed_between,
+    torque_tangent,
+    turn_between,
+)
 from pitchpoint.multibody.channels import frame_args, observations
 
 TWO_PI = 6.283185307179586
+
+SPINS = "together"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
         ("k", "f8"),  # stiffness [N m/rad]
         ("d", "f8"),  # damping [N m s/rad]
-        ("u0", "f8"),  # difference of the spins without torque [rad]
+        ("u0", "f8"),  # angle without torque [rad]
         ("gap", "f8"),  # total play [rad]
-        ("out", "i8"),
-    ],
+    ]
+    + SIGNAL  # further torque on body i over u and w [N m]
+    + [("out", "i8")],
     align=True,
 )
 
@@ -35,20 +53,6 @@ OUTPUTS = (
 
 
 @kernel
-def _follow(f, k, torque):
-    """Add the change of a torque that follows the spin axis: d(T n) = T dtheta x n."""
-    n0 = f["R"][0, 2]
-    n1 = f["R"][1, 2]
-    n2 = f["R"][2, 2]
-    k[3, 4] -= torque * n2
-    k[3, 5] += torque * n1
-    k[4, 5] -= torque * n0
-    k[4, 3] += torque * n2
-    k[5, 3] -= torque * n1
-    k[5, 4] += torque * n0
-
-
-@kernel
 def coupling(rec, ctl, fr, kk):
     """Torques, tangents and observations of all couplings."""
     c = ctl[0]
@@ -56,7 +60,12 @@ def coupling(rec, ctl, fr, kk):
         b = rec[e]
         f = fr[b["i"]]
         g = fr[b["j"]]
-        u = f["phi"] - g["phi"] + TWO_PI * (f["turns"] - g["turns"]) - b["u0"]
+        sense = sense_of(f, g, b["j"])
+        m = common_axis(f, g, sense)
+        rest, turns = turn_between(f, g, sense)
+        speed = speed_between(f, g, m)
+        rest -= b["u0"]
+        u = rest + TWO_PI * turns
         k = b["k"]
         half = 0.5 * b["gap"]
         x = u
@@ -68,24 +77,20 @@ def coupling(rec, ctl, fr, kk):
             else:
                 x = 0.0
                 k = 0.0
-        torque = -k * x - b["d"] * (f["spin"] - g["spin"])
-        for r in range(3):
-            f["F"][3 + r] += torque * f["R"][r, 2]
-            g["F"][3 + r] -= torque * g["R"][r, 2]
+        torque = -k * x - b["d"] * speed
+        by_angle = -k
+        by_speed = -b["d"]
+        if b["form"] != CONSTANT or b["value"] != 0.0:
+            more, slope, rate = signal(b, c["t"], rest, turns, speed, c["jac"])
+            if not math.isfinite(more):
+                c["bad"] = e
+                return NOT_FINITE
+            torque += more
+            by_angle += slope
+            by_speed += rate
+        add_torque(f, g, m, torque)
         if c["jac"] != 0:
-            s = c["ck"] * k + c["cd"] * b["d"]
-            p = kk[b["ii"]]
-            q = kk[b["ij"]]
-            o = kk[b["ji"]]
-            w = kk[b["jj"]]
-            for r in range(3):
-                for h in range(3):
-                    p[3 + r, 3 + h] += s * f["R"][r, 2] * f["R"][h, 2]
-                    q[3 + r, 3 + h] -= s * f["R"][r, 2] * g["R"][h, 2]
-                    o[3 + r, 3 + h] -= s * g["R"][r, 2] * f["R"][h, 2]
-                    w[3 + r, 3 + h] += s * g["R"][r, 2] * g["R"][h, 2]
-            _follow(f, p, torque * c["ck"])
-            _follow(g, w, -torque * c["ck"])
+            torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle, by_speed)
         if c["out"] != 0:
             out = observations(ctl)
             out[b["out"]] = torque

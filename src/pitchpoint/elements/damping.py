@@ -14,6 +14,8 @@ from pitchpoint.core.status import OK
 from pitchpoint.core.symmetric_pencil import symmetric_pencil
 from pitchpoint.multibody.channels import coordinate_args
 
+SPINS = "free"
+
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [

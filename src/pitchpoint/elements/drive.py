@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Prescribed spin of a body: constant speed, speed in pieces or angle formula, as a constraint row.
+"""Prescribed coordinate of a joint: constant speed, speed in pieces or formula, as a constraint row.
 
-g = spin - theta(t), with the time derivatives that explicit methods need. The observation is the torque that
-the drive puts on the spin.
+g = q - theta(t), with the time derivatives that explicit methods need; mostly q is the spin of a body, with
+its whole turns. The observation is the torque, or the force, that the drive puts on the coordinate.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import numpy as np
 from pitchpoint.core.formula_kernel import evaluate_slope
 from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import OK
+from pitchpoint.elements.ratio import SPIN
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.speed_pieces import SpeedPieces
 from pitchpoint.multibody.channels import F8, I8, constraint_args, constraint_rates, observations
@@ -22,11 +23,16 @@ ROWS = 1
 STENCIL = 1e-5
 """Distance of the points from which a formula of the angle gets its acceleration [s]."""
 
+SPINS = "free"
+
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
         ("form", "i8"),  # SPEED, SPEED_PIECES or ANGLE_FORMULA
-        ("spin_i", "i8"),  # coordinate; written by the layout
+        ("dof_i", "i8"),  # first coordinate of the body and its spin; written by the layout
+        ("spin_i", "i8"),
+        ("q_i", "i8"),  # which coordinate of the joint, SPIN for its spin
+        ("linear", "i8"),  # 1: the coordinate is a length
         ("row", "i8"),  # constraint row; written by the layout
         ("angle", "f8"),  # spin at t = 0 [rad]
         ("speed", "f8"),  # SPEED: [rad/s]
@@ -40,6 +46,11 @@ RECORD = np.dtype(
 )
 
 OUTPUTS = (("torque", "N m", "torque of the drive on its body"),)
+
+
+def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
+    """Names of the observations of one record: a torque, or a force along a length."""
+    return (("force", "N", "force of the drive on its body"),) if record["linear"] else OUTPUTS
 
 
 def set_speed_pieces(record: np.void, pool: Pool, pieces: SpeedPieces) -> None:
@@ -126,9 +137,11 @@ def drive(rec, ctl, fr, q, g, G):
     for e in range(rec.size):
         b = rec[e]
         r = b["row"]
-        d = b["spin_i"]
+        d = b["spin_i"] if b["q_i"] == SPIN else b["dof_i"] + b["q_i"]
         angle, speed, acceleration = target(b, c["t"])
-        g[r] = q[d] + TWO_PI * fr[b["i"]]["turns"] - angle
+        g[r] = q[d] - angle
+        if d == b["spin_i"]:
+            g[r] += TWO_PI * fr[b["i"]]["turns"]
         gt[r] = -speed
         gtt[r] = -acceleration
         G[r, d] = 1.0

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Force and moment on a body at a point of its spin axis, in world axes, scaled by a signal; also weight.
+"""Force and moment on a body at a point of it, in axes of the world or of the body, scaled by a signal.
 
-The signal is a factor: constant, table, formula or user law of time, angle and speed.
+The signal is a factor: constant, table, formula or user law of time, angle and speed, as of a torque (see
+`turning`). A force whose components follow different signals is as many records. The point lies at z on the
+spin axis, plus p in the axes of the body. The reaction goes to body j at the same point (0 = ground).
 """
 
 from __future__ import annotations
@@ -12,16 +14,29 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.signal import SIGNAL, signal
+from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
+from pitchpoint.elements.turning import (
+    common_axis,
+    sense_of,
+    speed_between,
+    turn_between,
+    turn_column,
+)
+from pitchpoint.elements.wrench import origin, push, put, spin_axis
 from pitchpoint.multibody.channels import frame_args
+from pitchpoint.multibody.vectors import add, cross, less, times, triple, unit
+
+SPINS = "free"
+WORLD, BODY = 0, 1
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + SIGNAL
     + [
-        ("F", "f8", 6),  # force [N] and moment [N m] at a signal of one, world axes
+        ("F", "f8", 6),  # force [N] and moment [N m] at a signal of one, in the axes named next
+        ("axes", "i8"),  # WORLD or BODY
         ("z", "f8"),  # point of attack on the spin axis, from the origin [m]
-        ("W", "f8", 6),  # scratch: wrench about the origin at a signal of one
+        ("p", "f8", 3),  # and from there, axes of the body [m]
         ("out", "i8"),
     ],
     align=True,
@@ -29,67 +44,92 @@ RECORD = np.dtype(
 
 
 @kernel
-def _turning_arm(f, F, k, s):
-    """Add s times the change of n x F with the turn of the axis n."""
-    n0 = f["R"][0, 2]
-    n1 = f["R"][1, 2]
-    n2 = f["R"][2, 2]
-    for a in range(3):
-        x = 1.0 if a == 0 else 0.0
-        y = 1.0 if a == 1 else 0.0
-        u = 1.0 if a == 2 else 0.0
-        h0 = y * n2 - u * n1  # change of n with a turn about axis a
-        h1 = u * n0 - x * n2
-        h2 = x * n1 - y * n0
-        k[3, 3 + a] += s * (h1 * F[2] - h2 * F[1])
-        k[4, 3 + a] += s * (h2 * F[0] - h0 * F[2])
-        k[5, 3 + a] += s * (h0 * F[1] - h1 * F[0])
+def _from_body(f, a):
+    """World components of a vector given in the axes of the body; S itself may not be kept up."""
+    c = math.cos(f["phi"])
+    s = math.sin(f["phi"])
+    x = c * a[0] - s * a[1]
+    y = s * a[0] + c * a[1]
+    R = f["R"]
+    return (
+        R[0, 0] * x + R[0, 1] * y + R[0, 2] * a[2],
+        R[1, 0] * x + R[1, 1] * y + R[1, 2] * a[2],
+        R[2, 0] * x + R[2, 1] * y + R[2, 2] * a[2],
+    )
 
 
 @kernel
-def _slopes(f, W, k, by_angle, by_place, by_rate):
-    """Subtract the change of the wrench with its factor: over the spin, and over the speed n . omega."""
-    R = f["R"]
-    w = f["tw"]
-    for a in range(3):
-        i = (a + 1) % 3
-        h = (a + 2) % 3
-        moved = R[i, 2] * w[3 + h] - R[h, 2] * w[3 + i]  # of the speed with the turn of n: n x omega
-        s = by_angle * f["axle"][a] + by_place * moved + by_rate * R[a, 2]
-        for r in range(6):
-            k[r, 3 + a] -= s * W[r]
+def _tangents(b, f, g, kk, ctl, sense, place, load, slopes):
+    """Add the tangents: the arm turns, a load in axes of the body too, the factor has its slopes."""
+    c = ctl[0]
+    ck = c["ck"]
+    arm, reach, m = place
+    force, couple = load
+    scale, by_angle, by_speed = slopes
+    exact = 1 if c["jac"] == 2 else 0
+    nothing = (0.0, 0.0, 0.0)
+    for side in range(2):
+        if side == 1 and b["j"] == 0:
+            break
+        ki = kk[b["ii"]] if side == 0 else kk[b["ij"]]
+        kj = kk[b["ji"]] if side == 0 else kk[b["jj"]]
+        for k in range(6):
+            w = unit(k - 3)
+            df = nothing
+            dm = nothing
+            d_arm = nothing
+            d_reach = times(-1.0, unit(k))
+            if side == 0:
+                d_arm = cross(w, arm)
+                d_reach = add(unit(k), d_arm)
+                if b["axes"] == BODY:
+                    df = times(ck * scale, cross(w, force))
+                    dm = times(ck * scale, cross(w, couple))
+            if k > 2 and (by_angle != 0.0 or by_speed != 0.0):
+                angle, speed, swing = turn_column(f, g, sense, m, side, k - 3, exact)
+                s = ck * (by_angle * angle + by_speed * speed)
+                s += c["cd"] * by_speed * (m[k - 3] if side == 0 else -m[k - 3])
+                df = add(df, times(s, force))
+                dm = add(dm, times(s, couple))
+            held = times(ck * scale, force)
+            put(ki, k, -1.0, df, add(dm, add(cross(arm, df), cross(d_arm, held))))
+            put(kj, k, 1.0, df, add(dm, add(cross(reach, df), cross(d_reach, held))))
 
 
 @kernel
 def force(rec, ctl, fr, kk):
-    """Wrenches of all forces; tangents only where they have to be exact."""
+    """Wrenches and tangents of all forces."""
     c = ctl[0]
     for e in range(rec.size):
         b = rec[e]
         f = fr[b["i"]]
-        F = b["F"]
-        z = b["z"]
-        w = f["tw"]
-        speed = f["R"][0, 2] * w[3] + f["R"][1, 2] * w[4] + f["R"][2, 2] * w[5]
-        slopes = 1 if c["jac"] == 2 else 0
-        scale, by_angle, by_speed = signal(b, c["t"], f["phi"], f["turns"], speed, slopes)
+        g = fr[b["j"]]
+        sense = sense_of(f, g, b["j"])
+        m = common_axis(f, g, sense)
+        scale = b["value"]
+        by_angle = 0.0
+        by_speed = 0.0
+        if b["form"] != CONSTANT or b["ramp"] > 0.0:
+            rest, turns = turn_between(f, g, sense)
+            speed = speed_between(f, g, m)
+            scale, by_angle, by_speed = signal(b, c["t"], rest, turns, speed, c["jac"])
         if not math.isfinite(scale):
             c["bad"] = e
             return NOT_FINITE
-        n0 = f["R"][0, 2]
-        n1 = f["R"][1, 2]
-        n2 = f["R"][2, 2]
-        W = b["W"]
-        for r in range(6):
-            W[r] = F[r]
-        W[3] += z * (n1 * F[2] - n2 * F[1])
-        W[4] += z * (n2 * F[0] - n0 * F[2])
-        W[5] += z * (n0 * F[1] - n1 * F[0])
-        for r in range(6):
-            f["F"][r] += scale * W[r]
-        if c["jac"] == 2:
-            _turning_arm(f, F, kk[b["ii"]], -c["ck"] * z * scale)
-            _slopes(f, W, kk[b["ii"]], c["ck"] * by_angle, c["ck"] * by_speed, c["cd"] * by_speed)
+        load = triple(b["F"], 0)
+        couple = triple(b["F"], 3)
+        if b["axes"] == BODY:
+            load = _from_body(f, load)
+            couple = _from_body(f, couple)
+        arm = times(b["z"], spin_axis(f))
+        p = b["p"]
+        if p[0] != 0.0 or p[1] != 0.0 or p[2] != 0.0:
+            arm = add(arm, _from_body(f, triple(p, 0)))
+        reach = less(add(origin(f), arm), origin(g))
+        push(f, arm, load, couple, scale)
+        push(g, reach, load, couple, -scale)
+        if c["jac"] != 0:
+            _tangents(b, f, g, kk, ctl, sense, (arm, reach, m), (load, couple), (scale, by_angle, by_speed))
     return OK
 
 

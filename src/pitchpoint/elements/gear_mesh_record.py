@@ -33,6 +33,7 @@ _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
 _GEOMETRY = [
     ("fixed", "i8"),  # 1: both bodies only spin, the line of action never moves
+    ("carried", "i8"),  # gear whose base carries the line of centres round, 0: both stand on one base
     ("z1", "i8"),
     ("z2", "i8"),  # signed numbers of teeth
     ("r_b1", "f8"),

@@ -36,7 +36,7 @@ def line_of_action(b, f, g):
     Gears that only spin keep their line of action: compile fills it once with `fixed` = 0.
     """
     if b["fixed"] == 1:
-        _travel(b, f, g, f["phi"], g["phi"])
+        _travel(b, f["phi"], f["turns"], g["phi"], g["turns"])
         return OK
     w1 = b["w1"]
     w2 = 1.0 - w1
@@ -94,17 +94,34 @@ def line_of_action(b, f, g):
     b["dz"] = dz
     b["gap"] = 2.0 * rb * (b["inv_a"] - b["inv_w0"])
     _place(b)
-    _travel(b, f, g, f["phi"] - turn1, g["phi"] - turn2)
+    whole1 = f["turns"]
+    whole2 = g["turns"]
+    if b["carried"] == 1:
+        whole2 += carried_turns(g, f, turn2, turn1)
+    elif b["carried"] == 2:
+        whole1 += carried_turns(f, g, turn1, turn2)
+    _travel(b, f["phi"] - turn1, whole1, g["phi"] - turn2, whole2)
     return OK
 
 
 @kernel
-def _travel(b, f, g, phi1, phi2):
+def carried_turns(f, g, turn_f, turn_g):
+    """Whole turns that the line of centres, carried by the base of gear g, lags behind gear f.
+
+    Seen from gear f it has turned as far as the base of g and a little more (`turn_g`); the remainder of
+    that, `turn_f`, is known. The bases turn by the spins of the bodies that the gears hang on.
+    """
+    rest = (g["base"] - f["base"] + turn_g - turn_f) / (2.0 * math.pi)
+    return -(int(math.floor(rest + 0.5)) + g["base_turns"] - f["base_turns"])
+
+
+@kernel
+def _travel(b, phi1, turns1, phi2, turns2):
     """Base-tangent travel and mean travel; whole turns enter as integers, so nothing grows with them."""
     s1 = b["r_b1"] * phi1
     s2 = b["r_b2"] * phi2
-    n1 = b["z1"] * f["turns"]
-    n2 = b["z2"] * g["turns"]
+    n1 = b["z1"] * turns1
+    n2 = b["z2"] * turns2
     b["u"] = s1 + s2 + b["p_bt"] * (n1 + n2) + b["u0"] + b["tan_b"] * b["dz"]
     n = n1 - n2
     half = n % 2

@@ -9,6 +9,8 @@ jj
   (bodies, pair blocks; filled by the layout) and whose last is out, the index of its first observation;
 * ``entry``, the kernel with the uniform signature ``int64 entry(int64 ctl, int64 records, int64 n)``;
 * ``OUTPUTS``, tuple of (name, unit, long name) per record; ``{}`` in the name stands for the element's name;
+* optionally ``SPINS``: "free" if it keeps no body from turning about its axis, "together" if both its bodies
+  turn together; otherwise it counts as holding them (see `solvers.trains`),
 * optionally ``BODY_FIXED = True``, if it reads the frames S of its bodies,
 * optionally ``EXACT``, entries that only exact tangents call, by the record field of their address, and
 * optionally ``EVENTS`` (the same for event functions, first index in the field event), ``ROWS`` (constraint
@@ -25,6 +27,8 @@ from types import ModuleType
 from pitchpoint.core.errors import CompileError
 
 FRAME, COORDINATE, CONSTRAINT, MOTION = "frame", "coordinate", "constraint", "motion"
+FRICTION = "friction"
+"""Channel of frame kinds that need all other wrenches and multipliers."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +42,7 @@ class Kind:
     module
         Dotted name of the module with RECORD and entry.
     channel
-        "frame", "coordinate", "constraint" or "motion".
+        "frame", "coordinate", "constraint", "motion" or "friction".
     pairs
         Pairs of record fields that hold interacting bodies.
     """
@@ -54,21 +58,36 @@ class Kind:
 
 
 _HERE = "pitchpoint.elements."
+WITH_STATE = (("i", "j"), ("i", "k"), ("j", "k"))
+"""Pairs of kinds whose state is the spin rate of a hidden body k."""
 _KINDS: dict[str, Kind] = {
     k.name: k
     for k in (
+        Kind("beam", _HERE + "beam", FRAME),
         Kind("bearing", _HERE + "bearing", FRAME),
+        Kind("bushing", _HERE + "bushing", FRAME),
+        Kind("clearance_bearing", _HERE + "clearance_bearing", FRAME),
+        Kind("closure", _HERE + "closure", CONSTRAINT),
         Kind("coupling", _HERE + "coupling", FRAME),
         Kind("curve_curve", _HERE + "curve_curve", FRAME),
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),
         Kind("force", _HERE + "force", FRAME),
-        Kind("gear_constraint", _HERE + "gear_constraint", CONSTRAINT),
+        Kind("friction_clutch", _HERE + "friction_clutch", FRAME, WITH_STATE),
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
+        Kind("gravity", _HERE + "gravity", FRAME),
+        Kind("guide", _HERE + "guide", MOTION),
+        Kind("joint_friction", _HERE + "joint_friction", FRICTION),
+        Kind("maxwell", _HERE + "maxwell", FRAME, WITH_STATE),
         Kind("point_curve", _HERE + "point_curve", FRAME),
         Kind("point_on_curve", _HERE + "point_on_curve", CONSTRAINT),
         Kind("point_surface", _HERE + "point_surface", FRAME),
+        Kind("ratio", _HERE + "ratio", CONSTRAINT, (("i", "j"), ("i", "k"))),
+        Kind("rolling_bearing", _HERE + "rolling_bearing", FRAME),
+        Kind("shaft_beam", _HERE + "shaft_beam", FRAME),
+        Kind("spring_damper", _HERE + "spring_damper", FRAME),
         Kind("surface_surface", _HERE + "surface_surface", FRAME),
+        Kind("torsion_maxwell", _HERE + "torsion_maxwell", FRAME, WITH_STATE),
         Kind("torque", _HERE + "torque", FRAME),
     )
 }
@@ -78,7 +97,7 @@ def register(kind: Kind) -> None:
     """Add a kind at run time; an existing name is refused."""
     if kind.name in _KINDS and _KINDS[kind.name] != kind:
         raise CompileError(f"the kind {kind.name!r} is registered already ({_KINDS[kind.name].module})")
-    if kind.channel not in (FRAME, COORDINATE, CONSTRAINT, MOTION):
+    if kind.channel not in (FRAME, COORDINATE, CONSTRAINT, MOTION, FRICTION):
         raise CompileError(f"the kind {kind.name!r} names no known channel: {kind.channel!r}")
     _KINDS[kind.name] = kind
 

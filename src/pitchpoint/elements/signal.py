@@ -23,6 +23,8 @@ TWO_PI = 6.283185307179586
 
 CONSTANT, TABLE, FORMULA, LAW = 0, 1, 2, 3
 OVER_TIME, OVER_ANGLE, OVER_SPEED = 0, 1, 2
+OVER_BOTH = 3
+"""For user laws: x is the angle, and the speed stands behind the parameters."""
 
 SIGNAL: list[tuple[Any, ...]] = [
     ("form", "i8"),  # CONSTANT, TABLE, FORMULA or LAW
@@ -89,7 +91,10 @@ def set_formula(record: np.void, pool: Pool, formula: Any) -> None:
 
 
 def set_law(record: np.void, pool: Pool, parameters: Sequence[float] = (), over: int = OVER_SPEED) -> None:
-    """Make the signal a user law f(t, x, p); the law itself goes to `assemble(laws=...)`."""
+    """Make the signal a user law f(t, x, p); the law itself goes to `assemble(laws=...)`.
+
+    With `over` OVER_BOTH, x is the angle (or elongation) and ``p[len(parameters)]`` the speed.
+    """
     record["form"], record["value"], record["over"] = LAW, 1.0, over
     record["start"], record["n"] = pool.add(np.asarray([*parameters, 0.0])), len(parameters)
 
@@ -132,12 +137,23 @@ def _table(b, t, phi, turns, speed):
 def _law(b, t, phi, turns, speed, slopes):
     x = t if b["over"] == OVER_TIME else speed if b["over"] == OVER_SPEED else phi + TWO_PI * turns
     p = b["pool"] + 8 * b["start"]
+    behind = view(p + 8 * b["n"], 1, F8)
+    both = 1 if b["over"] == OVER_BOTH else 0
+    if both != 0:
+        behind[0] = speed
     value = call_law(b["law"], t, x, p)
     slope = 0.0
+    by_speed = 0.0
     if slopes != 0 and b["over"] != OVER_TIME:
         h = 1e-6 * max(1.0, abs(x))
         slope = (call_law(b["law"], t, x + h, p) - call_law(b["law"], t, x - h, p)) / (2.0 * h)
-    return value, slope
+        if both != 0:
+            h = 1e-6 * max(1.0, abs(speed))
+            behind[0] = speed + h
+            more = call_law(b["law"], t, x, p)
+            behind[0] = speed - h
+            by_speed = (more - call_law(b["law"], t, x, p)) / (2.0 * h)
+    return value, slope, by_speed
 
 
 @kernel
@@ -165,9 +181,12 @@ def signal(b, t, phi, turns, speed, slopes):
             by_speed = value * s
         value *= y
     elif form == LAW:
-        y, s = _law(b, t, phi, turns, speed, slopes)
-        by_angle = value * s if b["over"] == OVER_ANGLE else 0.0
-        by_speed = value * s if b["over"] == OVER_SPEED else 0.0
+        y, s, d = _law(b, t, phi, turns, speed, slopes)
+        if b["over"] == OVER_SPEED:
+            by_speed = value * s
+        elif b["over"] != OVER_TIME:
+            by_angle = value * s
+            by_speed = value * d
         value *= y
     ramp = b["ramp"]
     if ramp > 0.0 and t < ramp:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What an element kind sees: the control record, the frames of the bodies, and how an entry unpacks them.
 
-Three channels. *Frame* kinds read frames and add wrenches and world tangents; *coordinate* kinds read and
-write generalised coordinates; *constraint* kinds write rows of g and G. An entry is four lines::
+Four channels. *Frame* kinds read frames and add wrenches and world tangents; *coordinate* kinds read and
+write generalised coordinates; *constraint* kinds write rows of g and G; *motion* kinds give the displacements
+of guided joints before frames are made. An entry is four lines::
 
     @kernel
     def entry(ctl, rec, n):
@@ -10,7 +11,9 @@ write generalised coordinates; *constraint* kinds write rows of g and G. An entr
         return bearing(view(rec, n, RECORD), c, fr, kk)
 
 Frame kinds with jac > 0 add ``-(ck dF_i/dx_j + cd dF_i/dxdot_j)`` to ``kk[pair]``, x being the small world
-displacement twist (translation of the origin, rotation) of body j. Kinds write results only when
+displacement twist (translation of the origin, rotation) of body j. Kinds with mass subtract the inertia of
+their own from the wrenches and add ``-cm dF_i/dxddot_j`` wherever ``ctl["cm"]`` is not zero, whatever jac
+says. Kinds write results only when
 ``ctl["out"]`` is not zero, and values of event functions only when ``ctl["ev"]`` is not zero.
 """
 
@@ -55,6 +58,8 @@ CTL = np.dtype(
         ("at", "i8"),  # address of this record
         ("bad", "i8"),  # record index at which a kind gave up; set by the kind that returns a status
         ("badkind", "i8"),  # row of the kind that gave up; set by the driver
+        ("guides", "i8"),  # address of GUIDE[ng], displacements that are functions
+        ("ng", "i8"),  # guided bodies
         ("mach", "i8"),  # address of the private arrays of the driver
     ],
     align=True,
@@ -74,6 +79,20 @@ FRAME = np.dtype(
         ("base", "f8"),  # turn of R about the third axis by the spins of the bodies it hangs on [rad]
         ("base_turns", "i8"),  # and the whole turns of them
         ("axle", "f8", 3),  # with jac 2 only: a small turn w of the body [rad] changes phi by axle . w
+    ],
+    align=True,
+)
+
+
+#: What a kind of the motion channel says about a joint made of functions: d(q, t) = sum f_mk(q_k) + f_m(t).
+GUIDE = np.dtype(
+    [
+        ("d", "f8", 6),  # displacements [m, rad]
+        ("rate", "f8", 6),  # their derivative by time
+        ("second", "f8", 6),  # and by time twice
+        ("by", "f8", (6, 6)),  # row m, column k: derivative of displacement m by coordinate k
+        ("by2", "f8", (6, 6)),  # and by the coordinate twice
+        ("by3", "f8", (6, 6)),  # three times; with jac 2 only
     ],
     align=True,
 )
@@ -119,6 +138,14 @@ def constraint_args(where):
 
 
 @kernel
+def motion_args(where):
+    """Unpack for the motion channel: control, q, guides [ng]."""
+    ctl = view(where, 1, CTL)
+    c = ctl[0]
+    return ctl, view(c["q"], c["nd"], F8), view(c["guides"], c["ng"], GUIDE)
+
+
+@kernel
 def constraint_rates(ctl):
     """Further arrays of the constraint channel: v[nd], gt[nc], gtt[nc], frame rows Gf[nc,2,6]."""
     c = ctl[0]
@@ -129,6 +156,13 @@ def constraint_rates(ctl):
         view(c["gtt"], nc, F8),
         view(c["Gf"], (nc, 2, 6), F8),
     )
+
+
+@kernel
+def tangents(ctl):
+    """Pair tangents kk[np,6,6], for constraint kinds on frames."""
+    c = ctl[0]
+    return view(c["kk"], (c["np"], 6, 6), F8)
 
 
 @kernel

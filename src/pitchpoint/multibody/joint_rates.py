@@ -16,6 +16,7 @@ from __future__ import annotations
 from pitchpoint.core.kernel import kernel
 from pitchpoint.multibody.joints import Z
 from pitchpoint.multibody.tree import body_axes, joint_motion
+from pitchpoint.multibody.vectors import add, cross, dot, less, times, triple
 
 
 @kernel
@@ -33,36 +34,11 @@ def joint_motions(body, fr, motions, guides, charts, q, v, a):
         f = fr[b]
         joint_motion(o, fr[o["parent"]], f, motions[b], guides, charts, q, v, a)
         W = motions[b]["W"]
-        x, y, z = _cross(_axis(W, 3), _axis(W, 4))
+        x, y, z = cross(_axis(W, 3), _axis(W, 4))
         s = x * W[3, 5] + y * W[4, 5] + z * W[5, 5]
         f["axle"][0] = x / s
         f["axle"][1] = y / s
         f["axle"][2] = z / s
-
-
-@kernel
-def _cross(a, b):
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-@kernel
-def _add(a, b):
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
-@kernel
-def _less(a, b):
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-@kernel
-def _times(s, a):
-    return s * a[0], s * a[1], s * a[2]
-
-
-@kernel
-def _half(x, first):
-    return x[first], x[first + 1], x[first + 2]
 
 
 @kernel
@@ -75,13 +51,13 @@ def _axis(W, m):
 @kernel
 def _after(p, mo, m):
     """Angular velocity and its derivative of the frame after the turns up to m."""
-    o = _half(p["tw"], 3)
-    e = _half(p["ac"], 3)
+    o = triple(p["tw"], 3)
+    e = triple(p["ac"], 3)
     for k in range(3, m + 1):
         w = _axis(mo["W"], k)
-        s = _times(mo["rate"][k], w)
-        e = _add(e, _add(_times(mo["second"][k], w), _cross(o, s)))
-        o = _add(o, s)
+        s = times(mo["rate"][k], w)
+        e = add(e, add(times(mo["second"][k], w), cross(o, s)))
+        o = add(o, s)
     return o, e
 
 
@@ -93,40 +69,122 @@ def _put(out, t, c, factor, linear, angular):
 
 
 @kernel
-def _displacement(p, k, f, mo, m, t, c, factor, rates):
-    """Add factor times the rates by displacement m of the joint of k, as felt by body f, to column c."""
-    Tq, Av, Aq = rates
+def _by_rate(p, k, f, mo, m, t, c, factor, out):
+    """Add factor times the change of the acceleration of body f with the rate of displacement m."""
     w = _axis(mo["W"], m)
     nothing = (0.0, 0.0, 0.0)
     if m < 3:
-        o = _half(p["tw"], 3)
-        s = _cross(o, w)
-        _put(Tq, t, c, factor, s, nothing)
-        _put(Av, t, c, 2.0 * factor, s, nothing)
-        _put(Aq, t, c, factor, _add(_cross(_half(p["ac"], 3), w), _cross(o, s)), nothing)
+        _put(out, t, c, 2.0 * factor, cross(triple(p["tw"], 3), w), nothing)
         return
-    o, e = _after(p, mo, m)
-    rho = _less(_half(f["r"], 0), _half(k["r"], 0))
-    o_r = _less(_half(f["tw"], 3), o)
-    e_r = _less(_less(_half(f["ac"], 3), e), _cross(o, o_r))
-    turned = _cross(w, rho)
-    swept = _cross(o, rho)
-    v_r = _less(_less(_half(f["tw"], 0), _half(k["tw"], 0)), swept)
-    a_r = _less(_less(_half(f["ac"], 0), _half(k["ac"], 0)), _cross(e, rho))
-    a_r = _less(_less(a_r, _cross(o, swept)), _times(2.0, _cross(o, v_r)))
-    dv = _cross(w, v_r)
-    do = _cross(w, o_r)
-    tilt = _cross(o, w)
-    _put(Tq, t, c, factor, _add(_cross(o, turned), dv), do)
-    by_rate = _add(_cross(tilt, rho), _add(_cross(w, swept), _cross(o, turned)))
-    _put(Av, t, c, factor, _add(by_rate, _times(2.0, dv)), _add(tilt, do))
-    by_place = _add(_cross(e, turned), _cross(o, _cross(o, turned)))
-    by_place = _add(by_place, _add(_times(2.0, _cross(o, dv)), _cross(w, a_r)))
-    _put(Aq, t, c, factor, by_place, _add(_cross(w, e_r), _cross(o, do)))
+    o, _ = _after(p, mo, m)
+    rho = less(triple(f["r"], 0), triple(k["r"], 0))
+    v_r = less(less(triple(f["tw"], 0), triple(k["tw"], 0)), cross(o, rho))
+    tilt = cross(o, w)
+    linear = add(cross(tilt, rho), add(cross(w, cross(o, rho)), cross(o, cross(w, rho))))
+    angular = add(tilt, cross(w, less(triple(f["tw"], 3), o)))
+    _put(out, t, c, factor, add(linear, times(2.0, cross(w, v_r))), angular)
 
 
 @kernel
-def joint_rates(body, path, fr, motions, rates):
+def _displacement(p, k, f, mo, m, t, c, factor, rates):
+    """Add factor times the rates by displacement m of the joint of k, as felt by body f, to column c."""
+    Tq, Av, Aq = rates
+    _by_rate(p, k, f, mo, m, t, c, factor, Av)
+    w = _axis(mo["W"], m)
+    nothing = (0.0, 0.0, 0.0)
+    if m < 3:
+        o = triple(p["tw"], 3)
+        s = cross(o, w)
+        _put(Tq, t, c, factor, s, nothing)
+        _put(Aq, t, c, factor, add(cross(triple(p["ac"], 3), w), cross(o, s)), nothing)
+        return
+    o, e = _after(p, mo, m)
+    rho = less(triple(f["r"], 0), triple(k["r"], 0))
+    o_r = less(triple(f["tw"], 3), o)
+    e_r = less(less(triple(f["ac"], 3), e), cross(o, o_r))
+    turned = cross(w, rho)
+    swept = cross(o, rho)
+    v_r = less(less(triple(f["tw"], 0), triple(k["tw"], 0)), swept)
+    a_r = less(less(triple(f["ac"], 0), triple(k["ac"], 0)), cross(e, rho))
+    a_r = less(less(a_r, cross(o, swept)), times(2.0, cross(o, v_r)))
+    dv = cross(w, v_r)
+    do = cross(w, o_r)
+    _put(Tq, t, c, factor, add(cross(o, turned), dv), do)
+    by_place = add(cross(e, turned), cross(o, cross(o, turned)))
+    by_place = add(by_place, add(times(2.0, cross(o, dv)), cross(w, a_r)))
+    _put(Aq, t, c, factor, by_place, add(cross(w, e_r), cross(o, do)))
+
+
+@kernel
+def _seen_column(k, f, W, m):
+    """Column of displacement m of the body with frame k, moved along to the body with frame f."""
+    w = _axis(W, m)
+    nothing = (0.0, 0.0, 0.0)
+    if m < 3:
+        return w, nothing
+    return cross(w, less(triple(f["r"], 0), triple(k["r"], 0))), w
+
+
+@kernel
+def _guided(p, k, f, mo, g, t, c, v, a, rates):
+    """Rates by coordinate c of a joint made of functions, by the chain rule over its displacements.
+
+    A displacement d(q) has the rates d' = d_q q' and d'' = d_q q'' + d_qq q'^2.
+    """
+    Tq, Av, Aq = rates
+    for m in range(6):
+        by = g["by"][m, c]
+        bend = g["by2"][m, c]
+        if by != 0.0:
+            _displacement(p, k, f, mo, m, t, c, by, rates)
+        if bend != 0.0 or g["by3"][m, c] != 0.0:
+            linear, angular = _seen_column(k, f, mo["W"], m)
+            _put(Tq, t, c, bend * v, linear, angular)
+            _put(Av, t, c, 2.0 * bend * v, linear, angular)
+            _put(Aq, t, c, bend * a + g["by3"][m, c] * v * v, linear, angular)
+            _by_rate(p, k, f, mo, m, t, c, bend * v, Aq)
+
+
+@kernel
+def guided_geometry(proj, path, body, fr, motions, guides, A, ck):
+    """Correct the change of the columns under the summed wrench where both belong to one guided joint.
+
+    `project_geometry` takes the coordinates of a joint for single displacements in their order; those of a
+    guided joint are mixtures of all six: dQ_a/dq_c = sum over m, n of d_m,a d_n,c (dW_m/dd_n) . F
+    + sum over m of d_m,aa W_m . F.
+    """
+    for row in range(proj.size):
+        w = proj[row]
+        b = path[w["pi"]]["body"]
+        owner = path[w["pi"]]["owner"]
+        if w["pi"] != w["pj"] or body[owner]["guide"] < 0:
+            continue
+        g = guides[body[owner]["guide"]]
+        W = motions[owner]["W"]
+        k = fr[owner]
+        f = fr[b]
+        force = triple(f["F"], 0)
+        moment = triple(f["F"], 3)
+        for a in range(w["ni"]):
+            for c in range(w["nj"]):
+                wrong = 0.0
+                right = 0.0
+                for m in range(6):
+                    l_m, w_m = _seen_column(k, f, W, m)
+                    if a == c:
+                        right += g["by2"][m, a] * (dot(l_m, force) + dot(w_m, moment))
+                    for n in range(6):
+                        share = g["by"][m, a] * g["by"][n, c]
+                        l_n, w_n = _seen_column(k, f, W, n)
+                        inboard = dot(cross(w_n, l_m), force) + dot(cross(w_n, w_m), moment)
+                        outboard = dot(cross(w_m, l_n), force)
+                        right += share * (inboard if n < m else outboard)
+                        wrong += share * (inboard if c < a else outboard)
+                A[w["blk"], w["oi"] + a, w["oj"] + c] -= ck * (right - wrong)
+
+
+@kernel
+def joint_rates(body, path, fr, motions, guides, rates, v, a):
     """Derivatives of twists and accelerations that only an exact linearisation needs, after `joint_motions`.
 
     `rates` are Tq = d(twist)/dq, Av = d(acceleration)/dv, Aq = d(acceleration)/dq, one column per coordinate
@@ -144,6 +202,11 @@ def joint_rates(body, path, fr, motions, rates):
         p = fr[o["parent"]]
         f = fr[path[t]["body"]]
         for c in range(o["n"]):
+            if o["guide"] >= 0:
+                d = o["dof"] + c
+                g = guides[o["guide"]]
+                _guided(p, fr[k], f, motions[k], g, t, c, v[d], a[d], rates)
+                continue
             _displacement(p, fr[k], f, motions[k], o["axis"][c], t, c, 1.0, rates)
             if o["lead"] != 0.0:
                 _displacement(p, fr[k], f, motions[k], Z, t, c, o["lead"], rates)

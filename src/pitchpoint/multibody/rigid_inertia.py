@@ -14,35 +14,7 @@ from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.multibody.bodies import GENERAL
-
-
-@kernel
-def _cross(a, b):
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-@kernel
-def _add(a, b):
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
-@kernel
-def _into_body(S, a):
-    """Components along the axes of the body."""
-    return (
-        S[0, 0] * a[0] + S[1, 0] * a[1] + S[2, 0] * a[2],
-        S[0, 1] * a[0] + S[1, 1] * a[1] + S[2, 1] * a[2],
-        S[0, 2] * a[0] + S[1, 2] * a[1] + S[2, 2] * a[2],
-    )
-
-
-@kernel
-def _into_world(S, a):
-    return (
-        S[0, 0] * a[0] + S[0, 1] * a[1] + S[0, 2] * a[2],
-        S[1, 0] * a[0] + S[1, 1] * a[1] + S[1, 2] * a[2],
-        S[2, 0] * a[0] + S[2, 1] * a[1] + S[2, 2] * a[2],
-    )
+from pitchpoint.multibody.vectors import add, cross, into_body, into_world, triple, unit
 
 
 @kernel
@@ -57,23 +29,13 @@ def _times_inertia(T, a):
 @kernel
 def _turned_inertia(o, f, a):
     """I a with the inertia turned into the world."""
-    return _into_world(f["S"], _times_inertia(o["inertia"], _into_body(f["S"], a)))
+    return into_world(f["S"], _times_inertia(o["inertia"], into_body(f["S"], a)))
 
 
 @kernel
 def _center(o, f):
     """Centre of mass from the origin, world axes."""
-    return _into_world(f["S"], (o["com"][0], o["com"][1], o["com"][2]))
-
-
-@kernel
-def _half(x, first):
-    return x[first], x[first + 1], x[first + 2]
-
-
-@kernel
-def _unit(c):
-    return 1.0 if c == 0 else 0.0, 1.0 if c == 1 else 0.0, 1.0 if c == 2 else 0.0
+    return into_world(f["S"], (o["com"][0], o["com"][1], o["com"][2]))
 
 
 @kernel
@@ -86,14 +48,14 @@ def _put(k, row, col, factor, a):
 def _wrench(o, f):
     """Start the wrench of a body with its inertia forces."""
     m = o["mass"]
-    w = _half(f["tw"], 3)
-    e = _half(f["ac"], 3)
-    a = _half(f["ac"], 0)
+    w = triple(f["tw"], 3)
+    e = triple(f["ac"], 3)
+    a = triple(f["ac"], 0)
     c = _center(o, f)
     h = _turned_inertia(o, f, w)
-    s = _add(a, _add(_cross(e, c), _cross(w, _cross(w, c))))
-    t = _add(_turned_inertia(o, f, e), _cross(w, h))
-    u = _cross(c, a)
+    s = add(a, add(cross(e, c), cross(w, cross(w, c))))
+    t = add(_turned_inertia(o, f, e), cross(w, h))
+    u = cross(c, a)
     for i in range(3):
         f["F"][i] = -m * s[i]
         f["F"][3 + i] = -(t[i] + m * u[i])
@@ -103,19 +65,19 @@ def _wrench(o, f):
 def _mass_and_gyration(o, f, k, cm, cd):
     """Add cm times the mass matrix and cd times the derivative of the velocity forces by the twist."""
     m = o["mass"]
-    w = _half(f["tw"], 3)
+    w = triple(f["tw"], 3)
     c = _center(o, f)
     h = _turned_inertia(o, f, w)
     for j in range(3):
-        x = _unit(j)
-        xc = _cross(x, c)
+        x = unit(j)
+        xc = cross(x, c)
         k[j, j] += cm * m
         _put(k, 0, 3 + j, cm * m, xc)
         _put(k, 3, 3 + j, cm, _turned_inertia(o, f, x))
-        _put(k, 3, j, cm * m, _cross(c, x))
+        _put(k, 3, j, cm * m, cross(c, x))
         if cd != 0.0:
-            _put(k, 0, 3 + j, cd * m, _add(_cross(x, _cross(w, c)), _cross(w, xc)))
-            _put(k, 3, 3 + j, cd, _add(_cross(x, h), _cross(w, _turned_inertia(o, f, x))))
+            _put(k, 0, 3 + j, cd * m, add(cross(x, cross(w, c)), cross(w, xc)))
+            _put(k, 3, 3 + j, cd, add(cross(x, h), cross(w, _turned_inertia(o, f, x))))
 
 
 @kernel
@@ -125,21 +87,21 @@ def _attitude(o, f, k, ck):
     A turn x changes c by x x c and I b by x x (I b) - I (x x b).
     """
     m = o["mass"]
-    w = _half(f["tw"], 3)
-    e = _half(f["ac"], 3)
-    a = _half(f["ac"], 0)
+    w = triple(f["tw"], 3)
+    e = triple(f["ac"], 3)
+    a = triple(f["ac"], 0)
     c = _center(o, f)
     h = _turned_inertia(o, f, w)
     g = _turned_inertia(o, f, e)
     for j in range(3):
-        x = _unit(j)
+        x = unit(j)
         neg = (-x[0], -x[1], -x[2])
-        dc = _cross(x, c)
-        dh = _add(_cross(x, h), _turned_inertia(o, f, _cross(neg, w)))
-        dg = _add(_cross(x, g), _turned_inertia(o, f, _cross(neg, e)))
-        _put(k, 0, 3 + j, ck * m, _add(_cross(e, dc), _cross(w, _cross(w, dc))))
-        _put(k, 3, 3 + j, ck, _add(dg, _cross(w, dh)))
-        _put(k, 3, 3 + j, ck * m, _cross(dc, a))
+        dc = cross(x, c)
+        dh = add(cross(x, h), _turned_inertia(o, f, cross(neg, w)))
+        dg = add(cross(x, g), _turned_inertia(o, f, cross(neg, e)))
+        _put(k, 0, 3 + j, ck * m, add(cross(e, dc), cross(w, cross(w, dc))))
+        _put(k, 3, 3 + j, ck, add(dg, cross(w, dh)))
+        _put(k, 3, 3 + j, ck * m, cross(dc, a))
 
 
 @kernel

@@ -39,18 +39,6 @@ MOTION = np.dtype(
     align=True,
 )
 
-#: What a kind of the motion channel says about a joint made of functions: d(q, t) = sum f_mk(q_k) + f_m(t).
-GUIDE = np.dtype(
-    [
-        ("d", "f8", 6),
-        ("rate", "f8", 6),  # by time
-        ("second", "f8", 6),  # by time, twice
-        ("by", "f8", (6, 6)),  # row m, column k: by coordinate k
-        ("by2", "f8", (6, 6)),  # and twice
-    ],
-    align=True,
-)
-
 
 @kernel
 def body_axes(f):

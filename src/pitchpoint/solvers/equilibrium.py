@@ -26,9 +26,10 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
+from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
 from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
 from pitchpoint.solvers.surfaces import Surface, crossed
-from pitchpoint.solvers.trains import free_spins, same_train
+from pitchpoint.solvers.trains import complete, exchange, free_spins
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
@@ -94,7 +95,7 @@ def find_equilibrium(
     Parameters
     ----------
     system
-        The system; constraint rows are not taken into account (they prescribe motion, not rest).
+        The system; rows of drives are not taken into account (they prescribe motion, not rest).
     start
         Where to begin; velocities are kept as they are and may carry friction. Default: the initial state.
     held
@@ -116,6 +117,10 @@ def find_equilibrium(
     kept = free_spins(system) if held is None else tuple(held)
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
+    if is_looped(system):
+        mechanism = rest_of_mechanism(system, state, kept, tolerance)
+        reaction = mechanism.residual[list(kept)].copy()
+        return Equilibrium(_wrapped(system, mechanism.state), kept, reaction, mechanism.steps)
     found, count, failure = _pseudo_time(system, state, free, tolerance)
     if failure:
         from pitchpoint.solvers.unheld import advice, unheld  # which needs this module
@@ -240,14 +245,14 @@ def balance_torques(
     if not wanted:
         return system, (), list(held)
     spins = [system.spin(loads[torques[k]].body) for k in wanted]
-    let_go = list(held)
+    let_go = tuple(held)
     for spin in spins:
-        let_go = [*(h for h in let_go if not same_train(system, h, spin)), spin]
+        let_go = exchange(system, let_go, spin)
     found = find_equilibrium(system, state, let_go)
     records = system.records["torque"].copy()
     for k, spin in zip(wanted, spins, strict=True):
         records["value"][k] = found.reaction[found.held.index(spin)]
-    kept = [*driven, *(h for h in let_go if not any(same_train(system, h, d) for d in driven))]
+    kept = list(complete(system, driven, let_go))
     return system.with_params({"torque": records}), tuple(spins), kept
 
 
@@ -280,12 +285,12 @@ def solve_equilibrium(
     from pitchpoint.solvers.dataset import point_dataset
 
     start = system.initial_state()
-    held = list(free_spins(system))
+    held = free_spins(system)
     for name, angle in (angles or {}).items():
         spin = system.spin(name)
         start.q[spin] = angle
         if spin not in held:
-            held = [h for h in held if not same_train(system, h, spin)] + [spin]
+            held = exchange(system, held, spin)
     for name, speed in (speeds or {}).items():
         start.v[system.spin(name)] = speed
     settled, _, _ = balance_torques(system, _wrapped(system, start), held)

@@ -26,7 +26,7 @@ from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.start import without_friction
 from pitchpoint.solvers.stiffness_parts import Array, Parts, mesh_names, shift, split, touching
-from pitchpoint.solvers.trains import driven_spins, held_spins, rotations
+from pitchpoint.solvers.trains import driven_coordinates, held_spins, rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -158,7 +158,7 @@ def _free_directions(system: System, state: State) -> Array:
 
 def rigid_rotations(system: System) -> Array:
     """Turns of the spins that nothing resists: one row per free train that nothing drives, shape (r, nd)."""
-    return rotations(system, held_spins(system)[len(driven_spins(system)) :]).T
+    return rotations(system, held_spins(system)[len(driven_coordinates(system)) :]).T
 
 
 def energy_shares(parts: Parts, shapes: Array, omega: Array) -> tuple[Array, Array]:

@@ -28,7 +28,7 @@ from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.roll_notes import load_notes
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
 from pitchpoint.solvers.touch import tangent_stiffness, touching_error
-from pitchpoint.solvers.trains import held_spins, rotations, same_train
+from pitchpoint.solvers.trains import exchange, held_spins, rotations
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import State, System
 
@@ -135,7 +135,8 @@ def roll_through(
     body = next(int(record[e]) for e in ("i", "j") if own.program["body"][record[e]]["spin"] >= 0)
     z = record["z1"] if body == record["i"] else record["z2"]
     spin = own.spin(own.layout.bodies[body])
-    held = (spin, *(h for h in held_spins(own) if not same_train(own, h, spin)))
+    held = exchange(own, held_spins(own), spin)
+    held = (spin, *(h for h in held if h != spin))
     direction = -1.0 if point.state.v[spin] < 0.0 else 1.0
     rates = rotations(own, (spin,))[:, 0]
     step = direction * 2.0 * np.pi / (abs(int(z)) * points)

@@ -14,7 +14,7 @@ import numpy as np
 
 from pitchpoint.solvers.start import IMBALANCE
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
-from pitchpoint.solvers.trains import driven_spins, rotations
+from pitchpoint.solvers.trains import driven_coordinates, rotations
 
 if TYPE_CHECKING:
     from pitchpoint.system.system import System
@@ -38,7 +38,7 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
         return ()  # whoever gives no loads asks for the flanks alone
     torques = load_torques(system, rows[0])
     least = max(IMBALANCE * max(map(abs, torques.values()), default=0.0), 1e-9)
-    driven = driven_spins(system)
+    driven = driven_coordinates(system)
     left = {
         spin: -float(torque)
         for spin, torque in zip(held, reaction[0], strict=True)

@@ -44,11 +44,14 @@ def natural_frequencies(start: Start) -> NDArray[np.float64]:
 def fastest_mesh(system: System, scenario: Scenario) -> float:
     """Highest mesh frequency [Hz] of a scenario, from its start speeds and drives."""
     from pitchpoint.elements import drive
+    from pitchpoint.elements.ratio import place_of
 
     speeds = speeds_of(system, scenario)
     highest = _mesh_frequency(system, speeds)
     driven = dict(scenario.speed)
     for name, record in drive_records(system):
+        if place_of(record, "i") != int(record["spin_i"]):
+            continue
         times = np.linspace(0.0, scenario.duration or 1.0, 401)
         driven[name] = max((drive.target_of(record, t)[1] for t in times), key=abs)
     if driven and system.model is not None:

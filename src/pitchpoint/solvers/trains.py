@@ -1,125 +1,233 @@
 # SPDX-License-Identifier: Apache-2.0
 """Trains: bodies that can only turn together, and the rotations that nothing hinders.
 
-Bodies turn together through meshes and through bearings and couplings with a stiffness about the axis. What
-is stiff in other directions only, like the bearings of a shaft in a housing that moves, lets them turn.
+Every element that carries torque is one linear relation between the rates of the spins: meshes and rigid
+ratios by their teeth, couplings, beams and bearings stiff about their axis by equal rates. What satisfies all
+of them is a free rotation: one per ordinary gear train, two per planet set whose three members are free. What
+is stiff in other directions only, like the bearings of a shaft in a housing that moves, lets bodies turn.
 """
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.elements import registry
+from pitchpoint.elements.ratio import place_of
 from pitchpoint.system.system import System
 
-SAME_SPEED = 1e-6
-"""Relative difference up to which the ratios round a loop of links fit each other."""
+Array = NDArray[np.float64]
 
-
-@dataclass(frozen=True)
-class Train:
-    """Bodies that turn together.
-
-    Parameters
-    ----------
-    speeds
-        Speed of each body, by its index, while the first one turns at 1 rad/s.
-    free
-        Whether it can turn as a whole: nothing of it stands still or is joined to the ground about its axis,
-        and no loop of it is locked by ratios that contradict each other.
-    """
-
-    speeds: dict[int, float]
-    free: bool
-
-
-def trains(system: System) -> tuple[Train, ...]:
-    """All trains of a system, by their first bodies; a body that nothing turns is a train of its own."""
-    links = _links(system)
-    found: list[Train] = []
-    seen: set[int] = set()
-    for first in range(1, len(system.layout.bodies)):
-        if first in seen or system.program["body"][first]["spin"] < 0:
-            continue
-        found.append(_train(first, links))
-        seen |= found[-1].speeds.keys()
-    return tuple(found)
-
-
-def _links(system: System) -> dict[int, list[tuple[int, float]]]:
-    """Speed of a neighbour per own speed, by body; what stands still is body 0."""
-    still = {b for b in range(len(system.layout.bodies)) if system.program["body"][b]["spin"] < 0}
-    links: dict[int, list[tuple[int, float]]] = {b: [] for b in range(len(system.layout.bodies))}
-    for kind, records in system.records.items():
-        for record in records:
-            if kind in ("gear_mesh", "gear_constraint"):
-                ratio = -float(record["z1"]) / float(record["z2"])
-            elif kind == "coupling" or (kind == "bearing" and record["K"][5, 5] != 0.0):
-                ratio = 1.0
-            else:
-                continue
-            i, j = (0 if int(record[end]) in still else int(record[end]) for end in ("i", "j"))
-            if i != j:
-                links[i].append((j, ratio))
-                links[j].append((i, 1.0 / ratio))
-    return links
-
-
-def _train(first: int, links: dict[int, list[tuple[int, float]]]) -> Train:
-    """The train of one body."""
-    speeds = {first: 1.0}
-    free = True
-    queue = deque([first])
-    while queue:
-        here = queue.popleft()
-        for there, ratio in links[here]:
-            speed = ratio * speeds[here]
-            if there == 0:
-                free = False
-            elif there not in speeds:
-                speeds[there] = speed
-                queue.append(there)
-            elif abs(speeds[there] - speed) > SAME_SPEED * abs(speed):
-                free = False
-    return Train(speeds, free)
+SAME = 1e-9
+"""Singular value over the largest, and length of a row over one, that count as zero."""
+ECCENTRIC = 1e-6
+"""Distance of a centre of mass from an axis [m] from which weight turns what hangs there."""
 
 
 def free_spins(system: System) -> tuple[int, ...]:
-    """Spin coordinate of the first body of every train that can turn as a whole."""
-    body = system.program["body"]
-    return tuple(int(body[next(iter(train.speeds))]["spin"]) for train in trains(system) if train.free)
-
-
-def same_train(system: System, one: int, two: int) -> bool:
-    """Whether two spin coordinates belong to one train, so that holding either holds both."""
-    spins = system.program["body"]["spin"]
-    return any({one, two} <= {int(spins[b]) for b in train.speeds} for train in trains(system))
-
-
-def driven_spins(system: System) -> tuple[int, ...]:
-    """Spin coordinates of the bodies whose motion is prescribed, in the order of the drives."""
-    return tuple(int(system.program["body"][int(r["i"])]["spin"]) for r in system.records.get("drive", ()))
+    """Spin coordinates that have to be held so that nothing can turn freely, first bodies first."""
+    return _independent(system, ())
 
 
 def held_spins(system: System) -> tuple[int, ...]:
-    """Spins of driven bodies, and one of every train that nothing else keeps from turning."""
-    driven = driven_spins(system)
-    return (*driven, *(h for h in free_spins(system) if not any(same_train(system, h, d) for d in driven)))
+    """Spins of driven bodies, and those that must be held beside them."""
+    return _independent(system, driven_coordinates(system))
 
 
-def rotations(system: System, spins: Sequence[int]) -> NDArray[np.float64]:
-    """Rates of all coordinates as the trains of some spins turn, those at 1 rad/s, shape (nd, len(spins))."""
-    of_body = system.program["body"]["spin"]
+def driven_coordinates(system: System) -> tuple[int, ...]:
+    """Coordinates whose motion is prescribed, in the order of the drives."""
+    return tuple(place_of(r, "i") for r in system.records.get("drive", ()))
+
+
+def exchange(system: System, held: Sequence[int], spin: int) -> tuple[int, ...]:
+    """Hold one spin in place of the one among `held` that its train moves most; it comes last."""
+    if spin in held:
+        return (*(h for h in held if h != spin), spin)
+    free, index = _free(system)
+    turning = [h for h in held if h in index and np.linalg.norm(free[index[h]]) > SAME]
+    if not turning or np.linalg.norm(free[index[spin]]) <= SAME:
+        return (*held, spin)
+    shares = np.linalg.lstsq(free[[index[h] for h in turning]].T, free[index[spin]], rcond=None)[0]
+    given_up = turning[int(np.argmax(np.abs(shares)))]
+    return (*(h for h in held if h != given_up), spin)
+
+
+def complete(system: System, first: Sequence[int], others: Iterable[int]) -> tuple[int, ...]:
+    """Spins to hold: the first ones, and those of the others that they leave free to turn."""
+    return (*first, *_beside(system, first, others))
+
+
+def rotations(system: System, spins: Sequence[int]) -> Array:
+    """Rates of all coordinates as each of some spins turns at 1 rad/s and other held ones stand still.
+
+    A train that something keeps from turning turns as its teeth want, whatever it is tied to.
+
+    Returns
+    -------
+    ndarray, shape (nd, len(spins))
+    """
+    free, index = _free(system)
     rates = np.zeros((system.sizes["nd"], len(spins)))
-    found = trains(system)
+    turning = [s for s in spins if np.linalg.norm(free[index[s]]) > SAME]
+    held = [*turning, *_beside(system, turning, index)]
+    inverse = np.linalg.inv(free[[index[h] for h in held]]) if held else np.zeros((0, 0))
+    places = list(index)
     for column, spin in enumerate(spins):
-        for train in found:
-            speeds = {int(of_body[body]): speed for body, speed in train.speeds.items()}
-            if spin in speeds:
-                for turning, speed in speeds.items():
-                    rates[turning, column] = speed / speeds[spin]
+        if spin in turning:
+            rates[places, column] = free @ inverse[:, held.index(spin)]
+        else:
+            rates[places, column] = _as_the_teeth_want(system, index, spin)
     return rates
+
+
+def _independent(system: System, first: Sequence[int]) -> tuple[int, ...]:
+    _, index = _free(system)
+    return complete(system, first, index)
+
+
+def _beside(system: System, first: Sequence[int], others: Iterable[int]) -> list[int]:
+    """Those of the other spins that are free while the first ones, and those before them, are held."""
+    free, index = _free(system)
+    rest = free.copy()
+    found = []
+    for spin in [*(s for s in first if s in index), *others]:
+        row = rest[index[spin]]
+        size = float(row @ row)
+        if size > SAME:
+            if spin not in first:
+                found.append(spin)
+            rest = rest - np.outer(rest @ row, row) / size
+    return found
+
+
+def _free(system: System) -> tuple[Array, dict[int, int]]:
+    """Orthonormal basis of the free rotations over the spins, shape (n, k), and the place of every spin."""
+    body = system.program["body"]
+    index = {int(s): k for k, s in enumerate(s for s in body["spin"] if s >= 0)}
+    rows = [*_relations(system, index, True), *_resisted(system, index)]
+    if not rows:
+        return np.eye(len(index)), index
+    L = np.array(rows)
+    L /= np.linalg.norm(L, axis=1, keepdims=True)
+    _, sizes, basis = np.linalg.svd(L)
+    rank = int(np.sum(sizes > SAME * sizes.max(initial=0.0)))
+    return np.asarray(basis[rank:].T), index
+
+
+def _as_the_teeth_want(system: System, index: dict[int, int], spin: int) -> Array:
+    """Rates of the spins of a train that cannot turn as a whole, where its relations differ least."""
+    one = np.zeros(len(index))
+    one[index[spin]] = 1.0
+    rows = [row / np.linalg.norm(row) for row in _relations(system, index, False)]
+    A = np.array([*rows, 1e3 * one])
+    return np.asarray(np.linalg.lstsq(A, np.array([*np.zeros(len(rows)), 1e3]), rcond=None)[0])
+
+
+def _turning(system: System, index: dict[int, int], b: int) -> Array:
+    """How a body turns in space, about its own axis, per rate of every spin."""
+    body = system.program["body"]
+    found = np.zeros(len(index))
+    sense = 1.0
+    while b and sense != 0.0:
+        if body[b]["spin"] >= 0:
+            found[index[int(body[b]["spin"])]] += sense
+        sense *= float(body[b]["sense"])
+        b = int(body[b]["parent"])
+    return found
+
+
+def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[Array]:
+    """Rows over the rates of the spins that torque-carrying elements hold at zero."""
+    found = []
+    for kind, records in system.records.items():
+        together = getattr(registry.find(kind).load(), "SPINS", "") == "together"
+        for record in records:
+            if kind == "ratio":
+                row = _ratio(record, index)
+            elif kind in ("gear_mesh", "bearing") or together:
+                i, j = int(record["i"]), int(record["j"])
+                one, two = (_turning(system, index, b) for b in (i, j))
+                if kind == "gear_mesh":
+                    base = _turning(system, index, int(system.program["body"][_carried(record)]["parent"]))
+                    row = float(record["z1"]) * (one - base) + float(record["z2"]) * (two - base)
+                elif kind == "bearing" and record["K"][5, 5] == 0.0:
+                    continue
+                else:
+                    row = one - two
+                if not to_ground and not (one.any() and two.any()):
+                    continue
+            else:
+                continue
+            if row.any():
+                found.append(row)
+    return found
+
+
+def _carried(record: np.void) -> int:
+    """The gear whose base carries the line of centres of a mesh."""
+    return int(record["i"] if record["carried"] == 1 else record["j"])
+
+
+def _ratio(record: np.void, index: dict[int, int]) -> Array:
+    """Row of a rigid ratio; one that ties a coordinate that is no spin holds no spin by itself."""
+    row = np.zeros(len(index))
+    for end in "ijk":
+        if record[f"c_{end}"] != 0.0:
+            place = place_of(record, end)
+            if place not in index:
+                return np.zeros(len(index))
+            row[index[place]] += float(record[f"c_{end}"])
+    return row
+
+
+def _resisted(system: System, index: dict[int, int]) -> list[Array]:
+    """Rows of spins that springs, contacts, loops or eccentric weight keep from turning freely."""
+    body = system.program["body"]
+    held: set[int] = set()
+    for kind, records in system.records.items():
+        if kind in ("gear_mesh", "bearing", "ratio"):
+            continue
+        module = registry.find(kind).load()
+        if getattr(module, "SPINS", "holds") != "holds" or "i" not in (records.dtype.names or ()):
+            continue
+        for record in records:
+            if kind == "gravity":
+                held |= _leaning(system)
+                break
+            fields = records.dtype.names or ()
+            ends = [_movers(body, int(record[end])) for end in ("i", "j") if end in fields]
+            held |= set.symmetric_difference(*ends) if len(ends) == 2 else ends[0]
+    return [np.eye(len(index))[index[s]] for s in sorted(held)]
+
+
+def _movers(body: NDArray[np.void], b: int) -> set[int]:
+    """Spins on the way from ground to a body."""
+    found = set()
+    while b:
+        if body[b]["spin"] >= 0:
+            found.add(int(body[b]["spin"]))
+        b = int(body[b]["parent"])
+    return found
+
+
+def _leaning(system: System) -> set[int]:
+    """Spins about whose axes the weight of what hangs there has a lever."""
+    body = system.program["body"]
+    places = [np.zeros(3), *(np.asarray(b.position, float) for b in system.bodies)]
+    found = set()
+    for k in range(1, len(body)):
+        if body[k]["spin"] < 0:
+            continue
+        axis = np.asarray(system.bodies[k - 1].axes, float)[:, 2]
+        lever, mass = np.zeros(3), 0.0
+        for b in range(k, len(body)):
+            if int(body[k]["spin"]) in _movers(body, b):
+                own = system.bodies[b - 1]
+                center = places[b] + np.asarray(own.axes, float) @ own.center_of_mass()
+                lever += own.mass * (center - places[k])
+                mass += own.mass
+        if np.linalg.norm(lever - (lever @ axis) * axis) > ECCENTRIC * mass:
+            found.add(int(body[k]["spin"]))
+    return found

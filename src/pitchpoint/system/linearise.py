@@ -9,12 +9,12 @@ from __future__ import annotations
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.multibody.bodies import BODY, PATH
-from pitchpoint.multibody.channels import CTL, F8, FRAME, I8
+from pitchpoint.multibody.channels import CTL, F8, FRAME, GUIDE, I8
 from pitchpoint.multibody.inertia import attitude, inertia
-from pitchpoint.multibody.joint_rates import joint_motions, joint_rates
+from pitchpoint.multibody.joint_rates import guided_geometry, joint_motions, joint_rates
 from pitchpoint.multibody.projection import PROJ, project_geometry, project_tangent
 from pitchpoint.multibody.rigid_inertia import tree_attitude, tree_inertia
-from pitchpoint.multibody.tree import GUIDE, MOTION
+from pitchpoint.multibody.tree import MOTION
 from pitchpoint.system.residual import EXACT, FORCES, residual, run_kinds, zero_blocks
 from pitchpoint.system.workspace import MACH
 
@@ -39,7 +39,12 @@ def exact_rates(at, cm, cd, ck):
     kk = view(c["kk"], (c["np"], 6, 6), F8)
     A = view(c["A"], (c["na"], 6, 6), F8)
     proj = view(m["proj"], m["nproj"], PROJ)
-    joint_rates(body, view(m["path"], n, PATH), fr, view(m["motions"], c["nb"], MOTION), (Tq, Av, Aq))
+    guides = view(c["guides"], c["ng"], GUIDE)
+    v = view(c["v"], c["nd"], F8)
+    a = view(c["a"], c["nd"], F8)
+    joint_rates(
+        body, view(m["path"], n, PATH), fr, view(m["motions"], c["nb"], MOTION), guides, (Tq, Av, Aq), v, a
+    )
     zero_blocks(kk)
     attitude(body, fr, kk, ck)
     tree_attitude(body, fr, kk, ck)
@@ -47,6 +52,7 @@ def exact_rates(at, cm, cd, ck):
     zero_blocks(kk)
     inertia(body, fr, kk, EXACT, 0.0, 1.0)
     tree_inertia(body, fr, kk, EXACT, 0.0, 1.0)
+    c["cm"] = 0.0
     c["ck"] = 0.0
     c["cd"] = 1.0
     c["jac"] = EXACT
@@ -62,6 +68,12 @@ def exact_rates(at, cm, cd, ck):
     zero_blocks(kk)
     inertia(body, fr, kk, EXACT, 1.0, 0.0)
     tree_inertia(body, fr, kk, EXACT, 1.0, 0.0)
+    c["cm"] = 1.0  # elements with mass add theirs
+    c["cd"] = 0.0
+    c["jac"] = FORCES
+    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 1)
+    if status != OK:
+        return status
     project_tangent(proj, J, kk, Aq, A, T)
     return OK
 
@@ -84,7 +96,7 @@ def entry(at, spare, other):
         view(m["body"], c["nb"], BODY),
         fr,
         view(m["motions"], c["nb"], MOTION),
-        view(m["guides"], m["nguides"], GUIDE),
+        view(c["guides"], c["ng"], GUIDE),
         view(m["charts"], (m["ncharts"], 3, 3), F8),
         view(c["q"], nd, F8),
         view(c["v"], nd, F8),
@@ -95,5 +107,11 @@ def entry(at, spare, other):
         return status
     J = view(m["J"], (n, 6, 6), F8)
     A = view(c["A"], (c["na"], 6, 6), F8)
-    project_geometry(view(m["proj"], m["nproj"], PROJ), view(m["path"], n, PATH), fr, J, A, ck)
+    proj = view(m["proj"], m["nproj"], PROJ)
+    path = view(m["path"], n, PATH)
+    project_geometry(proj, path, fr, J, A, ck)
+    if c["ng"] > 0:
+        body = view(m["body"], c["nb"], BODY)
+        guides = view(c["guides"], c["ng"], GUIDE)
+        guided_geometry(proj, path, body, fr, view(m["motions"], c["nb"], MOTION), guides, A, ck)
     return exact_rates(at, cm, cd, ck)

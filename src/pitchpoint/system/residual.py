@@ -111,18 +111,25 @@ def entry(at, jac, spare):
     if jac != FORCES:
         zero_blocks(A)
         zero_blocks(kk)
+    else:
+        c["cm"] = 0.0  # elements with mass go by this factor, also where nothing but masses is asked for
     inertia(body, fr, kk, jac, c["cm"], c["cd"])
+    c["jac"] = FORCES if jac == MASS else jac
     if m["tree"] != 0:
         status = call(m["tree"], at, jac, 0)
         if status != OK:
             return status
-    c["jac"] = FORCES if jac == MASS else jac
     status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 0)
     if status != OK:
         return status
     if c["nc"] > 0:
         status = constraints(at)
         if status != OK:
+            return status
+    if m["nfrictions"] > 0:
+        status = run_kinds(at, view(m["frictions"], (m["nfrictions"], 4), I8), 0)
+        if status != OK:
+            c["badkind"] += m["nforces"] + m["ncons"] + m["nguiding"]
             return status
     project_force(view(m["path"], n, PATH), fr, J, R)
     if jac != FORCES:

@@ -139,16 +139,20 @@ class System:
         return replace(self.copy(), records={k: records.get(k, r).copy() for k, r in self.records.items()})
 
     def initial_state(self) -> State:
-        """State at rest in the reference position, spins at the initial angles of the bodies."""
+        """State at the start values of the bodies: zero, but for what they give."""
         nd, nb = self.sizes["nd"], self.sizes["nb"]
-        q, turns = np.zeros(nd), np.zeros(nb, np.int64)
+        q, v, turns = np.zeros(nd), np.zeros(nd), np.zeros(nb, np.int64)
         for b, body in enumerate(self.bodies, start=1):
-            spin = self.program["body"][b]["spin"]
+            record = self.program["body"][b]
+            first, spin = int(record["dof"]), int(record["spin"])
+            q[first : first + len(body.start)] = body.start
+            v[first : first + len(body.rate)] = body.rate
             if spin >= 0:
-                turns[b] = int(np.round(body.angle / TWO_PI))
-                q[spin] = body.angle - TWO_PI * turns[b]
+                q[spin] += body.angle
+                turns[b] = int(np.round(q[spin] / TWO_PI))
+                q[spin] -= TWO_PI * turns[b]
         charts = np.tile(np.eye(3), (int(self.program["body"]["chart"].max()) + 1, 1, 1))
-        return State(0.0, q, np.zeros(nd), np.zeros(nd), np.zeros(self.sizes["nc"]), turns, charts)
+        return State(0.0, q, v, np.zeros(nd), np.zeros(self.sizes["nc"]), turns, charts)
 
     def spin(self, body: str) -> int:
         """Index of the spin coordinate of a body by name."""
@@ -182,6 +186,22 @@ def _outputs(rows: Sequence[tuple[str, ...]], label: str) -> list[Channel]:
     return found
 
 
+def _movers(records: NDArray[np.void], b: int) -> set[int]:
+    """Bodies whose joints move a body."""
+    found = set()
+    while b:
+        if records[b]["n"] > 0:
+            found.add(b)
+        b = int(records[b]["parent"])
+    return found
+
+
+def _carried(records: NDArray[np.void], i: int, j: int) -> int:
+    """Which of two gears carries the line between them round: the one whose base moves with more joints."""
+    one, two = (_movers(records, int(records[b]["parent"])) for b in (i, j))
+    return 0 if one == two else 1 if len(one) > len(two) else 2
+
+
 def _fill(
     kind: registry.Kind,
     bank: NDArray[np.void],
@@ -197,6 +217,8 @@ def _fill(
             for name, key in ((a + a, (i, i)), (a + b, (i, j)), (b + a, (j, i)), (b + b, (j, j))):
                 if name in fields:
                     record[name] = pair_index.get(key, 0)
+            if "carried" in fields:
+                record["carried"] = _carried(records, i, j)
             if "blk" in fields:
                 ni, nj = parts["node_of"][i], parts["node_of"][j]
                 record["blk"] = parts["blocks"].get((ni, nj), 0) if ni >= 0 and nj >= 0 else 0
@@ -214,10 +236,12 @@ def _fill(
 
 
 def _pairs(banks: Mapping[str, NDArray[np.void]], channel: str) -> set[tuple[int, int]]:
+    """Pairs of bodies that the records of a channel join; of constraints only those on turning frames."""
     return {
         (int(record[a]), int(record[b]))
         for name, bank in banks.items()
         if registry.find(name).channel == channel
+        if channel != registry.CONSTRAINT or hasattr(registry.find(name).load(), "BODY_FIXED")
         for a, b in registry.find(name).pairs
         for record in bank
     }
@@ -304,7 +328,9 @@ def assemble(
             for field in {f for pair in registry.find(name).pairs for f in pair}:
                 records["fixed_axes"][bank[field]] = 1
     program, pair_index, parts = structure(
-        records, _pairs(ordered, registry.FRAME), _pairs(ordered, registry.COORDINATE)
+        records,
+        set().union(*(_pairs(ordered, c) for c in (registry.FRAME, registry.FRICTION, registry.CONSTRAINT))),
+        _pairs(ordered, registry.COORDINATE),
     )
     for name, bank in ordered.items():
         _fill(registry.find(name), bank, records, pair_index, parts)

@@ -6,9 +6,9 @@ from __future__ import annotations
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.multibody.bodies import BODY, PATH
-from pitchpoint.multibody.channels import CTL, F8, FRAME, I8
+from pitchpoint.multibody.channels import CTL, F8, FRAME, GUIDE, I8
 from pitchpoint.multibody.rigid_inertia import tree_inertia
-from pitchpoint.multibody.tree import GUIDE, MOTION, start_charts_afresh, tree_kinematics
+from pitchpoint.multibody.tree import MOTION, start_charts_afresh, tree_kinematics
 from pitchpoint.system.residual import run_kinds
 from pitchpoint.system.workspace import MACH, RECHARTED
 
@@ -34,7 +34,7 @@ def entry(at, jac, spare):
         fr,
         view(m["J"], (n, 6, 6), F8),
         view(m["motions"], nb, MOTION),
-        view(m["guides"], m["nguides"], GUIDE),
+        view(c["guides"], c["ng"], GUIDE),
         view(m["charts"], (m["ncharts"], 3, 3), F8),
         view(c["q"], nd, F8),
         view(c["v"], nd, F8),

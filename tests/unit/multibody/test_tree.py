@@ -25,8 +25,8 @@ from pitchpoint.multibody.joints import (
 )
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
-from tests.support.engine import differences, frame, positive
-from tests.support.trees import accelerated, cloud, reference_residual, turning
+from tests.support.engine import differences, frame
+from tests.support.trees import accelerated, cloud, moving, reference_residual, tree, turning
 
 JOINTS = (
     FIXED,
@@ -40,37 +40,6 @@ JOINTS = (
     SCREW,
     FLOATING,
 )
-
-
-def tree(rng, motions, parents):
-    """Bodies with random frames, places and masses."""
-    return [
-        Body(
-            motion=motion,
-            parent=parent,
-            position=rng.normal(size=3),
-            axes=frame(rng),
-            mass=rng.uniform(0.5, 2.0),
-            com=0.3 * rng.normal(size=3),
-            inertia=positive_inertia(rng),
-            lead=0.2 if motion == SCREW else 0.0,
-            name=f"b{k}",
-        )
-        for k, (motion, parent) in enumerate(zip(motions, parents, strict=True), start=1)
-    ]
-
-
-def positive_inertia(rng):
-    """Inertia that a mass can have."""
-    spread = positive(rng, 3)
-    return np.trace(spread) * np.eye(3) - spread
-
-
-def moving(system, rng):
-    state = system.initial_state()
-    n = system.sizes["nd"]
-    state.q, state.v, state.a = 0.6 * rng.normal(size=n), rng.normal(size=n), rng.normal(size=n)
-    return state
 
 
 CHAINS = [((j, k), (0, 1)) for j in JOINTS if j != FIXED for k in JOINTS]

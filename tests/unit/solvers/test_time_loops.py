@@ -168,7 +168,7 @@ def test_a_redundant_constraint_row_is_flagged_and_harmless():
     bodies = [Body(polar_inertia=1.0, name="a"), Body(polar_inertia=4.0, name="b")]
     finals = []
     for rows in ([(1, 2, 20, 40)], [(1, 2, 20, 40), (1, 2, 10, 20)]):
-        system = assemble(bodies, {"torque": torques([(1, 3.0)])}, {"gear_constraint": gear_rows(rows)})
+        system = assemble(bodies, {"torque": torques([(1, 3.0)])}, {"ratio": gear_rows(rows)})
         run = generalized_alpha.start(system, system.initial_state(), 1e-3)
         assert run.advance(1000).status == OK
         finals.append(run.state().q)
@@ -176,8 +176,8 @@ def test_a_redundant_constraint_row_is_flagged_and_harmless():
         assert run.state().a[0] == pytest.approx(3.0 / (1.0 + 4.0 / 4.0), rel=1e-7)
         assert np.abs(system.workspace.g).max() < 1e-12
     assert list(system.workspace.arrays["used"]) == [1, 0]
-    assert redundant_rows(system) == ("gear_constraint gear_constraint1",)
-    assert "gear_constraint1: prescribes what other" in row_notes(system)[0]
+    assert redundant_rows(system) == ("ratio ratio1",)
+    assert "ratio1: prescribes what other" in row_notes(system)[0]
     np.testing.assert_allclose(finals[1], finals[0], rtol=1e-12)
 
 
@@ -186,9 +186,7 @@ def test_a_row_that_contradicts_another_stops_the_run_by_name(method):
     bodies = [Body(polar_inertia=1.0, name="a"), Body(polar_inertia=4.0, name="b")]
     rows = gear_rows([(1, 2, 20, 40), (1, 2, 10, 20)])
     rows["u0"] = [0.0, 1e-3]
-    system = assemble(
-        bodies, {"torque": torques([(1, 3.0)])}, {"gear_constraint": rows}, names={"gear_constraint": "xy"}
-    )
+    system = assemble(bodies, {"torque": torques([(1, 3.0)])}, {"ratio": rows}, names={"ratio": "xy"})
     if method == "implicit":
         chunk = generalized_alpha.start(system, system.initial_state(), 1e-3).advance(10)
     elif method == "classical":
@@ -196,7 +194,7 @@ def test_a_row_that_contradicts_another_stops_the_run_by_name(method):
     else:
         chunk = runge_kutta.start_adaptive(system, system.initial_state()).advance_to(0.01)
     assert chunk.status == INCONSISTENT
-    assert "gear_constraint y is off by 0.001" in explain(system, chunk.status)
+    assert "ratio y is off by 0.001" in explain(system, chunk.status)
 
 
 def test_a_repeated_row_needs_no_second_iteration_to_hold():
@@ -217,7 +215,7 @@ def test_a_repeated_row_needs_no_second_iteration_to_hold():
 def test_explicit_methods_hold_constraints_too():
     bodies = [Body(polar_inertia=1.0, name="a"), Body(polar_inertia=4.0, name="b")]
     banks = {"torque": torques([(1, 3.0)])}
-    system = assemble(bodies, banks, {"gear_constraint": gear_rows([(1, 2, 20, 40)])})
+    system = assemble(bodies, banks, {"ratio": gear_rows([(1, 2, 20, 40)])})
     run = runge_kutta.start_classical(system, system.initial_state(), 1e-3)
     assert run.advance(1000).status == OK
     assert run.state().v[0] == pytest.approx(1.5, rel=1e-9)

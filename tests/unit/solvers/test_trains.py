@@ -7,11 +7,14 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import ModelError
+from pitchpoint.elements import ratio
 from pitchpoint.model.scenario import Scenario
+from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.time import solve_time
-from pitchpoint.solvers.trains import free_spins, rotations, same_train, trains
+from pitchpoint.solvers.trains import exchange, free_spins, held_spins, rotations
+from pitchpoint.system.system import assemble
 from tests.support.engine import chain, gear_rows
 from tests.support.machines import compiled, pair
 
@@ -45,7 +48,7 @@ def test_a_coupling_without_torsion_joins_no_train():
     """Each keeps the speed it began with, and each has a torque that balances."""
     system = compiled(two_pairs("radial: 1e8 N/m", BALANCED, FREE), "on")[1]
     assert [system.layout.coordinates[s] for s in free_spins(system)] == ["A.spin", "C.spin"]
-    assert not same_train(system, system.spin("A"), system.spin("D"))
+    assert exchange(system, free_spins(system), system.spin("D")) == (system.spin("A"), system.spin("D"))
     found = solve_time(system)
     for body, speed in (("A", 100.0), ("B", -200 / 3), ("C", 50.0), ("D", -100 / 3)):
         assert found[f"speed[{body}]"].values[-1] == pytest.approx(speed, rel=1e-6)
@@ -97,17 +100,36 @@ def test_what_closes_a_loop_at_another_ratio_cannot_turn():
     text = pair("{law: constant, value: 3e8 N/m}", rest=rest).replace("torque: balance", "torque: 0 N m")
     system = compiled(text)[1]
     assert free_spins(system) == ()
-    assert [train.free for train in trains(system)] == [False]
     start = prepare_start(system, Scenario())
     assert start.notes == ()
     assert find_equilibrium(start.system).reaction.size == 0
 
 
 def test_rigid_gears_and_springs_make_trains_too():
-    system = chain([1.0, 1.0, 1.0], [5.0], gear_constraint=gear_rows([(2, 3, 20, -60)]))
-    (train,) = trains(system)
-    assert train.free
-    assert train.speeds == pytest.approx({1: 1.0, 2: 1.0, 3: 1 / 3})
+    system = chain([1.0, 1.0, 1.0], [5.0], ratio=gear_rows([(2, 3, 20, -60)]))
+    assert free_spins(system) == held_spins(system) == (0,)
+    np.testing.assert_allclose(rotations(system, [0])[:, 0], [1.0, 1.0, 1 / 3])
+
+
+def test_a_planet_set_has_two_free_rotations():
+    """Sun, carrier with a planet, ring; any two of the three members can be held."""
+    bodies = [
+        Body(polar_inertia=1.0, name="sun"),
+        Body(polar_inertia=1.0, name="carrier"),
+        Body(parent=2, mass=1.0, polar_inertia=1.0, position=(0.2, 0.0, 0.0), name="planet"),
+        Body(polar_inertia=1.0, name="ring"),
+    ]
+    rows = np.zeros(2, ratio.RECORD)
+    for row, terms in zip(rows, (((1, 20), (3, 30), (2, -20)), ((3, 30), (4, -80), (2, 80))), strict=True):
+        for end, (body, c) in zip("ijk", terms, strict=True):
+            row[end], row[f"q_{end}"], row[f"c_{end}"] = body, ratio.SPIN, c
+    system = assemble(bodies, {}, {"ratio": rows})
+    sun, carrier, planet, ring = (system.spin(b.name) for b in bodies)
+    assert free_spins(system) == (sun, carrier)
+    assert exchange(system, (sun, carrier), ring) in ((sun, ring), (carrier, ring))
+    rates = rotations(system, (carrier, ring))
+    np.testing.assert_allclose(rates[sun], [1.0 + 80 / 20, -80 / 20])  # Willis
+    np.testing.assert_allclose(rates[planet], [-80 / 30, 80 / 30])
 
 
 @pytest.mark.parametrize("damping", ["rayleigh: {mass: 3 1/s, stiffness: 1e-5 s}", "modal: 0.05"])

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Load and deflection of balls and rollers between two raceways: Q = K delta^n.
+
+n is 3/2 for balls and 10/9 for rollers; delta is the approach of the two raceways.
+"""
+
+from __future__ import annotations
+
+import math
+
+POINT = 1.5
+"""Exponent of a point contact."""
+LINE = 10.0 / 9.0
+"""Exponent of a line contact, Palmgren."""
+
+
+def curvature(
+    ball_diameter: float, pitch_diameter: float, groove: float, angle: float
+) -> tuple[float, float]:
+    """Curvature sum [1/m] and difference [-] of a ball in a groove.
+
+    Parameters
+    ----------
+    ball_diameter
+        D [m].
+    pitch_diameter
+        d_m; positive for the inner raceway, negative for the outer one [m].
+    groove
+        Radius of the groove over the diameter of the ball, f, above 0.5.
+    angle
+        Contact angle [rad].
+
+    Notes
+    -----
+    With g = D cos(angle)/d_m: sum = (4 - 1/f + 2 g/(1 - g))/D, difference = (1/f + 2 g/(1 - g))/(D sum). T.
+    A. Harris, *Rolling Bearing Analysis*, 4th ed., ch. 2; his example of bearing 209 has 0.202/mm and 0.9399
+    for the inner, 0.138/mm and 0.9120 for the outer raceway.
+
+    Examples
+    --------
+    >>> inner, outer = (curvature(12.7e-3, d, 0.52, 0.0) for d in (65e-3, -65e-3))
+    >>> [round(x, 4) for x in (inner[0] * 1e-3, inner[1], outer[0] * 1e-3, outer[1])]
+    [0.2018, 0.94, 0.1378, 0.9121]
+    """
+    g = ball_diameter * math.cos(angle) / pitch_diameter
+    ring = 2.0 * g / (1.0 - g)
+    total = 4.0 - 1.0 / groove + ring
+    return total / ball_diameter, (1.0 / groove + ring) / total
+
+
+def ellipse(difference: float) -> tuple[float, float, float]:
+    """Dimensionless semi-axes and approach a*, b*, delta* of a Hertzian point contact.
+
+    Parameters
+    ----------
+    difference
+        Curvature difference F(rho), 0 (circle) up to, but not, 1 (line).
+
+    Notes
+    -----
+    The ratio k = a/b solves F = ((k^2 + 1) E - 2 K)/((k^2 - 1) E) with the complete elliptic integrals K and
+    E of modulus sqrt(1 - 1/k^2); a* = (2 k^2 E/pi)^(1/3), b* = (2 E/(pi k))^(1/3), delta* = (2 K/pi)
+    (pi/(2 k^2 E))^(1/3). Harris, ch. 6, whose table has 3.233, 0.4499, 0.6636 at 0.90999.
+
+    Examples
+    --------
+    >>> a, b, approach = ellipse(0.90999)
+    >>> round(a, 3), round(b, 4), round(approach, 4)
+    (3.233, 0.4499, 0.6636)
+    >>> ellipse(0.0)
+    (1.0, 1.0, 1.0)
+    """
+    if not 0.0 <= difference < 1.0:
+        raise ValueError(f"the curvature difference must be in [0, 1), not {difference!r}")
+    if difference < 1e-9:
+        return 1.0, 1.0, 1.0
+    from scipy.optimize import brentq
+    from scipy.special import ellipe, ellipkm1
+
+    def integrals(log_k: float) -> tuple[float, float]:
+        return float(ellipkm1(math.exp(-2.0 * log_k))), float(ellipe(-math.expm1(-2.0 * log_k)))
+
+    def mismatch(log_k: float) -> float:
+        first, second = integrals(log_k)
+        squared = math.exp(2.0 * log_k)
+        return ((squared + 1.0) * second - 2.0 * first) / ((squared - 1.0) * second) - difference
+
+    log_k = float(brentq(mismatch, 1e-4, 30.0, xtol=1e-13))
+    first, second = integrals(log_k)
+    k = math.exp(log_k)
+    a = (2.0 * k * k * second / math.pi) ** (1.0 / 3.0)
+    return a, a / k, 2.0 * first / (math.pi * a)
+
+
+def point_stiffness(curvature_sum: float, difference: float, compliance: float) -> float:
+    """Constant K of one point contact, Q = K delta^(3/2) [N/m^1.5].
+
+    Parameters
+    ----------
+    curvature_sum, difference
+        Of the two bodies [1/m], [-].
+    compliance
+        Sum of (1 - nu^2)/E of both bodies [1/Pa].
+
+    Notes
+    -----
+    K = (4 sqrt(2)/3)/(compliance sqrt(sum) delta*^(3/2)), H. Hertz 1881. For steel Harris rounds this to
+    2.15e5 sum^(-1/2) delta*^(-3/2) in N and mm.
+
+    Examples
+    --------
+    A ball of 10 mm on a plane, (4/3) E* sqrt(R):
+
+    >>> steel = 2.0 * 0.91 / 207e9
+    >>> round(point_stiffness(4.0 / 0.01, 0.0, steel) * steel * 0.75 / math.sqrt(0.005), 12)
+    1.0
+    >>> round(point_stiffness(1e3, 0.0, steel) * 1e-3**1.5)  # N/mm^1.5 at a sum of 1/mm
+    214463
+    """
+    return (
+        4.0 * math.sqrt(2.0) / (3.0 * compliance * math.sqrt(curvature_sum) * ellipse(difference)[2] ** 1.5)
+    )
+
+
+def roller_stiffness(length: float, compliance: float) -> float:
+    """Constant K of one roller on one raceway, Q = K delta^(10/9) [N/m^(10/9)].
+
+    Parameters
+    ----------
+    length
+        Effective length of the roller [m].
+    compliance
+        Sum of (1 - nu^2)/E of both bodies [1/Pa].
+
+    Notes
+    -----
+    A. Palmgren, *Ball and Roller Bearing Engineering*, 1959: delta = 3.81 (Q compliance/pi)^0.9/length^0.8,
+    in N and mm 3.84e-5 Q^0.9/length^0.8 for steel. Its two sides have the same dimension.
+
+    Examples
+    --------
+    >>> approach = 1e3 * (1000.0 / roller_stiffness(10e-3, 2.0 * 0.91 / 206e9)) ** 0.9
+    >>> round(approach / (1000.0**0.9 / 10.0**0.8) * 1e5, 2)
+    3.85
+    """
+    return float(length ** (8.0 / 9.0) * math.pi / (3.81**LINE * compliance))
+
+
+def in_series(inner: float, outer: float, exponent: float) -> float:
+    """Constant of a rolling element between two raceways whose contacts have the constants given.
+
+    Parameters
+    ----------
+    inner, outer
+        Constants of the two contacts [N/m^n].
+    exponent
+        n.
+
+    Examples
+    --------
+    >>> round(in_series(8.0, 8.0, 1.5), 9)  # 8/2^1.5
+    2.828427125
+    """
+    return float((inner ** (-1.0 / exponent) + outer ** (-1.0 / exponent)) ** -exponent)
+
+
+def ball_bearing_stiffness(
+    ball_diameter: float,
+    pitch_diameter: float,
+    grooves: tuple[float, float],
+    angle: float,
+    compliance: float,
+) -> float:
+    """Constant of one ball between both raceways, Q = K delta^(3/2) [N/m^1.5].
+
+    Parameters
+    ----------
+    ball_diameter, pitch_diameter
+        D, d_m [m].
+    grooves
+        Groove radii of inner and outer raceway over D.
+    angle
+        Contact angle [rad].
+    compliance
+        Sum of (1 - nu^2)/E of ball and ring [1/Pa].
+
+    Examples
+    --------
+    Bearing 209 (Harris), steel:
+
+    >>> K = ball_bearing_stiffness(12.7e-3, 65e-3, (0.52, 0.52), 0.0, 2.0 * 0.91 / 207e9)
+    >>> round(K * 1e-9, 2)
+    11.71
+    """
+    inner, outer = (
+        point_stiffness(*curvature(ball_diameter, sign * pitch_diameter, groove, angle), compliance)
+        for sign, groove in zip((1.0, -1.0), grooves, strict=True)
+    )
+    return in_series(inner, outer, POINT)

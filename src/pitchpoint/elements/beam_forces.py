@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Forces of beams between turning bodies: small strains, rotations of any size.
+
+With e the chord, the line from node i to node j, and t_i, t_j the normals of the end sections, bending is
+what the angle a between both normals and the sum of their slopes against the chord, s = t_i + t_j less its
+part along e, make it. With N the tension the energy is
+
+    1/2 k_u u^2 + 1/2 k_t twist^2 + 1/2 k_d a^2 + 1/2 k_s s^2,   k_d = E I/L,   k_s = 3 E I / (1 + phi) L,
+    u = chord - length + length/24 a^2 + length/40 s^2,
+
+u being the stretch of the bowed axis, so that tension stiffens bending also inside one element; a circle is
+exact. Nothing in it asks how far a round section has spun; the twist is the difference of the counted spins
+and of the frames that do not spin, along the shortest turn from t_i to t_j. Sections that are stiffer in one
+direction add the energy of the slopes p . e of their first axes p. Damping acts on the rates seen from axes
+that go with the chord and spin with the shaft, so a shaft that spins faster than it whirls is driven by it.
+
+Inertia is that of points x = sum N_k w_k, which are sums with constant factors of the five vectors w: both
+nodes, e, t_i and t_j. A variation of the energy is sum f_k . dw_k, and e goes with the nodes: the wrenches on
+both bodies are gathered from these forces once, and so are their changes.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.core.kernel import kernel
+from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple
+
+TWO_PI = 6.283185307179586
+XI, XJ, E, TI, TJ, PI, PJ = 0, 1, 2, 3, 4, 5, 6
+
+
+@kernel
+def _set(x, k, a):
+    x[k, 0] = a[0]
+    x[k, 1] = a[1]
+    x[k, 2] = a[2]
+
+
+@kernel
+def _row(x, k):
+    return x[k, 0], x[k, 1], x[k, 2]
+
+
+@kernel
+def _fix(b, k, w, o, e):
+    """Write a vector that is fixed to a body, its rate and its second rate."""
+    first = cross(o, w)
+    _set(b["w"], k, w)
+    _set(b["w1"], k, first)
+    _set(b["w2"], k, add(cross(e, w), cross(o, first)))
+
+
+@kernel
+def node(b, side, f, axes, p, B):
+    """Vectors of one end, from its body; returns its second transverse axis."""
+    arm = into_world(axes, triple(p, 0))
+    o = triple(f["tw"], 3)
+    e = triple(f["ac"], 3)
+    _set(b["arm"], side, arm)
+    _set(b["omega"], side, o)
+    _set(b["alpha"], side, e)
+    swept = cross(o, arm)
+    _set(b["w"], XI + side, add(triple(f["r"], 0), arm))
+    _set(b["w1"], XI + side, add(triple(f["tw"], 0), swept))
+    _set(b["w2"], XI + side, add(triple(f["ac"], 0), add(cross(e, arm), cross(o, swept))))
+    _fix(b, TI + side, into_world(axes, (B[0, 2], B[1, 2], B[2, 2])), o, e)
+    _fix(b, PI + side, into_world(axes, (B[0, 0], B[1, 0], B[2, 0])), o, e)
+    return into_world(axes, (B[0, 1], B[1, 1], B[2, 1]))
+
+
+@kernel
+def turned(b, second_i, second_j):
+    """Angle of the second end against the first along the shortest turn between their axes."""
+    one_i = _row(b["w"], PI)
+    one_j = _row(b["w"], PJ)
+    return math.atan2(
+        dot(second_i, one_j) - dot(one_i, second_j), dot(one_i, one_j) + dot(second_i, second_j)
+    )
+
+
+@kernel
+def _chord(b):
+    """Direction of the chord with its rates."""
+    d = less(_row(b["w"], XJ), _row(b["w"], XI))
+    d1 = less(_row(b["w1"], XJ), _row(b["w1"], XI))
+    d2 = less(_row(b["w2"], XJ), _row(b["w2"], XI))
+    ell = math.sqrt(dot(d, d))
+    e = times(1.0 / ell, d)
+    ell1 = dot(e, d1)
+    e1 = times(1.0 / ell, less(d1, times(ell1, e)))
+    e2 = times(1.0 / ell, less(less(d2, times(dot(e, d2), e)), times(2.0 * ell1, e1)))
+    b["ell"] = ell
+    b["ell1"] = ell1
+    _set(b["w"], E, e)
+    _set(b["w1"], E, e1)
+    _set(b["w2"], E, less(e2, times(dot(e1, e1), e)))
+
+
+@kernel
+def _arc(w):
+    """Angle over its sine and the derivative of that by the cosine w."""
+    y = 1.0 - w
+    if y > 0.05:
+        s = 1.0 - w * w
+        g = math.acos(w) / math.sqrt(s)
+        return g, (w * g - 1.0) / s
+    g = 1.0
+    g1 = 0.0
+    a = 1.0
+    power = 1.0
+    for n in range(1, 11):  # a_n = a_(n-1) n/(2 n + 1); the rest is below 1e-16
+        a *= n / (2.0 * n + 1.0)
+        g1 -= n * a * power
+        power *= y
+        g += a * power
+    return g, g1
+
+
+@kernel
+def _bend(b):
+    """Difference of the normals and sum of the slopes, their rates, and rates in axes that turn with the
+    chord."""
+    e = _row(b["w"], E)
+    e1 = _row(b["w1"], E)
+    ti = _row(b["w"], TI)
+    tj = _row(b["w"], TJ)
+    ti1 = _row(b["w1"], TI)
+    tj1 = _row(b["w1"], TJ)
+    both = add(ti, tj)
+    both1 = add(ti1, tj1)
+    b["cos"] = dot(both, e)
+    b["cos1"] = dot(both1, e) + dot(both, e1)
+    D = less(tj, ti)
+    D1 = less(tj1, ti1)
+    S = less(both, times(b["cos"], e))
+    S1 = less(both1, add(times(b["cos1"], e), times(b["cos"], e1)))
+    b["s"] = 0.5 * dot(e, add(_row(b["omega"], 0), _row(b["omega"], 1)))
+    frame = add(cross(e, e1), times(b["s"], e))
+    _set(b["D"], 0, D)
+    _set(b["D"], 1, D1)
+    _set(b["D"], 2, less(D1, cross(frame, D)))
+    _set(b["S"], 0, S)
+    _set(b["S"], 1, S1)
+    _set(b["S"], 2, less(S1, cross(frame, S)))
+    b["arc"], b["arc1"] = _arc(dot(ti, tj))
+
+
+@kernel
+def _strain(b):
+    """Tension and the forces of bending."""
+    _bend(b)
+    D = _row(b["D"], 0)
+    S = _row(b["S"], 0)
+    length = b["length"]
+    eta = b["eta"]
+    # a^2 to the accuracy of its sine's square; `arc` is a over sine a
+    w = dot(_row(b["w"], TI), _row(b["w"], TJ))
+    square = b["arc"] * b["arc"] * (1.0 - w * w)
+    u = b["ell"] - length + length * (square / 24.0 + dot(S, S) / 40.0)
+    u1 = b["ell1"] + length * (b["arc"] * dot(D, _row(b["D"], 1)) / 12.0 + dot(S, _row(b["S"], 1)) / 20.0)
+    N = b["k_u"] * (u + eta * u1)
+    b["axial"] = N
+    fd = times((b["k_d"] + N * length / 12.0) * b["arc"], D)
+    fs = times(b["k_s"] + N * length / 20.0, S)
+    fd = add(fd, times(eta * b["k_d"], _row(b["D"], 2)))
+    fs = add(fs, times(eta * b["k_s"], _row(b["S"], 2)))
+    c = add(cross(D, fd), cross(S, fs))
+    for r in range(3):
+        b["f_d"][r] = fd[r]
+        b["f_s"][r] = fs[r]
+        b["c"][r] = c[r]
+    e = _row(b["w"], E)
+    e1 = _row(b["w1"], E)
+    for k in range(2):
+        own = dot(_row(b["w"], PI + k), e)
+        other = dot(_row(b["w"], PJ - k), e)
+        own += eta * (dot(_row(b["w1"], PI + k), e) + dot(_row(b["w"], PI + k), e1))
+        other += eta * (dot(_row(b["w1"], PJ - k), e) + dot(_row(b["w"], PJ - k), e1))
+        b["h"][k] = b["c_a"] * own + b["c_b"] * other
+
+
+@kernel
+def _elastic(b):
+    """Force of the chord and moments of both ends; the force V at the nodes is left to `_cut`."""
+    e = _row(b["w"], E)
+    c = triple(b["c"], 0)
+    fd = triple(b["f_d"], 0)
+    fs = triple(b["f_s"], 0)
+    G = times(-1.0, add(times(b["cos"], fs), cross(c, e)))
+    for k in range(2):
+        first = _row(b["w"], PI + k)
+        h = b["h"][k]
+        sign = 1.0 if k == 1 else -1.0
+        G = add(G, times(h, first))
+        mu = cross(_row(b["w"], TI + k), add(fs, times(sign, fd)))
+        mu = add(mu, cross(first, times(h, e)))
+        mu = less(mu, times(0.5 * dot(c, e), e))
+        _set(b["mu"], k, add(mu, times(sign * b["torque"], triple(b["m"], 0))))
+    for r in range(3):
+        b["G"][r] = G[r]
+
+
+@kernel
+def _twisted(b, angle):
+    """Torque of the twist, and the vector m whose product with a turn of an end is the change of the
+    twist."""
+    ti = _row(b["w"], TI)
+    tj = _row(b["w"], TJ)
+    m = times(1.0 / (1.0 + dot(ti, tj)), add(ti, tj))
+    rate = dot(m, less(_row(b["omega"], 1), _row(b["omega"], 0)))
+    b["torque"] = b["k_t"] * (angle - b["twist"] + b["eta"] * rate)
+    for r in range(3):
+        b["m"][r] = m[r]
+
+
+@kernel
+def _inertia(b):
+    """Inertia forces of the five vectors, added to the force of the chord and to the moments."""
+    M = b["M"]
+    e = _row(b["w"], E)
+    for k in range(5):
+        f = (0.0, 0.0, 0.0)
+        for n in range(5):
+            w2 = _row(b["w2"], n)
+            if n < 2:
+                w2 = less(w2, triple(b["gravity"], 0))
+            f = add(f, times(M[k, n], w2))
+        if k >= E:
+            g = (0.0, 0.0, 0.0)
+            for n in range(3):
+                g = add(g, times(b["gyro"][k - E, n], _row(b["w1"], E + n)))
+            f = add(f, times(b["s"], cross(g, e)))
+        _set(b["inert"], k, f)
+    for r in range(3):
+        b["G"][r] += b["inert"][E, r]
+    for k in range(2):
+        t = _row(b["w"], TI + k)
+        mu = cross(t, _row(b["inert"], TI + k))
+        for n in range(2):
+            s1 = dot(_row(b["alpha"], n), _row(b["w"], TI + n))
+            mu = add(mu, times(b["polar"][k, n] * s1, t))
+        _set(b["mu"], k, add(_row(b["mu"], k), mu))
+
+
+@kernel
+def _cut(b):
+    """Force in the chord: the tension and what turns the chord."""
+    e = _row(b["w"], E)
+    G = triple(b["G"], 0)
+    V = add(times(b["axial"], e), times(1.0 / b["ell"], less(G, times(dot(G, e), e))))
+    for r in range(3):
+        b["V"][r] = V[r]
+
+
+@kernel
+def _gather(b, f, g):
+    """Wrenches on both bodies."""
+    V = triple(b["V"], 0)
+    for k in range(2):
+        F = V if k == 0 else times(-1.0, V)
+        if b["mass"] > 0.0:
+            F = less(F, _row(b["inert"], XI + k))
+        _set(b["F"], k, F)
+        moment = less(cross(_row(b["arm"], k), F), _row(b["mu"], k))
+        at = f if k == 0 else g
+        for r in range(3):
+            at["F"][r] += F[r]
+            at["F"][3 + r] += moment[r]
+
+
+@kernel
+def loads(b, f, g, angle):
+    """All forces of one beam whose ends are in place; V and mu of the elastic part remain for observation."""
+    _chord(b)
+    _twisted(b, angle)
+    _strain(b)
+    _elastic(b)
+    if b["mass"] > 0.0:
+        _inertia(b)
+    _cut(b)
+    _gather(b, f, g)
+
+
+@kernel
+def internal(b, out, first, axes_i, axes_j):
+    """Forces in the sections at both ends, without the inertia of the beam itself, in the axes of the
+    ends."""
+    _elastic(b)
+    _cut(b)
+    V = triple(b["V"], 0)
+    for k in range(2):
+        mu = _row(b["mu"], k)
+        if k == 0:
+            mu = times(-1.0, mu)
+        A = axes_i if k == 0 else axes_j
+        B = b["B_i"] if k == 0 else b["B_j"]
+        for r in range(3):
+            axis = into_world(A, (B[0, r], B[1, r], B[2, r]))
+            out[first + 6 * k + r] = dot(V, axis)
+            out[first + 6 * k + 3 + r] = dot(mu, axis)

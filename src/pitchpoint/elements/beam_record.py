@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What one beam is to the compiled core: its numbers, its scratch, and how they follow from a section."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.multibody.beam_section import Beam
+
+#: The vectors that a beam is made of: places of both nodes, its direction, the axes of both end sections, and
+#: the first transverse axes of both.
+XI, XJ, E, TI, TJ, PI, PJ = range(7)
+
+RECORD = np.dtype(
+    [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
+    + [
+        ("length", "f8"),  # length without force [m]
+        ("k_u", "f8"),  # axial stiffness [N/m]
+        ("k_t", "f8"),  # torsional stiffness [N m/rad]
+        ("k_d", "f8"),  # bending moment per angle between the ends [N m/rad]
+        ("k_s", "f8"),  # moment of either end per sum of both slopes against the chord [N m/rad]
+        ("c_a", "f8"),  # moment by the own slope towards axis 1, as far as that is stiffer [N m/rad]
+        ("c_b", "f8"),  # and by the slope of the other end
+        ("eta", "f8"),  # damping per stiffness [s]
+        ("twist", "f8"),  # angle of end j against end i without torque [rad]
+        ("mass", "f8"),  # [kg]; 0: the beam has no inertia
+        ("M", "f8", (5, 5)),  # mass of XI..TJ, energy 1/2 sum M_kl w_k' . w_l' [kg, kg m, kg m^2]
+        ("gyro", "f8", (3, 3)),  # polar inertia shared by E, TI, TJ [kg m^2]
+        ("polar", "f8", (2, 2)),  # polar inertia shared by both spins [kg m^2]
+        ("gravity", "f8", 3),  # [m/s^2], world axes
+        ("p_i", "f8", 3),  # node i in the frame of body i [m]
+        ("p_j", "f8", 3),
+        ("B_i", "f8", (3, 3)),  # section axes 1, 2 and beam axis in the frame of body i, columns
+        ("B_j", "f8", (3, 3)),
+    ]
+    # scratch: filled and read within one call
+    + [
+        ("w", "f8", (7, 3)),  # the vectors, their rates and second rates
+        ("w1", "f8", (7, 3)),
+        ("w2", "f8", (7, 3)),
+        ("dw", "f8", (7, 3)),  # their changes with one motion
+        ("dw1", "f8", (7, 3)),
+        ("dw2", "f8", (7, 3)),
+        ("inert", "f8", (5, 3)),  # inertia force of each vector
+        ("d_inert", "f8", (5, 3)),
+        ("arm", "f8", (2, 3)),  # nodes from the origins of their bodies
+        ("omega", "f8", (2, 3)),
+        ("alpha", "f8", (2, 3)),
+        ("d_arm", "f8", (2, 3)),
+        ("d_theta", "f8", (2, 3)),
+        ("d_omega", "f8", (2, 3)),
+        ("d_alpha", "f8", (2, 3)),
+        ("D", "f8", (3, 3)),  # difference of the normals; its rate; the rate in axes that turn along
+        ("S", "f8", (3, 3)),  # sum of the ends' slopes against the chord, likewise
+        ("f_d", "f8", 3),  # their forces [N m]
+        ("f_s", "f8", 3),
+        ("arc", "f8"),  # angle between the ends over its sine, and the derivative by its cosine
+        ("arc1", "f8"),
+        ("cos", "f8"),  # sum of the cosines of both slopes and its rate
+        ("cos1", "f8"),
+        ("h", "f8", 2),  # forces of the slopes towards axis 1, as far as that is stiffer [N m]
+        ("m", "f8", 3),  # twist per turn of the second end
+        ("c", "f8", 3),  # moment of dampers about the chord
+        ("G", "f8", 3),  # force of the direction of the chord [N m]
+        ("V", "f8", 3),  # force that the beam puts on node i [N]
+        ("mu", "f8", (2, 3)),  # moments that the ends put on the beam [N m]
+        ("F", "f8", (2, 3)),  # forces on both nodes, inertia included [N]
+        ("axial", "f8"),  # tension [N]
+        ("torque", "f8"),
+        ("ell", "f8"),  # length of the chord and its rate
+        ("ell1", "f8"),
+        ("s", "f8"),  # mean spin about the chord [rad/s]
+        ("out", "i8"),
+    ],
+    align=True,
+)
+
+_PLACES = (
+    ("fx", "N", "shear force along axis 1"),
+    ("fy", "N", "shear force along axis 2"),
+    ("fz", "N", "axial force, tension positive"),
+    ("mx", "N m", "bending moment about axis 1"),
+    ("my", "N m", "bending moment about axis 2"),
+    ("mz", "N m", "torque"),
+)
+
+# : Forces in the section at both ends: what the part beyond the section puts on the part before it. In the
+# axes of
+#: the end, which do not spin with a shaft.
+OUTPUTS = tuple(
+    (f"beam_force[{{}}.{end}.{word}]", unit, f"{text}, {which} end")
+    for end, which in (("i", "first"), ("j", "second"))
+    for word, unit, text in _PLACES
+)
+
+
+def beam_row(
+    beam: Beam,
+    *,
+    bodies: tuple[int, int],
+    nodes: tuple[ArrayLike, ArrayLike] = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)),
+    axes: tuple[ArrayLike, ArrayLike] | None = None,
+    eta: float = 0.0,
+    twist: float = 0.0,
+    gravity: ArrayLike = (0.0, 0.0, 0.0),
+) -> NDArray[np.void]:
+    """Record of one beam, shape (1,).
+
+    Parameters
+    ----------
+    beam
+        Section, length and material; without density the beam has no mass.
+    bodies
+        Numbers of the bodies at both ends; 0 = ground.
+    nodes
+        Ends of the beam in the frames of their bodies [m].
+    axes
+        Section axes 1, 2 and beam axis as columns (3, 3) in the frames of the bodies, at either end; the beam
+        axis points from the first body to the second. Without them the beam lies along the third axes.
+    eta
+        Damping per stiffness, in the axes that spin with the beam [s].
+    twist
+        Angle of the second end against the first without torque [rad].
+    gravity
+        Gravity on the mass of the beam, world axes [m/s^2].
+    """
+    row = np.zeros(1, RECORD)
+    r, s, h = row[0], beam.section, beam.length
+    r["i"], r["j"] = bodies
+    r["p_i"], r["p_j"] = nodes
+    r["B_i"], r["B_j"] = axes if axes is not None else (np.eye(3), np.eye(3))
+    r["length"], r["eta"], r["twist"], r["gravity"] = h, eta, twist, gravity
+    r["k_u"], r["k_t"] = beam.E * s.A / h, beam.G * s.J / h
+    own, other = _bending(beam, 2)
+    r["k_d"], r["k_s"] = 0.5 * (own - other), 0.5 * (own + other)
+    if not s.round:
+        one = _bending(beam, 1)
+        r["c_a"], r["c_b"] = one[0] - own, one[1] - other
+    r["mass"] = beam.mass
+    if beam.mass > 0.0:
+        r["M"], r["gyro"], r["polar"] = _inertia(beam)
+    return row
+
+
+def _bending(beam: Beam, plane: int) -> tuple[float, float]:
+    """End moment per slope of the same and of the other end against the chord [N m/rad]."""
+    second = beam.section.I_1 if plane == 1 else beam.section.I_2
+    p = beam.phi(plane)
+    stiffness = beam.E * second / (beam.length * (1.0 + p))
+    return (4.0 + p) * stiffness, (2.0 - p) * stiffness
+
+
+def _inertia(beam: Beam) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Consistent mass of the vectors of a beam, exact by Gauss's rule of four stations.
+
+    A point of the axis is x = sum N_k w_k and the normal of its section n = sum nu_k w_k, with the static
+    shape functions of a shear-flexible beam; rotary inertia is that of the mean of both planes.
+    """
+    s, h = beam.section, beam.length
+    p = 0.5 * (beam.phi(1) + beam.phi(2))
+    points, weights = np.polynomial.legendre.leggauss(4)
+    M, gyro, polar = np.zeros((5, 5)), np.zeros((3, 3)), np.zeros((2, 2))
+    for xi, weight in zip(0.5 * (1.0 + points), 0.5 * h * weights, strict=True):
+        shear = 0.5 * p * (xi - xi**2)
+        h_i = (xi - 2.0 * xi**2 + xi**3 + shear) / (1.0 + p)
+        h_j = (xi**3 - xi**2 - shear) / (1.0 + p)
+        b = (1.0 - 4.0 * xi + 3.0 * xi**2 + p * (1.0 - xi)) / (1.0 + p)
+        c = (3.0 * xi**2 - 2.0 * xi + p * xi) / (1.0 + p)
+        N = np.array([1.0 - xi, xi, -h * (h_i + h_j), h * h_i, h * h_j])
+        nu = np.array([0.0, 0.0, 1.0 - b - c, b, c])
+        M += weight * beam.rho * (s.A * np.outer(N, N) + 0.5 * (s.I_1 + s.I_2) * np.outer(nu, nu))
+        both = weight * beam.rho * (s.I_1 + s.I_2)
+        gyro += both * np.outer(nu[2:], nu[2:])
+        polar += both * np.outer([1.0 - xi, xi], [1.0 - xi, xi])
+    return M, gyro, polar

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Clutch between two bodies or brake on ground: dry friction about their axis, with stick and slip.
+
+The capacity C(t, angle, speed), a signal, is the torque of fast sliding; the engaging force or pressure is in
+it, zero means open. With the relative speed w about the common axis (see `turning`) and Stribeck's g(w), 1
+for fast sliding and `ratio` at rest:
+
+REGULARISED  T = -C g(w) S(w/v_eps), S the smooth sign: simple, but what should stick creeps.
+BRISTLE      T = -C (y + sigma y'), y' as in `pitchpoint.contact.bristle`: a spring until it slips, so what
+             sticks stays where it is. The deflection y has the capacity as unit, so a clutch that opens
+             lets go.
+
+Body k is the hidden torsional body of polar inertia 1 kg m^2 on ground whose spin rate is y (ground where the
+law is REGULARISED).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from pitchpoint.contact.bristle import bristle_rate, stribeck
+from pitchpoint.contact.friction import coulomb
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.elements.signal import SIGNAL, signal
+from pitchpoint.elements.turning import (
+    add_torque,
+    common_axis,
+    sense_of,
+    speed_between,
+    state_tangent,
+    torque_tangent,
+    turn_between,
+)
+from pitchpoint.elements.wrench import spin_axis
+from pitchpoint.multibody.channels import frame_args, observations
+
+TWO_PI = 6.283185307179586
+REGULARISED, BRISTLE = 0, 1
+SPINS = "free"
+
+
+RECORD = np.dtype(
+    [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]
+    + SIGNAL  # torque capacity at fast sliding, >= 0 [N m]
+    + [
+        ("sticking", "i8"),  # REGULARISED or BRISTLE
+        ("ratio", "f8"),  # static over dynamic friction, >= 1
+        ("v_s", "f8"),  # Stribeck speed [rad/s]
+        ("v_eps", "f8"),  # REGULARISED: speed of full friction [rad/s]
+        ("stiffness", "f8"),  # BRISTLE: torque per angle before slip over capacity [1/rad]
+        ("onset", "f8"),  # BRISTLE: share of the capacity below which nothing slips, < 1
+        ("sigma", "f8"),  # BRISTLE: damping of the bristles over the stiffness, as a time [s]
+        ("out", "i8"),
+    ],
+    align=True,
+)
+
+OUTPUTS = (
+    ("torque", "N m", "friction torque on the first body"),
+    ("slip_speed", "rad/s", "speed of the first body against the second"),
+    ("friction_power", "W", "power lost to friction"),
+)
+
+
+@kernel
+def friction_clutch(rec, ctl, fr, kk):
+    """Torques, rates of the states, tangents and observations of all clutches."""
+    c = ctl[0]
+    for e in range(rec.size):
+        b = rec[e]
+        f = fr[b["i"]]
+        g = fr[b["j"]]
+        sense = sense_of(f, g, b["j"])
+        m = common_axis(f, g, sense)
+        rest, turns = turn_between(f, g, sense)
+        speed = speed_between(f, g, m)
+        capacity, by_angle, by_speed = signal(b, c["t"], rest, turns, speed, c["jac"])
+        if not math.isfinite(capacity):
+            c["bad"] = e
+            return NOT_FINITE
+        if capacity < 0.0:
+            capacity = 0.0
+            by_angle = 0.0
+            by_speed = 0.0
+        steady, slope = stribeck(speed, b["ratio"], b["v_s"])
+        hidden = fr[b["k"]]
+        n = spin_axis(hidden)
+        by_state = 0.0
+        rate_by_state = 0.0
+        rate_by_speed = 0.0
+        if b["sticking"] == BRISTLE:
+            y = hidden["spin"]
+            rate, rate_by_state, rate_by_speed = bristle_rate(
+                y, speed, steady, slope, b["stiffness"], b["onset"]
+            )
+            for r in range(3):
+                hidden["F"][3 + r] += rate * n[r]
+            part = -(y + b["sigma"] * rate)
+            by_state = -capacity * (1.0 + b["sigma"] * rate_by_state)
+            part_by_speed = -b["sigma"] * rate_by_speed
+        else:
+            sign, rise = coulomb(speed, b["v_eps"])
+            part = -steady * sign
+            part_by_speed = -(steady * rise + slope * sign)
+        torque = capacity * part
+        add_torque(f, g, m, torque)
+        if c["jac"] != 0:
+            over_speed = by_speed * part + capacity * part_by_speed
+            torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle * part, over_speed)
+            if b["sticking"] == BRISTLE:
+                state_tangent(b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed)
+        if c["out"] != 0:
+            out = observations(ctl)
+            out[b["out"]] = torque
+            out[b["out"] + 1] = speed
+            out[b["out"] + 2] = -torque * speed
+    return OK
+
+
+@kernel
+def entry(ctl, rec, n):
+    """Uniform entry of the kind."""
+    c, fr, kk = frame_args(ctl)
+    return friction_clutch(view(rec, n, RECORD), c, fr, kk)

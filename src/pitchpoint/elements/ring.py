@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Two rings on a common axis, one on each body: what bearings of every kind see and how they push.
+
+A marker on body i (inner ring) and one on body j (outer ring) coincide as assembled; their third axis is that
+of the bearing. With e_x, e_y, e_z the axes of marker j and n the third axis of marker i, the displacements
+are
+
+    U = (X, Y, Z, n_x, n_y, turn)
+
+X, Y, Z of the inner centre against the outer one, the two tilts as components of n, and the turn of the inner
+ring about the axis, all in the axes of marker j. The turn is the twist that is left when n is swung back to
+e_z; its gradient by a turn of body i against j is (e_z + n)/(1 + e_z . n), the same for both rings.
+
+A kind computes the forces f conjugate to U and the slopes K = -df/dU, D = -df/dU'; this module makes wrenches
+and exact tangents of them. The wrenches are in balance and their power is f . U' for displacements and tilts
+of any size.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from pitchpoint.core.kernel import kernel
+from pitchpoint.elements.wrench import angular_velocity, origin, push, put, spin_axis, velocity
+from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple, unit
+
+TWO_PI = 6.283185307179586
+
+RING: list[tuple[Any, ...]] = [
+    ("p_i", "f8", 3),  # marker on the inner ring, from the origin of body i, axes of the body [m]
+    ("p_j", "f8", 3),
+    ("A_i", "f8", (3, 3)),  # axes of the marker in those of body i, columns
+    ("A_j", "f8", (3, 3)),
+    ("K", "f8", (6, 6)),  # scratch: slopes of the forces by displacement
+    ("D", "f8", (6, 6)),  # scratch: by rate
+    ("x", "f8", 6),  # scratch: displacement, change of it
+    ("w", "f8", 6),  # scratch: rate, change of it
+    ("f", "f8", 6),  # scratch: force
+    ("g", "f8", 6),  # scratch: change of force
+]
+
+OUTPUTS = (
+    ("bearing_force[{}.fx]", "N", "force on the inner ring, axes of the outer ring, x"),
+    ("bearing_force[{}.fy]", "N", "force on the inner ring, y"),
+    ("bearing_force[{}.fz]", "N", "force on the inner ring, axial"),
+    ("bearing_force[{}.mx]", "N m", "moment on the inner ring about its centre, x"),
+    ("bearing_force[{}.my]", "N m", "moment on the inner ring, y"),
+    ("bearing_force[{}.mz]", "N m", "moment on the inner ring about the axis"),
+)
+
+
+@kernel
+def _axis(f, A, k):
+    """Axis k of a marker in the world."""
+    return into_world(f["S"], (A[0, k], A[1, k], A[2, k]))
+
+
+@kernel
+def _into(axes, a):
+    """Components along three axes."""
+    return dot(axes[0], a), dot(axes[1], a), dot(axes[2], a)
+
+
+@kernel
+def _fill(x, a, tilt_x, tilt_y, turn):
+    for r in range(3):
+        x[r] = a[r]
+    x[3] = tilt_x
+    x[4] = tilt_y
+    x[5] = turn
+
+
+@kernel
+def _sense(f, axis):
+    """Whether the spin of a body counts along a bearing axis: 1, -1, or 0 if it is another axis."""
+    along = dot(spin_axis(f), axis)
+    return 1 if along > 0.7 else -1 if along < -0.7 else 0
+
+
+@kernel
+def whole_turns(f, g, j, line, turn):
+    """Whole turns of the inner ring against the outer one; with them the turn goes on where it is wrapped."""
+    arm, reach, axes, n, h, y, spin = line
+    si = _sense(f, n)
+    sj = _sense(g, axes[2]) if j != 0 else 0
+    counted = si * (f["phi"] + f["base"]) - sj * (g["phi"] + g["base"])
+    turns = si * (f["turns"] + f["base_turns"]) - sj * (g["turns"] + g["base_turns"])
+    return turns + math.floor((counted - turn) / TWO_PI + 0.5)
+
+
+@kernel
+def ring_motion(b, f, g):
+    """Displacements U into the scratch x, rates into w; returns what the other functions need as `line`.
+
+    These are the arms of the inner centre about both origins, the axes of marker j, n, the gradient h of the
+    turn, the velocity of the inner centre against body j, and the relative angular velocity.
+    """
+    arm = into_world(f["S"], triple(b["p_i"], 0))
+    reach = less(add(origin(f), arm), origin(g))
+    A = b["A_j"]
+    axes = (_axis(g, A, 0), _axis(g, A, 1), _axis(g, A, 2))
+    c0 = _axis(f, b["A_i"], 0)
+    c1 = _axis(f, b["A_i"], 1)
+    n = _axis(f, b["A_i"], 2)
+    h = times(1.0 / (1.0 + dot(axes[2], n)), add(axes[2], n))
+    y = add(velocity(f), cross(angular_velocity(f), arm))
+    y = less(less(y, velocity(g)), cross(angular_velocity(g), reach))
+    spin = less(angular_velocity(f), angular_velocity(g))
+    moved = cross(spin, n)
+    turn = math.atan2(dot(axes[1], c0) - dot(axes[0], c1), dot(axes[0], c0) + dot(axes[1], c1))
+    u = _into(axes, less(reach, into_world(g["S"], triple(b["p_j"], 0))))
+    _fill(b["x"], u, dot(axes[0], n), dot(axes[1], n), turn)
+    _fill(b["w"], _into(axes, y), dot(axes[0], moved), dot(axes[1], moved), dot(h, spin))
+    return arm, reach, axes, n, h, y, spin
+
+
+@kernel
+def _force_and_couple(f, axes, n, h):
+    """Force and couple on the inner ring about its centre, world axes, from the conjugate forces."""
+    force = add(add(times(f[0], axes[0]), times(f[1], axes[1])), times(f[2], axes[2]))
+    couple = add(times(f[3], cross(n, axes[0])), times(f[4], cross(n, axes[1])))
+    return force, add(couple, times(f[5], h))
+
+
+@kernel
+def ring_forces(b, f, g, line):
+    """Add the wrenches of the forces in the scratch f."""
+    arm, reach, axes, n, h, y, spin = line
+    force, couple = _force_and_couple(b["f"], axes, n, h)
+    push(f, arm, force, couple, 1.0)
+    push(g, reach, force, couple, -1.0)
+
+
+@kernel
+def ring_observations(b, line, out):
+    """Write force and moment on the inner ring in the axes of marker j."""
+    arm, reach, axes, n, h, y, spin = line
+    force, couple = _force_and_couple(b["f"], axes, n, h)
+    first = b["out"]
+    for r in range(3):
+        out[first + r] = b["f"][r]
+        out[first + 3 + r] = dot(axes[r], couple)
+
+
+@kernel
+def _column(b, f, g, line, side, c):
+    """Change of displacements and rates (into x and w) with motion c of one body at constant twists.
+
+    Side 0 moves body i, 1 body j. Returned are the changes of arm, reach, n and h. The change of the
+    displacements is also that of the rates with the same motion as a velocity.
+    """
+    arm, reach, axes, n, h, y, spin = line
+    w = unit(c - 3)
+    shift = unit(c)
+    nothing = (0.0, 0.0, 0.0)
+    moved = cross(spin, n)
+    if side == 0:
+        d_arm = cross(w, arm)
+        d_reach = add(shift, d_arm)
+        du = d_reach
+        dy = less(cross(angular_velocity(f), d_arm), cross(angular_velocity(g), d_reach))
+        dn = cross(w, n)
+        swung = dn  # of n against the axes of marker j
+        d_moved = cross(spin, dn)
+        dz = nothing
+        turn = dot(h, w)
+    else:
+        d_arm = nothing
+        d_reach = times(-1.0, shift)
+        du = less(d_reach, cross(w, reach))
+        dy = less(times(-1.0, cross(angular_velocity(g), d_reach)), cross(w, y))
+        dn = nothing
+        swung = times(-1.0, cross(w, n))
+        d_moved = times(-1.0, cross(w, moved))
+        dz = cross(w, axes[2])
+        turn = -dot(h, w)
+    stretch = dot(dz, n) + dot(axes[2], dn)
+    dh = times(1.0 / (1.0 + dot(axes[2], n)), less(add(dz, dn), times(stretch, h)))
+    _fill(b["x"], _into(axes, du), dot(axes[0], swung), dot(axes[1], swung), turn)
+    _fill(b["w"], _into(axes, dy), dot(axes[0], d_moved), dot(axes[1], d_moved), dot(dh, spin))
+    return d_arm, d_reach, dn, dh
+
+
+@kernel
+def ring_tangents(b, f, g, kk, ctl, line):
+    """Add the exact tangents from the slopes K and D and the forces f in the scratch."""
+    c = ctl[0]
+    ck = c["ck"]
+    cd = c["cd"]
+    arm, reach, axes, n, h, y, spin = line
+    F = b["f"]
+    force, couple = _force_and_couple(F, axes, n, h)
+    for side in range(2):
+        if side == 1 and b["j"] == 0:
+            break
+        ki = kk[b["ii"]] if side == 0 else kk[b["ij"]]
+        kj = kk[b["ji"]] if side == 0 else kk[b["jj"]]
+        for k in range(6):
+            d_arm, d_reach, dn, dh = _column(b, f, g, line, side, k)
+            for r in range(6):
+                s = 0.0
+                for e in range(6):
+                    s -= ck * (b["K"][r, e] * b["x"][e] + b["D"][r, e] * b["w"][e])
+                    s -= cd * b["D"][r, e] * b["x"][e]
+                b["g"][r] = s
+            df, dm = _force_and_couple(b["g"], axes, n, h)
+            more = add(times(F[3], cross(dn, axes[0])), times(F[4], cross(dn, axes[1])))
+            more = add(more, times(F[5], dh))
+            if side == 1:  # axes x and y turn with body j
+                w = unit(k - 3)
+                df = add(df, times(ck, cross(w, force)))
+                more = add(more, times(F[3], cross(n, cross(w, axes[0]))))
+                more = add(more, times(F[4], cross(n, cross(w, axes[1]))))
+            dm = add(dm, times(ck, more))
+            put(ki, k, -1.0, df, add(dm, add(cross(arm, df), times(ck, cross(d_arm, force)))))
+            put(kj, k, 1.0, df, add(dm, add(cross(reach, df), times(ck, cross(d_reach, force)))))

@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rolling bearing with its turning elements: varying compliance, clearance, radial, axial and tilting forces.
+
+Element k stands at the azimuth psi_k = psi_0 + c T + 2 pi k/n of the outer ring, T the turn of the inner ring
+against it with all whole turns and c = (1 - (D/d_m) cos(alpha))/2 the share of the cage, pure rolling
+assumed. There the inner raceway comes nearer to the outer one by
+
+    radial   a_r = X cos(psi) + Y sin(psi) - gap
+    axial    a_z = Z - (d_m/2)(n_x cos(psi) + n_y sin(psi))
+
+With constant contact angle the approach is d = a_r cos(alpha) + a_z sin(alpha) (rollers, simple balls). With
+a distance A of the centres of the grooves it is that of Jones and Harris, whose contact angle follows the
+load: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. Each element carries
+
+    Q = K d^p max(0, 1 + chi d')   for d > 0
+
+(p = 3/2 or 10/9; damping after Hunt and Crossley, J. Appl. Mech. 42, 1975: it fades at separation and never
+pulls). Forces are conjugate to d, the turn included: what lifts the shaft over an element turns it. T. A.
+Harris, *Rolling Bearing Analysis*; no centrifugal forces of the elements.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
+from pitchpoint.elements.ring import (
+    RING,
+    ring_forces,
+    ring_motion,
+    ring_observations,
+    ring_tangents,
+    whole_turns,
+)
+from pitchpoint.multibody.channels import frame_args, observations
+
+BODY_FIXED = True
+SPINS = "free"
+TWO_PI = 6.283185307179586
+SPLIT = 67108864.0
+"""2^26: a share of the cage is cut after so many binary digits, so that whole turns of it are exact."""
+
+
+RECORD = np.dtype(
+    [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
+    + RING
+    + [
+        ("n", "i8"),  # number of rolling elements
+        ("pitch", "f8"),  # pitch diameter d_m [m]
+        ("element", "f8"),  # diameter of a rolling element D [m]
+        ("angle", "f8"),  # contact angle; positive: carries an axial force on the inner ring along -z [rad]
+        ("gap", "f8"),  # radial play of a centred ring, half of the radial internal clearance [m]
+        ("grooves", "f8"),  # distance A of the groove centres, 0 = constant contact angle [m]
+        ("stiffness", "f8"),  # K of an element between both raceways [N/m^p]
+        ("exponent", "f8"),  # p
+        ("chi", "f8"),  # damping factor [s/m]
+        ("azimuth", "f8"),  # psi_0 [rad]
+        ("G", "f8", (4, 6)),  # scratch: gradients of radial and axial approach, of d, and across d
+        ("H", "f8", (6, 6)),  # scratch: second derivative of d
+        ("out", "i8"),
+    ],
+    align=True,
+)
+
+OUTPUTS = (*RING_OUTPUTS, ("cage_angle", "rad", "turn of the cage against the outer ring within one turn"))
+
+
+@kernel
+def cage_angle(share, turn, turns):
+    """Turn of the cage less whole ones: `share` times (turn + 2 pi turns) [rad].
+
+    The product of the leading digits of the share and the number of turns has no rounding error, so nothing
+    is lost up to 1e8 turns.
+    """
+    lead = math.floor(share * SPLIT) / SPLIT
+    x = lead * turns
+    x -= math.floor(x)
+    x += (share - lead) * turns
+    x -= math.floor(x)
+    return share * turn + TWO_PI * x
+
+
+@kernel
+def _gradients(b, c, s, share):
+    """Gradients of radial and axial approach into G[0] and G[1]."""
+    x = b["x"]
+    G = b["G"]
+    half = 0.5 * b["pitch"]
+    for r in range(6):
+        G[0, r] = 0.0
+        G[1, r] = 0.0
+    G[0, 0] = c
+    G[0, 1] = s
+    G[0, 5] = share * (x[1] * c - x[0] * s)
+    G[1, 2] = 1.0
+    G[1, 3] = -half * c
+    G[1, 4] = -half * s
+    G[1, 5] = share * half * (x[3] * s - x[4] * c)
+
+
+@kernel
+def _curvatures(b, c, s, share, ca, sa, bend):
+    """Second derivative of the approach into H."""
+    x = b["x"]
+    G = b["G"]
+    H = b["H"]
+    half = 0.5 * b["pitch"]
+    for r in range(6):
+        G[3, r] = ca * G[1, r] - sa * G[0, r]
+    for r in range(6):
+        for e in range(6):
+            H[r, e] = bend * G[3, r] * G[3, e]
+    mixed_x = -share * s * ca
+    mixed_y = share * c * ca
+    mixed_n = share * half * sa
+    H[0, 5] += mixed_x
+    H[5, 0] += mixed_x
+    H[1, 5] += mixed_y
+    H[5, 1] += mixed_y
+    H[3, 5] += mixed_n * s
+    H[5, 3] += mixed_n * s
+    H[4, 5] -= mixed_n * c
+    H[5, 4] -= mixed_n * c
+    H[5, 5] += share * share * (half * sa * (x[3] * c + x[4] * s) - ca * (x[0] * c + x[1] * s))
+
+
+@kernel
+def _slopes(b, by_approach, by_rate, force):
+    """Add the slopes of one element to K and D."""
+    G = b["G"]
+    H = b["H"]
+    for r in range(6):
+        for e in range(6):
+            s = by_approach * G[2, e]
+            for h in range(6):
+                s += by_rate * H[e, h] * b["w"][h]
+            b["K"][r, e] += G[2, r] * s + force * H[r, e]
+            b["D"][r, e] += by_rate * G[2, r] * G[2, e]
+
+
+@kernel
+def _approach(b, c, s):
+    """Approach of the raceways at an element, cosine and sine of its contact angle, curvature of the path."""
+    x = b["x"]
+    radial = x[0] * c + x[1] * s - b["gap"]
+    axial = x[2] - 0.5 * b["pitch"] * (x[3] * c + x[4] * s)
+    ca = math.cos(b["angle"])
+    sa = math.sin(b["angle"])
+    A = b["grooves"]
+    if A > 0.0:
+        p = A * ca + radial
+        q = A * sa + axial
+        length = math.sqrt(p * p + q * q)
+        return length - A, p / length, q / length, 1.0 / length
+    return radial * ca + axial * sa, ca, sa, 0.0
+
+
+@kernel
+def _element(b, c, s, share, jac):
+    """Add force and slopes of one element at an azimuth with cosine c and sine s."""
+    d, ca, sa, bend = _approach(b, c, s)
+    if not d > 0.0:
+        return
+    _gradients(b, c, s, share)
+    G = b["G"]
+    rate = 0.0
+    for r in range(6):
+        G[2, r] = ca * G[0, r] + sa * G[1, r]
+        rate += G[2, r] * b["w"][r]
+    damped = 1.0 + b["chi"] * rate
+    if damped <= 0.0:
+        return
+    elastic = b["stiffness"] * d ** b["exponent"]
+    for r in range(6):
+        b["f"][r] -= elastic * damped * G[2, r]
+    if jac != 0:
+        _curvatures(b, c, s, share, ca, sa, bend)
+        _slopes(b, b["exponent"] * elastic / d * damped, elastic * b["chi"], elastic * damped)
+
+
+@kernel
+def rolling_bearing(rec, ctl, fr, kk):
+    """Wrenches, tangents and observations of all rolling bearings."""
+    ctl0 = ctl[0]
+    jac = ctl0["jac"]
+    for e in range(rec.size):
+        b = rec[e]
+        f = fr[b["i"]]
+        g = fr[b["j"]]
+        line = ring_motion(b, f, g)
+        share = 0.5 * (1.0 - b["element"] / b["pitch"] * math.cos(b["angle"]))
+        turns = whole_turns(f, g, b["j"], line, b["x"][5])
+        cage = cage_angle(share, b["x"][5], turns)
+        for r in range(6):
+            b["f"][r] = 0.0
+            if jac != 0:
+                for h in range(6):
+                    b["K"][r, h] = 0.0
+                    b["D"][r, h] = 0.0
+        c = math.cos(b["azimuth"] + cage)
+        s = math.sin(b["azimuth"] + cage)
+        step_c = math.cos(TWO_PI / b["n"])
+        step_s = math.sin(TWO_PI / b["n"])
+        for _k in range(b["n"]):
+            _element(b, c, s, share, jac)
+            turned = c * step_c - s * step_s
+            s = s * step_c + c * step_s
+            c = turned
+        if ctl0["out"] != 0:
+            out = observations(ctl)
+            ring_observations(b, line, out)
+            out[b["out"] + 6] = cage - TWO_PI * math.floor(cage / TWO_PI)
+        ring_forces(b, f, g, line)
+        if jac != 0:
+            ring_tangents(b, f, g, kk, ctl, line)
+    return OK
+
+
+@kernel
+def entry(ctl, rec, n):
+    """Uniform entry of the kind."""
+    c, fr, kk = frame_args(ctl)
+    return rolling_bearing(view(rec, n, RECORD), c, fr, kk)

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Spring and damper along the line between two body-fixed points (body 0 = ground).
+
+    tension = k x + d w + L(t, x, w)
+
+x is the elongation, length less free length, w its rate. L is a signal: a table over elongation (angle) or
+rate (speed), a formula in which `angle` stands for x and `speed` for w, or a user's law.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.elements.line import line_between, pull, tension_tangent
+from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
+from pitchpoint.multibody.channels import frame_args, observations
+
+BODY_FIXED = True
+
+RECORD = np.dtype(
+    [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
+    + [
+        ("p_i", "f8", 3),  # point on body i from its origin, axes of the body [m]
+        ("p_j", "f8", 3),  # point on body j likewise
+        ("free", "f8"),  # length without force [m]
+        ("k", "f8"),  # stiffness [N/m]
+        ("d", "f8"),  # damping [N s/m]
+    ]
+    + SIGNAL  # further tension over x and w [N]
+    + [("out", "i8")],
+    align=True,
+)
+
+OUTPUTS = (
+    ("tension", "N", "tension of a spring, positive where it pulls"),
+    ("elongation", "m", "length of a spring less its free length"),
+)
+
+
+@kernel
+def spring_damper(rec, ctl, fr, kk):
+    """Wrenches, tangents and observations of all springs."""
+    c = ctl[0]
+    for e in range(rec.size):
+        b = rec[e]
+        f = fr[b["i"]]
+        g = fr[b["j"]]
+        line = line_between(b, f, g)
+        arm_i, arm_j, along, length, w, rate = line
+        x = length - b["free"]
+        tension = b["k"] * x + b["d"] * rate
+        by_length = b["k"]
+        by_rate = b["d"]
+        if b["form"] != CONSTANT or b["value"] != 0.0:
+            more, slope, faster = signal(b, c["t"], x, 0, rate, c["jac"])
+            tension += more
+            by_length += slope
+            by_rate += faster
+        if not math.isfinite(tension):
+            c["bad"] = e
+            return NOT_FINITE
+        pull(f, g, arm_i, arm_j, along, tension)
+        if c["jac"] != 0:
+            tension_tangent(b, f, g, kk, ctl, line, tension, by_length, by_rate)
+        if c["out"] != 0:
+            out = observations(ctl)
+            out[b["out"]] = tension
+            out[b["out"] + 1] = x
+    return OK
+
+
+@kernel
+def entry(ctl, rec, n):
+    """Uniform entry of the kind."""
+    c, fr, kk = frame_args(ctl)
+    return spring_damper(view(rec, n, RECORD), c, fr, kk)

@@ -1,0 +1,380 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Matrices of finite-element programs: Nastran DMIG punch files, Matrix Market, NumPy archives.
+
+All of them end as a `Structure` for the reduction to modes. Files are data from elsewhere: every size is
+checked before memory is taken, nothing in them is executed, and what cannot be read is said with its line.
+
+DMIG: MSC Nastran Quick Reference Guide, bulk data entries DMIG and GRID; fixed fields of 8 characters, or
+of 16 where the name of the entry ends in a star. Matrix Market: Boisvert, Pozo, Remington, NISTIR 5935
+(1996).
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import zipfile
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.multibody.structure import Structure, make_structure
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from scipy.sparse import coo_array
+
+MOST_BYTES = 2_000_000_000
+"""Largest file, and largest array of an archive, that is read [byte]."""
+MOST_ENTRIES = 200_000_000
+MOST_UNKNOWNS = 2_000_000
+
+SYMMETRIC, SQUARE = 6, 1
+FIELDS = "write fixed fields of 8 or 16 characters"
+_NUMBER = re.compile(r"^[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+|[+-]\d+)?$")
+
+
+@dataclass
+class DmigFile:
+    """Content of a punch file.
+
+    Parameters
+    ----------
+    matrices
+        Triplets of every matrix by its name: rows and columns as (grid, component 1-6; 0 for scalar
+        points), and values.
+    symmetric
+        Names of the matrices of which one triangle is listed.
+    grids
+        Places of the grid points that the file lists, in the basic system [unit of the file].
+    """
+
+    matrices: dict[str, dict[tuple[tuple[int, int], tuple[int, int]], float]] = field(default_factory=dict)
+    symmetric: set[str] = field(default_factory=set)
+    grids: dict[int, tuple[float, float, float]] = field(default_factory=dict)
+
+    def displacements(self) -> list[tuple[int, int]]:
+        """All (grid, component) that any matrix names, sorted."""
+        return sorted({d for m in self.matrices.values() for pair in m for d in pair})
+
+    def matrix(self, name: str, order: Sequence[tuple[int, int]]) -> coo_array:
+        """One matrix in an order of displacements, both triangles."""
+        from scipy.sparse import coo_array
+
+        at = {d: k for k, d in enumerate(order)}
+        rows, columns, values = [], [], []
+        for (r, c), value in self.matrices[name].items():
+            rows.append(at[r])
+            columns.append(at[c])
+            values.append(value)
+            if name in self.symmetric and r != c:
+                rows.append(at[c])
+                columns.append(at[r])
+                values.append(value)
+        return coo_array((values, (rows, columns)), shape=(len(order), len(order)))
+
+
+def _refuse(path: Path, message: str, line: int | None = None, remedy: str | None = None) -> ModelError:
+    return ModelError([Problem("", message, line=line, remedy=remedy)], str(path))
+
+
+def _checked(path: str | os.PathLike[str]) -> Path:
+    """File that exists and is not too large."""
+    file = Path(path)
+    if not file.is_file():
+        raise _refuse(file, "there is no such file")
+    if file.stat().st_size > MOST_BYTES:
+        raise _refuse(
+            file, f"{file.stat().st_size} bytes (limit {MOST_BYTES})", remedy="reduce the model first"
+        )
+    return file
+
+
+def _lines(file: Path) -> Iterator[tuple[int, str]]:
+    """Lines with their numbers, comments and empty ones left out."""
+    with file.open(encoding="ascii", errors="replace") as text:
+        number = 0
+        while True:
+            line = text.readline(4096)  # a line is 80 characters; a file without ends is none of text
+            if not line:
+                return
+            number += 1
+            if len(line) >= 4096:
+                raise _refuse(file, "is no text of lines of 80 characters", number)
+            if line.strip() and not line.startswith("$"):
+                yield number, line.rstrip("\r\n")
+
+
+def _fields(line: str) -> list[str]:
+    """Fields of a fixed-format entry after the first: ten of 8 characters, or 8 and four of 16."""
+    if "*" in line[:8]:
+        return [line[k : k + 16].strip() for k in (8, 24, 40, 56)]
+    return [line[k : k + 8].strip() for k in range(8, 72, 8)]
+
+
+def _whole(file: Path, number: int, text: str, what: str) -> int:
+    if not re.fullmatch(r"\d{1,9}", text):
+        raise _refuse(file, f"{what}: {text!r} is no whole number", number, FIELDS)
+    return int(text)
+
+
+def _real(file: Path, number: int, text: str, what: str) -> float:
+    """A number as Nastran writes it: 1.0+5 and 1.0D+05 are 1e5."""
+    if not _NUMBER.match(text):
+        raise _refuse(file, f"{what}: {text!r} is no number", number, FIELDS)
+    plain = text.upper().replace("D", "E")
+    if "E" not in plain:
+        plain = plain[0] + re.sub(r"([+-])", r"E\1", plain[1:])
+    value = float(plain)
+    if not np.isfinite(value):
+        raise _refuse(file, f"{what}: {text} is not finite", number)
+    return value
+
+
+def read_dmig(path: str | os.PathLike[str]) -> DmigFile:
+    """Read the real matrices and grid points of a Nastran punch file.
+
+    Parameters
+    ----------
+    path
+        File with DMIG entries, and GRID entries if places are wanted.
+
+    Raises
+    ------
+    ModelError
+        If an entry cannot be read; with its line.
+    """
+    file = _checked(path)
+    found = DmigFile()
+    column: tuple[str, tuple[int, int]] | None = None
+    grid: tuple[int, list[str]] | None = None
+    count = 0
+    for number, line in _lines(file):
+        word = line[:8].strip().rstrip("*").upper()
+        if word == "DMIG":
+            grid, column = None, _dmig(file, number, line, found)
+        elif word == "GRID":
+            column, grid = None, _grid(file, number, line, found)
+        elif line[0] in "*+ " and column is not None:
+            _term(file, number, line, found, column)
+            count += 1
+            if count > MOST_ENTRIES:
+                raise _refuse(file, f"more than {MOST_ENTRIES} entries", number)
+        elif line[0] in "*+ " and grid is not None:
+            third = _real(file, number, line[8:24].strip() or "0.", "x3")
+            first, second = (_real(file, number, t or "0.", "GRID") for t in grid[1])
+            found.grids[grid[0]] = (first, second, third)
+            grid = None
+        else:
+            column = grid = None  # entries that are not ours
+    if not found.matrices:
+        raise _refuse(file, "has no DMIG matrix", remedy="punch K and M with PARAM,EXTOUT,DMIGPCH")
+    return found
+
+
+def _dmig(file: Path, number: int, line: str, found: DmigFile) -> tuple[str, tuple[int, int]] | None:
+    """Header of a matrix, or head of one of its columns; returns the column."""
+    fields = _fields(line)
+    name = fields[0].upper()
+    if not re.fullmatch(r"[A-Z][A-Z0-9]{0,7}", name):
+        raise _refuse(file, f"DMIG: {fields[0]!r} is no name of a matrix", number)
+    large = "*" in line[:8]
+    if not large and fields[1] == "0":
+        form, kind = _whole(file, number, fields[2], "form"), _whole(file, number, fields[3], "type")
+        if form not in (SYMMETRIC, SQUARE):
+            raise _refuse(file, f"{name}: form {form} (limit 1 square or 6 symmetric)", number)
+        if kind not in (1, 2):
+            raise _refuse(file, f"{name}: type {kind} is complex (limit 1 or 2, real)", number)
+        found.matrices.setdefault(name, {})
+        if form == SYMMETRIC:
+            found.symmetric.add(name)
+        return None
+    if name not in found.matrices:
+        raise _refuse(file, f"{name}: a column comes before the header of the matrix", number)
+    column = (_whole(file, number, fields[1], "grid"), _component(file, number, fields[2]))
+    if not large and fields[4]:
+        _put(file, number, found, (name, column), fields[4:7])
+    return name, column
+
+
+def _component(file: Path, number: int, text: str) -> int:
+    value = _whole(file, number, text or "0", "component")
+    if value > 6:
+        raise _refuse(file, f"component {value} (limit 0 to 6)", number)
+    return value
+
+
+def _put(
+    file: Path, number: int, found: DmigFile, column: tuple[str, tuple[int, int]], fields: Sequence[str]
+) -> None:
+    name, at = column
+    row = (_whole(file, number, fields[0], "grid"), _component(file, number, fields[1]))
+    entries = found.matrices[name]
+    if (row, at) in entries or (name in found.symmetric and (at, row) in entries):
+        raise _refuse(file, f"{name}: the entry of {row} and {at} comes twice", number)
+    entries[row, at] = _real(file, number, fields[2], "value")
+
+
+def _term(file: Path, number: int, line: str, found: DmigFile, column: tuple[str, tuple[int, int]]) -> None:
+    """One continuation: grid, component, value."""
+    fields = _fields(line)
+    if "*" in line[:8]:
+        _put(file, number, found, column, fields[:3])
+        return
+    for first in (0, 4):
+        if fields[first]:
+            _put(file, number, found, column, fields[first : first + 3])
+
+
+def _grid(file: Path, number: int, line: str, found: DmigFile) -> tuple[int, list[str]] | None:
+    """Grid point; returns what a second line must complete."""
+    fields = _fields(line)
+    grid = _whole(file, number, fields[0], "grid")
+    if fields[1] not in ("", "0"):
+        raise _refuse(
+            file, f"GRID {grid}: lies in the system {fields[1]}", number, "write places in the basic system"
+        )
+    if "*" in line[:8]:
+        return grid, fields[2:4]
+    x, y, z = (_real(file, number, t or "0.", "GRID") for t in fields[2:5])
+    found.grids[grid] = (x, y, z)
+    return None
+
+
+def structure_from_dmig(
+    file: DmigFile,
+    stiffness: str = "KAAX",
+    mass: str = "MAAX",
+    places: dict[int, Sequence[float]] | None = None,
+) -> tuple[Structure, list[int]]:
+    """Structure of two matrices of a punch file, and the grid numbers of its nodes.
+
+    Parameters
+    ----------
+    file
+        What `read_dmig` returned.
+    stiffness, mass
+        Names of the matrices.
+    places
+        Places of grid points that the file does not list, by number [m].
+
+    Raises
+    ------
+    ModelError
+        If a matrix or a place is missing, or an unknown is a scalar point.
+    """
+    for name in (stiffness, mass):
+        if name not in file.matrices:
+            listed = ", ".join(sorted(file.matrices))
+            raise ModelError([Problem(name, "there is no such matrix", remedy=f"there are: {listed}")])
+    order = file.displacements()
+    scalar = [g for g, c in order if c == 0]
+    if scalar:
+        what = "is a scalar point: it has no place"
+        raise ModelError([Problem(f"point {scalar[0]}", what, remedy="reduce to grid points alone")])
+    nodes = sorted({g for g, _ in order})
+    known: dict[int, Any] = {**file.grids, **(places or {})}
+    missing = [g for g in nodes if g not in known]
+    if missing:
+        remedy = "add GRID entries to the file or give `places`"
+        raise ModelError([Problem(f"grid {missing[0]}", "has no place", remedy=remedy)])
+    number = {g: k for k, g in enumerate(nodes)}
+    structure = make_structure(
+        file.matrix(stiffness, order),
+        file.matrix(mass, order),
+        [known[g] for g in nodes],
+        [number[g] for g, _ in order],
+        [c - 1 for _, c in order],
+    )
+    return structure, nodes
+
+
+def read_matrix_market(path: str | os.PathLike[str]) -> Any:
+    """Read a real square matrix of a Matrix Market file as sparse matrix.
+
+    Parameters
+    ----------
+    path
+        File in coordinate or array format, general or symmetric, plain or compressed as ``.gz``.
+
+    Raises
+    ------
+    ModelError
+        If it is no such file, or too large.
+    """
+    from scipy.io import mminfo, mmread
+    from scipy.sparse import csc_array
+
+    file = _checked(path)
+    try:
+        rows, columns, entries, _, kind, symmetry = mminfo(file)
+    except (ValueError, OSError, OverflowError, UnicodeDecodeError) as error:
+        raise _refuse(file, f"is no Matrix Market file ({error})") from None
+    if rows != columns or not 0 < rows <= MOST_UNKNOWNS or entries > MOST_ENTRIES:
+        raise _refuse(file, f"{rows} x {columns} with {entries} entries (limit square, {MOST_UNKNOWNS} rows)")
+    if kind not in ("real", "integer") or symmetry not in ("general", "symmetric"):
+        raise _refuse(file, f"is {kind} and {symmetry} (limit real, general or symmetric)")
+    # every entry takes four characters at least; compressed files say what they promise only at the end
+    if file.suffix != ".gz" and entries > file.stat().st_size:
+        raise _refuse(file, f"promises {entries} entries in {file.stat().st_size} bytes")
+    try:
+        matrix = csc_array(mmread(file))
+    except (ValueError, OSError, OverflowError, MemoryError) as error:
+        raise _refuse(file, f"cannot be read ({error})") from None
+    if not np.all(np.isfinite(matrix.data)):
+        raise _refuse(file, "has entries that are not finite")
+    return matrix
+
+
+def read_npz(path: str | os.PathLike[str]) -> Structure:
+    """Read a NumPy archive with K, M, places and, if nodes differ in their directions, node and direction.
+
+    Parameters
+    ----------
+    path
+        File of `numpy.savez` with dense K and M, or with the parts K_data, K_indices, K_indptr of compressed
+        columns and likewise for M.
+
+    Raises
+    ------
+    ModelError
+        If an array is missing, has objects in it, or is too large.
+    """
+    from scipy.sparse import csc_array
+
+    file = _checked(path)
+    try:
+        with zipfile.ZipFile(file) as archive:
+            for item in archive.infolist():
+                if item.file_size > MOST_BYTES:
+                    raise _refuse(file, f"{item.filename}: {item.file_size} bytes (limit {MOST_BYTES})")
+        with np.load(file, allow_pickle=False) as arrays:
+            data = {name: np.asarray(arrays[name]) for name in arrays.files}
+    except (ValueError, OSError, EOFError, KeyError, zipfile.BadZipFile, MemoryError, RuntimeError) as error:
+        raise _refuse(file, f"is no archive of plain arrays ({error})") from None
+    if "places" not in data:
+        raise _refuse(file, "has no array 'places'", remedy="add the nodes (number of nodes, 3) in m")
+    pair: list[Any] = []
+    for name in ("K", "M"):
+        parts = [f"{name}_{p}" for p in ("data", "indices", "indptr")]
+        if name in data:
+            pair.append(data[name])
+        elif all(p in data for p in parts):
+            n = data[parts[2]].size - 1
+            try:
+                arrays_of: Any = tuple(data[p] for p in parts)
+                matrix = csc_array(arrays_of, shape=(n, n))
+                matrix.check_format()
+            except (ValueError, TypeError) as error:
+                raise _refuse(file, f"{name}: parts do not fit ({error})") from None
+            pair.append(matrix)
+        else:
+            raise _refuse(file, f"has no matrix {name!r}", remedy=f"save {name}, or {', '.join(parts)}")
+    for name, array in data.items():
+        if array.dtype.kind not in "fiu":
+            raise _refuse(file, f"{name}: holds no real numbers")
+    return make_structure(pair[0], pair[1], data["places"], data.get("node"), data.get("direction"))

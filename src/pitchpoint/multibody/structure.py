@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Finite-element matrices with the places of their nodes, and beams in a row as such matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.core.errors import CompileError
+from pitchpoint.multibody.beam_section import Beam
+
+if TYPE_CHECKING:
+    from scipy.sparse import csc_array
+
+Array = NDArray[np.float64]
+
+MOST_UNKNOWNS = 2_000_000
+"""More displacements than this are a mistake or a matter for another program."""
+
+
+@dataclass(frozen=True)
+class Structure:
+    """Stiffness and mass matrix of an unsupported elastic body in its own axes.
+
+    Parameters
+    ----------
+    K, M
+        Sparse symmetric matrices (n, n) [N/m, kg and mixed units of rotations].
+    places
+        Nodes (number of nodes, 3) [m].
+    node, direction
+        Node (row of `places`) and direction (0-2 translation, 3-5 rotation) of every displacement, (n,).
+    """
+
+    K: csc_array
+    M: csc_array
+    places: Array
+    node: NDArray[np.int64]
+    direction: NDArray[np.int64]
+
+    @property
+    def size(self) -> int:
+        """Number of displacements."""
+        return int(self.node.size)
+
+    def displacements(self, node: int) -> NDArray[np.int64]:
+        """Rows of one node in the order of their directions."""
+        rows = np.flatnonzero(self.node == node)
+        return rows[np.argsort(self.direction[rows])]
+
+    def rigid(self, about: ArrayLike = (0.0, 0.0, 0.0)) -> Array:
+        """Displacements of six unit rigid motions (n, 6): translations, then turns about a point [m]."""
+        arm = (self.places - np.asarray(about, float))[self.node]
+        found = np.zeros((self.size, 6))
+        for k in range(3):
+            turned = np.cross(np.eye(3)[k], arm)
+            for d in range(3):
+                rows = self.direction == d
+                found[rows, 3 + k] = turned[rows, d]
+            found[self.direction == k, k] = 1.0
+            found[self.direction == 3 + k, 3 + k] = 1.0
+        return found
+
+
+def make_structure(
+    K: Any, M: Any, places: ArrayLike, node: ArrayLike | None = None, direction: ArrayLike | None = None
+) -> Structure:
+    """Check finite-element matrices and bring them into one form.
+
+    Parameters
+    ----------
+    K, M
+        Stiffness and mass matrix, sparse or dense, (n, n).
+    places
+        Nodes (number of nodes, 3) [m].
+    node, direction
+        See `Structure`; without them every node has three translations, or six displacements, in order.
+
+    Raises
+    ------
+    CompileError
+        If sizes do not fit, a number is not finite, a matrix is not symmetric, or the body is held: an
+        unsupported body needs no force for any of its six rigid motions.
+    """
+    from scipy.sparse import csc_array
+
+    spots = np.asarray(places, float)
+    if spots.ndim != 2 or spots.shape[1] != 3 or not np.all(np.isfinite(spots)):
+        raise CompileError(f"places: {spots.shape} is no list of finite points (nodes, 3)")
+    pair = []
+    for name, given in (("K", K), ("M", M)):
+        matrix = csc_array(given, dtype=float)
+        if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1]:
+            raise CompileError(f"{name}: {matrix.shape} is not square")
+        if matrix.shape[0] > MOST_UNKNOWNS:
+            raise CompileError(f"{name}: {matrix.shape[0]} displacements (limit {MOST_UNKNOWNS})")
+        if not np.all(np.isfinite(matrix.data)):
+            raise CompileError(f"{name}: has entries that are not finite")
+        off = abs(matrix - matrix.T)
+        if off.nnz and off.max() > 1e-8 * abs(matrix).max():
+            raise CompileError(f"{name}: is not symmetric; give both triangles of the matrix")
+        pair.append((0.5 * (matrix + matrix.T)).tocsc())
+    n = pair[0].shape[0]
+    if pair[1].shape[0] != n:
+        raise CompileError(f"K has {n} displacements, M has {pair[1].shape[0]}")
+    where, how = _numbering(n, len(spots), node, direction)
+    found = Structure(pair[0], pair[1], spots, where, how)
+    rest = np.abs(found.K @ found.rigid(spots.mean(axis=0)))
+    if n and rest.max() > 1e-6 * abs(found.K).max() * max(1.0, float(np.ptp(spots, axis=0).max())):
+        worst = int(rest.max(axis=1).argmax())
+        raise CompileError(
+            f"K: a rigid motion meets a force at node {where[worst]}; take away supports, and check places, "
+            "directions and units of the nodes"
+        )
+    return found
+
+
+def _numbering(
+    n: int, nodes: int, node: ArrayLike | None, direction: ArrayLike | None
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Node and direction of every displacement."""
+    if node is None or direction is None:
+        if n not in (3 * nodes, 6 * nodes) or nodes == 0:
+            raise CompileError(
+                f"{n} displacements of {nodes} nodes are neither 3 nor 6 each; say node and direction"
+            )
+        each = n // nodes
+        return np.repeat(np.arange(nodes), each), np.tile(np.arange(each), nodes)
+    where, how = np.asarray(node, np.int64).reshape(-1), np.asarray(direction, np.int64).reshape(-1)
+    if where.size != n or how.size != n:
+        raise CompileError(f"node and direction have {where.size} and {how.size} entries, the matrices {n}")
+    if n and not (0 <= where.min() and where.max() < nodes and 0 <= how.min() and how.max() < 6):
+        raise CompileError(f"nodes are 0 to {nodes - 1}, directions 0 to 5")
+    if np.unique(where * 6 + how).size != n:
+        raise CompileError("a node has the same direction twice")
+    return where, how
+
+
+def beam_line(beams: Sequence[Beam]) -> Structure:
+    """Beams in a row along the third axis, from the origin, as one structure of six displacements per node.
+
+    Parameters
+    ----------
+    beams
+        The elements in order; all need a density.
+    """
+    from scipy.sparse import coo_array
+
+    ends = np.concatenate([[0.0], np.cumsum([b.length for b in beams])])
+    n = 6 * ends.size
+    rows, columns, stiff, heavy = [], [], [], []
+    for k, beam in enumerate(beams):
+        at = 6 * k + np.arange(12)
+        rows.append(np.repeat(at, 12))
+        columns.append(np.tile(at, 12))
+        stiff.append(beam.stiffness().ravel())
+        heavy.append(beam.consistent_mass().ravel())
+    entries = np.concatenate(rows), np.concatenate(columns)
+    K = coo_array((np.concatenate(stiff), entries), (n, n))
+    M = coo_array((np.concatenate(heavy), entries), (n, n))
+    places = np.zeros((ends.size, 3))
+    places[:, 2] = ends
+    return make_structure(K, M, places)

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Initial conditions that fit the constraints: loops closed, rates consistent, and a report of what is free.
+
+Positions follow from Gauss-Newton steps of least weighted length, so that every loop closes with the smallest
+move from the drawn place; coordinates whose values were given stay. Rates follow from one linear solution:
+those given stay, the others change as little as possible from those of the start.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State, System
+
+Array = NDArray[np.float64]
+
+MOST_STEPS = 60
+CLOSED = 2e-15
+"""Largest residual of a closed row over the largest coordinate it holds [m/m, rad/rad]."""
+OPEN = 1e-8
+"""Residual from which a loop counts as open: beyond what rounding and double roots leave."""
+REDUNDANT = 1e-9
+"""Singular value over the largest below which rows repeat each other."""
+MOST_TURN = 0.3
+"""Largest step of an angle [rad]: beyond that rows are not straight."""
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """A state that fits the constraints.
+
+    Parameters
+    ----------
+    state
+        The state; accelerations and multipliers are those it came with.
+    freedoms
+        Degrees of freedom that the constraints leave.
+    redundant
+        Names of rows that repeat others: their reactions cannot be told apart.
+    moved
+        Largest change of a coordinate that closed the loops [m or rad], and its name.
+    """
+
+    state: State
+    freedoms: int
+    redundant: tuple[str, ...]
+    moved: tuple[float, str]
+
+    def report(self) -> tuple[str, ...]:
+        """What a user should know, in sentences."""
+        found = []
+        if self.redundant:
+            found.append(
+                f"{', '.join(self.redundant)}: repeat what other constraints hold; "
+                "the motion is not affected, reactions are shared in one of many possible ways"
+            )
+        size, name = self.moved
+        if size > 1e-6:
+            found.append(f"loops were closed by moving {name} by {size:.4g}")
+        return tuple(found)
+
+
+def assemble_state(
+    system: System,
+    state: State | None = None,
+    *,
+    keep: Collection[int] = (),
+    keep_rates: Collection[int] = (),
+) -> Assembly:
+    """Close all loops and make the rates fit.
+
+    Parameters
+    ----------
+    system
+        The compiled system.
+    state
+        Where to begin; default the initial state.
+    keep, keep_rates
+        Coordinates whose place and whose rate must not change.
+
+    Raises
+    ------
+    SolverError
+        If a loop cannot be closed or the given rates contradict the constraints; the rows are named.
+    """
+    found = (system.initial_state() if state is None else state).copy()
+    if system.sizes["nc"] == 0:
+        return Assembly(found, system.sizes["nd"], (), (0.0, ""))
+    begun = found.q.copy()
+    _close(system, found, keep)
+    G, gt = _rows(system, found)
+    _match_rates(system, found, G, gt, keep_rates)
+    weighted = G / system.weight
+    redundant = _repeated(weighted)
+    # a chart may have been started afresh; what moved is told where it was not
+    change = np.abs(found.q - begun)
+    largest = int(np.argmax(change))
+    return Assembly(
+        found,
+        system.sizes["nd"] - (len(G) - len(redundant)),
+        tuple(system.layout.rows[r] for r in redundant),
+        (float(change[largest]), system.layout.coordinates[largest]),
+    )
+
+
+def _rows(system: System, state: State) -> tuple[Array, Array]:
+    """Rows G and their partial time derivatives at a state; g stays in the workspace."""
+    G = evaluate.constraint_jacobian(system, state)
+    return G, system.workspace.gt.copy()
+
+
+def _close(system: System, state: State, keep: Collection[int]) -> None:
+    """Move the coordinates until every row holds."""
+    free = np.setdiff1d(np.arange(system.sizes["nd"]), np.fromiter(keep, int, len(keep)))
+    turning = system.weight[free] != 1.0
+    last = np.inf
+    for _ in range(MOST_STEPS):
+        G, _ = _rows(system, state)
+        g = system.workspace.g.copy()
+        size = float(np.abs(g).max())
+        scale = 1.0 + float(np.abs(state.q[free]).max(initial=0.0))
+        if size <= CLOSED * scale:
+            return
+        step = -_least(G[:, free] / system.weight[free], g) / system.weight[free]
+        if size <= OPEN and size >= 0.5 * last:
+            return  # as near as rounding, or a double root, lets it come
+        last = size
+        longest = float(np.abs(step[turning]).max(initial=0.0))
+        state.q[free] += step * min(1.0, MOST_TURN / longest if longest > 0.0 else 1.0)
+    evaluate.residual(system, state)
+    g = np.abs(system.workspace.g)
+    if g.max() > OPEN:
+        raise SolverError(f"loops do not close: {_off(system, g)}", INCONSISTENT, state)
+
+
+def _off(system: System, g: Array) -> str:
+    """The rows that are furthest from holding, in words."""
+    worst = [r for r in np.argsort(-g)[:3] if g[r] > max(OPEN, 0.01 * g.max())]
+    return "; ".join(f"{system.layout.rows[r]} is off by {g[r]:.3g}" for r in worst)
+
+
+def _least(A: Array, b: Array) -> Array:
+    """Shortest solution of A x = b; rows that repeat others count once."""
+    return np.asarray(np.linalg.lstsq(A, b, rcond=REDUNDANT)[0])
+
+
+def _match_rates(system: System, state: State, G: Array, gt: Array, keep: Collection[int]) -> None:
+    """Change the rates as little as possible until G v = -gt."""
+    free = np.setdiff1d(np.arange(system.sizes["nd"]), np.fromiter(keep, int, len(keep)))
+    off = G @ state.v + gt
+    state.v[free] -= _least(G[:, free] / system.weight[free], off) / system.weight[free]
+    left = np.abs(G @ state.v + gt)
+    scale = max(float((np.abs(G) @ np.abs(state.v)).max(initial=0.0)), float(np.abs(gt).max(initial=0.0)))
+    if left.max() > OPEN * max(scale, 1e-3):
+        worst = int(np.argmax(left))
+        given = ", ".join(system.layout.coordinates[k] for k in keep) or "none"
+        raise SolverError(
+            f"the initial rates contradict each other: {system.layout.rows[worst]} would move apart at "
+            f"{left[worst]:.3g} per second (given rates: {given})",
+            INCONSISTENT,
+            state,
+        )
+
+
+def _repeated(G: Array) -> list[int]:
+    """Rows that depend on those before them."""
+    kept: list[Array] = []
+    found = []
+    scale = float(np.linalg.norm(G, axis=1).max(initial=0.0))
+    for r, row in enumerate(G):
+        rest = row.copy()
+        for _ in range(2):
+            for unit in kept:
+                rest = rest - (unit @ rest) * unit
+        size = float(np.linalg.norm(rest))
+        if size <= REDUNDANT * scale:
+            found.append(r)
+        else:
+            kept.append(rest / size)
+    return found

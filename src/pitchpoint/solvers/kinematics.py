@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Motion without dynamics: drives and loops decide where everything is; forces follow from the motion.
+
+At every time the loops are closed with the drives where they are, rates and accelerations follow from the
+derivatives of the rows, and the multipliers from the equations of motion: the observations of drives and
+cut joints are what an inverse dynamics wants to know.
+"""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State, System
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def moved_to(system: System, state: State, t: float) -> State:
+    """The state of a driven mechanism at a time, near another one, with accelerations and multipliers.
+
+    Parameters
+    ----------
+    system
+        The system; its constraints must leave no freedom.
+    state
+        A state nearby.
+    t
+        Time [s].
+
+    Raises
+    ------
+    SolverError
+        If something is left free, or the drives lead where loops cannot follow.
+    """
+    guess = state.copy()
+    # along the motion so far, so that a mechanism with two ways to close keeps to its own
+    step = t - state.t
+    guess.t = t
+    guess.q += step * state.v + 0.5 * step**2 * state.a
+    guess.v += step * state.a
+    found = assemble_state(system, guess)
+    if found.freedoms > 0:
+        raise SolverError(f"{_loose(system, found.state)}: prescribe their motion as well", INCONSISTENT)
+    evaluate.prepare(system)
+    evaluate.load(system, found.state)
+    evaluate.check(system, evaluate.accelerations(system, t), found.state)
+    return evaluate.store(system, t)
+
+
+def _loose(system: System, state: State) -> str:
+    """What the constraints leave free, in words."""
+    G = evaluate.constraint_jacobian(system, state) / system.weight
+    _, sizes, rows = np.linalg.svd(G)
+    null = rows[int(np.sum(sizes > 1e-9 * sizes.max(initial=0.0))) :]
+    share = (null**2).sum(axis=0)
+    named = [system.layout.coordinates[k] for k in np.flatnonzero(share > 0.5 * share.max(initial=0.0))]
+    count = f"{len(null)} degree{'s' if len(null) > 1 else ''} of freedom"
+    return f"drives and loops leave {count}, with {', '.join(named)}"
+
+
+def solve_kinematics(
+    system: System, times: ArrayLike, state: State | None = None, *, progress: Progress = silent
+) -> xr.Dataset:
+    """Positions, rates, accelerations and forces of a driven mechanism.
+
+    Parameters
+    ----------
+    system
+        Compiled with the scenario that drives it; drives and loops must leave no freedom.
+    times
+        Times [s], shape (n,).
+    state
+        Where to begin; default the initial state.
+    progress
+        Told after every time.
+
+    Returns
+    -------
+    xarray.Dataset
+        All channels over `time`; position, rate and acceleration over `time` and `coordinate`. Torques of
+        drives and reactions of cut joints are those of the motion: its inverse dynamics.
+
+    Raises
+    ------
+    SolverError
+        If something is left free, or the drives lead where loops cannot follow.
+    """
+    from pitchpoint.solvers.dataset import attributes, channel_dataset
+
+    began = time.perf_counter()
+    at = np.asarray(times, float).reshape(-1)
+    here = (system.initial_state() if state is None else state).copy()
+    here.t = float(at[0]) if at.size else 0.0
+    rows = np.zeros((at.size, system.sizes["no"]))
+    motion = np.zeros((3, at.size, system.sizes["nd"]))
+    for k, t in enumerate(at):
+        here = moved_to(system, here, float(t))
+        rows[k] = evaluate.observe(system, here)
+        motion[:, k] = _unwrapped(system, here), here.v, here.a
+        progress(k + 1, at.size, "kinematics")
+    attrs = attributes(system, "kinematics", wall_s=time.perf_counter() - began)
+    found = channel_dataset(system, "time", at, rows, attrs)
+    dims = ("time", "coordinate")
+    for name, values, text in zip(
+        ("position", "rate", "acceleration"), motion, ("coordinate", "rate", "second rate"), strict=True
+    ):
+        found[name] = (dims, values, {"units": "SI", "long_name": text})
+    return found.assign_coords(coordinate=list(system.layout.coordinates))
+
+
+def _unwrapped(system: System, state: State) -> NDArray[np.float64]:
+    """Coordinates with the whole turns of the spins."""
+    q = state.q.copy()
+    for spin, body in system.program["spins"]:
+        q[spin] += 2.0 * np.pi * state.turns[body]
+    return q

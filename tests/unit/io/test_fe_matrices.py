@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Matrices from files: what was written comes back, what is wrong is said with its line."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.io import mmwrite
+
+from pitchpoint.core.errors import ModelError, PitchpointError
+from pitchpoint.io import fe_matrices
+from pitchpoint.io.fe_matrices import read_dmig, read_matrix_market, read_npz, structure_from_dmig
+from pitchpoint.multibody.beam_section import Beam, tube
+from pitchpoint.multibody.structure import beam_line
+
+LINE = beam_line([Beam(section=tube(0.05), length=0.3, E=2.1e11, G=8.1e10, rho=7850.0)] * 2)
+
+
+def exponent(value, digits=9):
+    return f"{value:.{digits}E}".replace("E", "D")
+
+
+def punch(structure, grids=True):
+    """Punch file of a structure as Nastran writes it; nodes are numbered 11, 12, ..."""
+    lines = ["$ written by a test", "ENDDATA_LIKE"]
+    if grids:
+        for k, (x, y, z) in enumerate(structure.places):
+            if k % 2:
+                lines.append(f"{'GRID*':8}{11 + k:16d}{'':16}{exponent(x):>16}{exponent(y):>16}")
+                lines.append(f"{'*':8}{exponent(z):>16}")
+            else:
+                lines.append(f"{'GRID':8}{11 + k:8d}{'':8}{x:8.3f}{y:8.3f}{z:8.3f}")
+    for name, matrix in (("KAAX", structure.K), ("MAAX", structure.M)):
+        dense = matrix.toarray()
+        lines.append(f"{'DMIG':8}{name:8}{'0':>8}{6:8d}{2:8d}{0:8d}{'':16}{structure.size:8d}")
+        for c in range(structure.size):
+            head = 11 + structure.node[c], structure.direction[c] + 1
+            lines.append(f"{'DMIG*':8}{name:16}{head[0]:16d}{head[1]:16d}")
+            for r in range(c, structure.size):
+                if dense[r, c] != 0.0:
+                    value = exponent(dense[r, c])
+                    at = f"{11 + structure.node[r]:16d}{structure.direction[r] + 1:16d}"
+                    lines.append(f"{'*':8}{at}{value:>16}")
+    return "\n".join(lines) + "\n"
+
+
+def test_a_punch_file_comes_back(tmp_path):
+    file = tmp_path / "model.pch"
+    file.write_text(punch(LINE))
+    found, nodes = structure_from_dmig(read_dmig(file))
+    assert nodes == [11, 12, 13]
+    np.testing.assert_allclose(found.K.toarray(), LINE.K.toarray(), rtol=1e-9)  # ten digits are written
+    np.testing.assert_allclose(found.M.toarray(), LINE.M.toarray(), rtol=1e-9)
+    np.testing.assert_allclose(found.places, LINE.places, atol=1e-12)
+
+
+def test_places_may_come_from_elsewhere(tmp_path):
+    file = tmp_path / "model.pch"
+    file.write_text(punch(LINE, grids=False))
+    content = read_dmig(file)
+    with pytest.raises(ModelError, match="grid 11: has no place; add GRID"):
+        structure_from_dmig(content)
+    found, _ = structure_from_dmig(content, places={11 + k: p for k, p in enumerate(LINE.places)})
+    np.testing.assert_array_equal(found.places, LINE.places)
+    with pytest.raises(ModelError, match="there are: KAAX, MAAX"):
+        structure_from_dmig(content, stiffness="K2GG")
+
+
+def test_small_fields_and_short_exponents(tmp_path):
+    file = tmp_path / "small.pch"
+    head = f"{'DMIG':8}{'KAAX':8}{'0':>8}{1:8d}{1:8d}{0:8d}{'':16}{1:8d}"
+    file.write_text(f"{head}\n{'DMIG':8}{'KAAX':8}{5:8d}{2:8d}{'':8}{5:8d}{2:8d}{'-1.5+3':>8}\n")
+    assert read_dmig(file).matrices["KAAX"] == {((5, 2), (5, 2)): -1500.0}
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda t: t.replace("D+0", "X+0", 9), r"line \d+\).*is no number"),
+        (lambda t: t.replace("       6       2", "       6       4", 1), "is complex"),
+        (lambda t: t.replace("       6       2", "       9       2", 1), "form 9"),
+        (lambda t: "\n".join(x for x in t.split("\n") if "  0   " not in x[8:30]), "before the header"),
+        (lambda t: t + t[t.index("DMIG*") : t.index("DMIG*") + 160], "comes twice"),
+        (lambda t: "GRID           1\n", "has no DMIG"),
+        (lambda t: "x" * 5000, "no text of lines"),
+        (lambda t: t.replace("GRID          11        ", "GRID          11       7"), "lies in the system 7"),
+    ],
+)
+def test_punch_files_that_are_wrong(tmp_path, change, message):
+    file = tmp_path / "model.pch"
+    file.write_text(change(punch(LINE)))
+    with pytest.raises(ModelError, match=message):
+        read_dmig(file)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.data())
+def test_damaged_punch_files_end_in_a_sentence(tmp_path_factory, data):
+    text = list(punch(LINE)[:4000])
+    for _ in range(data.draw(st.integers(1, 8))):
+        at = data.draw(st.integers(0, len(text) - 1))
+        text[at] = data.draw(st.sampled_from("\0\n*+-.,9D$ XéDMIG"))
+    file = tmp_path_factory.mktemp("fuzz") / "model.pch"
+    file.write_text("".join(text), encoding="utf-8")
+    try:
+        structure_from_dmig(read_dmig(file))
+    except PitchpointError as error:
+        assert str(error)
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.binary(max_size=400))
+def test_noise_ends_in_a_sentence(tmp_path_factory, noise):
+    folder = tmp_path_factory.mktemp("noise")
+    for name, read in (("a.pch", read_dmig), ("a.mtx", read_matrix_market), ("a.npz", read_npz)):
+        file = folder / name
+        file.write_bytes(noise)
+        with pytest.raises(PitchpointError):
+            read(file)
+
+
+def test_matrix_market(tmp_path):
+    file = tmp_path / "k.mtx"
+    mmwrite(file, LINE.K, symmetry="symmetric")
+    np.testing.assert_allclose(read_matrix_market(file).toarray(), LINE.K.toarray(), rtol=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("%%MatrixMarket matrix coordinate real general\n3 2 1\n1 1 5.0\n", "limit square"),
+        ("%%MatrixMarket matrix coordinate complex general\n1 1 1\n1 1 5.0 0.0\n", "complex"),
+        ("%%MatrixMarket matrix coordinate real general\n9 9 100000\n1 1 5.0\n", "promises 100000 entries"),
+        ("%%MatrixMarket matrix coordinate real general\n2 2 2\n1 1 5.0\n", "cannot be read"),
+        ("%%MatrixMarket matrix coordinate real general\n2 2 1\n7 1 5.0\n", "cannot be read"),
+        ("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 1 nan\n", "not finite|cannot be read"),
+        ("K\n1 1 1\n", "no Matrix Market file"),
+    ],
+)
+def test_matrix_market_files_that_are_wrong(tmp_path, text, message):
+    file = tmp_path / "k.mtx"
+    file.write_text(text)
+    with pytest.raises(ModelError, match=message):
+        read_matrix_market(file)
+
+
+@pytest.mark.parametrize("dense", [True, False])
+def test_numpy_archive(tmp_path, dense):
+    file = tmp_path / "body.npz"
+    if dense:
+        np.savez(file, K=LINE.K.toarray(), M=LINE.M.toarray(), places=LINE.places)
+    else:
+        both = {"K": LINE.K, "M": LINE.M}
+        names = ("data", "indices", "indptr")
+        parts = {f"{name}_{p}": getattr(m, p) for name, m in both.items() for p in names}
+        np.savez(file, places=LINE.places, node=LINE.node, direction=LINE.direction, **parts)
+    found = read_npz(file)
+    np.testing.assert_allclose(found.K.toarray(), LINE.K.toarray())
+    np.testing.assert_array_equal(found.direction, LINE.direction)
+
+
+def test_numpy_archives_that_are_wrong(tmp_path, monkeypatch):
+    file = tmp_path / "body.npz"
+    np.savez(file, K=np.eye(6), M=np.eye(6))
+    with pytest.raises(ModelError, match="'places'"):
+        read_npz(file)
+    np.savez(file, K=np.eye(6), places=np.zeros((1, 3)))
+    with pytest.raises(ModelError, match="no matrix 'M'"):
+        read_npz(file)
+    np.savez(file, K=np.array([object()]), M=np.eye(6), places=np.zeros((1, 3)))
+    with pytest.raises(ModelError, match="plain arrays"):
+        read_npz(file)
+    parts = {"K_data": np.ones(1), "K_indices": np.array([99]), "K_indptr": np.array([0, 1])}
+    np.savez(file, M=np.eye(1), places=np.zeros((1, 3)), **parts)
+    with pytest.raises(ModelError, match="parts do not fit"):
+        read_npz(file)
+    np.savez(file, K=np.eye(6), M=np.eye(6), places=np.array(["a"]))
+    with pytest.raises(ModelError, match="no real numbers"):
+        read_npz(file)
+    monkeypatch.setattr(fe_matrices, "MOST_BYTES", 100)
+    np.savez_compressed(file, K=np.zeros((50, 50)))
+    with pytest.raises(ModelError, match="limit 100"):
+        read_npz(file)
+
+
+def test_missing_files(tmp_path):
+    for read in (read_dmig, read_matrix_market, read_npz):
+        with pytest.raises(ModelError, match="no such file"):
+            read(tmp_path / "none")
