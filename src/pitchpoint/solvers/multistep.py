@@ -49,7 +49,7 @@ from pitchpoint.solvers.multistep_history import (
 from pitchpoint.solvers.newton import rows_hold
 from pitchpoint.solvers.sampling import harvest_at
 from pitchpoint.system.residual import wrap
-from pitchpoint.system.workspace import MACH, RECHARTED, REJECTED, STEPS
+from pitchpoint.system.workspace import MACH, RECHARTED, REJECTED, STEPS, VALID
 
 NEWTON_SHARE = 0.02
 """Error that the Newton iteration may leave, as a share of the tolerance of the step."""
@@ -111,6 +111,7 @@ def begin(at, where, nominal, reach):
     b["steady"] = 0
     b["failures"] = 0
     b["rising"] = 1
+    view(view(c["mach"], 1, MACH)[0]["clock"], 16, I8)[VALID] = 0  # the matrix may be of other coordinates
 
 
 @kernel
