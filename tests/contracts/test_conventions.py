@@ -115,6 +115,68 @@ def test_line_of_centres_runs_from_gear_1_to_gear_2() -> None:
     assert loads_model(pair(gear("a"), gear("b"))).meshes["m"].theta == 0.0
 
 
+def jointed(joint: str, more: str = "", body: str = "mass: 2, inertia_tensor: [1, 1, 1, 0, 0, 0]"):
+    """One body `b` with a joint `j` at the origin: its system and the first state."""
+    text = f"bodies:\n  b: {{{body}}}\njoints:\n  j: {{{joint}, position: [0, 0, 0]{more}}}\n"
+    system = compile_model(loads_model(text))
+    return system, system.initial_state()
+
+
+def test_a_joint_shifts_then_turns_about_x_y_z() -> None:
+    start = ", start: {x: 1, y: 2, z: 3, alpha: 0.3, beta: 0.2, spin: 0.5}"
+    system, state = jointed("type: shaft, bodies: [ground, b]", start)
+    evaluate.residual(system, state)
+    f = system.workspace.fr[1]
+    assert f["r"].tolist() == [1.0, 2.0, 3.0]
+    turns = []
+    for axis, angle in enumerate((0.3, 0.2, 0.5)):
+        i, j = (axis + 1) % 3, (axis + 2) % 3
+        turn = np.eye(3)
+        turn[i, i] = turn[j, j] = math.cos(angle)
+        turn[j, i], turn[i, j] = math.sin(angle), -math.sin(angle)
+        turns.append(turn)
+    c, s = math.cos(f["phi"]), math.sin(f["phi"])
+    spun = f["R"] @ [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]
+    assert np.allclose(spun, turns[0] @ turns[1] @ turns[2], atol=1e-15)
+    still = jointed("type: shaft, bodies: [ground, b]")
+    evaluate.residual(*still)
+    assert np.allclose(still[0].workspace.fr["R"][1], np.eye(3))
+
+
+def test_channels_of_carried_bodies_are_coordinates_of_their_joints() -> None:
+    system, state = jointed(
+        "type: cylindrical, bodies: [ground, b]", ", axes: {z: [1, 0, 0]}, start: {z: 2 mm, spin: 400 deg}"
+    )
+    found = dict(zip((c.name for c in system.layout.channels), evaluate.observe(system, state), strict=True))
+    assert found["displacement[b.z]"] == 0.002
+    assert found["angle[b]"] == pytest.approx(math.radians(400.0))
+
+
+def test_a_joint_turned_round_keeps_its_coordinates() -> None:
+    # ground against b: a turn by +0.3 about z of ground is one by -0.3 of b
+    system, state = jointed("type: revolute, bodies: [b, ground]", ", start: {spin: 0.3}")
+    assert state.q[0] == 0.3
+    evaluate.residual(system, state)
+    f = system.workspace.fr[1]
+    x = math.cos(f["phi"]) * f["R"][:, 0] + math.sin(f["phi"]) * f["R"][:, 1]
+    assert np.allclose(x, [math.cos(0.3), -math.sin(0.3), 0.0])
+
+
+def test_a_positive_lead_is_a_right_hand_thread() -> None:
+    system, state = jointed("type: screw, bodies: [ground, b], lead: 5 mm", ", start: {spin: 720 deg}")
+    evaluate.residual(system, state)
+    assert system.workspace.fr["r"][1, 2] == pytest.approx(0.01)
+
+
+def test_products_of_inertia_are_the_entries_of_the_matrix() -> None:
+    # two masses of 1 kg at +-(1, 1, 0) and two of 1 kg on the z axis at +-1
+    x = np.array([[1.0, 1.0, 0.0], [-1.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
+    about = sum(p @ p * np.eye(3) - np.outer(p, p) for p in x)
+    body = f"mass: 4, inertia_tensor: [{about[0, 0]}, {about[1, 1]}, {about[2, 2]}, -2, 0, 0]"
+    system, _ = jointed("type: spherical, bodies: [ground, b]", body=body)
+    assert np.allclose(system.bodies[0].inertia, about)
+
+
 def test_positive_torque_turns_counter_clockwise_seen_from_plus_z() -> None:
     get = loaded(FREE + "loads: {t: {body: rotor, torque: 10 N m}}\n")
     assert get("angle[rotor]") == pytest.approx(10.0 / 1e5, rel=1e-6)

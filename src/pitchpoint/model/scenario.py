@@ -14,7 +14,7 @@ EVENTS = ("pair_entry", "pair_exit", "contact", "sliding_reversal")
 
 @dataclass(frozen=True, kw_only=True)
 class Drive:
-    """Prescribed motion of a body: its speed or its angle, exactly one of them."""
+    """Prescribed motion of the spin of a body, or of a coordinate of a joint: exactly one of the keys."""
 
     speed: Law | None = key(
         "law",
@@ -29,6 +29,22 @@ class Drive:
         None,
         dimension="angle",
     )
+    velocity: Law | None = key(
+        "law", "travels: velocity, in the forms of a speed", None, dimension="speed", sample="2 m/s"
+    )
+    position: Law | None = key(
+        "law", "travels: position, in the forms of an angle", None, dimension="length", sample="3 mm"
+    )
+
+    @property
+    def rate(self) -> Law | None:
+        """Prescribed speed or velocity, if one is given."""
+        return self.speed if self.speed is not None else self.velocity
+
+    @property
+    def value(self) -> Law | None:
+        """Prescribed angle or position, if one is given."""
+        return self.angle if self.angle is not None else self.position
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,7 +88,13 @@ class Scenario:
     speed: dict[str, float] = key(
         "speeds", "start speed of bodies; the others follow from the ratios", {}, dimension="angular_speed"
     )
-    drive: dict[str, Drive] = key("components", "prescribed motion of bodies", {}, of=Drive)
+    drive: dict[str, Drive] = key(
+        "components",
+        "prescribed motion by body, for its spin, or by JOINT.COORDINATE",
+        {},
+        of=Drive,
+        dotted=True,
+    )
     start: str = choice(
         ("equilibrium", "assembled"),
         "equilibrium: flanks loaded by the loads at t = 0; assembled: all coordinates zero, mid-gap",

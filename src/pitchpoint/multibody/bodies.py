@@ -103,6 +103,9 @@ class Body:
         Coordinates (name, unit) of a guided body, at most six; it may have none and follow time alone.
     angle
         Initial spin [rad]; any number of turns.
+    start, rate
+        Initial values of all coordinates of its joint and of their rates, in their order [m, rad],
+        [m/s, rad/s]; empty for zeros. Turns of bodies that tumble must leave beta below a right angle.
     """
 
     motion: int = TORSION
@@ -118,6 +121,8 @@ class Body:
     lead: float = 0.0
     guided_by: tuple[tuple[str, str], ...] = ()
     angle: float = 0.0
+    start: tuple[float, ...] = ()
+    rate: tuple[float, ...] = ()
     name: str = ""
 
     @property
@@ -158,6 +163,9 @@ class Body:
             found.append("every number must be finite")
         if self.motion == SCREW and self.lead == 0.0:
             found.append("a screw needs a lead")
+        for given in (self.start, self.rate):
+            if len(given) not in (0, len(self.coordinates)) or not np.all(np.isfinite(given)):
+                found.append(f"start values are {len(self.coordinates)} finite numbers")
         return found + (self._round_faults() if self.is_round else self._tensor_faults())
 
     def _round_faults(self) -> list[str]:

@@ -43,7 +43,13 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
 
 def _idle(part: Any) -> set[str]:
     """Name the keys that have no effect on this component as it is described."""
-    idle = set()
+    idle = (
+        {"inertia_tensor"}
+        if getattr(part, "inertia_tensor", None) is None
+        else {"inertia", "transverse_inertia"}
+    )
+    if getattr(part, "joint", None) is not None:
+        idle.add("motion")
     if getattr(part, "width", "slices") != "slices":
         idle.add("slices")
     if getattr(part, "method", "runge_kutta") != "runge_kutta":
