@@ -85,9 +85,6 @@ def summary(model: Model) -> dict[str, Any]:
         "mobility": _mobility(model),
         "bearings": list(model.bearings),
         "couplings": list(model.couplings),
-        "springs": list(model.springs),
-        "bushings": list(model.bushings),
-        "clutches": list(model.clutches),
         "loads": list(model.loads),
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
@@ -193,7 +190,7 @@ def _print(model: Model, file: str) -> None:
     ]
     if rows:
         table("Meshes", ["mesh", "gears", "centre distance", "direction", "common width", "stiffness"], rows)
-    for group in ("bearings", "couplings", "springs", "bushings", "clutches", "loads"):
+    for group in ("bearings", "couplings", "loads"):
         if found[group]:
             show(f"{group}: {', '.join(found[group])}")
     if found["scenarios"]:

@@ -19,7 +19,6 @@ from pitchpoint.model.keys import defaults_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
-    from pitchpoint.model.components.bushing import Bushing
     from pitchpoint.model.components.coupling import Coupling
     from pitchpoint.model.components.mesh import Mesh
     from pitchpoint.model.components.stiffness import StiffnessLaw
@@ -58,7 +57,6 @@ def idle_keys(model: Model) -> tuple[str, ...]:
         *_blanks(model),
         *_inertias(model),
         *_joints(model),
-        *_springs(model),
         *_supports(model),
         *_loads(model),
         *_scenarios(model),
@@ -178,21 +176,10 @@ def _joints(model: Model) -> Iterator[str]:
         if name in model.mechanism.cut and joint.type in ("free", "shaft"):
             yield f"joints.{name}: has no effect: it closes a loop and holds nothing fast"
     named = {e for _, _, _, given in ends_of(model) for e in ((given,) if isinstance(given, str) else given)}
-    named |= {f"{load.body}.{load.marker}" for load in model.loads.values()}
     for body, part in model.bodies.items():
         for marker in part.markers:
             if f"{body}.{marker}" not in named:
                 yield f"bodies.{body}.markers.{marker}: has no effect: nothing names {body}.{marker}"
-
-
-def _springs(model: Model) -> Iterator[str]:
-    """Springs and bushings without any stiffness or damping."""
-    for name, spring in model.springs.items():
-        if spring.stiffness == spring.damping == 0.0 and spring.tension is None:
-            yield f"springs.{name}: has no effect: it has neither stiffness nor damping nor tension"
-    for name, bushing in model.bushings.items():
-        if not _holds(bushing, set(MOVES["joint"])):
-            yield f"bushings.{name}: has no effect: it has neither stiffness nor damping"
 
 
 def _supports(model: Model) -> Iterator[str]:
@@ -212,7 +199,7 @@ def _supports(model: Model) -> Iterator[str]:
             )
 
 
-def _holds(part: Bearing | Coupling | Bushing, moves: set[int]) -> bool:
+def _holds(part: Bearing | Coupling, moves: set[int]) -> bool:
     """Whether a spring or damper feels a displacement in any of some directions."""
     matrices = [part.stiffness.matrix6()]
     if part.damping is not None:

@@ -41,7 +41,6 @@ class Key:
     choices: tuple[str, ...] = ()
     length: tuple[int, int] = (0, 10**7)
     dotted: bool = False  # names of components may be two words with a dot, as JOINT.COORDINATE
-    variables: Any = None  # of a law beside t, in place of angle and speed: names and their dimensions
     of: Any = None  # dataclass of nested components, or table of variants
     display: str = ""  # default in the words of a user, where a formula stands behind it
     sample: str = ""  # a usual value, where the example of the dimension would be none

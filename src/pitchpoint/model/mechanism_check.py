@@ -227,11 +227,7 @@ def _axes(parts: Parts, report: Reader) -> None:
         for group, key, users in (
             ("bearings", "body", [n for n, b in parts.bearings.items() if b.body == name]),
             ("couplings", "bodies", [n for n, c in parts.couplings.items() if name in c.bodies]),
-            (
-                "loads",
-                "body",
-                [n for n, p in parts.loads.items() if p.body == name and p.force and not p.marker],
-            ),
+            ("loads", "body", [n for n, load in parts.loads.items() if load.body == name and load.force]),
         ):
             for user in users:
                 report.problem(

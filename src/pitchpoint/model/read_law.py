@@ -32,9 +32,7 @@ def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         if "python" in data:
             return python(reader, key, data, path)
         if "table" in data:
-            choices = {"time": "time"} if motion else {"time": "time", "angle": "angle"}
-            own = {"time": "time", **key.variables} if key.variables else choices
-            return _table(reader, key, data, path, own)
+            return _table(reader, key, data, path, only_time=motion)
         return reader.problem(
             path,
             "is neither a table nor a Python function",
@@ -42,7 +40,7 @@ def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         )
     if data == "balance" and key.dimension == "torque":
         return Balance()
-    variables = ("t", *key.variables) if key.variables else ("t",) if motion else VARIABLES
+    variables = ("t",) if motion else VARIABLES
     if isinstance(data, str) and (
         any(w in variables for w in _WORDS.findall(data)) or _CALL.search(data) is not None
     ):
@@ -69,12 +67,11 @@ def _formula(reader: Reader, key: Key, text: str, path: Place, variables: tuple[
     return FormulaLaw(text, variables)
 
 
-def _table(
-    reader: Reader, key: Key, data: Mapping[str, Any], path: Place, variables: Mapping[str, str]
-) -> Any:
+def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, *, only_time: bool) -> Any:
     reader.unknown(data, ("table", "over"), path)
-    over = reader.word(Key("choice", "", choices=tuple(variables)), data.get("over", "time"), (*path, "over"))
-    x_key = Key("quantity", "", dimension=variables.get(over, "time") if isinstance(over, str) else "time")
+    choices = ("time",) if only_time else ("time", "angle")
+    over = reader.word(Key("choice", "", choices=choices), data.get("over", "time"), (*path, "over"))
+    x_key = Key("quantity", "", dimension="angle" if over == "angle" else "time")
     points = table_points(reader, key, data["table"], (*path, "table"), x_key, over)
     if points is BAD or over is BAD:
         return BAD

@@ -108,7 +108,7 @@ def _law(key: Key, law: Any, place: Place, report: Reader) -> None:
         if len(law.abscissa) != len(law.values) or len(law.values) < 2:
             report.problem(place, "needs two lists of one length, at least 2", remedy="correct the table")
             return
-        axis = Key("quantity", "", dimension={"time": "time", **(key.variables or {})}.get(law.over, "angle"))
+        axis = Key("quantity", "", dimension="time" if law.over == "time" else "angle")
         for i, (x, y) in enumerate(zip(law.abscissa, law.values, strict=True)):
             _value(axis, x, (*place, i), report)
             _value(number, y, (*place, i), report)

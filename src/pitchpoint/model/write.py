@@ -124,7 +124,7 @@ class _Writer:
         if isinstance(value, FormulaLaw):
             return value.text
         if isinstance(value, TableLaw):
-            own = dict(key.variables or getattr(self.within, "coordinates", {}))
+            own = dict(getattr(self.within, "coordinates", {}))
             abscissa = "time" if value.over == "time" else own.get(value.over, "angle")
             rows = [
                 [quantity_text(x, abscissa), quantity_text(y, key.dimension)]

@@ -12,9 +12,7 @@ from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.bearing import bearing_bank
 from pitchpoint.system.rules.bodies import bodies
-from pitchpoint.system.rules.bushing import bushing_bank
 from pitchpoint.system.rules.closure import closure_bank
-from pitchpoint.system.rules.clutch import clutch_bank
 from pitchpoint.system.rules.damping import damping_bank
 from pitchpoint.system.rules.drive import drive_bank
 from pitchpoint.system.rules.gear_mesh import mesh_bank
@@ -22,7 +20,6 @@ from pitchpoint.system.rules.gravity import gravity_bank
 from pitchpoint.system.rules.guide import guide_bank
 from pitchpoint.system.rules.load import load_banks
 from pitchpoint.system.rules.ratio import ratio_bank
-from pitchpoint.system.rules.spring import spring_bank
 from pitchpoint.system.system import Law, System, assemble
 
 if TYPE_CHECKING:
@@ -58,9 +55,6 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
         *load_banks(model),
         damping_bank(model),
         gravity_bank(model),
-        spring_bank(model),
-        bushing_bank(model),
-        clutch_bank(model),
         guide_bank(model, chosen),
     ]
     constraints = [closure_bank(model), ratio_bank(model)]

@@ -14,44 +14,34 @@ from pitchpoint.elements import force as force_element
 from pitchpoint.elements import signal as sig
 from pitchpoint.elements import torque as torque_element
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, Law, PythonLaw, TableLaw
-from pitchpoint.model.frames import GROUND, frame
+from pitchpoint.model.frames import frame
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import axis_shift, body_numbers, end_of
+from pitchpoint.system.rules.bodies import axis_shift, body_numbers
 from pitchpoint.system.rules.stiffness import user_law
 
 if TYPE_CHECKING:
-    from pitchpoint.model.components.load import Load
     from pitchpoint.model.model import Model
 
-OVER = {
-    "time": sig.OVER_TIME,
-    "angle": sig.OVER_ANGLE,
-    "elongation": sig.OVER_ANGLE,
-    "speed": sig.OVER_SPEED,
-    "rate": sig.OVER_SPEED,
-}
-"""What a table may run over, as signals know it."""
+VARIABLES = ("t", "angle", "speed")
+"""What a formula may use, in the order of the compiled programme."""
 
 
-def set_signal(record: Any, pool: sig.Pool, law: Law, where: str, over_both: int = sig.OVER_ANGLE) -> Any:
-    """Write a law into the signal fields of a record; returns the function of a Python law, else None.
-
-    `over_both` is what such a function gets as x: the angle, or with OVER_BOTH angle (elongation) and speed.
-    """
+def set_signal(record: Any, pool: sig.Pool, law: Law, where: str) -> Any:
+    """Write a law into the signal fields of a record; returns the function of a Python law, else None."""
     if isinstance(law, Constant):
         sig.set_constant(record, law.value)
     elif isinstance(law, Balance):
         sig.set_constant(record, 0.0)
     elif isinstance(law, TableLaw):
-        over = OVER[law.over]
+        over = sig.OVER_ANGLE if law.over == "angle" else sig.OVER_TIME
         period = law.abscissa[-1] - law.abscissa[0] if law.over == "angle" else 0.0
         if abs(period - 2.0 * math.pi) < 1e-9:
             period = 2.0 * math.pi
         sig.set_table(record, pool, np.array(law.abscissa), np.array(law.values), over, period)
     elif isinstance(law, FormulaLaw):
-        sig.set_formula(record, pool, Formula.parse(law.text, law.variables))
+        sig.set_formula(record, pool, Formula.parse(law.text, VARIABLES))
     elif isinstance(law, PythonLaw):
-        sig.set_law(record, pool, law.parameters, over_both)
+        sig.set_law(record, pool, law.parameters, sig.OVER_ANGLE)
         return user_law(law, where).function
     else:
         raise CompileError(f"a law of type {type(law).__name__} cannot be computed")
@@ -71,7 +61,7 @@ def _torques(model: Model) -> Bank:
         if load.torque is None:
             continue
         row = np.zeros(1, torque_element.RECORD)[0]
-        row["i"], row["j"] = number[load.body], number[load.reaction or GROUND]
+        row["i"] = number[load.body]
         laws.append(set_signal(row, pool, load.torque, f"loads.{name}.torque"))
         rows.append(row)
         names.append(name)
@@ -87,24 +77,13 @@ def _forces(model: Model) -> Bank:
             if isinstance(law, Constant) and law.value == 0.0:
                 continue
             row = np.zeros(1, force_element.RECORD)[0]
-            row["i"], row["j"] = number[load.body], number[load.reaction or GROUND]
-            _attack(row, model, load, axis)
+            row["i"] = number[load.body]
+            row["F"][axis] = 1.0
+            # the arm off the spin axis: the load is applied to the housing side of the body, it does not spin
+            arm = frame(model.bodies[load.body].axes) @ np.array((*load.position[:2], 0.0))
+            row["F"][3:] = np.cross(arm, np.eye(3)[axis])
+            row["z"] = load.position[2] + axis_shift(model, load.body)
             laws.append(set_signal(row, pool, law, f"loads.{name}.force[{axis}]"))
             rows.append(row)
             names.append(f"{name}.{'xyz'[axis]}")
     return pack("force", force_element.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
-
-
-def _attack(row: Any, model: Model, load: Load, axis: int) -> None:
-    """Write where a force acts and in which direction."""
-    if load.marker is not None:
-        _, row["p"], axes = end_of(model, f"{load.body}.{load.marker}")
-        along = load.along == "marker"
-        row["axes"] = force_element.BODY if along else force_element.WORLD
-        row["F"][:3] = axes[:, axis] if along else np.eye(3)[axis]
-        return
-    row["F"][axis] = 1.0
-    # the arm off the spin axis: the load is applied to the housing side of the body, it does not spin
-    arm = frame(model.bodies[load.body].axes) @ np.array((*load.position[:2], 0.0))
-    row["F"][3:] = np.cross(arm, np.eye(3)[axis])
-    row["z"] = load.position[2] + axis_shift(model, load.body)
