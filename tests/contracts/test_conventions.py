@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -18,12 +19,15 @@ from pitchpoint.core import status
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.formula import Formula, FormulaError
 from pitchpoint.core.units import parse_quantity
+from pitchpoint.elements import registry
 from pitchpoint.elements.gear_mesh_record import N_OUT
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.geometry.deviations import Deviations, Runout, separation
 from pitchpoint.geometry.tooth_form import gear_outline
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.phasing import tooth_twist
+from pitchpoint.multibody import bodies as joints
+from pitchpoint.multibody.bodies import Body
 from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.solvers.equilibrium import solve_equilibrium
 from pitchpoint.solvers.sampling import accumulate, new_statistics, read_statistics
@@ -32,6 +36,7 @@ from pitchpoint.solvers.time import Memory, run_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.gear_mesh import MeshLaws
+from pitchpoint.system.system import System, assemble
 from tests.support.model_files import TORSIONAL_PAIR, gear, pair
 from tests.support.one_mesh import OneMesh, make_pair, moved
 
@@ -526,6 +531,93 @@ def test_speeds_of_mating_gears_have_opposite_signs_if_external() -> None:
     bodies += "scenarios: {s: {speed: {one: 10 rad/s}, duration: 1 s}}\n"
     ring = loads_model(pair(gear("a"), gear("b", z=90, more="type: internal"), "", bodies))
     assert ring.start_speeds("s")["two"] == pytest.approx(10.0 * 30 / 90)
+
+
+# ------------------------------------------------------------------------------------- force elements
+
+
+def two_shafts(kind: str, turned: float = 1.0, **numbers: object) -> System:
+    """Two free shafts at one place, the second on ground or on the first, and one element between them."""
+    axes = np.diag([1.0, turned, turned])
+    inertia = {"mass": 1.0, "polar_inertia": 0.2, "transverse_inertia": 0.1}
+    bodies = [
+        Body(motion=joints.FREE, name="one", **inertia),
+        Body(motion=joints.FREE, axes=axes, name="two", **inertia),
+        Body(motion=joints.TORSION, parent=1, name="rider", **inertia),
+        Body(polar_inertia=1.0, name="state"),
+    ]
+    record = np.zeros(1, registry.find(kind).load().RECORD)
+    for name in ("A_i", "A_j"):
+        if name in record.dtype.names:
+            record[name] = np.eye(3)
+    for name, value in numbers.items():
+        record[name] = value
+    return assemble(bodies, {kind: record}, names={kind: ["n"]})
+
+
+def shown_by(system: System, **coordinates: float) -> Callable[[str], float]:
+    """Observations where some coordinates (q) and rates (with v_ before the name) are not zero."""
+    state = system.initial_state()
+    for name, value in coordinates.items():
+        rate, place = name.startswith("v_"), name.removeprefix("v_").replace("__", ".")
+        (state.v if rate else state.q)[system.layout.coordinate(place)] = value
+    row = evaluate.observe(system, state)
+    return lambda channel: float(row[system.layout.channel(channel)])
+
+
+def test_angles_between_bodies_count_all_spins_from_ground() -> None:
+    turns = {"one__spin": 0.3, "two__spin": 0.5, "rider__spin": 0.7}
+    for i, j, side, angle in ((1, 2, 1.0, -0.2), (1, 2, -1.0, 0.8), (3, 2, 1.0, 0.5), (3, 1, 1.0, 0.7)):
+        system = two_shafts("coupling", side, i=i, j=j, k=10.0)
+        get = shown_by(system, **turns)
+        assert get("twist[n]") == pytest.approx(angle, abs=1e-15)
+        assert get("torque[n]") == pytest.approx(-10.0 * angle, abs=1e-14)
+        state = system.initial_state()
+        state.turns[1] = 2
+        evaluate.observe(system, state)
+        wrench = system.workspace.fr["F"]
+        assert wrench[i, 5] == pytest.approx(-wrench[j, 5])
+        carried = 0.0 if (i, j) == (3, 1) else 4.0 * math.pi
+        assert wrench[i, 5] == pytest.approx(-10.0 * carried)
+
+
+def test_tension_draws_the_ends_together() -> None:
+    system = two_shafts("spring_damper", i=1, j=2, p_i=(0.0, 0.0, 0.5), k=10.0, free=0.2)
+    get = shown_by(system)
+    assert get("elongation[n]") == pytest.approx(0.3)
+    assert get("tension[n]") == pytest.approx(3.0)
+    assert system.workspace.fr["F"][1, 2] == pytest.approx(-3.0)
+    assert system.workspace.fr["F"][2, 2] == pytest.approx(3.0)
+
+
+def test_bushing_force_is_that_on_the_first_body_in_axes_of_the_second() -> None:
+    turn = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    system = two_shafts("bushing", i=1, j=2, A_i=turn, A_j=turn, K=7.0 * np.eye(6))
+    assert shown_by(system, one__x=0.1)("bushing_force[n.fy]") == pytest.approx(0.7)
+    assert system.workspace.fr["F"][1, 0] == pytest.approx(-0.7)
+    system = two_shafts(
+        "clearance_bearing", i=1, j=2, A_i=turn, A_j=turn, gap=0.1, stiffness=7.0, exponent=1.0
+    )
+    assert shown_by(system, one__x=0.3)("bearing_force[n.fy]") == pytest.approx(1.4)
+    assert system.workspace.fr["F"][1, 0] == pytest.approx(-1.4)
+
+
+def test_a_positive_contact_angle_carries_along_plus_z() -> None:
+    numbers = {"i": 1, "j": 2, "n": 8, "pitch": 0.1, "element": 0.01, "stiffness": 1e6, "exponent": 1.5}
+    system = two_shafts("rolling_bearing", angle=0.4, **numbers)
+    assert shown_by(system, one__z=1e-3)("bearing_force[n.fz]") < -1.0
+    assert shown_by(system, one__z=-1e-3)("bearing_force[n.fz]") == 0.0
+    system = two_shafts("rolling_bearing", gap=1e-3, **numbers)
+    assert shown_by(system, one__x=0.99e-3)("bearing_force[n.fx]") == 0.0
+    assert shown_by(system, one__x=1.01e-3)("bearing_force[n.fx]") < 0.0
+
+
+def test_friction_acts_against_the_slip_speed() -> None:
+    system = two_shafts("friction_clutch", i=1, j=2, value=5.0, ratio=2.0, v_s=0.1, v_eps=0.1)
+    get = shown_by(system, v_one__spin=3.0, v_two__spin=1.0)
+    assert get("slip_speed[n]") == pytest.approx(2.0)
+    assert get("torque[n]") == pytest.approx(-5.0)
+    assert get("friction_power[n]") == pytest.approx(10.0)
 
 
 # ----------------------------------------------------------------------------------------- statistics

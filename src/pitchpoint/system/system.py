@@ -329,7 +329,7 @@ def assemble(
                 records["fixed_axes"][bank[field]] = 1
     program, pair_index, parts = structure(
         records,
-        _pairs(ordered, registry.FRAME) | _pairs(ordered, registry.CONSTRAINT),
+        set().union(*(_pairs(ordered, c) for c in (registry.FRAME, registry.FRICTION, registry.CONSTRAINT))),
         _pairs(ordered, registry.COORDINATE),
     )
     for name, bank in ordered.items():
