@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ from pitchpoint.core import status
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.formula import Formula, FormulaError
 from pitchpoint.core.units import parse_quantity
+from pitchpoint.elements import registry
 from pitchpoint.elements.gear_mesh_record import N_OUT
 from pitchpoint.elements.shaft_beam import shaft_row
 from pitchpoint.geometry import CylindricalGear, GearPair
@@ -25,6 +27,7 @@ from pitchpoint.geometry.deviations import Deviations, Runout, separation
 from pitchpoint.geometry.tooth_form import gear_outline
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.phasing import tooth_twist
+from pitchpoint.multibody import bodies as joints
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FREE as SHAFT
@@ -36,7 +39,7 @@ from pitchpoint.solvers.time import Memory, run_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.gear_mesh import MeshLaws
-from pitchpoint.system.system import assemble
+from pitchpoint.system.system import System, assemble
 from tests.support.model_files import TORSIONAL_PAIR, gear, pair
 from tests.support.one_mesh import OneMesh, make_pair, moved
 
@@ -113,6 +116,68 @@ def test_line_of_centres_runs_from_gear_1_to_gear_2() -> None:
     way = np.subtract(model.bodies["two"].origin, model.bodies["one"].origin)
     assert np.allclose(way, [0.0, model.pairs["m"].a_w, 0.0], atol=1e-15)
     assert loads_model(pair(gear("a"), gear("b"))).meshes["m"].theta == 0.0
+
+
+def jointed(joint: str, more: str = "", body: str = "mass: 2, inertia_tensor: [1, 1, 1, 0, 0, 0]"):
+    """One body `b` with a joint `j` at the origin: its system and the first state."""
+    text = f"bodies:\n  b: {{{body}}}\njoints:\n  j: {{{joint}, position: [0, 0, 0]{more}}}\n"
+    system = compile_model(loads_model(text))
+    return system, system.initial_state()
+
+
+def test_a_joint_shifts_then_turns_about_x_y_z() -> None:
+    start = ", start: {x: 1, y: 2, z: 3, alpha: 0.3, beta: 0.2, spin: 0.5}"
+    system, state = jointed("type: shaft, bodies: [ground, b]", start)
+    evaluate.residual(system, state)
+    f = system.workspace.fr[1]
+    assert f["r"].tolist() == [1.0, 2.0, 3.0]
+    turns = []
+    for axis, angle in enumerate((0.3, 0.2, 0.5)):
+        i, j = (axis + 1) % 3, (axis + 2) % 3
+        turn = np.eye(3)
+        turn[i, i] = turn[j, j] = math.cos(angle)
+        turn[j, i], turn[i, j] = math.sin(angle), -math.sin(angle)
+        turns.append(turn)
+    c, s = math.cos(f["phi"]), math.sin(f["phi"])
+    spun = f["R"] @ [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]
+    assert np.allclose(spun, turns[0] @ turns[1] @ turns[2], atol=1e-15)
+    still = jointed("type: shaft, bodies: [ground, b]")
+    evaluate.residual(*still)
+    assert np.allclose(still[0].workspace.fr["R"][1], np.eye(3))
+
+
+def test_channels_of_carried_bodies_are_coordinates_of_their_joints() -> None:
+    system, state = jointed(
+        "type: cylindrical, bodies: [ground, b]", ", axes: {z: [1, 0, 0]}, start: {z: 2 mm, spin: 400 deg}"
+    )
+    found = dict(zip((c.name for c in system.layout.channels), evaluate.observe(system, state), strict=True))
+    assert found["displacement[b.z]"] == 0.002
+    assert found["angle[b]"] == pytest.approx(math.radians(400.0))
+
+
+def test_a_joint_turned_round_keeps_its_coordinates() -> None:
+    # ground against b: a turn by +0.3 about z of ground is one by -0.3 of b
+    system, state = jointed("type: revolute, bodies: [b, ground]", ", start: {spin: 0.3}")
+    assert state.q[0] == 0.3
+    evaluate.residual(system, state)
+    f = system.workspace.fr[1]
+    x = math.cos(f["phi"]) * f["R"][:, 0] + math.sin(f["phi"]) * f["R"][:, 1]
+    assert np.allclose(x, [math.cos(0.3), -math.sin(0.3), 0.0])
+
+
+def test_a_positive_lead_is_a_right_hand_thread() -> None:
+    system, state = jointed("type: screw, bodies: [ground, b], lead: 5 mm", ", start: {spin: 720 deg}")
+    evaluate.residual(system, state)
+    assert system.workspace.fr["r"][1, 2] == pytest.approx(0.01)
+
+
+def test_products_of_inertia_are_the_entries_of_the_matrix() -> None:
+    # two masses of 1 kg at +-(1, 1, 0) and two of 1 kg on the z axis at +-1
+    x = np.array([[1.0, 1.0, 0.0], [-1.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
+    about = sum(p @ p * np.eye(3) - np.outer(p, p) for p in x)
+    body = f"mass: 4, inertia_tensor: [{about[0, 0]}, {about[1, 1]}, {about[2, 2]}, -2, 0, 0]"
+    system, _ = jointed("type: spherical, bodies: [ground, b]", body=body)
+    assert np.allclose(system.bodies[0].inertia, about)
 
 
 def test_positive_torque_turns_counter_clockwise_seen_from_plus_z() -> None:
@@ -486,6 +551,93 @@ def test_speeds_of_mating_gears_have_opposite_signs_if_external() -> None:
     bodies += "scenarios: {s: {speed: {one: 10 rad/s}, duration: 1 s}}\n"
     ring = loads_model(pair(gear("a"), gear("b", z=90, more="type: internal"), "", bodies))
     assert ring.start_speeds("s")["two"] == pytest.approx(10.0 * 30 / 90)
+
+
+# ------------------------------------------------------------------------------------- force elements
+
+
+def two_shafts(kind: str, turned: float = 1.0, **numbers: object) -> System:
+    """Two free shafts at one place, the second on ground or on the first, and one element between them."""
+    axes = np.diag([1.0, turned, turned])
+    inertia = {"mass": 1.0, "polar_inertia": 0.2, "transverse_inertia": 0.1}
+    bodies = [
+        Body(motion=joints.FREE, name="one", **inertia),
+        Body(motion=joints.FREE, axes=axes, name="two", **inertia),
+        Body(motion=joints.TORSION, parent=1, name="rider", **inertia),
+        Body(polar_inertia=1.0, name="state"),
+    ]
+    record = np.zeros(1, registry.find(kind).load().RECORD)
+    for name in ("A_i", "A_j"):
+        if name in record.dtype.names:
+            record[name] = np.eye(3)
+    for name, value in numbers.items():
+        record[name] = value
+    return assemble(bodies, {kind: record}, names={kind: ["n"]})
+
+
+def shown_by(system: System, **coordinates: float) -> Callable[[str], float]:
+    """Observations where some coordinates (q) and rates (with v_ before the name) are not zero."""
+    state = system.initial_state()
+    for name, value in coordinates.items():
+        rate, place = name.startswith("v_"), name.removeprefix("v_").replace("__", ".")
+        (state.v if rate else state.q)[system.layout.coordinate(place)] = value
+    row = evaluate.observe(system, state)
+    return lambda channel: float(row[system.layout.channel(channel)])
+
+
+def test_angles_between_bodies_count_all_spins_from_ground() -> None:
+    turns = {"one__spin": 0.3, "two__spin": 0.5, "rider__spin": 0.7}
+    for i, j, side, angle in ((1, 2, 1.0, -0.2), (1, 2, -1.0, 0.8), (3, 2, 1.0, 0.5), (3, 1, 1.0, 0.7)):
+        system = two_shafts("coupling", side, i=i, j=j, k=10.0)
+        get = shown_by(system, **turns)
+        assert get("twist[n]") == pytest.approx(angle, abs=1e-15)
+        assert get("torque[n]") == pytest.approx(-10.0 * angle, abs=1e-14)
+        state = system.initial_state()
+        state.turns[1] = 2
+        evaluate.observe(system, state)
+        wrench = system.workspace.fr["F"]
+        assert wrench[i, 5] == pytest.approx(-wrench[j, 5])
+        carried = 0.0 if (i, j) == (3, 1) else 4.0 * math.pi
+        assert wrench[i, 5] == pytest.approx(-10.0 * carried)
+
+
+def test_tension_draws_the_ends_together() -> None:
+    system = two_shafts("spring_damper", i=1, j=2, p_i=(0.0, 0.0, 0.5), k=10.0, free=0.2)
+    get = shown_by(system)
+    assert get("elongation[n]") == pytest.approx(0.3)
+    assert get("tension[n]") == pytest.approx(3.0)
+    assert system.workspace.fr["F"][1, 2] == pytest.approx(-3.0)
+    assert system.workspace.fr["F"][2, 2] == pytest.approx(3.0)
+
+
+def test_bushing_force_is_that_on_the_first_body_in_axes_of_the_second() -> None:
+    turn = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    system = two_shafts("bushing", i=1, j=2, A_i=turn, A_j=turn, K=7.0 * np.eye(6))
+    assert shown_by(system, one__x=0.1)("bushing_force[n.fy]") == pytest.approx(0.7)
+    assert system.workspace.fr["F"][1, 0] == pytest.approx(-0.7)
+    system = two_shafts(
+        "clearance_bearing", i=1, j=2, A_i=turn, A_j=turn, gap=0.1, stiffness=7.0, exponent=1.0
+    )
+    assert shown_by(system, one__x=0.3)("bearing_force[n.fy]") == pytest.approx(1.4)
+    assert system.workspace.fr["F"][1, 0] == pytest.approx(-1.4)
+
+
+def test_a_positive_contact_angle_carries_along_plus_z() -> None:
+    numbers = {"i": 1, "j": 2, "n": 8, "pitch": 0.1, "element": 0.01, "stiffness": 1e6, "exponent": 1.5}
+    system = two_shafts("rolling_bearing", angle=0.4, **numbers)
+    assert shown_by(system, one__z=1e-3)("bearing_force[n.fz]") < -1.0
+    assert shown_by(system, one__z=-1e-3)("bearing_force[n.fz]") == 0.0
+    system = two_shafts("rolling_bearing", gap=1e-3, **numbers)
+    assert shown_by(system, one__x=0.99e-3)("bearing_force[n.fx]") == 0.0
+    assert shown_by(system, one__x=1.01e-3)("bearing_force[n.fx]") < 0.0
+
+
+def test_friction_acts_against_the_slip_speed() -> None:
+    system = two_shafts("friction_clutch", i=1, j=2, value=5.0, ratio=2.0, v_s=0.1, v_eps=0.1)
+    get = shown_by(system, v_one__spin=3.0, v_two__spin=1.0)
+    assert get("slip_speed[n]") == pytest.approx(2.0)
+    assert get("torque[n]") == pytest.approx(-5.0)
+    assert get("friction_power[n]") == pytest.approx(10.0)
 
 
 # ----------------------------------------------------------------------------------------- statistics

@@ -16,6 +16,7 @@ from pitchpoint.elements import (
     registry,
     rolling_bearing,
     spring_damper,
+    torsion_maxwell,
 )
 from pitchpoint.elements.beam import beam_row
 from pitchpoint.elements.force import RECORD as FORCE
@@ -38,9 +39,15 @@ from tests.support.engine import (
 #: Kinds with a contract suite of their own.
 ELSEWHERE = {
     "closure": "tests/unit/elements/test_closure.py",
+    "joint_friction": "tests/unit/elements/test_joint_friction.py",
     "guide": "tests/unit/elements/test_guide.py",
     "gear_mesh": "tests/invariants/test_gear_mesh.py",
     "flexible_body": "tests/unit/elements/test_flexible_body.py",
+    "curve_curve": "tests/unit/elements/test_planar_contact.py",
+    "point_curve": "tests/unit/elements/test_planar_contact.py",
+    "point_on_curve": "tests/unit/elements/test_point_on_curve.py",
+    "point_surface": "tests/unit/elements/test_surface_contact.py",
+    "surface_surface": "tests/unit/elements/test_surface_contact.py",
 }
 
 
@@ -51,15 +58,6 @@ def _bearing(rng):
     records["zi"], records["zj"] = 0.1, -0.05
     records["d0"][:, 2] = 0.15, 0.12  # assembled without force
     return records
-
-
-def _beam(rng):
-    beam = Beam(section=rectangle(0.02, 0.01), length=0.03, E=1e4, G=4e3, rho=2e3)
-    return beam_row(beam, bodies=(1, 2), eta=1e-2)
-
-
-def _shaft_beam(rng):
-    return shaft_row(Beam(section=tube(0.02), length=0.03, E=1e4, G=4e3, rho=2e3), bodies=(1, 2), eta=1e-2)
 
 
 def _bushing(rng):
@@ -92,10 +90,12 @@ def _friction_clutch(rng):
     return records
 
 
-def _maxwell(rng):
-    records = np.zeros(1, maxwell.RECORD)
+def _maxwell(rng, kind=maxwell):
+    records = np.zeros(1, kind.RECORD)
     records["i"], records["j"], records["k"] = 1, 2, 3
-    records["p_i"], records["stiffness"], records["damping"] = rng.normal(size=3), 40.0, 3.0
+    records["stiffness"], records["damping"] = 40.0, 3.0
+    if kind is maxwell:
+        records["p_i"] = rng.normal(size=3)
     return records
 
 
@@ -105,6 +105,15 @@ def _spring_damper(rng):
     records["p_i"], records["p_j"] = rng.normal(size=(2, 2, 3))
     records["k"], records["d"] = 40.0, 2.0
     return records
+
+
+def _beam(rng):
+    beam = Beam(section=rectangle(0.02, 0.01), length=0.03, E=1e4, G=4e3, rho=2e3)
+    return beam_row(beam, bodies=(1, 2), eta=1e-2)
+
+
+def _shaft_beam(rng):
+    return shaft_row(Beam(section=tube(0.02), length=0.03, E=1e4, G=4e3, rho=2e3), bodies=(1, 2), eta=1e-2)
 
 
 def _force(rng):
@@ -146,16 +155,17 @@ SAMPLES = {
     "damping": _damping,
     "drive": _drive,
     "force": _force,
-    "ratio": lambda rng: gear_rows([(1, 2, 20, 41)]),
     "friction_clutch": _friction_clutch,
     "gravity": _gravity,
     "maxwell": _maxwell,
+    "ratio": lambda rng: gear_rows([(1, 2, 20, 41)]),
     "rolling_bearing": lambda rng: _ring(
         rolling_bearing, rng, n=9, pitch=0.1, element=0.02, angle=0.4, gap=-0.05
     ),
-    "shaft_beam": _shaft_beam,
     "spring_damper": _spring_damper,
+    "shaft_beam": _shaft_beam,
     "torque": _torque,
+    "torsion_maxwell": lambda rng: _maxwell(rng, torsion_maxwell),
 }
 MADE = sorted(SAMPLES)
 ON_FRAMES = [n for n in MADE if registry.find(n).channel == registry.FRAME]

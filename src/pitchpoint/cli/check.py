@@ -55,8 +55,8 @@ def summary(model: Model) -> dict[str, Any]:
         inertia = model.body_inertia(name)
         bodies[name] = {
             "gears": list(body.gears),
-            "motion": body.motion,
-            "degrees_of_freedom": list(FREEDOMS[body.motion]),
+            "motion": body.moves,
+            "degrees_of_freedom": _freedoms(model, name),
             "origin": body.origin,
             "mass": inertia.mass,
             "polar_inertia": inertia.polar,
@@ -65,7 +65,8 @@ def summary(model: Model) -> dict[str, Any]:
     return {
         "ok": True,
         "title": model.title,
-        "degrees_of_freedom": sum(len(FREEDOMS[body.motion]) for body in model.bodies.values()),
+        "degrees_of_freedom": sum(len(_freedoms(model, name)) for name in model.bodies),
+        "gravity": list(model.gravity) if model.gravity is not None else None,
         "gears": list(model.gears),
         "bodies": bodies,
         "meshes": {
@@ -78,12 +79,79 @@ def summary(model: Model) -> dict[str, Any]:
             }
             for name, mesh in model.meshes.items()
         },
+        "joints": _joints(model),
+        "rods": list(model.rods),
+        "ratios": list(model.ratios),
+        "mobility": _mobility(model),
         "bearings": list(model.bearings),
         "couplings": list(model.couplings),
         "loads": list(model.loads),
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
     }
+
+
+def _freedoms(model: Model, body: str) -> list[str]:
+    """Coordinates of a body, in the words of its motion or its joint."""
+    seat = model.mechanism.seats[body]
+    return list(FREEDOMS[model.bodies[body].moves] if seat.joint is None else seat.coordinates)
+
+
+def _joints(model: Model) -> dict[str, Any]:
+    """What every joint does: which body it carries on which, or that it closes a loop."""
+    from pitchpoint.model.mechanism import rows_of
+
+    found = {}
+    for name, joint in model.joints.items():
+        seat = model.mechanism.carrier(name)
+        found[name] = {
+            "type": joint.type,
+            "bodies": list(joint.bodies),
+            "carries": seat.body if seat is not None else None,
+            "on": seat.parent if seat is not None else None,
+            "turned_round": seat is not None and seat.turned,
+            "coordinates": [f"{name}.{c}" for c in seat.coordinates] if seat is not None else [],
+            "constraints": 0 if seat is not None else rows_of(joint),
+        }
+    return found
+
+
+def _mobility(model: Model) -> dict[str, int]:
+    """Coordinates of the tree and degrees of freedom by Gruebler's count."""
+    from pitchpoint.model.mechanism import freedoms
+
+    others = len(model.rods) + len(model.ratios)
+    count, mobility = freedoms(model.mechanism, model, others)
+    return {"coordinates": count, "constraints": count - mobility, "by_count": mobility}
+
+
+def _show_joints(found: dict[str, Any]) -> None:
+    """Tree, loops and count of the degrees of freedom."""
+    rows = [
+        [
+            name,
+            joint["type"],
+            " - ".join(joint["bodies"]),
+            f"carries {joint['carries']} on {joint['on']}"
+            + (" (turned round)" if joint["turned_round"] else "")
+            if joint["carries"]
+            else f"closes a loop: {joint['constraints']} constraints",
+            ", ".join(c.rsplit(".", 1)[1] for c in joint["coordinates"]),
+        ]
+        for name, joint in found["joints"].items()
+    ]
+    if rows:
+        table("Joints", ["joint", "type", "bodies", "in the tree", "coordinates"], rows)
+    for group in ("rods", "ratios"):
+        if found[group]:
+            show(f"{group}: {', '.join(found[group])}")
+    count = found["mobility"]
+    if count["constraints"]:
+        show(
+            f"{count['coordinates']} coordinates - {count['constraints']} constraints = "
+            f"{count['by_count']} degrees of freedom by count; redundant constraints leave more, which "
+            "assembling finds out"
+        )
 
 
 def _print(model: Model, file: str) -> None:
@@ -108,6 +176,7 @@ def _print(model: Model, file: str) -> None:
             ["body", "gears", "moves in", "origin [mm]", "mass", "polar inertia"],
             rows,
         )
+    _show_joints(found)
     rows = [
         [
             name,

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Friction between flanks: the smooth sign function that Coulomb's law needs near zero sliding.
+"""Friction: the smooth sign function that Coulomb's law needs near zero sliding, and what is built on it.
 
-At the pitch point the sliding velocity changes its sign; a true sign function would make the force jump there
-and stop every implicit integrator. The regularisation velocity v_eps sets where full friction is reached.
+At the pitch point of two flanks the sliding velocity changes its sign; a true sign function would make the
+force jump there and stop every implicit integrator. The regularisation velocity v_eps sets where full
+friction is reached.
 """
 
 from __future__ import annotations
 
+from pitchpoint.contact.damping import ramp
 from pitchpoint.core.kernel import kernel
 
 
@@ -30,3 +32,35 @@ def coulomb(v, v_eps):
         return -1.0, 0.0
     t = v / v_eps
     return 0.5 * t * (3.0 - t * t), 1.5 * (1.0 - t * t) / v_eps
+
+
+@kernel
+def static_dynamic(v, mu_s, mu_d, v_s, v_d):
+    """Coefficient of friction at the sliding velocity v with its sign, and its derivative by v [s/m].
+
+    mu_s `coulomb` up to the static velocity v_s, then the cubic step from mu_s down to mu_d between v_s and
+    the velocity v_d of full slip, mu_d beyond; all velocities in m/s, v_d > v_s > 0. There is no true
+    sticking: a load below mu_s creeps at less than v_s. The law of the impact force of multibody codes.
+
+    >>> tuple(round(float(x), 9) for x in static_dynamic(5.5e-3, 0.1, 0.08, 1e-3, 10e-3))
+    (0.09, -3.333333333)
+    """
+    sign, slope = coulomb(v, v_s)
+    fall, steep = ramp(abs(v) - v_s, v_d - v_s)
+    mu = mu_s + (mu_d - mu_s) * fall
+    return mu * sign, mu * slope + (mu_d - mu_s) * steep * abs(sign)
+
+
+@kernel
+def friction_per_speed(v, mu_s, mu_d, v_s, v_d):
+    """`static_dynamic` over v >= 0 as a factor c = mu/v [s/m] of a velocity vector, and c'/v [s^3/m^3].
+
+    Finite at v = 0, so that friction in a plane needs no case for rest: T = -N c v.
+
+    >>> tuple(round(float(x), 6) for x in friction_per_speed(0.0, 0.1, 0.08, 1e-3, 10e-3))
+    (150.0, -100000000.0)
+    """
+    if v < v_s:
+        return mu_s * (3.0 - (v / v_s) ** 2) / (2.0 * v_s), -mu_s / (v_s * v_s * v_s)
+    mu, slope = static_dynamic(v, mu_s, mu_d, v_s, v_d)
+    return mu / v, (slope - mu / v) / (v * v)

@@ -19,22 +19,9 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.rotation_vector import by_turn, by_turn_change, rotation_vector
-from pitchpoint.elements.vectors import (
-    add,
-    angular_velocity,
-    cross,
-    dot,
-    less,
-    origin,
-    push,
-    put,
-    times,
-    triple,
-    turned,
-    unit,
-    velocity,
-)
+from pitchpoint.elements.wrench import angular_velocity, origin, push, put, velocity
 from pitchpoint.multibody.channels import frame_args, observations
+from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple, unit
 
 BODY_FIXED = True
 
@@ -76,9 +63,9 @@ def defaults(record: np.void) -> None:
 def _axes(f, A):
     """Axes of a marker in the world, three tuples."""
     return (
-        turned(f["S"], (A[0, 0], A[1, 0], A[2, 0])),
-        turned(f["S"], (A[0, 1], A[1, 1], A[2, 1])),
-        turned(f["S"], (A[0, 2], A[1, 2], A[2, 2])),
+        into_world(f["S"], (A[0, 0], A[1, 0], A[2, 0])),
+        into_world(f["S"], (A[0, 1], A[1, 1], A[2, 1])),
+        into_world(f["S"], (A[0, 2], A[1, 2], A[2, 2])),
     )
 
 
@@ -115,7 +102,7 @@ def _respond(K, D, x, w, f):
 def _kinematics(b, f, g):
     """Arms of marker i about both origins, axes of marker j, rotation vector, relative velocities in the
     world; displacement and rate go into the scratch x and w."""
-    arm = turned(f["S"], triple(b["p_i"]))
+    arm = into_world(f["S"], triple(b["p_i"], 0))
     reach = less(add(origin(f), arm), origin(g))
     axes = _axes(g, b["A_j"])
     c0, c1, c2 = _axes(f, b["A_i"])
@@ -128,7 +115,7 @@ def _kinematics(b, f, g):
     y = add(velocity(f), cross(angular_velocity(f), arm))
     y = less(less(y, velocity(g)), cross(angular_velocity(g), reach))
     turn = less(angular_velocity(f), angular_velocity(g))
-    _join(b["x"], _into(axes, less(reach, turned(g["S"], triple(b["p_j"])))), s)
+    _join(b["x"], _into(axes, less(reach, into_world(g["S"], triple(b["p_j"], 0)))), s)
     _join(b["w"], _into(axes, y), by_turn(s, _into(axes, turn), -1.0))
     for r in range(6):
         b["x"][r] -= b["x0"][r]
@@ -173,8 +160,8 @@ def _tangents(b, f, g, kk, ctl, line):
     ck = c["ck"]
     cd = c["cd"]
     arm, reach, axes, s, y, turn = line
-    force = _out_of(axes, triple(b["f"]))
-    own = (b["f"][3], b["f"][4], b["f"][5])
+    force = _out_of(axes, triple(b["f"], 0))
+    own = triple(b["f"], 3)
     couple = _out_of(axes, by_turn(s, own, 1.0))
     for side in range(2):
         if side == 1 and b["j"] == 0:
@@ -187,8 +174,8 @@ def _tangents(b, f, g, kk, ctl, line):
                 b["w"][r] = ck * b["w"][r] + cd * b["x"][r]
                 b["x"][r] *= ck
             _respond(b["K"], b["D"], b["x"], b["w"], b["g"])
-            df = _out_of(axes, triple(b["g"]))
-            dm = by_turn(s, (b["g"][3], b["g"][4], b["g"][5]), 1.0)
+            df = _out_of(axes, triple(b["g"], 0))
+            dm = by_turn(s, triple(b["g"], 3), 1.0)
             dm = _out_of(axes, add(dm, times(ck, by_turn_change(s, ds, own, 1.0))))
             if side == 1:
                 w = unit(k - 3)
@@ -209,8 +196,8 @@ def bushing(rec, ctl, fr, kk):
         line = _kinematics(b, f, g)
         arm, reach, axes, s, y, turn = line
         _respond(b["K"], b["D"], b["x"], b["w"], b["f"])
-        force = _out_of(axes, triple(b["f"]))
-        moment = by_turn(s, (b["f"][3], b["f"][4], b["f"][5]), 1.0)
+        force = _out_of(axes, triple(b["f"], 0))
+        moment = by_turn(s, triple(b["f"], 3), 1.0)
         couple = _out_of(axes, moment)
         push(f, arm, force, couple, 1.0)
         push(g, reach, force, couple, -1.0)

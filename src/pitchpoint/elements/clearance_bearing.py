@@ -22,8 +22,8 @@ from pitchpoint.elements.ring import RING, ring_forces, ring_motion, ring_observ
 from pitchpoint.multibody.channels import frame_args, observations
 
 BODY_FIXED = True
-
 SPINS = "free"
+
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]

@@ -239,6 +239,7 @@ def closure(rec, ctl, fr, g):
         r = b["row"]
         f = fr[b["i"]]
         h = fr[b["j"]]
+        # iterations do without: near singular positions multipliers are large, their noise would rule
         ck = c["ck"] * lam[r] if c["jac"] == 2 else 0.0
         if b["form"] == POINT:
             g[r], gtt[r] = _point(b, f, h, rows, r, ck, kk)

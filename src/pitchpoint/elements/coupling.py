@@ -80,7 +80,7 @@ def coupling(rec, ctl, fr, kk):
         torque = -k * x - b["d"] * speed
         by_angle = -k
         by_speed = -b["d"]
-        if b["form"] != CONSTANT:
+        if b["form"] != CONSTANT or b["value"] != 0.0:
             more, slope, rate = signal(b, c["t"], rest, turns, speed, c["jac"])
             if not math.isfinite(more):
                 c["bad"] = e

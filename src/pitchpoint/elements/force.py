@@ -22,8 +22,9 @@ from pitchpoint.elements.turning import (
     turn_between,
     turn_column,
 )
-from pitchpoint.elements.vectors import add, cross, less, origin, push, put, spin_axis, times, triple, unit
+from pitchpoint.elements.wrench import origin, push, put, spin_axis
 from pitchpoint.multibody.channels import frame_args
+from pitchpoint.multibody.vectors import add, cross, less, times, triple, unit
 
 SPINS = "free"
 WORLD, BODY = 0, 1
@@ -115,15 +116,15 @@ def force(rec, ctl, fr, kk):
         if not math.isfinite(scale):
             c["bad"] = e
             return NOT_FINITE
-        load = triple(b["F"])
-        couple = (b["F"][3], b["F"][4], b["F"][5])
+        load = triple(b["F"], 0)
+        couple = triple(b["F"], 3)
         if b["axes"] == BODY:
             load = _from_body(f, load)
             couple = _from_body(f, couple)
         arm = times(b["z"], spin_axis(f))
         p = b["p"]
         if p[0] != 0.0 or p[1] != 0.0 or p[2] != 0.0:
-            arm = add(arm, _from_body(f, triple(p)))
+            arm = add(arm, _from_body(f, triple(p, 0)))
         reach = less(add(origin(f), arm), origin(g))
         push(f, arm, load, couple, scale)
         push(g, reach, load, couple, -scale)

@@ -30,17 +30,17 @@ from pitchpoint.elements.turning import (
     common_axis,
     sense_of,
     speed_between,
+    state_tangent,
     torque_tangent,
     turn_between,
-    turn_column,
 )
-from pitchpoint.elements.vectors import spin_axis
+from pitchpoint.elements.wrench import spin_axis
 from pitchpoint.multibody.channels import frame_args, observations
 
 TWO_PI = 6.283185307179586
 REGULARISED, BRISTLE = 0, 1
-
 SPINS = "free"
+
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]
@@ -63,31 +63,6 @@ OUTPUTS = (
     ("slip_speed", "rad/s", "speed of the first body against the second"),
     ("friction_power", "W", "power lost to friction"),
 )
-
-
-@kernel
-def _state_tangent(b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed):
-    """Tangents that have to do with the state: of the torque by y, and of y' by y and the speed."""
-    c = ctl[0]
-    exact = 1 if c["jac"] == 2 else 0
-    cd = c["cd"]
-    for r in range(3):
-        for h in range(3):
-            kk[b["ik"], 3 + r, 3 + h] -= cd * by_state * m[r] * n[h]
-            kk[b["jk"], 3 + r, 3 + h] += cd * by_state * m[r] * n[h]
-            kk[b["kk"], 3 + r, 3 + h] -= cd * rate_by_state * n[r] * n[h]
-    for side in range(2):
-        if side == 1 and b["j"] == 0:
-            break
-        back = 1.0 if side == 0 else -1.0
-        for h in range(3):
-            angle, speed, dm = turn_column(f, g, sense, m, side, h, exact)
-            s = rate_by_speed * (c["ck"] * speed + cd * back * m[h])
-            for r in range(3):
-                if side == 0:
-                    kk[b["ki"], 3 + r, 3 + h] -= s * n[r]
-                else:
-                    kk[b["kj"], 3 + r, 3 + h] -= s * n[r]
 
 
 @kernel
@@ -136,7 +111,7 @@ def friction_clutch(rec, ctl, fr, kk):
             over_speed = by_speed * part + capacity * part_by_speed
             torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle * part, over_speed)
             if b["sticking"] == BRISTLE:
-                _state_tangent(b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed)
+                state_tangent(b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed)
         if c["out"] != 0:
             out = observations(ctl)
             out[b["out"]] = torque

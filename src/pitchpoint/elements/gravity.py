@@ -14,9 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.vectors import cross, push, put, spin_axis, times, triple, turned, unit
+from pitchpoint.elements.wrench import push, put, spin_axis
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.channels import frame_args
+from pitchpoint.multibody.vectors import cross, into_world, times, triple, unit
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
@@ -67,8 +68,8 @@ def gravity(rec, ctl, fr, kk):
     for e in range(rec.size):
         b = rec[e]
         f = fr[b["i"]]
-        weight = triple(b["weight"])
-        arm = times(b["com"][2], spin_axis(f)) if b["round"] != 0 else turned(f["S"], triple(b["com"]))
+        weight = triple(b["weight"], 0)
+        arm = times(b["com"][2], spin_axis(f)) if b["round"] != 0 else into_world(f["S"], triple(b["com"], 0))
         nothing = (0.0, 0.0, 0.0)
         push(f, arm, weight, nothing, 1.0)
         if c["jac"] != 0:

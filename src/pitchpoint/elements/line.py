@@ -11,21 +11,8 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.vectors import (
-    add,
-    angular_velocity,
-    cross,
-    dot,
-    less,
-    origin,
-    push,
-    put,
-    times,
-    triple,
-    turned,
-    unit,
-    velocity,
-)
+from pitchpoint.elements.wrench import angular_velocity, origin, push, put, velocity
+from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple, unit
 
 COINCIDENT = 1e-12
 """Distance below which two points are one [m]."""
@@ -35,8 +22,8 @@ COINCIDENT = 1e-12
 def line_between(b, f, g):
     """Arms of both points, unit vector from j to i, length, relative velocity of i against j and its part
     along the line."""
-    arm_i = turned(f["S"], triple(b["p_i"]))
-    arm_j = turned(g["S"], triple(b["p_j"]))
+    arm_i = into_world(f["S"], triple(b["p_i"], 0))
+    arm_j = into_world(g["S"], triple(b["p_j"], 0))
     u = less(add(origin(f), arm_i), add(origin(g), arm_j))
     w = less(velocity(f), velocity(g))
     w = add(w, less(cross(angular_velocity(f), arm_i), cross(angular_velocity(g), arm_j)))

@@ -16,10 +16,12 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.line import line_between, line_column, pull, tension_tangent
-from pitchpoint.elements.vectors import cross, put, spin_axis, times
+from pitchpoint.elements.wrench import put, spin_axis
 from pitchpoint.multibody.channels import frame_args, observations
+from pitchpoint.multibody.vectors import cross, times
 
 BODY_FIXED = True
+SPINS = "free"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]

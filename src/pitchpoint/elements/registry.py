@@ -27,6 +27,8 @@ from types import ModuleType
 from pitchpoint.core.errors import CompileError
 
 FRAME, COORDINATE, CONSTRAINT, MOTION = "frame", "coordinate", "constraint", "motion"
+FRICTION = "friction"
+"""Channel of frame kinds that need all other wrenches and multipliers."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class Kind:
     module
         Dotted name of the module with RECORD and entry.
     channel
-        "frame", "coordinate", "constraint" or "motion".
+        "frame", "coordinate", "constraint", "motion" or "friction".
     pairs
         Pairs of record fields that hold interacting bodies.
     """
@@ -69,6 +71,7 @@ _KINDS: dict[str, Kind] = {
         Kind("clearance_bearing", _HERE + "clearance_bearing", FRAME),
         Kind("closure", _HERE + "closure", CONSTRAINT),
         Kind("coupling", _HERE + "coupling", FRAME),
+        Kind("curve_curve", _HERE + "curve_curve", FRAME),
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),
         Kind("flexible_body", _HERE + "flexible_body", FRAME, WITH_MODES),
@@ -77,11 +80,17 @@ _KINDS: dict[str, Kind] = {
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
         Kind("gravity", _HERE + "gravity", FRAME),
         Kind("guide", _HERE + "guide", MOTION),
+        Kind("joint_friction", _HERE + "joint_friction", FRICTION),
         Kind("maxwell", _HERE + "maxwell", FRAME, WITH_STATE),
+        Kind("point_curve", _HERE + "point_curve", FRAME),
+        Kind("point_on_curve", _HERE + "point_on_curve", CONSTRAINT),
+        Kind("point_surface", _HERE + "point_surface", FRAME),
         Kind("ratio", _HERE + "ratio", CONSTRAINT, (("i", "j"), ("i", "k"))),
         Kind("rolling_bearing", _HERE + "rolling_bearing", FRAME),
         Kind("shaft_beam", _HERE + "shaft_beam", FRAME),
         Kind("spring_damper", _HERE + "spring_damper", FRAME),
+        Kind("surface_surface", _HERE + "surface_surface", FRAME),
+        Kind("torsion_maxwell", _HERE + "torsion_maxwell", FRAME, WITH_STATE),
         Kind("torque", _HERE + "torque", FRAME),
     )
 }
@@ -91,7 +100,7 @@ def register(kind: Kind) -> None:
     """Add a kind at run time; an existing name is refused."""
     if kind.name in _KINDS and _KINDS[kind.name] != kind:
         raise CompileError(f"the kind {kind.name!r} is registered already ({_KINDS[kind.name].module})")
-    if kind.channel not in (FRAME, COORDINATE, CONSTRAINT, MOTION):
+    if kind.channel not in (FRAME, COORDINATE, CONSTRAINT, MOTION, FRICTION):
         raise CompileError(f"the kind {kind.name!r} names no known channel: {kind.channel!r}")
     _KINDS[kind.name] = kind
 

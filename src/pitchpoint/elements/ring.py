@@ -22,22 +22,8 @@ import math
 from typing import Any
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.vectors import (
-    add,
-    angular_velocity,
-    cross,
-    dot,
-    less,
-    origin,
-    push,
-    put,
-    spin_axis,
-    times,
-    triple,
-    turned,
-    unit,
-    velocity,
-)
+from pitchpoint.elements.wrench import angular_velocity, origin, push, put, spin_axis, velocity
+from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple, unit
 
 TWO_PI = 6.283185307179586
 
@@ -67,7 +53,7 @@ OUTPUTS = (
 @kernel
 def _axis(f, A, k):
     """Axis k of a marker in the world."""
-    return turned(f["S"], (A[0, k], A[1, k], A[2, k]))
+    return into_world(f["S"], (A[0, k], A[1, k], A[2, k]))
 
 
 @kernel
@@ -110,7 +96,7 @@ def ring_motion(b, f, g):
     These are the arms of the inner centre about both origins, the axes of marker j, n, the gradient h of the
     turn, the velocity of the inner centre against body j, and the relative angular velocity.
     """
-    arm = turned(f["S"], triple(b["p_i"]))
+    arm = into_world(f["S"], triple(b["p_i"], 0))
     reach = less(add(origin(f), arm), origin(g))
     A = b["A_j"]
     axes = (_axis(g, A, 0), _axis(g, A, 1), _axis(g, A, 2))
@@ -123,7 +109,7 @@ def ring_motion(b, f, g):
     spin = less(angular_velocity(f), angular_velocity(g))
     moved = cross(spin, n)
     turn = math.atan2(dot(axes[1], c0) - dot(axes[0], c1), dot(axes[0], c0) + dot(axes[1], c1))
-    u = _into(axes, less(reach, turned(g["S"], triple(b["p_j"]))))
+    u = _into(axes, less(reach, into_world(g["S"], triple(b["p_j"], 0))))
     _fill(b["x"], u, dot(axes[0], n), dot(axes[1], n), turn)
     _fill(b["w"], _into(axes, y), dot(axes[0], moved), dot(axes[1], moved), dot(h, spin))
     return arm, reach, axes, n, h, y, spin

@@ -39,11 +39,11 @@ from pitchpoint.elements.ring import (
 from pitchpoint.multibody.channels import frame_args, observations
 
 BODY_FIXED = True
+SPINS = "free"
 TWO_PI = 6.283185307179586
 SPLIT = 67108864.0
 """2^26: a share of the cage is cut after so many binary digits, so that whole turns of it are exact."""
 
-SPINS = "free"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]

@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.vectors import add, cross, dot, times
+from pitchpoint.multibody.vectors import add, cross, dot, times
 
 SMALL = 0.2
 """Angle below which series replace quotients of small numbers; their error is below 1e-13 there [rad]."""

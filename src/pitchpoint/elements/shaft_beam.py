@@ -22,7 +22,9 @@ from pitchpoint.elements.beam_tangent import tangent
 from pitchpoint.multibody.beam_section import Beam
 from pitchpoint.multibody.channels import frame_args, observations
 
-__all__ = ["OUTPUTS", "RECORD", "entry", "shaft_beam", "shaft_row"]
+__all__ = ["OUTPUTS", "RECORD", "SPINS", "entry", "shaft_beam", "shaft_row"]
+
+SPINS = "together"
 
 TWO_PI = 6.283185307179586
 

@@ -17,13 +17,14 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.vectors import add, angular_velocity, cross, dot, less, spin_axis, times, unit
+from pitchpoint.elements.wrench import angular_velocity, spin_axis
+from pitchpoint.multibody.vectors import add, cross, dot, less, times, unit
 
 SAME = math.sqrt(0.5)
 """Cosine of the angle up to which two axes count as one."""
 
 
-@kernel
+@kernel(inline=True)
 def sense_of(f, g, j):
     """How body j turns about the axis of body i: 1 in the same sense, -1 in the opposite, 0 not."""
     if j == 0:
@@ -32,17 +33,20 @@ def sense_of(f, g, j):
     return 1 if along > SAME else -1 if along < -SAME else 0
 
 
-@kernel
+@kernel(inline=True)
 def common_axis(f, g, sense):
     """Unit vector half-way between both spin axes."""
     n = spin_axis(f)
     if sense == 0:
         return n
-    m = add(n, times(float(sense), spin_axis(g)))
+    other = times(float(sense), spin_axis(g))
+    if n[0] == other[0] and n[1] == other[1] and n[2] == other[2]:  # discs on one axis
+        return n
+    m = add(n, other)
     return times(1.0 / math.sqrt(dot(m, m)), m)
 
 
-@kernel
+@kernel(inline=True)
 def turn_between(f, g, sense):
     """Angle of body i against body j: remainder [rad] and whole turns."""
     angle = f["phi"] + f["base"]
@@ -53,13 +57,13 @@ def turn_between(f, g, sense):
     return angle, turns
 
 
-@kernel
+@kernel(inline=True)
 def speed_between(f, g, m):
     """Angular velocity of body i against body j about m [rad/s]."""
     return dot(m, less(angular_velocity(f), angular_velocity(g)))
 
 
-@kernel
+@kernel(inline=True)
 def add_torque(f, g, m, torque):
     """Add a torque about m on body i and its reaction on body j."""
     for r in range(3):
@@ -109,3 +113,32 @@ def torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle, by_speed):
                 x = s * m[r] + c["ck"] * torque * dm[r]
                 ki[3 + r, 3 + k] -= x
                 kj[3 + r, 3 + k] += x
+
+
+@kernel
+def state_tangent(b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed):
+    """Add the tangents of a torque that depends on a state y, the spin rate of body k with the axis n.
+
+    `by_state` is the slope of the torque by y, the others are the slopes of y' by y and by the speed. b needs
+    the index fields of all pairs of i, j and k.
+    """
+    c = ctl[0]
+    exact = 1 if c["jac"] == 2 else 0
+    cd = c["cd"]
+    for r in range(3):
+        for h in range(3):
+            kk[b["ik"], 3 + r, 3 + h] -= cd * by_state * m[r] * n[h]
+            kk[b["jk"], 3 + r, 3 + h] += cd * by_state * m[r] * n[h]
+            kk[b["kk"], 3 + r, 3 + h] -= cd * rate_by_state * n[r] * n[h]
+    for side in range(2):
+        if side == 1 and b["j"] == 0:
+            break
+        back = 1.0 if side == 0 else -1.0
+        for h in range(3):
+            angle, speed, dm = turn_column(f, g, sense, m, side, h, exact)
+            s = rate_by_speed * (c["ck"] * speed + cd * back * m[h])
+            for r in range(3):
+                if side == 0:
+                    kk[b["ki"], 3 + r, 3 + h] -= s * n[r]
+                else:
+                    kk[b["kj"], 3 + r, 3 + h] -= s * n[r]

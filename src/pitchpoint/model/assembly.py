@@ -9,75 +9,23 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.model.components.bearing import Bearing
-from pitchpoint.model.components.body import Body
-from pitchpoint.model.components.coupling import Coupling
-from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
-from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.mechanism import hang, place_joined
 from pitchpoint.model.pair_check import check_gear, check_pair, hand_on
+from pitchpoint.model.parts import Parts
 from pitchpoint.model.read import Reader
-from pitchpoint.model.scenario import Scenario
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry.gear_pair import GearPair
+    pass
 
 PLACE_TOLERANCE = 1e-6
 """Relative difference up to which a place given twice counts as the same."""
-
-
-@dataclass
-class Parts:
-    """The readable parts of a model; `names` holds every name of the file, readable or not."""
-
-    gears: dict[str, Gear]
-    bodies: dict[str, Body]
-    meshes: dict[str, Mesh]
-    bearings: dict[str, Bearing]
-    couplings: dict[str, Coupling]
-    loads: dict[str, Load]
-    damping: Damping | None
-    scenarios: dict[str, Scenario]
-    names: dict[str, set[str]] = field(default_factory=dict)
-    pairs: dict[str, GearPair] = field(default_factory=dict)
-    misshapen: set[str] = field(default_factory=set)  # gears whose own shape is impossible
-    placed: dict[str, tuple[str, str, str]] = field(default_factory=dict)
-    """For bodies without a position: kind and name of the link that placed it, and the body it hangs on."""
-
-    @classmethod
-    def of(cls, groups: Mapping[str, Any], damping: Damping | None) -> Parts:
-        """Parts from mappings of names to components, by group; missing groups are empty."""
-
-        def group(name: str) -> dict[str, Any]:
-            return dict(groups.get(name) or {})
-
-        return cls(
-            gears=group("gears"),
-            bodies=group("bodies"),
-            meshes=group("meshes"),
-            bearings=group("bearings"),
-            couplings=group("couplings"),
-            loads=group("loads"),
-            scenarios=group("scenarios"),
-            damping=damping,
-        )
-
-    def known(self, group: str) -> set[str]:
-        """All names of a group, those of unreadable parts included."""
-        return self.names.get(group, set()) | set(getattr(self, group))
-
-    def body_of(self, gear: str) -> str | None:
-        """Name of the body that carries a gear."""
-        for name, body in self.bodies.items():
-            if gear in body.gears:
-                return name
-        return None
 
 
 def resolve(parts: Parts, report: Reader) -> None:
@@ -207,22 +155,33 @@ def _places(parts: Parts, report: Reader) -> None:
     links = _links(parts)
     for name, body in parts.bodies.items():
         parts.bodies[name] = replace(body, origin=body.position)
-    _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None])
+    parts.mechanism = hang(parts)
+    _spread_all(parts, links)
     # one train may go without any position: its first body is the origin
-    first = next((n for n, b in parts.bodies.items() if b.origin is None), None)
+    carried = parts.mechanism.carried
+    first = next((n for n, b in parts.bodies.items() if b.origin is None and n not in carried), None)
     if first is not None:
         parts.bodies[first] = replace(parts.bodies[first], origin=(0.0, 0.0, 0.0))
-        _spread(parts, links, [first])
+        _spread_all(parts, links)
     _directions(parts, report)
-    if not _all_linked_known(parts, report):
+    if not all_linked_known(parts, report):
         return
     for name, body in parts.bodies.items():
-        if body.origin is None:
+        if body.origin is None and name not in carried:
             report.problem(
                 ("bodies", name),
                 "has no place: no mesh or coupling connects it to the bodies before it",
                 remedy="give position: [x, y, z]",
             )
+
+
+def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
+    """Place what follows from the bodies with a place: by joints, meshes and couplings in turn."""
+    before = -1
+    while len(placed := [n for n, b in parts.bodies.items() if b.origin is not None]) > before:
+        before = len(placed)
+        place_joined(parts)
+        _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None])
 
 
 def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[str]) -> None:
@@ -236,11 +195,11 @@ def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[
                 queue.append(there)
 
 
-def _all_linked_known(parts: Parts, report: Reader) -> bool:
+def all_linked_known(parts: Parts, report: Reader) -> bool:
     """False when something unreadable or impossible may have been the missing link."""
     if parts.misshapen:
         return False
-    groups = ("meshes", "couplings", "bodies", "gears")
+    groups = ("meshes", "couplings", "bodies", "gears", "joints")
     return all(set(getattr(parts, g)) == parts.known(g) for g in groups) and not any(
         (g,) in report.tainted for g in groups
     )

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from pitchpoint.core.errors import ModelError, Problem
-from pitchpoint.model.assembly import Parts
 from pitchpoint.model.keys import BAD, keys_of
 from pitchpoint.model.model import GROUPS, Model
+from pitchpoint.model.parts import Parts
 from pitchpoint.model.read import Reader
 from pitchpoint.model.validate import check
 
@@ -42,12 +42,12 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
             value = reader.value(key, data[name], (name,))
             if value is not BAD:
                 values[name] = value
-    if not values.get("gears") and ("gears",) not in reader.tainted:
-        reader.problem(("gears",), "is missing: a model has at least one gear", remedy="add gears:")
+    if not any(values.get(g) or (g,) in reader.tainted for g in ("gears", "bodies")):
+        reader.problem(("gears",), "is missing: a model has a gear or a body", remedy="add gears: or bodies:")
     parts = Parts.of(values, values.get("damping"))
     parts.names = {g: {str(n) for n in data[g]} for g in GROUPS if isinstance(data.get(g), Mapping)}
     check(parts, reader)
     if reader.problems:
         ordered = sorted(reader.problems, key=lambda p: p.line if p.line is not None else 10**9)
         raise ModelError(ordered, file)
-    return Model.from_parts(parts, values.get("title", ""), file)
+    return Model.from_parts(parts, values, file)

@@ -11,9 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.components.joint import FUNCTIONS
 from pitchpoint.model.components.law import Constant
 from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy
+from pitchpoint.model.joint_check import ends_of
 from pitchpoint.model.keys import defaults_of
+from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
@@ -28,6 +31,7 @@ MOVES: dict[str, tuple[int, ...]] = {
     "torsion": (5,),
     "planar": (0, 1, 5),
     "free": (0, 1, 2, 3, 4, 5),
+    "joint": (0, 1, 2, 3, 4, 5),  # whatever carries it may move
 }
 
 #: Inertias that a motion needs, by their keys on the body and on the gear.
@@ -38,10 +42,11 @@ NEEDS: dict[str, tuple[tuple[str, str], ...]] = {
     "torsion": (POLAR,),
     "planar": (POLAR, MASS),
     "free": (POLAR, MASS, TRANSVERSE),
+    "joint": (POLAR, MASS, TRANSVERSE),
 }
 
 #: Keys of a scenario that only a time response reads.
-TIME_KEYS = ("sample_rate", "settle_time", "step", "method", "tolerance", "events")
+TIME_KEYS = ("sample_rate", "settle_time", "step", "method", "form", "order", "tolerance", "events")
 
 
 def idle_keys(model: Model) -> tuple[str, ...]:
@@ -52,6 +57,7 @@ def idle_keys(model: Model) -> tuple[str, ...]:
         *_laws(model),
         *_blanks(model),
         *_inertias(model),
+        *_joints(model),
         *_supports(model),
         *_loads(model),
         *_scenarios(model),
@@ -61,7 +67,7 @@ def idle_keys(model: Model) -> tuple[str, ...]:
 def _only_spins(model: Model, mesh: Mesh) -> bool:
     """Whether the bodies of both gears spin at most; not for gears without a body."""
     bodies = [model.body_of(g) for g in mesh.gears]
-    return None not in bodies and {model.bodies[str(b)].motion for b in bodies} <= {"torsion", "fixed"}
+    return None not in bodies and {model.bodies[str(b)].moves for b in bodies} <= {"torsion", "fixed"}
 
 
 def _frictions(model: Model) -> Iterator[str]:
@@ -141,11 +147,11 @@ def _blank_weighs(model: Model, gear: str) -> bool:
     # the outer diameter decides about a ring, where it is given
     if part.type == "internal" and (part.rim_thickness is None or part.bore_diameter > 0.0):
         return False
-    needed = NEEDS[body.motion]
+    needed = NEEDS[body.moves]
     if any(getattr(body, own) is None and getattr(part, of_gear) is None for own, of_gear in needed):
         return True
     # the centre of mass of several gears, and the part of each in the inertia about it
-    return body.motion == "free" and len(body.gears) > 1 and part.mass is None
+    return body.moves == "free" and len(body.gears) > 1 and part.mass is None
 
 
 def _inertias(model: Model) -> Iterator[str]:
@@ -160,17 +166,34 @@ def _inertias(model: Model) -> Iterator[str]:
                     )
 
 
+def _joints(model: Model) -> Iterator[str]:
+    """Keys of joints that their type does not read, joints that hold nothing, markers that nobody names."""
+    for name, joint in model.joints.items():
+        if joint.lead is not None and joint.type != "screw":
+            yield f"joints.{name}.lead: has no effect with type: {joint.type}; only a screw has one"
+        for key in ("motion", "coordinates") if joint.type not in FUNCTIONS else ():
+            if getattr(joint, key):
+                yield f"joints.{name}.{key}: has no effect with type: {joint.type}"
+        if name in model.mechanism.cut and joint.type in ("free", "shaft"):
+            yield f"joints.{name}: has no effect: it closes a loop and holds nothing fast"
+    named = {e for _, _, _, given in ends_of(model) for e in ((given,) if isinstance(given, str) else given)}
+    for body, part in model.bodies.items():
+        for marker in part.markers:
+            if f"{body}.{marker}" not in named:
+                yield f"bodies.{body}.markers.{marker}: has no effect: nothing names {body}.{marker}"
+
+
 def _supports(model: Model) -> Iterator[str]:
     """Bearings and couplings that hold only what cannot move."""
     for name, bearing in model.bearings.items():
-        motion = model.bodies[bearing.body].motion
+        motion = model.bodies[bearing.body].moves
         if not _holds(bearing, set(MOVES[motion])):
             yield (
                 f"bearings.{name}: has no effect and no force at any load: it holds no direction in which "
                 f"{bearing.body} (motion: {motion}) moves"
             )
     for name, coupling in model.couplings.items():
-        if not _holds(coupling, {k for b in coupling.bodies for k in MOVES[model.bodies[b].motion]}):
+        if not _holds(coupling, {k for b in coupling.bodies for k in MOVES[model.bodies[b].moves]}):
             yield (
                 f"couplings.{name}: has no effect and no force at any load: it holds no direction in which "
                 f"{' or '.join(coupling.bodies)} moves"
@@ -188,7 +211,7 @@ def _holds(part: Bearing | Coupling, moves: set[int]) -> bool:
 def _loads(model: Model) -> Iterator[str]:
     """Places of torques, and forces along directions in which a body cannot move."""
     for name, load in model.loads.items():
-        motion = model.bodies[load.body].motion
+        motion = model.bodies[load.body].moves
         if load.force is None:
             if any(v != 0.0 for v in load.position):
                 yield f"loads.{name}.position: has no effect on a torque; it is the place of a force"
@@ -210,10 +233,21 @@ def _scenarios(model: Model) -> Iterator[str]:
             keys.append("speed")
         if kind != "time" and keys:
             yield f"scenarios.{name}: {_listed(keys)} {'have' if keys[1:] else 'has'} no effect beside {kind}"
-        elif kind == "time" and "tolerance" in keys and scenario.method != "runge_kutta":
+            continue
+        if "tolerance" in keys and scenario.method not in ERROR_METHODS:
             yield (
                 f"scenarios.{name}.tolerance: has no effect with method: {scenario.method}, which takes "
                 "equal steps; step sets them, or write method: runge_kutta"
+            )
+        if "form" in keys and scenario.method in ("runge_kutta", "rk4"):
+            yield (
+                f"scenarios.{name}.form: has no effect with method: {scenario.method}, which holds "
+                "constraints on accelerations"
+            )
+        if "order" in keys and scenario.method not in STIFF_METHODS:
+            yield (
+                f"scenarios.{name}.order: has no effect with method: {scenario.method}; methods with a "
+                f"choice of order are {_listed(STIFF_METHODS)}"
             )
 
 

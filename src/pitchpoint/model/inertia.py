@@ -8,7 +8,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
 
     from pitchpoint.model.components.body import Body
     from pitchpoint.model.components.gear import Gear
@@ -26,6 +29,19 @@ class BodyInertia:
     """Moment of inertia about a diameter through the centre of mass [kg m^2]."""
     center: float
     """Axial position of the centre of mass from the origin [m]."""
+    beside: tuple[float, float] = (0.0, 0.0)
+    """Position of the centre of mass off the axis, x and y of the body [m]."""
+    tensor: tuple[float, ...] | None = None
+    """Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass of a body that is not round [kg m^2]."""
+
+    @property
+    def place(self) -> tuple[float, float, float]:
+        """Centre of mass from the origin, axes of the body [m]."""
+        return (*self.beside, self.center)
+
+    def about_center(self) -> NDArray[np.float64]:
+        """Inertia about the centre of mass, axes of the body, shape (3, 3) [kg m^2]."""
+        return matrix(self.tensor or (self.central, self.central, self.polar, 0.0, 0.0, 0.0))
 
     @property
     def transverse(self) -> float:
@@ -56,6 +72,8 @@ def gear_inertia(gear: Gear) -> tuple[float, float, float]:
 
 def asks_gears(body: Body) -> bool:
     """Whether anything of the inertia of a body is left to its gears."""
+    if body.inertia_tensor is not None:
+        return body.mass is None or (body.center_of_mass is None and any(body.gears.values()))
     if None in (body.mass, body.inertia, body.transverse_inertia):
         return True
     return body.center_of_mass is None and any(offset != 0.0 for offset in body.gears.values())
@@ -77,7 +95,7 @@ def body_inertia(body: Body, gears: Mapping[str, Gear]) -> BodyInertia:
     """
     found = [(*gear_inertia(gears[name]), at) for name, at in body.gears.items()] if asks_gears(body) else []
     mass = sum(m for m, _, _, _ in found)
-    center = body.center_of_mass
+    x, y, center = body.center or (0.0, 0.0, None)
     if center is None:
         center = sum(m * at for m, _, _, at in found) / mass if mass > 0.0 else 0.0
     if not math.isfinite(center):
@@ -87,4 +105,38 @@ def body_inertia(body: Body, gears: Mapping[str, Gear]) -> BodyInertia:
     if body.transverse_inertia is not None:
         central = body.transverse_inertia - mass * center * center
     polar = sum(j_p for _, j_p, _, _ in found) if body.inertia is None else body.inertia
-    return BodyInertia(mass, polar, central, center)
+    if body.is_round:
+        return BodyInertia(mass, polar, central, center)
+    tensor = body.inertia_tensor
+    if tensor is None:
+        tensor = _of_gears(found, (x, y, center))
+    i_xx, i_yy, i_zz = tensor[:3]
+    beside = mass * (x * x + y * y)
+    return BodyInertia(mass, i_zz + beside, 0.5 * (i_xx + i_yy), center, (x, y), tensor)
+
+
+def _of_gears(
+    found: list[tuple[float, float, float, float]], center: tuple[float, float, float]
+) -> tuple[float, ...]:
+    """Inertia of gears about a point off their axis, entries in the order of a file."""
+    total = [0.0] * 6
+    for m, j_p, j_t, at in found:
+        x, y, z = -center[0], -center[1], at - center[2]
+        about = (
+            j_t + m * (y * y + z * z),
+            j_t + m * (z * z + x * x),
+            j_p + m * (x * x + y * y),
+            -m * x * y,
+            -m * y * z,
+            -m * z * x,
+        )
+        total = [a + b for a, b in zip(total, about, strict=True)]
+    return tuple(total)
+
+
+def matrix(tensor: Sequence[float]) -> NDArray[np.float64]:
+    """Symmetric matrix (3, 3) of Ixx, Iyy, Izz, Ixy, Iyz, Izx."""
+    import numpy as np
+
+    xx, yy, zz, xy, yz, zx = tensor
+    return np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])

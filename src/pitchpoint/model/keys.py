@@ -26,9 +26,9 @@ Place: TypeAlias = tuple[str | int, ...]
 class Key:
     """What one key may hold.
 
-    `kind` names the reader: quantity, integer, choice, text, boolean, quantities (a list), names,
-    component (nested mapping), components (mapping of names to components) or a special form that
-    `model/read.py` registers.
+    `kind` names the reader: quantity, integer, choice, text, boolean, quantities (a list), names, end and
+    ends (places on bodies), component (nested mapping), components (mapping of names to components) or a
+    special form that `model/read.py` registers.
     """
 
     kind: str
@@ -40,6 +40,7 @@ class Key:
     below: bool = False  # the maximum itself is refused
     choices: tuple[str, ...] = ()
     length: tuple[int, int] = (0, 10**7)
+    dotted: bool = False  # names of components may be two words with a dot, as JOINT.COORDINATE
     of: Any = None  # dataclass of nested components, or table of variants
     display: str = ""  # default in the words of a user, where a formula stands behind it
     sample: str = ""  # a usual value, where the example of the dimension would be none
@@ -95,6 +96,21 @@ def choice(choices: tuple[str, ...], meaning: str, default: Any = REQUIRED, **mo
 def text(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
     """Field for free text or the name of something."""
     return key("text", meaning, default, **more)
+
+
+def boolean(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
+    """Field for true or false."""
+    return key("boolean", meaning, default, **more)
+
+
+def end(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
+    """Field for a place on a body: ground, a body or BODY.MARKER."""
+    return key("end", meaning, default, **more)
+
+
+def ends(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
+    """Field for a list of places on bodies."""
+    return key("ends", meaning, default, **more)
 
 
 def component(of: Any, meaning: str, default: Any = None, **more: Any) -> Any:

@@ -11,18 +11,23 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from pitchpoint.core.errors import ModelError, Problem
-from pitchpoint.model.assembly import Parts
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.components.joint import Joint
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.load import Load
+from pitchpoint.model.components.marker import Triple
 from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.components.ratio import Ratio
+from pitchpoint.model.components.rod import Rod
 from pitchpoint.model.inertia import BodyInertia, body_inertia
-from pitchpoint.model.keys import BAD, Key, component, defaults_of, derived, key, keys_of, text
+from pitchpoint.model.keys import BAD, Key, component, defaults_of, derived, key, keys_of, quantities, text
+from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.pair_check import gap
+from pitchpoint.model.parts import Parts
 from pitchpoint.model.phasing import Phasing, assemble
 from pitchpoint.model.read import Reader
 from pitchpoint.model.recheck import recheck
@@ -58,8 +63,18 @@ class Model:
     """
 
     title: str = text("what the file describes", "")
+    gravity: Triple | None = quantities(
+        "acceleration",
+        "acceleration of gravity along the axes of the world; without it nothing has weight",
+        None,
+        length=(3, 3),
+        sample="[0, 0, -9.81 m/s^2]",
+    )
     gears: Mapping[str, Gear] = key("components", "the gears by name", {}, of=Gear)
-    bodies: Mapping[str, Body] = key("components", "bodies that carry the gears", {}, of=Body)
+    bodies: Mapping[str, Body] = key("components", "bodies, with the gears that they carry", {}, of=Body)
+    joints: Mapping[str, Joint] = key("components", "joints between bodies", {}, of=Joint)
+    rods: Mapping[str, Rod] = key("components", "rods that hold two points at a distance", {}, of=Rod)
+    ratios: Mapping[str, Ratio] = key("components", "fixed ratios between coordinates", {}, of=Ratio)
     meshes: Mapping[str, Mesh] = key("components", "pairs of gears in mesh", {}, of=Mesh)
     bearings: Mapping[str, Bearing] = key("components", "bearings between bodies and ground", {}, of=Bearing)
     couplings: Mapping[str, Coupling] = key("components", "couplings between bodies", {}, of=Coupling)
@@ -70,6 +85,8 @@ class Model:
     """Path of the file the model came from."""
     pairs: Mapping[str, GearPair] = derived()
     """Pair of every mesh at its centre distance; the common face width is what overlaps."""
+    mechanism: Mechanism = derived()
+    """How the bodies hang on each other: tree, cut joints, places and frames of joints."""
 
     def __post_init__(self) -> None:
         for group in GROUPS:
@@ -85,18 +102,21 @@ class Model:
         self._settle(parts)
 
     @classmethod
-    def from_parts(cls, parts: Parts, title: str = "", file: str | None = None) -> Model:
+    def from_parts(cls, parts: Parts, keys: Mapping[str, Any], file: str | None = None) -> Model:
         """Model of parts that `validate.check` has settled and found without problems.
 
         Parameters
         ----------
         parts
             The parts.
-        title, file
+        keys
+            Values of the keys that are no sections; those left out have their defaults.
+        file
             As in the class.
         """
         model = object.__new__(cls)
-        for name, value in (("title", title), ("file", file), ("damping", parts.damping)):
+        plain = {n: v for n, v in {**defaults_of(cls), **keys}.items() if n not in GROUPS}
+        for name, value in {**plain, "file": file, "damping": parts.damping}.items():
             object.__setattr__(model, name, value)
         model._settle(parts)
         return model
@@ -104,9 +124,12 @@ class Model:
     def _settle(self, parts: Parts) -> None:
         for group in (*GROUPS, "pairs"):
             object.__setattr__(self, group, Frozen(getattr(parts, group)))
+        object.__setattr__(self, "mechanism", parts.mechanism)
 
     def _parts(self) -> Parts:
-        return Parts.of({group: getattr(self, group) for group in GROUPS}, self.damping)
+        parts = Parts.of({group: getattr(self, group) for group in GROUPS}, self.damping)
+        parts.mechanism = self.mechanism or parts.mechanism
+        return parts
 
     def replace(self, path: str, value: Any) -> Model:
         """New model with one value changed; everything that follows from it is settled again.
@@ -197,7 +220,8 @@ class Model:
         return model_table(self)
 
 
-GROUPS = ("gears", "bodies", "meshes", "bearings", "couplings", "loads", "scenarios")
+GROUPS = tuple(name for name, found in keys_of(Model).items() if found.kind == "components")
+"""Sections of a file that hold components by name."""
 
 
 def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at: tuple[str, ...] = ()) -> Any:
@@ -205,6 +229,9 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
     name = path[0]
     here = (*at, name)
     if isinstance(part, Mapping):
+        if name not in part and ".".join(path[:2]) in part:  # JOINT.COORDINATE is one name
+            path = (".".join(path[:2]), *path[2:])
+            name, here = path[0], (*at, path[0])
         if name not in part:
             report.problem(here, "does not exist", remedy=f"there are {', '.join(map(str, part)) or 'none'}")
             return part
@@ -222,6 +249,7 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
         report.problem(here, "is below a key without keys", remedy="replace the whole value above it")
         return part
     keys = keys_of(type(part))
+    report.within = vars(part)
     if name not in keys:
         report.unknown({name: value}, keys, at)
         return part

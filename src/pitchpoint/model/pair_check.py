@@ -15,9 +15,9 @@ from pitchpoint.model.read import Reader
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     from pitchpoint.geometry.gear_pair import GearPair
-    from pitchpoint.model.assembly import Parts
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.mesh import Mesh
+    from pitchpoint.model.parts import Parts
 
 OFFSET_TOLERANCE = 1e-4
 """Base pitches by which an assembly may stand beyond its backlash: what elastic teeth take up."""

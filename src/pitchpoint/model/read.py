@@ -16,7 +16,7 @@ from typing import Any
 from pitchpoint.core.errors import Problem, UnitError
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import parse_quantity
-from pitchpoint.model import read_file, read_forms, read_law
+from pitchpoint.model import read_file, read_forms, read_law, read_mechanism
 from pitchpoint.model.keys import BAD, Key, Place, defaults_of, keys_of
 from pitchpoint.model.show import SI, dotted, example, limit_text, shown
 
@@ -33,6 +33,8 @@ class Reader:
         Whether entries that name Python functions are accepted.
     directory
         Directory that relative file names start from.
+    within
+        Keys beside the one that is being read, for values whose meaning depends on them.
     """
 
     lines: Mapping[Place, int] = field(default_factory=dict)
@@ -40,6 +42,7 @@ class Reader:
     directory: str = "."
     problems: list[Problem] = field(default_factory=list)
     tainted: set[Place] = field(default_factory=set)
+    within: Mapping[str, Any] = field(default_factory=dict)
 
     def line(self, path: Place) -> int | None:
         """Line of a path, or of the nearest part of it that stands in the file."""
@@ -85,6 +88,7 @@ class Reader:
             value = data[name]
             if value is None and name in defaults and defaults[name] is None:
                 continue
+            self.within = data
             result = self.value(description, value, (*path, name))
             if result is not BAD:
                 values[name] = result
@@ -241,15 +245,18 @@ class Reader:
             return self.problem(path, "is not a mapping of names", value=shown(data))
         out = {}
         for name, entry in data.items():
-            if self.good_name(name, path):
+            if self.good_name(name, path, description.dotted):
                 result = self.component(description.of, entry, (*path, str(name)))
                 if result is not BAD:
                     out[str(name)] = result
         return out
 
-    def good_name(self, name: Any, path: Place) -> bool:
+    def good_name(self, name: Any, path: Place, dotted: bool = False) -> bool:
         """Names are words, so that paths and channels like `mesh_force[stage]` stay readable."""
         text = str(name)
+        first, dot, rest = text.partition(".")
+        if dotted and dot and first and rest and "." not in rest:
+            return self.good_name(first, path) and self.good_name(rest, path)
         if (
             not isinstance(name, bool | float)
             and text
@@ -319,4 +326,12 @@ _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "laws": read_law.laws,
     "python": read_law.python,
     "material": read_law.material,
+    "center": read_mechanism.center,
+    "end": read_mechanism.end,
+    "ends": read_mechanism.ends,
+    "coordinates": read_mechanism.coordinates,
+    "displacements": read_mechanism.displacements,
+    "rates": read_mechanism.rates,
+    "motions": read_mechanism.motions,
+    "terms": read_mechanism.terms,
 }

@@ -27,7 +27,7 @@ _CALL = re.compile(r"[a-zA-Z_]\w*\s*\(")
 
 def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a torque, force or prescribed motion in any of its forms."""
-    motion = key.dimension in ("angle", "angular_speed")
+    motion = key.dimension in ("angle", "angular_speed", "length", "speed")
     if isinstance(data, Mapping):
         if "python" in data:
             return python(reader, key, data, path)
@@ -71,13 +71,19 @@ def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, *, on
     reader.unknown(data, ("table", "over"), path)
     choices = ("time",) if only_time else ("time", "angle")
     over = reader.word(Key("choice", "", choices=choices), data.get("over", "time"), (*path, "over"))
-    rows = data["table"]
-    at = (*path, "table")
+    x_key = Key("quantity", "", dimension="angle" if over == "angle" else "time")
+    points = table_points(reader, key, data["table"], (*path, "table"), x_key, over)
+    if points is BAD or over is BAD:
+        return BAD
+    return TableLaw(tuple(p[0] for p in points), tuple(p[1] for p in points), over)
+
+
+def table_points(reader: Reader, key: Key, rows: Any, at: Place, x_key: Key, over: Any) -> Any:
+    """Read rows of two values with rising first ones; BAD with any problem."""
     if not isinstance(rows, list | tuple) or len(rows) < 2:
         return reader.problem(at, "is not a list of at least two rows", remedy="write [[0 s, 0], [1 s, 150]]")
     if over is BAD:
         return BAD
-    x_key = Key("quantity", "", dimension="time" if over == "time" else "angle")
     points = []
     for i, row in enumerate(rows):
         if not isinstance(row, list | tuple) or len(row) != 2:
@@ -93,7 +99,7 @@ def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, *, on
             return reader.problem(
                 (*at, i), f"does not come later in {over} than the row before", remedy="sort the table"
             )
-    return TableLaw(tuple(p[0] for p in points), tuple(p[1] for p in points), over)
+    return points
 
 
 def python(reader: Reader, key: Key, data: Any, path: Place) -> Any:

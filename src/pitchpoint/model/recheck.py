@@ -12,6 +12,7 @@ from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.tooth_profile import Points
 from pitchpoint.model.keys import Key, Place, defaults_of, keys_of
 from pitchpoint.model.read import Reader
+from pitchpoint.model.read_mechanism import recheck_motions
 from pitchpoint.model.show import shown
 
 
@@ -29,6 +30,7 @@ def recheck(part: Any, place: Place, report: Reader) -> None:
     """
     defaults = defaults_of(type(part))
     for name, key in keys_of(type(part)).items():
+        report.within = vars(part)
         value = getattr(part, name)
         if value is None and defaults.get(name, ...) is None:
             continue
@@ -36,12 +38,17 @@ def recheck(part: Any, place: Place, report: Reader) -> None:
 
 
 def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
-    if key.kind in ("quantity", "integer", "choice", "text", "boolean"):
+    if key.kind == "center":
+        kind = "quantities" if isinstance(value, list | tuple) else "quantity"
+        _value(Key(kind, "", dimension=key.dimension, length=(3, 3)), value, place, report)
+    elif key.kind in ("quantity", "integer", "choice", "text", "boolean", "end"):
         if key.kind == "quantity" and not isinstance(value, Real):
             report.problem(place, "is not a number", value=shown(value), remedy="give it in SI units")
         else:
             report.value(key, value, place)
-    elif key.kind in ("quantities", "names", "words", "matrix", "grid", "speeds", "gears"):
+    elif key.kind in ("displacements", "rates", "coordinates", "motions", "terms"):
+        _of_joints(key, value, place, report)
+    elif key.kind in ("quantities", "names", "ends", "words", "matrix", "grid", "speeds", "gears"):
         if not isinstance(value, list | tuple | Mapping):
             report.problem(place, "is neither a tuple nor a mapping", value=shown(value))
         elif not (key.kind == "quantities" and any(isinstance(v, str) for v in value)):
@@ -63,7 +70,7 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
         _component(allowed, value, place, report)
     elif key.kind == "components":
         for name, part in value.items():
-            if report.good_name(name, place):
+            if report.good_name(name, place, key.dotted):
                 _component((key.of,), part, (*place, name), report)
     elif key.kind == "list":
         for i, part in enumerate(value):
@@ -71,6 +78,18 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
     elif key.kind in ("law", "laws"):
         for law in value if key.kind == "laws" else (value,):
             _law(key, law, place, report)
+
+
+def _of_joints(key: Key, value: Any, place: Place, report: Reader) -> None:
+    """Mappings by the names of coordinates."""
+    if not isinstance(value, Mapping):
+        report.problem(place, "is no mapping", value=shown(value))
+    elif key.kind == "motions":
+        recheck_motions(value, place, report)
+    elif key.kind != "coordinates" and any(isinstance(v, str) for v in value.values()):
+        report.problem(place, "holds texts", remedy="give numbers in SI units")
+    else:
+        report.value(key, value, place)
 
 
 def _component(allowed: tuple[type, ...], part: Any, place: Place, report: Reader) -> None:

@@ -12,7 +12,7 @@ from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
-    from pitchpoint.model.assembly import Parts
+    from pitchpoint.model.parts import Parts
     from pitchpoint.model.scenario import Scenario
 
 SPEED_TOLERANCE = 1e-6
@@ -26,7 +26,9 @@ Link = tuple[Place, str, str, float]
 
 
 def links_of(parts: Parts) -> list[Link]:
-    """Everything that gives two bodies a speed ratio: meshes, and couplings that carry torque."""
+    """What gives two bodies a speed ratio: meshes, couplings that carry torque, ratios of two spins."""
+    from pitchpoint.model.mechanism import coordinate
+
     found: list[Link] = []
     for name, mesh in parts.meshes.items():
         bodies = [parts.body_of(g) for g in mesh.gears]
@@ -38,7 +40,18 @@ def links_of(parts: Parts) -> list[Link]:
         one, two = coupling.bodies
         if one != two and one in parts.bodies and two in parts.bodies and coupling.carries_torque:
             found.append((("couplings", name), one, two, 1.0))
+    for name, ratio in parts.ratios.items():
+        ends = [coordinate(parts.mechanism, parts, term) for term in ratio.terms]
+        spins = [e[0] for e in ends if not isinstance(e, str) and _is_spin(parts, e)]
+        if len(spins) == len(ends) == 2:
+            c_1, c_2 = ratio.terms.values()
+            found.append((("ratios", name), spins[0], spins[1], -c_1 / c_2))
     return found
+
+
+def _is_spin(parts: Parts, place: tuple[str, int, str]) -> bool:
+    """Whether a coordinate is the spin of its body."""
+    return parts.mechanism.seats[place[0]].coordinates[place[1]] == "spin"
 
 
 def ratios(parts: Parts) -> dict[str, list[tuple[str, float]]]:
@@ -97,7 +110,7 @@ def start_speeds(
                 if there not in speeds:
                     speeds[there] = speeds[here] * ratio
                     queue.append(there)
-    fixed = {n for n, b in parts.bodies.items() if b.motion == "fixed"}
+    fixed = {n for n, b in parts.bodies.items() if b.moves == "fixed"}
     return {n: 0.0 if n in fixed else speeds.get(n, 0.0) for n in parts.bodies}, wrong
 
 
@@ -127,11 +140,18 @@ def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
 
     for key in ("speed", "drive", "hold"):
         for body in getattr(scenario, key):
-            known(parts, "bodies", body, (*at, key, body) if key != "hold" else (*at, key), report)
+            if key == "drive" and "." in body:
+                continue  # a coordinate of a joint, see mechanism_check
+            place = (*at, key, body) if key != "hold" else (*at, key)
+            if known(parts, "bodies", body, place, report):
+                _turns(parts, body, place, report)
     for body, drive in scenario.drive.items():
-        exactly_one(drive, ("speed", "angle"), (*at, "drive", body), report)
-    if scenario.sweep is not None:
-        known(parts, "bodies", scenario.sweep.body, (*at, "sweep", "body"), report)
+        keys = ("speed", "angle", "velocity", "position") if "." in body else ("speed", "angle")
+        exactly_one(drive, keys, (*at, "drive", body), report)
+    if scenario.sweep is not None and known(
+        parts, "bodies", scenario.sweep.body, (*at, "sweep", "body"), report
+    ):
+        _turns(parts, scenario.sweep.body, (*at, "sweep", "body"), report)
     for key in ("sweep", "quasi_static"):
         part = getattr(scenario, key)
         if part is not None and part.mesh is not None:
@@ -144,12 +164,23 @@ def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
         )
 
 
+def _turns(parts: Parts, body: str, at: Place, report: Reader) -> None:
+    """A body that a joint carries has a spin of its own only with some joints."""
+    from pitchpoint.model.mechanism import coordinate
+
+    if body not in parts.bodies or parts.bodies[body].moves != "joint":
+        return
+    found = coordinate(parts.mechanism, parts, body)
+    if isinstance(found, str):
+        report.problem(at, found, remedy="name a body that spins, or drive a coordinate of its joint")
+
+
 def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     free = {b: s for b, s in scenario.speed.items() if b not in scenario.drive}
     _locked(parts, scenario, at, report)
     for body in scenario.speed:
         part = parts.bodies.get(body)
-        if part is not None and part.motion == "fixed" and scenario.speed[body] != 0.0:
+        if part is not None and part.moves == "fixed" and scenario.speed[body] != 0.0:
             report.problem((*at, "speed", body), "is the speed of a fixed body", remedy="remove it")
     for k, body in enumerate(scenario.hold):
         if body in scenario.drive:
@@ -160,7 +191,7 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
             report.problem((*at, "hold"), f"names {body} twice", remedy="name each body once")
     for key, bodies in (("drive", tuple(scenario.drive)), ("hold", scenario.hold)):
         for body in bodies:
-            if body in parts.bodies and parts.bodies[body].motion == "fixed":
+            if body in parts.bodies and parts.bodies[body].moves == "fixed":
                 report.problem(
                     (*at, key, body) if key == "drive" else (*at, key),
                     f"names {body}, which is fixed and cannot turn",
@@ -177,11 +208,12 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
                     limit=f"{driven:.6g} rad/s",
                     remedy="leave it out: what is driven starts at the speed of its drive",
                 )
-        if isinstance(drive.angle, PythonLaw):
+        if isinstance(drive.value, PythonLaw):
+            key, rate = ("angle", "speed") if drive.angle is not None else ("position", "velocity")
             report.problem(
-                (*at, "drive", body, "angle"),
-                "is a Python function; only a speed can be one, its angle follows without differencing",
-                remedy="give speed: {python: ...}, or the angle as a formula or table",
+                (*at, "drive", body, key),
+                f"is a Python function; only a {rate} can be one, its {key} follows without differencing",
+                remedy=f"give {rate}: {{python: ...}}, or the {key} as a formula or table",
             )
     for body, fitting in start_speeds(parts, free)[1]:
         report.problem(
@@ -218,6 +250,14 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
             (*at, "duration"), "is missing", remedy="add duration: 0.5 s (or sweep, or quasi_static)"
         )
         return
+    if scenario.form == "SI1" and scenario.method == "generalized_alpha":
+        report.problem(
+            (*at, "form"),
+            "is none that generalized_alpha has",
+            value="SI1",
+            limit="I3 or SI2",
+            remedy="write form: SI2, or a stiff method such as gstiff",
+        )
     if scenario.settle_time is not None and scenario.settle_time >= scenario.duration:
         report.problem(
             (*at, "settle_time"),

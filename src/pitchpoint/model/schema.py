@@ -95,6 +95,14 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "law": {"type": ["number", "string", "object"]},
         "laws": {"type": "array", **_length(key)},
         "python": {"type": ["string", "object"]},
+        "center": {"anyOf": [number, {**row, "minItems": 3, "maxItems": 3}]},
+        "end": {"type": "string"},
+        "ends": {"type": "array", "items": {"type": "string"}, **_length(key)},
+        "coordinates": {"type": "object", "additionalProperties": {"enum": ["length", "angle"]}},
+        "displacements": {"type": "object", "additionalProperties": number},
+        "rates": {"type": "object", "additionalProperties": number},
+        "motions": {"type": "object"},
+        "terms": {"type": "object", "additionalProperties": number},
     }
     return plain[key.kind]
 

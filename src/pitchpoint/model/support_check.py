@@ -6,11 +6,14 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from pitchpoint.model.frames import frame
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
-    from pitchpoint.model.assembly import Parts
     from pitchpoint.model.components.coupling import Coupling
+    from pitchpoint.model.parts import Parts
 
 COAXIAL = 1e-6
 """Distance of two axes [m] up to which they count as one: what places computed from meshes differ by."""
@@ -39,12 +42,22 @@ def check_couplings(parts: Parts, report: Reader) -> None:
     """Forces between axes that lie apart would turn the bodies without a spring that gives the work."""
     for name, coupling in parts.couplings.items():
         bodies = [parts.bodies.get(b) for b in coupling.bodies]
-        if None in bodies or all(b.motion in ("torsion", "fixed") for b in bodies if b is not None):
+        if None in bodies or all(b.moves in ("torsion", "fixed") for b in bodies if b is not None):
             continue
         places = [b.origin for b in bodies if b is not None and b.origin is not None]
         if len(places) < 2 or not _holds_sideways(coupling):
             continue
-        apart = math.dist(places[0][:2], places[1][:2])
+        z, other = (frame(b.axes)[:, 2] for b in bodies if b is not None)
+        cosine = float(z @ other)
+        if cosine < 1.0 - COAXIAL**2:
+            report.problem(
+                ("couplings", name, "bodies"),
+                f"have axes {math.degrees(math.acos(max(-1.0, cosine))):.6g} deg apart",
+                value=" and ".join(coupling.bodies),
+                remedy="give both bodies the same z axis, or join them by a universal joint",
+            )
+            continue
+        apart = float(np.linalg.norm(np.cross(z, np.subtract(places[1], places[0]))))
         if apart > COAXIAL:
             first, second = coupling.bodies
             report.problem(

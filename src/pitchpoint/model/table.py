@@ -62,7 +62,7 @@ def model_table(model: Model) -> str:
         out.append(
             table(
                 ("body", "gears", "motion"),
-                ((name, ", ".join(body.gears), body.motion) for name, body in model.bodies.items()),
+                ((name, ", ".join(body.gears), body.moves) for name, body in model.bodies.items()),
             )
         )
     return "".join(out)

@@ -9,7 +9,6 @@ from collections.abc import Iterable
 from typing import Any
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.model.assembly import Parts
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.law import Balance, Constant
 from pitchpoint.model.components.modifications import FlankPitch
@@ -17,6 +16,7 @@ from pitchpoint.model.components.stiffness import Fourier, Rectangular
 from pitchpoint.model.inertia import BodyInertia, asks_gears, body_inertia, gear_inertia
 from pitchpoint.model.keys import Place
 from pitchpoint.model.pair_check import hand_on
+from pitchpoint.model.parts import Parts
 from pitchpoint.model.read import Reader
 from pitchpoint.model.scenario_check import check_scenarios, links_of
 
@@ -71,12 +71,17 @@ def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> boo
     names = parts.known(group)
     if name in names:
         return True
-    near = difflib.get_close_matches(name, sorted(names), 1, 0.6)
-    guess = f"did you mean {near[0]}? " if near else ""
+    guess = nearest(name, names)
     single = {"gears": "gear", "bodies": "body", "meshes": "mesh"}[group]
     have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {group}"
     report.problem(at, f"names the {single} {name[:40]!r}, which does not exist", remedy=guess + have)
     return False
+
+
+def nearest(name: str, names: Iterable[str]) -> str:
+    """Question for the name that was probably meant, '' if none is near."""
+    near = difflib.get_close_matches(name, sorted(names), 1, 0.6)
+    return f"did you mean {near[0]}? " if near else ""
 
 
 def check_carriers(parts: Parts, report: Reader) -> None:
@@ -245,7 +250,7 @@ def check_motions(parts: Parts, report: Reader) -> None:
     """Bodies that move have inertia; fixed bodies carry no loads and bearings."""
     for name in parts.bodies:
         _inertia(parts, name, report)
-    fixed = {n for n, b in parts.bodies.items() if b.motion == "fixed"}
+    fixed = {n for n, b in parts.bodies.items() if b.moves == "fixed"}
     for group in ("loads", "bearings"):
         for name, part in getattr(parts, group).items():
             if part.body in fixed:
@@ -259,7 +264,9 @@ def check_motions(parts: Parts, report: Reader) -> None:
 def _inertia(parts: Parts, name: str, report: Reader) -> None:
     """Mass and inertia of one body, as far as its motion needs them."""
     body = parts.bodies[name]
-    needed = [k for k in INERTIAS[body.motion] if ("bodies", name, k) not in report.tainted]
+    if body.moves == "joint" or not body.is_round:
+        return  # checked with the mechanism: what hangs on it counts
+    needed = [k for k in INERTIAS[body.moves] if ("bodies", name, k) not in report.tainted]
     given = {k: getattr(body, k) for k in needed if getattr(body, k) is not None}
     total = None
     if _readable(parts, body, report):
@@ -272,7 +279,7 @@ def _inertia(parts: Parts, name: str, report: Reader) -> None:
     for key in zero:
         report.problem(
             ("bodies", name, key),
-            f"is zero, but the body moves ({body.motion})",
+            f"is zero, but the body moves ({body.moves})",
             limit="> 0",
             remedy=f"give {key}" + ("" if body.gears else " (the body carries no gears)"),
         )
@@ -334,7 +341,7 @@ def check_loads(parts: Parts, report: Reader) -> None:
         if any(isinstance(f, Balance) for f in load.force):
             report.problem((*at, "force"), "cannot be balanced", remedy="balance a torque")
         sideways = any(not (isinstance(f, Constant) and f.value == 0.0) for f in load.force)
-        if body.motion == "torsion" and sideways and load.position[:2] == (0.0, 0.0):
+        if body.moves == "torsion" and sideways and load.position[:2] == (0.0, 0.0):
             report.problem(
                 (*at, "force"),
                 f"acts on the axis of {load.body}, which only turns",
@@ -363,14 +370,21 @@ def trains(parts: Parts) -> list[set[str]]:
 def check(parts: Parts, report: Reader) -> None:
     """All checks, in the order in which a later one may rely on an earlier one."""
     from pitchpoint.model.assembly import resolve
+    from pitchpoint.model.joint_check import check_directions, check_joints, check_masses, check_places
+    from pitchpoint.model.mechanism_check import check_mechanism
     from pitchpoint.model.pair_check import check_phasing
     from pitchpoint.model.support_check import check_couplings, check_positions
 
     check_references(parts, report)
+    check_places(parts, report)
     check_carriers(parts, report)
     check_choices(parts, report)
+    check_directions(parts, report)
+    check_masses(parts, report)
+    check_joints(parts, report)
     check_positions(parts, report)
     resolve(parts, report)
+    check_mechanism(parts, report)
     check_couplings(parts, report)
     check_motions(parts, report)
     check_loads(parts, report)

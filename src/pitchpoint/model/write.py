@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import display_unit, in_unit, parse_quantity
+from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
+from pitchpoint.model.components.ratio import Arm
 from pitchpoint.model.keys import Key, defaults_of, keys_of
 
 if TYPE_CHECKING:
@@ -53,11 +55,14 @@ def plain(model: Model) -> dict[str, Any]:
 class _Writer:
     def __init__(self, base: Path) -> None:
         self.base = base
+        self.within: Any = None
+        """Component whose key is being written."""
 
     def component(self, part: Any) -> dict[str, Any]:
         defaults = defaults_of(type(part))
         out: dict[str, Any] = {}
         for name, key in keys_of(type(part)).items():
+            self.within = part
             value = getattr(part, name)
             # the stiffness law is always written: it is the one choice nobody should have to look up
             if value is None or (key.kind != "variant" and name in defaults and _same(value, defaults[name])):
@@ -119,7 +124,8 @@ class _Writer:
         if isinstance(value, FormulaLaw):
             return value.text
         if isinstance(value, TableLaw):
-            abscissa = "time" if value.over == "time" else "angle"
+            own = dict(getattr(self.within, "coordinates", {}))
+            abscissa = "time" if value.over == "time" else own.get(value.over, "angle")
             rows = [
                 [quantity_text(x, abscissa), quantity_text(y, key.dimension)]
                 for x, y in zip(value.abscissa, value.values, strict=True)
@@ -129,6 +135,28 @@ class _Writer:
 
     def laws(self, key: Key, value: Any) -> list[Any]:
         return [self.law(key, v) for v in value]
+
+    def center(self, key: Key, value: Any) -> Any:
+        return self.quantities(key, value) if isinstance(value, tuple) else self.quantity(key, value)
+
+    def displacements(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
+        return {name: quantity_text(v, self.within.dimension(name)) for name, v in value.items()}
+
+    def rates(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
+        return {name: quantity_text(v, RATES[self.within.dimension(name)]) for name, v in value.items()}
+
+    def mapping(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
+        return dict(value)
+
+    def motions(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
+        out = {}
+        for name, laws in value.items():
+            found = [self.law(Key("law", "", dimension=DISPLACEMENTS[name]), law) for law in laws]
+            out[name] = found if len(found) > 1 else found[0]
+        return out
+
+    def terms(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
+        return {n: quantity_text(float(v), "length") if isinstance(v, Arm) else v for n, v in value.items()}
 
     def python(self, key: Key, value: PythonLaw) -> Any:
         file = Path(value.file)
@@ -175,4 +203,11 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "laws": _Writer.laws,
     "python": _Writer.python,
     "material": _Writer.material,
+    "center": _Writer.center,
+    "ends": _Writer.strings,
+    "coordinates": _Writer.mapping,
+    "displacements": _Writer.displacements,
+    "rates": _Writer.rates,
+    "motions": _Writer.motions,
+    "terms": _Writer.terms,
 }

@@ -106,6 +106,9 @@ class Body:
         Number of an earlier body whose coordinates guide this body too, in place of own ones; 0 = none.
     angle
         Initial spin [rad]; any number of turns.
+    start, rate
+        Initial values of all coordinates of its joint and of their rates, in their order [m, rad],
+        [m/s, rad/s]; empty for zeros. Turns of bodies that tumble must leave beta below a right angle.
     """
 
     motion: int = TORSION
@@ -122,6 +125,8 @@ class Body:
     guided_by: tuple[tuple[str, str], ...] = ()
     shares: int = 0
     angle: float = 0.0
+    start: tuple[float, ...] = ()
+    rate: tuple[float, ...] = ()
     name: str = ""
 
     @property
@@ -164,6 +169,9 @@ class Body:
             found.append("a screw needs a lead")
         if self.shares and (self.motion != GUIDED or self.guided_by):
             found.append("only a guided body without coordinates of its own can share those of another")
+        for given in (self.start, self.rate):
+            if len(given) not in (0, len(self.coordinates)) or not np.all(np.isfinite(given)):
+                found.append(f"start values are {len(self.coordinates)} finite numbers")
         return found + (self._round_faults() if self.is_round else self._tensor_faults())
 
     def _round_faults(self) -> list[str]:

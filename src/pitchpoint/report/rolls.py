@@ -64,7 +64,7 @@ def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:
 
     for gear in model.meshes[mesh].gears:
         body = model.body_of(gear)
-        if body is not None and model.bodies[body].motion != "fixed":
+        if body is not None and model.bodies[body].moves != "fixed":
             try:
                 turning = model.start_speeds(Scenario(speed={body: 1.0}))
             except PitchpointError:

@@ -70,7 +70,7 @@ def with_rolls(
 def rolls(model: Model, mesh: str) -> bool:
     """Whether both gears of a mesh sit on bodies and one of them turns."""
     bodies = [model.body_of(g) for g in model.meshes[mesh].gears]
-    return all(bodies) and any(model.bodies[str(b)].motion != "fixed" for b in bodies)
+    return all(bodies) and any(model.bodies[str(b)].moves != "fixed" for b in bodies)
 
 
 def loaded_scenario(model: Model) -> Scenario | None:
@@ -159,7 +159,7 @@ def reference_body(model: Model) -> str | None:
     """First body with a gear in mesh that turns."""
     in_mesh = {g for mesh in model.meshes.values() for g in mesh.gears}
     for name, body in model.bodies.items():
-        if body.motion != "fixed" and in_mesh & set(body.gears):
+        if body.moves != "fixed" and in_mesh & set(body.gears):
             return name
     return None
 

@@ -13,12 +13,17 @@ from pitchpoint.elements import damping as damping_element
 from pitchpoint.elements import drive as drive_element
 from pitchpoint.elements.ratio import place_of
 from pitchpoint.elements.signal import set_constant
+from pitchpoint.model.mechanism import given
+from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques, find_equilibrium
 from pitchpoint.solvers.trains import driven_coordinates, free_spins, held_spins, rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from pitchpoint.model.scenario import Scenario
@@ -51,13 +56,13 @@ def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
     model = system.model
     if model is None:
         raise SolverError("the system was not made from a model; give a state instead of a scenario", 0)
-    given = dict(scenario.speed)
+    known = dict(scenario.speed)
     for name, record in drive_records(system):
         if place_of(record, "i") != int(record["spin_i"]):
             continue
-        given[name] = drive_element.target_of(record, 0.0)[1]
+        known[name] = drive_element.target_of(record, 0.0)[1]
     # a drive need not fit the ratio of the teeth: the gap takes up the rest
-    return {**model.start_speeds(replace(scenario, speed=given)), **given}
+    return {**model.start_speeds(replace(scenario, speed=known)), **known}
 
 
 def drive_records(system: System) -> list[tuple[str, np.void]]:
@@ -96,11 +101,28 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
             state.q[place] = value - 2.0 * np.pi * state.turns[record["i"]]
     held = list(held_spins(system))
     if scenario.start == "assembled":
-        return Start(_with_damping(system, state), state)
+        state, notes = _closed(system, scenario, state, driven)
+        return Start(_with_damping(system, state), state, notes)
     system, balanced, held = balance_torques(system, state, held, driven)
     found = find_equilibrium(system, state, held)
     notes = _notes(system, found, {*driven, *balanced})
     return Start(_with_damping(system, found.state), found.state, notes)
+
+
+def _closed(
+    system: System, scenario: Scenario, state: State, driven: Sequence[int]
+) -> tuple[State, tuple[str, ...]]:
+    """Close the loops from the start values of the joints, which stay; with what there is to say about it."""
+    model = system.model
+    if model is None or not is_looped(system):
+        return state, ()
+    keep, rates = (
+        {*driven, *(system.layout.coordinate(c) for c in given(model.mechanism, model, key))}
+        for key in ("start", "speed")
+    )
+    rates |= {system.spin(body) for body in scenario.speed}
+    found = assemble_state(system, state, keep=keep, keep_rates=rates)
+    return found.state, found.report()
 
 
 def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[str, ...]:

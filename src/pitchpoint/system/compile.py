@@ -12,10 +12,14 @@ from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.bearing import bearing_bank
 from pitchpoint.system.rules.bodies import bodies
+from pitchpoint.system.rules.closure import closure_bank
 from pitchpoint.system.rules.damping import damping_bank
 from pitchpoint.system.rules.drive import drive_bank
 from pitchpoint.system.rules.gear_mesh import mesh_bank
+from pitchpoint.system.rules.gravity import gravity_bank
+from pitchpoint.system.rules.guide import guide_bank
 from pitchpoint.system.rules.load import load_banks
+from pitchpoint.system.rules.ratio import ratio_bank
 from pitchpoint.system.system import Law, System, assemble
 
 if TYPE_CHECKING:
@@ -46,8 +50,16 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     if not model.bodies:
         raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
-    others = [bearing_bank(model), *load_banks(model), damping_bank(model)]
-    constraints = [drive_bank(model, chosen)] if chosen is not None else []
+    others = [
+        bearing_bank(model),
+        *load_banks(model),
+        damping_bank(model),
+        gravity_bank(model),
+        guide_bank(model, chosen),
+    ]
+    constraints = [closure_bank(model), ratio_bank(model)]
+    if chosen is not None:
+        constraints.append(drive_bank(model, chosen))
     used = {b.kind for b in (*others, *constraints) if b.records.size}
     prepare_kernels(used | {"gear_mesh"} if model.meshes else used)
     banks = [mesh_bank(model), *others]

@@ -6,12 +6,16 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import call, kernel, view
-from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.core.status import NOT_FINITE, OK, SLOW
 from pitchpoint.multibody.block_lu import FACTOR, SOLVE, factorise, substitute
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.multibody.constraints import schur_factor, schur_solve
-from pitchpoint.system.residual import MASS, residual
+from pitchpoint.system.residual import FORCES, MASS, residual
 from pitchpoint.system.workspace import FACTORISATIONS, MACH, REDUNDANT
+
+MOST_PASSES = 200
+SETTLED = 1e-13
+"""Change of the accelerations over their size at which friction fits the loads of the joints."""
 
 
 @kernel
@@ -116,7 +120,52 @@ def solve_acceleration(at, t, rate):
         total += x[i]
     for r in range(nc):
         lam[r] = y[r]
+    if m["nfrictions"] > 0 and math.isfinite(total):
+        return _settle_friction(at, t)
     return OK if math.isfinite(total) else NOT_FINITE
+
+
+@kernel
+def _settle_friction(at, t):
+    """Repeat the solution until friction fits the loads of the joints, which depend on the accelerations.
+
+    Each pass corrects by what the residual leaves over with the mass matrix at hand; it contracts as long as
+    friction does not jam the mechanism.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    nd = c["nd"]
+    nc = c["nc"]
+    a = view(c["a"], nd, F8)
+    lam = view(c["lam"], nc, F8)
+    x = view(m["x"], nd, F8)
+    y = view(m["y"], nc, F8)
+    g = view(c["g"], nc, F8)
+    G = view(c["G"], (nc, nd), F8)
+    pull = view(m["pull"], nc, F8)
+    for _ in range(MOST_PASSES):
+        status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
+        if status != OK:
+            return status
+        for r in range(nc):
+            s = pull[r]
+            for i in range(nd):
+                s += G[r, i] * a[i]
+            g[r] = s
+        solve(at)
+        size = 0.0
+        change = 0.0
+        for i in range(nd):
+            a[i] += x[i]
+            size += abs(a[i])
+            change += abs(x[i])
+        for r in range(nc):
+            lam[r] += y[r]
+        if not math.isfinite(change):
+            return NOT_FINITE
+        if change <= SETTLED * size:
+            return OK
+    return SLOW
 
 
 @kernel
@@ -132,8 +181,10 @@ def pull_back(at, rate):
     gtt = view(c["gtt"], nc, F8)
     G = view(c["G"], (nc, nd), F8)
     v = view(c["v"], nd, F8)
+    pull = view(view(c["mach"], 1, MACH)[0]["pull"], nc, F8)
     for r in range(nc):
         s = gt[r]
         for i in range(nd):
             s += G[r, i] * v[i]
         g[r] = gtt[r] + 2.0 * rate * s + rate * rate * g[r]
+        pull[r] = g[r]

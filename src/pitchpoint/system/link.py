@@ -16,8 +16,18 @@ from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
 
-_CHANNEL = {registry.FRAME: 0, registry.COORDINATE: 1, registry.CONSTRAINT: 2, registry.MOTION: 3}
-_TABLE = {registry.CONSTRAINT: "cons", registry.MOTION: "guiding"}
+_CHANNEL = {
+    registry.FRAME: 0,
+    registry.FRICTION: 0,
+    registry.COORDINATE: 1,
+    registry.CONSTRAINT: 2,
+    registry.MOTION: 3,
+}
+_TABLE = {registry.CONSTRAINT: "cons", registry.MOTION: "guiding", registry.FRICTION: "frictions"}
+
+
+TABLES = ("forces", "cons", "guiding", "frictions")
+"""Address tables, in the order in which their rows are counted for messages."""
 
 
 def link(
@@ -25,17 +35,19 @@ def link(
     pools: Mapping[str, NDArray[np.float64]],
     laws: Mapping[str, Sequence[Any]],
 ) -> dict[str, NDArray[np.int64]]:
-    """Make the address tables forces, cons and guiding, rows (entry, records, count, channel).
+    """Make the address tables, rows (entry, records, count, channel).
 
     Kinds come in alphabetical order, so sums are reproducible. Addresses of pools and user laws are written
     into the records on the way.
     """
-    tables: dict[str, list[tuple[int, ...]]] = {"forces": [], "cons": [], "guiding": []}
+    tables: dict[str, list[tuple[int, ...]]] = {name: [] for name in TABLES}
     for name in sorted(records):
         bank = records[name]
         kind = registry.find(name)
         if name in pools and "pool" in (bank.dtype.names or ()):
             bank["pool"] = pools[name].ctypes.data
+        if "closures" in (bank.dtype.names or ()) and "closure" in records:
+            bank["closures"] = records["closure"].ctypes.data
         for k, law in enumerate(laws.get(name, ())):
             if law is not None:
                 bank[k]["law"] = law_address(law)
@@ -75,7 +87,6 @@ def link_parts(body: NDArray[np.void]) -> dict[str, int]:
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:
-    """Name of the kind in a row of the tables: forces, then constraints, then guides."""
-    tables = ("forces", "cons", "guiding")
-    ordered = sorted(records, key=lambda n: (tables.index(_TABLE.get(registry.find(n).channel, "forces")), n))
+    """Name of the kind in a row of the tables: forces, constraints, guides, frictions."""
+    ordered = sorted(records, key=lambda n: (TABLES.index(_TABLE.get(registry.find(n).channel, "forces")), n))
     return ordered[row] if 0 <= row < len(ordered) else "?"

@@ -126,6 +126,11 @@ def entry(at, jac, spare):
         status = constraints(at)
         if status != OK:
             return status
+    if m["nfrictions"] > 0:
+        status = run_kinds(at, view(m["frictions"], (m["nfrictions"], 4), I8), 0)
+        if status != OK:
+            c["badkind"] += m["nforces"] + m["ncons"] + m["nguiding"]
+            return status
     project_force(view(m["path"], n, PATH), fr, J, R)
     if jac != FORCES:
         project_tangent(view(m["proj"], m["nproj"], PROJ), J, kk, J, A, view(m["T"], (6, 6), F8))

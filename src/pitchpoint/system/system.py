@@ -139,16 +139,20 @@ class System:
         return replace(self.copy(), records={k: records.get(k, r).copy() for k, r in self.records.items()})
 
     def initial_state(self) -> State:
-        """State at rest in the reference position, spins at the initial angles of the bodies."""
+        """State at the start values of the bodies: zero, but for what they give."""
         nd, nb = self.sizes["nd"], self.sizes["nb"]
-        q, turns = np.zeros(nd), np.zeros(nb, np.int64)
+        q, v, turns = np.zeros(nd), np.zeros(nd), np.zeros(nb, np.int64)
         for b, body in enumerate(self.bodies, start=1):
-            spin = self.program["body"][b]["spin"]
+            record = self.program["body"][b]
+            first, spin = int(record["dof"]), int(record["spin"])
+            q[first : first + len(body.start)] = body.start
+            v[first : first + len(body.rate)] = body.rate
             if spin >= 0:
-                turns[b] = int(np.round(body.angle / TWO_PI))
-                q[spin] = body.angle - TWO_PI * turns[b]
+                q[spin] += body.angle
+                turns[b] = int(np.round(q[spin] / TWO_PI))
+                q[spin] -= TWO_PI * turns[b]
         charts = np.tile(np.eye(3), (int(self.program["body"]["chart"].max()) + 1, 1, 1))
-        return State(0.0, q, np.zeros(nd), np.zeros(nd), np.zeros(self.sizes["nc"]), turns, charts)
+        return State(0.0, q, v, np.zeros(nd), np.zeros(self.sizes["nc"]), turns, charts)
 
     def spin(self, body: str) -> int:
         """Index of the spin coordinate of a body by name."""
@@ -330,7 +334,7 @@ def assemble(
                 records["fixed_axes"][bank[field]] = 1
     program, pair_index, parts = structure(
         records,
-        _pairs(ordered, registry.FRAME) | _pairs(ordered, registry.CONSTRAINT),
+        set().union(*(_pairs(ordered, c) for c in (registry.FRAME, registry.FRICTION, registry.CONSTRAINT))),
         _pairs(ordered, registry.COORDINATE),
     )
     for name, bank in ordered.items():

@@ -51,6 +51,7 @@ _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("used", "i8", ("nc",)),  # 0 = redundant row
     ("y", "f8", ("nc",)),
     ("z", "f8", ("nc",)),
+    ("pull", "f8", ("nc",)),  # right-hand side of the rows of an acceleration
     ("weight", "f8", ("nd",)),  # length per unit of each coordinate in error norms [m/m, m/rad]
     ("relative", "f8", ("nd",)),  # 0 for spins, whose size says nothing about their error
     ("x", "f8", ("nd",)),  # right-hand side and solution
@@ -69,10 +70,10 @@ MACH = np.dtype(
         (name, "i8")
         for name in (
             *("body", "path", "path_of", "proj", "factor", "solve", "spins", "body_out", "rows"),
-            *("forces", "cons", "guiding"),
+            *("forces", "cons", "guiding", "frictions"),
             *(name for name, _, _ in _ARRAYS),
             *("npath", "nproj", "nfactor", "nsolve", "nspins", "nbody_out", "nforces", "ncons"),
-            *("nguiding", "ncharts"),
+            *("nguiding", "nfrictions", "ncharts"),
             *("residual", "factor_entry", "solve_entry"),  # addresses of the parts that all drivers share
             *("tree", "tumble"),  # and of those that only trees need, 0 without
             "constant_mass",  # 1: M does not depend on q
@@ -92,7 +93,7 @@ class Workspace:
     sizes
         nb, nd, np, na, nc, no, ne.
     tables
-        Address tables of the kinds, forces, cons and guiding: rows (entry, records, count, channel).
+        Address tables of the kinds (`link.TABLES`): rows (entry, records, count, channel).
     parts
         Addresses of the residual and of the linear algebra (`link.link_parts`).
     weight

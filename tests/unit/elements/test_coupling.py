@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.formula import Formula
-from pitchpoint.elements import coupling, torque
+from pitchpoint.elements import coupling, torque, torsion_maxwell
 from pitchpoint.elements import signal as sig
 from pitchpoint.multibody.bodies import Body
+from pitchpoint.solvers.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.forces import check_balance, check_matrices, mechanism, moving, power, shafts
@@ -139,3 +140,45 @@ def test_a_law_may_use_angle_and_rate_together():
     x = 0.3 + TWO_PI
     assert evaluate.residual(system, state)[0] == pytest.approx(7.0 * x + 0.5 * 2.0 * x * x)
     check_matrices(system, state, 1e-7)
+
+
+def relaxing(i, j, k, stiffness, damping):
+    record = np.zeros(1, torsion_maxwell.RECORD)
+    record["i"], record["j"], record["k"] = i, j, k
+    record["stiffness"], record["damping"] = stiffness, damping
+    return {"torsion_maxwell": record}
+
+
+@pytest.mark.nojit
+@pytest.mark.parametrize(("i", "j"), PAIRS)
+def test_maxwell_elements_in_torsion(i, j):
+    rng = np.random.default_rng(5)
+    system = assemble(shafts(rng, states=1), relaxing(i, j, 5, 40.0, 3.0))
+    state = moving(system, rng, 0.4, 0.05)
+    check_matrices(system, state)
+    check_balance(system, state)
+    moment = state.v[system.spin("state0")]
+    change = system.workspace.fr[5]["F"][5] + state.a[system.spin("state0")]
+    # power = -d(T^2/2k)/dt - T^2/d
+    assert power(system, state) == pytest.approx(-moment * change / 40.0 - moment**2 / 3.0, rel=1e-10)
+
+
+def test_relaxation_in_torsion_against_the_closed_form():
+    """Two discs through a Maxwell element: exact modal sum of the three first-order equations."""
+    bodies = [
+        Body(polar_inertia=0.5, name="a"),
+        Body(polar_inertia=2.0, name="b"),
+        Body(polar_inertia=1.0, name="state0"),
+    ]
+    system = assemble(bodies, relaxing(1, 2, 3, 600.0, 20.0))
+    state = system.initial_state()
+    state.v[system.spin("a")] = 3.0
+    h, n = 1e-4, 4000
+    run = start(system, state, h, rho_inf=1.0)
+    run.advance(n)
+    A = np.array([[0.0, 0.0, 2.0], [0.0, 0.0, -0.5], [-600.0, 600.0, -30.0]])
+    values, modes = np.linalg.eig(A)
+    wanted = ((modes * np.exp(values * n * h)) @ np.linalg.solve(modes, [3.0, 0.0, 0.0])).real
+    found = [run.state().v[system.spin(name)] for name in ("a", "b", "state0")]
+    # second order: (omega h)^2/12 times the number of radians is below 1e-5
+    np.testing.assert_allclose(found, wanted, rtol=2e-5, atol=1e-5)

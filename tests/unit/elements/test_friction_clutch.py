@@ -13,6 +13,7 @@ from pitchpoint.core.formula import Formula
 from pitchpoint.elements import coupling, drive, friction_clutch, torque
 from pitchpoint.elements import signal as sig
 from pitchpoint.elements.friction_clutch import BRISTLE, REGULARISED
+from pitchpoint.elements.ratio import SPIN
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.generalized_alpha import start
 from pitchpoint.system import evaluate
@@ -141,7 +142,7 @@ def belt(v_belt, k, capacity, ratio, stiffness, sigma, v_s):
     springs = np.zeros(1, coupling.RECORD)
     springs["i"], springs["k"] = 1, k
     drives = np.zeros(1, drive.RECORD)
-    drives["i"], drives["speed"] = 2, v_belt
+    drives["i"], drives["q_i"], drives["speed"] = 2, SPIN, v_belt
     record = clutch(
         1, 2, 3, BRISTLE, value=capacity, ratio=ratio, stiffness=stiffness, sigma=sigma, v_s=v_s, onset=0.8
     )
@@ -187,3 +188,16 @@ def test_stick_slip_of_a_mass_on_a_belt():
     assert begin[-1] - begin[-2] == pytest.approx(period, rel=0.01)
     steady = found[found[:, 0] > 2.0]
     assert steady[:, 1].max() - steady[:, 1].min() == pytest.approx(2.0 * np.hypot(drop, v / w), rel=0.01)
+
+
+def test_a_stuck_brake_rings_on_its_bristles():
+    """Linearised at rest: J x'' + C (y + s k x') = 0, y' = k x', the oscillator of stiffness C k."""
+    J, C, k, s = 0.5, 10.0, 1e4, 1e-4
+    system = brake("0", BRISTLE, C, **STIFF | {"stiffness": k, "sigma": s})
+    M, D, K = evaluate.linearize(system, system.initial_state())
+    A = np.block([[np.zeros((2, 2)), np.eye(2)], [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]])
+    found = np.linalg.eigvals(A)
+    wanted = np.roots([J, C * s * k, C * k])
+    np.testing.assert_allclose(
+        np.sort_complex(found[np.abs(found) > 1.0]), np.sort_complex(wanted), rtol=1e-9
+    )

@@ -10,9 +10,12 @@ from pitchpoint.core.formula import Formula
 from pitchpoint.core.status import NOT_FINITE
 from pitchpoint.elements import maxwell, spring_damper
 from pitchpoint.elements import signal as sig
+from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
+from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.generalized_alpha import start
+from pitchpoint.solvers.runge_kutta import start_classical
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.forces import (
@@ -187,3 +190,40 @@ def test_relaxation_against_the_closed_form():
     end = run.state()
     # second order: (omega h)^2/12 times the number of radians is below 1e-5
     np.testing.assert_allclose([end.q[0], end.v[0], end.v[1]], [z, v, T], rtol=2e-5)
+
+
+def test_a_standard_linear_solid_in_equilibrium_modes_and_explicit_steps():
+    """Weight on a spring, a damper and a Maxwell element: at rest the latter carries nothing.
+
+    About the rest position m z'' + d z' + k z + T = 0, T' = K (z' - T/c): a cubic with three roots.
+    """
+    m, k, d, K, c, g = 2.0, 100.0, 3.0, 500.0, 20.0, 9.81
+    bodies = [
+        Body(motion=PRISMATIC, position=(0.0, 0.0, 1.0), mass=m, inertia=np.eye(3), name="mass"),
+        Body(polar_inertia=1.0, name="state0"),
+    ]
+    record = np.zeros(1, spring_damper.RECORD)
+    record["i"], record["k"], record["d"], record["free"] = 1, k, d, 1.5
+    banks = {
+        "spring_damper": record,
+        "maxwell": series(1, 0, 2, K, c),
+        "gravity": gravity_records(bodies[:1], (0.0, 0.0, -g)),
+    }
+    system = assemble(bodies, banks)
+    rest = find_equilibrium(system).state
+    np.testing.assert_allclose(rest.q, [0.5 - m * g / k, 0.0], atol=1e-12)
+    M, D, stiff = evaluate.linearize(system, rest)
+    A = np.block([[np.zeros((2, 2)), np.eye(2)], [-np.linalg.solve(M, stiff), -np.linalg.solve(M, D)]])
+    cubic = [1.0, K / c + d / m, (k + K) / m + K * d / (c * m), k * K / (c * m)]
+    wanted = np.append(np.roots(cubic), 0.0)  # the integral of the state is free
+    np.testing.assert_allclose(np.sort_complex(np.linalg.eigvals(A)), np.sort_complex(wanted), atol=1e-9)
+    state = rest.copy()
+    state.v[0] = 0.1
+    run = start_classical(system, state, 1e-3)
+    run.advance(500)
+    B = np.array([[0.0, 1.0, 0.0], [-k / m, -d / m, -1.0 / m], [0.0, K, -K / c]])
+    values, modes = np.linalg.eig(B)
+    z, v, T = ((modes * np.exp(values * 0.5)) @ np.linalg.solve(modes, [0.0, 0.1, 0.0])).real
+    end = run.state()
+    # fourth order: (15 rad/s * 1e-3 s)^4 = 5e-8
+    np.testing.assert_allclose([end.q[0] - rest.q[0], end.v[0], end.v[1]], [z, v, T], rtol=1e-7, atol=1e-10)

@@ -91,7 +91,7 @@ def test_axes_of_the_frame_do_not_matter():
             motion=FLOATING, position=(0.1, 0.2, 0.3), axes=own, inertia=np.zeros((3, 3)), name="rod"
         )
         parts = elastic_parts(
-            "rod", structure, modes, {"tip": N}, first=1, frame=frame, axes=LEVEL, gravity=DOWN
+            "rod", structure, modes, {"tip": N}, first=1, frame=frame, pose=POSE, gravity=DOWN
         )
         system = assemble(parts.bodies, {"flexible_body": parts.flexible, "guide": parts.guides})
         state = system.initial_state()

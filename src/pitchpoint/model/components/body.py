@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from pitchpoint.model.keys import choice, derived, key, quantities, quantity
+from pitchpoint.model.components.marker import Axes, Marker, Triple
+from pitchpoint.model.keys import choice, component, derived, key, quantities, quantity
 
 MOTIONS = ("torsion", "planar", "free", "fixed")
 
@@ -17,8 +19,12 @@ class Body:
     gears: dict[str, float] = key(
         "gears", "names of the gears, or a mapping of names to axial offsets of their mid-faces [m]", {}
     )
-    motion: str = choice(
-        MOTIONS, "torsion: spin only; planar: x, y, spin; free: all six; fixed: none", "torsion"
+    motion: str | None = choice(
+        MOTIONS,
+        "how it moves against ground, where no joint moves it; torsion: spin only; planar: x, y, spin; "
+        "free: all six; fixed: none",
+        None,
+        display="torsion",
     )
     inertia: float | None = quantity(
         "inertia",
@@ -45,15 +51,51 @@ class Body:
         range_words="> 0 with motion: planar or free, else >= 0",
         display="sum over the gears",
     )
-    center_of_mass: float | None = quantity(
-        "length",
-        "axial position of the centre of mass from the origin; alone it leaves the gears where they are and "
-        "their transverse inertia is summed about it",
+    center_of_mass: float | Triple | None = key(
+        "center",
+        "axial position of the centre of mass from the origin, or [x, y, z] along the axes of the body; "
+        "alone it leaves the gears where they are and their transverse inertia is summed about it",
         None,
+        dimension="length",
         display="that of the gears",
     )
-    position: tuple[float, float, float] | None = quantities(
-        "length", "origin of the body [x, y, z]", None, length=(3, 3), display="from the meshes"
+    inertia_tensor: tuple[float, ...] | None = quantities(
+        "inertia",
+        "Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass along the axes of the body, in place of "
+        "inertia and transverse_inertia; products are the entries of the matrix, Ixy = -(sum of m x y)",
+        None,
+        length=(6, 6),
+        display="round about the z axis",
     )
-    origin: tuple[float, float, float] | None = derived()
-    """Origin of the body in the world [m]: the given position, or the one that follows from the meshes."""
+    position: Triple | None = quantities(
+        "length",
+        "origin of the body [x, y, z]",
+        None,
+        length=(3, 3),
+        display="from joints, meshes and couplings",
+    )
+    axes: Axes | None = component(
+        Axes, "directions of its axes in the world; without them those of the world"
+    )
+    markers: Mapping[str, Marker] = key("components", "points with frames, by name", {}, of=Marker)
+    origin: Triple | None = derived()
+    """Origin of the body in the world [m]: the given position, or the one that follows from what joins it."""
+    joint: str | None = derived()
+    """Name of the joint that carries it, if one does."""
+
+    @property
+    def moves(self) -> str:
+        """How it moves: its motion against ground, or 'joint' where a joint carries it."""
+        return "joint" if self.joint is not None else self.motion or "torsion"
+
+    @property
+    def center(self) -> Triple | None:
+        """Given centre of mass from the origin, axes of the body [m]."""
+        given = self.center_of_mass
+        return (0.0, 0.0, given) if isinstance(given, int | float) else given
+
+    @property
+    def is_round(self) -> bool:
+        """Whether its mass lies round about its z axis."""
+        center = self.center
+        return self.inertia_tensor is None and (center is None or center[:2] == (0.0, 0.0))

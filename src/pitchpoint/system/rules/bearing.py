@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 from pitchpoint.elements import bearing as element
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.coupling import Coupling
+from pitchpoint.model.frames import frame
+from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import body_numbers
+from pitchpoint.system.rules.bodies import axis_shift, body_numbers
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -22,7 +24,7 @@ def bearing_bank(model: Model) -> Bank:
     """All bearings (body to ground) and couplings (body to body).
 
     The markers lie on the spin axes, so that the springs do not turn with the gears; a model has no x and y
-    in their positions.
+    in their positions. The springs act along the axes of the (first) body.
     """
     number = body_numbers(model)
     rows, names = [], []
@@ -33,18 +35,21 @@ def bearing_bank(model: Model) -> Bank:
     for name, part, ends in parts:
         row = np.zeros(1, element.RECORD)[0]
         origin = [np.array(model.bodies[b].origin or (0.0, 0.0, 0.0)) for b in ends]
-        marker = origin[0] + [0.0, 0.0, part.position[2]]
+        axes = frame(model.bodies[ends[0]].axes)
+        marker = origin[0] + axes @ [0.0, 0.0, part.position[2]]
         row["i"] = number[ends[0]]
         row["j"] = number[ends[1]] if len(ends) == 2 else 0
         row["K"] = part.stiffness.matrix6()
         row["D"] = _damping(model, part, ends)
-        row["zi"] = part.position[2]
+        row["zi"] = part.position[2] + axis_shift(model, ends[0])
+        row["B"] = axes
         if len(ends) == 2:
-            row["zj"] = marker[2] - origin[1][2]
-            row["d0"] = marker - origin[1] - [0.0, 0.0, row["zj"]]
+            along = float((marker - origin[1]) @ axes[:, 2])
+            row["zj"] = along + axis_shift(model, ends[1])
+            row["d0"] = axes.T @ (marker - origin[1]) - [0.0, 0.0, along]
+            row["B"] = seat_frame(model, model.mechanism.seats[ends[1]])[1].T @ axes
         else:
-            row["d0"] = marker
-        row["B"] = np.eye(3)
+            row["d0"] = axes.T @ marker
         rows.append(row)
         names.append(name)
     return pack("bearing", element.RECORD, rows, names)

@@ -1,37 +1,138 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bodies of a model as bodies of the multibody layer."""
+"""Bodies of a model as bodies of the multibody layer, and where their places lie in the frames of those.
+
+The frame of a body that a joint carries sits at the joint, with its axes; everything that a model gives along
+the axes of the body is brought over here, once.
+"""
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from pitchpoint.multibody.bodies import FIXED, FREE, PLANAR, TORSION, Body
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.model.frames import GROUND, axes_of, body_frame, place_of, split
+from pitchpoint.model.mechanism import ONE_WAY, Seat, axial_offset, seat_frame
+from pitchpoint.multibody import joints
+from pitchpoint.multibody.bodies import Body
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.joint import Joint
     from pitchpoint.model.model import Model
 
-MOTION = {"fixed": FIXED, "torsion": TORSION, "planar": PLANAR, "free": FREE}
+Array = NDArray[np.float64]
+
+#: Codes of the types of joints.
+CODES = {
+    "fixed": joints.FIXED,
+    "planar": joints.PLANAR,
+    "revolute": joints.TORSION,
+    "prismatic": joints.PRISMATIC,
+    "cylindrical": joints.CYLINDRICAL,
+    "screw": joints.SCREW,
+    "universal": joints.UNIVERSAL,
+    "spherical": joints.SPHERICAL,
+    "shaft": joints.FREE,
+    "free": joints.FLOATING,
+    "moved": joints.GUIDED,
+    "user": joints.GUIDED,
+}
+UNITS = {"length": "m", "angle": "rad"}
+ROUND = 1e-12
+"""Share of the moments of inertia up to which a body is round."""
 
 
 def bodies(model: Model) -> list[Body]:
-    """All bodies in the order of the file; body k of the list is number k + 1 in the records."""
-    found = []
-    for name, body in model.bodies.items():
-        inertia = model.body_inertia(name)
-        found.append(
-            Body(
-                name=name,
-                motion=MOTION[body.motion],
-                position=body.origin or (0.0, 0.0, 0.0),
-                mass=inertia.mass,
-                polar_inertia=inertia.polar,
-                transverse_inertia=inertia.central,
-                center=inertia.center,
-            )
-        )
-    return found
+    """All bodies, parents first; body k of the list is number k + 1 in the records."""
+    number = body_numbers(model)
+    return [_body(model, seat, number[seat.parent]) for seat in model.mechanism.seats.values()]
 
 
 def body_numbers(model: Model) -> dict[str, int]:
     """Number of every body in the records; ground is 0."""
-    return {name: k for k, name in enumerate(model.bodies, start=1)}
+    return {GROUND: 0, **{name: k for k, name in enumerate(model.mechanism.seats, start=1)}}
+
+
+def _body(model: Model, seat: Seat, parent: int) -> Body:
+    inertia = model.body_inertia(seat.body)
+    place, axes = seat_frame(model, seat)
+    origin, own = body_frame(model, seat.body)
+    turn = axes.T @ own
+    com = turn @ np.array(inertia.place) + axes.T @ ((place if origin is None else origin) - place)
+    about = turn @ inertia.about_center() @ turn.T
+    joint = model.joints[seat.joint] if seat.joint is not None else None
+    start, rate = _start(joint, seat)
+    body = Body(
+        name=seat.body,
+        motion=CODES[seat.kind],
+        parent=parent,
+        position=tuple(float(x) for x in place),
+        axes=axes,
+        mass=inertia.mass,
+        lead=(joint.lead or 0.0) / math.tau if joint is not None and seat.kind == "screw" else 0.0,
+        guided_by=tuple((n, UNITS[d]) for n, d in joint.coordinates.items()) if joint is not None else (),
+        start=start,
+        rate=rate,
+    )
+    if not _is_round(com, about):
+        return replace(body, com=com, inertia=about)
+    if joint is None:  # to the last bit as the model has it
+        i_p, i_t, c = inertia.polar, inertia.central, inertia.center
+    else:
+        i_p, i_t, c = float(about[2, 2]), 0.5 * float(about[0, 0] + about[1, 1]), float(com[2])
+    return replace(body, polar_inertia=i_p, transverse_inertia=i_t, center=c)
+
+
+def _is_round(com: Array, about: Array) -> bool:
+    """Whether a mass lies round about the z axis."""
+    size = float(np.abs(about).max(initial=0.0))
+    beside = max(abs(about[0, 0] - about[1, 1]), abs(about[0, 1]), abs(about[1, 2]), abs(about[2, 0]))
+    return not np.any(com[:2]) and beside <= ROUND * size
+
+
+def _start(joint: Joint | None, seat: Seat) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Start values of the coordinates of a body and of their rates, in the order of the engine."""
+    if joint is None or not (joint.start or joint.speed) or (seat.turned and seat.kind in ONE_WAY):
+        return (), ()
+    return (
+        tuple(joint.start.get(c, 0.0) for c in seat.coordinates),
+        tuple(joint.speed.get(c, 0.0) for c in seat.coordinates),
+    )
+
+
+# --- places on bodies ---------------------------------------------------------------------------------------
+def end_of(model: Model, end: str) -> tuple[int, Array, Array]:
+    """Place that a component names as ground, BODY or BODY.MARKER, as elements want it.
+
+    Parameters
+    ----------
+    model
+        The model.
+    end
+        The name.
+
+    Returns
+    -------
+    number, point, axes
+        Number of the body; point from its origin [m] and axes (columns), both in its body-fixed frame S.
+    """
+    body = split(end)[0]
+    place, turned = place_of(model, end), axes_of(model, end)
+    if body == GROUND or place is None:
+        return 0, np.zeros(3) if place is None else place, turned
+    at, axes = seat_frame(model, model.mechanism.seats[body])
+    return body_numbers(model)[body], axes.T @ (place - at), axes.T @ turned
+
+
+def world_place(model: Model, end: str) -> Array:
+    """Place that a component names, in the world with all coordinates zero [m]."""
+    place = place_of(model, end)
+    return np.zeros(3) if place is None else place
+
+
+def axis_shift(model: Model, body: str) -> float:
+    """What to add to an axial position on a body so that it counts from the frame it moves in [m]."""
+    return axial_offset(model, model.mechanism.seats[body]) or 0.0

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 def damping_bank(model: Model) -> Bank:
     """Empty records; the matrix belongs to an operating point, which only a solver knows."""
-    moving = [n for name, n in body_numbers(model).items() if model.bodies[name].motion != "fixed"]
+    number = body_numbers(model)
+    moving = [number[name] for name, seat in model.mechanism.seats.items() if seat.coordinates]
     rows = []
     if model.damping is not None:
         for i in moving:

@@ -16,6 +16,7 @@ from pitchpoint.elements.ratio import SPIN
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.speed_pieces import SpeedPieces, fit_pieces, straight_pieces
 from pitchpoint.model.components.law import Constant, FormulaLaw, Law, PythonLaw, TableLaw
+from pitchpoint.model.mechanism import coordinate
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.system.rules.stiffness import user_law
@@ -32,12 +33,16 @@ def drive_bank(model: Model, scenario: Scenario) -> Bank:
     pool = Pool()
     rows, names = [], []
     speeds = model.start_speeds(scenario)
-    for body, drive in scenario.drive.items():
+    for word, drive in scenario.drive.items():
         row = np.zeros(1, element.RECORD)[0]
-        row["i"], row["q_i"] = number[body], SPIN
-        _prescribe(row, pool, drive, scenario.duration or 1.0, f"drive.{body}")
+        found = coordinate(model.mechanism, model, word)
+        if isinstance(found, str):
+            raise CompileError(f"drive.{word}: {found}")
+        body, row["q_i"], dimension = found
+        row["i"], row["linear"] = number[body], dimension == "length"
+        _prescribe(row, pool, drive, scenario.duration or 1.0, f"drive.{word}")
         rows.append(row)
-        names.append(body)
+        names.append(word)
     for body in scenario.hold:
         row = np.zeros(1, element.RECORD)[0]
         row["i"], row["q_i"] = number[body], SPIN
@@ -48,24 +53,26 @@ def drive_bank(model: Model, scenario: Scenario) -> Bank:
 
 
 def _prescribe(row: Any, pool: Pool, drive: Drive, duration: float, where: str) -> None:
-    if drive.speed is not None:
-        if isinstance(drive.speed, Constant):
-            row["form"], row["speed"] = element.SPEED, drive.speed.value
+    rate, value = drive.rate, drive.value
+    if rate is not None:
+        if isinstance(rate, Constant):
+            row["form"], row["speed"] = element.SPEED, rate.value
             return
-        element.set_speed_pieces(row, pool, speed_pieces(drive.speed, duration, f"{where}.speed"))
-    elif isinstance(drive.angle, Constant):
-        element.set_angle_formula(row, pool, Formula.parse(repr(drive.angle.value), ("t",)))
-    elif isinstance(drive.angle, FormulaLaw):
-        element.set_angle_formula(row, pool, Formula.parse(drive.angle.text, ("t",)))
-    elif isinstance(drive.angle, TableLaw):
+        key = "speed" if drive.speed is not None else "velocity"
+        element.set_speed_pieces(row, pool, speed_pieces(rate, duration, f"{where}.{key}"))
+    elif isinstance(value, Constant):
+        element.set_angle_formula(row, pool, Formula.parse(repr(value.value), ("t",)))
+    elif isinstance(value, FormulaLaw):
+        element.set_angle_formula(row, pool, Formula.parse(value.text, ("t",)))
+    elif isinstance(value, TableLaw):
         from scipy.interpolate import PchipInterpolator
 
         # a table of angles needs a smooth speed: monotone cubic through its points
-        smooth = PchipInterpolator(drive.angle.abscissa, drive.angle.values).derivative()
-        at = np.array(drive.angle.abscissa)
+        smooth = PchipInterpolator(value.abscissa, value.values).derivative()
+        at = np.array(value.abscissa)
         pieces = fit_pieces(smooth, at[0], at[-1], at)
         element.set_speed_pieces(row, pool, pieces)
-        row["angle"] = drive.angle.values[0] - pieces.angles()[0]
+        row["angle"] = value.values[0] - pieces.angles()[0]
     else:
         raise CompileError("a prescribed angle is a value, a formula of t or a table over time")
 
@@ -91,11 +98,11 @@ def speed_pieces(law: Law, duration: float, where: str = "drive.speed") -> Speed
         )
     if isinstance(law, PythonLaw):
         own = user_law(law, where)
-        return fit_pieces(lambda t: np.array([_value(own, s) for s in t]), 0.0, duration)
+        return fit_pieces(lambda t: np.array([value_of_law(own, s) for s in t]), 0.0, duration)
     raise CompileError(f"a speed cannot be prescribed by {type(law).__name__}")
 
 
-def _value(law: UserLaw, t: float) -> float:
+def value_of_law(law: UserLaw, t: float) -> float:
     """Speed by a user's law; one that fails is a failed computation, not a wrong file."""
     try:
         value = law(t, 0.0)

@@ -22,10 +22,12 @@ from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import inv
 from pitchpoint.model.components.stiffness import UserStiffness
+from pitchpoint.model.frames import GROUND
+from pitchpoint.model.mechanism import Seat, seat_frame
 from pitchpoint.model.remarks import warn_of_remarks
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import body_numbers
+from pitchpoint.system.rules.bodies import axis_shift, body_numbers
 from pitchpoint.system.rules.separation import separation_grids
 from pitchpoint.system.rules.stiffness import describe_stiffness, user_law
 
@@ -49,7 +51,9 @@ class Placement:
     offset1, offset2
         Axial positions of the mid-faces in the bodies [m].
     phi1, phi2
-        Angles of the centre of tooth 0 at spin 0, from the x axis of the body [rad].
+        Angles of the centre of tooth 0 at spin 0, from the x axis of the world [rad].
+    turn1, turn2
+        Angles of the frames of the bodies about the z axis of the world [rad].
     fixed
         Both bodies can only spin.
     widths
@@ -62,6 +66,8 @@ class Placement:
     offset2: float = 0.0
     phi1: float = 0.0
     phi2: float = 0.0
+    turn1: float = 0.0
+    turn2: float = 0.0
     fixed: bool = False
     widths: tuple[float, float] | None = None
 
@@ -119,8 +125,8 @@ def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
     _widths(row, *(place.widths or (g1.b, g2.b)))
     line = (place.origin2 - place.origin1)[:2] * math.copysign(1.0, pair.a_w)
     gamma = math.atan2(line[1], line[0])
-    row["cos1"] = row["cos2"] = math.cos(gamma)
-    row["sin1"] = row["sin2"] = math.sin(gamma)
+    row["cos1"], row["sin1"] = math.cos(gamma - place.turn1), math.sin(gamma - place.turn1)
+    row["cos2"], row["sin2"] = math.cos(gamma - place.turn2), math.sin(gamma - place.turn2)
     # angles of a tooth of gear 1 and of a space of gear 2 from the pitch point
     towards2 = gamma + (math.pi if g2.z > 0 else 0.0)
     tooth = place.phi1 - gamma
@@ -218,14 +224,17 @@ def mesh_bank(model: Model) -> Bank:
             continue
         one, two = (str(e) for e in ends)
         gears = [model.gears[g] for g in mesh.gears]
+        frames = [seat_frame(model, model.mechanism.seats[b]) for b in (one, two)]
         place = Placement(
-            origin1=np.array(model.bodies[one].origin),
-            origin2=np.array(model.bodies[two].origin),
-            offset1=model.bodies[one].gears[mesh.gears[0]],
-            offset2=model.bodies[two].gears[mesh.gears[1]],
+            origin1=frames[0][0],
+            origin2=frames[1][0],
+            offset1=model.bodies[one].gears[mesh.gears[0]] + axis_shift(model, one),
+            offset2=model.bodies[two].gears[mesh.gears[1]] + axis_shift(model, two),
             phi1=model.phasing.tooth_angle[mesh.gears[0]],
             phi2=model.phasing.tooth_angle[mesh.gears[1]],
-            fixed=all(model.bodies[b].motion in ("torsion", "fixed") for b in (one, two)),
+            turn1=_turn(frames[0][1]),
+            turn2=_turn(frames[1][1]),
+            fixed=all(_only_spins(model.mechanism.seats[b]) for b in (one, two)),
             widths=(gears[0].face_width, gears[1].face_width),
         )
         pair = model.pairs[name]
@@ -240,6 +249,16 @@ def mesh_bank(model: Model) -> Bank:
         rows.append(row)
         names.append(name)
     return pack("gear_mesh", layout.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
+
+
+def _only_spins(seat: Seat) -> bool:
+    """Whether a body stands on ground and spins at most."""
+    return seat.parent == GROUND and seat.kind in ("revolute", "fixed")
+
+
+def _turn(axes: Array) -> float:
+    """Angle of an upright frame about the z axis of the world [rad]."""
+    return math.atan2(axes[1, 0], axes[0, 0])
 
 
 def mesh_laws(model: Model, name: str) -> MeshLaws:
@@ -288,7 +307,7 @@ def _reduced_mass(model: Model, name: str) -> float:
     inverse = 0.0
     for gear in model.meshes[name].gears:
         body = model.body_of(gear)
-        if body is not None and model.bodies[body].motion != "fixed":
+        if body is not None and model.bodies[body].moves != "fixed":
             polar = model.body_inertia(body).polar
             inverse += (0.5 * model.gears[gear].geometry.d_b) ** 2 / polar if polar > 0.0 else 0.0
     return 1.0 / inverse if inverse > 0.0 else 0.0
@@ -298,7 +317,9 @@ def _freeze(row: Any, place: Placement) -> None:
     """Fill the line of action once, for gears that only spin: one call of the element with it loose."""
     frames = np.zeros(2, FRAME)
     frames["r"] = place.origin1, place.origin2
-    frames["R"] = np.eye(3)
+    for k, angle in enumerate((place.turn1, place.turn2)):
+        c, s = math.cos(angle), math.sin(angle)
+        frames["R"][k] = ((c, -s, 0.0), (s, c, 0.0), (0.0, 0.0, 1.0))
     rows = np.zeros(1, layout.RECORD)
     rows[0] = row
     for name in ("source", "n_pair", "n_e", "n_e1", "n_e2", "n_sz", "i"):

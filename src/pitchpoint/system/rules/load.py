@@ -14,8 +14,9 @@ from pitchpoint.elements import force as force_element
 from pitchpoint.elements import signal as sig
 from pitchpoint.elements import torque as torque_element
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, Law, PythonLaw, TableLaw
+from pitchpoint.model.frames import frame
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import body_numbers
+from pitchpoint.system.rules.bodies import axis_shift, body_numbers
 from pitchpoint.system.rules.stiffness import user_law
 
 if TYPE_CHECKING:
@@ -79,8 +80,9 @@ def _forces(model: Model) -> Bank:
             row["i"] = number[load.body]
             row["F"][axis] = 1.0
             # the arm off the spin axis: the load is applied to the housing side of the body, it does not spin
-            row["F"][3:] = np.cross((*load.position[:2], 0.0), np.eye(3)[axis])
-            row["z"] = load.position[2]
+            arm = frame(model.bodies[load.body].axes) @ np.array((*load.position[:2], 0.0))
+            row["F"][3:] = np.cross(arm, np.eye(3)[axis])
+            row["z"] = load.position[2] + axis_shift(model, load.body)
             laws.append(set_signal(row, pool, law, f"loads.{name}.force[{axis}]"))
             rows.append(row)
             names.append(f"{name}.{'xyz'[axis]}")

@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Planar curves as data: rows of straight lines, arcs, cubic pieces and involutes, ready for the kernels.
+
+A curve is walked in one direction with the material on its left: an outline that runs counter-clockwise is a
+body, one that runs clockwise a hole. The outward normal points to the right. Corners that stick out are arcs
+of radius zero, so that the nearest point and its normal always move on smoothly along them.
+
+A row has 16 numbers: form, centre and radius of a circle around the piece [m], eight numbers of the form,
+arc length at which the piece begins and its length [m]. The parameter of a piece runs from 0 to 1; along the
+curve one counts by arc length, within a cubic piece in proportion to its parameter.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.contact.curve_point import (
+    ARC,
+    BEGIN,
+    CUBIC,
+    FORM,
+    INVOLUTE,
+    LENGTH,
+    LINE,
+    TWO_PI,
+    WIDTH,
+    point_of,
+)
+
+NUMBERS = 4
+SMOOTH = 1e-9
+"""Turn between two pieces below which there is no corner [rad]."""
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A planar curve.
+
+    Parameters
+    ----------
+    rows
+        Pieces, shape (n, 16).
+    closed
+        Whether the last piece ends where the first begins.
+    """
+
+    rows: FloatArray
+    closed: bool
+
+    @property
+    def length(self) -> float:
+        """Arc length [m]."""
+        return float(self.rows[-1, BEGIN] + self.rows[-1, LENGTH])
+
+    def circle(self) -> tuple[float, float, float]:
+        """Centre and radius of a circle around the curve [m]."""
+        low = (self.rows[:, 1:3] - self.rows[:, 3:4]).min(axis=0)
+        high = (self.rows[:, 1:3] + self.rows[:, 3:4]).max(axis=0)
+        center = 0.5 * (low + high)
+        reach = np.hypot(*(self.rows[:, 1:3] - center).T) + self.rows[:, 3]
+        return float(center[0]), float(center[1]), float(reach.max())
+
+
+def _row(form: int, numbers: Sequence[float], points: FloatArray, length: float) -> FloatArray:
+    """Row of one piece; `points` lie on the piece and its circle is widened by what lies between them."""
+    row = np.zeros(WIDTH)
+    row[FORM], row[LENGTH] = form, length
+    row[NUMBERS : NUMBERS + len(numbers)] = numbers
+    center = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    between = length / max(len(points) - 1, 1)
+    row[1:3], row[3] = center, np.hypot(*(points - center).T).max() + 0.5 * between
+    return row
+
+
+def line_piece(start: ArrayLike, end: ArrayLike) -> FloatArray:
+    """A straight line, as a row for `chain`.
+
+    Parameters
+    ----------
+    start, end
+        Its ends [m], shape (2,).
+
+    Examples
+    --------
+    >>> float(line_piece((0.0, 0.0), (3.0, 4.0))[LENGTH])
+    5.0
+    """
+    points = np.array([start, end], float)
+    length = float(np.hypot(*(points[1] - points[0])))
+    row = _row(LINE, points.ravel().tolist(), points, length)
+    row[3] = 0.5 * length
+    return row
+
+
+def arc_piece(center: ArrayLike, radius: float, start: float, sweep: float) -> FloatArray:
+    """An arc of a circle, as a row for `chain`.
+
+    Parameters
+    ----------
+    center, radius
+        [m]; a radius of zero is a corner.
+    start
+        Angle at which it begins [rad].
+    sweep
+        Angle over which it runs [rad]: positive counter-clockwise around material, negative clockwise around
+        a hollow.
+
+    Examples
+    --------
+    >>> round(float(arc_piece((0.0, 0.0), 0.5, 0.0, -1.0)[LENGTH]), 9)
+    0.5
+    """
+    x, y = np.asarray(center, float)
+    row = _row(ARC, (x, y, radius, start, sweep), np.zeros((1, 2)), radius * abs(sweep))
+    row[1:4] = x, y, radius
+    return row
+
+
+def _pair(z: complex) -> tuple[float, float]:
+    return z.real, z.imag
+
+
+def _ends(row: FloatArray) -> tuple[complex, complex, complex, complex]:
+    """Start, end and unit directions there of one piece."""
+    found = []
+    for t in (0.0, 1.0):
+        x, y, tx, ty, _, _ = point_of(np.ascontiguousarray(row)[None, :], 0, t)
+        found.append((complex(x, y), complex(tx, ty)))
+    return found[0][0], found[1][0], found[0][1], found[1][1]
+
+
+def chain(rows: Sequence[FloatArray], closed: bool) -> Curve:
+    """Join pieces to a curve: count its length, round corners that stick out with radius zero.
+
+    Parameters
+    ----------
+    rows
+        Pieces in the order they are walked; each begins where the one before ends.
+    closed
+        Whether the last ends where the first begins.
+
+    Examples
+    --------
+    >>> square = polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    >>> len(square.rows), square.length
+    (8, 4.0)
+    """
+    ends = [_ends(row) for row in rows]
+    size = max(float(row[3]) for row in rows)
+    found = []
+    for k, row in enumerate(rows):
+        found.append(row)
+        if k == len(rows) - 1 and not closed:
+            break
+        following = ends[(k + 1) % len(rows)]
+        if abs(following[0] - ends[k][1]) > 1e-9 * size:
+            raise ValueError(f"piece {k + 1} of the curve does not end where the next one begins")
+        turn = following[2] / ends[k][3]
+        angle = math.atan2(turn.imag, turn.real)
+        if angle > SMOOTH:
+            normal = -1j * ends[k][3]
+            found.append(arc_piece(_pair(ends[k][1]), 0.0, math.atan2(normal.imag, normal.real), angle))
+    made = np.array(found)
+    made[:, BEGIN] = np.concatenate([[0.0], np.cumsum(made[:-1, LENGTH])])
+    return Curve(made, closed)
+
+
+def circle(radius: float, center: tuple[float, float] = (0.0, 0.0), hole: bool = False) -> Curve:
+    """A circle.
+
+    Parameters
+    ----------
+    radius, center
+        [m].
+    hole
+        Material outside instead of inside.
+
+    Examples
+    --------
+    >>> round(circle(0.5).length, 6)
+    3.141593
+    """
+    return chain([arc_piece(center, radius, 0.0, -TWO_PI if hole else TWO_PI)], True)
+
+
+def vertex(x: float = 0.0, y: float = 0.0) -> FloatArray:
+    """A point, as a row for `chain`: an arc of radius zero, all the way round.
+
+    Parameters
+    ----------
+    x, y
+        Its place [m].
+
+    Examples
+    --------
+    >>> float(vertex(1.0)[4])
+    1.0
+    """
+    return arc_piece((x, y), 0.0, 0.0, TWO_PI)
+
+
+def polygon(points: ArrayLike, radii: ArrayLike = 0.0, closed: bool = True) -> Curve:
+    """A polygon whose corners are rounded by arcs.
+
+    Parameters
+    ----------
+    points
+        Corners [m], shape (n, 2), in the order they are walked.
+    radii
+        Radius of the arc at each corner [m], one number or shape (n,); the ends of an open one have none.
+    closed
+        Whether the last corner is joined to the first.
+
+    Examples
+    --------
+    >>> round(polygon([(0, 0), (1, 0), (1, 1), (0, 1)], 0.1).length, 6)
+    3.828319
+    """
+    corners = np.asarray(points, float) @ np.array([1.0, 1j])
+    n = corners.size
+    r = np.broadcast_to(np.asarray(radii, float), (n,)).copy()
+    if not closed:
+        r[[0, -1]] = 0.0
+    before, after = corners - np.roll(corners, 1), np.roll(corners, -1) - corners
+    entry, leave = corners.copy(), corners.copy()
+    arcs: list[FloatArray | None] = [None] * n
+    for k in range(n):
+        if r[k] <= 0.0:
+            continue
+        one, two = before[k] / abs(before[k]), after[k] / abs(after[k])
+        turn = math.atan2((two / one).imag, (two / one).real)
+        cut = r[k] * math.tan(0.5 * abs(turn))
+        entry[k], leave[k] = corners[k] - cut * one, corners[k] + cut * two
+        if turn != 0.0:
+            side = math.copysign(1.0, turn)
+            normal = -1j * side * one
+            arcs[k] = arc_piece(
+                _pair(entry[k] - r[k] * normal), float(r[k]), math.atan2(normal.imag, normal.real), turn
+            )
+    rows: list[FloatArray] = []
+    for k in range(n if closed else n - 1):
+        if arcs[k] is not None:
+            rows.append(arcs[k])  # type: ignore[arg-type]
+        start, end = leave[k], entry[(k + 1) % n]
+        along = (end - start) / after[k]
+        if along.real < -1e-12:
+            raise ValueError(f"the arcs at corners {k + 1} and {(k + 1) % n + 1} overlap")
+        if along.real > 1e-12:
+            rows.append(line_piece(_pair(start), _pair(end)))
+    return chain(rows, closed)
+
+
+def spline(points: ArrayLike, closed: bool = True) -> Curve:
+    """A smooth curve through points: cubic spline over the chord length, continuous in curvature.
+
+    Parameters
+    ----------
+    points
+        Points [m], shape (n, 2), in the order they are walked; a closed one names its first point once.
+    closed
+        Whether it goes on from the last point to the first.
+
+    Examples
+    --------
+    >>> angle = np.linspace(0.0, TWO_PI, 40, endpoint=False)
+    >>> round(spline(np.column_stack([np.cos(angle), np.sin(angle)])).length, 4)
+    6.2832
+    """
+    from scipy.interpolate import CubicSpline
+
+    p = np.asarray(points, float)
+    if closed:
+        p = np.concatenate([p, p[:1]])
+    chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(p, axis=0).T))])
+    if np.any(np.diff(chord) <= 0.0):
+        raise ValueError("two points of a spline in a row are the same")
+    form: Any = CubicSpline(chord, p, bc_type="periodic" if closed else "not-a-knot")
+    rows = []
+    for k, h in enumerate(np.diff(chord)):
+        powers = form.c[::-1, k, :] * h ** np.arange(4)[:, None]
+        t = np.linspace(0.0, 1.0, 17)
+        line = np.vander(t, 4, increasing=True) @ powers
+        rate = np.vander(t, 3, increasing=True) @ (powers[1:] * np.arange(1, 4)[:, None])
+        speed = np.hypot(*rate.T)
+        length = float(speed @ np.r_[1, [4, 2] * 7, 4, 1]) / 48.0
+        rows.append(_row(CUBIC, (*powers[:, 0], *powers[:, 1]), line, length))
+    return chain(rows, closed)
+
+
+def involute_piece(r_b: float, phase: float, u: tuple[float, float], hand: int = 1) -> FloatArray:
+    """Piece of the involute of a circle about the origin, as a row for `chain`.
+
+    Parameters
+    ----------
+    r_b
+        Radius of the base circle [m].
+    phase
+        Angle at which the involute leaves the base circle [rad].
+    u
+        Angles of roll at which the piece begins and ends [rad], both above zero; the radius is
+        r_b sqrt(1 + u^2).
+    hand
+        1 if it unwinds counter-clockwise, -1 clockwise.
+
+    Examples
+    --------
+    >>> row = involute_piece(0.05, 0.0, (0.2, 0.5))
+    >>> round(float(row[LENGTH]), 6)
+    0.00525
+    """
+    if not (min(u) > 0.0 and u[0] != u[1] and r_b > 0.0 and hand in (1, -1)):
+        raise ValueError("an involute needs a base radius and two different angles of roll above zero")
+    t = np.linspace(u[0], u[1], 17)
+    z = r_b * (1.0 - 1j * t) * np.exp(1j * t)
+    z = (z if hand > 0 else z.conj()) * np.exp(1j * phase)
+    length = 0.5 * r_b * abs(u[1] ** 2 - u[0] ** 2)
+    return _row(INVOLUTE, (r_b, phase, hand, u[0], u[1]), np.column_stack([z.real, z.imag]), length)

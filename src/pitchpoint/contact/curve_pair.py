@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Common normals of two planar curves: where their outward normals are opposite along one line.
+
+Curve A is carried into the plane of curve B by M, the upper left part of the turn from the axes of A to those
+of B, and d. Pieces are taken two by two. Where one of them is an arc, the nearest place to its centre is a
+closed form or one equation; else two equations in the parameters s of A and t of B are solved by Newton,
+starting from the best of 25 places: r1 = (x_A - x_B) . tau_B, r2 = tau_A . n_B. Everything starts afresh each
+time, so equal places give equal bits.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.contact.curve_point import ARC, EDGE, nearest, point_of, sweep_place
+from pitchpoint.core.kernel import kernel
+
+MOST = 4
+"""Contacts of two curves at one time; of more the deepest count."""
+HIT = 5
+"""Numbers of a contact: gap, parameter and piece of A, parameter and piece of B."""
+
+
+@kernel
+def carried(rows, k, t, M, d):
+    """`point_of` curve A, carried into the plane of curve B; a tilt of A shortens it.
+
+    >>> import numpy as np
+    >>> from pitchpoint.contact.curve import circle
+    >>> turn = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    >>> found = carried(circle(0.5).rows, 0, 0.0, turn, np.array([1.0, 0.0, 0.0]))
+    >>> tuple(round(float(x), 6) + 0.0 for x in found)
+    (1.0, 0.5, -1.0, 0.0, 3.141593, 6.283185)
+    """
+    x, y, tx, ty, speed, turn = point_of(rows, k, t)
+    ux = M[0, 0] * tx + M[0, 1] * ty
+    uy = M[1, 0] * tx + M[1, 1] * ty
+    square = ux * ux + uy * uy
+    size = math.sqrt(square)
+    turn *= (M[0, 0] * M[1, 1] - M[0, 1] * M[1, 0]) / square
+    px = d[0] + M[0, 0] * x + M[0, 1] * y
+    py = d[1] + M[1, 0] * x + M[1, 1] * y
+    return px, py, ux / size, uy / size, speed * size, turn
+
+
+@kernel
+def merit(A, ka, s, B, kb, t, M, d):
+    """How far two places are from a common normal; large where the outward normals are not opposite.
+
+    >>> import numpy as np
+    >>> from pitchpoint.contact.curve import circle
+    >>> one = circle(0.5).rows
+    >>> float(merit(one, 0, 0.5, one, 0, 0.0, np.eye(3), np.array([1.2, 0.0, 0.0]))) < 1e-20
+    True
+    """
+    ax, ay, aux, auy, asp, atn = carried(A, ka, s, M, d)
+    bx, by, bux, buy, bsp, btn = point_of(B, kb, t)
+    if aux * bux + auy * buy >= 0.0:
+        return 1e300
+    size = asp + bsp
+    along = ((ax - bx) * bux + (ay - by) * buy) / size
+    across = aux * buy - auy * bux
+    return along * along + across * across
+
+
+@kernel
+def _newton(A, ka, s, B, kb, t, M, d):
+    """Solve r1 = r2 = 0 from s and t; returns whether it came to rest, s and t."""
+    for _ in range(40):
+        ax, ay, aux, auy, asp, atn = carried(A, ka, s, M, d)
+        bx, by, bux, buy, bsp, btn = point_of(B, kb, t)
+        dx = ax - bx
+        dy = ay - by
+        off = dx * buy - dy * bux
+        r1 = dx * bux + dy * buy
+        r2 = aux * buy - auy * bux
+        cos = aux * bux + auy * buy
+        # left of tau_A times the outward normal of B: (-auy, aux) . (buy, -bux)
+        j11 = asp * cos
+        j12 = -bsp - btn * off
+        j21 = -atn * cos
+        j22 = btn * cos
+        det = j11 * j22 - j12 * j21
+        if det == 0.0:
+            return 0, s, t
+        ds = (-r1 * j22 + r2 * j12) / det
+        dt = (-r2 * j11 + r1 * j21) / det
+        large = max(abs(ds), abs(dt))
+        if large > 0.25:
+            ds *= 0.25 / large
+            dt *= 0.25 / large
+        s += ds
+        t += dt
+        if not (abs(s - 0.5) < 2.0 and abs(t - 0.5) < 2.0):
+            return 0, s, t
+        if large < 1e-14:
+            return 1, s, t
+    return (1 if large < 1e-10 else 0), s, t
+
+
+@kernel
+def _arc_against_piece(A, ka, B, kb, M, d):
+    """Start for a convex arc of A against a piece of B: the nearest place to its centre."""
+    x = d[0] + M[0, 0] * A[ka, 4] + M[0, 1] * A[ka, 5]
+    y = d[1] + M[1, 0] * A[ka, 4] + M[1, 1] * A[ka, 5]
+    found, t, phi, nx, ny = nearest(B, kb, x, y)
+    if found == 0:
+        return 0, 0.0, 0.0
+    u = -(M[0, 0] * nx + M[1, 0] * ny)
+    w = -(M[0, 1] * nx + M[1, 1] * ny)
+    return 1, sweep_place(A[ka, 7], A[ka, 8], math.atan2(w, u)), t
+
+
+@kernel
+def _piece_against_arc(A, ka, B, kb, M, d):
+    """Start for a piece of A against a convex arc of B: the same seen from A."""
+    dx = B[kb, 4] - d[0]
+    dy = B[kb, 5] - d[1]
+    x = M[0, 0] * dx + M[1, 0] * dy
+    y = M[0, 1] * dx + M[1, 1] * dy
+    found, s, phi, nx, ny = nearest(A, ka, x, y)
+    if found == 0:
+        return 0, 0.0, 0.0
+    u = -(M[0, 0] * nx + M[0, 1] * ny)
+    w = -(M[1, 0] * nx + M[1, 1] * ny)
+    return 1, s, sweep_place(B[kb, 7], B[kb, 8], math.atan2(w, u))
+
+
+@kernel
+def common_normal(A, ka, B, kb, M, d):
+    """Common normal of piece ka of A and kb of B: found (1 or 0), parameters s and t, gap [m].
+
+    The gap is negative where the materials overlap. A place beyond the end of a piece, or one where the
+    curves touch from the inside because one bends more than the other, is none.
+
+    >>> import numpy as np
+    >>> from pitchpoint.contact.curve import circle
+    >>> one = circle(0.5).rows
+    >>> found, s, t, gap = common_normal(one, 0, one, 0, np.eye(3), np.array([0.9, 0.0, 0.0]))
+    >>> int(found), round(float(s), 9), round(float(t), 9), round(float(gap), 9)
+    (1, 0.5, 0.0, -0.1)
+    """
+    arc_a = A[ka, 0] == ARC and A[ka, 8] > 0.0
+    arc_b = B[kb, 0] == ARC and B[kb, 8] > 0.0
+    tilted = abs(M[2, 2]) < 1.0 - 1e-14
+    point = arc_a and A[ka, 6] == 0.0
+    if arc_a:
+        found, s, t = _arc_against_piece(A, ka, B, kb, M, d)
+    elif arc_b:
+        found, s, t = _piece_against_arc(A, ka, B, kb, M, d)
+    else:
+        found = 0
+        s = 0.5
+        t = 0.5
+        best = 1e300
+        for i in range(5):
+            for k in range(5):
+                m = merit(A, ka, 0.25 * i, B, kb, 0.25 * k, M, d)
+                if m < best:
+                    best = m
+                    s = 0.25 * i
+                    t = 0.25 * k
+        if best < 1e300:
+            found, s, t = _newton(A, ka, s, B, kb, t, M, d)
+    if found != 0 and tilted and (arc_a or arc_b) and not point:
+        found, s, t = _newton(A, ka, s, B, kb, t, M, d)
+    if found == 0 or min(s, t) < -EDGE or max(s, t) > 1.0 + EDGE:
+        return 0, 0.0, 0.0, 0.0
+    ax, ay, aux, auy, asp, atn = carried(A, ka, s, M, d)
+    bx, by, bux, buy, bsp, btn = point_of(B, kb, t)
+    gap = (ax - bx) * buy - (ay - by) * bux
+    if aux * bux + auy * buy >= 0.0 or atn * bsp + asp * btn + gap * atn * btn <= 0.0:
+        return 0, 0.0, 0.0, 0.0
+    return 1, s, t, gap
+
+
+@kernel
+def _same(hits, n, A, ka, s, B, kb, t):
+    """Whether a contact was found already, at the joint of two pieces."""
+    ax, ay, aux, auy, asp, atn = point_of(A, ka, s)
+    bx, by, bux, buy, bsp, btn = point_of(B, kb, t)
+    near = 4.0 * EDGE * (A[ka, 3] + B[kb, 3])
+    for h in range(n):
+        px, py, pux, puy, psp, ptn = point_of(A, int(hits[h, 2]), hits[h, 1])
+        qx, qy, qux, quy, qsp, qtn = point_of(B, int(hits[h, 4]), hits[h, 3])
+        near_h = near + 4.0 * EDGE * (A[int(hits[h, 2]), 3] + B[int(hits[h, 4]), 3])
+        apart = abs(ax - px) + abs(ay - py) + abs(bx - qx) + abs(by - qy)
+        if apart < near_h and aux * pux + auy * puy > 0.999999 and bux * qux + buy * quy > 0.999999:
+            return True
+    return False
+
+
+@kernel
+def contacts(A, B, M, d, reach, hits):
+    """All contacts of two curves, deepest first, into `hits` (MOST rows); returns their number and the gap.
+
+    reach = (offset of A [m], deepest overlap that counts [m], largest gap that is looked for [m], x, y and
+    radius of the circle around B). Row 0 holds the nearest place even without contact; its last number is -1
+    if there is none within the largest gap, which is then returned.
+
+    >>> import numpy as np
+    >>> from pitchpoint.contact.curve import circle
+    >>> one = circle(0.5).rows
+    >>> reach = np.array([0.0, 0.2, 1.0, 0.0, 0.0, 0.5])
+    >>> n, gap = contacts(one, one, np.eye(3), np.array([0.9, 0.0, 0.0]), reach, np.zeros((MOST, HIT)))
+    >>> int(n), round(float(gap), 9)
+    (1, -0.1)
+    """
+    offset = reach[0]
+    best = reach[2]
+    n = 0
+    hits[0, 4] = -1.0
+    for ka in range(A.shape[0]):
+        x = d[0] + M[0, 0] * A[ka, 1] + M[0, 1] * A[ka, 2]
+        y = d[1] + M[1, 0] * A[ka, 1] + M[1, 1] * A[ka, 2]
+        r = A[ka, 3] + offset
+        whole = math.sqrt((x - reach[3]) ** 2 + (y - reach[4]) ** 2) - r - reach[5]
+        if whole > max(best, reach[1]):  # overlaps are no longer than the deepest that counts
+            continue
+        for kb in range(B.shape[0]):
+            bound = math.sqrt((x - B[kb, 1]) ** 2 + (y - B[kb, 2]) ** 2) - r - B[kb, 3]
+            if bound > max(best, reach[1]):
+                continue
+            found, s, t, gap = common_normal(A, ka, B, kb, M, d)
+            gap -= offset
+            if found == 0 or gap < -reach[1] or (gap >= 0.0 and gap >= best):
+                continue
+            if gap < 0.0 and _same(hits, n, A, ka, s, B, kb, t):
+                continue
+            best = min(best, gap)
+            at = n if gap < 0.0 else 0
+            if gap < 0.0:
+                while at > 0 and hits[at - 1, 0] > gap:
+                    if at < MOST:
+                        for c in range(HIT):
+                            hits[at, c] = hits[at - 1, c]
+                    at -= 1
+                n = min(n + 1, MOST)
+            if at < MOST and (gap < 0.0 or n == 0):
+                hits[at, 0] = gap
+                hits[at, 1] = s
+                hits[at, 2] = ka
+                hits[at, 3] = t
+                hits[at, 4] = kb
+    return n, best

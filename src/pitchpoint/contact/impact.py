@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Normal force of a contact over penetration and its rate: impact function, Hunt-Crossley, hysteresis.
+
+All laws push and never pull, and begin with the elastic force K delta^e.
+
+* IMPACT: K delta^e + C step(delta; 0, 0, d, 1) delta', the impact function of multibody codes.
+* HUNT_CROSSLEY: K delta^e (1 + x delta'/v). With the factor x(e) of `restitution_factor` a body that hits
+  with the speed v leaves with the share e of it, whatever K, the exponent and the mass are; faster impacts
+  lose more, slower ones less, as measured ones do.
+* HYSTERESIS: K delta^e on the way in, e^2 times that on the way out: the share e at every speed that is large
+  against the transition speed v, within which one goes over into the other.
+
+The laws of Lankarani and Nikravesh (1990) and Flores et al. (2011) need the speed at first touch as a memory,
+and their factors 3 (1 - e^2)/4 and 8 (1 - e)/(5 e) are approximations of x(e): at e = 0.5 they give back
+0.725 and 0.470 of the speed.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.contact.damping import ramp
+from pitchpoint.core.kernel import kernel
+
+IMPACT, HUNT_CROSSLEY, HYSTERESIS = 0, 1, 2
+
+#: Fields of a record whose contact obeys one of the laws and the friction of `friction.static_dynamic`.
+CONTACT_LAW: list[tuple[Any, ...]] = [
+    ("law", "i8"),  # IMPACT, HUNT_CROSSLEY or HYSTERESIS
+    ("k", "f8"),  # K [N/m^e]; of triangle surfaces per area [N/m^(e+2)]
+    ("power", "f8"),  # e of the elastic force, >= 1
+    ("c", "f8"),  # IMPACT: C [N s/m], likewise per area
+    ("ramp", "f8"),  # IMPACT: penetration of full damping [m]
+    ("x", "f8"),  # HUNT_CROSSLEY: x/v [s/m]; HYSTERESIS: share e^2 of the force on the way out
+    ("v", "f8"),  # HYSTERESIS: transition speed [m/s]
+    ("mu_s", "f8"),  # static coefficient of friction
+    ("mu_d", "f8"),  # dynamic coefficient
+    ("v_s", "f8"),  # velocity of the static coefficient [m/s]
+    ("v_d", "f8"),  # velocity from which on the dynamic one holds [m/s]
+]
+
+
+def _balance(x: float, e: float) -> float:
+    """Zero where a contact of factor x gives back the share e of the speed."""
+    return math.log1p(x) - math.log1p(-e * x) - x * (1.0 + e)
+
+
+def restitution_factor(e: float) -> float:
+    """Factor x of the force K delta^n (1 + x delta'/v) that gives a coefficient of restitution e at speed v.
+
+    Parameters
+    ----------
+    e
+        Coefficient of restitution, in (0, 1].
+
+    Notes
+    -----
+    m delta'' = -K delta^n (1 + a delta') separates into delta' d(delta')/(1 + a delta') and a function of
+    delta; between v and -e v, x = a v obeys x (1 + e) = ln((1 + x)/(1 - e x)), exactly for all masses and
+    exponents. Y. Gonthier et al., Multibody Syst. Dyn. 11 (2004) 209-233; A. S. Carvalho and J. M. Martins,
+    Mech. Mach. Theory 139 (2019) 174-194. Near e = 1 it is the 3 (1 - e)/2 of K. H. Hunt and F. R. E.
+    Crossley, J. Appl. Mech. 42 (1975) 440-445.
+
+    Examples
+    --------
+    >>> round(restitution_factor(0.5), 6)
+    1.432751
+    """
+    if not 0.0 < e <= 1.0:
+        raise ValueError("a coefficient of restitution lies in (0, 1]")
+    if 1.0 - e < 1e-4:  # series, right to (1 - e)^2; the logarithms cancel there
+        return 1.5 * (1.0 - e * e) / (1.0 + e**3)
+    low, high = 0.5 * (1.0 - e), 1.0 / e
+    for _ in range(200):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        if 1.0 - e * middle > 0.0 and _balance(middle, e) < 0.0:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def restitution_at(x: float, speed_ratio: float) -> float:
+    """Coefficient of restitution of a Hunt-Crossley contact at another speed than the one of its factor.
+
+    Parameters
+    ----------
+    x
+        Factor for the speed v.
+    speed_ratio
+        Speed of the impact over v.
+
+    Examples
+    --------
+    >>> round(restitution_at(restitution_factor(0.5), 1.0), 9), round(restitution_at(0.3, 0.1), 4)
+    (0.5, 0.9804)
+    """
+    y = x * speed_ratio
+    if y < 1e-9:
+        return 1.0
+    low, high = 0.0, min(1.0, 1.0 / y)
+    for _ in range(200):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        if middle * y < 1.0 and _balance(y, middle) < 0.0:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def set_impact(record: np.void, k: float, power: float = 1.5, c: float = 0.0, ramp: float = 0.0) -> None:
+    """Give a contact the impact function.
+
+    Parameters
+    ----------
+    record
+        Record with the fields `CONTACT_LAW`.
+    k, power
+        K [N/m^power] and exponent >= 1 of the elastic force.
+    c, ramp
+        Damping C [N s/m] and the penetration d at which it is fully on [m].
+
+    Examples
+    --------
+    >>> record = np.zeros((), np.dtype(CONTACT_LAW))
+    >>> set_impact(record, 1e9, 1.5, 1e6, 1e-4)
+    >>> force = normal_force(record[()], 1e-4, 0.0)
+    >>> round(float(force[0]), 6)
+    1000.0
+    """
+    record["law"], record["k"], record["power"], record["c"], record["ramp"] = IMPACT, k, power, c, ramp
+
+
+def set_restitution(
+    record: np.void, k: float, e: float, speed: float, power: float = 1.5, every_speed: bool = False
+) -> None:
+    """Give a contact a coefficient of restitution.
+
+    Parameters
+    ----------
+    record
+        Record with the fields `CONTACT_LAW`.
+    k
+        K [N/m^power] of the elastic force.
+    e
+        Coefficient of restitution, in (0, 1].
+    speed
+        Speed of the impact at which e holds [m/s]; with `every_speed` the speed around rest at which the
+        force goes over from the way in to the way out.
+    power
+        Exponent >= 1 of the elastic force.
+    every_speed
+        Hysteresis instead of Hunt-Crossley: e at all speeds well above `speed`.
+
+    Examples
+    --------
+    >>> record = np.zeros((), np.dtype(CONTACT_LAW))
+    >>> set_restitution(record, 1e9, 0.5, 1.0)
+    >>> round(float(record["x"]), 6)
+    1.432751
+    """
+    if not speed > 0.0:
+        raise ValueError("the speed of a restitution must be positive")
+    record["k"], record["power"], record["v"] = k, power, speed
+    if every_speed:
+        restitution_factor(e)  # refuses what is none
+        record["law"], record["x"] = HYSTERESIS, e * e
+    else:
+        record["law"], record["x"] = HUNT_CROSSLEY, restitution_factor(e) / speed
+
+
+def set_friction(record: np.void, mu_s: float, mu_d: float, v_s: float, v_d: float) -> None:
+    """Give a contact static and dynamic friction.
+
+    Parameters
+    ----------
+    record
+        Record with the fields `CONTACT_LAW`.
+    mu_s, mu_d
+        Static and dynamic coefficient.
+    v_s, v_d
+        Sliding velocity of the static coefficient and of full slip [m/s], 0 < v_s < v_d.
+
+    Examples
+    --------
+    >>> record = np.zeros((), np.dtype(CONTACT_LAW))
+    >>> set_friction(record, 0.1, 0.08, 1e-3, 10e-3)
+    >>> float(record["mu_s"])
+    0.1
+    """
+    if min(mu_s, mu_d) < 0.0 or (max(mu_s, mu_d) > 0.0 and not 0.0 < v_s < v_d):
+        raise ValueError("friction needs coefficients >= 0 and velocities 0 < v_s < v_d")
+    record["mu_s"], record["mu_d"], record["v_s"], record["v_d"] = mu_s, mu_d, v_s, v_d
+
+
+@kernel
+def elastic_force(b, delta):
+    """K delta^e and its derivative by delta, for delta > 0.
+
+    >>> record = np.zeros((), np.dtype(CONTACT_LAW))
+    >>> set_impact(record, 1e9, 1.5)
+    >>> tuple(round(float(x), 6) for x in elastic_force(record[()], 1e-4))
+    (1000.0, 15000000.0)
+    """
+    if b["power"] == 1.0:
+        return b["k"] * delta, b["k"]
+    slope = b["k"] * delta ** (b["power"] - 1.0)
+    return slope * delta, b["power"] * slope
+
+
+@kernel
+def elastic_energy(b, delta):
+    """Energy of the elastic force at a penetration > 0, K delta^(e + 1)/(e + 1) [J].
+
+    >>> record = np.zeros((), np.dtype(CONTACT_LAW))
+    >>> set_impact(record, 1e9, 1.5)
+    >>> round(float(elastic_energy(record[()], 1e-4)), 9)
+    0.04
+    """
+    return b["k"] * delta ** (b["power"] + 1.0) / (b["power"] + 1.0)
+
+
+@kernel
+def normal_force(b, delta, rate):
+    """Normal force at a penetration [m] and its rate [m/s]: force [N], slopes by both, power lost [W].
+
+    The power lost is what goes into the contact and is not stored in its elastic force.
+
+    >>> record = np.zeros((), np.dtype(CONTACT_LAW))
+    >>> set_impact(record, 1e9, 1.5, 1e6, 1e-4)
+    >>> tuple(round(float(x), 6) for x in normal_force(record[()], 0.5e-4, 1e-3))
+    (853.553391, 25606601.717798, 500000.0, 0.5)
+    """
+    if delta <= 0.0:
+        return 0.0, 0.0, 0.0, 0.0
+    elastic, stiffness = elastic_force(b, delta)
+    force = elastic
+    by_delta = stiffness
+    by_rate = 0.0
+    if b["law"] == IMPACT:
+        share, slope = ramp(delta, b["ramp"])
+        force += b["c"] * share * rate
+        by_delta += b["c"] * slope * rate
+        by_rate = b["c"] * share
+    elif b["law"] == HUNT_CROSSLEY:
+        factor = 1.0 + b["x"] * rate
+        force *= factor
+        by_delta *= factor
+        by_rate = b["x"] * elastic
+    else:
+        share, slope = ramp(-rate, b["v"])
+        factor = 1.0 - (1.0 - b["x"]) * share
+        force *= factor
+        by_delta *= factor
+        by_rate = (1.0 - b["x"]) * slope * elastic
+    if force <= 0.0:
+        return 0.0, 0.0, 0.0, -elastic * rate
+    return force, by_delta, by_rate, (force - elastic) * rate

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Planar curves of two bodies in contact, with force and friction: cams on flat followers, tooth profiles.
+
+The curves lie in planes of their markers, whose third axes point (nearly) the same way; a tilt beyond 84 deg
+is refused. Up to four places
+touch at once; straight pieces that touch along their length do so at the corners.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pitchpoint.contact.curve import Curve
+from pitchpoint.core.kernel import kernel
+from pitchpoint.elements.contact_record import EVENTS, PATHS, RECORD, RESULTS, set_curve
+from pitchpoint.elements.planar_contact import planar_entry
+from pitchpoint.elements.signal import Pool
+
+__all__ = ["BODY_FIXED", "EVENTS", "OUTPUTS", "RECORD", "entry", "set_curves"]
+
+BODY_FIXED = True
+OUTPUTS = RESULTS + PATHS
+
+
+def set_curves(
+    record: np.void,
+    pool: Pool,
+    curves: tuple[Curve, Curve],
+    depth: float | None = None,
+    margin: float | None = None,
+) -> None:
+    """Give a contact its curves.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contact_record.new_records`), markers and law apart.
+    pool
+        Pool of the kind.
+    curves
+        Curves of bodies i and j.
+    depth
+        Deepest overlap that counts as contact [m]; None = a twentieth of the smaller curve.
+    margin
+        Largest gap that is looked for and shown [m]; None = half the smaller curve. Small ones save time.
+    """
+    size = min(curve.circle()[2] for curve in curves)
+    set_curve(record, "i", pool, curves[0])
+    set_curve(record, "j", pool, curves[1])
+    record["depth"] = 0.05 * size if depth is None else depth
+    record["margin"] = 0.5 * size if margin is None else margin
+
+
+@kernel
+def entry(ctl, rec, n):
+    """Uniform entry of the kind."""
+    return planar_entry(ctl, rec, n)

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A point or the centre of a roller that stays on a planar curve: a cam and follower that never part.
+
+The constraint row is g = phi(y) - r, phi being the signed distance of the point y of body i, in the plane of
+the marker of body j, from the curve. The place on the curve is eliminated: with the unit normal n, the
+direction tau, the curvature kappa and W = kappa/(1 + kappa phi) tau tau^T,
+
+    g' = n . u,    g'' = n . du/dt + n' . u,    n' = omega_j x n + W u,
+
+u being the velocity of the point against the plane. Of several places nearest to the point, the one counts at
+which |g| is smallest.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pitchpoint.contact.curve import Curve
+from pitchpoint.contact.curve_point import WIDTH, arc_length, nearest, point_of
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import INCONSISTENT, OK
+from pitchpoint.elements.contact_wrench import column, cross, dot, plus, triple
+from pitchpoint.elements.signal import Pool
+from pitchpoint.multibody.channels import F8, constraint_args, constraint_rates, observations
+
+BODY_FIXED = True
+ROWS = 1
+
+RECORD = np.dtype(
+    [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
+    + [
+        ("row", "i8"),  # constraint row; written by the layout
+        ("pi", "f8", 3),  # the point of body i, axes S [m]
+        ("pj", "f8", 3),  # marker of the curve on body j
+        ("Bj", "f8", (3, 3)),  # its axes, columns in axes S
+        ("radius", "f8"),  # of the roller [m]
+        ("pool", "i8"),
+        ("start", "i8"),
+        ("rows", "i8"),  # pieces of the curve
+        ("E", "f8", (3, 3)),  # scratch: axes of the marker in the world
+        ("y", "f8", 3),  # scratch: the point in axes of the marker
+        ("o", "f8", (2, 3)),  # scratch: point and marker in the world
+        ("out", "i8"),
+    ],
+    align=True,
+)
+
+OUTPUTS = (
+    ("contact_force", "N", "force that presses the point off the curve; negative where it would part"),
+    ("contact_path[{}.j]", "m", "place of the contact along the curve of the second body"),
+)
+
+
+def set_point_on_curve(record: np.void, pool: Pool, curve: Curve, radius: float = 0.0) -> None:
+    """Give a constraint its curve.
+
+    Parameters
+    ----------
+    record
+        Record with bodies i and j; its marker is that of body j unless set otherwise.
+    pool
+        Pool of the kind.
+    curve
+        The curve.
+    radius
+        Radius of the roller on its outer side [m], 0 for a point; negative on the inner side.
+    """
+    if not np.any(record["Bj"]):
+        record["Bj"] = np.eye(3)
+    record["start"], record["rows"] = pool.add(curve.rows), len(curve.rows)
+    record["radius"] = radius
+
+
+@kernel
+def _project(b, f, g):
+    """The point in axes of the marker of the curve."""
+    E = b["E"]
+    for r in range(3):
+        p = b["pi"]
+        q = b["pj"]
+        S = f["S"]
+        T = g["S"]
+        b["o"][0, r] = f["r"][r] + S[r, 0] * p[0] + S[r, 1] * p[1] + S[r, 2] * p[2]
+        b["o"][1, r] = g["r"][r] + T[r, 0] * q[0] + T[r, 1] * q[1] + T[r, 2] * q[2]
+        for c in range(3):
+            E[r, c] = T[r, 0] * b["Bj"][0, c] + T[r, 1] * b["Bj"][1, c] + T[r, 2] * b["Bj"][2, c]
+    gap = plus(triple(b["o"][0], 0), -1.0, triple(b["o"][1], 0))
+    for k in range(3):
+        b["y"][k] = dot(gap, column(E, k))
+
+
+@kernel
+def _search(b, rows):
+    """Piece and parameter of the place that counts, and g there; piece -1 if there is none."""
+    best = 1e300
+    piece = -1
+    s = 0.0
+    g = 0.0
+    x = b["y"][0]
+    y = b["y"][1]
+    for k in range(rows.shape[0]):
+        dx = x - rows[k, 1]
+        dy = y - rows[k, 2]
+        if (dx * dx + dy * dy) ** 0.5 - rows[k, 3] > best + abs(b["radius"]):
+            continue
+        found, t, phi, nx, ny = nearest(rows, k, x, y)
+        if found != 0 and abs(phi - b["radius"]) < best:
+            best = abs(phi - b["radius"])
+            piece = k
+            s = t
+            g = phi - b["radius"]
+    return piece, s, g
+
+
+@kernel
+def _second(b, f, g, n, tau, w):
+    """Second time derivative of the distance at the accelerations in the frames; w the curvature W."""
+    ai = plus(triple(b["o"][0], 0), -1.0, triple(f["r"], 0))
+    aj = plus(triple(b["o"][0], 0), -1.0, triple(g["r"], 0))
+    wi = triple(f["tw"], 3)
+    wj = triple(g["tw"], 3)
+    vi = plus(triple(f["tw"], 0), 1.0, cross(wi, ai))
+    u = plus(vi, -1.0, plus(triple(g["tw"], 0), 1.0, cross(wj, aj)))
+    a = plus(plus(triple(f["ac"], 0), 1.0, cross(triple(f["ac"], 3), ai)), 1.0, cross(wi, cross(wi, ai)))
+    away = plus(vi, -1.0, triple(g["tw"], 0))
+    carried = plus(plus(triple(g["ac"], 0), 1.0, cross(triple(g["ac"], 3), aj)), 1.0, cross(wj, away))
+    along = dot(tau, u)
+    return dot(n, plus(a, -1.0, carried)) + dot(cross(wj, n), u) + w * along * along
+
+
+@kernel
+def point_on_curve(rec, ctl, fr, q, g, G):
+    """Rows of all points on curves, their second derivatives and the forces that hold them."""
+    c = ctl[0]
+    v, gt, gtt, Gf = constraint_rates(ctl)
+    for e in range(rec.size):
+        b = rec[e]
+        f = fr[b["i"]]
+        o = fr[b["j"]]
+        r = b["row"]
+        _project(b, f, o)
+        rows = view(b["pool"] + 8 * b["start"], (b["rows"], WIDTH), F8)
+        piece, t, value = _search(b, rows)
+        if piece < 0:
+            c["bad"] = e
+            return INCONSISTENT
+        g[r] = value
+        x, y, tx, ty, speed, turn = point_of(rows, piece, t)
+        E = b["E"]
+        tau = plus((tx * E[0, 0], tx * E[1, 0], tx * E[2, 0]), ty, column(E, 1))
+        n = plus((ty * E[0, 0], ty * E[1, 0], ty * E[2, 0]), -tx, column(E, 1))
+        mi = cross(plus(triple(b["o"][0], 0), -1.0, triple(f["r"], 0)), n)
+        mj = cross(plus(triple(b["o"][0], 0), -1.0, triple(o["r"], 0)), n)
+        for k in range(3):
+            Gf[r, 0, k] = n[k]
+            Gf[r, 0, 3 + k] = mi[k]
+            Gf[r, 1, k] = -n[k]
+            Gf[r, 1, 3 + k] = -mj[k]
+        gtt[r] = _second(b, f, o, n, tau, turn / (speed + turn * (value + b["radius"])))
+        if c["out"] != 0:
+            out = observations(ctl)
+            out[b["out"]] = -view(c["lam"], c["nc"], F8)[r]
+            out[b["out"] + 1] = arc_length(rows, piece, t)
+    return OK
+
+
+@kernel
+def entry(ctl, rec, n):
+    """Uniform entry of the kind."""
+    c, fr, q, g, G = constraint_args(ctl)
+    return point_on_curve(view(rec, n, RECORD), c, fr, q, g, G)

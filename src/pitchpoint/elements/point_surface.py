@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A point or a sphere of body i against a surface of body j: plane, sphere, cylinder, cone, torus, triangles.
+
+The sphere has its centre at the origin of the marker of body i, the surface lies in the axes of the marker of
+body j (contact/surface.py). Convex and hollow shapes alike; against triangles up to four places of different
+direction count at once (a ball in an edge of a box), of faces that are nearly alike the deepest.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pitchpoint.contact.surface import CONE, NAMES, PLANE, TORUS, TRIANGLES, distance
+from pitchpoint.contact.triangle_search import nearest_place, signed_place, sphere_places
+from pitchpoint.contact.triangles import TriangleSurface
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.elements.contact_record import EVENTS, RECORD, RESULTS, set_triangles
+from pitchpoint.elements.contact_wrench import act, begin, finish, triple
+from pitchpoint.elements.signal import Pool
+from pitchpoint.elements.surface_place import curvature_in_world, point_place, rotated
+from pitchpoint.multibody.channels import frame_args
+
+__all__ = ["BODY_FIXED", "EVENTS", "OUTPUTS", "RECORD", "entry", "point_surface", "set_mesh", "set_surface"]
+
+BODY_FIXED = True
+OUTPUTS = RESULTS
+
+
+def set_surface(
+    record: np.void, form: str, size: ArrayLike = (), radius: float = 0.0, hollow: bool = False
+) -> None:
+    """Give a contact its sphere and the surface of body j.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contact_record.new_records`), markers and law apart.
+    form
+        "plane", "sphere", "cylinder", "cone" or "torus".
+    size
+        Radius [m] of sphere and cylinder, half angle [rad] of the cone, radius of the ring and of the tube
+        [m] of the torus.
+    radius
+        Radius of the sphere of body i, 0 for a point [m].
+    hollow
+        Material outside the surface: a bore, a cup, a groove.
+    """
+    needed = {PLANE: 0, TORUS: 2}.get(NAMES[form], 1)
+    given = np.atleast_1d(np.asarray(size, float))
+    if given.size != needed or np.any(given <= 0.0):
+        raise ValueError(f"a {form} takes {needed} sizes above zero")
+    if NAMES[form] == CONE and given[0] >= 0.5 * np.pi:
+        raise ValueError("the half angle of a cone is below a right angle")
+    record["form_j"], record["radius"] = NAMES[form], radius
+    record["size_j"][:needed] = given
+    record["sense"] = -1.0 if hollow else 1.0
+    record["margin"] = np.inf
+
+
+def set_mesh(
+    record: np.void, pool: Pool, surface: TriangleSurface, radius: float = 0.0, depth: float | None = None
+) -> None:
+    """Give a contact its sphere and the triangles of body j.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contact_record.new_records`), markers and law apart.
+    pool
+        Pool of the kind.
+    surface
+        Triangles of body j, closed where a point can touch them.
+    radius
+        Radius of the sphere of body i, 0 for a point [m].
+    depth
+        How far below the surface the centre of the sphere counts, and how far above it a gap is looked for
+        beyond the radius [m]; None = a twentieth of the size of the surface.
+    """
+    set_triangles(record, "j", pool, surface)
+    record["radius"] = radius
+    record["depth"] = 0.05 * surface.size() if depth is None else depth
+    record["margin"] = record["depth"]
+
+
+@kernel
+def _on_analytic(b, c, f, g, kk):
+    """A sphere against a surface of simple shape."""
+    phi, nx, ny, nz = distance(b["form_j"], b["size_j"], b["sense"], b["d"], b["V"])
+    curvature_in_world(b["Ej"], b["V"], b["W"])
+    m = rotated(b["Ej"], (nx, ny, nz))
+    point_place(b, f, g, triple(b["oi"], 0), m, phi - b["radius"], b["radius"], 1.0)
+    act(b, c, f, g, kk)
+
+
+@kernel
+def _at(b, c, f, g, kk, where, place):
+    """A sphere at one place of a triangle surface."""
+    phi, nx, ny, nz = signed_place(where, b["d"], place, b["V"])
+    curvature_in_world(b["Ej"], b["V"], b["W"])
+    m = rotated(b["Ej"], (nx, ny, nz))
+    point_place(b, f, g, triple(b["oi"], 0), m, phi - b["radius"], b["radius"], 1.0)
+    act(b, c, f, g, kk)
+
+
+@kernel
+def _on_triangles(b, c, f, g, kk):
+    """A sphere against a triangle surface."""
+    where = b["pool"] + 8 * b["start_j"]
+    if not nearest_place(where, b["d"], b["radius"] + b["depth"], b["hit"]):
+        return
+    phi, nx, ny, nz = signed_place(where, b["d"], b["hit"], b["V"])
+    if phi < -b["depth"]:
+        return
+    if phi <= 0.0 or phi >= b["radius"]:
+        _at(b, c, f, g, kk, where, b["hit"])
+        return
+    for k in range(sphere_places(where, b["d"], b["radius"], b["touching"])):
+        _at(b, c, f, g, kk, where, b["touching"][k])
+
+
+@kernel
+def point_surface(rec, ctl, fr, kk):
+    """Wrenches, tangents and results of all spheres against surfaces."""
+    c = ctl[0]
+    for e in range(rec.size):
+        b = rec[e]
+        f = fr[b["i"]]
+        g = fr[b["j"]]
+        begin(b, f, g)
+        b["side"] = 1.0
+        if b["form_j"] == TRIANGLES:
+            _on_triangles(b, c, f, g, kk)
+        else:
+            _on_analytic(b, c, f, g, kk)
+        finish(b, ctl, 0)
+    return OK
+
+
+@kernel
+def entry(ctl, rec, n):
+    """Uniform entry of the kind."""
+    c, fr, kk = frame_args(ctl)
+    return point_surface(view(rec, n, RECORD), c, fr, kk)

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Two surfaces in contact: cylinder or ring on a plane, crossed cylinders, triangles on triangles.
+
+A cylinder lies along the z axis of its marker, from -length/2 to length/2; a ring (torus; a disc if its tube
+is zero) in the plane z = 0. Spheres against anything are the kind point_surface.
+
+* cylinder on plane: a line of contact, cut at Gauss points, so that the force of a tilted one is exact for a
+  linear law while all of the line is in touch; the law counts for the whole line;
+* ring on plane: the lowest place of the circle;
+* cylinder on cylinder: the common normal of the axes, which must not be parallel; round ends;
+* triangles: the middle of every face of one surface that is below the other one presses with the area of its
+  face, in both directions with half of it, so that finer triangles converge to a layer of springs (law per
+  area).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pitchpoint.contact.surface import CYLINDER, PLANE, RIM, TRIANGLES
+from pitchpoint.contact.triangles import TriangleSurface
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.elements.contact_record import EVENTS, MOST_STATIONS, RECORD, RESULTS, set_triangles
+from pitchpoint.elements.contact_wrench import act, begin, finish
+from pitchpoint.elements.rod_place import rim_place, rods_place
+from pitchpoint.elements.signal import Pool
+from pitchpoint.elements.triangle_contact import points_on_triangles
+from pitchpoint.multibody.channels import frame_args
+
+__all__ = [
+    "BODY_FIXED",
+    "EVENTS",
+    "OUTPUTS",
+    "RECORD",
+    "entry",
+    "set_crossed_cylinders",
+    "set_cylinder_on_plane",
+    "set_meshes",
+    "set_ring_on_plane",
+    "surface_surface",
+]
+
+BODY_FIXED = True
+OUTPUTS = RESULTS
+
+
+def set_cylinder_on_plane(record: np.void, radius: float, length: float, stations: int = 4) -> None:
+    """A cylinder of body i rolls or stands on a plane of body j.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contact_record.new_records`), markers and law apart.
+    radius, length
+        [m].
+    stations
+        Gauss points along the line of contact, 1 to 8.
+    """
+    if not 1 <= stations <= MOST_STATIONS or min(radius, length) <= 0.0:
+        raise ValueError("a cylinder on a plane needs a radius, a length and 1 to 8 stations")
+    x, w = np.polynomial.legendre.leggauss(stations)
+    record["form_i"], record["form_j"], record["stations"] = RIM, PLANE, stations
+    record["size_i"] = radius, 0.0
+    record["along"][:stations, 0], record["along"][:stations, 1] = 0.5 * length * x, 0.5 * w
+    record["margin"] = np.inf
+
+
+def set_ring_on_plane(record: np.void, radius: float, tube: float = 0.0) -> None:
+    """A ring or disc of body i on a plane of body j.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contact_record.new_records`), markers and law apart.
+    radius
+        Radius of the circle in the middle of the tube [m].
+    tube
+        Radius of the tube, 0 for the edge of a disc [m].
+    """
+    if radius <= 0.0 or tube < 0.0:
+        raise ValueError("a ring needs a radius above zero")
+    record["form_i"], record["form_j"], record["stations"] = RIM, PLANE, 1
+    record["size_i"] = radius, tube
+    record["along"][0] = 0.0, 1.0
+    record["margin"] = np.inf
+
+
+def set_crossed_cylinders(record: np.void, radii: Sequence[float], lengths: Sequence[float]) -> None:
+    """Two cylinders that cross.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contact_record.new_records`), markers and law apart.
+    radii, lengths
+        Of the cylinders of bodies i and j [m].
+    """
+    if min(*radii, *lengths) <= 0.0:
+        raise ValueError("cylinders need radii and lengths above zero")
+    record["form_i"] = record["form_j"] = CYLINDER
+    record["size_i"], record["size_j"] = (radii[0], lengths[0]), (radii[1], lengths[1])
+    record["margin"] = np.inf
+
+
+def set_meshes(
+    record: np.void, pool: Pool, surfaces: Sequence[TriangleSurface], depth: float | None = None
+) -> None:
+    """Two triangle surfaces.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contact_record.new_records`), markers and law apart; the law counts per area:
+        K in N/m^(e+2), C in N s/m^3.
+    pool
+        Pool of the kind.
+    surfaces
+        Closed surfaces of bodies i and j.
+    depth
+        How deep a point may be below the other surface, and up to which distance a gap is looked for [m];
+        None = a hundredth of the smaller one. Small ones save time.
+    """
+    set_triangles(record, "i", pool, surfaces[0])
+    set_triangles(record, "j", pool, surfaces[1])
+    record["depth"] = 0.01 * min(s.size() for s in surfaces) if depth is None else depth
+    record["margin"] = record["depth"]
+
+
+@kernel
+def surface_surface(rec, ctl, fr, kk):
+    """Wrenches, tangents and results of all pairs of surfaces."""
+    c = ctl[0]
+    for e in range(rec.size):
+        b = rec[e]
+        f = fr[b["i"]]
+        g = fr[b["j"]]
+        begin(b, f, g)
+        if b["form_j"] == TRIANGLES:
+            points_on_triangles(b, c, f, g, kk)
+        elif b["form_j"] == CYLINDER:
+            rods_place(b, f, g)
+            act(b, c, f, g, kk)
+        else:
+            for k in range(b["stations"]):
+                rim_place(b, f, g, b["along"][k, 0], b["along"][k, 1])
+                act(b, c, f, g, kk)
+        finish(b, ctl, 0)
+    return OK
+
+
+@kernel
+def entry(ctl, rec, n):
+    """Uniform entry of the kind."""
+    c, fr, kk = frame_args(ctl)
+    return surface_surface(view(rec, n, RECORD), c, fr, kk)

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Triangles against triangles: middle points of the faces of each surface below the other one."""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.contact.triangle_search import (
+    box_distance,
+    nearest_place,
+    point_tree_of,
+    points_of,
+    signed_place,
+    tree_of,
+)
+from pitchpoint.core.kernel import kernel
+from pitchpoint.elements.contact_wrench import act, plus, triple
+from pitchpoint.elements.surface_place import curvature_in_world, local, point_place, rotated
+
+
+@kernel
+def _one_way(b, c, f, g, kk, side):
+    """Points of body i against triangles of body j (side 1), or those of j against i (-1)."""
+    of_i = side > 0.0
+    other = b["pool"] + 8 * (b["start_i"] if of_i else b["start_j"])
+    where = b["pool"] + 8 * (b["start_j"] if of_i else b["start_i"])
+    E = b["Ei"] if of_i else b["Ej"]
+    o = b["oi"] if of_i else b["oj"]
+    E_s = b["Ej"] if of_i else b["Ei"]
+    o_s = b["oj"] if of_i else b["oi"]
+    depth = b["depth"]
+    tree = point_tree_of(other)
+    points = points_of(other)
+    boxes = tree_of(where)
+    k = 0
+    while k < tree.shape[0]:
+        middle = (
+            0.5 * (tree[k, 0] + tree[k, 3]),
+            0.5 * (tree[k, 1] + tree[k, 4]),
+            0.5 * (tree[k, 2] + tree[k, 5]),
+        )
+        half = (middle[0] - tree[k, 0], middle[1] - tree[k, 1], middle[2] - tree[k, 2])
+        reach = depth + math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2])
+        local(b, E_s, o_s, plus(triple(o, 0), 1.0, rotated(E, middle)))
+        if box_distance(boxes, 0, b["y"]) >= reach * reach:
+            k = int(tree[k, 6])
+            continue
+        first = int(tree[k, 7])
+        for h in range(first, first + int(tree[k, 8])):
+            Q = plus(triple(o, 0), 1.0, rotated(E, triple(points[h], 0)))
+            local(b, E_s, o_s, Q)
+            if not nearest_place(where, b["y"], depth, b["hit"]):
+                continue
+            phi, nx, ny, nz = signed_place(where, b["y"], b["hit"], b["V"])
+            if phi >= b["gap"] and phi >= 0.0:
+                continue
+            b["side"] = side
+            curvature_in_world(E_s, b["V"], b["W"])
+            point_place(b, f, g, Q, rotated(E_s, (nx, ny, nz)), phi, 0.0, 0.5 * points[h, 3])
+            act(b, c, f, g, kk)
+        k += 1
+
+
+@kernel
+def points_on_triangles(b, c, f, g, kk):
+    """Contact of two triangle surfaces, both ways."""
+    _one_way(b, c, f, g, kk, 1.0)
+    _one_way(b, c, f, g, kk, -1.0)

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Springs and dampers along the line between two points of bodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pitchpoint.model.components.law import PythonLaw
+from pitchpoint.model.keys import key, positive, quantity
+
+POINTS = "its two ends, each of them ground, a body or BODY.MARKER"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spring:
+    """Spring and damper side by side along the line between two points."""
+
+    ends: tuple[str, str] = key("ends", POINTS, length=(2, 2))
+    stiffness: float = quantity("stiffness", "force per elongation", 0.0, minimum=0.0)
+    damping: float = quantity("damping", "force per rate of elongation", 0.0, minimum=0.0)
+    free_length: float | None = quantity(
+        "length", "length without force", None, minimum=0.0, display="distance of its ends as placed"
+    )
+    force: PythonLaw | None = key(
+        "python",
+        "further tension: 'file.py:function' with f(t, x, parameters) in N; x is the elongation, its rate "
+        "stands behind the parameters",
+        None,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Maxwell:
+    """Spring and damper one behind the other along the line between two points; no force at the start."""
+
+    ends: tuple[str, str] = key("ends", POINTS, length=(2, 2))
+    stiffness: float = positive("stiffness", "of the spring")
+    damping: float = positive("damping", "of the damper")

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Frames of bodies, markers and joints in the world, where the file places them: all coordinates zero."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.body import Body
+    from pitchpoint.model.components.joint import Joint
+    from pitchpoint.model.components.marker import Axes, Marker
+
+Array = NDArray[np.float64]
+GROUND = "ground"
+ALONG = 0.999999
+"""Cosine of the angle from which two directions count as one."""
+
+
+class Machine(Protocol):
+    """Whatever has bodies and joints: a model, or the parts of one."""
+
+    @property
+    def bodies(self) -> Mapping[str, Body]:
+        """Bodies by name."""
+
+    @property
+    def joints(self) -> Mapping[str, Joint]:
+        """Joints by name."""
+
+
+def unit(vector: ArrayLike) -> Array:
+    """Direction of a vector; zeros stay zeros."""
+    v = np.asarray(vector, float)
+    size = float(np.linalg.norm(v))
+    return v / size if size > 0.0 else v
+
+
+def frame(axes: Axes | None, base: Array | None = None) -> Array:
+    """Right-handed frame (3, 3), columns, of two directions that are given along the axes of `base`.
+
+    Without an x axis it is the direction at right angles to z that lies nearest to x of the base, or nearest
+    to its y where z lies along x.
+
+    Examples
+    --------
+    >>> from pitchpoint.model.components.marker import Axes
+    >>> frame(Axes(z=(1.0, 0.0, 0.0))).tolist()
+    [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+    """
+    outer = np.eye(3) if base is None else base
+    if axes is None:
+        return outer
+    z = unit(axes.z)
+    x = unit((1.0, 0.0, 0.0) if axes.x is None else axes.x)
+    if axes.x is None and abs(z[0]) > ALONG:
+        x = np.array([0.0, 1.0, 0.0])
+    y = unit(np.cross(z, x))
+    return np.asarray(outer @ np.column_stack([np.cross(y, z), y, z]))
+
+
+def split(end: str) -> tuple[str, str]:
+    """Body and marker ('' for its origin) of a place named as BODY or BODY.MARKER."""
+    body, _, marker = end.partition(".")
+    return body, marker
+
+
+def marker_of(machine: Machine, end: str) -> Marker | None:
+    """Marker that a place names, None for an origin and for what does not exist."""
+    body, name = split(end)
+    return machine.bodies[body].markers.get(name) if body in machine.bodies else None
+
+
+def body_frame(machine: Machine, body: str) -> tuple[Array | None, Array]:
+    """Origin (None if it is not known yet) and axes of a body in the world."""
+    if body == GROUND:
+        return np.zeros(3), np.eye(3)
+    part = machine.bodies[body]
+    origin = None if part.origin is None else np.array(part.origin, float)
+    return origin, frame(part.axes)
+
+
+def arm(machine: Machine, end: str) -> Array:
+    """Place that an end names, from the origin of its body, in world axes [m]."""
+    marker = marker_of(machine, end)
+    if marker is None:
+        return np.zeros(3)
+    return np.asarray(body_frame(machine, split(end)[0])[1] @ np.array(marker.position))
+
+
+def place_of(machine: Machine, end: str) -> Array | None:
+    """Place that an end names in the world [m]; None while its body has none."""
+    origin = body_frame(machine, split(end)[0])[0]
+    return None if origin is None else origin + arm(machine, end)
+
+
+def axes_of(machine: Machine, end: str) -> Array:
+    """Axes of the place that an end names in the world."""
+    axes = body_frame(machine, split(end)[0])[1]
+    marker = marker_of(machine, end)
+    return axes if marker is None else frame(marker.axes, axes)
+
+
+def joint_place(machine: Machine, joint: Joint) -> Array | None:
+    """Place of a joint in the world [m]: given, or of its markers, or the origin of the body it moves."""
+    if joint.position is not None:
+        return np.array(joint.position, float)
+    marked = [e for e in joint.bodies if split(e)[1]]
+    for end in marked or [e for e in reversed(joint.bodies) if e != GROUND]:
+        place = place_of(machine, end)
+        if place is not None:
+            return place
+    return None
+
+
+def joint_axes(machine: Machine, joint: Joint) -> Array:
+    """Axes of a joint in the world, columns: given, or those of a marker, or those of the world."""
+    if joint.axes is not None:
+        return frame(joint.axes)
+    marked = [e for e in joint.bodies if split(e)[1]]
+    own = [e for e in marked if (m := marker_of(machine, e)) is not None and m.axes is not None]
+    for end in own or marked:
+        return axes_of(machine, end)
+    return np.eye(3)

@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How bodies hang on each other: the joints spread over a tree, those that are left close loops.
+
+Bodies that give their motion stand on ground. Then the first joint of the file whose first body hangs and
+whose second does not carries the second, again and again; where no joint fits that way, the first one that
+joins a hanging body with one that does not is turned round. What is left joins bodies that hang already: it
+is cut.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.model.components.joint import COORDINATES, FUNCTIONS, TUMBLING, Joint
+from pitchpoint.model.frames import (
+    GROUND,
+    Array,
+    Machine,
+    arm,
+    body_frame,
+    joint_axes,
+    joint_place,
+    split,
+)
+
+if TYPE_CHECKING:
+    from pitchpoint.model.parts import Parts
+
+MOTIONS = {"fixed": "fixed", "torsion": "revolute", "planar": "planar", "free": "shaft"}
+"""Type of the joint to ground that a motion stands for."""
+
+#: Columns of the frame of a joint that is turned round, as (column, sign): about the new axes the first body
+#: moves against the second by the very coordinates that the second has against the first.
+_TURNED = {"universal": ((1, -1), (0, -1), (2, -1)), "spherical": ((2, -1), (1, -1), (0, -1))}
+_FLIPPED = ((0, 1), (1, -1), (2, -1))
+#: Coordinates of a joint that is turned round, in the order of their displacements.
+_RENAMED = {"universal": ("beta", "alpha"), "spherical": ("spin", "beta", "alpha")}
+ONE_WAY = ("planar", "shaft", "free")
+"""Joints whose coordinates have no counterpart when they are turned round."""
+
+
+@dataclass(frozen=True)
+class Seat:
+    """What one body hangs on."""
+
+    body: str
+    parent: str = GROUND
+    joint: str | None = None
+    """Name of the joint, None for a motion against ground."""
+    kind: str = "revolute"
+    """Type of the joint, or the one that the motion stands for."""
+    turned: bool = False
+    """Whether the joint moves its first body."""
+    coordinates: tuple[str, ...] = ()
+    """Names of its coordinates, in the order of the displacements."""
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """The tree of bodies and what closes its loops."""
+
+    seats: Mapping[str, Seat] = field(default_factory=dict)
+    """Seat of every body that hangs on something, parents first."""
+    cut: tuple[str, ...] = ()
+    """Joints that close loops."""
+    floating: tuple[str, ...] = ()
+    """Bodies that hang on nothing."""
+
+    @property
+    def carried(self) -> frozenset[str]:
+        """Bodies that a joint carries or should carry."""
+        return frozenset(n for n, s in self.seats.items() if s.joint is not None) | frozenset(self.floating)
+
+    def carrier(self, joint: str) -> Seat | None:
+        """Seat that a joint makes; None for one that closes a loop."""
+        return next((s for s in self.seats.values() if s.joint == joint), None)
+
+
+def hang(parts: Parts) -> Mechanism:
+    """Find the tree; every body learns which joint carries it."""
+    joints = {n: j for n, j in parts.joints.items() if _usable(parts, j)}
+    roots = _roots(parts, joints)
+    seats = {n: roots[n] for n in parts.bodies if n in roots}
+    open_ = [n for n, j in joints.items() if not j.cut]
+    while (found := _next(joints, open_, seats)) is not None:
+        seats[found.body] = found
+        open_.remove(str(found.joint))
+    used = {s.joint for s in seats.values()}
+    order = _sorted(parts, seats)
+    for name in parts.bodies:
+        seat = seats.get(name)
+        parts.bodies[name] = replace(parts.bodies[name], joint=seat.joint if seat is not None else None)
+    return Mechanism(
+        order,
+        tuple(n for n, j in joints.items() if n not in used and all(_hangs(e, seats) for e in j.bodies)),
+        tuple(n for n in parts.bodies if n not in seats),
+    )
+
+
+def _usable(parts: Parts, joint: Joint) -> bool:
+    ends = [split(e)[0] for e in joint.bodies]
+    return ends[0] != ends[1] and all(e == GROUND or e in parts.bodies for e in ends)
+
+
+def _hangs(end: str, seats: Mapping[str, Seat]) -> bool:
+    body = split(end)[0]
+    return body == GROUND or body in seats
+
+
+def _roots(parts: Parts, joints: Mapping[str, Joint]) -> dict[str, Seat]:
+    """Bodies that move against ground by a motion: their own, or the usual one of gears and discs."""
+    ends = {n: [split(e)[0] for e in j.bodies] for n, j in joints.items()}
+    moved = {e[1] for n, e in ends.items() if not joints[n].cut}
+    moved |= {e[0] for n, e in ends.items() if e[1] == GROUND and not joints[n].cut}
+    found = {}
+    for name, body in parts.bodies.items():
+        if body.motion is None and (
+            name in moved or not (body.gears or (body.is_round and not body.markers))
+        ):
+            continue
+        kind = MOTIONS[body.motion or "torsion"]
+        found[name] = Seat(name, kind=kind, coordinates=COORDINATES[kind])
+    return found
+
+
+def _next(joints: Mapping[str, Joint], open_: list[str], seats: Mapping[str, Seat]) -> Seat | None:
+    """Seat by the first joint that carries its second body, else by the first that can be turned round."""
+    back: Seat | None = None
+    for name in open_:
+        joint = joints[name]
+        first, second = (split(e)[0] for e in joint.bodies)
+        if _hangs(first, seats) == _hangs(second, seats):
+            continue
+        if _hangs(first, seats):
+            return Seat(second, first, name, joint.type, False, joint.names)
+        if back is None and joint.type not in FUNCTIONS:
+            renamed = _RENAMED.get(joint.type, joint.names)
+            back = Seat(first, second, name, joint.type, True, renamed)
+    return back
+
+
+def _sorted(parts: Parts, seats: Mapping[str, Seat]) -> dict[str, Seat]:
+    """Seats with parents first, else in the order of the file."""
+    out: dict[str, Seat] = {}
+
+    def put(name: str) -> None:
+        if name != GROUND and name not in out:
+            put(seats[name].parent)
+            out[name] = seats[name]
+
+    for name in parts.bodies:
+        if name in seats:
+            put(name)
+    return out
+
+
+def place_joined(parts: Parts) -> None:
+    """Place the bodies that joints join to bodies with a place: their markers meet at the joint."""
+    found = True
+    while found:
+        found = False
+        for joint in parts.joints.values():
+            if not _usable(parts, joint):
+                continue
+            place = joint_place(parts, joint)
+            for end in joint.bodies:
+                body = split(end)[0]
+                if place is not None and body != GROUND and parts.bodies[body].origin is None:
+                    x, y, z = (float(v) for v in place - arm(parts, end))
+                    parts.bodies[body] = replace(parts.bodies[body], origin=(x, y, z))
+                    found = True
+
+
+def seat_frame(machine: Machine, seat: Seat) -> tuple[Array, Array]:
+    """Place [m] and axes of the frame that a body moves in: of its joint, or its own for a motion."""
+    if seat.joint is None:
+        origin, axes = body_frame(machine, seat.body)
+        return (np.zeros(3) if origin is None else origin), axes
+    joint = machine.joints[seat.joint]
+    place = joint_place(machine, joint)
+    axes = joint_axes(machine, joint)
+    if seat.turned:
+        columns = _TURNED.get(seat.kind, _FLIPPED)
+        axes = np.column_stack([sign * axes[:, c] for c, sign in columns])
+    return (np.zeros(3) if place is None else place), axes
+
+
+def axial_offset(machine: Machine, seat: Seat) -> float | None:
+    """Where the origin of a body lies on the axis it spins about, from its joint [m]; None beside the axis.
+
+    None also if the z axis of the body has another direction.
+    """
+    place, axes = seat_frame(machine, seat)
+    origin, own = body_frame(machine, seat.body)
+    if origin is None:
+        return None
+    apart = origin - place
+    along = float(axes[:, 2] @ apart)
+    beside = float(np.linalg.norm(apart - along * axes[:, 2]))
+    if axes[:, 2] @ own[:, 2] < 1.0 - 1e-12 or beside > 1e-6 * max(1e-3, abs(along)):
+        return None
+    return along
+
+
+def coordinate(mechanism: Mechanism, machine: Machine, name: str) -> tuple[str, int, str] | str:
+    """Coordinate that is named as JOINT.COORDINATE, or by a body for its spin.
+
+    Returns
+    -------
+    tuple or str
+        Body, number among its coordinates and dimension (length or angle); or what is wrong, in words.
+    """
+    part, _, word = name.partition(".")
+    if not word:
+        return _spin(mechanism, machine, part)
+    if part not in machine.joints:
+        return f"names the joint {part[:40]!r}, which does not exist"
+    joint = machine.joints[part]
+    if word not in joint.names:
+        listed = ", ".join(joint.names) or "none"
+        return f"names {word[:40]!r}, which is no coordinate of {part} ({joint.type}); it has {listed}"
+    seat = mechanism.carrier(part)
+    if seat is None:
+        return f"names a coordinate of {part}, which closes a loop and has none of its own"
+    if seat.turned and joint.type in ONE_WAY:
+        return (
+            f"names a coordinate of {part}, which is turned round because {seat.parent} carries {seat.body}; "
+            f"write its bodies as [{seat.parent}, {seat.body}]"
+        )
+    if joint.type in TUMBLING and joint.dimension(word) == "angle":
+        return f"names a turn of {part} ({joint.type}), whose turns start afresh while it tumbles"
+    return seat.body, seat.coordinates.index(word), joint.dimension(word)
+
+
+def _spin(mechanism: Mechanism, machine: Machine, body: str) -> tuple[str, int, str] | str:
+    if body not in machine.bodies:
+        return f"names the body {body[:40]!r}, which does not exist"
+    seat = mechanism.seats.get(body)
+    if seat is None or seat.kind in (*TUMBLING, *FUNCTIONS) or "spin" not in seat.coordinates:
+        how = "" if seat is None or seat.joint is None else f" ({seat.joint}: {seat.kind})"
+        return f"names {body}{how}, which has no spin"
+    return body, seat.coordinates.index("spin"), "angle"
+
+
+def given(mechanism: Mechanism, machine: Machine, key: str) -> tuple[str, ...]:
+    """Coordinates that joints give at the start, as the system names them: BODY.DISPLACEMENT.
+
+    Parameters
+    ----------
+    mechanism, machine
+        Tree and parts.
+    key
+        "start" for their values, "speed" for their rates.
+    """
+    found = []
+    for seat in mechanism.seats.values():
+        if seat.joint is not None:
+            words = COORDINATES[seat.kind] or seat.coordinates
+            values = getattr(machine.joints[seat.joint], key)
+            pairs = zip(words, seat.coordinates, strict=True)
+            found += [f"{seat.body}.{word}" for word, own in pairs if own in values]
+    return tuple(found)
+
+
+def rows_of(joint: Joint) -> int:
+    """Directions that a joint holds fast."""
+    return 6 - len(joint.names)
+
+
+def freedoms(mechanism: Mechanism, machine: Machine, others: int = 0) -> tuple[int, int]:
+    """Coordinates of the tree, and degrees of freedom by the count of Gruebler, which knows no redundancy.
+
+    Parameters
+    ----------
+    mechanism, machine
+        Tree and parts.
+    others
+        Further constraint rows: rods and ratios.
+    """
+    count = sum(len(s.coordinates) for s in mechanism.seats.values())
+    return count, count - sum(rows_of(machine.joints[j]) for j in mechanism.cut) - others

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Weight of all bodies."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.elements import gravity as element
+from pitchpoint.system.rules.bank import Bank
+from pitchpoint.system.rules.bodies import bodies
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+def gravity_bank(model: Model) -> Bank:
+    """One record per body with a mass; none without gravity."""
+    if model.gravity is None or not any(model.gravity):
+        return Bank("gravity", np.zeros(0, element.RECORD), ())
+    tree = bodies(model)
+    records = element.gravity_records(tree, model.gravity)
+    return Bank("gravity", records, tuple(tree[int(r["i"]) - 1].name for r in records))

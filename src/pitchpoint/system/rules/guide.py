@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Joints made of functions: moved frames and joints with coordinates of a user."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import CompileError
+from pitchpoint.core.formula import Formula
+from pitchpoint.elements import guide as element
+from pitchpoint.elements.signal import Pool
+from pitchpoint.model.components.joint import DISPLACEMENTS, FUNCTIONS, Joint
+from pitchpoint.model.components.law import Constant, FormulaLaw, Law, PythonLaw, TableLaw
+from pitchpoint.system.rules.bank import Bank, pack
+from pitchpoint.system.rules.bodies import body_numbers
+from pitchpoint.system.rules.drive import value_of_law
+from pitchpoint.system.rules.stiffness import user_law
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
+
+
+def guide_bank(model: Model, scenario: Scenario | None) -> Bank:
+    """Functions of all joints that have some; Python functions are followed over the scenario's duration."""
+    number = body_numbers(model)
+    duration = (scenario.duration if scenario is not None else None) or 1.0
+    pool = Pool()
+    rows, names = [], []
+    for seat in model.mechanism.seats.values():
+        if seat.joint is None or seat.kind not in FUNCTIONS:
+            continue
+        joint = model.joints[seat.joint]
+        first = True
+        for word, laws in joint.motion.items():
+            for law in laws:
+                row = np.zeros(1, element.RECORD)[0]
+                row["i"], row["m"], row["first"] = number[seat.body], list(DISPLACEMENTS).index(word), first
+                _follow(row, pool, joint, law, duration, f"joints.{seat.joint}.motion.{word}")
+                first = False
+                rows.append(row)
+                names.append(f"{seat.joint}.{word}")
+    return pack("guide", element.RECORD, rows, names, pool=pool.array())
+
+
+def _follow(row: Any, pool: Pool, joint: Joint, law: Law, duration: float, where: str) -> None:
+    """Write one function into its record."""
+    own = list(joint.coordinates)
+    row["k"] = element.TIME
+    if isinstance(law, Constant):
+        row["form"], row["value"] = element.LINEAR, law.value
+    elif isinstance(law, FormulaLaw):
+        variable = law.variables[0]
+        row["k"] = own.index(variable) if variable in own else element.TIME
+        element.set_formula(row, pool, Formula.parse(law.text, law.variables))
+    elif isinstance(law, TableLaw):
+        row["k"] = own.index(law.over) if law.over in own else element.TIME
+        element.set_table(row, pool, law.abscissa, law.values)
+    elif isinstance(law, PythonLaw):
+        function = user_law(law, where)
+        element.set_function(
+            row,
+            pool,
+            lambda t: np.array([value_of_law(function, s) for s in np.atleast_1d(t)]),
+            0.0,
+            duration,
+        )
+    else:
+        raise CompileError(f"{where}: a displacement cannot follow {type(law).__name__}")

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What rules of force elements ask about names in a model, and the hidden bodies that hold states."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.multibody.bodies import Body
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Places:
+    """How the names of a model are found in its records.
+
+    Parameters
+    ----------
+    end
+        Of ground, BODY or BODY.MARKER: number of the body, point from its origin [m] and axes (columns), both
+        in the frame that is fixed to the body.
+    world
+        Of the same: the place in the world with all coordinates zero [m].
+    axes
+        Of the same: the axes in the world then, columns.
+    state
+        Of an element with a state: number of its hidden body.
+    """
+
+    end: Callable[[str], tuple[int, Array, Array]]
+    world: Callable[[str], Array]
+    axes: Callable[[str], Array]
+    state: Callable[[str], int]
+
+    def mark(self, row: Any, ends: Iterable[str]) -> None:
+        """Write bodies, points and, where the record has them, axes of two ends."""
+        for letter, name in zip("ij", ends, strict=True):
+            row[letter], row["p_" + letter], axes = self.end(name)
+            if "A_" + letter in row.dtype.names:
+                row["A_" + letter] = axes
+
+    def pair(self, row: Any, bodies: tuple[str, ...]) -> None:
+        """Write the numbers of one or two bodies; the second of one is ground."""
+        row["i"] = self.end(bodies[0])[0]
+        row["j"] = self.end(bodies[1])[0] if len(bodies) == 2 else 0
+
+
+def hidden_bodies(elements: Iterable[str]) -> list[Body]:
+    """Bodies whose spin rates are the states of elements, to stand behind all others.
+
+    Parameters
+    ----------
+    elements
+        Names of the elements with a state.
+    """
+    return [Body(name=f"{name}.state", polar_inertia=1.0) for name in elements]

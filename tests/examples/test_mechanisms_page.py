@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page on mechanisms: its file, its commands and its numbers are tried as they stand there."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pitchpoint.cli.main import run_command
+from pitchpoint.model.components.joint import COORDINATES
+
+TEXT = (Path(__file__).parents[2] / "docs" / "mechanisms.md").read_text(encoding="utf-8")
+WORDS = " ".join(TEXT.split())
+R, L = 0.1, 0.3
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    found = re.search(r"^```yaml\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)
+    assert found
+    (tmp_path / "slider-crank.yaml").write_text(found[1], encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def height(theta):
+    """Moment of the masses about the ground, in metres times kilograms."""
+    return (1.0 * 0.04 + 0.8 * (R - 0.12 / L * R)) * np.sin(theta)
+
+
+def reduced_inertia(theta):
+    """Inertia of the whole slider-crank on the crank."""
+    phi = np.arcsin(-R * np.sin(theta) / L)
+    d_phi = -R * np.cos(theta) / (L * np.cos(phi))
+    piston = -R * np.sin(theta) - L * np.sin(phi) * d_phi
+    x = -R * np.sin(theta) - 0.12 * np.sin(phi) * d_phi
+    y = R * np.cos(theta) + 0.12 * np.cos(phi) * d_phi
+    return 1.2e-3 + 0.04**2 + 0.8 * (x * x + y * y) + 8e-3 * d_phi**2 + 0.5 * piston**2
+
+
+def test_commands_run_and_numbers_are_right(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    lines = re.findall(r"^pitchpoint (.*)$", TEXT, re.MULTILINE)
+    assert len(lines) == 3
+    for line in lines:
+        assert run_command(shlex.split(line)) == 0, line
+    capsys.readouterr()
+
+    def numbers(scenario: str) -> dict:
+        command = ["run", "slider-crank.yaml", "-s", scenario, "--json", "-o", f"{scenario}-2.h5"]
+        assert run_command(command) == 0
+        return json.loads(capsys.readouterr().out)["channels"]
+
+    driven = numbers("driven")["displacement[piston.z]"]
+    assert "travels 200 mm" in WORDS
+    assert driven["max"] - driven["min"] == pytest.approx(0.2, abs=1e-6)
+    # energy from rest at 30 deg, fastest where J' w^2/2 balances the weight
+    theta = np.linspace(np.radians(-210.0), np.radians(30.0), 20001)
+    fall = 9.81 * (height(np.radians(30.0)) - height(theta))
+    fastest = np.sqrt(2.0 * np.maximum(fall, 0.0) / reduced_inertia(theta)).max() * 30.0 / np.pi
+    assert f"fastest at {fastest:.0f} rpm" in WORDS
+    swing = numbers("swing")["speed[crank]"]
+    # generalised-alpha with rho = 0.8 at 0.1 ms: second order, (w h)^2 = 1e-4 at most
+    assert abs(swing["min"]) * 30.0 / np.pi == pytest.approx(fastest, rel=1e-4)
+
+
+def test_the_table_of_joints_is_complete() -> None:
+    rows = dict(re.findall(r"^\| `(\w+)` \| ([^|]*) \|", TEXT, re.MULTILINE))
+    assert set(rows) == set(COORDINATES)
+    for word, names in COORDINATES.items():
+        if word != "user":
+            assert rows[word] == (", ".join(names) or "none")
