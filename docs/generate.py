@@ -78,7 +78,8 @@ def commands() -> str:
     settings: dict[str, Any] = pitchpoint.context_settings | {"terminal_width": 100}
     program = click.Context(pitchpoint, info_name="pitchpoint", **settings)
     for name in COMMANDS:
-        command: click.Command = getattr(importlib.import_module(f"pitchpoint.cli.{name}"), name)
+        function = name.replace("-", "_")
+        command: click.Command = getattr(importlib.import_module(f"pitchpoint.cli.{function}"), function)
         context = click.Context(command, info_name=name, parent=program)
         lines += [f"## {name}", "", *_help(context)]
         for part, child in sorted(getattr(command, "commands", {}).items()):

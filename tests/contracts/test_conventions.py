@@ -21,13 +21,16 @@ from pitchpoint.core.formula import Formula, FormulaError
 from pitchpoint.core.units import parse_quantity
 from pitchpoint.elements import registry
 from pitchpoint.elements.gear_mesh_record import N_OUT
+from pitchpoint.elements.shaft_beam import shaft_row
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.geometry.deviations import Deviations, Runout, separation
 from pitchpoint.geometry.tooth_form import gear_outline
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.phasing import tooth_twist
 from pitchpoint.multibody import bodies as joints
+from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import Body
+from pitchpoint.multibody.joints import FREE as SHAFT
 from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.solvers.equilibrium import solve_equilibrium
 from pitchpoint.solvers.sampling import accumulate, new_statistics, read_statistics
@@ -203,6 +206,23 @@ def test_bearing_force_acts_on_the_body() -> None:
     get = loaded(FREE + "loads: {f: {body: rotor, force: [100 N, 50 N, -20 N], position: [0, 0, 100 mm]}}\n")
     force = [get(f"bearing_force[b.{k}]") for k in ("fx", "fy", "fz", "mx", "my")]
     assert force == pytest.approx([-100.0, -50.0, 20.0, 5.0, -10.0], rel=1e-3)
+
+
+def test_beam_forces_are_those_of_the_part_beyond():
+    beam = Beam(section=tube(0.02), length=0.5, E=2e11, G=8e10)
+    tip = Body(
+        motion=SHAFT, position=(0, 0, 0.5), mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, name="tip"
+    )
+    system = assemble([tip], {"shaft_beam": shaft_row(beam, bodies=(0, 1))}, names={"shaft_beam": ["rod"]})
+    state = system.initial_state()
+    state.q[system.layout.coordinate("tip.z")] = 1e-5
+    state.q[system.layout.coordinate("tip.spin")] = 1e-3
+    found = evaluate.observe(system, state)
+    for end in "ij":
+        tension = found[system.layout.channel(f"beam_force[rod.{end}.fz]")]
+        torque = found[system.layout.channel(f"beam_force[rod.{end}.mz]")]
+        assert tension == pytest.approx(2e11 * beam.section.A * 2e-5)
+        assert torque == pytest.approx(8e10 * beam.section.J * 2e-3)
 
 
 def test_angles_are_unwrapped() -> None:

@@ -25,6 +25,7 @@ COMMANDS = {
     "modes": "Natural frequencies and mode shapes.",
     "run": "Time response or slow roll of a scenario.",
     "sweep": "Speed sweep up and down, with jumps.",
+    "compare-solvers": "Accuracy against time of all integrators on one model.",
     "report": "One HTML file with drawings and curves.",
     "examples": "List or copy the examples.",
     "warmup": "Compile everything once, so that later starts are quick.",
@@ -47,8 +48,8 @@ class LazyGroup(click.Group):
         """Import a command; None if there is none of this name."""
         if cmd_name not in COMMANDS:
             return None
-        module = importlib.import_module(f"pitchpoint.cli.{cmd_name}")
-        command: click.Command = getattr(module, cmd_name)
+        name = cmd_name.replace("-", "_")
+        command: click.Command = getattr(importlib.import_module(f"pitchpoint.cli.{name}"), name)
         return command
 
     def resolve_command(

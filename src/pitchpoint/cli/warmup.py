@@ -35,6 +35,7 @@ scenarios:
   generalized_alpha: {speed: {a: 500 rpm}, duration: 1 ms, events: [pair_entry]}
   rk4: {speed: {a: 500 rpm}, duration: 1 ms, method: rk4, step: 1 us, events: [pair_entry]}
   runge_kutta: {speed: {a: 500 rpm}, duration: 1 ms, method: runge_kutta, events: [pair_entry]}
+  gstiff: {speed: {a: 500 rpm}, duration: 1 ms, method: gstiff, events: [pair_entry]}
   driven: {drive: {a: {speed: 500 rpm}}, duration: 1 ms}
   sweep: {sweep: {body: a, mesh_frequency: [500 Hz, 600 Hz], points: 2,
                   settle_periods: 1, measure_periods: 1}}

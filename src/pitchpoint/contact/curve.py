@@ -6,7 +6,8 @@ body, one that runs clockwise a hole. The outward normal points to the right. Co
 of radius zero, so that the nearest point and its normal always move on smoothly along them.
 
 A row has 16 numbers: form, centre and radius of a circle around the piece [m], eight numbers of the form,
-arc length at which the piece begins and its length [m]. The parameter of a piece runs from 0 to 1; along the
+arc length at which the piece begins and its length [m], mean direction of the piece and how far it turns to
+either side of it [rad]. The parameter of a piece runs from 0 to 1; along the
 curve one counts by arc length, within a cubic piece in proportion to its parameter.
 """
 
@@ -23,11 +24,13 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.contact.curve_point import (
     ARC,
     BEGIN,
+    COURSE,
     CUBIC,
     FORM,
     INVOLUTE,
     LENGTH,
     LINE,
+    SPREAD,
     TWO_PI,
     WIDTH,
     point_of,
@@ -137,6 +140,18 @@ def _ends(row: FloatArray) -> tuple[complex, complex, complex, complex]:
     return found[0][0], found[1][0], found[0][1], found[1][1]
 
 
+def _course(row: FloatArray) -> tuple[float, float]:
+    """Mean direction of a piece and the largest turn away from it [rad]."""
+    rows = np.ascontiguousarray(row)[None, :]
+    directions = []
+    for t in np.linspace(0.0, 1.0, 65):
+        _, _, tx, ty, _, _ = point_of(rows, 0, t)
+        directions.append(math.atan2(ty, tx))
+    angle = np.unwrap(directions)
+    step = 0.0 if row[FORM] != CUBIC else float(np.abs(np.diff(angle)).max())  # others turn one way
+    return 0.5 * float(angle.min() + angle.max()), 0.5 * float(np.ptp(angle)) + step
+
+
 def chain(rows: Sequence[FloatArray], closed: bool) -> Curve:
     """Join pieces to a curve: count its length, round corners that stick out with radius zero.
 
@@ -169,6 +184,7 @@ def chain(rows: Sequence[FloatArray], closed: bool) -> Curve:
             normal = -1j * ends[k][3]
             found.append(arc_piece(_pair(ends[k][1]), 0.0, math.atan2(normal.imag, normal.real), angle))
     made = np.array(found)
+    made[:, COURSE], made[:, SPREAD] = np.transpose([_course(row) for row in made])
     made[:, BEGIN] = np.concatenate([[0.0], np.cumsum(made[:-1, LENGTH])])
     return Curve(made, closed)
 

@@ -12,7 +12,16 @@ from __future__ import annotations
 
 import math
 
-from pitchpoint.contact.curve_point import ARC, EDGE, nearest, point_of, sweep_place
+from pitchpoint.contact.curve_point import (
+    ARC,
+    COURSE,
+    EDGE,
+    SPREAD,
+    TWO_PI,
+    nearest,
+    point_of,
+    sweep_place,
+)
 from pitchpoint.core.kernel import kernel
 
 MOST = 4
@@ -175,6 +184,14 @@ def common_normal(A, ka, B, kb, M, d):
 
 
 @kernel
+def _may_face(A, ka, B, kb, turn, slack):
+    """Whether some outward normals of two pieces may be opposite, A turned by `turn` [rad] against B."""
+    off = A[ka, COURSE] + turn - B[kb, COURSE] + 0.5 * TWO_PI
+    off -= TWO_PI * math.floor(off / TWO_PI + 0.5)
+    return abs(off) <= A[ka, SPREAD] + B[kb, SPREAD] + slack
+
+
+@kernel
 def _same(hits, n, A, ka, s, B, kb, t):
     """Whether a contact was found already, at the joint of two pieces."""
     ax, ay, aux, auy, asp, atn = point_of(A, ka, s)
@@ -210,6 +227,8 @@ def contacts(A, B, M, d, reach, hits):
     best = reach[2]
     n = 0
     hits[0, 4] = -1.0
+    slack = 1e-6 + 2.0 * (1.0 - M[2, 2])  # a tilt changes directions within the curve
+    turn = math.atan2(M[1, 0], M[0, 0])
     for ka in range(A.shape[0]):
         x = d[0] + M[0, 0] * A[ka, 1] + M[0, 1] * A[ka, 2]
         y = d[1] + M[1, 0] * A[ka, 1] + M[1, 1] * A[ka, 2]
@@ -220,6 +239,8 @@ def contacts(A, B, M, d, reach, hits):
         for kb in range(B.shape[0]):
             bound = math.sqrt((x - B[kb, 1]) ** 2 + (y - B[kb, 2]) ** 2) - r - B[kb, 3]
             if bound > max(best, reach[1]):
+                continue
+            if not _may_face(A, ka, B, kb, turn, slack):
                 continue
             found, s, t, gap = common_normal(A, ka, B, kb, M, d)
             gap -= offset

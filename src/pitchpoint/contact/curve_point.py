@@ -9,7 +9,7 @@ from pitchpoint.core.kernel import kernel
 
 LINE, ARC, CUBIC, INVOLUTE = 0, 1, 2, 3
 WIDTH = 16
-FORM, BEGIN, LENGTH = 0, 12, 13
+FORM, BEGIN, LENGTH, COURSE, SPREAD = 0, 12, 13, 14, 15
 TWO_PI = 6.283185307179586
 EDGE = 1e-9
 """How far beyond the ends of a piece its parameter may lie."""

@@ -36,15 +36,33 @@ def plus(a, s, b):
 
 
 @kernel
-def triple(a, first):
-    """Three elements of an array from `first` on."""
+def triple(a):
+    """Array of three as a triple."""
+    return a[0], a[1], a[2]
+
+
+@kernel
+def half(a, first):
+    """Translation (`first` 0) or rotation (3) of a twist."""
     return a[first], a[first + 1], a[first + 2]
 
 
 @kernel
+def row(A, r):
+    """Row r of a 3 x 3 matrix."""
+    return A[r, 0], A[r, 1], A[r, 2]
+
+
+@kernel
 def column(A, c):
-    """Column c of an array of three rows."""
+    """Column c of a 3 x 3 matrix."""
     return A[0, c], A[1, c], A[2, c]
+
+
+@kernel
+def change(A, k):
+    """Change of a vector with motion k, from an array (3, 12)."""
+    return A[0, k], A[1, k], A[2, k]
 
 
 @kernel
@@ -57,7 +75,7 @@ def put_3(a, x):
 
 @kernel
 def put(A, c, x):
-    """Write a triple into column c of an array of three rows."""
+    """Write the change of a vector with motion c into an array (3, 12)."""
     A[0, c] = x[0]
     A[1, c] = x[1]
     A[2, c] = x[2]
@@ -94,7 +112,7 @@ def place_markers(b, f, g):
             at[r] = o["r"][r] + S[r, 0] * p[0] + S[r, 1] * p[1] + S[r, 2] * p[2]
             for c in range(3):
                 E[r, c] = S[r, 0] * B[0, c] + S[r, 1] * B[1, c] + S[r, 2] * B[2, c]
-    gap = plus(triple(b["oi"], 0), -1.0, triple(b["oj"], 0))
+    gap = plus(triple(b["oi"]), -1.0, triple(b["oj"]))
     for r in range(3):
         axis = column(b["Ej"], r)
         b["d"][r] = dot(axis, gap)
@@ -118,16 +136,16 @@ def begin(b, f, g):
 @kernel
 def _arms(b, f, g):
     """Point of attack, and its arms about the origins of both bodies."""
-    P = plus(triple(b["Q"], 0), -(b["r"] + 0.5 * b["side"] * b["h"]), triple(b["n"], 0))
-    return P, plus(P, -1.0, triple(f["r"], 0)), plus(P, -1.0, triple(g["r"], 0))
+    P = plus(triple(b["Q"]), -(b["r"] + 0.5 * b["side"] * b["h"]), triple(b["n"]))
+    return P, plus(P, -1.0, triple(f["r"])), plus(P, -1.0, triple(g["r"]))
 
 
 @kernel
 def _forces(b, f, g, ai, aj):
     """Velocity of i against j, its part along the normal, and the numbers of normal force and friction."""
-    u = plus(triple(f["tw"], 0), 1.0, cross(triple(f["tw"], 3), ai))
-    u = plus(u, -1.0, plus(triple(g["tw"], 0), 1.0, cross(triple(g["tw"], 3), aj)))
-    n = triple(b["n"], 0)
+    u = plus(half(f["tw"], 0), 1.0, cross(half(f["tw"], 3), ai))
+    u = plus(u, -1.0, plus(half(g["tw"], 0), 1.0, cross(half(g["tw"], 3), aj)))
+    n = triple(b["n"])
     rate = dot(n, u)
     N, by_h, by_rate, loss = normal_force(b, -b["h"], -rate)
     s = plus(u, -rate, n)
@@ -155,10 +173,10 @@ def _change(n, s, law, slip, dh, drate, dn, ds):
 def _tangent(b, ctl, f, g, kk, F, u, rate, law, slip):
     """Add the exact tangents of both wrenches by places (ck) and rates (cd) of both bodies."""
     P, ai, aj = _arms(b, f, g)
-    n = triple(b["n"], 0)
+    n = triple(b["n"])
     s = plus(u, -rate, n)
-    wi = triple(f["tw"], 3)
-    wj = triple(g["tw"], 3)
+    wi = half(f["tw"], 3)
+    wj = half(g["tw"], 3)
     for k in range(12):
         side = k // 6
         c = k % 6
@@ -175,8 +193,8 @@ def _tangent(b, ctl, f, g, kk, F, u, rate, law, slip):
             dF = _change(n, s, law, slip, 0.0, dh, (0.0, 0.0, 0.0), ds)
             _add(ki, kj, c, -ctl["cd"], dF, cross(ai, dF), cross(aj, dF), b["j"])
         if ctl["ck"] != 0.0:
-            dn = column(b["dn"], k)
-            dP = plus(column(b["dQ"], k), -(b["r"] + 0.5 * b["side"] * b["h"]), dn)
+            dn = change(b["dn"], k)
+            dP = plus(change(b["dQ"], k), -(b["r"] + 0.5 * b["side"] * b["h"]), dn)
             dP = plus(dP, -0.5 * b["side"] * dh, n)
             di = dP
             dj = dP
@@ -210,7 +228,7 @@ def act(b, ctl, f, g, kk):
     P, ai, aj = _arms(b, f, g)
     if b["h"] < b["gap"]:
         b["gap"] = b["h"]
-        away = plus(P, -1.0, triple(b["oj"], 0))
+        away = plus(P, -1.0, triple(b["oj"]))
         for k in range(3):
             b["place"][k] = dot(away, column(b["Ej"], k))
     if b["h"] >= 0.0:
@@ -220,7 +238,7 @@ def act(b, ctl, f, g, kk):
     if law[0] == 0.0:  # nothing is in touch, or damping has parted it
         b["loss"] += law[3]
         return
-    n = triple(b["n"], 0)
+    n = triple(b["n"])
     s = plus(u, -rate, n)
     push = law[0] * slip[0]
     F = plus((law[0] * n[0], law[0] * n[1], law[0] * n[2]), -push, s)

@@ -53,11 +53,11 @@ def _running(b, f, g, along, T, size, rows):
     `along` is tau, T the unit direction of curve i in space and `size` its length in the plane of j; rows =
     (a, b, c, d, phi).
     """
-    n = triple(b["n"], 0)
-    Q = triple(b["Q"], 0)
+    n = triple(b["n"])
+    Q = triple(b["Q"])
     z = column(b["Ej"], 2)
-    ai = plus(Q, -1.0, triple(f["r"], 0))
-    aj = plus(Q, -1.0, triple(g["r"], 0))
+    ai = plus(Q, -1.0, triple(f["r"]))
+    aj = plus(Q, -1.0, triple(g["r"]))
     phi = rows[4]
     below = rows[0] * rows[3] + rows[1] * rows[2] + phi * rows[0] * rows[2]
     flat = plus(T, -dot(T, z), z)
@@ -96,7 +96,7 @@ def place_contact(b, f, g, A, B, hit):
     along = _in_world(b["Ej"], bx, by)
     T = _in_world(b["Ei"], tx, ty)
     put_3(b["n"], _in_world(b["Ej"], by, -bx))
-    put_3(b["Q"], plus(triple(b["oi"], 0), 1.0, _in_world(b["Ei"], x, y)))
+    put_3(b["Q"], plus(triple(b["oi"]), 1.0, _in_world(b["Ei"], x, y)))
     phi = (px - qx) * by - (py - qy) * bx
     b["r"] = b["radius"]
     b["h"] = phi - b["radius"]

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.contact.surface import CONE, NAMES, PLANE, TORUS, TRIANGLES, distance
-from pitchpoint.contact.triangle_search import nearest_place, signed_place, sphere_places
+from pitchpoint.contact.triangle_search import PLACE, nearest_place, signed_place, sphere_places
 from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
@@ -90,17 +90,17 @@ def _on_analytic(b, c, f, g, kk):
     phi, nx, ny, nz = distance(b["form_j"], b["size_j"], b["sense"], b["d"], b["V"])
     curvature_in_world(b["Ej"], b["V"], b["W"])
     m = rotated(b["Ej"], (nx, ny, nz))
-    point_place(b, f, g, triple(b["oi"], 0), m, phi - b["radius"], b["radius"], 1.0)
+    point_place(b, f, g, triple(b["oi"]), m, phi - b["radius"], b["radius"], 1.0)
     act(b, c, f, g, kk)
 
 
 @kernel
-def _at(b, c, f, g, kk, where, place):
+def _at_hit(b, c, f, g, kk, where):
     """A sphere at one place of a triangle surface."""
-    phi, nx, ny, nz = signed_place(where, b["d"], place, b["V"])
+    phi, nx, ny, nz = signed_place(where, b["d"], b["hit"], b["V"])
     curvature_in_world(b["Ej"], b["V"], b["W"])
     m = rotated(b["Ej"], (nx, ny, nz))
-    point_place(b, f, g, triple(b["oi"], 0), m, phi - b["radius"], b["radius"], 1.0)
+    point_place(b, f, g, triple(b["oi"]), m, phi - b["radius"], b["radius"], 1.0)
     act(b, c, f, g, kk)
 
 
@@ -114,10 +114,12 @@ def _on_triangles(b, c, f, g, kk):
     if phi < -b["depth"]:
         return
     if phi <= 0.0 or phi >= b["radius"]:
-        _at(b, c, f, g, kk, where, b["hit"])
+        _at_hit(b, c, f, g, kk, where)
         return
     for k in range(sphere_places(where, b["d"], b["radius"], b["touching"])):
-        _at(b, c, f, g, kk, where, b["touching"][k])
+        for h in range(PLACE):
+            b["hit"][h] = b["touching"][k, h]
+        _at_hit(b, c, f, g, kk, where)
 
 
 @kernel

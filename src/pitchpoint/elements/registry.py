@@ -60,6 +60,8 @@ class Kind:
 _HERE = "pitchpoint.elements."
 WITH_STATE = (("i", "j"), ("i", "k"), ("j", "k"))
 """Pairs of kinds whose state is the spin rate of a hidden body k."""
+WITH_MODES = tuple((a, b) for n, a in enumerate("ijklm") for b in "ijklm"[n + 1 :])
+"""Pairs of kinds that join a floating frame i and the bodies j to m that carry modal coordinates."""
 _KINDS: dict[str, Kind] = {
     k.name: k
     for k in (
@@ -72,6 +74,7 @@ _KINDS: dict[str, Kind] = {
         Kind("curve_curve", _HERE + "curve_curve", FRAME),
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),
+        Kind("flexible_body", _HERE + "flexible_body", FRAME, WITH_MODES),
         Kind("force", _HERE + "force", FRAME),
         Kind("friction_clutch", _HERE + "friction_clutch", FRAME, WITH_STATE),
         Kind("gear_mesh", _HERE + "gear_mesh", FRAME),
@@ -87,8 +90,8 @@ _KINDS: dict[str, Kind] = {
         Kind("shaft_beam", _HERE + "shaft_beam", FRAME),
         Kind("spring_damper", _HERE + "spring_damper", FRAME),
         Kind("surface_surface", _HERE + "surface_surface", FRAME),
-        Kind("torsion_maxwell", _HERE + "torsion_maxwell", FRAME, WITH_STATE),
         Kind("torque", _HERE + "torque", FRAME),
+        Kind("torsion_maxwell", _HERE + "torsion_maxwell", FRAME, WITH_STATE),
     )
 }
 

@@ -9,7 +9,7 @@ eliminated in W.
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.contact_wrench import column, dot, moved, plus, put, put_3, triple, turned
+from pitchpoint.elements.contact_wrench import column, dot, moved, plus, put, put_3, row, triple, turned
 
 
 @kernel
@@ -37,7 +37,7 @@ def curvature_in_world(E, V, W):
 @kernel
 def local(b, E, o, x):
     """World point x from marker (o, E) into b["y"]."""
-    gap = plus(x, -1.0, triple(o, 0))
+    gap = plus(x, -1.0, triple(o))
     for k in range(3):
         b["y"][k] = dot(gap, column(E, k))
 
@@ -58,12 +58,12 @@ def point_place(b, f, g, Q, m, h, r, weight):
     for k in range(12):
         mine = (k < 6) == (side > 0.0)  # the body of the point moves, not that of the surface
         o = f["r"] if k < 6 else g["r"]
-        motion = moved(k % 6, plus(Q, -1.0, triple(o, 0)))
+        motion = moved(k % 6, plus(Q, -1.0, triple(o)))
         s = side if mine else -side
         dn = (
-            s * dot(triple(W[0], 0), motion),
-            s * dot(triple(W[1], 0), motion),
-            s * dot(triple(W[2], 0), motion),
+            s * dot(row(W, 0), motion),
+            s * dot(row(W, 1), motion),
+            s * dot(row(W, 2), motion),
         )
         if mine:
             put(b["dQ"], k, motion)

@@ -16,6 +16,7 @@ from pitchpoint.model.components.law import Constant
 from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy
 from pitchpoint.model.joint_check import ends_of
 from pitchpoint.model.keys import defaults_of
+from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
@@ -46,7 +47,7 @@ NEEDS: dict[str, tuple[tuple[str, str], ...]] = {
 }
 
 #: Keys of a scenario that only a time response reads.
-TIME_KEYS = ("sample_rate", "settle_time", "step", "method", "tolerance", "events")
+TIME_KEYS = ("sample_rate", "settle_time", "step", "method", "form", "order", "tolerance", "events")
 
 
 def idle_keys(model: Model) -> tuple[str, ...]:
@@ -250,10 +251,21 @@ def _scenarios(model: Model) -> Iterator[str]:
             keys.append("speed")
         if kind != "time" and keys:
             yield f"scenarios.{name}: {_listed(keys)} {'have' if keys[1:] else 'has'} no effect beside {kind}"
-        elif kind == "time" and "tolerance" in keys and scenario.method != "runge_kutta":
+            continue
+        if "tolerance" in keys and scenario.method not in ERROR_METHODS:
             yield (
                 f"scenarios.{name}.tolerance: has no effect with method: {scenario.method}, which takes "
                 "equal steps; step sets them, or write method: runge_kutta"
+            )
+        if "form" in keys and scenario.method in ("runge_kutta", "rk4"):
+            yield (
+                f"scenarios.{name}.form: has no effect with method: {scenario.method}, which holds "
+                "constraints on accelerations"
+            )
+        if "order" in keys and scenario.method not in STIFF_METHODS:
+            yield (
+                f"scenarios.{name}.order: has no effect with method: {scenario.method}; methods with a "
+                f"choice of order are {_listed(STIFF_METHODS)}"
             )
 
 

@@ -8,7 +8,12 @@ from dataclasses import dataclass
 from pitchpoint.model.components.law import Law
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantities, quantity, text
 
-METHODS = ("generalized_alpha", "runge_kutta", "rk4")
+STIFF_METHODS = ("gstiff", "wstiff", "dassl", "constant_bdf")
+"""Backward differentiation formulas: fixed, variable coefficients, fixed leading one, fixed step."""
+METHODS = ("generalized_alpha", "runge_kutta", "rk4", *STIFF_METHODS)
+ERROR_METHODS = ("runge_kutta", "gstiff", "wstiff", "dassl")
+"""Methods that choose their steps by an error, which `tolerance` limits."""
+FORMS = ("I3", "SI2", "SI1")
 EVENTS = ("pair_entry", "pair_exit", "contact", "sliding_reversal")
 
 
@@ -114,8 +119,29 @@ class Scenario:
     step: float | None = positive(
         "time", "time step", None, display="1/200 of the shortest period of mesh and modes"
     )
-    tolerance: float = positive("dimensionless", "relative tolerance of runge_kutta", 1e-7, maximum=0.1)
-    method: str = choice(METHODS, "time integration", "generalized_alpha")
+    tolerance: float = positive(
+        "dimensionless", "relative tolerance of methods that choose their steps", 1e-7, maximum=0.1
+    )
+    method: str = choice(
+        METHODS,
+        "time integration; stiff: gstiff, wstiff, dassl with fixed, variable coefficients, fixed leading "
+        "one, and constant_bdf with equal steps",
+        "generalized_alpha",
+    )
+    form: str | None = choice(
+        FORMS,
+        "what constraints hold on: positions (I3), positions and rates (SI2), the same with the multipliers "
+        "as rates (SI1)",
+        None,
+        display="I3 of generalized_alpha and dassl, SI2 of the other stiff methods",
+    )
+    order: int | None = integer(
+        "highest order of stiff methods, order of constant_bdf",
+        None,
+        minimum=1,
+        maximum=6,
+        display="5; 2 of constant_bdf",
+    )
     events: tuple[str, ...] = key("words", "root events to locate and record", (), choices=EVENTS)
     sweep: Sweep | None = component(Sweep, "speed sweep instead of one time response")
     quasi_static: QuasiStatic | None = component(QuasiStatic, "slow roll instead of a time response")
@@ -126,6 +152,11 @@ class Scenario:
         if self.sweep is not None:
             return "sweep"
         return "quasi_static" if self.quasi_static is not None else "time"
+
+    @property
+    def chosen_form(self) -> str:
+        """The form of the constraints, with its default."""
+        return self.form or ("SI2" if self.method in STIFF_METHODS and self.method != "dassl" else "I3")
 
     @property
     def statistics_start(self) -> float:

@@ -253,6 +253,14 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
             (*at, "duration"), "is missing", remedy="add duration: 0.5 s (or sweep, or quasi_static)"
         )
         return
+    if scenario.form == "SI1" and scenario.method == "generalized_alpha":
+        report.problem(
+            (*at, "form"),
+            "is none that generalized_alpha has",
+            value="SI1",
+            limit="I3 or SI2",
+            remedy="write form: SI2, or a stiff method such as gstiff",
+        )
     if scenario.settle_time is not None and scenario.settle_time >= scenario.duration:
         report.problem(
             (*at, "settle_time"),

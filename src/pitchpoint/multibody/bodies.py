@@ -48,6 +48,7 @@ BODY = np.dtype(
         ("axis", "i8", 6),  # displacements that are its coordinates
         ("chart", "i8"),  # attitude from which its turns count, -1 for none
         ("guide", "i8"),  # displacements given by functions, -1 for none
+        ("shares", "i8"),  # body whose coordinates are its own too, 0 for none
         ("fixed_axes", "i8"),  # 1: S is asked for
         ("lead", "f8"),  # screw: way along the axis per radian [m/rad]
         ("sense", "f8"),  # spin axis against that of the parent: 1 parallel, -1 opposite, 0 neither
@@ -101,6 +102,8 @@ class Body:
         Way of a screw along its axis per radian of its spin [m/rad].
     guided_by
         Coordinates (name, unit) of a guided body, at most six; it may have none and follow time alone.
+    shares
+        Number of an earlier body whose coordinates guide this body too, in place of own ones; 0 = none.
     angle
         Initial spin [rad]; any number of turns.
     start, rate
@@ -120,6 +123,7 @@ class Body:
     inertia: ArrayLike | None = None
     lead: float = 0.0
     guided_by: tuple[tuple[str, str], ...] = ()
+    shares: int = 0
     angle: float = 0.0
     start: tuple[float, ...] = ()
     rate: tuple[float, ...] = ()
@@ -166,6 +170,8 @@ class Body:
         for given in (self.start, self.rate):
             if len(given) not in (0, len(self.coordinates)) or not np.all(np.isfinite(given)):
                 found.append(f"start values are {len(self.coordinates)} finite numbers")
+        if self.shares and (self.motion != GUIDED or self.guided_by):
+            found.append("only a guided body without coordinates of its own can share those of another")
         return found + (self._round_faults() if self.is_round else self._tensor_faults())
 
     def _round_faults(self) -> list[str]:
@@ -216,7 +222,8 @@ def body_records(bodies: Sequence[Body]) -> NDArray[np.void]:
     for record, body in zip(records[1:], bodies, strict=True):
         axes = AXES[body.motion]
         record["joint"] = body.motion if body.is_round else GENERAL
-        record["n"], record["parent"] = len(body.coordinates), body.parent
+        own = bodies[body.shares - 1] if body.shares else body
+        record["n"], record["parent"], record["shares"] = len(own.coordinates), body.parent, body.shares
         record["axis"][: len(axes)] = axes
         record["lead"] = body.lead if body.motion == SCREW else 0.0
         if body.motion in TUMBLING:

@@ -164,6 +164,27 @@ def free_modes(structure: Structure, count: int) -> Modes:
     return _elastic(values, vectors).select(count=count)
 
 
+def held_modes(structure: Structure, nodes: Sequence[int], count: int) -> Modes:
+    """Lowest modes of the body with some nodes held, as a blade on its hub.
+
+    Parameters
+    ----------
+    structure
+        Matrices of the unsupported body.
+    nodes
+        Nodes that do not move against the frame.
+    count
+        Number of modes.
+    """
+    free = np.flatnonzero(~np.isin(structure.node, list(nodes)))
+    shapes, frequency = _held_modes(
+        structure.K[free][:, free].tocsc(), structure.M[free][:, free].tocsc(), min(count, free.size)
+    )
+    shape = np.zeros((structure.size, frequency.size))
+    shape[free] = shapes
+    return Modes(frequency, shape, 0.0)
+
+
 def _held_below(K: Any, M: Any, limit: float) -> Array:
     """All modes with the interface held up to a frequency [Hz]; more are asked for until one lies above."""
     count = 16

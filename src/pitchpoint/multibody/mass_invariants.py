@@ -60,6 +60,21 @@ class MassInvariants:
     inertia_2: Array
     modal: Array
 
+    def turned(self, axes: ArrayLike) -> MassInvariants:
+        """The same integrals in other axes, columns (3, 3) in the present ones."""
+        Q = np.asarray(axes, float)
+        return MassInvariants(
+            mass=self.mass,
+            first=Q.T @ self.first,
+            inertia=Q.T @ self.inertia @ Q,
+            momentum=Q.T @ self.momentum,
+            angular=Q.T @ self.angular,
+            angular_1=np.einsum("ia,kin->kan", Q, self.angular_1),
+            inertia_1=np.einsum("ia,kij,jb->kab", Q, self.inertia_1, Q),
+            inertia_2=np.einsum("ia,klij,jb->klab", Q, self.inertia_2, Q),
+            modal=self.modal,
+        )
+
     def mass_matrix(self, eta: ArrayLike) -> Array:
         """Mass matrix (6 + n, 6 + n) of (v, omega, eta') at a deflection."""
         x = np.asarray(eta, float)

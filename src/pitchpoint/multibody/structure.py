@@ -165,3 +165,56 @@ def beam_line(beams: Sequence[Beam]) -> Structure:
     places = np.zeros((ends.size, 3))
     places[:, 2] = ends
     return make_structure(K, M, places)
+
+
+def axial_stiffening(beams: Sequence[Beam], structure: Structure, start: float = 0.0) -> Array:
+    """Stiffness by the tension that inertia loads put into a straight body, per unit of nine loads (9, n, n).
+
+    Loads are the components of the acceleration of the frame and the products xx, yy, zz, xy, yz, zx of
+    those of its angular velocity; the body is held at its first node and free at its last. Of them a_z
+    pulls by -m, and omega_x^2 and omega_y^2 by m z: a blade that turns.
+
+    Parameters
+    ----------
+    beams
+        The elements in order.
+    structure
+        What `beam_line` made of them.
+    start
+        Place of the first node along the axis, from the axis of rotation [m].
+
+    Notes
+    -----
+    Tension is constant in each element, the mean of what the mass beyond it and half of its own pull.
+    """
+    n = structure.size
+    found = np.zeros((9, n, n))
+    outer = np.array([b.mass for b in beams])
+    middle = start + np.cumsum([b.length for b in beams]) - 0.5 * np.array([b.length for b in beams])
+    for k, beam in enumerate(beams):
+        at = slice(6 * k, 6 * k + 12)
+        beyond = float(outer[k + 1 :].sum()) + 0.5 * beam.mass
+        pull = float((outer[k + 1 :] * middle[k + 1 :]).sum())
+        # integral of the pull of the own mass: rho A (z_2^2 - z^2)/2, mean over the element
+        first, last = middle[k] - 0.5 * beam.length, middle[k] + 0.5 * beam.length
+        pull += beam.rho * beam.section.A * (last**2 / 2.0 - (last**3 - first**3) / (6.0 * beam.length))
+        unit = beam.geometric()
+        found[2, at, at] -= beyond * unit
+        found[3, at, at] += pull * unit
+        found[4, at, at] += pull * unit
+    return found
+
+
+def turned_stiffening(stiffening: ArrayLike, axes: ArrayLike) -> Array:
+    """Stiffness per load (9, n, n) for loads in other axes, columns (3, 3) in the present ones."""
+    given, Q = np.asarray(stiffening, float), np.asarray(axes, float)
+    square = np.zeros((3, 3, *given.shape[1:]))
+    for r, (i, j) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))):
+        square[i, j] += 0.5 * given[3 + r]
+        square[j, i] += 0.5 * given[3 + r]
+    square = np.einsum("ia,jb,ijkl->abkl", Q, Q, square)
+    found = np.zeros_like(given)
+    found[:3] = np.einsum("ia,ikl->akl", Q, given[:3])
+    for r, (i, j) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))):
+        found[3 + r] = square[i, j] if i == j else square[i, j] + square[j, i]
+    return found

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.keys import defaults_of, keys_of
 from pitchpoint.model.remarks import follows_flanks
+from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -52,8 +53,11 @@ def _idle(part: Any) -> set[str]:
         idle.add("motion")
     if getattr(part, "width", "slices") != "slices":
         idle.add("slices")
-    if getattr(part, "method", "runge_kutta") != "runge_kutta":
+    method = getattr(part, "method", "gstiff")
+    if method not in ERROR_METHODS:
         idle.add("tolerance")
+    if method not in STIFF_METHODS:
+        idle |= {"order", "form"}
     if getattr(part, "kind", "time") != "time":
         idle |= {"settle_time", "sample_rate", "step"}
     return idle

@@ -18,7 +18,7 @@ from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.dormand_prince_events import events_up_to, find_events, interpolate
 from pitchpoint.solvers.dormand_prince_pairs import Pair
 from pitchpoint.solvers.explicit import DENSE, NEW, OLD, ROWS, bring_state, keep_state, slope
-from pitchpoint.solvers.sampling import harvest_at, take
+from pitchpoint.solvers.sampling import harvest_at, samples_up_to, take
 from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STEPS, VALID
@@ -109,18 +109,6 @@ def _prepare_dense(at, h, D, last):
 
 
 @kernel
-def _samples_up_to(t, grid):
-    """Number of the last sample up to a time, which is within it where only rounding parts the two."""
-    limit = t + 1e-15 * abs(t)
-    k = math.floor((t - grid[0]) / grid[1])
-    while grid[0] + k * grid[1] > limit:
-        k -= 1
-    while grid[0] + (k + 1) * grid[1] <= limit:
-        k += 1
-    return k
-
-
-@kernel
 def _stop(at, status):
     """Go back to the state before a step that cannot be finished."""
     bring_state(at, OLD)
@@ -200,7 +188,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
                 end = t + share * h
                 done[2] = events_up_to(at, end, share, dense, found, before, done[2])
         if grid[1] > 0.0:
-            for k in range(_samples_up_to(t, grid) + 1, _samples_up_to(end, grid) + 1):
+            for k in range(samples_up_to(t, grid) + 1, samples_up_to(end, grid) + 1):
                 s = grid[0] + k * grid[1]
                 interpolate(at, (s - t) / h, dense)
                 status = solve_acceleration(at, s, rate)

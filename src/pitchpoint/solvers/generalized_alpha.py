@@ -2,6 +2,8 @@
 """Implicit time loop: generalised-alpha of Arnold and Bruels with a modified Newton iteration.
 
 Constraints hold on positions (index 3), multipliers are unknowns of the step; `newton` has the iteration.
+In the stabilised form (index 2) they hold on rates, too: q' = v + G^T mu, by the iteration of
+`constrained_newton`, which is reached through an address and compiled only where it is asked for.
 
 Source: M. Arnold, O. Bruels, Convergence of the generalized-alpha scheme for constrained mechanical systems,
 Multibody System Dynamics 18 (2007) 185-202. Second order; damping of high frequencies is set by rho_inf.
@@ -11,14 +13,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.kernel import address, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.multibody.channels import CTL, F8, I8
+from pitchpoint.solvers.constrained_newton import ITERATION, constrained_step, iterate, new_iteration
 from pitchpoint.solvers.explicit import OLD, bring_state
 from pitchpoint.solvers.newton import newton_step, rows_hold
 from pitchpoint.solvers.sampling import Chunk, advance_into, harvest_at, new_harvest, record_step
@@ -26,6 +30,10 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import MACH, STAGE_ROWS, STEPS, VALID
+
+MOST_MATRICES = 12
+"""Iterations of the stabilised form with a matrix each."""
+ROUND_OFF = 1e-14
 
 
 @kernel
@@ -49,9 +57,22 @@ def _predict(q, v, a, al, ap, old, h, method):
         a[i] = guess
 
 
+@kernel
+def _stabilised_step(at, t, cm, cd, iteration, code):
+    """One step with the rows on positions and rates."""
+    n = view(iteration, 1, ITERATION)[0]
+    n["t"] = t
+    n["cm"] = cm
+    n["cd"] = cd
+    return constrained_step(at, iteration, code)
+
+
 @kernel(inline=True)
-def advance(at, t0, first, n, h, rho, tol, harvest):
-    """Take n steps; t of step k is t0 + (first + k) h; a step that fails leaves the state before it."""
+def advance(at, t0, first, n, h, rho, tol, iteration, code, harvest):
+    """Take n steps; t of step k is t0 + (first + k) h; a step that fails leaves the state before it.
+
+    iteration, code: record and address of the iteration of the stabilised form, 0 for index 3.
+    """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
@@ -74,7 +95,10 @@ def advance(at, t0, first, n, h, rho, tol, harvest):
         _predict(q, v, a, al, ap, old, h, (beta, gamma, alpha_m, alpha_f))
         for i in range(nd):
             al[i] -= share * a[i]  # completed below with the solved acceleration
-        status = newton_step(at, t, cm, cd, tol)
+        if iteration != 0:
+            status = _stabilised_step(at, t, cm, cd, iteration, code)
+        else:
+            status = newton_step(at, t, cm, cd, tol)
         if status == OK and c["nc"] > 0:
             status = rows_hold(at, t)
         if status != OK:
@@ -94,14 +118,31 @@ def advance(at, t0, first, n, h, rho, tol, harvest):
 
 
 #: What `advance` is told from Python, under the names of its arguments.
-ORDER = np.dtype([*((n, "f8") for n in ("t0", "h", "rho", "tol")), ("first", "i8"), ("n", "i8")], align=True)
+ORDER = np.dtype(
+    [
+        *((name, "f8") for name in ("t0", "h", "rho", "tol")),
+        *((name, "i8") for name in ("first", "n", "iteration", "code")),
+    ],
+    align=True,
+)
 
 
 @kernel
 def entry(at, order, harvest):
     """Take the steps of an ORDER; both are addresses of records."""
     o = view(order, 1, ORDER)[0]
-    return advance(at, o["t0"], o["first"], o["n"], o["h"], o["rho"], o["tol"], harvest_at(harvest))
+    return advance(
+        at,
+        o["t0"],
+        o["first"],
+        o["n"],
+        o["h"],
+        o["rho"],
+        o["tol"],
+        o["iteration"],
+        o["code"],
+        harvest_at(harvest),
+    )
 
 
 @dataclass
@@ -118,6 +159,8 @@ class Run:
         Spectral radius at infinite frequency, 0 ... 1 (1: no numerical damping).
     tolerance
         Error left in the Newton iteration, weighted as a length [m].
+    iteration
+        Record and arrays of the stabilised iteration; None for index 3.
     """
 
     system: System
@@ -126,6 +169,7 @@ class Run:
     tolerance: float = 1e-11
     t0: float = 0.0
     steps: int = 0
+    iteration: tuple[NDArray[np.void], list[Any]] | None = None
 
     @property
     def t(self) -> float:
@@ -156,7 +200,9 @@ class Run:
         harvest = new_harvest(
             self.system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
         )
-        order = np.array([(self.t0, self.h, self.rho_inf, self.tolerance, self.steps, n)], ORDER)
+        order = np.array([(self.t0, self.h, self.rho_inf, self.tolerance, self.steps, n, 0, 0)], ORDER)
+        if self.iteration is not None:
+            order[0]["iteration"], order[0]["code"] = self.iteration[0].ctypes.data, address(iterate)
         done = advance_into(entry, self.system.workspace.at, order, harvest)
         self.steps += done.steps
         return done
@@ -172,7 +218,15 @@ class Run:
         return evaluate.store(self.system, self.t)
 
 
-def start(system: System, state: State, h: float, *, rho_inf: float = 0.8, tolerance: float = 1e-11) -> Run:
+def start(
+    system: System,
+    state: State,
+    h: float,
+    *,
+    rho_inf: float = 0.8,
+    tolerance: float = 1e-11,
+    form: str = "I3",
+) -> Run:
     """Begin an integration from a state; its accelerations are computed afresh.
 
     Parameters
@@ -185,14 +239,18 @@ def start(system: System, state: State, h: float, *, rho_inf: float = 0.8, toler
         Spectral radius at infinite frequency, 0 ... 1.
     tolerance
         Newton tolerance as a length [m].
+    form
+        "I3": constraints hold on positions; "SI2": on positions and rates.
 
     Raises
     ------
     SolverError
-        If the state has no finite acceleration.
+        If the state has no finite acceleration, or the form is none of these.
     """
     if not (h > 0.0 and math.isfinite(h)):
         raise SolverError(f"the step must be positive and finite, not {h!r}", NOT_FINITE)
+    if form not in ("I3", "SI2"):
+        raise SolverError(f"generalized_alpha has the forms I3 and SI2, not {form!r}", NOT_FINITE)
     evaluate.prepare(system)
     evaluate.load(system, state)
     w = system.workspace
@@ -205,4 +263,10 @@ def start(system: System, state: State, h: float, *, rho_inf: float = 0.8, toler
     w.arrays["ap"][:] = w.a
     if system.sizes["ne"]:
         evaluate.check(system, evaluate.fill_events(system, state.t, w.arrays["ev0"]), state)
-    return Run(system, h, rho_inf, tolerance, state.t)
+    run = Run(system, h, rho_inf, tolerance, state.t)
+    if form == "SI2" and system.sizes["nc"]:
+        run.iteration = new_iteration(system.sizes["nd"], system.sizes["nc"], True, MOST_MATRICES)
+        per_q = run.iteration[1][0]
+        # no iteration goes below the rounding of angles and of the size of the machine
+        per_q[:] = 1.0 / np.maximum(tolerance / w.arrays["weight"], ROUND_OFF)
+    return run

@@ -119,6 +119,11 @@ class ExplicitRun:
     t: float = 0.0
     pair: Pair = FIFTH
 
+    @property
+    def longest(self) -> float:
+        """Longest step of the adaptive method [s]."""
+        return float(self.tolerances[LARGEST])
+
     def advance(
         self,
         n: int,

@@ -7,6 +7,7 @@ per channel the running statistics over every step in which they are switched on
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -235,6 +236,18 @@ def take(at, t, harvest, measure, sample):
             harvest.rows[filled, k + 1] = row[k]
         harvest.done[1] += 1
     return OK
+
+
+@kernel
+def samples_up_to(t, grid):
+    """Number of the last sample up to a time, which is within it where only rounding parts the two."""
+    limit = t + 1e-15 * abs(t)
+    k = math.floor((t - grid[0]) / grid[1])
+    while grid[0] + k * grid[1] > limit:
+        k -= 1
+    while grid[0] + (k + 1) * grid[1] <= limit:
+        k += 1
+    return k
 
 
 @kernel

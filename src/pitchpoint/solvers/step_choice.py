@@ -104,6 +104,15 @@ def largest_step(start: Start, scenario: Scenario) -> float:
     return scenario.step or 0.25 * shortest_period(start, scenario)
 
 
+def largest_stiff_step(start: Start, scenario: Scenario) -> float:
+    """Longest step of a stiff method with error control [s]: the given step, else a quarter of a mesh period.
+
+    Modes do not count: steps longer than the periods of those that are not excited are what it is for.
+    """
+    mesh = fastest_mesh(start.system, scenario)
+    return scenario.step or 0.25 / max(mesh, 10.0 / (scenario.duration or 1.0))
+
+
 def choose_step(start: Start, scenario: Scenario) -> tuple[float, int]:
     """Time step [s] and number of steps between samples.
 

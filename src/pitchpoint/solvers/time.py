@@ -14,12 +14,13 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.event_watch import EventWatch
 from pitchpoint.solvers.rows import explain, row_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import Start, prepare_start
-from pitchpoint.solvers.step_choice import choose_step, largest_step, whole_steps
+from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
 from pitchpoint.system import evaluate
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import State, System
@@ -158,6 +159,10 @@ def loop_of(method: str) -> Any:
     """Compiled loop of a method, an entry that `core.kernel.expect` takes."""
     if method == "generalized_alpha":
         return generalized_alpha.entry
+    if method in STIFF_METHODS:
+        from pitchpoint.solvers import multistep
+
+        return multistep.entry
     from pitchpoint.solvers import dormand_prince, runge_kutta  # only those who use them wait for them
 
     return runge_kutta.entry if method == "rk4" else dormand_prince.entry
@@ -175,15 +180,19 @@ class _Loop:
         self.sums = new_statistics(self.system.sizes["no"])
         self.events: list[NDArray[np.float64]] = []
         self.watch = EventWatch(self.system, scenario)
-        self.adaptive = scenario.method == "runge_kutta"
+        self.adaptive = scenario.method in ERROR_METHODS
+        self.dense = self.adaptive or scenario.method in STIFF_METHODS  # samples lie within steps
         self.h, self.every = choose_step(start, scenario)
         self.steps = 0
+        if scenario.method in STIFF_METHODS:
+            self.run_: Any = self._stiff()
+            return
         if scenario.method != "generalized_alpha":
             from pitchpoint.solvers import runge_kutta  # only those who use it wait for it
         if self.adaptive:
             # absolute tolerances follow, or no request below their defaults would have an effect
             rtol = scenario.tolerance
-            self.run_: Any = runge_kutta.start_adaptive(
+            self.run_ = runge_kutta.start_adaptive(
                 self.system,
                 start.state,
                 rtol=rtol,
@@ -194,14 +203,30 @@ class _Loop:
         elif scenario.method == "rk4":
             self.run_ = runge_kutta.start_classical(self.system, start.state, self.h)
         else:
-            self.run_ = generalized_alpha.start(self.system, start.state, self.h)
+            form = scenario.chosen_form
+            self.run_ = generalized_alpha.start(self.system, start.state, self.h, form=form)
+
+    def _stiff(self) -> Any:
+        """Begin a run of backward differentiation formulas."""
+        from pitchpoint.solvers import bdf
+
+        chosen = self.scenario
+        return bdf.start(
+            self.system,
+            self.start.state,
+            chosen.method,
+            form=chosen.chosen_form,
+            rtol=chosen.tolerance if self.adaptive else None,
+            order=chosen.order,
+            largest_step=largest_stiff_step(self.start, chosen) if self.adaptive else self.h,
+        )
 
     def run(self, progress: Progress) -> int:
         if self.sink is not None:
             row = evaluate.observe(self.system, evaluate.store(self.system, self.t0))
             self.sink.append(np.array([self.t0]), row[None, :])
         try:
-            return self._adaptive(progress) if self.adaptive else self._fixed(progress)
+            return self._dense(progress) if self.dense else self._fixed(progress)
         except KeyboardInterrupt:
             return INTERRUPTED
 
@@ -234,11 +259,9 @@ class _Loop:
         self._take(chunk)
         return int(chunk.status)
 
-    def _adaptive(self, progress: Progress) -> int:
-        from pitchpoint.solvers.dormand_prince import LARGEST
-
+    def _dense(self, progress: Progress) -> int:
         sample = 1.0 / self.scenario.sample_rate if self.scenario.sample_rate else self.h
-        most = max(1, int(MOST_SAMPLES * sample / float(self.run_.tolerances[LARGEST])))
+        most = max(1, int(MOST_SAMPLES * sample / self.run_.longest))
         n = min(1000, most)
         while self.run_.t < self.t_end - 1e-12 * max(1.0, abs(self.t_end)):
             begun = time.perf_counter()
@@ -278,7 +301,7 @@ class _Loop:
             for k, c in enumerate(self.system.layout.channels)
         }
         remarks = deep_contacts(self.system.model, [channels])
-        if status == OK and found.count == 0:  # an adaptive method measures at its samples
+        if status == OK and found.count == 0:  # methods with samples within steps measure at them
             remarks = ("no sample lies in the window of the statistics; raise sample_rate",)
         t = float(self.run_.t)
         return TimeSummary(

@@ -146,9 +146,13 @@ def structure(
     moving = [b for b in range(nb) if owners[b]]
     joined = {(i, j) for i, j in pairs | blocks_only if i != j and owners[i] and owners[j]}
     joined |= {(b, b) for b in moving}
-    live = {(a, c) for i, j in joined for a in owners[i] for c in owners[j] if a != c}
-    nodes = group([int(n) for n in records["n"]], live)
+    of = [int(r["shares"]) or b for b, r in enumerate(records)]  # body whose coordinates they are
+    live = {(of[a], of[c]) for i, j in joined for a in owners[i] for c in owners[j] if of[a] != of[c]}
+    nodes = group([int(r["n"]) if of[b] == b else 0 for b, r in enumerate(records)], live)
     node_of, offset_of, starts, sizes = place_coordinates(records, nodes)
+    for b, master in enumerate(of):
+        records[b]["dof"] = records[master]["dof"]
+        node_of[b], offset_of[b] = node_of[master], offset_of[master]
     index: dict[tuple[int, int], int] = {}
     for b in moving:
         index[b, b] = len(index) + 1

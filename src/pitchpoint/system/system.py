@@ -317,6 +317,11 @@ def assemble(
         for k, (n, body) in enumerate(zip(named, bodies, strict=True))
         if not 0 <= body.parent <= k
     ]
+    faults += [
+        f"{n}: shares the coordinates of body {body.shares}, which is not among the {k} before it"
+        for k, (n, body) in enumerate(zip(named, bodies, strict=True))
+        if not 0 <= body.shares <= k or (body.shares and bodies[body.shares - 1].shares)
+    ]
     if faults:
         raise CompileError("; ".join(faults))
     records = body_records(bodies)

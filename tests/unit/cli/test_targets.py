@@ -26,6 +26,7 @@ COMMANDS = {
     "swept cases": ["sweep", "FILE", *VARY, "-o"],
     "modes": ["modes", "FILE", "-o"],
     "report": ["report", "FILE", "-o"],
+    "compare-solvers": ["compare-solvers", "FILE", "-s", "steady", "-o"],
     "gears": ["gears", "FILE", "--gear", "g1", "--export"],
 }
 

@@ -10,12 +10,13 @@ import pytest
 from scipy.integrate import solve_bvp
 
 from pitchpoint.core.errors import CompileError
+from pitchpoint.elements import guide
 from pitchpoint.elements.beam import beam_row
 from pitchpoint.elements.force import RECORD as FORCE
 from pitchpoint.elements.shaft_beam import shaft_row
 from pitchpoint.multibody.beam_section import Beam, Section, rectangle, tube
 from pitchpoint.multibody.bodies import FREE, PLANAR, Body
-from pitchpoint.multibody.joints import FLOATING
+from pitchpoint.multibody.joints import FLOATING, GUIDED
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.beams import damped_frequencies, fixed_beams, nodes, shaft, supports
@@ -214,13 +215,14 @@ def planar_cantilever(n, section, length=1.0, E=2e11):
     return bodies, records
 
 
-def settled(system, state, load, steps=20):
+def settled(system, state, load, steps=20, tolerance=None):
     """Newton from state to equilibrium under generalised forces, the load raised in steps."""
+    enough = tolerance or 1e-9 * np.abs(load).max()
     for share in np.linspace(0.0, 1.0, steps + 1)[1:]:
         count = 0
         while True:
             rest = evaluate.residual(system, state) - share * load
-            if np.abs(rest).max() < 1e-9 * np.abs(load).max():
+            if np.abs(rest).max() < enough:
                 break
             state.q -= np.linalg.solve(evaluate.matrix(system, state, 0.0, 0.0, 1.0), rest)
             count += 1
@@ -456,3 +458,79 @@ def test_tension_stiffens_and_euler_load_unloads():
 def test_flat_sections_do_not_spin():
     with pytest.raises(CompileError, match="round section"):
         shaft_row(Beam(section=FLAT, length=0.4, **STEEL), bodies=(1, 2))
+
+
+def test_shaft_between_opposite_axes():
+    """The second body turned upside down: the same matrices in its coordinates."""
+    beam = Beam(section=ROUND, length=0.4, **STEEL)
+    bodies = nodes([0.0, 0.4], {0: HEAVY, 1: HEAVY})
+    flip = np.diag([1.0, -1.0, -1.0])
+    upside = Body(**{**vars(bodies[1]), "axes": flip})
+    plain = assemble(bodies, {"shaft_beam": shaft_row(beam, bodies=(1, 2), eta=1e-4)})
+    row = shaft_row(beam, bodies=(1, 2), senses=(1, -1), eta=1e-4)
+    turned = assemble([bodies[0], upside], {"shaft_beam": row})
+    P = np.diag([1.0] * 6 + [1.0, -1.0, -1.0] * 2)
+    state = plain.initial_state()
+    state.v[[5, 11]] = 200.0
+    expected = evaluate.linearize(plain, state)
+    state.v[11] = -200.0
+    for X, Y in zip(evaluate.linearize(turned, state), expected, strict=True):
+        np.testing.assert_allclose(X, P @ Y @ P, atol=1e-9 * np.abs(Y).max())
+    state = stirred(turned)
+    state.v[11] -= 10.0
+    M, D, K = evaluate.linearize(turned, state)
+    for found, key, step in ((M, "a", 1e-2), (D, "v", 1e-5), (K, "q", 1e-7)):
+        np.testing.assert_allclose(found, differences(turned, state, key, step), atol=2e-7 * np.abs(K).max())
+
+
+def test_shaft_from_a_spinning_carrier():
+    """A body on a carrier that spins, joined to a coaxial body on ground: turns of the carrier count."""
+    carrier = Body(mass=1.0, polar_inertia=0.3, name="carrier")
+    heavy = {"mass": 1.0, "polar_inertia": 0.2, "transverse_inertia": 0.1}
+    rider = Body(motion=FREE, parent=1, position=(0, 0, 0.1), name="r", **heavy)
+    other = Body(motion=FREE, position=(0, 0, 0.5), name="o", **heavy)
+    beam = Beam(section=ROUND, length=0.4, **SOFT)
+    system = assemble([carrier, rider, other], {"shaft_beam": shaft_row(beam, bodies=(2, 3), eta=1e-3)})
+    torque = system.layout.channel("beam_force[shaft_beam0.i.mz]")
+    seen = []
+    for turn in (0.0, 1.0, 3.0, 3.3 - 2 * math.pi, 6.0 - 2 * math.pi):
+        state = system.initial_state()
+        state.q[system.spin("carrier")] = turn
+        state.q[system.spin("o")] = turn + 0.1
+        state.q[system.spin("r")] = -0.02
+        seen.append(evaluate.observe(system, state)[torque])
+    np.testing.assert_allclose(seen, beam.G * beam.section.J / 0.4 * 0.12, rtol=1e-12)
+    state.turns[1] += 7
+    state.turns[3] += 7
+    assert evaluate.observe(system, state)[torque] == pytest.approx(seen[0], rel=1e-12)
+    state = stirred(system)
+    M, D, K = evaluate.linearize(system, state)
+    for found, key, step in ((M, "a", 1e-2), (D, "v", 1e-5), (K, "q", 1e-6)):
+        np.testing.assert_allclose(found, differences(system, state, key, step), atol=1e-7 * np.abs(K).max())
+
+
+@pytest.mark.parametrize(("speed", "first"), [(0.0, 3.5160), (6.0, 7.3604), (12.0, 13.1702)])
+def test_blade_of_beams_stiffens_as_it_turns(speed, first):
+    """Wright, Smith, Thresher, Wang, J. Appl. Mech. 49 (1982) 197-202, hub radius 0, flapping.
+
+    E I = rho A = 1. Eight beams on a hub that turns; their tension is found, not given. Their number errs by
+    less than 1e-3.
+    """
+    n = 8
+    thin = Section(A=1e-2, I_1=1e-8, I_2=1e-8, J=2e-8, kappa_1=0.0, kappa_2=0.0)
+    beam = Beam(section=thin, length=1.0 / n, E=1e8, G=4e7, rho=1e2)
+    hub = Body(motion=GUIDED, inertia=np.zeros((3, 3)), name="hub")
+    light = {"mass": 1e-9, "polar_inertia": 1e-9, "transverse_inertia": 1e-9}
+    bodies = [
+        Body(motion=FREE, parent=1, position=(0, 0, k / n), name=f"n{k}", **light) for k in range(1, n + 1)
+    ]
+    bodies.insert(0, hub)
+    turn = np.zeros(1, guide.RECORD)
+    turn["i"], turn["m"], turn["k"], turn["slope"], turn["first"] = 1, 3, guide.TIME, speed, 1
+    system = assemble(bodies, {"beam": fixed_beams([beam] * n), "guide": turn})
+    state = system.initial_state()
+    state = settled(system, state, np.zeros(state.q.size), steps=1, tolerance=1e-8)
+    M, _, K = evaluate.linearize(system, state)
+    x = [system.layout.coordinate(f"n{k}.{c}") for k in range(1, n + 1) for c in ("x", "beta")]
+    found = np.sqrt(np.min(np.linalg.eigvals(np.linalg.solve(M[np.ix_(x, x)], K[np.ix_(x, x)])).real))
+    assert found == pytest.approx(first, rel=1e-3)

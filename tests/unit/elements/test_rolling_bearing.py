@@ -134,47 +134,42 @@ def shaft():
     return [Body(motion=FREE, mass=1.0, polar_inertia=0.1, transverse_inertia=0.1)]
 
 
-@pytest.mark.parametrize(("exponent", "integral"), [(1.5, 0.2288), (1.1, 0.2453)])
-def test_load_distribution_without_clearance(exponent, integral):
-    """Sjoevall's integral for half a ring of loaded elements (Harris, table 7.1): F = n Q_max J_r.
+@pytest.mark.parametrize(("exponent", "most", "thrust"), [(1.5, 4.37, 1.216), (1.1, 4.08, 1.260)])
+def test_load_distribution_without_clearance(exponent, most, thrust):
+    """Half a ring of loaded elements: Q_max = most F_r/(Z cos(alpha)), F_a = thrust F_r tan(alpha).
 
-    With 360 elements the sum differs from the integral by the kinks at the ends, below 1e-5; the table has
-    four digits, and its line contact the exponent 1.1.
+    The two numbers as printed by NSK (*Rolling Bearings*, technical report E728g, 5.1) for point and line
+    contact, the latter with the exponent 1.1; Sjoevall's integrals by quadrature beside them. With 360
+    elements the sums differ from the integrals by the kinks at the ends, below 1e-4.
     """
     bodies = shaft()
-    record = rolling(bodies, 1, 0, n=360, exponent=exponent, element=0.001)
+    angle = 0.5
+    record = rolling(bodies, 1, 0, n=360, exponent=exponent, element=0.001, angle=angle)
     system = assemble(bodies, {"rolling_bearing": record})
     state = system.initial_state()
     state.q[0] = 1e-3
-    force = -wrenches(system, state)[1, 0]
-    found = force / (360 * 200.0 * 1e-3**exponent)
-    exact = quad(lambda psi: np.cos(psi) ** (1.0 + exponent), -np.pi / 2, np.pi / 2)[0] / (2.0 * np.pi)
-    assert found == pytest.approx(exact, rel=1e-4)
-    assert found == pytest.approx(integral, abs=1e-4)
+    force = -wrenches(system, state)[1]
+    largest = 200.0 * (1e-3 * np.cos(angle)) ** exponent
+    J_r = quad(lambda psi: np.cos(psi) ** (1.0 + exponent), -np.pi / 2, np.pi / 2)[0] / (2.0 * np.pi)
+    assert force[0] == pytest.approx(360 * largest * np.cos(angle) * J_r, rel=1e-4)
+    assert largest * 360 * np.cos(angle) / force[0] == pytest.approx(most, abs=0.006)
+    assert force[2] / (force[0] * np.tan(angle)) == pytest.approx(thrust, abs=0.0006)
 
 
 def test_thrust_on_an_angular_contact_bearing():
     """Bearing 218 of Harris (16 balls of 22.23 mm on 125.3 mm, f 0.5232, 40 deg) under 17 800 N.
 
-    His example finds the contact angle 41.6 deg and the axial deflection 0.0386 mm with the constant 896.7
-    N/mm^2 of Jones's chart, Q = 896.7 D^2 (d/A)^1.5. The deflection follows there from the rounded angle,
-    where 0.05 deg are 3 %. (Hertz's constant is 10 % larger than that of the chart.)
+    Jones's equation F/(Z D^2 C) = sin(a) (cos(a0)/cos(a) - 1)^1.5 with his constant C = 896.7 N/mm^2 (Hertz's
+    is 10 % larger); the contact angle of the example is 41.6 deg.
     """
-    D, pitch, f, angle = 22.23e-3, 125.3e-3, 0.5232, np.radians(40.0)
+    D, pitch, f, a0 = 22.23e-3, 125.3e-3, 0.5232, np.radians(40.0)
+    A = (2.0 * f - 1.0) * D
     bodies = shaft()
+    constant = 896.7e6 * D**2 / A**1.5
     record = rolling(
-        bodies,
-        1,
-        0,
-        n=16,
-        pitch=pitch,
-        element=D,
-        angle=angle,
-        grooves=(2.0 * f - 1.0) * D,
-        stiffness=896.7e6 * D**2 / ((2.0 * f - 1.0) * D) ** 1.5,
+        bodies, 1, 0, n=16, pitch=pitch, element=D, angle=a0, grooves=A, stiffness=constant, azimuth=0.3
     )
-    hertz = ball_bearing_stiffness(D, pitch, (f, f), angle, STEEL)
-    assert hertz == pytest.approx(record["stiffness"][0], rel=0.12)
+    assert ball_bearing_stiffness(D, pitch, (f, f), a0, STEEL) == pytest.approx(constant, rel=0.12)
     system = assemble(bodies, {"rolling_bearing": record})
     state = system.initial_state()
 
@@ -182,10 +177,13 @@ def test_thrust_on_an_angular_contact_bearing():
         state.q[2] = z
         return wrenches(system, state)[1, 2] + 17800.0
 
-    z = brentq(excess, 0.0, 1e-3, xtol=1e-12)
-    A = (2.0 * f - 1.0) * D
-    assert z == pytest.approx(0.0386e-3, rel=0.03)
-    assert np.degrees(np.arctan2(A * np.sin(angle) + z, A * np.cos(angle))) == pytest.approx(41.6, abs=0.05)
+    def jones(a):
+        return 16 * D**2 * 896.7e6 * np.sin(a) * (np.cos(a0) / np.cos(a) - 1.0) ** 1.5 - 17800.0
+
+    a = brentq(jones, a0 + 1e-6, 1.0, xtol=1e-14)
+    z = brentq(excess, 0.0, 1e-3, xtol=1e-14)
+    assert z == pytest.approx(A * np.sin(a - a0) / np.cos(a), rel=1e-8)
+    assert np.degrees(a) == pytest.approx(41.6, abs=0.05)
 
 
 def test_varying_compliance_has_the_ball_pass_frequency():

@@ -48,6 +48,11 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
         "scenarios.steady.drive.driven",
         "fixed and cannot turn",
     ),
+    "a form of other methods": (
+        [steady("duration: 1 s, form: SI1")],
+        "scenarios.steady.form",
+        "is none that generalized_alpha has",
+    ),
     "an angle by Python": (
         [steady("drive: {driver: {angle: {python: 'a.py:f'}}}, duration: 1 s")],
         "scenarios.steady.drive.driver.angle",

@@ -209,6 +209,10 @@ ROLL = "quasi_static: {points: 10}"
         (f"step: 1e-5, settle_time: 0.1, {ROLL}", "settle_time and step have no effect beside quasi_static"),
         ("duration: 1, tolerance: 1e-5", "tolerance: has no effect with method: generalized_alpha"),
         ("duration: 1, method: rk4, tolerance: 1e-5", "tolerance: has no effect with method: rk4"),
+        ("duration: 1, method: constant_bdf, tolerance: 1e-5", "tolerance: has no effect with method: c"),
+        ("duration: 1, method: rk4, form: SI2", "form: has no effect with method: rk4"),
+        ("duration: 1, order: 3", "order: has no effect with method: generalized_alpha"),
+        (f"order: 3, form: SI2, {ROLL}", "form and order have no effect beside quasi_static"),
     ],
 )
 def test_keys_that_a_scenario_does_not_read(keys: str, words: str) -> None:
@@ -217,7 +221,16 @@ def test_keys_that_a_scenario_does_not_read(keys: str, words: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "keys", [SWEEP, ROLL, "duration: 1, method: runge_kutta, tolerance: 1e-5", "duration: 1, step: 1e-5"]
+    "keys",
+    [
+        SWEEP,
+        ROLL,
+        "duration: 1, method: runge_kutta, tolerance: 1e-5",
+        "duration: 1, step: 1e-5",
+        "duration: 1, form: SI2",
+        "duration: 1, method: gstiff, form: SI1, order: 3, tolerance: 1e-5",
+        "duration: 1, method: constant_bdf, order: 3",
+    ],
 )
 def test_keys_that_a_scenario_reads(keys: str) -> None:
     assert sentences(rest=SCENARIO.format(keys)) == ()

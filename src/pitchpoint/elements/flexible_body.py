@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Inertia and stiffness of an elastic body in its floating frame (docs/decisions/0015-floating-frame.md).
+
+Body i is the floating frame. Its modal coordinates eta are the displacements of bodies without mass that
+hang on ground and only translate, three coordinates each: j, k, l and m. Their wrenches are the modal
+forces. With the integrals of `multibody/mass_invariants.py`, everything in the axes of the frame, a its
+acceleration less gravity:
+
+    s = s0 + P eta,  J = J0 + sum eta_k (J1_k + sum eta_l J2_kl),  C = C0 + sum eta_k A_k,
+    F   = -(m a + alpha x s + omega x (omega x s) + 2 omega x P eta' + P eta'')
+    M   = -(s x a + J alpha + omega x J omega + J' omega + C eta'' + omega x C eta')
+    Q_k = -(P_k . a + C_k . alpha + m_kl eta_l'' + 2 eta_l' A_l,k . omega - 1/2 omega . dJ/deta_k omega
+            + (K + K_g)_kl eta_l + D_kl eta_l')
+
+K_g is the stiffness by the loads that steady inertia forces put on the body: a sum over the components of a
+and the products of those of omega. Its reactions on the frame are of second order in eta and left out.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.core.errors import CompileError
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.elements import guide
+from pitchpoint.elements.flexible_forces import coordinates, loads, shares
+from pitchpoint.elements.flexible_tangent import tangent
+from pitchpoint.multibody.bodies import Body
+from pitchpoint.multibody.channels import frame_args, observations
+from pitchpoint.multibody.joints import GUIDED
+from pitchpoint.multibody.mass_invariants import MassInvariants
+
+BODY_FIXED = True
+
+MOST = 12
+"""Most modal coordinates of one body."""
+GROUP = 3
+"""Modal coordinates of one hidden body."""
+LOADS = 9
+"""Loads that stiffen: a_x, a_y, a_z, then the products of omega: xx, yy, zz, xy, yz, zx."""
+
+_FIELDS = ("i", "j", "k", "l", "m")
+_PAIRS = [a + b for a in _FIELDS for b in _FIELDS]
+_FIRST = ["i", "j", "ii", "ij", "ji", "jj"]
+
+RECORD = np.dtype(
+    [(n, "i8") for n in (*_FIRST, "k", "l", "m", *(p for p in _PAIRS if p not in _FIRST))]
+    + [
+        ("n", "i8"),  # modal coordinates
+        ("mass", "f8"),  # [kg]
+        ("first", "f8", 3),  # s0 [kg m]
+        ("inertia", "f8", (3, 3)),  # J0 [kg m^2]
+        ("gravity", "f8", 3),  # world axes [m/s^2]
+        ("P", "f8", (3, MOST)),
+        ("C0", "f8", (3, MOST)),
+        ("A", "f8", (MOST, 3, MOST)),
+        ("J1", "f8", (MOST, 3, 3)),
+        ("J2", "f8", (MOST, MOST, 3, 3)),
+        ("modal", "f8", (MOST, MOST)),
+        ("K", "f8", (MOST, MOST)),
+        ("D", "f8", (MOST, MOST)),
+        ("geo", "f8", (LOADS, MOST, MOST)),
+        # scratch: filled and read within one call
+        ("eta", "f8", (3, MOST)),  # coordinates, rates, second rates
+        ("d_eta", "f8", (3, MOST)),
+        ("x", "f8", (3, 3)),  # a, alpha, omega in the axes of the frame
+        ("d_x", "f8", (3, 3)),
+        ("s", "f8", (3, 3)),  # s and its two derivatives, all but the frame's motion
+        ("J", "f8", (3, 3)),
+        ("dJ", "f8", (3, 3)),  # change of J with time
+        ("Jk", "f8", (MOST, 3, 3)),
+        ("C", "f8", (3, MOST)),
+        ("Kg", "f8", (MOST, MOST)),
+        ("F", "f8", 6),  # wrench in the axes of the frame
+        ("Q", "f8", MOST),
+        ("dF", "f8", 6),
+        ("dQ", "f8", MOST),
+        ("pairs", "i8", (5, 5)),
+        ("out", "i8"),
+    ],
+    align=True,
+)
+
+OUTPUTS = (("strain_energy", "J", "energy of the modal coordinates in the stiffness"),)
+
+
+def flexible_row(
+    integrals: MassInvariants,
+    stiffness: ArrayLike,
+    *,
+    frame: int,
+    hidden: tuple[int, ...],
+    damping: ArrayLike | None = None,
+    stiffening: ArrayLike | None = None,
+    gravity: ArrayLike = (0.0, 0.0, 0.0),
+) -> NDArray[np.void]:
+    """Record of one elastic body, shape (1,).
+
+    Parameters
+    ----------
+    integrals
+        Mass integrals about the origin of the frame, in its axes.
+    stiffness
+        Of the modal coordinates, (n, n) or the diagonal (n,).
+    frame
+        Number of the body that is the floating frame; it has no mass of its own.
+    hidden
+        Numbers of the bodies that carry the modal coordinates, three each, see `modal_bodies`.
+    damping
+        Like `stiffness`, per second.
+    stiffening
+        Stiffness per unit of each of the nine loads, (9, n, n), see `LOADS`.
+    gravity
+        World axes [m/s^2].
+    """
+    n = integrals.modal.shape[0]
+    if not 0 < n <= MOST or len(hidden) != -(-n // GROUP):
+        raise CompileError(
+            f"{n} modal coordinates on {len(hidden)} bodies (limit 1 to {MOST}, three on each)"
+        )
+    row = np.zeros(1, RECORD)
+    r = row[0]
+    r["i"], r["n"], r["mass"], r["first"] = frame, n, integrals.mass, integrals.first
+    for name, number in zip(_FIELDS[1:], hidden, strict=False):
+        r[name] = number
+    r["inertia"], r["gravity"] = integrals.inertia, gravity
+    r["P"][:, :n], r["C0"][:, :n] = integrals.momentum, integrals.angular
+    # points without rotary inertia make A antisymmetric in both modes; what elements with rotations add is
+    # dropped
+    r["A"][:n, :, :n] = 0.5 * (integrals.angular_1 - integrals.angular_1.transpose(2, 1, 0))
+    r["J1"][:n] = integrals.inertia_1
+    r["J2"][:n, :n] = 0.5 * (integrals.inertia_2 + integrals.inertia_2.transpose(1, 0, 2, 3))
+    r["modal"][:n, :n] = integrals.modal
+    for name, given in (("K", stiffness), ("D", damping)):
+        if given is not None:
+            matrix = np.asarray(given, float)
+            r[name][:n, :n] = np.diag(matrix) if matrix.ndim == 1 else matrix
+    if stiffening is not None:
+        r["geo"][:, :n, :n] = stiffening
+    return row
+
+
+def modal_bodies(name: str, n: int, first: int) -> tuple[list[Body], NDArray[np.void]]:
+    """Hidden bodies that carry n modal coordinates, three each, and the functions that move them.
+
+    Parameters
+    ----------
+    name
+        Name of the elastic body; the hidden ones are called ``NAME.1`` and so on, the coordinates eta1 ...
+    n
+        Number of modal coordinates.
+    first
+        Number of the first hidden body in the records.
+
+    Returns
+    -------
+    list of Body, records of the kind guide
+    """
+    bodies, rows = [], []
+    for g in range(-(-n // GROUP)):
+        mine = range(GROUP * g, min(GROUP * (g + 1), n))
+        words = tuple((f"eta{k + 1}", "m") for k in mine)
+        bodies.append(Body(motion=GUIDED, guided_by=words, name=f"{name}.{g + 1}"))
+        for m in range(len(mine)):
+            row = np.zeros(1, guide.RECORD)
+            row["i"], row["m"], row["k"], row["slope"] = first + g, m, m, 1.0
+            row["first"] = m == 0
+            rows.append(row)
+    return bodies, np.concatenate(rows)
+
+
+def interface_bodies(
+    name: str,
+    shape: ArrayLike,
+    *,
+    place: ArrayLike,
+    axes: ArrayLike,
+    frame: int,
+    hidden: tuple[int, ...],
+    first: int,
+) -> tuple[list[Body], NDArray[np.void]]:
+    """Frame that goes with one node of an elastic body: a body without mass for joints and forces.
+
+    It is a chain of bodies, one per three modal coordinates, the last of which is at the deflected place;
+    their small turns follow one another.
+
+    Parameters
+    ----------
+    name
+        Name of the last body; those before it are called ``NAME.1`` and so on.
+    shape
+        Displacement and turn of the node per modal coordinate in the axes of the frame, (6, n).
+    place, axes
+        Node and axes of the floating frame in the world with all coordinates zero, as of other bodies.
+    frame, hidden
+        Numbers of the floating frame and of the bodies of `modal_bodies`.
+    first
+        Number of the first body of the chain in the records.
+
+    Returns
+    -------
+    list of Body, records of the kind guide
+    """
+    phi = np.asarray(shape, float)
+    bodies, rows = [], []
+    for g, master in enumerate(hidden):
+        last = g == len(hidden) - 1
+        bodies.append(
+            Body(
+                motion=GUIDED,
+                parent=first + g - 1 if g else frame,
+                position=place,
+                axes=axes,
+                shares=master,
+                name=name if last else f"{name}.{g + 1}",
+            )
+        )
+        mine = range(GROUP * g, min(GROUP * (g + 1), phi.shape[1]))
+        for k in mine:
+            for m in range(6):
+                row = np.zeros(1, guide.RECORD)
+                row["i"], row["m"], row["k"], row["slope"] = first + g, m, k - GROUP * g, phi[m, k]
+                row["first"] = k == mine[0] and m == 0
+                rows.append(row)
+    return bodies, np.concatenate(rows)
+
+
+@kernel
+def flexible_body(rec, ctl, fr, kk):
+    """Forces, tangents and observations of all elastic bodies."""
+    c = ctl[0]
+    for e in range(rec.size):
+        b = rec[e]
+        f = fr[b["i"]]
+        coordinates(b, fr)
+        loads(b, f)
+        shares(b, f, fr)
+        if c["jac"] != 0:
+            tangent(b, f["S"], kk, c["cm"], c["cd"], c["ck"])
+        elif c["cm"] != 0.0:
+            tangent(b, f["S"], kk, c["cm"], 0.0, 0.0)
+        if c["out"] != 0:
+            energy = 0.0
+            for k in range(b["n"]):
+                for h in range(b["n"]):
+                    energy += 0.5 * b["eta"][0, k] * b["K"][k, h] * b["eta"][0, h]
+            observations(ctl)[b["out"]] = energy
+    return OK
+
+
+@kernel
+def entry(ctl, rec, n):
+    """Uniform entry of the kind."""
+    c, fr, kk = frame_args(ctl)
+    return flexible_body(view(rec, n, RECORD), c, fr, kk)

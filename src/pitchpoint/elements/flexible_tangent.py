@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the forces of an elastic body change with one motion of its frame or of one modal coordinate."""
+
+from __future__ import annotations
+
+from pitchpoint.core.kernel import kernel
+from pitchpoint.elements.flexible_forces import column, combine, product, put, row
+from pitchpoint.multibody.vectors import add, cross, dot, into_body, into_world, less, times, triple, unit
+
+
+@kernel
+def _blocks(b):
+    """Gather the pair blocks: 0 the frame, 1 to 4 the groups of modal coordinates."""
+    t = b["pairs"]
+    t[0, 0] = b["ii"]
+    t[0, 1] = b["ij"]
+    t[0, 2] = b["ik"]
+    t[0, 3] = b["il"]
+    t[0, 4] = b["im"]
+    t[1, 0] = b["ji"]
+    t[1, 1] = b["jj"]
+    t[1, 2] = b["jk"]
+    t[1, 3] = b["jl"]
+    t[1, 4] = b["jm"]
+    t[2, 0] = b["ki"]
+    t[2, 1] = b["kj"]
+    t[2, 2] = b["kk"]
+    t[2, 3] = b["kl"]
+    t[2, 4] = b["km"]
+    t[3, 0] = b["li"]
+    t[3, 1] = b["lj"]
+    t[3, 2] = b["lk"]
+    t[3, 3] = b["ll"]
+    t[3, 4] = b["lm"]
+    t[4, 0] = b["mi"]
+    t[4, 1] = b["mj"]
+    t[4, 2] = b["mk"]
+    t[4, 3] = b["ml"]
+    t[4, 4] = b["mm"]
+
+
+@kernel
+def _swing(b):
+    """Changes of inertia, of its rate and of C by the modal coordinates, as products with what they act on.
+
+    Returns those of J alpha, J omega, J' omega, C eta'' and C eta'.
+    """
+    n = b["n"]
+    alpha = row(b["x"], 1)
+    w = row(b["x"], 2)
+    eta = b["eta"]
+    d = b["d_eta"]
+    ja = (0.0, 0.0, 0.0)
+    jw = (0.0, 0.0, 0.0)
+    j1 = (0.0, 0.0, 0.0)
+    c2 = combine(b["C"], d, 2, n)
+    c1 = combine(b["C"], d, 1, n)
+    for k in range(n):
+        x = d[0, k]
+        y = d[1, k]
+        if x != 0.0 or y != 0.0:
+            by = product(b["Jk"][k], w)
+            ja = add(ja, times(x, product(b["Jk"][k], alpha)))
+            jw = add(jw, times(x, by))
+            j1 = add(j1, times(y, by))
+        if x != 0.0:
+            for h in range(n):
+                j1 = add(j1, times(2.0 * x * eta[1, h], product(b["J2"][k, h], w)))
+                A = (b["A"][k, 0, h], b["A"][k, 1, h], b["A"][k, 2, h])
+                c2 = add(c2, times(x * eta[2, h], A))
+                c1 = add(c1, times(x * eta[1, h], A))
+    return ja, jw, j1, c2, c1
+
+
+@kernel
+def _modal(b, k, da, dalpha, dw):
+    """Change of modal force k."""
+    n = b["n"]
+    alpha = row(b["x"], 1)
+    w = row(b["x"], 2)
+    eta = b["eta"]
+    d = b["d_eta"]
+    q = dot(column(b["P"], k), da) + dot(column(b["C"], k), dalpha) - dot(dw, product(b["Jk"][k], w))
+    for h in range(n):
+        A = (b["A"][h, 0, k], b["A"][h, 1, k], b["A"][h, 2, k])
+        if d[0, h] != 0.0:
+            q += d[0, h] * (dot(A, alpha) - dot(w, product(b["J2"][k, h], w)))
+        q += 2.0 * (dot(A, dw) * eta[1, h] + dot(A, w) * d[1, h])
+        q += b["modal"][k, h] * d[2, h] + b["D"][k, h] * d[1, h] + (b["K"][k, h] + b["Kg"][k, h]) * d[0, h]
+        Kg = 0.0
+        for r in range(9):
+            if r < 3:
+                change = da[r]
+            elif r < 6:
+                change = 2.0 * w[r - 3] * dw[r - 3]
+            else:
+                change = w[r - 6] * dw[(r - 5) % 3] + dw[r - 6] * w[(r - 5) % 3]
+            Kg += change * b["geo"][r, k, h]
+        q += Kg * eta[0, h]
+    return -q
+
+
+@kernel
+def _change(b):
+    """Changes of wrench and modal forces with those of the frame's motion and of the modal coordinates."""
+    n = b["n"]
+    a = row(b["x"], 0)
+    alpha = row(b["x"], 1)
+    w = row(b["x"], 2)
+    da = row(b["d_x"], 0)
+    dalpha = row(b["d_x"], 1)
+    dw = row(b["d_x"], 2)
+    s = row(b["s"], 0)
+    s1 = row(b["s"], 1)
+    ds = combine(b["P"], b["d_eta"], 0, n)
+    ds1 = combine(b["P"], b["d_eta"], 1, n)
+    ds2 = combine(b["P"], b["d_eta"], 2, n)
+    ws = cross(w, s)
+    force = add(times(b["mass"], da), add(cross(dalpha, s), cross(alpha, ds)))
+    force = add(force, add(cross(dw, ws), cross(w, add(cross(dw, s), cross(w, ds)))))
+    force = add(force, add(times(2.0, add(cross(dw, s1), cross(w, ds1))), ds2))
+    ja, jw, j1, c2, c1 = _swing(b)
+    Jw = product(b["J"], w)
+    moment = add(add(cross(ds, a), cross(s, da)), add(product(b["J"], dalpha), ja))
+    moment = add(moment, add(cross(dw, Jw), cross(w, add(product(b["J"], dw), jw))))
+    moment = add(moment, add(product(b["dJ"], dw), add(j1, c2)))
+    moment = add(moment, add(cross(dw, combine(b["C"], b["eta"], 1, n)), cross(w, c1)))
+    for r in range(3):
+        b["dF"][r] = -force[r]
+        b["dF"][3 + r] = -moment[r]
+    for k in range(n):
+        b["dQ"][k] = _modal(b, k, da, dalpha, dw)
+
+
+@kernel
+def _column(b, S, turn, kk, p, c):
+    """Subtract the changes from column c of the blocks with body p; `turn` is that of the axes, in them."""
+    F = triple(b["F"], 0)
+    M = triple(b["F"], 3)
+    force = into_world(S, add(triple(b["dF"], 0), cross(turn, F)))
+    moment = into_world(S, add(triple(b["dF"], 3), cross(turn, M)))
+    k = kk[b["pairs"][0, p]]
+    for r in range(3):
+        k[r, c] -= force[r]
+        k[3 + r, c] -= moment[r]
+    for h in range(b["n"]):
+        kk[b["pairs"][1 + h // 3, p], h % 3, c] -= b["dQ"][h]
+
+
+@kernel
+def tangent(b, S, kk, cm, cd, ck):
+    """Add ck K + cd D + cm M of one elastic body to its pair blocks; `loads` was called before."""
+    nothing = (0.0, 0.0, 0.0)
+    _blocks(b)
+    for order in range(3):
+        for k in range(b["n"]):
+            b["d_eta"][order, k] = 0.0
+    for c in range(6):
+        shift = into_body(S, unit(c))
+        turn = into_body(S, unit(c - 3))
+        spun = times(ck, turn)
+        put(b["d_x"], 0, less(times(cm, shift), cross(spun, row(b["x"], 0))))
+        put(b["d_x"], 1, less(times(cm, turn), cross(spun, row(b["x"], 1))))
+        put(b["d_x"], 2, less(times(cd, turn), cross(spun, row(b["x"], 2))))
+        _change(b)
+        _column(b, S, spun, kk, 0, c)
+    for order in range(3):
+        put(b["d_x"], order, nothing)
+    for k in range(b["n"]):
+        b["d_eta"][0, k] = ck
+        b["d_eta"][1, k] = cd
+        b["d_eta"][2, k] = cm
+        _change(b)
+        _column(b, S, nothing, kk, 1 + k // 3, k % 3)
+        for order in range(3):
+            b["d_eta"][order, k] = 0.0

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Contacts between bodies: laws of force and friction, shapes, and what touches what."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pitchpoint.model.keys import (
+    REQUIRED,
+    choice,
+    component,
+    integer,
+    key,
+    positive,
+    quantities,
+    quantity,
+    text,
+)
+
+ENDS = "the two bodies, each of them ground, a body or BODY.MARKER; shapes lie in the axes of these"
+CURVES = ("circle", "polygon", "spline", "involute")
+SURFACES = ("plane", "sphere", "cylinder", "cone", "torus", "triangles")
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactLaw:
+    """Normal force: elastic force F (u/u_0)^e over the overlap u, with damping or a restitution."""
+
+    force: float = positive("force", "elastic force F at the overlap `depth`")
+    depth: float = positive("length", "overlap u_0 at which the elastic force is `force`")
+    exponent: float = quantity(
+        "dimensionless", "exponent e; 1.5 for rounded bodies", 1.5, minimum=1.0, maximum=5
+    )
+    damping: float = quantity("damping", "damping of the fully damped contact", 0.0, minimum=0.0)
+    full_damping: float = quantity(
+        "length", "overlap from which on the damping is all there; below it grows smoothly", 0.0, minimum=0.0
+    )
+    restitution: float | None = quantity(
+        "dimensionless",
+        "instead of damping: share of the speed that an impact gives back",
+        None,
+        minimum=0.0,
+        above=True,
+        maximum=1.0,
+    )
+    speed: float = positive(
+        "speed",
+        "speed of the impact at which the restitution holds; with every_speed the speed around rest at which "
+        "the force goes over from the way in to the way out",
+        1.0,
+    )
+    every_speed: bool = key("boolean", "the same restitution at all speeds well above `speed`", False)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactFriction:
+    """Friction that rises to a static coefficient and falls to a dynamic one, both with smooth steps."""
+
+    static: float = quantity("dimensionless", "static coefficient", minimum=0.0, maximum=10.0)
+    dynamic: float = quantity("dimensionless", "dynamic coefficient", minimum=0.0, maximum=10.0)
+    static_speed: float = positive("speed", "sliding velocity of the static coefficient", 1e-3)
+    slip_speed: float = positive("speed", "sliding velocity from which on the dynamic one holds", 1e-2)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactCurve:
+    """A curve in the plane of a marker, walked with the material on its left."""
+
+    shape: str = choice(
+        CURVES,
+        "circle: radius, x and y of its centre; polygon: corners x, y and radii; spline: points x, y; "
+        "involute: radius of the base circle, start and end of the roll",
+    )
+    radius: float | None = positive("length", "radius of the circle or of the base circle", None)
+    x: tuple[float, ...] = quantities("length", "x of the points in the order they are walked", ())
+    y: tuple[float, ...] = quantities("length", "y of the points", ())
+    radii: tuple[float, ...] = quantities("length", "polygon: radius at every corner", (), minimum=0.0)
+    closed: bool = key("boolean", "polygon, spline: whether the last point is joined to the first", True)
+    hollow: bool = key("boolean", "circle: material outside", False)
+    phase: float = quantity("angle", "involute: angle at which it leaves the base circle", 0.0)
+    roll: tuple[float, ...] = quantities("angle", "involute: angles of roll where it begins and ends", ())
+    hand: str = choice(("left", "right"), "involute: unwinds counter-clockwise or clockwise", "left")
+
+
+@dataclass(frozen=True, kw_only=True)
+class CamContact:
+    """A point or roller of the first body on a curve of the second."""
+
+    ends: tuple[str, str] = key("names", ENDS, length=(2, 2))
+    curve: ContactCurve = component(ContactCurve, "the curve of the second body", REQUIRED)
+    radius: float = quantity("length", "radius of the roller; 0 for a point", 0.0, minimum=0.0)
+    permanent: bool = key("boolean", "never parts: a constraint without law and friction", False)
+    law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
+    friction: ContactFriction | None = component(ContactFriction, "friction; none without")
+    depth: float | None = positive("length", "deepest overlap that counts", None, display="5 % of the size")
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveContact:
+    """Curves of two bodies in one plane."""
+
+    ends: tuple[str, str] = key("names", ENDS, length=(2, 2))
+    first: ContactCurve = component(ContactCurve, "the curve of the first body", REQUIRED)
+    second: ContactCurve = component(ContactCurve, "the curve of the second body", REQUIRED)
+    law: ContactLaw = component(ContactLaw, "normal force", REQUIRED)
+    friction: ContactFriction | None = component(ContactFriction, "friction; none without")
+    depth: float | None = positive(
+        "length", "deepest overlap that counts", None, display="5 % of the smaller curve"
+    )
+    margin: float | None = positive(
+        "length", "largest gap that is looked for", None, display="half the smaller curve"
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactSurface:
+    """A surface in the axes of a marker."""
+
+    shape: str = choice(
+        SURFACES,
+        "plane: z = 0, material below; sphere, cylinder (about z), cone (opens downwards), torus (about z); "
+        "triangles from a file",
+    )
+    radius: float | None = positive("length", "of sphere, cylinder or ring of the torus", None)
+    tube: float | None = positive("length", "torus: radius of its tube", None)
+    length: float | None = positive("length", "cylinder against plane or cylinder: its length", None)
+    half_angle: float | None = positive("angle", "cone: angle between axis and surface", None)
+    hollow: bool = key("boolean", "material outside", False)
+    file: str | None = text("triangles: NumPy file with corners [m], shape (n, 3, 3)", None)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SurfaceContact:
+    """Surfaces of two bodies in space.
+
+    A sphere against anything, a cylinder or torus on a plane, two crossed cylinders, triangles on triangles.
+    The law of triangles on triangles counts for one square metre.
+    """
+
+    ends: tuple[str, str] = key("names", ENDS, length=(2, 2))
+    first: ContactSurface = component(ContactSurface, "the surface of the first body", REQUIRED)
+    second: ContactSurface = component(ContactSurface, "the surface of the second body", REQUIRED)
+    law: ContactLaw = component(ContactLaw, "normal force", REQUIRED)
+    friction: ContactFriction | None = component(ContactFriction, "friction; none without")
+    depth: float | None = positive(
+        "length", "triangles: deepest overlap that counts", None, display="a part of the size"
+    )
+    stations: int = integer("cylinder on plane: Gauss points along the line", 4, minimum=1, maximum=8)

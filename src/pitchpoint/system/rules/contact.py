@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Contacts of a model as records."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.contact import curve as curves
+from pitchpoint.contact import impact
+from pitchpoint.contact.triangles import TriangleSurface
+from pitchpoint.core.errors import CompileError
+from pitchpoint.elements import contact_record as element
+from pitchpoint.elements import curve_curve, point_curve, point_on_curve, point_surface, surface_surface
+from pitchpoint.elements.signal import Pool
+from pitchpoint.model.components.contact import (
+    CamContact,
+    ContactCurve,
+    ContactFriction,
+    ContactLaw,
+    ContactSurface,
+    CurveContact,
+    SurfaceContact,
+)
+from pitchpoint.system.rules.bank import Bank, pack
+
+Array = NDArray[np.float64]
+
+#: Of ground, BODY or BODY.MARKER: number of the body, point and axes in the frame that is fixed to the body.
+End: TypeAlias = Callable[[str], tuple[int, Array, Array]]
+
+
+def cam_banks(contacts: Mapping[str, CamContact], end: End) -> tuple[Bank, Bank]:
+    """Cams and followers: those with a force, and those that never part (a constraint).
+
+    Parameters
+    ----------
+    contacts
+        By name.
+    end
+        Places of the names of bodies and markers.
+    """
+    pool, rows, names = Pool(), [], []
+    held_pool, held, held_names = Pool(), [], []
+    for name, part in contacts.items():
+        where = f"cam_contacts.{name}"
+        curve = curve_of(part.curve, f"{where}.curve")
+        if part.permanent:
+            row = np.zeros(1, point_on_curve.RECORD)[0]
+            row["i"], row["pi"], _ = end(part.ends[0])
+            row["j"], row["pj"], row["Bj"] = end(part.ends[1])
+            point_on_curve.set_point_on_curve(row, held_pool, curve, part.radius)
+            held.append(row)
+            held_names.append(name)
+            continue
+        if part.law is None:
+            raise CompileError(
+                f"{where}: a follower that may part needs a law; add `law` or `permanent: true`"
+            )
+        row = _marked(part.ends, end)
+        point_curve.set_cam(row, pool, curve, part.radius, part.depth)
+        _forces(row, part.law, part.friction, where)
+        rows.append(row)
+        names.append(name)
+    return (
+        pack("point_curve", element.RECORD, rows, names, pool=pool.array()),
+        pack("point_on_curve", point_on_curve.RECORD, held, held_names, pool=held_pool.array()),
+    )
+
+
+def curve_bank(contacts: Mapping[str, CurveContact], end: End) -> Bank:
+    """Curves against curves."""
+    pool, rows = Pool(), []
+    for name, part in contacts.items():
+        where = f"curve_contacts.{name}"
+        row = _marked(part.ends, end)
+        both = curve_of(part.first, f"{where}.first"), curve_of(part.second, f"{where}.second")
+        curve_curve.set_curves(row, pool, both, part.depth, part.margin)
+        _forces(row, part.law, part.friction, where)
+        rows.append(row)
+    return pack("curve_curve", element.RECORD, rows, list(contacts), pool=pool.array())
+
+
+def surface_banks(contacts: Mapping[str, SurfaceContact], end: End) -> tuple[Bank, Bank]:
+    """Surfaces against surfaces: those with a sphere, and all others."""
+    pools, rows, names = (Pool(), Pool()), ([], []), ([], [])  # type: ignore[var-annotated]
+    for name, part in contacts.items():
+        where = f"surface_contacts.{name}"
+        first, second, ends = part.first, part.second, part.ends
+        if _is_ball(second) and not _is_ball(first) or (first.shape == "plane" and second.shape != "plane"):
+            first, second, ends = second, first, (ends[1], ends[0])
+        row = _marked(ends, end)
+        which = 0 if _is_ball(first) else 1
+        if which == 0:
+            _ball(row, pools[0], first, second, part, where)
+        else:
+            _pair(row, pools[1], first, second, part, where)
+        _forces(row, part.law, part.friction, where)
+        rows[which].append(row)
+        names[which].append(name)
+    return (
+        pack("point_surface", element.RECORD, rows[0], names[0], pool=pools[0].array()),
+        pack("surface_surface", element.RECORD, rows[1], names[1], pool=pools[1].array()),
+    )
+
+
+def curve_of(part: ContactCurve, where: str) -> curves.Curve:
+    """Curve of a description.
+
+    Parameters
+    ----------
+    part
+        The description.
+    where
+        Its place in the model, for messages.
+
+    Raises
+    ------
+    CompileError
+        If a number of the shape is missing or impossible.
+    """
+    try:
+        if part.shape == "circle":
+            center = (float(_first(part.x)), float(_first(part.y)))
+            return curves.circle(_needed(part.radius, "radius", where), center, part.hollow)
+        if part.shape == "involute":
+            if len(part.roll) != 2:
+                raise CompileError(f"{where}.roll: an involute has two angles of roll")
+            hand = 1 if part.hand == "left" else -1
+            r_b = _needed(part.radius, "radius", where)
+            return curves.chain([curves.involute_piece(r_b, part.phase, part.roll, hand)], False)
+        if len(part.x) != len(part.y) or len(part.x) < (3 if part.closed else 2):
+            raise CompileError(
+                f"{where}: x and y need the same number of points, at least three of a closed curve"
+            )
+        points = np.column_stack([part.x, part.y])
+        if part.shape == "spline":
+            return curves.spline(points, part.closed)
+        return curves.polygon(points, part.radii or 0.0, part.closed)
+    except ValueError as fault:
+        raise CompileError(f"{where}: {fault}") from None
+
+
+def _first(values: tuple[float, ...]) -> float:
+    return values[0] if values else 0.0
+
+
+def _needed(value: float | None, name: str, where: str) -> float:
+    if value is None:
+        raise CompileError(f"{where}.{name}: this shape needs it")
+    return value
+
+
+def _is_ball(part: ContactSurface) -> bool:
+    return part.shape == "sphere" and not part.hollow
+
+
+def _marked(ends: tuple[str, str], end: End) -> np.void:
+    """Fresh record with bodies and markers."""
+    row: np.void = element.new_records(1)[0]
+    for letter, name in zip("ij", ends, strict=True):
+        row[letter], point, axes = end(name)
+        element.set_marker(row, letter, point, axes)
+    return row
+
+
+def _forces(row: np.void, law: ContactLaw, friction: ContactFriction | None, where: str) -> None:
+    """Law and friction of a record."""
+    k = law.force / law.depth**law.exponent
+    if law.restitution is None:
+        impact.set_impact(row, k, law.exponent, law.damping, law.full_damping)
+    elif law.damping > 0.0:
+        raise CompileError(f"{where}.law: damping and restitution are two ways to say one thing; give one")
+    else:
+        impact.set_restitution(row, k, law.restitution, law.speed, law.exponent, law.every_speed)
+    if friction is not None:
+        try:
+            speeds = friction.static_speed, friction.slip_speed
+            impact.set_friction(row, friction.static, friction.dynamic, *speeds)
+        except ValueError as fault:
+            raise CompileError(f"{where}.friction: {fault}") from None
+
+
+def _triangles(part: ContactSurface, where: str) -> TriangleSurface:
+    """Triangles of a file."""
+    file = part.file
+    if file is None:
+        raise CompileError(f"{where}.file: triangles come from a NumPy file")
+    try:
+        return TriangleSurface.from_triangles(np.load(file, allow_pickle=False))
+    except (OSError, ValueError) as fault:
+        raise CompileError(f"{where}.file: {fault}") from None
+
+
+def _ball(
+    row: np.void, pool: Pool, ball: ContactSurface, other: ContactSurface, part: SurfaceContact, where: str
+) -> None:
+    """A sphere against a surface."""
+    radius = _needed(ball.radius, "radius", where)
+    if other.shape == "triangles":
+        point_surface.set_mesh(row, pool, _triangles(other, where), radius, part.depth)
+        return
+    sizes = {
+        "plane": (),
+        "cone": (other.half_angle,),
+        "torus": (other.radius, other.tube),
+    }.get(other.shape, (other.radius,))
+    given = [_needed(size, other.shape, where) for size in sizes]
+    try:
+        point_surface.set_surface(row, other.shape, given, radius, other.hollow)
+    except ValueError as fault:
+        raise CompileError(f"{where}: {fault}") from None
+
+
+def _pair(
+    row: np.void, pool: Pool, one: ContactSurface, two: ContactSurface, part: SurfaceContact, where: str
+) -> None:
+    """Two surfaces none of which is a sphere."""
+    shapes = one.shape, two.shape
+    if one.hollow or two.hollow:
+        raise CompileError(f"{where}: only a sphere can touch a hollow surface")
+    if shapes == ("cylinder", "plane"):
+        radius, length = _needed(one.radius, "radius", where), _needed(one.length, "length", where)
+        surface_surface.set_cylinder_on_plane(row, radius, length, part.stations)
+    elif shapes == ("torus", "plane"):
+        radius, tube = _needed(one.radius, "radius", where), _needed(one.tube, "tube", where)
+        surface_surface.set_ring_on_plane(row, radius, tube)
+    elif shapes == ("cylinder", "cylinder"):
+        radii = [_needed(s.radius, "radius", where) for s in (one, two)]
+        lengths = [_needed(s.length, "length", where) for s in (one, two)]
+        surface_surface.set_crossed_cylinders(row, radii, lengths)
+    elif shapes == ("triangles", "triangles"):
+        both = [_triangles(s, where) for s in (one, two)]
+        surface_surface.set_meshes(row, pool, both, part.depth)
+    else:
+        raise CompileError(
+            f"{where}: a {shapes[0]} against a {shapes[1]} is not known; describe both by triangles"
+        )
