@@ -13,6 +13,17 @@ from pitchpoint.cli.output import emit_json, show, shown, table
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
+FORCES = (
+    "springs",
+    "maxwells",
+    "torsion_springs",
+    "torsion_maxwells",
+    "bushings",
+    "clutches",
+    "rolling_bearings",
+    "plain_bearings",
+    "unbalances",
+)
 FREEDOMS = {
     "torsion": ("spin",),
     "planar": ("x", "y", "spin"),
@@ -85,6 +96,7 @@ def summary(model: Model) -> dict[str, Any]:
         "mobility": _mobility(model),
         "bearings": list(model.bearings),
         "couplings": list(model.couplings),
+        **{group: list(getattr(model, group)) for group in FORCES},
         "loads": list(model.loads),
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
@@ -190,7 +202,7 @@ def _print(model: Model, file: str) -> None:
     ]
     if rows:
         table("Meshes", ["mesh", "gears", "centre distance", "direction", "common width", "stiffness"], rows)
-    for group in ("bearings", "couplings", "loads"):
+    for group in ("bearings", "couplings", *FORCES, "loads"):
         if found[group]:
             show(f"{group}: {', '.join(found[group])}")
     if found["scenarios"]:

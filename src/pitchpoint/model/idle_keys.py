@@ -20,6 +20,7 @@ from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
+    from pitchpoint.model.components.bushing import Bushing
     from pitchpoint.model.components.coupling import Coupling
     from pitchpoint.model.components.mesh import Mesh
     from pitchpoint.model.components.stiffness import StiffnessLaw
@@ -58,6 +59,7 @@ def idle_keys(model: Model) -> tuple[str, ...]:
         *_blanks(model),
         *_inertias(model),
         *_joints(model),
+        *_springs(model),
         *_supports(model),
         *_loads(model),
         *_scenarios(model),
@@ -177,10 +179,22 @@ def _joints(model: Model) -> Iterator[str]:
         if name in model.mechanism.cut and joint.type in ("free", "shaft"):
             yield f"joints.{name}: has no effect: it closes a loop and holds nothing fast"
     named = {e for _, _, _, given in ends_of(model) for e in ((given,) if isinstance(given, str) else given)}
+    named |= {f"{load.body}.{load.marker}" for load in model.loads.values()}
     for body, part in model.bodies.items():
         for marker in part.markers:
             if f"{body}.{marker}" not in named:
                 yield f"bodies.{body}.markers.{marker}: has no effect: nothing names {body}.{marker}"
+
+
+def _springs(model: Model) -> Iterator[str]:
+    """Springs and bushings without any stiffness or damping."""
+    for group, own in (("springs", "force"), ("torsion_springs", "torque")):
+        for name, spring in getattr(model, group).items():
+            if spring.stiffness == spring.damping == 0.0 and getattr(spring, own) is None:
+                yield f"{group}.{name}: has no effect: it has neither stiffness nor damping nor {own}"
+    for name, bushing in model.bushings.items():
+        if not _holds(bushing, set(MOVES["joint"])):
+            yield f"bushings.{name}: has no effect: it has neither stiffness nor damping"
 
 
 def _supports(model: Model) -> Iterator[str]:
@@ -200,7 +214,7 @@ def _supports(model: Model) -> Iterator[str]:
             )
 
 
-def _holds(part: Bearing | Coupling, moves: set[int]) -> bool:
+def _holds(part: Bearing | Coupling | Bushing, moves: set[int]) -> bool:
     """Whether a spring or damper feels a displacement in any of some directions."""
     matrices = [part.stiffness.matrix6()]
     if part.damping is not None:
@@ -217,7 +231,11 @@ def _loads(model: Model) -> Iterator[str]:
                 yield f"loads.{name}.position: has no effect on a torque; it is the place of a force"
             continue
         along = load.force[2]
-        if motion in ("torsion", "planar") and not (isinstance(along, Constant) and along.value == 0.0):
+        if (
+            load.marker is None
+            and motion in ("torsion", "planar")
+            and not (isinstance(along, Constant) and along.value == 0.0)
+        ):
             yield (
                 f"loads.{name}.force: its part along z has no effect: {load.body} has motion: {motion} and "
                 "neither moves along its axis nor tilts"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.model.components.joint import FUNCTIONS
+from pitchpoint.model.force_check import TURNING
 from pitchpoint.model.frames import (
     GROUND,
     Array,
@@ -227,7 +228,11 @@ def _axes(parts: Parts, report: Reader) -> None:
         for group, key, users in (
             ("bearings", "body", [n for n, b in parts.bearings.items() if b.body == name]),
             ("couplings", "bodies", [n for n, c in parts.couplings.items() if name in c.bodies]),
-            ("loads", "body", [n for n, load in parts.loads.items() if load.body == name and load.force]),
+            (
+                "loads",
+                "body",
+                [n for n, p in parts.loads.items() if p.body == name and p.force and not p.marker],
+            ),
         ):
             for user in users:
                 report.problem(
@@ -235,10 +240,14 @@ def _axes(parts: Parts, report: Reader) -> None:
                     f"needs the z axis of {name}, which is not that of its joint {seat.joint}",
                     remedy=f"put the origin of {name} on the axis of {seat.joint} and its z axis along it",
                 )
-        for user, load in parts.loads.items():
-            if load.body == name and load.torque is not None and not _parallel(parts, seat):
+        turning = [("loads", n, "body") for n, p in parts.loads.items() if p.body == name and p.torque]
+        turning += [
+            (g, n, "bodies") for g in TURNING for n, p in getattr(parts, g).items() if name in p.bodies
+        ]
+        for at in turning:
+            if not _parallel(parts, seat):
                 report.problem(
-                    ("loads", user, "body"),
+                    at,
                     f"turns about the z axis of {name}, which is not that of the joint {seat.joint}",
                     remedy=f"give {name} axes whose z lies along the axis of {seat.joint}",
                 )

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 from pitchpoint.core.errors import ModelError, Problem
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
+from pitchpoint.model.components.bushing import Bushing
+from pitchpoint.model.components.clutch import Clutch
 from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
@@ -23,6 +25,10 @@ from pitchpoint.model.components.marker import Triple
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.components.ratio import Ratio
 from pitchpoint.model.components.rod import Rod
+from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
+from pitchpoint.model.components.spring import Maxwell, Spring
+from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
+from pitchpoint.model.components.unbalance import Unbalance
 from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import BAD, Key, component, defaults_of, derived, key, keys_of, quantities, text
 from pitchpoint.model.mechanism import Mechanism
@@ -73,6 +79,28 @@ class Model:
     gears: Mapping[str, Gear] = key("components", "the gears by name", {}, of=Gear)
     bodies: Mapping[str, Body] = key("components", "bodies, with the gears that they carry", {}, of=Body)
     joints: Mapping[str, Joint] = key("components", "joints between bodies", {}, of=Joint)
+    springs: Mapping[str, Spring] = key("components", "springs and dampers between points", {}, of=Spring)
+    maxwells: Mapping[str, Maxwell] = key(
+        "components", "springs and dampers one behind the other between points", {}, of=Maxwell
+    )
+    torsion_springs: Mapping[str, TorsionSpring] = key(
+        "components", "springs and dampers about the axes of bodies", {}, of=TorsionSpring
+    )
+    torsion_maxwells: Mapping[str, TorsionMaxwell] = key(
+        "components",
+        "springs and dampers one behind the other about the axes of bodies",
+        {},
+        of=TorsionMaxwell,
+    )
+    bushings: Mapping[str, Bushing] = key("components", "elastic bushings", {}, of=Bushing)
+    clutches: Mapping[str, Clutch] = key("components", "clutches and brakes", {}, of=Clutch)
+    rolling_bearings: Mapping[str, RollingBearing] = key(
+        "components", "bearings with their rolling elements", {}, of=RollingBearing
+    )
+    plain_bearings: Mapping[str, PlainBearing] = key(
+        "components", "bearings with clearance", {}, of=PlainBearing
+    )
+    unbalances: Mapping[str, Unbalance] = key("components", "point masses on bodies", {}, of=Unbalance)
     rods: Mapping[str, Rod] = key("components", "rods that hold two points at a distance", {}, of=Rod)
     ratios: Mapping[str, Ratio] = key("components", "fixed ratios between coordinates", {}, of=Ratio)
     meshes: Mapping[str, Mesh] = key("components", "pairs of gears in mesh", {}, of=Mesh)

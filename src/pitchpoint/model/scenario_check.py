@@ -40,6 +40,9 @@ def links_of(parts: Parts) -> list[Link]:
         one, two = coupling.bodies
         if one != two and one in parts.bodies and two in parts.bodies and coupling.carries_torque:
             found.append((("couplings", name), one, two, 1.0))
+    for name, spring in parts.torsion_springs.items():
+        if len(set(spring.bodies) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
+            found.append((("torsion_springs", name), *spring.bodies, 1.0))
     for name, ratio in parts.ratios.items():
         ends = [coordinate(parts.mechanism, parts, term) for term in ratio.terms]
         spins = [e[0] for e in ends if not isinstance(e, str) and _is_spin(parts, e)]

@@ -10,7 +10,6 @@ from typing import Any
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.components.body import Body
-from pitchpoint.model.components.law import Balance, Constant
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.stiffness import Fourier, Rectangular
 from pitchpoint.model.inertia import BodyInertia, asks_gears, body_inertia, gear_inertia
@@ -131,7 +130,7 @@ def check_choices(parts: Parts, report: Reader) -> None:
             if mesh.damping.d_out is not None and mesh.damping.d_in is None:
                 report.problem((*at, "damping", "d_out"), "stands without d_in", remedy="give d_in")
         _stiffness(mesh.stiffness, (*at, "stiffness"), report)
-    for group in ("bearings", "couplings"):
+    for group in ("bearings", "couplings", "bushings"):
         for name, part in getattr(parts, group).items():
             for key in ("stiffness", "damping"):
                 if getattr(part, key) is not None:
@@ -328,35 +327,6 @@ def _has_inertia(parts: Parts, gear: str, report: Reader) -> bool:
     return True
 
 
-def check_loads(parts: Parts, report: Reader) -> None:
-    """Loads do something, and balance has one meaning."""
-    balanced = [n for n, load in parts.loads.items() if isinstance(load.torque, Balance)]
-    for name, load in parts.loads.items():
-        at: Place = ("loads", name)
-        if load.torque is None and load.force is None and at not in report.tainted:
-            report.problem(at, "has neither torque nor force", remedy="give torque or force")
-        body = parts.bodies.get(load.body)
-        if load.force is None or body is None:
-            continue
-        if any(isinstance(f, Balance) for f in load.force):
-            report.problem((*at, "force"), "cannot be balanced", remedy="balance a torque")
-        sideways = any(not (isinstance(f, Constant) and f.value == 0.0) for f in load.force)
-        if body.moves == "torsion" and sideways and load.position[:2] == (0.0, 0.0):
-            report.problem(
-                (*at, "force"),
-                f"acts on the axis of {load.body}, which only turns",
-                remedy="give the body motion: planar or free, or the load a position off the axis",
-            )
-    for train in trains(parts):
-        names = [n for n in balanced if parts.loads[n].body in train]
-        for name in names[1:]:
-            report.problem(
-                ("loads", name, "torque"),
-                f"is balance, like that of {names[0]} on the same train; their split is open",
-                remedy="give all but one torque as a value",
-            )
-
-
 def trains(parts: Parts) -> list[set[str]]:
     """Bodies that turn together, by meshes and by couplings that carry torque."""
     groups: list[set[str]] = [{name} for name in parts.bodies]
@@ -370,6 +340,7 @@ def trains(parts: Parts) -> list[set[str]]:
 def check(parts: Parts, report: Reader) -> None:
     """All checks, in the order in which a later one may rely on an earlier one."""
     from pitchpoint.model.assembly import resolve
+    from pitchpoint.model.force_check import check_forces, check_loads, check_unbalances
     from pitchpoint.model.joint_check import check_directions, check_joints, check_masses, check_places
     from pitchpoint.model.mechanism_check import check_mechanism
     from pitchpoint.model.pair_check import check_phasing
@@ -382,11 +353,13 @@ def check(parts: Parts, report: Reader) -> None:
     check_directions(parts, report)
     check_masses(parts, report)
     check_joints(parts, report)
+    check_forces(parts, report)
     check_positions(parts, report)
     resolve(parts, report)
     check_mechanism(parts, report)
     check_couplings(parts, report)
     check_motions(parts, report)
+    check_unbalances(parts, report)
     check_loads(parts, report)
     check_scenarios(parts, report)
     check_phasing(parts, report)

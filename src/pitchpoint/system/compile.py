@@ -5,21 +5,34 @@ from __future__ import annotations
 
 import difflib
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import CompileError
+from pitchpoint.model.force_check import states_of
+from pitchpoint.model.frames import axes_of
 from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.bearing import bearing_bank
-from pitchpoint.system.rules.bodies import bodies
+from pitchpoint.system.rules.bodies import bodies, end_of, world_place
+from pitchpoint.system.rules.bushing import bushing_bank
 from pitchpoint.system.rules.closure import closure_bank
+from pitchpoint.system.rules.clutch import clutch_bank
 from pitchpoint.system.rules.damping import damping_bank
 from pitchpoint.system.rules.drive import drive_bank
 from pitchpoint.system.rules.gear_mesh import mesh_bank
 from pitchpoint.system.rules.gravity import gravity_bank
 from pitchpoint.system.rules.guide import guide_bank
 from pitchpoint.system.rules.load import load_banks
+from pitchpoint.system.rules.places import Places, hidden_bodies
 from pitchpoint.system.rules.ratio import ratio_bank
+from pitchpoint.system.rules.rolling_bearing import plain_bearing_bank, rolling_bearing_bank
+from pitchpoint.system.rules.spring import (
+    maxwell_bank,
+    spring_bank,
+    torsion_maxwell_bank,
+    torsion_spring_bank,
+)
 from pitchpoint.system.system import Law, System, assemble
 
 if TYPE_CHECKING:
@@ -50,12 +63,29 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     if not model.bodies:
         raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
+    tree = bodies(model)
+    elements = [n for names in states_of(model).values() for n in names]
+    states = {name: k for k, name in enumerate(elements, start=len(tree) + 1)}
+    places = Places(
+        end=partial(end_of, model),
+        world=partial(world_place, model),
+        axes=partial(axes_of, model),
+        state=states.__getitem__,
+    )
     others = [
         bearing_bank(model),
         *load_banks(model),
         damping_bank(model),
         gravity_bank(model),
         guide_bank(model, chosen),
+        spring_bank(model.springs, places),
+        maxwell_bank(model.maxwells, places),
+        torsion_spring_bank(model.torsion_springs, places),
+        torsion_maxwell_bank(model.torsion_maxwells, places),
+        bushing_bank(model.bushings, places),
+        clutch_bank(model.clutches, places),
+        rolling_bearing_bank(model.rolling_bearings, places),
+        plain_bearing_bank(model.plain_bearings, places),
     ]
     constraints = [closure_bank(model), ratio_bank(model)]
     if chosen is not None:
@@ -64,7 +94,7 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     prepare_kernels(used | {"gear_mesh"} if model.meshes else used)
     banks = [mesh_bank(model), *others]
     system = assemble(
-        bodies(model),
+        [*tree, *hidden_bodies(elements)],
         {b.kind: b.records for b in banks if b.records.size},
         {b.kind: b.records for b in constraints if b.records.size},
         names={b.kind: b.names for b in (*banks, *constraints)},

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from pitchpoint.model.components.law import Law
-from pitchpoint.model.keys import key, quantities, text
+from pitchpoint.model.keys import choice, key, quantities, text
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,4 +34,17 @@ class Load:
         "spin with the body, z lies on its axis",
         (0.0, 0.0, 0.0),
         length=(3, 3),
+    )
+    marker: str | None = text(
+        "marker of the body at which the force acts, instead of position: it moves with the body", None
+    )
+    along: str = choice(
+        ("world", "marker"),
+        "directions of a force at a marker: of the world, or those of the marker",
+        "world",
+    )
+    reaction: str | None = text(
+        "body that the reaction acts on, at the same place; angle and speed of laws count against it",
+        None,
+        display="ground",
     )

@@ -18,8 +18,11 @@ from pitchpoint.model.frames import GROUND, axes_of, body_frame, place_of, split
 from pitchpoint.model.mechanism import ONE_WAY, Seat, axial_offset, seat_frame
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
+from pitchpoint.multibody.unbalance import with_point_mass
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from pitchpoint.model.components.joint import Joint
     from pitchpoint.model.model import Model
 
@@ -48,7 +51,14 @@ ROUND = 1e-12
 def bodies(model: Model) -> list[Body]:
     """All bodies, parents first; body k of the list is number k + 1 in the records."""
     number = body_numbers(model)
-    return [_body(model, seat, number[seat.parent]) for seat in model.mechanism.seats.values()]
+    found = {n: _body(model, seat, number[seat.parent]) for n, seat in model.mechanism.seats.items()}
+    for part in model.unbalances.values():
+        body, place = found[part.body], point_on(model, part.body, part.position)
+        if model.bodies[part.body].moves == "torsion" and body.inertia is None:
+            # it only spins: what it has across its axis has no effect, but some mass must be able to have it
+            body = replace(body, transverse_inertia=max(body.transverse_inertia, body.polar_inertia))
+        found[part.body] = with_point_mass(body, part.mass, place)
+    return list(found.values())
 
 
 def body_numbers(model: Model) -> dict[str, int]:
@@ -125,6 +135,23 @@ def end_of(model: Model, end: str) -> tuple[int, Array, Array]:
         return 0, np.zeros(3) if place is None else place, turned
     at, axes = seat_frame(model, model.mechanism.seats[body])
     return body_numbers(model)[body], axes.T @ (place - at), axes.T @ turned
+
+
+def point_on(model: Model, body: str, position: Sequence[float]) -> Array:
+    """Point of a body from the origin of the frame that it moves in, axes of that frame S [m].
+
+    Parameters
+    ----------
+    model
+        The model.
+    body
+        Name of the body.
+    position
+        From its origin along its own axes [m].
+    """
+    place, axes = seat_frame(model, model.mechanism.seats[body])
+    origin, own = body_frame(model, body)
+    return np.asarray(axes.T @ (own @ np.array(position) + ((place if origin is None else origin) - place)))
 
 
 def world_place(model: Model, end: str) -> Array:

@@ -14,12 +14,13 @@ from pitchpoint.elements import force as force_element
 from pitchpoint.elements import signal as sig
 from pitchpoint.elements import torque as torque_element
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, Law, PythonLaw, TableLaw
-from pitchpoint.model.frames import frame
+from pitchpoint.model.frames import GROUND, frame
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import axis_shift, body_numbers
+from pitchpoint.system.rules.bodies import axis_shift, body_numbers, end_of
 from pitchpoint.system.rules.stiffness import user_law
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.load import Load
     from pitchpoint.model.model import Model
 
 VARIABLES = ("t", "angle", "speed")
@@ -61,7 +62,7 @@ def _torques(model: Model) -> Bank:
         if load.torque is None:
             continue
         row = np.zeros(1, torque_element.RECORD)[0]
-        row["i"] = number[load.body]
+        row["i"], row["j"] = number[load.body], number[load.reaction or GROUND]
         laws.append(set_signal(row, pool, load.torque, f"loads.{name}.torque"))
         rows.append(row)
         names.append(name)
@@ -77,13 +78,24 @@ def _forces(model: Model) -> Bank:
             if isinstance(law, Constant) and law.value == 0.0:
                 continue
             row = np.zeros(1, force_element.RECORD)[0]
-            row["i"] = number[load.body]
-            row["F"][axis] = 1.0
-            # the arm off the spin axis: the load is applied to the housing side of the body, it does not spin
-            arm = frame(model.bodies[load.body].axes) @ np.array((*load.position[:2], 0.0))
-            row["F"][3:] = np.cross(arm, np.eye(3)[axis])
-            row["z"] = load.position[2] + axis_shift(model, load.body)
+            row["i"], row["j"] = number[load.body], number[load.reaction or GROUND]
+            _attack(row, model, load, axis)
             laws.append(set_signal(row, pool, law, f"loads.{name}.force[{axis}]"))
             rows.append(row)
             names.append(f"{name}.{'xyz'[axis]}")
     return pack("force", force_element.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
+
+
+def _attack(row: Any, model: Model, load: Load, axis: int) -> None:
+    """Write where a force acts and in which direction."""
+    if load.marker is not None:
+        _, row["p"], axes = end_of(model, f"{load.body}.{load.marker}")
+        along = load.along == "marker"
+        row["axes"] = force_element.BODY if along else force_element.WORLD
+        row["F"][:3] = axes[:, axis] if along else np.eye(3)[axis]
+        return
+    row["F"][axis] = 1.0
+    # the arm off the spin axis: the load is applied to the housing side of the body, it does not spin
+    arm = frame(model.bodies[load.body].axes) @ np.array((*load.position[:2], 0.0))
+    row["F"][3:] = np.cross(arm, np.eye(3)[axis])
+    row["z"] = load.position[2] + axis_shift(model, load.body)
