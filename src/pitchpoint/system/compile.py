@@ -18,6 +18,7 @@ from pitchpoint.system.rules.bodies import bodies, end_of, world_place
 from pitchpoint.system.rules.bushing import bushing_bank
 from pitchpoint.system.rules.closure import closure_bank
 from pitchpoint.system.rules.clutch import clutch_bank
+from pitchpoint.system.rules.contact import cam_banks, curve_bank, surface_banks
 from pitchpoint.system.rules.damping import damping_bank
 from pitchpoint.system.rules.drive import drive_bank
 from pitchpoint.system.rules.gear_mesh import mesh_bank
@@ -72,6 +73,7 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
         axes=partial(axes_of, model),
         state=states.__getitem__,
     )
+    followers, held = cam_banks(model.cam_contacts, places.end)
     others = [
         bearing_bank(model),
         *load_banks(model),
@@ -86,8 +88,11 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
         clutch_bank(model.clutches, places),
         rolling_bearing_bank(model.rolling_bearings, places),
         plain_bearing_bank(model.plain_bearings, places),
+        followers,
+        curve_bank(model.curve_contacts, places.end),
+        *surface_banks(model.surface_contacts, places.end),
     ]
-    constraints = [closure_bank(model), ratio_bank(model)]
+    constraints = [closure_bank(model), ratio_bank(model), held]
     if chosen is not None:
         constraints.append(drive_bank(model, chosen))
     used = {b.kind for b in (*others, *constraints) if b.records.size}

@@ -7,14 +7,15 @@ from dataclasses import dataclass
 
 from pitchpoint.model.keys import (
     REQUIRED,
+    boolean,
     choice,
     component,
+    ends,
     integer,
     key,
     positive,
     quantities,
     quantity,
-    text,
 )
 
 ENDS = "the two bodies, each of them ground, a body or BODY.MARKER; shapes lie in the axes of these"
@@ -49,7 +50,7 @@ class ContactLaw:
         "the force goes over from the way in to the way out",
         1.0,
     )
-    every_speed: bool = key("boolean", "the same restitution at all speeds well above `speed`", False)
+    every_speed: bool = boolean("the same restitution at all speeds well above `speed`", False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,8 +76,8 @@ class ContactCurve:
     x: tuple[float, ...] = quantities("length", "x of the points in the order they are walked", ())
     y: tuple[float, ...] = quantities("length", "y of the points", ())
     radii: tuple[float, ...] = quantities("length", "polygon: radius at every corner", (), minimum=0.0)
-    closed: bool = key("boolean", "polygon, spline: whether the last point is joined to the first", True)
-    hollow: bool = key("boolean", "circle: material outside", False)
+    closed: bool = boolean("polygon, spline: whether the last point is joined to the first", True)
+    hollow: bool = boolean("circle: material outside", False)
     phase: float = quantity("angle", "involute: angle at which it leaves the base circle", 0.0)
     roll: tuple[float, ...] = quantities("angle", "involute: angles of roll where it begins and ends", ())
     hand: str = choice(("left", "right"), "involute: unwinds counter-clockwise or clockwise", "left")
@@ -86,10 +87,10 @@ class ContactCurve:
 class CamContact:
     """A point or roller of the first body on a curve of the second."""
 
-    ends: tuple[str, str] = key("names", ENDS, length=(2, 2))
+    ends: tuple[str, str] = ends(ENDS, length=(2, 2))
     curve: ContactCurve = component(ContactCurve, "the curve of the second body", REQUIRED)
     radius: float = quantity("length", "radius of the roller; 0 for a point", 0.0, minimum=0.0)
-    permanent: bool = key("boolean", "never parts: a constraint without law and friction", False)
+    permanent: bool = boolean("never parts: a constraint without law and friction", False)
     law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
     friction: ContactFriction | None = component(ContactFriction, "friction; none without")
     depth: float | None = positive("length", "deepest overlap that counts", None, display="5 % of the size")
@@ -99,7 +100,7 @@ class CamContact:
 class CurveContact:
     """Curves of two bodies in one plane."""
 
-    ends: tuple[str, str] = key("names", ENDS, length=(2, 2))
+    ends: tuple[str, str] = ends(ENDS, length=(2, 2))
     first: ContactCurve = component(ContactCurve, "the curve of the first body", REQUIRED)
     second: ContactCurve = component(ContactCurve, "the curve of the second body", REQUIRED)
     law: ContactLaw = component(ContactLaw, "normal force", REQUIRED)
@@ -125,8 +126,8 @@ class ContactSurface:
     tube: float | None = positive("length", "torus: radius of its tube", None)
     length: float | None = positive("length", "cylinder against plane or cylinder: its length", None)
     half_angle: float | None = positive("angle", "cone: angle between axis and surface", None)
-    hollow: bool = key("boolean", "material outside", False)
-    file: str | None = text("triangles: NumPy file with corners [m], shape (n, 3, 3)", None)
+    hollow: bool = boolean("material outside", False)
+    file: str | None = key("file", "triangles: NumPy file with corners [m], shape (n, 3, 3)", None)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -137,7 +138,7 @@ class SurfaceContact:
     The law of triangles on triangles counts for one square metre.
     """
 
-    ends: tuple[str, str] = key("names", ENDS, length=(2, 2))
+    ends: tuple[str, str] = ends(ENDS, length=(2, 2))
     first: ContactSurface = component(ContactSurface, "the surface of the first body", REQUIRED)
     second: ContactSurface = component(ContactSurface, "the surface of the second body", REQUIRED)
     law: ContactLaw = component(ContactLaw, "normal force", REQUIRED)
