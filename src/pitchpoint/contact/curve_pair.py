@@ -237,8 +237,10 @@ def contacts(A, B, M, d, reach, hits):
         if whole > max(best, reach[1]):  # overlaps are no longer than the deepest that counts
             continue
         for kb in range(B.shape[0]):
-            bound = math.sqrt((x - B[kb, 1]) ** 2 + (y - B[kb, 2]) ** 2) - r - B[kb, 3]
-            if bound > max(best, reach[1]):
+            dx = x - B[kb, 1]
+            dy = y - B[kb, 2]
+            apart = max(best, reach[1]) + r + B[kb, 3]
+            if dx * dx + dy * dy > apart * apart:
                 continue
             if not _may_face(A, ka, B, kb, turn, slack):
                 continue

@@ -19,11 +19,10 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
 from pitchpoint.elements.ring import RING, ring_forces, ring_motion, ring_observations, ring_tangents
-from pitchpoint.multibody.channels import frame_args, observations
+from pitchpoint.multibody.channels import events, frame_args, observations
 
 BODY_FIXED = True
 SPINS = "free"
-
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
@@ -33,11 +32,13 @@ RECORD = np.dtype(
         ("stiffness", "f8"),  # K [N/m^p]
         ("exponent", "f8"),  # p, >= 1
         ("chi", "f8"),  # damping factor [s/m]
+        ("ev", "i8"),
         ("out", "i8"),
     ],
     align=True,
 )
 
+EVENTS = (("contact", "journal touches its bore or leaves it"),)
 OUTPUTS = (*RING_OUTPUTS, ("penetration", "m", "distance of the journal beyond its play; negative inside"))
 
 
@@ -92,6 +93,8 @@ def clearance_bearing(rec, ctl, fr, kk):
         g = fr[b["j"]]
         line = ring_motion(b, f, g)
         d = _press(b, c["jac"])
+        if c["ev"] != 0:
+            events(ctl)[b["ev"]] = d
         if c["out"] != 0:
             out = observations(ctl)
             ring_observations(b, line, out)

@@ -19,7 +19,7 @@ from pitchpoint.contact.curve import Curve
 from pitchpoint.contact.curve_point import WIDTH, arc_length, nearest, point_of
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import INCONSISTENT, OK
-from pitchpoint.elements.contact_wrench import column, cross, dot, half, plus, triple
+from pitchpoint.elements.contact_wrench import column, cross, dot, half, moved, plus, triple, turned
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.channels import F8, constraint_args, constraint_rates, observations
 
@@ -130,6 +130,35 @@ def _second(b, f, g, n, tau, w):
 
 
 @kernel
+def _tangent(b, ctl, f, g, n, tau, w, lam):
+    """Add the change of the wrenches of the load: the normal turns along the curve and with its body."""
+    kk = view(ctl["kk"], (ctl["np"], 6, 6), F8)
+    s = ctl["ck"] * lam
+    ai = plus(triple(b["c"]), -1.0, triple(f["r"]))
+    aj = plus(triple(b["c"]), -1.0, triple(g["r"]))
+    for k in range(12):
+        c = k % 6
+        motion = moved(c, ai if k < 6 else aj)
+        along = w * dot(tau, motion)
+        dn = (along * tau[0], along * tau[1], along * tau[2])
+        di = turned(c, ai)
+        dj = motion
+        if k >= 6:
+            dn = plus(turned(c, n), -1.0, dn)
+            di = (0.0, 0.0, 0.0)
+            dj = plus(turned(c, aj), -1.0, motion)  # the origin of body j moves, the point does not
+        mi = plus(cross(di, n), 1.0, cross(ai, dn))
+        mj = plus(cross(dj, n), 1.0, cross(aj, dn))
+        ki = kk[b["ii"]] if k < 6 else kk[b["ij"]]
+        kj = kk[b["ji"]] if k < 6 else kk[b["jj"]]
+        for r in range(3):
+            ki[r, c] += s * dn[r]
+            ki[3 + r, c] += s * mi[r]
+            kj[r, c] -= s * dn[r]
+            kj[3 + r, c] -= s * mj[r]
+
+
+@kernel
 def point_on_curve(rec, ctl, fr, q, g, G):
     """Rows of all points on curves, their second derivatives and the forces that hold them."""
     c = ctl[0]
@@ -157,10 +186,14 @@ def point_on_curve(rec, ctl, fr, q, g, G):
             Gf[r, 0, 3 + k] = mi[k]
             Gf[r, 1, k] = -n[k]
             Gf[r, 1, 3 + k] = -mj[k]
-        gtt[r] = _second(b, f, o, n, tau, turn / (speed + turn * (value + b["radius"])))
+        w = turn / (speed + turn * (value + b["radius"]))
+        gtt[r] = _second(b, f, o, n, tau, w)
+        lam = view(c["lam"], c["nc"], F8)[r]
+        if c["jac"] != 0 and c["ck"] != 0.0 and lam != 0.0:
+            _tangent(b, c, f, o, n, tau, w, lam)
         if c["out"] != 0:
             out = observations(ctl)
-            out[b["out"]] = -view(c["lam"], c["nc"], F8)[r]
+            out[b["out"]] = -lam
             out[b["out"] + 1] = arc_length(rows, piece, t)
     return OK
 

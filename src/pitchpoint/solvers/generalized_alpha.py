@@ -58,6 +58,23 @@ def _predict(q, v, a, al, ap, old, h, method):
 
 
 @kernel
+def _predict_multipliers(at):
+    """Let the multipliers go on along a straight line, where friction depends on them.
+
+    One iteration makes a step, so friction works with the guess; the last one would leave an error of first
+    order behind.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    lam = view(c["lam"], c["nc"], F8)
+    last = view(m["lp"], c["nc"], F8)
+    for r in range(lam.size):
+        before = last[r]
+        last[r] = lam[r]
+        lam[r] += lam[r] - before
+
+
+@kernel
 def _stabilised_step(at, t, cm, cd, iteration, code):
     """One step with the rows on positions and rates."""
     n = view(iteration, 1, ITERATION)[0]
@@ -95,6 +112,8 @@ def advance(at, t0, first, n, h, rho, tol, iteration, code, harvest):
         _predict(q, v, a, al, ap, old, h, (beta, gamma, alpha_m, alpha_f))
         for i in range(nd):
             al[i] -= share * a[i]  # completed below with the solved acceleration
+        if m["nfrictions"] > 0:
+            _predict_multipliers(at)
         if iteration != 0:
             status = _stabilised_step(at, t, cm, cd, iteration, code)
         else:
@@ -211,6 +230,7 @@ class Run:
         """Go on with another step from here."""
         self.t0, self.steps, self.h = self.t, 0, h
         self.system.workspace.arrays["ap"][:] = self.system.workspace.a
+        self.system.workspace.arrays["lp"][:] = self.system.workspace.lam
         self.system.workspace.clock[VALID] = 0
 
     def state(self) -> State:
@@ -261,6 +281,7 @@ def start(
     evaluate.check(system, evaluate.accelerations(system, state.t, 0.0), state)
     w.arrays["al"][:] = w.a
     w.arrays["ap"][:] = w.a
+    w.arrays["lp"][:] = w.lam
     if system.sizes["ne"]:
         evaluate.check(system, evaluate.fill_events(system, state.t, w.arrays["ev0"]), state)
     run = Run(system, h, rho_inf, tolerance, state.t)

@@ -57,6 +57,7 @@ _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("x", "f8", ("nd",)),  # right-hand side and solution
     ("al", "f8", ("nd",)),  # algorithmic acceleration of the generalised-alpha family
     ("ap", "f8", ("nd",)),  # acceleration of the step before, for the prediction
+    ("lp", "f8", ("nc",)),  # multipliers of the step before, for the prediction
     ("stage", "f8", ("stages", "nd2")),  # of the explicit methods
     ("clock", "i8", ("16",)),
     ("real", "f8", ("16",)),  # remembered contraction rate, step size, error of the last step

@@ -19,7 +19,7 @@ from pitchpoint.multibody.joints import FLOATING, PRISMATIC
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.contacts import solid
-from tests.support.engine import frame
+from tests.support.engine import differences, frame
 from tests.unit.elements.test_planar_contact import BLOCK, CAM, FLANK
 
 
@@ -40,11 +40,8 @@ PLACES = {
 }
 
 
-@pytest.mark.nojit
-@pytest.mark.parametrize("tree", [False, True])
-@pytest.mark.parametrize("name", PLACES)
-def test_rates_are_derivatives_of_the_row(name, tree):
-    """G v and gtt against differences of g along q + v t + a t^2/2, bodies turning in all directions."""
+def build(name, tree):
+    """Two bodies with the constraint, and a state in which all moves and the row carries a load."""
     curve, radius, apart = PLACES[name]
     rng = np.random.default_rng(5)
     E, base = frame(rng), rng.normal(size=3)
@@ -58,6 +55,26 @@ def test_rates_are_derivatives_of_the_row(name, tree):
     state = system.initial_state()
     n = system.sizes["nd"]
     state.q, state.v, state.a = 1e-3 * rng.normal(size=n), 0.1 * rng.normal(size=n), 0.2 * rng.normal(size=n)
+    return system, state
+
+
+@pytest.mark.parametrize("tree", [False, True])
+@pytest.mark.parametrize("name", PLACES)
+def test_the_load_of_the_row_is_part_of_the_stiffness(name, tree):
+    """K with a multiplier against differences of the residual; 1e-7 for differences over 1e-7."""
+    system, state = build(name, tree)
+    state.lam[:] = -500.0
+    found = evaluate.linearize(system, state)[2]
+    wanted = differences(system, state, "q", 1e-7)
+    np.testing.assert_allclose(found, wanted, atol=1e-7 * np.abs(wanted).max())
+
+
+@pytest.mark.nojit
+@pytest.mark.parametrize("tree", [False, True])
+@pytest.mark.parametrize("name", PLACES)
+def test_rates_are_derivatives_of_the_row(name, tree):
+    """G v and gtt against differences of g along q + v t + a t^2/2, bodies turning in all directions."""
+    system, state = build(name, tree)
     w = system.workspace
     evaluate.residual(system, state)
     first, second = float((w.G @ state.v)[0]), float(w.gtt[0])

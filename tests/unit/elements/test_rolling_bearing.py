@@ -273,3 +273,14 @@ def test_tilting_moments_of_an_angular_contact_bearing():
     wanted = -45.0 * 0.15**2 * np.sin(angle) ** 2 * 1.5 * 200.0 * np.sqrt(d) * 1e-6
     # and the axial preload turns with the axis: its line of force stays in the centre, no further moment
     assert moment == pytest.approx(wanted, rel=1e-3)
+
+
+def test_a_journal_tells_when_it_touches():
+    """The event function is the distance beyond the play: it changes its sign with the contact."""
+    bodies = shaft()
+    system = assemble(bodies, {"clearance_bearing": journal(bodies, 1, 0, gap=1e-3)})
+    assert [event.name for event in system.layout.events] == ["contact[clearance_bearing0]"]
+    state = system.initial_state()
+    for x, y in ((0.3e-3, 0.4e-3), (0.9e-3, 1.2e-3)):
+        state.q[:2] = x, y
+        assert evaluate.event_values(system, state)[0] == pytest.approx(np.hypot(x, y) - 1e-3)

@@ -25,6 +25,7 @@ N, LENGTH = 6, 0.9
 ROD = Beam(section=rectangle(0.01, 0.02), length=LENGTH / N, E=2e9, G=8e8, rho=1500.0)
 LEVEL = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 """Axes of the rod in the world: its first axis along y, its second along z, itself along x."""
+POSE = (np.zeros(3), LEVEL)
 DOWN = np.array([0.0, -9.81, 0.0])
 HINGE = np.eye(3)
 
@@ -32,7 +33,7 @@ HINGE = np.eye(3)
 def tip_of_modes(modes, structure, frame=None, closed=False):
     """Tip of the rod in the world after 0.25 s, let go level, hinged about z at the origin."""
     parts = elastic_parts(
-        "rod", structure, modes, {"eye": 0, "tip": N}, first=1, frame=frame, axes=LEVEL, gravity=DOWN
+        "rod", structure, modes, {"eye": 0, "tip": N}, first=1, frame=frame, pose=POSE, gravity=DOWN
     )
     constraints = {}
     if closed:
@@ -90,7 +91,7 @@ def test_axes_of_the_frame_do_not_matter():
             motion=FLOATING, position=(0.1, 0.2, 0.3), axes=own, inertia=np.zeros((3, 3)), name="rod"
         )
         parts = elastic_parts(
-            "rod", structure, modes, {"tip": N}, first=1, frame=frame, axes=LEVEL, gravity=DOWN
+            "rod", structure, modes, {"tip": N}, first=1, frame=frame, pose=POSE, gravity=DOWN
         )
         system = assemble(parts.bodies, {"flexible_body": parts.flexible, "guide": parts.guides})
         state = system.initial_state()

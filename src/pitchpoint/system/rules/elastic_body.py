@@ -50,8 +50,7 @@ def elastic_parts(
     *,
     first: int,
     frame: Body | None = None,
-    position: ArrayLike = (0.0, 0.0, 0.0),
-    axes: ArrayLike | None = None,
+    pose: tuple[ArrayLike, ArrayLike] | None = None,
     damping_ratio: float = 0.0,
     stiffening: ArrayLike | None = None,
     gravity: ArrayLike = (0.0, 0.0, 0.0),
@@ -71,8 +70,8 @@ def elastic_parts(
     frame
         Its floating frame: joint, parent, place and axes in the world, no mass. None is a body that flies,
         with the axes of the structure.
-    position, axes
-        Origin and axes of the structure in the world with all coordinates zero.
+    pose
+        Origin and axes (columns) of the structure in the world with all coordinates zero; None is the world.
     damping_ratio
         Of every mode [-].
     stiffening
@@ -88,8 +87,7 @@ def elastic_parts(
     n = modes.frequency.size
     if not 0 < n <= MOST:
         raise CompileError(f"{name}: {n} modes (limit 1 to {MOST}); choose some with Modes.select")
-    place = np.asarray(position, float)
-    world = np.eye(3) if axes is None else np.asarray(axes, float)
+    place, world = (np.asarray(x, float) for x in pose or (np.zeros(3), np.eye(3)))
     base = frame or Body(motion=FLOATING, position=place, axes=world, inertia=np.zeros((3, 3)), name=name)
     if base.mass or base.polar_inertia or np.any(base.tensor()):
         raise CompileError(f"{name}: its frame has a mass; that of the elastic body is in its matrices")
