@@ -24,6 +24,7 @@ from pitchpoint.system.rules.drive import drive_bank
 from pitchpoint.system.rules.gear_mesh import mesh_bank
 from pitchpoint.system.rules.gravity import gravity_bank
 from pitchpoint.system.rules.guide import guide_bank
+from pitchpoint.system.rules.joint_friction import friction_bank
 from pitchpoint.system.rules.load import load_banks
 from pitchpoint.system.rules.places import Places, hidden_bodies
 from pitchpoint.system.rules.ratio import ratio_bank
@@ -80,6 +81,7 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
         damping_bank(model),
         gravity_bank(model),
         guide_bank(model, chosen),
+        friction_bank(model, tree),
         spring_bank(model.springs, places),
         maxwell_bank(model.maxwells, places),
         torsion_spring_bank(model.torsion_springs, places),
