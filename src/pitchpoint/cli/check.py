@@ -22,6 +22,9 @@ FORCES = (
     "clutches",
     "rolling_bearings",
     "plain_bearings",
+    "cam_contacts",
+    "curve_contacts",
+    "surface_contacts",
     "unbalances",
 )
 FREEDOMS = {
@@ -132,7 +135,7 @@ def _mobility(model: Model) -> dict[str, int]:
     """Coordinates of the tree and degrees of freedom by Gruebler's count."""
     from pitchpoint.model.mechanism import freedoms
 
-    others = len(model.rods) + len(model.ratios)
+    others = len(model.rods) + len(model.ratios) + sum(c.permanent for c in model.cam_contacts.values())
     count, mobility = freedoms(model.mechanism, model, others)
     return {"coordinates": count, "constraints": count - mobility, "by_count": mobility}
 

@@ -167,6 +167,7 @@ def check_joints(parts: Parts, report: Reader) -> None:
             )
         if joint.type in FUNCTIONS:
             _functions(joint, at, report)
+        _friction(joint, at, report)
         for key in ("start", "speed"):
             for word in getattr(joint, key):
                 if word not in joint.names:
@@ -176,6 +177,24 @@ def check_joints(parts: Parts, report: Reader) -> None:
                         f"is no coordinate of a joint of type {joint.type}",
                         remedy=f"its coordinates are {listed}",
                     )
+
+
+def _friction(joint: Joint, at: Place, report: Reader) -> None:
+    """Friction of joints with one direction; a pin has a radius, a slide has none."""
+    part = joint.friction
+    if part is None:
+        return
+    if joint.type not in ("revolute", "prismatic"):
+        report.problem(
+            (*at, "friction"),
+            f"is not for a joint of type {joint.type}",
+            remedy="split it into revolute and prismatic joints, or leave friction out",
+        )
+    elif joint.type == "revolute" and part.radius is None and (*at, "friction") not in report.tainted:
+        report.problem((*at, "friction", "radius"), "is missing: that of the pin", remedy="add radius: 10 mm")
+    elif joint.type == "prismatic" and (part.radius is not None or part.shoulder_radius):
+        key = "radius" if part.radius is not None else "shoulder_radius"
+        report.problem((*at, "friction", key), "is that of a pin, and a slide has none", remedy="remove it")
 
 
 def _functions(joint: Joint, at: Place, report: Reader) -> None:

@@ -15,6 +15,7 @@ from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.bushing import Bushing
 from pitchpoint.model.components.clutch import Clutch
+from pitchpoint.model.components.contact import CamContact, CurveContact, SurfaceContact
 from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
@@ -99,6 +100,15 @@ class Model:
     )
     plain_bearings: Mapping[str, PlainBearing] = key(
         "components", "bearings with clearance", {}, of=PlainBearing
+    )
+    cam_contacts: Mapping[str, CamContact] = key(
+        "components", "points and rollers on curves", {}, of=CamContact
+    )
+    curve_contacts: Mapping[str, CurveContact] = key(
+        "components", "curves on curves in one plane", {}, of=CurveContact
+    )
+    surface_contacts: Mapping[str, SurfaceContact] = key(
+        "components", "surfaces on surfaces in space", {}, of=SurfaceContact
     )
     unbalances: Mapping[str, Unbalance] = key("components", "point masses on bodies", {}, of=Unbalance)
     rods: Mapping[str, Rod] = key("components", "rods that hold two points at a distance", {}, of=Rod)

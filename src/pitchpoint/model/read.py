@@ -327,6 +327,7 @@ _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "python": read_law.python,
     "material": read_law.material,
     "center": read_mechanism.center,
+    "file": read_mechanism.file,
     "end": read_mechanism.end,
     "ends": read_mechanism.ends,
     "coordinates": read_mechanism.coordinates,

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
@@ -47,6 +48,18 @@ def ends(reader: Reader, key: Key, data: Any, path: Place) -> Any:
             path, f"has {len(data)} entries", limit=f"{key.length[0]} entries", remedy=remedy
         )
     return reader.sequence(key, data, path, lambda k, entry, at: end(reader, k, entry, at))
+
+
+def file(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read the name of a file, relative to the directory of the model file."""
+    name = reader.string(key, data, path)
+    if name is BAD:
+        return BAD
+    found = Path(reader.directory) / name
+    if "\0" in name or not found.is_file():
+        remedy = "names count from the directory of the model file"
+        return reader.problem(path, "names a file that is not there", value=shown(name), remedy=remedy)
+    return str(found)
 
 
 # --- joints -------------------------------------------------------------------------------------------------

@@ -41,7 +41,7 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
     if key.kind == "center":
         kind = "quantities" if isinstance(value, list | tuple) else "quantity"
         _value(Key(kind, "", dimension=key.dimension, length=(3, 3)), value, place, report)
-    elif key.kind in ("quantity", "integer", "choice", "text", "boolean", "end"):
+    elif key.kind in ("quantity", "integer", "choice", "text", "boolean", "end", "file"):
         if key.kind == "quantity" and not isinstance(value, Real):
             report.problem(place, "is not a number", value=shown(value), remedy="give it in SI units")
         else:

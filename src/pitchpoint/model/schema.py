@@ -96,6 +96,7 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "laws": {"type": "array", **_length(key)},
         "python": {"type": ["string", "object"]},
         "center": {"anyOf": [number, {**row, "minItems": 3, "maxItems": 3}]},
+        "file": {"type": "string"},
         "end": {"type": "string"},
         "ends": {"type": "array", "items": {"type": "string"}, **_length(key)},
         "coordinates": {"type": "object", "additionalProperties": {"enum": ["length", "angle"]}},

@@ -340,6 +340,7 @@ def trains(parts: Parts) -> list[set[str]]:
 def check(parts: Parts, report: Reader) -> None:
     """All checks, in the order in which a later one may rely on an earlier one."""
     from pitchpoint.model.assembly import resolve
+    from pitchpoint.model.contact_check import check_contacts
     from pitchpoint.model.force_check import check_forces, check_loads, check_unbalances
     from pitchpoint.model.joint_check import check_directions, check_joints, check_masses, check_places
     from pitchpoint.model.mechanism_check import check_mechanism
@@ -354,6 +355,7 @@ def check(parts: Parts, report: Reader) -> None:
     check_masses(parts, report)
     check_joints(parts, report)
     check_forces(parts, report)
+    check_contacts(parts, report)
     check_positions(parts, report)
     resolve(parts, report)
     check_mechanism(parts, report)

@@ -136,6 +136,14 @@ class _Writer:
     def laws(self, key: Key, value: Any) -> list[Any]:
         return [self.law(key, v) for v in value]
 
+    def file(self, key: Key, value: str) -> str:
+        return self.relative(value)
+
+    def relative(self, name: str) -> str:
+        """Name of a file from the directory of the model file."""
+        file = Path(name)
+        return (file.relative_to(self.base) if file.is_relative_to(self.base) else file).as_posix()
+
     def center(self, key: Key, value: Any) -> Any:
         return self.quantities(key, value) if isinstance(value, tuple) else self.quantity(key, value)
 
@@ -159,10 +167,7 @@ class _Writer:
         return {n: quantity_text(float(v), "length") if isinstance(v, Arm) else v for n, v in value.items()}
 
     def python(self, key: Key, value: PythonLaw) -> Any:
-        file = Path(value.file)
-        if file.is_relative_to(self.base):
-            file = file.relative_to(self.base)
-        name = f"{file.as_posix()}:{value.function}"
+        name = f"{self.relative(value.file)}:{value.function}"
         if key.kind == "python" and not value.parameters:
             return name
         return {"python": name, **({"parameters": list(value.parameters)} if value.parameters else {})}
@@ -205,6 +210,7 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "material": _Writer.material,
     "center": _Writer.center,
     "ends": _Writer.strings,
+    "file": _Writer.file,
     "coordinates": _Writer.mapping,
     "displacements": _Writer.displacements,
     "rates": _Writer.rates,

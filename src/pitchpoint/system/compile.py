@@ -18,11 +18,13 @@ from pitchpoint.system.rules.bodies import bodies, end_of, world_place
 from pitchpoint.system.rules.bushing import bushing_bank
 from pitchpoint.system.rules.closure import closure_bank
 from pitchpoint.system.rules.clutch import clutch_bank
+from pitchpoint.system.rules.contact import cam_banks, curve_bank, surface_banks
 from pitchpoint.system.rules.damping import damping_bank
 from pitchpoint.system.rules.drive import drive_bank
 from pitchpoint.system.rules.gear_mesh import mesh_bank
 from pitchpoint.system.rules.gravity import gravity_bank
 from pitchpoint.system.rules.guide import guide_bank
+from pitchpoint.system.rules.joint_friction import friction_bank
 from pitchpoint.system.rules.load import load_banks
 from pitchpoint.system.rules.places import Places, hidden_bodies
 from pitchpoint.system.rules.ratio import ratio_bank
@@ -72,12 +74,14 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
         axes=partial(axes_of, model),
         state=states.__getitem__,
     )
+    followers, held = cam_banks(model.cam_contacts, places.end)
     others = [
         bearing_bank(model),
         *load_banks(model),
         damping_bank(model),
         gravity_bank(model),
         guide_bank(model, chosen),
+        friction_bank(model, tree),
         spring_bank(model.springs, places),
         maxwell_bank(model.maxwells, places),
         torsion_spring_bank(model.torsion_springs, places),
@@ -86,8 +90,11 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
         clutch_bank(model.clutches, places),
         rolling_bearing_bank(model.rolling_bearings, places),
         plain_bearing_bank(model.plain_bearings, places),
+        followers,
+        curve_bank(model.curve_contacts, places.end),
+        *surface_banks(model.surface_contacts, places.end),
     ]
-    constraints = [closure_bank(model), ratio_bank(model)]
+    constraints = [closure_bank(model), ratio_bank(model), held]
     if chosen is not None:
         constraints.append(drive_bank(model, chosen))
     used = {b.kind for b in (*others, *constraints) if b.records.size}

@@ -266,6 +266,21 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
         "joints.more.start",
         "counts the other way round",
     ),
+    "friction of a ball": (
+        [("type: prismatic,", "type: spherical, friction: {coefficient: 0.1},")],
+        "joints.cylinder.friction",
+        "is not for a joint of type spherical",
+    ),
+    "friction of a pin without radius": (
+        [("[crank.pin, rod.big]", "[crank.pin, rod.big], friction: {coefficient: 0.1}")],
+        "joints.crank_pin.friction.radius",
+        "is missing",
+    ),
+    "a slide with a radius": (
+        [("type: prismatic,", "type: prismatic, friction: {coefficient: 0.1, radius: 1 mm},")],
+        "joints.cylinder.friction.radius",
+        "is that of a pin",
+    ),
     "a ratio of one": (
         [(PIN, f"{PIN}ratios:\n  r: {{terms: {{crank: 1}}}}\n")],
         "ratios.r.terms",

@@ -258,3 +258,60 @@ def test_check_lists_tree_loops_and_count(tmp_path, capsys):
     found = json.loads(capsys.readouterr().out)
     assert found["mobility"] == {"coordinates": 3, "constraints": 5, "by_count": -2}
     assert found["joints"]["cylinder"]["coordinates"] == ["cylinder.z"]
+
+
+@pytest.mark.parametrize("direction", [1.0, -1.0])
+def test_a_block_with_friction_on_an_incline(direction):
+    slope = {"z": [math.cos(0.5), 0.0, math.sin(0.5)]}
+    text = f"""\
+gravity: [0, 0, -9.81]
+bodies:
+  block: {{mass: 3}}
+joints:
+  slide:
+    type: prismatic
+    bodies: [ground, block]
+    position: [0, 0, 0]
+    axes: {{z: {slope["z"]}}}
+    speed: {{z: {2.0 * direction}}}
+    friction: {{coefficient: 0.2, preload: 4 N}}
+"""
+    model = loads_model(text)
+    assert loads_model(dump_model(model)) == model
+    system = compile_model(model)
+    a, _ = accelerations(system, system.initial_state())
+    rubbing = 0.2 * (9.81 * math.cos(0.5) + 4.0 / 3.0) * direction
+    assert a[0] == pytest.approx(-9.81 * math.sin(0.5) - rubbing, rel=1e-12)
+
+
+@pytest.mark.parametrize("bodies", ["[ground, bob]", "[bob, ground]"])
+@pytest.mark.parametrize("cut", [False, True])
+def test_a_pin_with_friction_slows_a_pendulum(bodies, cut):
+    loose = "  loose: {type: free, bodies: [ground, bob], position: [0, 0, 0]%s}\n"
+    pin = (
+        f"  pin: {{type: revolute, bodies: {bodies}, position: [0, 0, 0], axes: {{z: [0, 1, 0]}}, "
+        "friction: {coefficient: 0.3, radius: 80 mm}%s}\n"
+    )
+    rate = 1.7
+    if cut:
+        joints = loose % f", speed: {{beta: {rate}}}" + pin % ", cut: true"
+    else:
+        sign = rate if bodies == "[ground, bob]" else -rate
+        joints = pin % f", speed: {{spin: {sign}}}"
+    # hanging at 0.9 rad: a turn about y moves what hangs below towards -x
+    x, z = -0.7 * math.sin(0.9), -0.7 * math.cos(0.9)
+    text = f"""\
+gravity: [0, 0, -9.81]
+bodies:
+  bob: {{mass: 2, center_of_mass: [{x}, 0, {z}], inertia_tensor: [0.05, 0.05, 0.05, 0, 0, 0]}}
+joints:
+{joints}"""
+    system = compile_model(loads_model(text))
+    _, frames = accelerations(system, system.initial_state())
+    about, g, m, length = 0.05 + 2.0 * 0.49, 9.81, 2.0, 0.7
+    a = 0.0
+    for _ in range(200):  # the load depends on the acceleration, which depends on the friction
+        radial = m * (length * rate**2 + g * math.cos(0.9))
+        tangential = m * (length * a + g * math.sin(0.9))
+        a = (-m * g * length * math.sin(0.9) - 0.3 * 0.08 * math.hypot(radial, tangential)) / about
+    assert frames["ac"][1, 4] == pytest.approx(a, rel=1e-9)

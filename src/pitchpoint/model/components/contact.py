@@ -12,10 +12,10 @@ from pitchpoint.model.keys import (
     component,
     ends,
     integer,
+    key,
     positive,
     quantities,
     quantity,
-    text,
 )
 
 ENDS = "the two bodies, each of them ground, a body or BODY.MARKER; shapes lie in the axes of these"
@@ -127,7 +127,7 @@ class ContactSurface:
     length: float | None = positive("length", "cylinder against plane or cylinder: its length", None)
     half_angle: float | None = positive("angle", "cone: angle between axis and surface", None)
     hollow: bool = boolean("material outside", False)
-    file: str | None = text("triangles: NumPy file with corners [m], shape (n, 3, 3)", None)
+    file: str | None = key("file", "triangles: NumPy file with corners [m], shape (n, 3, 3)", None)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,7 +8,16 @@ from dataclasses import dataclass
 
 from pitchpoint.model.components.law import Law
 from pitchpoint.model.components.marker import Axes, Triple
-from pitchpoint.model.keys import boolean, choice, component, ends, key, quantities, quantity
+from pitchpoint.model.keys import (
+    boolean,
+    choice,
+    component,
+    ends,
+    key,
+    positive,
+    quantities,
+    quantity,
+)
 
 #: Displacements of a joint in the order in which they are made, and their dimensions.
 DISPLACEMENTS: dict[str, str] = {
@@ -40,6 +49,28 @@ FUNCTIONS = ("moved", "user")
 """Joints whose displacements are functions."""
 TUMBLING = ("spherical", "free")
 """Joints whose turns start afresh while they run, so that no attitude is singular."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class JointFriction:
+    """Friction of a pin in its bush, or of a slide, from the load that the joint carries.
+
+    What presses: the force across the axis, the one along it on the shoulder of a pin, and the moment that
+    bends the axis, over the length of the bush or slide.
+    """
+
+    coefficient: float = quantity("dimensionless", "friction over load at fast sliding", minimum=0.0)
+    radius: float | None = positive("length", "revolute: radius of the pin", None)
+    shoulder_radius: float = quantity(
+        "length", "revolute: mean radius of what carries along the axis", 0.0, minimum=0.0
+    )
+    length: float | None = positive("length", "length of bush or slide; without it no moment presses", None)
+    preload: float = quantity("force", "force that always presses", 0.0, minimum=0.0)
+    static_ratio: float = quantity("dimensionless", "static over sliding friction", 1.0, minimum=1.0)
+    stribeck_speed: float = quantity(
+        "speed", "sliding over which friction falls from the one to the other", 0.0, minimum=0.0
+    )
+    slip_speed: float = positive("speed", "sliding of full friction; what should stick creeps slower", 1e-3)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,6 +110,7 @@ class Joint:
     speed: Mapping[str, float] = key(
         "rates", "rates of its coordinates at the start, such as {spin: 100 rpm}; 0 for others", {}
     )
+    friction: JointFriction | None = component(JointFriction, "friction of a revolute or prismatic joint")
     cut: bool = boolean("whether it closes a loop: it is not to carry the body that it moves", False)
     coordinates: Mapping[str, str] = key(
         "coordinates", "user: names of its coordinates, each a length or an angle: {s: length}", {}

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of contacts: shapes have their sizes, pairs of surfaces can touch, laws say one thing."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from pitchpoint.model.keys import Place
+from pitchpoint.model.read import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.contact import (
+        CamContact,
+        ContactCurve,
+        ContactFriction,
+        ContactLaw,
+        ContactSurface,
+        CurveContact,
+        SurfaceContact,
+    )
+    from pitchpoint.model.parts import Parts
+
+#: Sizes that a surface needs against a sphere.
+SIZES: dict[str, tuple[str, ...]] = {
+    "plane": (),
+    "sphere": ("radius",),
+    "cylinder": ("radius",),
+    "cone": ("half_angle",),
+    "torus": ("radius", "tube"),
+    "triangles": ("file",),
+}
+#: Sizes that both surfaces of a pair without a sphere need; the order of a pair with a plane does not matter.
+PAIRS: dict[tuple[str, str], tuple[tuple[str, ...], tuple[str, ...]]] = {
+    ("cylinder", "plane"): (("radius", "length"), ()),
+    ("torus", "plane"): (("radius", "tube"), ()),
+    ("cylinder", "cylinder"): (("radius", "length"), ("radius", "length")),
+    ("triangles", "triangles"): (("file",), ("file",)),
+}
+
+
+def check_contacts(parts: Parts, report: Reader) -> None:
+    """Everything about a contact that more than one key decides."""
+    for name, cam in parts.cam_contacts.items():
+        _cam(cam, ("cam_contacts", name), report)
+    for name, pair in parts.curve_contacts.items():
+        at: Place = ("curve_contacts", name)
+        _curve(pair.first, (*at, "first"), report)
+        _curve(pair.second, (*at, "second"), report)
+        _forces(pair, at, report)
+    for name, contact in parts.surface_contacts.items():
+        _surfaces(contact, ("surface_contacts", name), report)
+        _forces(contact, ("surface_contacts", name), report)
+
+
+def _cam(cam: CamContact, at: Place, report: Reader) -> None:
+    _curve(cam.curve, (*at, "curve"), report)
+    if cam.permanent:
+        for key in ("law", "friction", "depth"):
+            if getattr(cam, key) is not None:
+                report.problem((*at, key), "has no effect: what never parts has no law", remedy="remove it")
+    elif cam.law is None:
+        report.problem(
+            (*at, "law"),
+            "is missing: a follower that may part",
+            remedy="add law: {force: 1 kN, depth: 0.1 mm}",
+        )
+    _forces(cam, at, report)
+
+
+def _forces(part: CamContact | CurveContact | SurfaceContact, at: Place, report: Reader) -> None:
+    if part.law is not None:
+        _law(part.law, (*at, "law"), report)
+    if part.friction is not None:
+        _friction(part.friction, (*at, "friction"), report)
+
+
+def _law(law: ContactLaw, at: Place, report: Reader) -> None:
+    if law.restitution is not None and law.damping > 0.0:
+        report.problem((*at, "damping"), "stands beside restitution", remedy="give one of the two")
+
+
+def _friction(friction: ContactFriction, at: Place, report: Reader) -> None:
+    if max(friction.static, friction.dynamic) > 0.0 and not friction.static_speed < friction.slip_speed:
+        report.problem(
+            (*at, "static_speed"),
+            "is not below slip_speed",
+            value=f"{friction.static_speed:g} m/s",
+            limit=f"< {friction.slip_speed:g} m/s",
+            remedy="exchange them",
+        )
+
+
+def _curve(curve: ContactCurve, at: Place, report: Reader) -> None:
+    if curve.shape in ("circle", "involute") and curve.radius is None:
+        report.problem((*at, "radius"), f"is missing: the {curve.shape} has one", remedy="add radius: 20 mm")
+    if curve.shape == "involute":
+        roll = curve.roll
+        if len(roll) != 2 or not min(roll, default=0.0) > 0.0 or roll[0] == roll[1]:
+            report.problem(
+                (*at, "roll"), "is not two different angles above zero", remedy="write [10 deg, 40 deg], say"
+            )
+        return
+    if curve.shape == "circle":
+        return
+    least = 3 if curve.closed else 2
+    if len(curve.x) != len(curve.y) or len(curve.x) < least:
+        report.problem(
+            (*at, "x"),
+            f"has {len(curve.x)} points, and y has {len(curve.y)}",
+            limit=f"the same number, at least {least}",
+            remedy="give both for every point",
+        )
+    elif curve.shape == "polygon" and curve.radii and len(curve.radii) != len(curve.x):
+        report.problem(
+            (*at, "radii"),
+            f"has {len(curve.radii)} entries for {len(curve.x)} corners",
+            remedy="give one radius per corner",
+        )
+
+
+def _surfaces(contact: SurfaceContact, at: Place, report: Reader) -> None:
+    one, two = (contact.first, "first"), (contact.second, "second")
+    if any(p.shape == "sphere" and not p.hollow for p, _ in (one, two)):
+        for part, key in (one, two):
+            _sizes(part, SIZES[part.shape], (*at, key), report)
+        return
+    if one[0].shape == "plane":
+        one, two = two, one
+    shapes = (one[0].shape, two[0].shape)
+    if one[0].hollow or two[0].hollow or shapes not in PAIRS:
+        hollow = "hollow " * (one[0].hollow or two[0].hollow)
+        report.problem(
+            at,
+            f"is of a {hollow}{shapes[0]} and a {shapes[1]}, which is not known",
+            remedy="a sphere touches everything, cylinder and torus a plane, cylinders cross; use triangles "
+            "for others",
+        )
+        return
+    for (part, key), needed in zip((one, two), PAIRS[shapes], strict=True):
+        _sizes(part, needed, (*at, key), report)
+
+
+def _sizes(part: ContactSurface, needed: tuple[str, ...], at: Place, report: Reader) -> None:
+    for key in needed:
+        if getattr(part, key) is None and (*at, key) not in report.tainted:
+            report.problem((*at, key), f"is missing: the {part.shape} needs it", remedy=f"add {key}")
+    if part.half_angle is not None and part.half_angle >= 0.5 * math.pi:
+        report.problem(
+            (*at, "half_angle"), "is no cone", limit="< 90 deg", remedy="give the half of its angle"
+        )

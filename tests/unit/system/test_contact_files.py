@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Contacts from files: a cam and its follower in closed form, a ball on a plate, what is refused."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from pitchpoint.core.errors import ModelError
+from pitchpoint.io.yaml_model import dump_model, loads_model
+from pitchpoint.solvers.kinematics import moved_to
+from pitchpoint.system import evaluate
+from pitchpoint.system.compile import compile_model
+from tests.support.mechanism_files import accelerations
+
+CAM = """\
+bodies:
+  cam: {mass: 1 kg, inertia: 1e-3}
+  lifter: {mass: 0.2 kg, markers: {foot: {axes: {z: [0, 0, 1]}}}}
+joints:
+  shaft: {type: revolute, bodies: [ground, cam], position: [0, 0, 0]}
+  guide: {type: prismatic, bodies: [ground, lifter], position: [0, 50 mm, 0], axes: {z: [0, 1, 0]}}
+cam_contacts:
+  c:
+    ends: [lifter.foot, cam]
+    curve: {shape: circle, radius: 30 mm, x: [0 mm], y: [10 mm]}
+    radius: 10 mm
+    permanent: true
+scenarios:
+  run: {duration: 1 s, drive: {cam: {speed: 20 rad/s}}}
+"""
+BALL = """\
+bodies:
+  ball: {mass: 0.5 kg, inertia_tensor: [1e-4, 1e-4, 1e-4, 0, 0, 0], position: [0, 0, 9.9 mm]}
+joints:
+  j: {type: free, bodies: [ground, ball]}
+surface_contacts:
+  c:
+    ends: [ball, ground]
+    first: {shape: sphere, radius: 10 mm}
+    second: {shape: plane}
+    law: {force: 1 kN, depth: 0.1 mm}
+"""
+
+
+def test_a_follower_stays_on_its_cam():
+    model = loads_model(CAM)
+    assert loads_model(dump_model(model)) == model
+    system = compile_model(model, "run")
+    state = moved_to(system, system.initial_state(), 0.0)
+    for t in (0.01, 0.02, 0.03):
+        state = moved_to(system, state, t)
+    theta = math.pi / 2.0 + 20.0 * 0.03  # of the centre of the circle
+    e, a = 0.01, 0.04
+    root = math.sqrt(a * a - (e * math.cos(theta)) ** 2)
+    y = e * math.sin(theta) + root
+    slope = e * math.cos(theta) + e * e * math.sin(theta) * math.cos(theta) / root
+    d = system.layout.coordinate("lifter.z")
+    assert state.q[d] == pytest.approx(y - 0.05, abs=1e-13)
+    assert state.v[d] == pytest.approx(20.0 * slope, rel=1e-10)
+
+
+def test_a_ball_is_pressed_out_of_a_plate():
+    model = loads_model(BALL)
+    assert loads_model(dump_model(model)) == model
+    system = compile_model(model)
+    a, _ = accelerations(system, system.initial_state())
+    assert a[system.layout.coordinate("ball.z")] == pytest.approx(1000.0 / 0.5, rel=1e-9)
+
+
+def test_triangles_come_from_a_file(tmp_path):
+    corners = np.array([[[-1, -1, 0], [1, -1, 0], [1, 1, 0]], [[-1, -1, 0], [1, 1, 0], [-1, 1, 0]]], float)
+    np.save(tmp_path / "plate.npy", corners)
+    text = BALL.replace("{shape: plane}", "{shape: triangles, file: plate.npy}")
+    model = loads_model(text, file=str(tmp_path / "m.yaml"))
+    assert "file: plate.npy" in dump_model(model)
+    system = compile_model(model)
+    state = system.initial_state()
+    state.q[:2] = 0.2, 0.1  # beside the edge between the two
+    a, _ = accelerations(system, state)
+    assert a[system.layout.coordinate("ball.z")] > 0.0
+    assert np.all(np.isfinite(evaluate.observe(system, state)))
+
+
+# (file, changes, place, words)
+CASES = {
+    "no law": (CAM, [("permanent: true", "permanent: false")], "cam_contacts.c.law", "is missing"),
+    "a law of what never parts": (
+        CAM,
+        [("permanent: true", "permanent: true\n    law: {force: 1, depth: 1}")],
+        "cam_contacts.c.law",
+        "has no effect",
+    ),
+    "a circle without radius": (
+        CAM,
+        [("shape: circle, radius: 30 mm,", "shape: circle,")],
+        "cam_contacts.c.curve.radius",
+        "the circle has one",
+    ),
+    "a polygon of two corners": (
+        CAM,
+        [("shape: circle, radius: 30 mm, x: [0 mm], y: [10 mm]", "shape: polygon, x: [0, 1], y: [0, 1, 2]")],
+        "cam_contacts.c.curve.x",
+        "has 2 points, and y has 3",
+    ),
+    "an involute that does not roll": (
+        CAM,
+        [("shape: circle, radius: 30 mm, x: [0 mm], y: [10 mm]", "shape: involute, radius: 1, roll: [1, 1]")],
+        "cam_contacts.c.curve.roll",
+        "two different angles",
+    ),
+    "an unknown shape": (
+        CAM,
+        [("shape: circle", "shape: cirle")],
+        "cam_contacts.c.curve.shape",
+        "did you mean circle",
+    ),
+    "damping and restitution": (
+        BALL,
+        [("depth: 0.1 mm", "depth: 0.1 mm, damping: 1, restitution: 0.5")],
+        "surface_contacts.c.law.damping",
+        "stands beside restitution",
+    ),
+    "friction the wrong way round": (
+        BALL,
+        [("0.1 mm}", "0.1 mm}\n    friction: {static: 0.2, dynamic: 0.1, static_speed: 1, slip_speed: 0.1}")],
+        "surface_contacts.c.friction.static_speed",
+        "is not below slip_speed",
+    ),
+    "a sphere without radius": (
+        BALL,
+        [("shape: sphere, radius: 10 mm", "shape: sphere")],
+        "surface_contacts.c.first.radius",
+        "the sphere needs it",
+    ),
+    "a cone on a plane": (
+        BALL,
+        [("shape: sphere, radius: 10 mm", "shape: cone, half_angle: 10 deg")],
+        "surface_contacts.c",
+        "a cone and a plane, which is not known",
+    ),
+    "a file that is not there": (
+        BALL,
+        [("shape: plane", "shape: triangles, file: nowhere.npy")],
+        "surface_contacts.c.second.file",
+        "names a file that is not there",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_wrong_contacts_are_told_with_their_line(case):
+    text, changes, where, words = CASES[case]
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    with pytest.raises(ModelError) as caught:
+        loads_model(text)
+    assert [p.where for p in caught.value.problems] == [where], caught.value
+    assert words in str(caught.value)
+    assert caught.value.problems[0].line is not None
