@@ -68,7 +68,11 @@ def ratios(parts: Parts) -> dict[str, list[tuple[str, float]]]:
 
 def locked_links(parts: Parts, body: str) -> list[Link]:
     """Links that close a loop with a body and contradict the ratios of the rest of it: nothing can turn."""
+    from pitchpoint.model.carried_trains import has_carriers
+
     turning = start_speeds(parts, {body: 1.0})[0]
+    if has_carriers(parts, joined := links_of(parts)):
+        return [] if turning[body] != 0.0 else [link for link in joined if body in link[1:3]]
     return [
         link
         for link in links_of(parts)
@@ -97,6 +101,10 @@ def start_speeds(
         Speed by body [rad/s], 0 for bodies that nothing sets in motion; and (body, fitting speed) for each
         given speed that contradicts an earlier one.
     """
+    from pitchpoint.model.carried_trains import carried_speeds, has_carriers
+
+    if has_carriers(parts, joined := links_of(parts)):
+        return carried_speeds(parts, joined, given, SPEED_TOLERANCE)
     links = ratios(parts)
     speeds: dict[str, float] = {}
     wrong = []

@@ -245,8 +245,9 @@ def body_channels(
             if body.motion in TUMBLING and unit == "rad":
                 continue  # they jump where the turns start afresh
             if coordinate == "spin":
-                channels.append(Channel(f"angle[{name}]", "rad", f"angle of {name}"))
-                channels.append(Channel(f"speed[{name}]", "rad/s", f"speed of {name}"))
+                against = f" against {names[body.parent - 1]}" if body.parent else ""
+                channels.append(Channel(f"angle[{name}]", "rad", f"angle of {name}{against}"))
+                channels.append(Channel(f"speed[{name}]", "rad/s", f"speed of {name}{against}"))
                 table += [(1, b, dof, at), (2, b, dof, at + 1)]
             else:
                 word = words.get(coordinate, coordinate)
