@@ -10,7 +10,7 @@ from pitchpoint.model.keys import choice, component, integer, key, positive, qua
 
 STIFF_METHODS = ("gstiff", "wstiff", "dassl", "constant_bdf")
 """Backward differentiation formulas: fixed, variable coefficients, fixed leading one, fixed step."""
-METHODS = ("generalized_alpha", "runge_kutta", "rk4", *STIFF_METHODS)
+METHODS = ("generalized_alpha", "runge_kutta", "rk4", *STIFF_METHODS, "kinematics")
 ERROR_METHODS = ("runge_kutta", "gstiff", "wstiff", "dassl")
 """Methods that choose their steps by an error, which `tolerance` limits."""
 FORMS = ("I3", "SI2", "SI1")
@@ -125,7 +125,8 @@ class Scenario:
     method: str = choice(
         METHODS,
         "time integration; stiff: gstiff, wstiff, dassl with fixed, variable coefficients, fixed leading "
-        "one, and constant_bdf with equal steps",
+        "one, and constant_bdf with equal steps; kinematics: drives and loops leave no freedom, and forces "
+        "follow from the motion",
         "generalized_alpha",
     )
     form: str | None = choice(

@@ -16,13 +16,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.core.status import INCONSISTENT, OK
 from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.sampling import Chunk, accumulate
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
     import xarray as xr
+
+Array = NDArray[np.float64]
 
 
 def moved_to(system: System, state: State, t: float) -> State:
@@ -66,6 +69,68 @@ def _loose(system: System, state: State) -> str:
     named = [system.layout.coordinates[k] for k in np.flatnonzero(share > 0.5 * share.max(initial=0.0))]
     count = f"{len(null)} degree{'s' if len(null) > 1 else ''} of freedom"
     return f"drives and loops leave {count}, with {', '.join(named)}"
+
+
+class KinematicRun:
+    """Times of a driven mechanism under way, with the face of an integration.
+
+    Parameters
+    ----------
+    system, state
+        What moves and from where; drives and loops must leave no freedom.
+    h
+        Distance of the times [s].
+    """
+
+    def __init__(self, system: System, state: State, h: float) -> None:
+        self.system, self.h, self.t0, self.steps = system, h, state.t, 0
+        self.here = moved_to(system, state, state.t)
+
+    @property
+    def t(self) -> float:
+        """Time reached [s]."""
+        return self.t0 + self.steps * self.h
+
+    def advance(
+        self,
+        n: int,
+        *,
+        every: int = 0,
+        statistics: Array | None = None,
+        stride: int = 1,
+        events: int = 0,
+    ) -> Chunk:
+        """Go n steps on, or fewer if the mechanism cannot follow; events are not looked for.
+
+        Parameters
+        ----------
+        every, statistics, stride
+            As of `generalized_alpha.Run.advance`.
+        """
+        rows: list[Array] = []
+        status = OK
+        for done in range(n):
+            try:
+                self.here = moved_to(self.system, self.here, self.t0 + (self.steps + 1) * self.h)
+            except SolverError as failure:
+                status, n = failure.status, done
+                break
+            self.steps += 1
+            row = evaluate.observe(self.system, self.here)
+            if statistics is not None and self.steps % stride == 0:
+                getattr(accumulate, "py_func", accumulate)(row, statistics)
+            if every and self.steps % every == 0:
+                rows.append(np.concatenate([[self.here.t], row]))
+        width = self.system.sizes["no"] + 1
+        return Chunk(status, n, np.array(rows).reshape(-1, width), np.zeros((0, 3)))
+
+    def change_step(self, h: float) -> None:
+        """Go on with another step from here."""
+        self.t0, self.steps, self.h = self.t, 0, h
+
+    def state(self) -> State:
+        """Copy of the state reached."""
+        return self.here.copy()
 
 
 def solve_kinematics(
@@ -118,7 +183,7 @@ def solve_kinematics(
     return found.assign_coords(coordinate=list(system.layout.coordinates))
 
 
-def _unwrapped(system: System, state: State) -> NDArray[np.float64]:
+def _unwrapped(system: System, state: State) -> Array:
     """Coordinates with the whole turns of the spins."""
     q = state.q.copy()
     for spin, body in system.program["spins"]:

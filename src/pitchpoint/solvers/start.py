@@ -106,16 +106,23 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     system, balanced, held = balance_torques(system, state, held, driven)
     found = find_equilibrium(system, state, held)
     notes = _notes(system, found, {*driven, *balanced})
-    return Start(_with_damping(system, found.state), found.state, notes)
+    state, more = _closed(system, scenario, found.state, driven, rest=True)
+    return Start(_with_damping(system, state), state, (*notes, *more))
 
 
 def _closed(
-    system: System, scenario: Scenario, state: State, driven: Sequence[int]
+    system: System, scenario: Scenario, state: State, driven: Sequence[int], rest: bool = False
 ) -> tuple[State, tuple[str, ...]]:
-    """Close the loops from the start values of the joints, which stay; with what there is to say about it."""
+    """Close the loops from the start values of the joints, which stay; with what there is to say about it.
+
+    A mechanism at rest (`rest`) has closed loops; its rates have to fit them still.
+    """
     model = system.model
     if model is None or not is_looped(system):
         return state, ()
+    if rest:
+        rates = {*driven, *(system.spin(body) for body in scenario.speed)}
+        return assemble_state(system, state, keep=driven, keep_rates=rates).state, ()
     keep, rates = (
         {*driven, *(system.layout.coordinate(c) for c in given(model.mechanism, model, key))}
         for key in ("start", "speed")

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 ROUND_OFF = 1e-13
 """Share of a span of time that is rounding: less than a step for the 1e12 steps that a run may have."""
 
+KINEMATIC_STEPS = 1000
+"""Times of a motion without dynamics."""
 STEPS_PER_PERIOD = 200
 """Steps in the period of the fastest mode and of the fastest mesh.
 
@@ -126,7 +128,10 @@ def choose_step(start: Start, scenario: Scenario) -> tuple[float, int]:
     scenario
         Its step, sample rate and speeds count.
     """
-    h = scenario.step or shortest_period(start, scenario) / STEPS_PER_PERIOD
+    if scenario.method == "kinematics":  # every time stands for itself
+        h = scenario.step or (scenario.duration or 1.0) / KINEMATIC_STEPS
+    else:
+        h = scenario.step or shortest_period(start, scenario) / STEPS_PER_PERIOD
     if scenario.sample_rate is None:
         return divided(scenario.duration or h, h)[0], 1
     return divided(1.0 / scenario.sample_rate, h)

@@ -157,7 +157,7 @@ def run_time(
 
 def loop_of(method: str) -> Any:
     """Compiled loop of a method, an entry that `core.kernel.expect` takes."""
-    if method == "generalized_alpha":
+    if method in ("generalized_alpha", "kinematics"):  # the latter has none of its own
         return generalized_alpha.entry
     if method in STIFF_METHODS:
         from pitchpoint.solvers import multistep
@@ -186,6 +186,11 @@ class _Loop:
         self.steps = 0
         if scenario.method in STIFF_METHODS:
             self.run_: Any = self._stiff()
+            return
+        if scenario.method == "kinematics":
+            from pitchpoint.solvers.kinematics import KinematicRun
+
+            self.run_ = KinematicRun(self.system, start.state, self.h)
             return
         if scenario.method != "generalized_alpha":
             from pitchpoint.solvers import runge_kutta  # only those who use it wait for it

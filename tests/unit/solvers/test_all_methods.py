@@ -172,7 +172,7 @@ def test_the_stiff_slider_crank_is_right():
 
 def test_every_method_and_form_is_compared():
     names = {(case.method, case.form) for case in cases_of(2, 1e-3)}
-    assert {method for method, _ in names} == set(METHODS)
+    assert {method for method, _ in names} == set(METHODS) - {"kinematics"}  # which integrates nothing
     assert {form for method, form in names if method == "gstiff"} == set(FORMS)
     assert ("dassl", "I3") in names
     assert {form for _, form in {(c.method, c.form) for c in cases_of(0, 1e-3)}} == {""}
