@@ -34,14 +34,19 @@ def links_of(parts: Parts) -> list[Link]:
         bodies = [parts.body_of(g) for g in mesh.gears]
         if None in bodies or bodies[0] == bodies[1] or not all(g in parts.gears for g in mesh.gears):
             continue
+        if not _same_base(parts, str(bodies[0]), str(bodies[1])):
+            continue
         z_1, z_2 = (parts.gears[g].sign * parts.gears[g].number_of_teeth for g in mesh.gears)
         found.append((("meshes", name), str(bodies[0]), str(bodies[1]), -z_1 / z_2))
     for name, coupling in parts.couplings.items():
         one, two = coupling.bodies
         if one != two and one in parts.bodies and two in parts.bodies and coupling.carries_torque:
+            if not _same_base(parts, one, two):
+                continue
             found.append((("couplings", name), one, two, 1.0))
     for name, spring in parts.torsion_springs.items():
-        if len(set(spring.bodies) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
+        both = len(set(spring.bodies) & set(parts.bodies)) == 2
+        if both and spring.stiffness > 0.0 and _same_base(parts, *spring.bodies):
             found.append((("torsion_springs", name), *spring.bodies, 1.0))
     for name, ratio in parts.ratios.items():
         ends = [coordinate(parts.mechanism, parts, term) for term in ratio.terms]
@@ -50,6 +55,12 @@ def links_of(parts: Parts) -> list[Link]:
             c_1, c_2 = ratio.terms.values()
             found.append((("ratios", name), spins[0], spins[1], -c_1 / c_2))
     return found
+
+
+def _same_base(parts: Parts, one: str, two: str) -> bool:
+    """Whether two bodies hang on the same one, so that their spins count from the same frame."""
+    seats = parts.mechanism.seats
+    return one not in seats or two not in seats or seats[one].parent == seats[two].parent
 
 
 def _is_spin(parts: Parts, place: tuple[str, int, str]) -> bool:
