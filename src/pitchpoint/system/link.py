@@ -60,13 +60,15 @@ def link(
 _PARTS = {"residual": residual.entry, "factor_entry": linear.factor_entry, "solve_entry": linear.solve_entry}
 
 
-def prepare_kernels(kinds: Iterable[str]) -> None:
+def prepare_kernels(kinds: Iterable[str], trees: bool = False) -> None:
     """Compile what is not in the cache: the core here, the kinds of elements in a second process.
 
-    The mesh goes first: it is the largest kind, and the records of a model need it before all others.
+    The mesh goes first: it is the largest kind, and the records of a model need it before all others. Bodies
+    in `trees` need their own part of the core.
     """
     ordered = sorted(kinds, key=lambda name: (name != "gear_mesh", name))
-    prepare([*_PARTS.values(), perform], [registry.find(name).load().entry for name in ordered])
+    theirs = [registry.find(name).load().entry for name in ordered]
+    prepare([*_PARTS.values(), perform], [*theirs, tree.entry] if trees else theirs)
 
 
 def link_exact(records: Mapping[str, NDArray[np.void]]) -> None:
