@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
-from pitchpoint.solvers.assembly import REDUNDANT, assemble_state
+from pitchpoint.solvers.assembly import REDUNDANT, assemble_state, loop_rows
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -52,7 +52,7 @@ class MechanismRest:
 
 def is_looped(system: System) -> bool:
     """Whether rows other than prescribed motions tie the coordinates."""
-    return bool(_holding(system))
+    return bool(loop_rows(system))
 
 
 def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], tolerance: float) -> MechanismRest:
@@ -75,7 +75,7 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         If loops do not close or no equilibrium is found.
     """
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
-    holds = _holding(system)
+    holds = loop_rows(system)
     here = _closed(system, state, kept)
     mu = FIRST
     for count in range(MOST_STEPS):
@@ -116,11 +116,6 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         SINGULAR if mu < 1.0 else DIVERGED,
         here,
     )
-
-
-def _holding(system: System) -> list[int]:
-    """Rows that prescribe no motion."""
-    return [r for r, name in enumerate(system.layout.rows) if not name.startswith("drive ")]
 
 
 def _closed(system: System, state: State, kept: tuple[int, ...]) -> State:
