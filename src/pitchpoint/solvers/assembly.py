@@ -54,17 +54,9 @@ class Assembly:
     moved: tuple[float, str]
 
     def report(self) -> tuple[str, ...]:
-        """What a user should know, in sentences."""
-        found = []
-        if self.redundant:
-            found.append(
-                f"{', '.join(self.redundant)}: repeat what other constraints hold; "
-                "the motion is not affected, reactions are shared in one of many possible ways"
-            )
+        """What a user should know beside the repeated rows (`rows.row_notes`), in sentences."""
         size, name = self.moved
-        if size > 1e-6:
-            found.append(f"loops were closed by moving {name} by {size:.4g}")
-        return tuple(found)
+        return (f"loops were closed by moving {name} by {size:.4g}",) if size > 1e-6 else ()
 
 
 def assemble_state(
