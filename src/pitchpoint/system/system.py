@@ -154,6 +154,12 @@ class System:
         charts = np.tile(np.eye(3), (int(self.program["body"]["chart"].max()) + 1, 1, 1))
         return State(0.0, q, v, np.zeros(nd), np.zeros(self.sizes["nc"]), turns, charts)
 
+    @property
+    def states(self) -> NDArray[np.int64]:
+        """Coordinates whose rates are states of elements; their places mean nothing, shape (n,)."""
+        body = self.program["body"]
+        return np.asarray(body["spin"][body["state"] == 1])
+
     def spin(self, body: str) -> int:
         """Index of the spin coordinate of a body by name."""
         found = int(self.program["body"][self.layout.bodies.index(body)]["spin"])
