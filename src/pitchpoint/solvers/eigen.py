@@ -182,8 +182,10 @@ def damped_with_states(
     values, vectors = values[upper], vectors[:, upper]
     values = np.where(np.abs(values.imag) <= 1e-12 * unit, values.real, values)
     z = vectors[:n] / np.maximum(np.linalg.norm(vectors[:n], axis=0), 1e-300)
-    # a mode is what resembles it, of two that creep the slower one
-    likeness = np.abs(z) ** 2 * (1.0 + 1e-3 / (1.0 + np.abs(values) / unit))
+    # a mode goes on in what resembles it, vibrates like it and is as fast
+    size = np.maximum(np.abs(values), 1e-12 * unit)
+    apart = np.abs(np.log(size / np.maximum(np.abs(omega), 1e-12 * unit)[:, None]))
+    likeness = np.abs(z) ** 2 * np.where(values.imag > 0.0, 2.0, 1.0) / (1.0 + apart)
     first = best_match(likeness) if n else np.zeros(0, np.intp)
     rest = np.setdiff1d(np.arange(values.size), first)
     carried = np.linalg.norm(vectors[2 * n :], axis=0) / np.maximum(np.linalg.norm(vectors, axis=0), 1e-300)
