@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import address, law_address, prepare
 from pitchpoint.elements import registry
+from pitchpoint.elements.signal_record import CHANNEL
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
@@ -86,6 +87,12 @@ def link_parts(body: NDArray[np.void]) -> dict[str, int]:
     if np.any(body["chart"] >= 0):
         parts["tumble"] = tree.tumble_entry
     return {name: address(kernel) for name, kernel in parts.items()}
+
+
+def listens(records: Mapping[str, NDArray[np.void]]) -> bool:
+    """Whether a signal reads what other elements observe, so that they have to say it at every evaluation."""
+    bank = records.get("signal_of_loads")
+    return bank is not None and bool(np.any(bank["op"] == CHANNEL))
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:
