@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mechanisms: two bodies on joints in space against exudyn, a planetary set, cost over the number of bodies."""
+"""Mechanisms: two bodies in space against exudyn, a planetary set, cost over the number of bodies."""
 
 from __future__ import annotations
 
