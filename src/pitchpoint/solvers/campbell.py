@@ -158,7 +158,9 @@ def _steady(linear: Linearised, still: State, rates: Array) -> Linearised:
     K_rest = mean + evaluate.matrix(system, at_rest, 0.0, 0.0, 1.0)
     K_rest = K_rest + symmetric(inertial_stiffness(system, state, at_rest))
     parts = replace(linear.at_rest, M=M, K=K_rest)
-    return replace(linear, state=state, at_rest=parts, D=D, K=K, basis=free_directions(system, state, linear.states))
+    return replace(
+        linear, state=state, at_rest=parts, D=D, K=K, basis=free_directions(system, state, linear.states)
+    )
 
 
 def _orders(system: System, rates: Array) -> dict[str, float]:

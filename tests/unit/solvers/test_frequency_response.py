@@ -48,7 +48,9 @@ def absorber(w):
     """Response of both discs to a torque on the first."""
     found = []
     for s in 1j * np.atleast_1d(w):
-        Z = np.array([[2.0 * s**2 + 1.5 * s + 880.0, -0.5 * s - 80.0], [-0.5 * s - 80.0, 0.2 * s**2 + 0.5 * s + 80.0]])
+        Z = np.array(
+            [[2.0 * s**2 + 1.5 * s + 880.0, -0.5 * s - 80.0], [-0.5 * s - 80.0, 0.2 * s**2 + 0.5 * s + 80.0]]
+        )
         found.append(np.linalg.solve(Z, [1.0, 0.0]))
     return np.array(found)
 
@@ -77,13 +79,15 @@ def test_a_run_settles_to_the_response(hertz):
     run = generalized_alpha.start(begin.system, begin.state, h, rho_inf=1.0)
     assert run.advance(per_period * math.ceil(40.0 * hertz)).status == OK
     sums = np.zeros(2, complex)
-    for k in range(per_period):
+    for _ in range(per_period):
         state = run.state()
         sums += state.q * np.exp(-2j * math.pi * hertz * state.t)
         assert run.advance(1).status == OK
     found = 2j * sums / per_period  # of sin: i e^(-i w t)
     order = [begin.system.spin(b) for b in ("main", "absorber")]
-    assert found[order] == pytest.approx(absorber(2.0 * math.pi * hertz)[0], rel=2e-3)  # (w h)^2/12 at a slope
+    assert found[order] == pytest.approx(
+        absorber(2.0 * math.pi * hertz)[0], rel=2e-3
+    )  # (w h)^2/12 at a slope
 
 
 def test_error_of_the_flanks_of_a_free_pair():
