@@ -46,6 +46,8 @@ def fastest_mesh(system: System, scenario: Scenario) -> float:
     from pitchpoint.elements import drive
     from pitchpoint.elements.ratio import place_of
 
+    if "gear_mesh" not in system.records:
+        return 0.0
     speeds = speeds_of(system, scenario)
     highest = _mesh_frequency(system, speeds)
     driven = dict(scenario.speed)
@@ -62,8 +64,6 @@ def fastest_mesh(system: System, scenario: Scenario) -> float:
 
 
 def _mesh_frequency(system: System, speeds: dict[str, float]) -> float:
-    if "gear_mesh" not in system.records:
-        return 0.0
     names = system.layout.bodies
     return max(
         abs(float(r["z1"]) * speeds.get(names[int(r["i"])], 0.0)) / (2.0 * math.pi)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.core.status import CONTROLLER, INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.event_watch import EventWatch
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.scenario import Scenario
+    from pitchpoint.solvers.sampled_control import Sampler
 
 CHUNK_SECONDS = 0.15
 """Wall time that one call of the compiled loop should take: progress and Ctrl-C come between calls."""
@@ -184,6 +185,8 @@ class _Loop:
         self.dense = self.adaptive or scenario.method in STIFF_METHODS  # samples lie within steps
         self.h, self.every = choose_step(start, scenario)
         self.steps = 0
+        self.sampler: Sampler | None = None
+        self.first = self._begin_control() if self.system.controllers else OK
         if scenario.method in STIFF_METHODS:
             self.run_: Any = self._stiff()
             return
@@ -206,6 +209,24 @@ class _Loop:
             form = scenario.chosen_form
             self.run_ = generalized_alpha.start(self.system, start.state, self.h, form=form)
 
+    def _begin_control(self) -> int:
+        """Call sampled controllers for the first time; returns the status."""
+        from pitchpoint.solvers.sampled_control import Sampler, common_step  # only their users wait for them
+
+        self.sampler = Sampler(self.system, self.t0)
+        if not self.dense:
+            self.h, self.every = common_step(self.system, self.h, self.scenario.sample_rate)
+        return self.sampler.start(self.start.state)
+
+    def _control(self) -> int:
+        """Call the controllers that are due; returns the status."""
+        if self.sampler is None or self.sampler.next() > self.run_.t + 1e-9 * self.h:
+            return OK
+        from pitchpoint.solvers.sampled_control import begin_anew
+
+        status, changed = self.sampler.update(self.run_.t)
+        return begin_anew(self.run_) if changed else status
+
     def _stiff(self) -> Any:
         """Begin a run of backward differentiation formulas."""
         from pitchpoint.solvers import bdf
@@ -226,6 +247,8 @@ class _Loop:
             row = evaluate.observe(self.system, evaluate.store(self.system, self.t0))
             self.sink.append(np.array([self.t0]), row[None, :])
         try:
+            if self.first != OK:
+                return self.first
             return self._dense(progress) if self.dense else self._fixed(progress)
         except KeyboardInterrupt:
             return INTERRUPTED
@@ -239,14 +262,17 @@ class _Loop:
             begun = time.perf_counter()
             stop = settle if self.run_.steps < settle else total
             take = min(n, stop - self.run_.steps)
+            if self.sampler is not None:
+                take = min(take, max(1, round((self.sampler.next() - self.run_.t) / self.h)))
             sums = None if self.run_.steps < settle else self.sums
             every = self.every if self.sink is not None else 0
             chunk = self.run_.advance(
                 take, every=every, statistics=sums, events=MOST_EVENTS if self.watch else 0
             )
             self._take(chunk)
-            if chunk.status != OK:
-                return int(chunk.status)
+            status = int(chunk.status) if chunk.status != OK else self._control()
+            if status != OK:
+                return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
             n = next_chunk(n, time.perf_counter() - begun)
         return self._last_step(rest) if rest > 0.0 else OK
@@ -266,6 +292,8 @@ class _Loop:
         while self.run_.t < self.t_end - 1e-12 * max(1.0, abs(self.t_end)):
             begun = time.perf_counter()
             limit = self.window if self.run_.t < self.window - 1e-15 else self.t_end
+            if self.sampler is not None:
+                limit = min(limit, self.sampler.next())
             chunk = self.run_.advance_to(
                 limit,
                 sample=sample,
@@ -275,8 +303,9 @@ class _Loop:
                 most=n,
             )
             self._take(chunk)
-            if chunk.status != OK:
-                return int(chunk.status)
+            status = int(chunk.status) if chunk.status != OK else self._control()
+            if status != OK:
+                return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
             n = min(next_chunk(n, time.perf_counter() - begun), most)
         return OK
@@ -306,7 +335,7 @@ class _Loop:
         t = float(self.run_.t)
         return TimeSummary(
             status=status,
-            sentence=explain(self.system, status),
+            sentence=self._sentence(status),
             steps=self.steps,
             step=0.0 if self.adaptive else self.h,
             wall_s=wall_s,
@@ -318,6 +347,11 @@ class _Loop:
             notes=(*self.start.notes, *row_notes(self.system), *remarks),
             state=self.run_.state(),
         )
+
+    def _sentence(self, status: int) -> str:
+        if status == CONTROLLER and self.sampler is not None:
+            return self.sampler.said
+        return explain(self.system, status)
 
 
 def next_chunk(n: int, seconds: float) -> int:
