@@ -378,5 +378,5 @@ def _unit(name: str, vector: Three) -> NDArray[np.float64]:
     v = np.asarray(vector, float)
     size = float(np.linalg.norm(v))
     if v.shape != (3,) or not (size > 0.0 and math.isfinite(size)):
-        raise CompileError(f"signal {name!r}: {vector} is no direction")
+        raise CompileError(f"signal {name!r}: {v} is no direction")
     return v / size

@@ -35,36 +35,48 @@ class Sampler:
     ----------
     system
         System with controllers; its held signals are set to their start values.
-    t0
-        Time of the first call [s].
+    state
+        Start of the run, at which they are called for the first time.
+
+    Attributes
+    ----------
+    status, said
+        How the last calls ended, and a sentence if a controller failed.
     """
 
-    def __init__(self, system: System, t0: float) -> None:
-        self.system, self.t0 = system, t0
+    def __init__(self, system: System, state: State) -> None:
+        self.system, self.t0 = system, state.t
         self.said = ""
         self._calls = [0] * len(system.controllers)
         self._states = [copy.deepcopy(c.state) for c in system.controllers]
         self._waiting: list[tuple[float, str, float]] = []
         signals.reset(system)
+        evaluate.prepare(system)
+        evaluate.load(system, state)
+        self.status, _ = self.update(state.t)
 
     def next(self) -> float:
         """Time of the next instant [s]."""
-        calls = (self._instant(k) for k in range(len(self._calls)))
-        return min(*calls, *(t for t, _, _ in self._waiting), math.inf, math.inf)
+        calls = [self._instant(k) for k in range(len(self._calls))]
+        return min([*calls, *(t for t, _, _ in self._waiting)])
 
     def _instant(self, k: int) -> float:
         return self.t0 + self._calls[k] * self.system.controllers[k].period
 
-    def start(self, state: State) -> int:
-        """Call the controllers at the start of a run, from its state; returns the status."""
-        evaluate.prepare(self.system)
-        evaluate.load(self.system, state)
-        return self.update(state.t)[0]
+    def follow(self, run: Any) -> int:
+        """Do what is due where a run has come to; it begins anew if a force jumps. Returns the status."""
+        if self.next() > run.t + self._room():
+            return OK
+        self.status, changed = self.update(run.t)
+        return begin_anew(run) if changed else self.status
+
+    def _room(self) -> float:
+        return SAME * min(c.period for c in self.system.controllers)
 
     def update(self, t: float) -> tuple[int, bool]:
         """Do what is due at the state in the workspace; returns the status and whether an output changed."""
         system = self.system
-        room = SAME * min(c.period for c in system.controllers)
+        room = self._room()
         status = ask(system.workspace, RESIDUAL, t)
         if status != OK:
             return status, False
@@ -89,28 +101,27 @@ class Sampler:
             signals.hold(system, name, value)
         return OK, any(x != value for x, (_, value) in zip(before, writing, strict=True))
 
+    def common_step(self, h: float, sample_rate: float | None) -> tuple[float, int]:
+        """Time step [s] that leads onto all instants and samples, at most h, and steps between samples.
 
-def common_step(system: System, h: float, sample_rate: float | None) -> tuple[float, int]:
-    """Time step [s] that leads onto all instants and samples, no longer than h, and steps between samples.
-
-    Raises
-    ------
-    SolverError
-        If periods, delays and samples have no common divisor worth the name.
-    """
-    times = [x for c in system.controllers for x in (c.period, c.delay) if x > 0.0]
-    times += [1.0 / sample_rate] if sample_rate else []
-    parts = [Fraction(x).limit_denominator(10**9) for x in times]
-    whole = math.lcm(*(p.denominator for p in parts))
-    base = math.gcd(*(int(p * whole) for p in parts)) / whole
-    step, _ = divided(base, h) if base > 0.0 else (0.0, 0)
-    if not step > FINEST * h:
-        raise SolverError(
-            f"periods and delays of controllers and samples ({', '.join(f'{x:.9g}' for x in times)} s) have "
-            f"no common step near {h:.3g} s; choose multiples of one time, or a method with variable steps",
-            NOT_FINITE,
-        )
-    return step, max(1, round(1.0 / (sample_rate * step))) if sample_rate else 1
+        Raises
+        ------
+        SolverError
+            If periods, delays and samples have no common divisor worth the name.
+        """
+        times = [x for c in self.system.controllers for x in (c.period, c.delay) if x > 0.0]
+        times += [1.0 / sample_rate] if sample_rate else []
+        parts = [Fraction(x).limit_denominator(10**9) for x in times]
+        whole = math.lcm(*(p.denominator for p in parts))
+        base = math.gcd(*(int(p * whole) for p in parts)) / whole
+        step, _ = divided(base, h) if base > 0.0 else (0.0, 0)
+        if not step > FINEST * h:
+            raise SolverError(
+                f"periods and delays of controllers and samples ({', '.join(f'{x:.9g}' for x in times)} s) "
+                f"have no common step near {h:.3g} s; choose multiples of one time, or variable steps",
+                NOT_FINITE,
+            )
+        return step, max(1, round(1.0 / (sample_rate * step))) if sample_rate else 1
 
 
 def begin_anew(run: Any) -> int:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import CONTROLLER, INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.event_watch import EventWatch
@@ -186,7 +186,12 @@ class _Loop:
         self.h, self.every = choose_step(start, scenario)
         self.steps = 0
         self.sampler: Sampler | None = None
-        self.first = self._begin_control() if self.system.controllers else OK
+        if self.system.controllers:
+            from pitchpoint.solvers.sampled_control import Sampler  # only those who use it wait for it
+
+            self.sampler = Sampler(self.system, start.state)
+            if not self.dense:
+                self.h, self.every = self.sampler.common_step(self.h, scenario.sample_rate)
         if scenario.method in STIFF_METHODS:
             self.run_: Any = self._stiff()
             return
@@ -209,24 +214,6 @@ class _Loop:
             form = scenario.chosen_form
             self.run_ = generalized_alpha.start(self.system, start.state, self.h, form=form)
 
-    def _begin_control(self) -> int:
-        """Call sampled controllers for the first time; returns the status."""
-        from pitchpoint.solvers.sampled_control import Sampler, common_step  # only their users wait for them
-
-        self.sampler = Sampler(self.system, self.t0)
-        if not self.dense:
-            self.h, self.every = common_step(self.system, self.h, self.scenario.sample_rate)
-        return self.sampler.start(self.start.state)
-
-    def _control(self) -> int:
-        """Call the controllers that are due; returns the status."""
-        if self.sampler is None or self.sampler.next() > self.run_.t + 1e-9 * self.h:
-            return OK
-        from pitchpoint.solvers.sampled_control import begin_anew
-
-        status, changed = self.sampler.update(self.run_.t)
-        return begin_anew(self.run_) if changed else status
-
     def _stiff(self) -> Any:
         """Begin a run of backward differentiation formulas."""
         from pitchpoint.solvers import bdf
@@ -247,8 +234,8 @@ class _Loop:
             row = evaluate.observe(self.system, evaluate.store(self.system, self.t0))
             self.sink.append(np.array([self.t0]), row[None, :])
         try:
-            if self.first != OK:
-                return self.first
+            if self.sampler is not None and self.sampler.status != OK:
+                return self.sampler.status
             return self._dense(progress) if self.dense else self._fixed(progress)
         except KeyboardInterrupt:
             return INTERRUPTED
@@ -269,8 +256,7 @@ class _Loop:
             chunk = self.run_.advance(
                 take, every=every, statistics=sums, events=MOST_EVENTS if self.watch else 0
             )
-            self._take(chunk)
-            status = int(chunk.status) if chunk.status != OK else self._control()
+            status = self._take(chunk)
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
@@ -282,8 +268,7 @@ class _Loop:
         self.run_.change_step(h)
         sums = self.sums if self.window < self.t_end else None
         chunk = self.run_.advance(1, statistics=sums, events=MOST_EVENTS if self.watch else 0)
-        self._take(chunk)
-        return int(chunk.status)
+        return self._take(chunk)
 
     def _dense(self, progress: Progress) -> int:
         sample = 1.0 / self.scenario.sample_rate if self.scenario.sample_rate else self.h
@@ -302,20 +287,23 @@ class _Loop:
                 restart=bool(self.watch),
                 most=n,
             )
-            self._take(chunk)
-            status = int(chunk.status) if chunk.status != OK else self._control()
+            status = self._take(chunk)
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
             n = min(next_chunk(n, time.perf_counter() - begun), most)
         return OK
 
-    def _take(self, chunk: Any) -> None:
+    def _take(self, chunk: Any) -> int:
+        """Keep what a chunk found, call the controllers that are due; returns the status."""
         self.steps += chunk.steps
         if self.sink is not None and len(chunk.rows):
             self.sink.append(chunk.rows[:, 0].copy(), chunk.rows[:, 1:])
         if len(chunk.events):
             self.events.append(self.watch.pick(chunk.events))
+        if chunk.status == OK and self.sampler is not None:
+            return self.sampler.follow(self.run_)
+        return int(chunk.status)
 
     def summary(self, status: int, wall_s: float) -> TimeSummary:
         found = read_statistics(self.sums)
@@ -335,7 +323,7 @@ class _Loop:
         t = float(self.run_.t)
         return TimeSummary(
             status=status,
-            sentence=self._sentence(status),
+            sentence=(self.sampler.said if self.sampler is not None else "") or explain(self.system, status),
             steps=self.steps,
             step=0.0 if self.adaptive else self.h,
             wall_s=wall_s,
@@ -347,11 +335,6 @@ class _Loop:
             notes=(*self.start.notes, *row_notes(self.system), *remarks),
             state=self.run_.state(),
         )
-
-    def _sentence(self, status: int) -> str:
-        if status == CONTROLLER and self.sampler is not None:
-            return self.sampler.said
-        return explain(self.system, status)
 
 
 def next_chunk(n: int, seconds: float) -> int:
