@@ -49,6 +49,8 @@ ELSEWHERE = {
     "point_curve": "tests/unit/elements/test_planar_contact.py",
     "point_on_curve": "tests/unit/elements/test_point_on_curve.py",
     "point_surface": "tests/unit/elements/test_surface_contact.py",
+    "signal": "tests/unit/elements/test_signals.py",
+    "signal_of_loads": "tests/unit/elements/test_signals.py",
     "surface_surface": "tests/unit/elements/test_surface_contact.py",
 }
 
