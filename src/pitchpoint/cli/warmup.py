@@ -88,7 +88,7 @@ def jobs(folder: Path) -> list[Job]:
         target = folder / f"{name}.h5"
         return name, lambda: run_command.compute(model, str(file), name, target, quiet=True)
 
-    listed: list[Job] = [("core", lambda: prepare_kernels(registry.names()))]
+    listed: list[Job] = [("core", lambda: prepare_kernels(registry.names(), trees=True))]
     listed += [time_response(name) for name, scenario in model.scenarios.items() if scenario.kind == "time"]
     target = folder / "sweep.h5"
     listed.append(("sweep", lambda: sweep_command.compute(model, str(file), "sweep", target, quiet=True)))

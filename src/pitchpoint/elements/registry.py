@@ -88,6 +88,8 @@ _KINDS: dict[str, Kind] = {
         Kind("ratio", _HERE + "ratio", CONSTRAINT, (("i", "j"), ("i", "k"))),
         Kind("rolling_bearing", _HERE + "rolling_bearing", FRAME),
         Kind("shaft_beam", _HERE + "shaft_beam", FRAME),
+        Kind("signal", _HERE + "signal_flow", FRAME),
+        Kind("signal_of_loads", _HERE + "signal_flow", FRICTION),
         Kind("spring_damper", _HERE + "spring_damper", FRAME),
         Kind("surface_surface", _HERE + "surface_surface", FRAME),
         Kind("torque", _HERE + "torque", FRAME),

@@ -109,7 +109,7 @@ def joint_place(machine: Machine, joint: Joint) -> Array | None:
     if joint.position is not None:
         return np.array(joint.position, float)
     marked = [e for e in joint.bodies if split(e)[1]]
-    for end in marked or [e for e in reversed(joint.bodies) if e != GROUND]:
+    for end in marked or [e for e in reversed(joint.bodies) if e != GROUND][:1]:
         place = place_of(machine, end)
         if place is not None:
             return place

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.marker import Axes
     from pitchpoint.model.parts import Parts
 
+MOST_TILT = math.radians(85.0)
+"""Largest beta of a start, well before alpha and spin turn about one axis [rad]."""
 SQUARE = 1e-6
 """Cosine of the angle up to which two directions count as perpendicular."""
 
@@ -168,6 +170,14 @@ def check_joints(parts: Parts, report: Reader) -> None:
         if joint.type in FUNCTIONS:
             _functions(joint, at, report)
         _friction(joint, at, report)
+        if joint.type in ("spherical", "free", "shaft") and abs(joint.start.get("beta", 0.0)) > MOST_TILT:
+            report.problem(
+                (*at, "start", "beta"),
+                "is a right angle or more, where alpha and spin cannot be told apart",
+                value=f"{math.degrees(joint.start['beta']):.6g} deg",
+                limit=f"<= {math.degrees(MOST_TILT):.6g} deg",
+                remedy="turn the joint and its bodies by their axes instead",
+            )
         for key in ("start", "speed"):
             for word in getattr(joint, key):
                 if word not in joint.names:

@@ -58,7 +58,10 @@ def check_mechanism(parts: Parts, report: Reader) -> None:
 def _floating(parts: Parts, report: Reader) -> None:
     for name in parts.mechanism.floating:
         joints = [n for n, j in parts.joints.items() if name in {split(e)[0] for e in j.bodies}]
-        if joints:
+        if joints and all(parts.joints[n].cut for n in joints):
+            message = f"floats: {' and '.join(joints)} say cut: true and carry nothing"
+            remedy = f"leave cut: true out of {joints[0]}, or give the body motion: torsion"
+        elif joints:
             verb = "join" if joints[1:] else "joins"
             message = f"floats: {' and '.join(joints)} {verb} it to bodies that hang on nothing"
             remedy = "join one of them to ground, or give it motion: torsion"

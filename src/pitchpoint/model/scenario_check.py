@@ -34,14 +34,19 @@ def links_of(parts: Parts) -> list[Link]:
         bodies = [parts.body_of(g) for g in mesh.gears]
         if None in bodies or bodies[0] == bodies[1] or not all(g in parts.gears for g in mesh.gears):
             continue
+        if not _same_base(parts, str(bodies[0]), str(bodies[1])):
+            continue
         z_1, z_2 = (parts.gears[g].sign * parts.gears[g].number_of_teeth for g in mesh.gears)
         found.append((("meshes", name), str(bodies[0]), str(bodies[1]), -z_1 / z_2))
     for name, coupling in parts.couplings.items():
         one, two = coupling.bodies
         if one != two and one in parts.bodies and two in parts.bodies and coupling.carries_torque:
+            if not _same_base(parts, one, two):
+                continue
             found.append((("couplings", name), one, two, 1.0))
     for name, spring in parts.torsion_springs.items():
-        if len(set(spring.bodies) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
+        both = len(set(spring.bodies) & set(parts.bodies)) == 2
+        if both and spring.stiffness > 0.0 and _same_base(parts, *spring.bodies):
             found.append((("torsion_springs", name), *spring.bodies, 1.0))
     for name, ratio in parts.ratios.items():
         ends = [coordinate(parts.mechanism, parts, term) for term in ratio.terms]
@@ -50,6 +55,12 @@ def links_of(parts: Parts) -> list[Link]:
             c_1, c_2 = ratio.terms.values()
             found.append((("ratios", name), spins[0], spins[1], -c_1 / c_2))
     return found
+
+
+def _same_base(parts: Parts, one: str, two: str) -> bool:
+    """Whether two bodies hang on the same one, so that their spins count from the same frame."""
+    seats = parts.mechanism.seats
+    return one not in seats or two not in seats or seats[one].parent == seats[two].parent
 
 
 def _is_spin(parts: Parts, place: tuple[str, int, str]) -> bool:
@@ -68,7 +79,11 @@ def ratios(parts: Parts) -> dict[str, list[tuple[str, float]]]:
 
 def locked_links(parts: Parts, body: str) -> list[Link]:
     """Links that close a loop with a body and contradict the ratios of the rest of it: nothing can turn."""
+    from pitchpoint.model.carried_trains import has_carriers
+
     turning = start_speeds(parts, {body: 1.0})[0]
+    if has_carriers(parts, joined := links_of(parts)):
+        return [] if turning[body] != 0.0 else [link for link in joined if body in link[1:3]]
     return [
         link
         for link in links_of(parts)
@@ -97,6 +112,10 @@ def start_speeds(
         Speed by body [rad/s], 0 for bodies that nothing sets in motion; and (body, fitting speed) for each
         given speed that contradicts an earlier one.
     """
+    from pitchpoint.model.carried_trains import carried_speeds, has_carriers
+
+    if has_carriers(parts, joined := links_of(parts)):
+        return carried_speeds(parts, joined, given, SPEED_TOLERANCE)
     links = ratios(parts)
     speeds: dict[str, float] = {}
     wrong = []

@@ -9,11 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.keys import defaults_of, keys_of
+from pitchpoint.model.model import GROUPS
 from pitchpoint.model.remarks import follows_flanks
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
+
+
+WITHOUT_GEARS = {"sum over the gears": "none", "that of the gears": "its origin"}
+"""Defaults of bodies that carry no gears."""
 
 
 def defaults(model: Model) -> list[tuple[str, str]]:
@@ -32,14 +37,15 @@ def defaults(model: Model) -> list[tuple[str, str]]:
 
 def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
     """Give (group, name, key below it, default in words) of every key that stands at its default."""
-    for group in ("gears", "bodies", "meshes", "bearings", "couplings", "loads", "scenarios"):
+    for group in GROUPS:
         for name, part in getattr(model, group).items():
             idle = _idle(part)
             if group == "meshes" and follows_flanks(model, name):
                 idle.discard("slices")  # grids of gaps are read on slices, whatever the width integral
             for key, value in _unset(part):
                 if key not in idle:
-                    yield group, name, key, value
+                    bare = group == "bodies" and not part.gears
+                    yield group, name, key, WITHOUT_GEARS.get(value, value) if bare else value
 
 
 def _idle(part: Any) -> set[str]:

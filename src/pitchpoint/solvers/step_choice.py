@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.solvers.start import Start, drive_records, speeds_of
+from pitchpoint.solvers.trains import mesh_rates
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 
@@ -66,11 +67,7 @@ def fastest_mesh(system: System, scenario: Scenario) -> float:
 def _mesh_frequency(system: System, speeds: dict[str, float]) -> float:
     if "gear_mesh" not in system.records:
         return 0.0
-    names = system.layout.bodies
-    return max(
-        abs(float(r["z1"]) * speeds.get(names[int(r["i"])], 0.0)) / (2.0 * math.pi)
-        for r in system.records["gear_mesh"]
-    )
+    return max(mesh_rates(system, speeds)) / (2.0 * math.pi)
 
 
 def mesh_mode(row: np.void, system: System) -> float:

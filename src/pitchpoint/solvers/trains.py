@@ -9,7 +9,7 @@ is stiff in other directions only, like the bearings of a shaft in a housing tha
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,6 +57,22 @@ def exchange(system: System, held: Sequence[int], spin: int) -> tuple[int, ...]:
 def complete(system: System, first: Sequence[int], others: Iterable[int]) -> tuple[int, ...]:
     """Spins to hold: the first ones, and those of the others that they leave free to turn."""
     return (*first, *_beside(system, first, others))
+
+
+def mesh_rates(system: System, speeds: Mapping[str, float]) -> list[float]:
+    """Base pitches times 2 pi that every mesh goes through per second at the spins of bodies [rad/s]."""
+    body = system.program["body"]
+    _, index = _free(system)
+    rates = np.zeros(len(index))
+    for b, name in enumerate(system.layout.bodies):
+        if body[b]["spin"] >= 0:
+            rates[index[int(body[b]["spin"])]] = speeds.get(name, 0.0)
+    found = []
+    for record in system.records.get("gear_mesh", ()):
+        base = _turning(system, index, int(body[_carried(record)]["parent"]))
+        relative = _turning(system, index, int(record["i"])) - base
+        found.append(abs(float(record["z1"] * (relative @ rates))))
+    return found
 
 
 def rotations(system: System, spins: Sequence[int]) -> Array:
@@ -185,7 +201,7 @@ def _ratio(record: np.void, index: dict[int, int]) -> Array:
 def _resisted(system: System, index: dict[int, int]) -> list[Array]:
     """Rows of spins that springs, contacts, loops or eccentric weight keep from turning freely."""
     body = system.program["body"]
-    held: set[int] = set()
+    held = {int(s) for s in system.states}
     for kind, records in system.records.items():
         if kind in ("gear_mesh", "bearing", "ratio"):
             continue

@@ -98,7 +98,8 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     if chosen is not None:
         constraints.append(drive_bank(model, chosen))
     used = {b.kind for b in (*others, *constraints) if b.records.size}
-    prepare_kernels(used | {"gear_mesh"} if model.meshes else used)
+    trees = any(not body.is_round for body in tree)
+    prepare_kernels(used | {"gear_mesh"} if model.meshes else used, trees)
     banks = [mesh_bank(model), *others]
     system = assemble(
         [*tree, *hidden_bodies(elements)],

@@ -239,14 +239,15 @@ def body_channels(
     table: list[tuple[int, int, int, int]] = []
     words = {"alpha": "rx", "beta": "ry"}
     for b, (body, name) in enumerate(zip(bodies, names, strict=True), start=1):
-        for k, (coordinate, unit) in enumerate(body.coordinates):
+        for k, (coordinate, unit) in enumerate(() if body.state else body.coordinates):
             dof = int(records[b]["dof"]) + k
             at = first + len(channels)
             if body.motion in TUMBLING and unit == "rad":
                 continue  # they jump where the turns start afresh
             if coordinate == "spin":
-                channels.append(Channel(f"angle[{name}]", "rad", f"angle of {name}"))
-                channels.append(Channel(f"speed[{name}]", "rad/s", f"speed of {name}"))
+                against = f" against {names[body.parent - 1]}" if body.parent else ""
+                channels.append(Channel(f"angle[{name}]", "rad", f"angle of {name}{against}"))
+                channels.append(Channel(f"speed[{name}]", "rad/s", f"speed of {name}{against}"))
                 table += [(1, b, dof, at), (2, b, dof, at + 1)]
             else:
                 word = words.get(coordinate, coordinate)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import address, law_address, prepare
 from pitchpoint.elements import registry
+from pitchpoint.elements.signal_record import CHANNEL
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
@@ -60,13 +61,15 @@ def link(
 _PARTS = {"residual": residual.entry, "factor_entry": linear.factor_entry, "solve_entry": linear.solve_entry}
 
 
-def prepare_kernels(kinds: Iterable[str]) -> None:
+def prepare_kernels(kinds: Iterable[str], trees: bool = False) -> None:
     """Compile what is not in the cache: the core here, the kinds of elements in a second process.
 
-    The mesh goes first: it is the largest kind, and the records of a model need it before all others.
+    The mesh goes first: it is the largest kind, and the records of a model need it before all others. Bodies
+    in `trees` need their own part of the core.
     """
     ordered = sorted(kinds, key=lambda name: (name != "gear_mesh", name))
-    prepare([*_PARTS.values(), perform], [registry.find(name).load().entry for name in ordered])
+    theirs = [registry.find(name).load().entry for name in ordered]
+    prepare([*_PARTS.values(), perform], [*theirs, tree.entry] if trees else theirs)
 
 
 def link_exact(records: Mapping[str, NDArray[np.void]]) -> None:
@@ -84,6 +87,12 @@ def link_parts(body: NDArray[np.void]) -> dict[str, int]:
     if np.any(body["chart"] >= 0):
         parts["tumble"] = tree.tumble_entry
     return {name: address(kernel) for name, kernel in parts.items()}
+
+
+def listens(records: Mapping[str, NDArray[np.void]]) -> bool:
+    """Whether a signal reads what other elements observe, so that they have to say it at every evaluation."""
+    bank = records.get("signal_of_loads")
+    return bank is not None and bool(np.any(bank["op"] == CHANNEL))
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:

@@ -14,6 +14,7 @@ from tests.support.model_files import gear
 CRANK = "markers: {pin: {position: [100 mm, 0, 0]}}"
 MAIN = "  main: {type: revolute, bodies: [ground, crank], position: [0, 0, 0]}\n"
 PISTON = "  piston: {mass: 0.5 kg}\n"
+BLOCK = "{mass: 1 kg, inertia_tensor: [1, 1, 1, 0, 0, 0]}"
 PIN = "  piston_pin: {type: revolute, bodies: [rod.small, piston]}\n"
 CYLINDER = "  cylinder: {type: prismatic, bodies: [ground, piston], axes: {z: [1, 0, 0]}}\n"
 GEAR = "gears:\n" + gear("g")
@@ -280,6 +281,19 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
         [("type: prismatic,", "type: prismatic, friction: {coefficient: 0.1, radius: 1 mm},")],
         "joints.cylinder.friction.radius",
         "is that of a pin",
+    ),
+    "a start that is upside down": (
+        [("type: prismatic,", "type: spherical, start: {beta: 100 deg},"), ("{mass: 0.5 kg}", BLOCK)],
+        "joints.cylinder.start.beta",
+        "is a right angle or more",
+    ),
+    "floating on what is cut": (
+        [
+            (PISTON, PISTON + f"  block: {BLOCK}\n"),
+            joint("type: revolute, bodies: [ground, block], position: [0, 0, 0], cut: true"),
+        ],
+        "bodies.block",
+        "say cut: true and carry nothing",
     ),
     "a ratio of one": (
         [(PIN, f"{PIN}ratios:\n  r: {{terms: {{crank: 1}}}}\n")],

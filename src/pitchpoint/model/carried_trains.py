@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Speeds in gear trains with carriers: every mesh is a relation between the spins of three bodies.
+
+A mesh holds z_1 (w_1 - w_c) + z_2 (w_2 - w_c) = 0 with the speeds w in space of both gears and of the body
+that carries the line between them round (R. Willis, Principles of Mechanism, 1841). The spins of a file count
+against what a body hangs on. What all relations leave free is fixed by the given speeds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.model.frames import GROUND
+from pitchpoint.model.mechanism import seat_frame
+
+if TYPE_CHECKING:
+    from pitchpoint.model.parts import Parts
+    from pitchpoint.model.scenario_check import Link
+
+Array = NDArray[np.float64]
+
+SAME = 1e-9
+"""Singular value over the largest, and part of a row over one, that count as zero."""
+
+
+def base_of(parts: Parts, one: str, two: str) -> str:
+    """The body that carries the line between two gears round; ground where both stand on ground.
+
+    It is what the gear hangs on whose base moves with more joints.
+    """
+    bases = [_seat_parent(parts, body) for body in (one, two)]
+    chains = [_movers(parts, base) for base in bases]
+    return bases[0] if len(chains[0]) > len(chains[1]) else bases[1]
+
+
+def has_carriers(parts: Parts, links: list[Link]) -> bool:
+    """Whether the gears of some mesh hang on a body that moves."""
+    return any(
+        bool(_movers(parts, base_of(parts, one, two))) for place, one, two, _ in links if place[0] == "meshes"
+    )
+
+
+def carried_speeds(
+    parts: Parts, links: list[Link], given: Mapping[str, float], tolerance: float
+) -> tuple[dict[str, float], list[tuple[str, float]]]:
+    """Speeds of all spins and given ones that contradict earlier ones, see `scenario_check.start_speeds`."""
+    turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
+    place = {name: k for k, name in enumerate(turning)}
+    rows = [row for link in links if (row := _relation(parts, place, link)).any()]
+    free = _null_space(np.array(rows).reshape(-1, len(turning)), len(turning))
+    taken: list[str] = []
+    wrong = []
+    y = np.zeros(free.shape[1])
+    for name, value in given.items():
+        if name not in place:
+            continue
+        fits = float(free[place[name]] @ y)
+        if _rank(free, [*taken, name], place) > len(taken):
+            taken.append(name)
+            chosen = free[[place[n] for n in taken]]
+            y = np.linalg.lstsq(chosen, np.array([given[n] for n in taken]), rcond=None)[0]
+        elif abs(fits - value) > tolerance * max(abs(value), abs(fits)):
+            wrong.append((name, fits))
+    speeds = dict(zip(turning, (free @ y).tolist(), strict=True))
+    return {n: speeds.get(n, 0.0) for n in parts.bodies}, wrong
+
+
+def _seat_parent(parts: Parts, body: str) -> str:
+    seat = parts.mechanism.seats.get(body)
+    return GROUND if seat is None else seat.parent
+
+
+def _movers(parts: Parts, body: str) -> list[str]:
+    """Bodies on the way from ground whose joints move."""
+    found = []
+    while body != GROUND and body in parts.mechanism.seats:
+        seat = parts.mechanism.seats[body]
+        if seat.coordinates:
+            found.append(body)
+        body = seat.parent
+    return found
+
+
+def _in_space(parts: Parts, place: Mapping[str, int], body: str) -> Array:
+    """Speed of a body about the axis of its gears per speed of every spin."""
+    found = np.zeros(len(place))
+    sense = 1.0
+    while body != GROUND and body in parts.mechanism.seats:
+        seat = parts.mechanism.seats[body]
+        if body in place:
+            found[place[body]] += sense
+        if seat.parent != GROUND and seat.parent in parts.mechanism.seats:
+            axes = [seat_frame(parts, parts.mechanism.seats[b])[1][:, 2] for b in (body, seat.parent)]
+            along = float(axes[0] @ axes[1])
+            sense *= np.sign(along) if abs(abs(along) - 1.0) < SAME else 0.0
+        body = seat.parent
+    return found
+
+
+def _relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
+    """Row over the spins that a mesh, a coupling or a ratio holds at zero."""
+    where, one, two, ratio = link
+    if where[0] == "ratios":  # of the spins as they stand in the file
+        row = np.zeros(len(place))
+        for body, factor in ((one, -ratio), (two, 1.0)):
+            if body in place:
+                row[place[body]] += factor
+        return row
+    w_1, w_2 = (_in_space(parts, place, body) for body in (one, two))
+    base = _in_space(parts, place, base_of(parts, one, two)) if where[0] == "meshes" else np.zeros(len(place))
+    return np.asarray((w_2 - base) - ratio * (w_1 - base))
+
+
+def _null_space(rows: Array, n: int) -> Array:
+    if not len(rows):
+        return np.eye(n)
+    _, sizes, basis = np.linalg.svd(rows / np.linalg.norm(rows, axis=1, keepdims=True))
+    return np.asarray(basis[int(np.sum(sizes > SAME * sizes.max())) :].T)
+
+
+def _rank(free: Array, names: list[str], place: Mapping[str, int]) -> int:
+    if not free.shape[1]:
+        return 0
+    return int(np.linalg.matrix_rank(free[[place[n] for n in names]], tol=SAME))
