@@ -50,6 +50,7 @@ def add_shafts(parts: Parts, report: Reader) -> None:
             report.problem(
                 ("shafts", name), "has the name of a body", remedy="give the shaft a name of its own"
             )
+            report.tainted.add(("bodies",))
             continue
         _check(name, shaft, report)
         report.aliases["bodies", name] = ("shafts", name)
