@@ -93,7 +93,7 @@ def exudyn_pendulum() -> tuple[Any, Any]:
         (ground, links[0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]),
         (links[0], links[1], [LENGTH, 0.0, 0.0], [0.0, 0.0, 1.0]),
     ):
-        mbs.CreateRevoluteJoint(bodyNumbers=[one, two], position=place, axis=axis, show=False)
+        mbs.CreateRevoluteJoint(itemNumbers=[one, two], position=place, axis=axis, show=False)
     sensor = mbs.AddSensor(
         SensorBody(
             bodyNumber=links[1],
@@ -116,9 +116,9 @@ def exudyn_run(mbs: Any, n: int, step: float = STEP) -> None:
     settings.timeIntegration.verboseMode = 0
     settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
     settings.timeIntegration.newton.useModifiedNewton = True
-    settings.solutionSettings.writeSolutionToFile = False
-    settings.solutionSettings.sensorsWritePeriod = 1e9
-    settings.displayComputationTime = False
+    settings.solution.file.write = False
+    settings.solution.sensors.writePeriod = 1e9
+    settings.show.computationTime = False
     mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.GeneralizedAlpha)
 
 

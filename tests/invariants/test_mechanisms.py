@@ -13,7 +13,9 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
+from pitchpoint.elements.beam import beam_row
 from pitchpoint.elements.gravity import gravity_records
+from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import FREE, PLANAR, TORSION, Body
 from pitchpoint.multibody.joints import (
     CYLINDRICAL,
@@ -44,8 +46,21 @@ JOINTS = {
     "floating": FLOATING,
 }
 #: A clutch turns about the axes of joints, and counts their angles: another joint is another clutch.
-WITH_MARKERS = sorted(set(ELEMENTS) - {"friction_clutch"})
+WITH_MARKERS = sorted({*ELEMENTS, "beam"} - {"friction_clutch"})
 GRAVITY = np.array([1.0, -9.0, 3.0])
+
+
+def beam(i, j, bodies, place, axes):
+    """A beam with mass from a place to another further along its third axis."""
+    shape = Beam(section=rectangle(0.1, 0.08), length=0.3, E=2e5, G=8e4, rho=900.0)
+    frames = [np.eye(3) if k == 0 else np.asarray(bodies[k - 1].axes) for k in (i, j)]
+    origins = [np.zeros(3) if k == 0 else np.asarray(bodies[k - 1].position) for k in (i, j)]
+    ends = (place, place + 0.3 * axes[:, 2])
+    nodes = tuple(E.T @ (x - o) for E, x, o in zip(frames, ends, origins, strict=True))
+    return beam_row(shape, bodies=(i, j), nodes=nodes, axes=tuple(E.T @ axes for E in frames), eta=1e-2)
+
+
+MAKERS = {**ELEMENTS, "beam": beam}
 
 
 def pair(rng, joint):
@@ -97,11 +112,12 @@ def moved_record(record, before, after, number):
         if record[end] != number:
             continue
         for name in (f"p_{end}", "p"):
-            if name in record.dtype.names and (name != "p" or end == "i"):
+            if name in record.dtype.names and record[name].shape == (3,) and (name != "p" or end == "i"):
                 found[name] = turn @ record[name] + shift
-        if f"A_{end}" in record.dtype.names:
-            found[f"A_{end}"] = turn @ record[f"A_{end}"]
-    if "F" in record.dtype.names and record["i"] == number:
+        for name in (f"A_{end}", f"B_{end}"):
+            if name in record.dtype.names:
+                found[name] = turn @ record[name]
+    if "F" in record.dtype.names and record["F"].shape == (6,) and record["i"] == number:
         found["F"] = np.concatenate([turn @ record["F"][:3], turn @ record["F"][3:]])
     return found
 
@@ -164,7 +180,7 @@ def test_a_mechanism_may_hang_from_its_other_end(i, j, joint, kind):
     rng = np.random.default_rng(5)
     bodies = pair(rng, joint)
     place, axes = 0.2 * rng.normal(size=3), frame(rng)
-    record = ELEMENTS[kind](i, j, bodies, place, axes)
+    record = MAKERS[kind](i, j, bodies, place, axes)
     there = reversed_pair(bodies)
     number = {0: 0, 1: 2, 2: 1, 3: 3}
     again = record.copy()
@@ -218,8 +234,8 @@ def test_the_world_may_be_moved_and_turned(joint):
 
     def build(parts, point, directions, gravity):
         banks = {
-            kind: np.concatenate([ELEMENTS[kind](i, j, parts, point, directions) for i, j in ends])
-            for kind in ("bushing", "clearance_bearing", "force", "rolling_bearing", "spring_damper")
+            kind: np.concatenate([MAKERS[kind](i, j, parts, point, directions) for i, j in ends])
+            for kind in ("beam", "bushing", "clearance_bearing", "force", "rolling_bearing", "spring_damper")
         }
         return assemble(parts, {**banks, "gravity": gravity_records(parts[:2], gravity)})
 
