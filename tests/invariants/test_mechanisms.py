@@ -250,3 +250,9 @@ def test_the_world_may_be_moved_and_turned(joint):
     for half in (slice(0, 3), slice(3, 6)):
         there = expected["ac"][:3, half] @ turn.T
         np.testing.assert_allclose(found["ac"][:3, half], there, atol=1e-10 * max(1.0, np.abs(there).max()))
+
+
+@pytest.mark.nojit
+@pytest.mark.parametrize("joint", ["universal", "screw"])
+def test_other_ends_without_the_compiler(joint):
+    test_a_mechanism_may_hang_from_its_other_end(1, 2, joint, "bushing")
