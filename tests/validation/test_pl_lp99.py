@@ -52,7 +52,7 @@ def test_all_frequencies(n):
 
 @pytest.mark.parametrize("n", [3, 4])
 def test_what_stays_where_it_is(n):
-    """Rotational modes do not move the centres of sun, carrier, ring; modes of planets do not even turn them."""
+    """Rotational modes do not move the centres of sun, carrier, ring; modes of planets do not turn them."""
     system, found, shapes = modes(n)
     at = {
         word: [system.layout.coordinate(f"{b}.{word}") for b in ("sun", "carrier", "ring")]
