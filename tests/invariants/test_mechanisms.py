@@ -26,10 +26,12 @@ from pitchpoint.multibody.joints import (
     SPHERICAL,
     UNIVERSAL,
 )
+from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import frame
 from tests.support.forces import check_matrices, moved_world, moving
+from tests.support.mechanisms import four_bar
 from tests.support.trees import accelerated, positive_inertia
 from tests.unit.elements.test_all_joints import ELEMENTS
 
@@ -250,6 +252,46 @@ def test_the_world_may_be_moved_and_turned(joint):
     for half in (slice(0, 3), slice(3, 6)):
         there = expected["ac"][:3, half] @ turn.T
         np.testing.assert_allclose(found["ac"][:3, half], there, atol=1e-10 * max(1.0, np.abs(there).max()))
+
+
+@pytest.mark.parametrize("kind", WITH_MARKERS)
+def test_a_loop_may_be_cut_at_its_other_end(kind):
+    """A four-bar from crank to rocker and back again, an element on its coupler."""
+    rng = np.random.default_rng(8)
+    corners = ((0.0, 0.0), (0.1, 0.9), (1.2, 1.1), (1.0, 0.0))
+    there, back = (four_bar(c) for c in (corners, corners[::-1]))
+    place, axes = np.array([0.5, 0.8, 0.1]), frame(rng)
+    hidden = Body(polar_inertia=1.0, name="state")
+    one = [*there.bodies, hidden]
+    two = [*back.bodies, hidden]
+    record = MAKERS[kind](2, 0, one, place, axes)
+    if "k" in record.dtype.names and record["k"].dtype.kind == "i":
+        record["k"] = 4
+    again = record.copy()
+    if kind == "gravity":
+        record, again = (gravity_records(b[:3], GRAVITY) for b in (one, two))
+    else:
+        again[0] = moved_record(record[0], one[1], two[1], 2)
+    names = there.names
+    systems = [
+        assemble(bodies, {kind: r}, {"closure": old.records["closure"]}, names=names)
+        for bodies, r, old in ((one, record, there), (two, again, back))
+    ]
+    found, rate = [], 2.0
+    for system, order in zip(systems, ((1, 2, 3), (3, 2, 1)), strict=True):
+        state = system.initial_state()
+        crank = system.layout.coordinate("crank.spin")
+        state.v[crank] = rate
+        state = assemble_state(system, state, keep_rates=[crank]).state
+        state.v[system.layout.coordinate("state.spin")] = 0.3
+        evaluate.residual(system, state)
+        rate = float(system.workspace.fr["tw"][3][5])  # of the rocker, which is the other crank
+        frames = accelerated(system, state)
+        found.append(_at_centres(frames, system.bodies, order, [np.eye(3)] * 3))
+    for a, b in zip(*found, strict=True):
+        np.testing.assert_allclose(b[2], a[2], atol=1e-12)
+        np.testing.assert_allclose(b[3], a[3], atol=1e-9 * max(1.0, np.abs(a[3]).max()))
+    assert max(np.abs(row[3]).max() for row in found[0]) > 1.0
 
 
 @pytest.mark.nojit

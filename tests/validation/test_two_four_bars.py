@@ -11,8 +11,8 @@ cases.md. The frame is that of the source: x to the right, y upwards.
 What fails, and why: near the singular position two rows say almost the same. Their multipliers are a
 difference divided by what is left of the rank, so they lose their digits there, and Newton's iteration, which
 corrects them with the positions, does not reach its tolerance. Equal steps pass if none of them falls close
-to the position, which is luck. gstiff fails at 1e-9, and SI1 does, whose eta are integrals of these multipliers.
-wstiff and dassl in SI2 and I3 pass: they shorten their steps. What does not pass says so.
+to the position, which is luck. gstiff fails at 1e-9, and SI1 does, whose eta are integrals of such
+multipliers. wstiff and dassl in SI2 and I3 pass: they shorten their steps. What does not pass says so.
 """
 
 from __future__ import annotations
