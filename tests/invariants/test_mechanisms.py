@@ -13,8 +13,10 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
+from pitchpoint.elements import joint_friction, torsion_maxwell
 from pitchpoint.elements.beam import beam_row
 from pitchpoint.elements.gravity import gravity_records
+from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import FREE, PLANAR, TORSION, Body
 from pitchpoint.multibody.joints import (
@@ -29,8 +31,8 @@ from pitchpoint.multibody.joints import (
 from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
-from tests.support.engine import frame
-from tests.support.forces import check_matrices, moved_world, moving
+from tests.support.engine import bearings, couplings, frame, gear_rows, torques
+from tests.support.forces import check_matrices, moved_world, moving, shafts
 from tests.support.mechanisms import four_bar
 from tests.support.trees import accelerated, positive_inertia
 from tests.unit.elements.test_all_joints import ELEMENTS
@@ -292,6 +294,52 @@ def test_a_loop_may_be_cut_at_its_other_end(kind):
         np.testing.assert_allclose(b[2], a[2], atol=1e-12)
         np.testing.assert_allclose(b[3], a[3], atol=1e-9 * max(1.0, np.abs(a[3]).max()))
     assert max(np.abs(row[3]).max() for row in found[0]) > 1.0
+
+
+def _about_axes(bodies, turn):
+    """What acts about the axes of shafts, with all kinds at once."""
+    damper = np.zeros(1, torsion_maxwell.RECORD)
+    damper["i"], damper["j"], damper["k"] = 1, 3, 5
+    damper["stiffness"], damper["damping"] = 40.0, 3.0
+    loads = torques([(1, 2.0), (3, -1.0)])
+    loads["j"] = 0, 4
+    hold = bearings([(1, 0, np.diag([900.0, 800.0, 700.0, 40.0, 30.0, 0.0]), 2.0 * np.eye(6))])
+    hold["D"][:, 5] = 0.0
+    hold["B"] = turn
+    hold["d0"] = turn.T @ np.asarray(bodies[0].position)  # from the origin of the world
+    rubbed, pool = np.zeros(1, joint_friction.RECORD), Pool()
+    rubbed["i"], rubbed["j"], rubbed["form"], rubbed["ratio"] = 3, 2, joint_friction.TURN, 1.0
+    rubbed["mu"], rubbed["c_r"], rubbed["v_eps"] = 0.2, 0.05, 0.1
+    carrier, planet = bodies[1], bodies[2]
+    rubbed["p_j"] = np.asarray(carrier.axes).T @ np.subtract(planet.position, carrier.position)
+    rubbed["axis"] = np.asarray(carrier.axes).T @ np.asarray(planet.axes)[:, 2]
+    beyond = joint_friction.bodies_beyond(bodies, 3)
+    rubbed["n_beyond"], rubbed["beyond"] = beyond.size, pool.add(beyond.view(np.float64))
+    banks = {
+        "bearing": hold,
+        "coupling": couplings([(1, 2, 30.0, 0.4, 0.1), (3, 4, 20.0, 0.3, 0.0), (2, 0, 15.0, 0.2, 0.0)]),
+        "gravity": gravity_records(bodies[:4], turn @ GRAVITY),
+        "joint_friction": rubbed,
+        "torque": loads,
+        "torsion_maxwell": damper,
+    }
+    ratio = {"ratio": gear_rows([(2, 4, 20, 41)])}
+    return assemble(bodies, banks, ratio, pools={"joint_friction": pool.array()})
+
+
+def test_elements_about_axes_in_a_moved_world():
+    """Accelerations of joint coordinates, and the reaction of a gear ratio, know nothing of the world."""
+    rng = np.random.default_rng(9)
+    bodies = shafts(rng, states=1)
+    moved, turn, _ = moved_world(bodies, rng)
+    one, two = _about_axes(bodies, np.eye(3)), _about_axes(moved, turn)
+    state = moving(one, rng, 0.3, 0.05)
+    found = []
+    for system in (one, two):
+        accelerated(system, state)
+        found.append(np.concatenate([system.workspace.a, system.workspace.lam]))
+    assert np.abs(found[0]).min() > 1e-3
+    np.testing.assert_allclose(found[1], found[0], atol=1e-10 * np.abs(found[0]).max())
 
 
 @pytest.mark.nojit
