@@ -79,7 +79,9 @@ def summary(model: Model) -> dict[str, Any]:
     return {
         "ok": True,
         "title": model.title,
-        "degrees_of_freedom": sum(len(_freedoms(model, name)) for name in model.bodies),
+        "degrees_of_freedom": sum(
+            len(_freedoms(model, name)) * len(model.stations.get(name, (0.0,))) for name in model.bodies
+        ),
         "gravity": list(model.gravity) if model.gravity is not None else None,
         "gears": list(model.gears),
         "bodies": bodies,
@@ -93,6 +95,7 @@ def summary(model: Model) -> dict[str, Any]:
             }
             for name, mesh in model.meshes.items()
         },
+        "shafts": {name: _stations(model, name) for name in model.shafts},
         "joints": _joints(model),
         "rods": list(model.rods),
         "ratios": list(model.ratios),
@@ -110,6 +113,20 @@ def _freedoms(model: Model, body: str) -> list[str]:
     """Coordinates of a body, in the words of its motion or its joint."""
     seat = model.mechanism.seats[body]
     return list(FREEDOMS[model.bodies[body].moves] if seat.joint is None else seat.coordinates)
+
+
+def _stations(model: Model, shaft: str) -> dict[str, Any]:
+    """Stations of a shaft with their places [m] and what sits there."""
+    from pitchpoint.model.shafts import nearest_station, seats_on, station_names
+
+    places = model.stations[shaft]
+    sits: list[list[str]] = [[] for _ in places]
+    for at, place in seats_on(model, shaft):
+        what = sits[nearest_station(places, place)]
+        word = str(at[3] if at[0] == "shafts" else at[1])
+        what.extend([word] if word not in what else [])
+    names = station_names(shaft, len(places))
+    return {n: {"place": p, "there": s} for n, p, s in zip(names, places, sits, strict=True)}
 
 
 def _joints(model: Model) -> dict[str, Any]:
@@ -137,7 +154,8 @@ def _mobility(model: Model) -> dict[str, int]:
 
     others = len(model.rods) + len(model.ratios) + sum(c.permanent for c in model.cam_contacts.values())
     count, mobility = freedoms(model.mechanism, model, others)
-    return {"coordinates": count, "constraints": count - mobility, "by_count": mobility}
+    more = 6 * sum(len(places) - 1 for places in model.stations.values())
+    return {"coordinates": count + more, "constraints": count - mobility, "by_count": mobility + more}
 
 
 def _show_joints(found: dict[str, Any]) -> None:
@@ -191,6 +209,13 @@ def _print(model: Model, file: str) -> None:
             ["body", "gears", "moves in", "origin [mm]", "mass", "polar inertia"],
             rows,
         )
+    rows = [
+        [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
+        for stations in found["shafts"].values()
+        for name, station in stations.items()
+    ]
+    if rows:
+        table("Stations of shafts", ["station", "from the start [mm]", "what sits there"], rows)
     _show_joints(found)
     rows = [
         [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Actuators: wrenches that are a signal times a unit wrench, and how the unit wrench turns with its bodies."""
+"""Actuators: wrenches that are a signal times a unit wrench, and how that turns with its bodies."""
 
 from __future__ import annotations
 

@@ -26,7 +26,6 @@ from pitchpoint.elements.signal_record import (
     CHANNEL,
     FORMULA,
     HELD,
-    LAW,
     LINEAR,
     LINK,
     REACTION_FORCE,

@@ -38,7 +38,10 @@ _UNIT_OF = {
     sr.REACTION_FORCE: "N",
     sr.REACTION_MOMENT: "N m",
 }
-_BY_RATE = ((sr.POSITION, sr.VELOCITY, sr.ACCELERATION), (sr.ANGLE, sr.ANGULAR_VELOCITY, sr.ANGULAR_ACCELERATION))
+_BY_RATE = (
+    (sr.POSITION, sr.VELOCITY, sr.ACCELERATION),
+    (sr.ANGLE, sr.ANGULAR_VELOCITY, sr.ANGULAR_ACCELERATION),
+)
 Three = ArrayLike
 
 
@@ -375,5 +378,5 @@ def _unit(name: str, vector: Three) -> NDArray[np.float64]:
     v = np.asarray(vector, float)
     size = float(np.linalg.norm(v))
     if v.shape != (3,) or not (size > 0.0 and math.isfinite(size)):
-        raise CompileError(f"signal {name!r}: {vector} is no direction")
+        raise CompileError(f"signal {name!r}: {v} is no direction")
     return v / size

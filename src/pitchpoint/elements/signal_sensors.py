@@ -18,7 +18,6 @@ import math
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.line import COINCIDENT
 from pitchpoint.elements.signal_record import (
-    ACCELERATION,
     ANGLE,
     ANGULAR_ACCELERATION,
     ANGULAR_VELOCITY,
@@ -215,5 +214,3 @@ def sense(b, f, g, rows, tangents):
     if op == ANGULAR_VELOCITY or op == ANGULAR_ACCELERATION:
         return sense_spin(b, f, g, rows, tangents)
     return sense_way(b, f, g, rows, tangents)
-
-

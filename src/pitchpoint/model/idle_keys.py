@@ -183,7 +183,8 @@ def _joints(model: Model) -> Iterator[str]:
     for body, part in model.bodies.items():
         for marker in part.markers:
             if f"{body}.{marker}" not in named:
-                yield f"bodies.{body}.markers.{marker}: has no effect: nothing names {body}.{marker}"
+                group = "bodies" if part.shaft is None else "shafts"
+                yield f"{group}.{body}.markers.{marker}: has no effect: nothing names {body}.{marker}"
 
 
 def _springs(model: Model) -> Iterator[str]:
@@ -227,7 +228,8 @@ def _loads(model: Model) -> Iterator[str]:
     for name, load in model.loads.items():
         motion = model.bodies[load.body].moves
         if load.force is None:
-            if any(v != 0.0 for v in load.position):
+            idle = load.position if load.body not in model.shafts else load.position[:2]
+            if any(v != 0.0 for v in idle):
                 yield f"loads.{name}.position: has no effect on a torque; it is the place of a force"
             continue
         along = load.force[2]

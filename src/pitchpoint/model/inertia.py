@@ -94,6 +94,8 @@ def body_inertia(body: Body, gears: Mapping[str, Gear]) -> BodyInertia:
         All gears of the model by name.
     """
     found = [(*gear_inertia(gears[name]), at) for name, at in body.gears.items()] if asks_gears(body) else []
+    if body.shaft is not None:
+        found += body.shaft.pieces()
     mass = sum(m for m, _, _, _ in found)
     x, y, center = body.center or (0.0, 0.0, None)
     if center is None:

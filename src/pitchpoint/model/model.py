@@ -27,6 +27,7 @@ from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.components.ratio import Ratio
 from pitchpoint.model.components.rod import Rod
 from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
+from pitchpoint.model.components.shaft import Shaft
 from pitchpoint.model.components.spring import Maxwell, Spring
 from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
 from pitchpoint.model.components.unbalance import Unbalance
@@ -40,6 +41,7 @@ from pitchpoint.model.read import Reader
 from pitchpoint.model.recheck import recheck
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.scenario_check import start_speeds, sweep_meshes
+from pitchpoint.model.shafts import own_bodies, station_names, stations_of
 from pitchpoint.model.show import shown
 from pitchpoint.model.validate import check
 
@@ -79,6 +81,7 @@ class Model:
     )
     gears: Mapping[str, Gear] = key("components", "the gears by name", {}, of=Gear)
     bodies: Mapping[str, Body] = key("components", "bodies, with the gears that they carry", {}, of=Body)
+    shafts: Mapping[str, Shaft] = key("components", "elastic shafts, with the gears on them", {}, of=Shaft)
     joints: Mapping[str, Joint] = key("components", "joints between bodies", {}, of=Joint)
     springs: Mapping[str, Spring] = key("components", "springs and dampers between points", {}, of=Spring)
     maxwells: Mapping[str, Maxwell] = key(
@@ -127,6 +130,7 @@ class Model:
     """How the bodies hang on each other: tree, cut joints, places and frames of joints."""
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "bodies", own_bodies(self.bodies))
         for group in GROUPS:
             object.__setattr__(self, group, Frozen(getattr(self, group)))
         report = Reader()
@@ -208,6 +212,7 @@ class Model:
             name, *rest = path.split(".")
             if rest and name in keys_of(Model):
                 part = tops.get(name, getattr(self, name))
+                part = own_bodies(part) if name == "bodies" else part
                 tops[name] = replace_at(part, tuple(rest), value, report, (name,))
             else:
                 whole = replace_at(self, (name, *rest), value, report)
@@ -238,9 +243,20 @@ class Model:
         return body_inertia(self.bodies[body], self.gears)
 
     def start_speeds(self, scenario: str | Scenario) -> dict[str, float]:
-        """Speed of every body at the start of a scenario [rad/s], through the gear ratios."""
+        """Speed of every body at the start of a scenario [rad/s], through the gear ratios.
+
+        All stations of a shaft start with its speed.
+        """
         chosen = self.scenarios[scenario] if isinstance(scenario, str) else scenario
-        return start_speeds(self._parts(), chosen.speed)[0]
+        found = start_speeds(self._parts(), chosen.speed)[0]
+        for name, places in self.stations.items():
+            found |= dict.fromkeys(station_names(name, len(places)), found[name])
+        return found
+
+    @cached_property
+    def stations(self) -> dict[str, tuple[float, ...]]:
+        """Places of the stations that every shaft is cut at, from its start [m]."""
+        return stations_of(self)
 
     def sweep_mesh(self, scenario: str | Scenario) -> tuple[str, int]:
         """Mesh whose frequency a sweep counts, and the number of teeth of the swept body in it."""

@@ -35,6 +35,8 @@ class Reader:
         Directory that relative file names start from.
     within
         Keys beside the one that is being read, for values whose meaning depends on them.
+    aliases
+        Where components stand in the file that stand in for others: SECTION, NAME -> SECTION, NAME.
     """
 
     lines: Mapping[Place, int] = field(default_factory=dict)
@@ -43,6 +45,7 @@ class Reader:
     problems: list[Problem] = field(default_factory=list)
     tainted: set[Place] = field(default_factory=set)
     within: Mapping[str, Any] = field(default_factory=dict)
+    aliases: dict[Place, Place] = field(default_factory=dict)
 
     def line(self, path: Place) -> int | None:
         """Line of a path, or of the nearest part of it that stands in the file."""
@@ -62,6 +65,9 @@ class Reader:
         taint: bool = True,
     ) -> Any:
         """Note a problem; `taint` keeps what merely follows from it from being reported."""
+        if taint:
+            self.tainted.update(path[:n] for n in range(1, len(path) + 1))
+        path = (*self.aliases.get(path[:2], path[:2]), *path[2:])
         self.problems.append(Problem(dotted(path), message, value, limit or None, remedy, self.line(path)))
         if taint:
             self.tainted.update(path[:n] for n in range(1, len(path) + 1))

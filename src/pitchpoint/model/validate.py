@@ -345,8 +345,10 @@ def check(parts: Parts, report: Reader) -> None:
     from pitchpoint.model.joint_check import check_directions, check_joints, check_masses, check_places
     from pitchpoint.model.mechanism_check import check_mechanism
     from pitchpoint.model.pair_check import check_phasing
+    from pitchpoint.model.shafts import add_shafts, check_shaft_places
     from pitchpoint.model.support_check import check_couplings, check_positions
 
+    add_shafts(parts, report)
     check_references(parts, report)
     check_places(parts, report)
     check_carriers(parts, report)
@@ -358,6 +360,7 @@ def check(parts: Parts, report: Reader) -> None:
     check_contacts(parts, report)
     check_positions(parts, report)
     resolve(parts, report)
+    check_shaft_places(parts, report)
     check_mechanism(parts, report)
     check_couplings(parts, report)
     check_motions(parts, report)

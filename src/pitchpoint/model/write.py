@@ -14,6 +14,7 @@ from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, Pytho
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.ratio import Arm
 from pitchpoint.model.keys import Key, defaults_of, keys_of
+from pitchpoint.model.shafts import own_bodies
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.tooth_profile import Points
@@ -64,6 +65,8 @@ class _Writer:
         for name, key in keys_of(type(part)).items():
             self.within = part
             value = getattr(part, name)
+            if name == "bodies" and isinstance(value, Mapping):
+                value = own_bodies(value)  # those that stand for shafts follow from them
             # the stiffness law is always written: it is the one choice nobody should have to look up
             if value is None or (key.kind != "variant" and name in defaults and _same(value, defaults[name])):
                 continue

@@ -12,6 +12,7 @@ from pitchpoint.model.keys import defaults_of, keys_of
 from pitchpoint.model.model import GROUPS
 from pitchpoint.model.remarks import follows_flanks
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
+from pitchpoint.model.shafts import own_bodies
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -28,7 +29,7 @@ def defaults(model: Model) -> list[tuple[str, str]]:
         merged.setdefault((group, key, value), []).append(name)
     lines = []
     for (group, key, value), names in merged.items():
-        every = getattr(model, group, None)
+        every = own_bodies(model.bodies) if group == "bodies" else getattr(model, group, None)
         whole = isinstance(every, Mapping) and len(names) == len(every) > 1
         where = group if not names[0] else f"{group}.{'*' if whole else ','.join(names)}"
         lines.append((f"{where}.{key}", value))
@@ -38,7 +39,8 @@ def defaults(model: Model) -> list[tuple[str, str]]:
 def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
     """Give (group, name, key below it, default in words) of every key that stands at its default."""
     for group in GROUPS:
-        for name, part in getattr(model, group).items():
+        found = own_bodies(model.bodies) if group == "bodies" else getattr(model, group)
+        for name, part in found.items():
             idle = _idle(part)
             if group == "meshes" and follows_flanks(model, name):
                 idle.discard("slices")  # grids of gaps are read on slices, whatever the width integral

@@ -80,19 +80,13 @@ def follow_modes(
     omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     linear = linearise(system, scenario)
     own, parts = linear.system, linear.at_rest
-    ratios = _ratios(own, body)
-    rates = np.zeros(own.sizes["nd"])
-    for name, ratio in ratios.items():
-        if ratio != 0.0:
-            rates[own.spin(name)] = ratio
-    still = _still(linear)
-    leans = np.any(own.program["body"]["joint"] == GENERAL)
+    rates = speed_ratios(own, body)
     values, shapes, _ = lowest(linear)
     n = len(values)
     found, last = np.zeros((omega.size, n), complex), shapes.astype(complex)
     for s, speed in enumerate(omega):
-        at = _steady(linear, still, speed * rates) if leans else _turning(linear, still, speed * rates)
-        squares, basis = lowest(at)[:2] if leans else (values, shapes)
+        at = at_speeds(linear, speed * rates)
+        squares, basis = (values, shapes) if at.at_rest is parts else lowest(at)[:2]
         roots, z = damped_modes(at, squares, basis)
         roots, z = roots[:n], z[:n]
         # each mode goes on in the one that resembles it most
@@ -101,16 +95,26 @@ def follow_modes(
         progress(s + 1, omega.size, "speeds")
     kinetic, potential = energy_shares(parts, shapes, values)
     names = mode_names(own.layout, parts, values, shapes, kinetic, potential)
-    return Campbell(body, omega, found.imag / (2.0 * np.pi), ratio_of(found), names, _orders(system, ratios))
+    return Campbell(body, omega, found.imag / (2.0 * np.pi), ratio_of(found), names, _orders(own, rates))
 
 
-def _ratios(system: System, body: str) -> dict[str, float]:
-    """Speed of every body as one turns at 1 rad/s: by the model, or by what turns together."""
-    if system.model is not None:
-        return dict(system.model.start_speeds(Scenario(speed={body: 1.0})))
-    rates = rotations(system, (system.spin(body),))[:, 0]
-    spins = system.program["body"]["spin"]
-    return {name: float(rates[s]) for name, s in zip(system.layout.bodies, spins, strict=True) if s >= 0}
+def speed_ratios(system: System, body: str) -> Array:
+    """Rates of all coordinates as one body turns at 1 rad/s: by the model, or by what turns together."""
+    if system.model is None:
+        return np.asarray(rotations(system, (system.spin(body),))[:, 0])
+    rates = np.zeros(system.sizes["nd"])
+    for name, ratio in system.model.start_speeds(Scenario(speed={body: 1.0})).items():
+        if ratio != 0.0:
+            rates[system.spin(name)] = ratio
+    return rates
+
+
+def at_speeds(linear: Linearised, rates: Array) -> Linearised:
+    """The linear system at other speeds; where bodies hang in trees, about the equilibrium of these."""
+    still = _still(linear)
+    if np.any(linear.system.program["body"]["joint"] == GENERAL):
+        return _steady(linear, still, rates)
+    return _turning(linear, still, rates)
 
 
 def _still(linear: Linearised) -> State:
@@ -154,17 +158,20 @@ def _steady(linear: Linearised, still: State, rates: Array) -> Linearised:
     K_rest = mean + evaluate.matrix(system, at_rest, 0.0, 0.0, 1.0)
     K_rest = K_rest + symmetric(inertial_stiffness(system, state, at_rest))
     parts = replace(linear.at_rest, M=M, K=K_rest)
-    return replace(linear, state=state, at_rest=parts, D=D, K=K, basis=free_directions(system, state, linear.states))
+    return replace(
+        linear, state=state, at_rest=parts, D=D, K=K, basis=free_directions(system, state, linear.states)
+    )
 
 
-def _orders(system: System, ratios: dict[str, float]) -> dict[str, float]:
+def _orders(system: System, rates: Array) -> dict[str, float]:
     """Mesh frequency over rotational frequency of the body with ratio 1, by mesh."""
     found = {}
     for name, record in zip(mesh_names(system), system.records.get("gear_mesh", ()), strict=True):
-        one, two = (system.layout.bodies[int(record[e])] for e in ("i", "j"))
-        teeth, ratio = (record["z1"], ratios.get(one, 0.0))
+        spins = system.program["body"]["spin"]
+        one, two = (int(spins[int(record[e])]) for e in ("i", "j"))
+        teeth, ratio = record["z1"], rates[one] if one >= 0 else 0.0
         if ratio == 0.0:
-            teeth, ratio = record["z2"], ratios.get(two, 0.0)
+            teeth, ratio = record["z2"], rates[two] if two >= 0 else 0.0
         found[name] = float(abs(teeth * ratio))
     return found
 

@@ -244,7 +244,8 @@ def balance_torques(
     wanted = [k for k, name in enumerate(torques) if isinstance(loads[name].torque, Balance)]
     if not wanted:
         return system, (), list(held)
-    spins = [system.spin(loads[torques[k]].body) for k in wanted]
+    acting = system.records["torque"]["i"]  # on a shaft it is the station where the torque acts
+    spins = [system.spin(system.layout.bodies[int(acting[k])]) for k in wanted]
     let_go = tuple(held)
     for spin in spins:
         let_go = exchange(system, let_go, spin)

@@ -14,6 +14,7 @@ from pitchpoint.elements import drive as drive_element
 from pitchpoint.elements.ratio import place_of
 from pitchpoint.elements.signal import set_constant
 from pitchpoint.model.mechanism import given
+from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques, find_equilibrium
@@ -62,7 +63,10 @@ def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
             continue
         known[name] = drive_element.target_of(record, 0.0)[1]
     # a drive need not fit the ratio of the teeth: the gap takes up the rest
-    return {**model.start_speeds(replace(scenario, speed=known)), **known}
+    found = {**model.start_speeds(replace(scenario, speed=known)), **known}
+    for name, places in model.stations.items():
+        found |= dict.fromkeys(station_names(name, len(places)), found[name])
+    return found
 
 
 def drive_records(system: System) -> list[tuple[str, np.void]]:
@@ -93,12 +97,11 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         if speed != 0.0:
             state.v[system.spin(name)] = speed
     driven = list(driven_coordinates(system))
-    for place, (_, record) in zip(driven, drive_records(system), strict=True):
+    for place, (name, record) in zip(driven, drive_records(system), strict=True):
         value, rate, _ = drive_element.target_of(record, 0.0)
         state.q[place], state.v[place] = value, rate
         if place == int(record["spin_i"]):
-            state.turns[record["i"]] = round(value / (2.0 * np.pi))
-            state.q[place] = value - 2.0 * np.pi * state.turns[record["i"]]
+            _turn_to(system, state, name, value)
     held = list(held_spins(system))
     if scenario.start == "assembled":
         state, notes = _closed(system, scenario, state, driven)
@@ -108,6 +111,15 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     notes = _notes(system, found, {*driven, *balanced})
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     return Start(_with_damping(system, state), state, (*notes, *more))
+
+
+def _turn_to(system: System, state: State, body: str, angle: float) -> None:
+    """Give a body an angle [rad] as a remainder and whole turns; all stations of a shaft turn with it."""
+    places = system.model.stations.get(body, (0.0,)) if system.model is not None else (0.0,)
+    for name in station_names(body, len(places)):
+        number, turns = system.layout.bodies.index(name), round(angle / (2.0 * np.pi))
+        state.turns[number] = turns
+        state.q[system.spin(name)] = angle - 2.0 * np.pi * turns
 
 
 def _closed(

@@ -2,8 +2,9 @@
 """Stiffness of a system split into its elements, and its mean over the mesh cycles.
 
 What an element contributes is the difference between the matrix with it alone and with none (see
-`element_tangents`), so every kind keeps its physics in its kernel. A mesh is turned through its cycle by moving its path of contact, all bodies
-staying where they are: meshes of a train get their own mean each, whatever the periods of the others.
+`element_tangents`), so every kind keeps its physics in its kernel. A mesh is turned through its cycle by
+moving its path of contact, all bodies staying where they are: meshes of a train get their own mean each,
+whatever the periods of the others.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from pitchpoint.model.frames import axes_of
 from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.bearing import bearing_bank
-from pitchpoint.system.rules.bodies import bodies, end_of, world_place
+from pitchpoint.system.rules.bodies import bodies, body_numbers, end_of, world_place
 from pitchpoint.system.rules.bushing import bushing_bank
 from pitchpoint.system.rules.closure import closure_bank
 from pitchpoint.system.rules.clutch import clutch_bank
@@ -29,6 +29,7 @@ from pitchpoint.system.rules.load import load_banks
 from pitchpoint.system.rules.places import Places, hidden_bodies
 from pitchpoint.system.rules.ratio import ratio_bank
 from pitchpoint.system.rules.rolling_bearing import plain_bearing_bank, rolling_bearing_bank
+from pitchpoint.system.rules.shaft import shaft_bank
 from pitchpoint.system.rules.spring import (
     maxwell_bank,
     spring_bank,
@@ -77,6 +78,7 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     followers, held = cam_banks(model.cam_contacts, places.end)
     others = [
         bearing_bank(model),
+        shaft_bank(model, body_numbers(model)),
         *load_banks(model),
         damping_bank(model),
         gravity_bank(model),

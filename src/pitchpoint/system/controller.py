@@ -66,14 +66,18 @@ class SampledController:
             return [], self._said(t, f"returned {answer!r}, which is no list of numbers")
         if len(found) != len(self.outputs):
             return [], self._said(t, f"returned {len(found)} numbers for {len(self.outputs)} outputs")
-        bad = [f"{x} for {name!r}" for x, name in zip(found, self.outputs, strict=True) if not math.isfinite(x)]
+        bad = [
+            f"{x} for {name!r}" for x, name in zip(found, self.outputs, strict=True) if not math.isfinite(x)
+        ]
         return found, self._said(t, f"returned {', '.join(bad)}") if bad else ""
 
     def _said(self, t: float, what: str) -> str:
         return f"the controller {self.name!r} {what} (t = {t:.6g} s)"
 
 
-def sampled_pid(t: float, inputs: Sequence[float], state: dict[str, float], parameters: dict[str, float]) -> float:
+def sampled_pid(
+    t: float, inputs: Sequence[float], state: dict[str, float], parameters: dict[str, float]
+) -> float:
     """PID in the form of a digital controller: backward differences, clamped, with conditional integration.
 
     Parameters

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import address, law_address, prepare
 from pitchpoint.elements import registry
-from pitchpoint.elements.signal_record import CHANNEL
+from pitchpoint.elements.signal_record import ACCELERATION, ANGULAR_ACCELERATION, CHANNEL
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
@@ -93,6 +93,13 @@ def listens(records: Mapping[str, NDArray[np.void]]) -> bool:
     """Whether a signal reads what other elements observe, so that they have to say it at every evaluation."""
     bank = records.get("signal_of_loads")
     return bank is not None and bool(np.any(bank["op"] == CHANNEL))
+
+
+def senses_accelerations(records: Mapping[str, NDArray[np.void]]) -> bool:
+    """Whether a signal follows accelerations: what it drives may be part of the mass matrix then."""
+    sensed = (ACCELERATION, ANGULAR_ACCELERATION)
+    banks = [records[name] for name in ("signal", "signal_of_loads") if name in records]
+    return any(bool(np.any(np.isin(bank["op"], sensed))) for bank in banks)
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:

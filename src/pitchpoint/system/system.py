@@ -15,7 +15,7 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
 from pitchpoint.multibody.bodies import Body, body_records
 from pitchpoint.system.layout import Channel, Layout, body_channels, structure
-from pitchpoint.system.link import link, link_parts, listens
+from pitchpoint.system.link import link, link_parts, listens, senses_accelerations
 from pitchpoint.system.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -112,6 +112,8 @@ class System:
         made = Workspace(dict(self.program), dict(self.sizes), tables, parts, self.weight)
         if listens(self.records):
             made.mach[0]["watch"] = made.arrays["heard"].ctypes.data
+        if senses_accelerations(self.records):
+            made.mach[0]["constant_mass"] = 0
         return made
 
     def __getstate__(self) -> dict[str, Any]:

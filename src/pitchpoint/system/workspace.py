@@ -151,7 +151,10 @@ class Workspace:
         ctl["guides"], ctl["ng"] = self.arrays["guides"].ctypes.data, len(self.arrays["guides"])
         for name, where in parts.items():
             mach[name] = where
-        mach["constant_mass"] = int(np.all(program["body"]["joint"] < 6))
+        # forces that follow accelerations are found by iteration, see `linear.solve_acceleration`
+        mach["constant_mass"] = int(
+            np.all(program["body"]["joint"] < 6) and not len(self.tables["frictions"])
+        )
         ctl["mach"] = self.mach.ctypes.data
         ctl["at"] = self.ctl.ctypes.data
         ctl["bad"] = ctl["badkind"] = -1

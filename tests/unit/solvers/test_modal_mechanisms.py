@@ -102,7 +102,7 @@ def four_bar_by_energy():
 
 
 def test_four_bar_hanging():
-    """The reactions of the loop belong to the stiffness: energy over the crank angle knows nothing of them."""
+    """Reactions of the loop belong to the stiffness: the energy over the crank angle has no need of them."""
     modes = find_modes(hanging_four_bar())
     assert modes.frequency.size == 1
     assert modes.frequency[0] * 2.0 * math.pi == pytest.approx(four_bar_by_energy(), rel=1e-5)
@@ -176,7 +176,9 @@ def test_a_state_of_an_element():
     m, k, k_m, d = 2.0, 800.0, 500.0, 40.0
     along_x = np.column_stack([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])
     bodies = [
-        Body(motion=PRISMATIC, axes=along_x, position=(1.0, 0.0, 0.0), mass=m, inertia=np.eye(3), name="mass"),
+        Body(
+            motion=PRISMATIC, axes=along_x, position=(1.0, 0.0, 0.0), mass=m, inertia=np.eye(3), name="mass"
+        ),
         Body(motion=TORSION, polar_inertia=1.0, name="state"),
     ]
     spring = np.zeros(1, spring_damper.RECORD)
@@ -197,7 +199,9 @@ def test_dataset_has_participation_and_motions():
     bodies = [bar((0.0, 0.0), (0.0, -0.8), mass=2.0, name="arm")]
     data = solve_modal(assemble(bodies, {"gravity": weighed(bodies)}))
     assert data["body_shape"].dims == ("mode", "body", "direction")
-    assert data["effective_mass"].sel(direction="x").item() == pytest.approx(1.5, rel=1e-9)  # m (L/2)^2/(L^2/3)
+    assert data["effective_mass"].sel(direction="x").item() == pytest.approx(
+        1.5, rel=1e-9
+    )  # m (L/2)^2/(L^2/3)
 
 
 def test_a_preload_that_follows_the_body_counts():

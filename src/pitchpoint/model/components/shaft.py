@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import Problem
+from pitchpoint.model.components.marker import Marker
 from pitchpoint.model.keys import key, positive, quantities, quantity
 
 if TYPE_CHECKING:
@@ -29,15 +31,29 @@ class Shaft:
     """An elastic round shaft that bends, twists and stretches; gears, bearings and loads sit at places
     along it."""
 
-    sections: dict[str, ShaftSection] = key(
-        "components", "pieces in the order in which they follow along the spin axis", of=ShaftSection
+    sections: tuple[ShaftSection, ...] = key(
+        "list",
+        "pieces in the order in which they follow along the spin axis",
+        of=ShaftSection,
+        length=(1, 1000),
+        sample="[{length: 100 mm, diameter: 40 mm}]",
     )
     material: Material | str = key("material", "name in the library or its properties", "steel")
     gears: dict[str, float] = key(
         "gears", "names of the gears, with the places of their mid-faces from the start of the shaft [m]", {}
     )
     position: tuple[float, float, float] | None = quantities(
-        "length", "start of the shaft [x, y, z]", None, length=(3, 3), display="from the meshes"
+        "length",
+        "start of the shaft [x, y, z]; it lies along the z axis of the world",
+        None,
+        length=(3, 3),
+        display="from meshes and couplings",
+    )
+    markers: Mapping[str, Marker] = key(
+        "components",
+        "points with frames, by name; positions count from the start of the shaft",
+        {},
+        of=Marker,
     )
     largest_piece: float | None = positive(
         "length", "longest piece that is reckoned as one beam", None, display="two diameters"
@@ -53,7 +69,7 @@ class Shaft:
     @property
     def length(self) -> float:
         """Length of all sections [m]."""
-        return sum(s.length for s in self.sections.values())
+        return sum(s.length for s in self.sections)
 
     @property
     def material_data(self) -> Material:
@@ -62,37 +78,13 @@ class Shaft:
 
         return self.material if isinstance(self.material, Material) else material(self.material)
 
-    def problems(self, where: str) -> list[Problem]:
-        """Say what makes the shaft impossible; empty if nothing does.
-
-        Parameters
-        ----------
-        where
-            Path of the shaft in the model, for instance ``shafts.input``.
-        """
-        found = []
-        if not self.sections:
-            found.append(Problem(f"{where}.sections", "is empty", remedy="give one section at least"))
-        for name, section in self.sections.items():
-            if section.bore >= section.diameter:
-                found.append(
-                    Problem(
-                        f"{where}.sections.{name}.bore",
-                        "leaves nothing of the shaft",
-                        value=f"{section.bore:g} m",
-                        limit=f"below the diameter {section.diameter:g} m",
-                        remedy="diameters, not radii, are asked for",
-                    )
-                )
-        for name, place in self.gears.items():
-            if not 0.0 <= place <= self.length * (1.0 + 1e-9):
-                found.append(
-                    Problem(
-                        f"{where}.gears.{name}",
-                        "is no place on the shaft",
-                        value=f"{place:g} m",
-                        limit=f"0 to {self.length:g} m",
-                        remedy="places count from the start of the first section",
-                    )
-                )
+    def pieces(self) -> list[tuple[float, float, float, float]]:
+        """Mass [kg], polar and transverse inertia about its middle [kg m^2] and place of its middle [m] of
+        every section."""
+        found, start, density = [], 0.0, self.material_data.density
+        for s in self.sections:
+            mass = density * math.pi / 4.0 * (s.diameter**2 - s.bore**2) * s.length
+            polar = mass / 8.0 * (s.diameter**2 + s.bore**2)
+            found.append((mass, polar, 0.5 * polar + mass * s.length**2 / 12.0, start + 0.5 * s.length))
+            start += s.length
         return found

@@ -14,7 +14,7 @@ from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.frames import frame
 from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import axis_shift, body_numbers
+from pitchpoint.system.rules.bodies import seat_at
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -26,7 +26,6 @@ def bearing_bank(model: Model) -> Bank:
     The markers lie on the spin axes, so that the springs do not turn with the gears; a model has no x and y
     in their positions. The springs act along the axes of the (first) body.
     """
-    number = body_numbers(model)
     rows, names = [], []
     parts: list[tuple[str, Bearing | Coupling, tuple[str, ...]]] = [
         *((n, b, (b.body,)) for n, b in model.bearings.items()),
@@ -37,15 +36,13 @@ def bearing_bank(model: Model) -> Bank:
         origin = [np.array(model.bodies[b].origin or (0.0, 0.0, 0.0)) for b in ends]
         axes = frame(model.bodies[ends[0]].axes)
         marker = origin[0] + axes @ [0.0, 0.0, part.position[2]]
-        row["i"] = number[ends[0]]
-        row["j"] = number[ends[1]] if len(ends) == 2 else 0
+        row["i"], row["zi"] = seat_at(model, ends[0], part.position[2])
         row["K"] = part.stiffness.matrix6()
         row["D"] = _damping(model, part, ends)
-        row["zi"] = part.position[2] + axis_shift(model, ends[0])
         row["B"] = axes
         if len(ends) == 2:
             along = float((marker - origin[1]) @ axes[:, 2])
-            row["zj"] = along + axis_shift(model, ends[1])
+            row["j"], row["zj"] = seat_at(model, ends[1], along)
             row["d0"] = axes.T @ (marker - origin[1]) - [0.0, 0.0, along]
             row["B"] = seat_frame(model, model.mechanism.seats[ends[1]])[1].T @ axes
         else:

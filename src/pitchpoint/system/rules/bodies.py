@@ -14,11 +14,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.model.frames import GROUND, axes_of, body_frame, place_of, split
+from pitchpoint.model.frames import GROUND, axes_of, body_frame, joint_place, place_of, split
 from pitchpoint.model.mechanism import ONE_WAY, Seat, axial_offset, seat_frame
+from pitchpoint.model.shafts import nearest_station
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.unbalance import with_point_mass
+from pitchpoint.system.rules.shaft import shaft_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -49,10 +51,20 @@ ROUND = 1e-12
 
 
 def bodies(model: Model) -> list[Body]:
-    """All bodies, parents first; body k of the list is number k + 1 in the records."""
+    """All bodies, parents first, shafts as their stations; body k of the list is k + 1 in the records."""
     number = body_numbers(model)
-    found = {n: _body(model, seat, number[seat.parent]) for n, seat in model.mechanism.seats.items()}
+    found: dict[str, Body] = {}
+    for n, seat in model.mechanism.seats.items():
+        if n in model.shafts:
+            found |= {b.name: b for b in shaft_of(model, n, number[n]).bodies}
+        else:
+            found[n] = _body(model, seat, _parent(model, seat))
     for part in model.unbalances.values():
+        if part.body in model.shafts:
+            k, z = seat_at(model, part.body, part.position[2])
+            name = list(found)[k - 1]
+            found[name] = with_point_mass(found[name], part.mass, np.array([*part.position[:2], z]))
+            continue
         body, place = found[part.body], point_on(model, part.body, part.position)
         if model.bodies[part.body].moves == "torsion" and body.inertia is None:
             # it only spins: what it has across its axis has no effect, but some mass must be able to have it
@@ -62,8 +74,19 @@ def bodies(model: Model) -> list[Body]:
 
 
 def body_numbers(model: Model) -> dict[str, int]:
-    """Number of every body in the records; ground is 0."""
-    return {GROUND: 0, **{name: k for k, name in enumerate(model.mechanism.seats, start=1)}}
+    """Number of every body in the records; ground is 0, and a shaft has that of its start."""
+    found, k = {GROUND: 0}, 1
+    for name in model.mechanism.seats:
+        found[name] = k
+        k += len(model.stations.get(name, (0.0,)))
+    return found
+
+
+def _parent(model: Model, seat: Seat) -> int:
+    """Number of the body that another one hangs on: of a shaft, the station where the joint sits."""
+    if seat.joint is None:
+        return body_numbers(model)[seat.parent]
+    return frame_at(model, seat.parent, joint_place(model, model.joints[seat.joint]))[0]
 
 
 def _body(model: Model, seat: Seat, parent: int) -> Body:
@@ -133,8 +156,31 @@ def end_of(model: Model, end: str) -> tuple[int, Array, Array]:
     place, turned = place_of(model, end), axes_of(model, end)
     if body == GROUND or place is None:
         return 0, np.zeros(3) if place is None else place, turned
+    number, at, axes = frame_at(model, body, place)
+    return number, axes.T @ (place - at), axes.T @ turned
+
+
+def frame_at(model: Model, body: str, place: Array | None) -> tuple[int, Array, Array]:
+    """Number, origin [m] and axes of the frame of a body; of a shaft, of the station nearest to a place.
+
+    Parameters
+    ----------
+    model
+        The model.
+    body
+        Name of the body, or ground.
+    place
+        In the world with all coordinates zero [m]; None takes the start of a shaft.
+    """
+    if body == GROUND:
+        return 0, np.zeros(3), np.eye(3)
+    number = body_numbers(model)[body]
     at, axes = seat_frame(model, model.mechanism.seats[body])
-    return body_numbers(model)[body], axes.T @ (place - at), axes.T @ turned
+    if body in model.shafts and place is not None:
+        places = model.stations[body]
+        k = nearest_station(places, float(place[2] - at[2]))
+        return number + k, at + np.array([0.0, 0.0, places[k]]), axes
+    return number, at, axes
 
 
 def point_on(model: Model, body: str, position: Sequence[float]) -> Array:
@@ -160,6 +206,21 @@ def world_place(model: Model, end: str) -> Array:
     return np.zeros(3) if place is None else place
 
 
-def axis_shift(model: Model, body: str) -> float:
-    """What to add to an axial position on a body so that it counts from the frame it moves in [m]."""
-    return axial_offset(model, model.mechanism.seats[body]) or 0.0
+def seat_at(model: Model, body: str, z: float) -> tuple[int, float]:
+    """Number of what sits at an axial position on a body, and the position from its frame [m].
+
+    Parameters
+    ----------
+    model
+        The model.
+    body
+        Name of the body.
+    z
+        From the origin of the body along its z axis [m].
+    """
+    number = body_numbers(model)[body]
+    if body in model.shafts:
+        places = model.stations[body]
+        k = nearest_station(places, z)
+        return number + k, z - places[k]
+    return number, z + (axial_offset(model, model.mechanism.seats[body]) or 0.0)

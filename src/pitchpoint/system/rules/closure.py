@@ -13,7 +13,7 @@ from pitchpoint.elements import closure as element
 from pitchpoint.elements.closure_rows import cut_joint, rod
 from pitchpoint.model.frames import joint_axes, joint_place, split
 from pitchpoint.system.rules.bank import Bank
-from pitchpoint.system.rules.bodies import CODES, bodies, body_numbers, world_place
+from pitchpoint.system.rules.bodies import CODES, bodies, end_of, frame_at, world_place
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -21,15 +21,14 @@ if TYPE_CHECKING:
 
 def closure_bank(model: Model) -> Bank:
     """Rows of all cut joints and rods, named JOINT.x, JOINT.xy and the like by what they hold fast."""
-    number = body_numbers(model)
     tree = bodies(model) if model.mechanism.cut or model.rods else []
     records, names = [np.zeros(0, element.RECORD)], []
     for name in model.mechanism.cut:
         joint = model.joints[name]
-        base, moved = (number[split(e)[0]] for e in joint.bodies)
         place = joint_place(model, joint)
         if place is None:
             raise CompileError(f"joints.{name}: has no place")
+        base, moved = (frame_at(model, split(e)[0], place)[0] for e in joint.bodies)
         lead = (joint.lead or 0.0) / math.tau
         axes = joint_axes(model, joint)
         rows, words = cut_joint(CODES[joint.type], tree, moved, base, place, axes, lead)
@@ -37,7 +36,7 @@ def closure_bank(model: Model) -> Bank:
         names += [f"{name}.{word}" for word in words]
     for name, part in model.rods.items():
         one, two = part.ends
-        ends = number[split(one)[0]], number[split(two)[0]]
+        ends = end_of(model, one)[0], end_of(model, two)[0]
         records.append(rod(tree, *ends, world_place(model, one), world_place(model, two), part.length))
         names.append(name)
     return Bank("closure", np.concatenate(records), tuple(names))

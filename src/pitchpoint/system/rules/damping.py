@@ -18,7 +18,12 @@ if TYPE_CHECKING:
 def damping_bank(model: Model) -> Bank:
     """Empty records; the matrix belongs to an operating point, which only a solver knows."""
     number = body_numbers(model)
-    moving = [number[name] for name, seat in model.mechanism.seats.items() if seat.coordinates]
+    moving = [
+        number[name] + k
+        for name, seat in model.mechanism.seats.items()
+        if seat.coordinates
+        for k in range(len(model.stations.get(name, (0.0,))))
+    ]
     rows = []
     if model.damping is not None:
         for i in moving:

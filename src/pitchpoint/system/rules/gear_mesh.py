@@ -27,7 +27,7 @@ from pitchpoint.model.mechanism import Seat, seat_frame
 from pitchpoint.model.remarks import warn_of_remarks
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import axis_shift, body_numbers
+from pitchpoint.system.rules.bodies import seat_at
 from pitchpoint.system.rules.separation import separation_grids
 from pitchpoint.system.rules.stiffness import describe_stiffness, user_law
 
@@ -217,29 +217,28 @@ def mesh_bank(model: Model) -> Bank:
     warn_of_remarks(model)
     pool = Pool()
     rows, names, laws = [], [], []
-    number = body_numbers(model)
     for name, mesh in model.meshes.items():
         ends = [model.body_of(g) for g in mesh.gears]
         if None in ends:
             continue
         one, two = (str(e) for e in ends)
         gears = [model.gears[g] for g in mesh.gears]
-        frames = [seat_frame(model, model.mechanism.seats[b]) for b in (one, two)]
+        seats = [_seat(model, b, g) for b, g in zip((one, two), mesh.gears, strict=True)]
         place = Placement(
-            origin1=frames[0][0],
-            origin2=frames[1][0],
-            offset1=model.bodies[one].gears[mesh.gears[0]] + axis_shift(model, one),
-            offset2=model.bodies[two].gears[mesh.gears[1]] + axis_shift(model, two),
+            origin1=seats[0][2],
+            origin2=seats[1][2],
+            offset1=seats[0][1],
+            offset2=seats[1][1],
             phi1=model.phasing.tooth_angle[mesh.gears[0]],
             phi2=model.phasing.tooth_angle[mesh.gears[1]],
-            turn1=_turn(frames[0][1]),
-            turn2=_turn(frames[1][1]),
+            turn1=_turn(seats[0][3]),
+            turn2=_turn(seats[1][3]),
             fixed=all(_only_spins(model.mechanism.seats[b]) for b in (one, two)),
             widths=(gears[0].face_width, gears[1].face_width),
         )
         pair = model.pairs[name]
         row = mesh_row(pair, place, mesh_laws(model, name), pool.add, model.backlash(name))
-        row["i"], row["j"] = number[one], number[two]
+        row["i"], row["j"] = seats[0][0], seats[1][0]
         if row["source"] == layout.PROFILE:  # a prescribed total stiffness knows no tooth pairs
             row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
             separation_grids(row, gears, pool.add)
@@ -249,6 +248,16 @@ def mesh_bank(model: Model) -> Bank:
         rows.append(row)
         names.append(name)
     return pack("gear_mesh", layout.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
+
+
+def _seat(model: Model, body: str, gear: str) -> tuple[int, float, Array, Array]:
+    """Number of what carries a gear, its mid-face from that frame [m], origin and axes of the frame."""
+    at, axes = seat_frame(model, model.mechanism.seats[body])
+    z = model.bodies[body].gears[gear]
+    number, rest = seat_at(model, body, z)
+    if body in model.shafts:
+        at = at + np.array([0.0, 0.0, z - rest])
+    return number, rest, at, axes
 
 
 def _only_spins(seat: Seat) -> bool:

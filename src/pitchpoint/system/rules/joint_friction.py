@@ -9,10 +9,10 @@ import numpy as np
 
 from pitchpoint.elements import joint_friction as element
 from pitchpoint.elements.signal import Pool
-from pitchpoint.model.frames import GROUND, Array, joint_axes, joint_place, split
+from pitchpoint.model.frames import joint_axes, joint_place, split
 from pitchpoint.model.mechanism import Seat, rows_of, seat_frame
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import body_numbers
+from pitchpoint.system.rules.bodies import body_numbers, frame_at
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.joint import Joint
@@ -36,11 +36,12 @@ def friction_bank(model: Model, bodies: list[Body]) -> Bank:
         row = np.zeros(1, element.RECORD)[0]
         seat = model.mechanism.carrier(name)
         if seat is not None:
-            row["i"], row["j"] = number[seat.body], number[seat.parent]
+            row["i"], row["j"] = number[seat.body], frame_at(model, seat.parent, joint_place(model, joint))[0]
             beyond = element.bodies_beyond(bodies, number[seat.body])
             row["n_beyond"], row["beyond"] = beyond.size, pool.add(beyond.view(np.float64))
         else:
-            row["j"], row["i"] = (number[split(e)[0]] for e in joint.bodies)
+            at = joint_place(model, joint)
+            row["j"], row["i"] = (frame_at(model, split(e)[0], at)[0] for e in joint.bodies)
             row["n_rows"], row["rows"] = rows_of(joint), first[name]
         _place(row, model, joint, seat)
         _law(row, joint)
@@ -55,16 +56,10 @@ def _place(row: Any, model: Model, joint: Joint, seat: Seat | None) -> None:
     axis = joint_axes(model, joint)[:, 2] if seat is None else seat_frame(model, seat)[1][:, 2]
     ends = [split(e)[0] for e in joint.bodies] if seat is None else [seat.parent, seat.body]
     for end, body in zip("ji", ends, strict=True):
-        at, axes = _frame(model, body)
+        _, at, axes = frame_at(model, body, place)
         row[f"p_{end}"] = axes.T @ ((at if place is None else place) - at)
         if end == "j":
             row["axis"] = axes.T @ axis
-
-
-def _frame(model: Model, body: str) -> tuple[Array, Array]:
-    if body == GROUND:
-        return np.zeros(3), np.eye(3)
-    return seat_frame(model, model.mechanism.seats[body])
 
 
 def _law(row: Any, joint: Joint) -> None:

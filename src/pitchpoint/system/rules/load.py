@@ -15,8 +15,9 @@ from pitchpoint.elements import signal as sig
 from pitchpoint.elements import torque as torque_element
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, Law, PythonLaw, TableLaw
 from pitchpoint.model.frames import GROUND, frame
+from pitchpoint.model.shafts import place_of_load
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import axis_shift, body_numbers, end_of
+from pitchpoint.system.rules.bodies import end_of, frame_at, seat_at
 from pitchpoint.system.rules.stiffness import user_law
 
 if TYPE_CHECKING:
@@ -55,14 +56,13 @@ def load_banks(model: Model) -> list[Bank]:
 
 
 def _torques(model: Model) -> Bank:
-    number = body_numbers(model)
     pool = sig.Pool()
     rows, names, laws = [], [], []
     for name, load in model.loads.items():
         if load.torque is None:
             continue
         row = np.zeros(1, torque_element.RECORD)[0]
-        row["i"], row["j"] = number[load.body], number[load.reaction or GROUND]
+        row["i"], row["j"] = _ends(model, load)
         laws.append(set_signal(row, pool, load.torque, f"loads.{name}.torque"))
         rows.append(row)
         names.append(name)
@@ -70,7 +70,6 @@ def _torques(model: Model) -> Bank:
 
 
 def _forces(model: Model) -> Bank:
-    number = body_numbers(model)
     pool = sig.Pool()
     rows, names, laws = [], [], []
     for name, load in model.loads.items():
@@ -78,12 +77,18 @@ def _forces(model: Model) -> Bank:
             if isinstance(law, Constant) and law.value == 0.0:
                 continue
             row = np.zeros(1, force_element.RECORD)[0]
-            row["i"], row["j"] = number[load.body], number[load.reaction or GROUND]
+            row["i"], row["j"] = _ends(model, load)
             _attack(row, model, load, axis)
             laws.append(set_signal(row, pool, law, f"loads.{name}.force[{axis}]"))
             rows.append(row)
             names.append(f"{name}.{'xyz'[axis]}")
     return pack("force", force_element.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
+
+
+def _ends(model: Model, load: Load) -> tuple[int, int]:
+    """Numbers of the bodies that a load and its reaction act on; on shafts, of the stations there."""
+    there = np.array([0.0, 0.0, place_of_load(model, load)])
+    return tuple(frame_at(model, body, there)[0] for body in (load.body, load.reaction or GROUND))  # type: ignore[return-value]
 
 
 def _attack(row: Any, model: Model, load: Load, axis: int) -> None:
@@ -98,4 +103,4 @@ def _attack(row: Any, model: Model, load: Load, axis: int) -> None:
     # the arm off the spin axis: the load is applied to the housing side of the body, it does not spin
     arm = frame(model.bodies[load.body].axes) @ np.array((*load.position[:2], 0.0))
     row["F"][3:] = np.cross(arm, np.eye(3)[axis])
-    row["z"] = load.position[2] + axis_shift(model, load.body)
+    row["z"] = seat_at(model, load.body, load.position[2])[1]

@@ -8,8 +8,7 @@ its station.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -18,14 +17,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements.shaft_beam import RECORD, shaft_row
+from pitchpoint.model.inertia import gear_inertia
+from pitchpoint.model.shafts import cut, on_shaft, section_at, station_names
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import FREE, Body
+from pitchpoint.system.rules.bank import Bank
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.shaft import Shaft
+    from pitchpoint.model.model import Model
 
-SAME = 1e-6
-"""Places that differ by less than this share of the length are one."""
 BARE = 1e-9
 """Mass and inertia of a station where nothing sits, per mass and inertia of the shaft: a body needs some."""
 
@@ -57,7 +58,7 @@ class ShaftParts:
     Parameters
     ----------
     bodies
-        Stations in order along the shaft, called ``SHAFT.1`` and so on.
+        Stations in order along the shaft, called ``SHAFT``, ``SHAFT.2`` and so on.
     beams
         Records of the kind shaft_beam, with the numbers of the bodies.
     names
@@ -84,6 +85,7 @@ def shaft_parts(
     origin: ArrayLike = (0.0, 0.0, 0.0),
     gravity: ArrayLike = (0.0, 0.0, 0.0),
     angle: float = 0.0,
+    stations: Sequence[float] | None = None,
 ) -> ShaftParts:
     """Cut a shaft into stations and beams.
 
@@ -103,85 +105,83 @@ def shaft_parts(
         On the mass of the shaft [m/s^2]; what sits on it is a matter of the bodies.
     angle
         Initial spin of all stations [rad].
+    stations
+        Places of the stations from the start of the shaft [m]; None cuts it where the riders sit.
 
     Raises
     ------
     CompileError
         If a rider does not sit on the shaft.
     """
-    length = shaft.length
-    off = [
-        f"{r} at {x.place:g} m"
-        for r, x in riders.items()
-        if not -SAME * length <= x.place <= length * (1 + SAME)
-    ]
+    off = [f"{r} at {x.place:g} m" for r, x in riders.items() if not on_shaft(shaft, x.place)]
     if off:
-        raise CompileError(f"shaft {name}: is {length:g} m long; not on it: {', '.join(off)}")
-    places = _places(shaft, [r.place for r in riders.values()])
+        raise CompileError(f"shaft {name}: is {shaft.length:g} m long; not on it: {', '.join(off)}")
+    places = np.array(stations or cut(shaft, [r.place for r in riders.values()]))
     sat: dict[int, list[Rider]] = {}
-    stations = {}
+    numbers = {}
     for rider, x in riders.items():
         k = int(np.argmin(np.abs(places - x.place)))
         sat.setdefault(k, []).append(x)
-        stations[rider] = first + k
+        numbers[rider] = first + k
     beams = [_beam(shaft, a, b) for a, b in zip(places[:-1], places[1:], strict=True)]
     mass = sum(b.mass for b in beams)
     polar = sum(b.rho * b.section.J * b.length for b in beams)
     start = np.asarray(origin, float)
     bodies = [
         _station(
-            f"{name}.{k + 1}",
+            label,
             np.add(start, (0.0, 0.0, place)),
             sat.get(k, []),
             BARE * mass,
             BARE * polar,
             angle,
         )
-        for k, place in enumerate(places)
+        for k, (label, place) in enumerate(zip(station_names(name, places.size), places, strict=True))
     ]
     rows = [
         shaft_row(b, bodies=(first + k, first + k + 1), eta=shaft.internal_damping, gravity=gravity)
         for k, b in enumerate(beams)
     ]
     names = tuple(f"{name}.{k + 1}" for k in range(len(beams)))
-    return ShaftParts(tuple(bodies), np.concatenate(rows).astype(RECORD), names, stations, places)
+    return ShaftParts(tuple(bodies), np.concatenate(rows).astype(RECORD), names, numbers, places)
 
 
-def _places(shaft: Shaft, wanted: list[float]) -> NDArray[np.float64]:
-    """Stations: what is wanted first, then steps and ends that are not there yet, then cuts of long
-    pieces."""
-    length = shaft.length
-    found = sorted({min(max(p, 0.0), length) for p in wanted})
-    kept: list[float] = []
-    for p in found:
-        if not kept or p - kept[-1] > SAME * length:
-            kept.append(p)
-    steps = np.concatenate([[0.0], np.cumsum([s.length for s in shaft.sections.values()])])
-    for step in steps:
-        if all(abs(step - p) > SAME * length for p in kept):
-            kept.append(float(step))
-    kept.sort()
-    places = [kept[0]]
-    for a, b in zip(kept[:-1], kept[1:], strict=True):
-        section = _section_at(shaft, 0.5 * (a + b))
-        pieces = math.ceil((b - a) / (shaft.largest_piece or 2.0 * section[0]) - 1e-9)
-        places += [a + (b - a) * k / pieces for k in range(1, pieces + 1)] if pieces > 1 else [b]
-    return np.array(places)
+def shaft_of(model: Model, name: str, first: int) -> ShaftParts:
+    """Bodies and beams of a shaft of a model, with its gears; `first` is the number of its start."""
+    shaft, body = model.shafts[name], model.bodies[name]
+    riders = {}
+    for gear, place in body.gears.items():
+        mass, polar, transverse = gear_inertia(model.gears[gear])
+        riders[gear] = Rider(place=place, mass=mass, polar=polar, central=transverse)
+    return shaft_parts(
+        name,
+        shaft,
+        riders,
+        first=first,
+        origin=body.origin or (0.0, 0.0, 0.0),
+        gravity=model.gravity or (0.0, 0.0, 0.0),
+        stations=model.stations[name],
+    )
 
 
-def _section_at(shaft: Shaft, place: float) -> tuple[float, float]:
-    """Diameter and bore at a place [m]."""
-    end = 0.0
-    for section in shaft.sections.values():
-        end += section.length
-        if place <= end:
-            break
-    return section.diameter, section.bore
+def shaft_bank(model: Model, numbers: Mapping[str, int]) -> Bank:
+    """Pieces of all shafts between their stations.
+
+    Parameters
+    ----------
+    model
+        The model.
+    numbers
+        Number of every body in the records.
+    """
+    parts = [shaft_of(model, name, numbers[name]) for name in model.shafts]
+    records = [np.zeros(0, RECORD), *(p.beams for p in parts)]
+    return Bank("shaft_beam", np.concatenate(records), tuple(n for p in parts for n in p.names))
 
 
 def _beam(shaft: Shaft, a: float, b: float) -> Beam:
     data = shaft.material_data
-    diameter, bore = _section_at(shaft, 0.5 * (a + b))
+    diameter, bore = section_at(shaft, 0.5 * (a + b))
     return Beam(
         section=tube(diameter, bore, data.poisson_ratio),
         length=b - a,

@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Elastic shafts among the bodies: what sits where on them, their checks, and where they are cut.
+
+To everything that names a body a shaft is a body with six freedoms, whose origin is the start of the shaft:
+one stands in for it among the bodies. Only the rules of the system know that it is a row of stations.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.model.components.body import Body
+from pitchpoint.model.frames import joint_place, place_of, split
+from pitchpoint.model.keys import Place
+from pitchpoint.model.read import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.shaft import Shaft
+    from pitchpoint.model.parts import Parts
+
+SAME = 1e-6
+"""Places that differ by less than this share of the length are one."""
+
+
+# --- among the bodies ---------------------------------------------------------------------------------------
+def stand_in(shaft: Shaft) -> Body:
+    """Body that stands for a shaft: its gears, place and markers, and the mass of its sections."""
+    return Body(
+        gears=dict(shaft.gears), motion="free", position=shaft.position, markers=shaft.markers, shaft=shaft
+    )
+
+
+def own_bodies(bodies: Mapping[str, Body]) -> dict[str, Body]:
+    """Bodies without those that stand for shafts."""
+    return {name: body for name, body in bodies.items() if body.shaft is None}
+
+
+def add_shafts(parts: Parts, report: Reader) -> None:
+    """Check the shafts by themselves and put a body in the place of each.
+
+    What is found about those bodies later is told of the shafts.
+    """
+    for path in [p for p in report.tainted if p[0] == "shafts"]:
+        report.tainted.add(("bodies", *path[1:]))
+    parts.names["bodies"] = parts.known("bodies") | parts.known("shafts")
+    for name, shaft in parts.shafts.items():
+        if name in parts.bodies:
+            report.problem(
+                ("shafts", name), "has the name of a body", remedy="give the shaft a name of its own"
+            )
+            report.tainted.add(("bodies",))
+            continue
+        _check(name, shaft, report)
+        report.aliases["bodies", name] = ("shafts", name)
+        parts.bodies[name] = stand_in(shaft)
+
+
+def _check(name: str, shaft: Shaft, report: Reader) -> None:
+    at: Place = ("shafts", name)
+    if not shaft.sections:
+        report.problem((*at, "sections"), "is empty", remedy="give one section at least")
+    for k, section in enumerate(shaft.sections):
+        if section.bore >= section.diameter:
+            report.problem(
+                (*at, "sections", k, "bore"),
+                "leaves nothing of the shaft",
+                value=_mm(section.bore),
+                limit=f"below the diameter {_mm(section.diameter)}",
+                remedy="diameters, not radii, are asked for",
+            )
+
+
+def check_shaft_places(parts: Parts, report: Reader) -> None:
+    """Whatever sits on a shaft sits between its ends, once the shafts have their places."""
+    for name, shaft in parts.shafts.items():
+        if ("shafts", name, "sections") in report.tainted or name not in parts.bodies:
+            continue
+        for at, place in seats_on(parts, name):
+            if on_shaft(shaft, place) or at in report.tainted:
+                continue
+            report.problem(
+                at,
+                f"is no place on the shaft {name}",
+                value=_mm(place),
+                limit=f"0 to {_mm(shaft.length)} from its start",
+                remedy="places on a shaft count from the start of its first section",
+            )
+
+
+def on_shaft(shaft: Shaft, place: float) -> bool:
+    """Whether a place from the start of a shaft [m] lies between its ends."""
+    slack = SAME * shaft.length
+    return -slack <= place <= shaft.length + slack
+
+
+def _mm(length: float) -> str:
+    return f"{round(length * 1e3, 9) + 0.0:.6g} mm"
+
+
+# --- what sits where ----------------------------------------------------------------------------------------
+def seats_on(machine: Any, shaft: str) -> Iterator[tuple[Place, float]]:
+    """Everything that sits or acts on a shaft: where the file says so, and its place from the start [m].
+
+    Parameters
+    ----------
+    machine
+        A model or the parts of one, with the places of its bodies.
+    shaft
+        Name of the shaft.
+    """
+    body = machine.bodies[shaft]
+    start = body.origin[2] if body.origin is not None else 0.0
+    for gear, place in body.gears.items():
+        yield ("shafts", shaft, "gears", gear), place
+    for name, marker in body.markers.items():
+        yield ("shafts", shaft, "markers", name, "position"), marker.position[2]
+    for group in ("bearings", "unbalances"):
+        for name, part in getattr(machine, group).items():
+            if part.body == shaft:
+                yield (group, name, "position"), part.position[2]
+    for name, coupling in machine.couplings.items():
+        if shaft in coupling.bodies:
+            yield ("couplings", name, "position"), _from_first(machine, coupling, start)
+    for name, load in machine.loads.items():
+        if shaft == load.body:
+            yield ("loads", name, "position"), place_of_load(machine, load) - start
+        elif shaft == load.reaction:
+            yield ("loads", name, "reaction"), place_of_load(machine, load) - start
+    for name, joint in machine.joints.items():
+        at = joint_place(machine, joint)
+        if at is not None and shaft in {split(e)[0] for e in joint.bodies}:
+            yield ("joints", name, "position"), float(at[2]) - start
+
+
+def _from_first(machine: Any, coupling: Any, start: float) -> float:
+    first = machine.bodies.get(coupling.bodies[0])
+    origin = first.origin if first is not None and first.origin is not None else (0.0, 0.0, start)
+    return float(origin[2] - start + coupling.position[2])
+
+
+def place_of_load(machine: Any, load: Any) -> float:
+    """Where a load acts, along the z axis of the world [m]."""
+    if load.marker is not None:
+        place = place_of(machine, f"{load.body}.{load.marker}")
+        return 0.0 if place is None else float(place[2])
+    body = machine.bodies.get(load.body)
+    origin = body.origin if body is not None and body.origin is not None else (0.0, 0.0, 0.0)
+    return float(origin[2] + load.position[2])
+
+
+# --- stations -----------------------------------------------------------------------------------------------
+def stations_of(machine: Any) -> dict[str, tuple[float, ...]]:
+    """Places of the stations of all shafts, from their starts [m]."""
+    return {
+        name: cut(shaft, [place for _, place in seats_on(machine, name)])
+        for name, shaft in machine.shafts.items()
+    }
+
+
+def station_names(name: str, count: int) -> tuple[str, ...]:
+    """Names of the stations of a shaft: the one at its start has the name of the shaft.
+
+    Examples
+    --------
+    >>> station_names("input", 3)
+    ('input', 'input.2', 'input.3')
+    """
+    return (name, *(f"{name}.{k}" for k in range(2, count + 1)))
+
+
+def cut(shaft: Shaft, wanted: Sequence[float]) -> tuple[float, ...]:
+    """Cut a shaft into pieces and give the places of the stations between them [m].
+
+    What is wanted comes first, then steps of the diameter and ends that are not there yet, then cuts of
+    pieces that are too long.
+
+    Parameters
+    ----------
+    shaft
+        The shaft.
+    wanted
+        Places where something sits [m].
+    """
+    length = shaft.length
+    kept: list[float] = []
+    for p in sorted({min(max(p, 0.0), length) for p in wanted}):
+        if not kept or p - kept[-1] > SAME * length:
+            kept.append(p)
+    step = 0.0
+    for end in (0.0, *(s.length for s in shaft.sections)):
+        step += end
+        if all(abs(step - p) > SAME * length for p in kept):
+            kept.append(step)
+    kept.sort()
+    places = [kept[0]]
+    for a, b in zip(kept[:-1], kept[1:], strict=True):
+        section = section_at(shaft, 0.5 * (a + b))
+        pieces = math.ceil((b - a) / (shaft.largest_piece or 2.0 * section[0]) - 1e-9)
+        places += [a + (b - a) * k / pieces for k in range(1, pieces + 1)] if pieces > 1 else [b]
+    return tuple(places)
+
+
+def section_at(shaft: Shaft, place: float) -> tuple[float, float]:
+    """Diameter and bore at a place [m]."""
+    end = 0.0
+    for section in shaft.sections:
+        end += section.length
+        if place <= end:
+            break
+    return section.diameter, section.bore
+
+
+def nearest_station(places: Sequence[float], place: float) -> int:
+    """Number of the station that is nearest to a place, from 0."""
+    return min(range(len(places)), key=lambda k: abs(places[k] - place))
