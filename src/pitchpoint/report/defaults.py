@@ -17,6 +17,20 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
+GROUPS = (
+    "gears",
+    "bodies",
+    "shafts",
+    "elastic_bodies",
+    "meshes",
+    "bearings",
+    "couplings",
+    "loads",
+    "scenarios",
+)
+"""Sections whose defaults are listed."""
+
+
 def defaults(model: Model) -> list[tuple[str, str]]:
     """List the optional keys that stand at their defaults, equal ones of several components together."""
     merged: dict[tuple[str, str, str], list[str]] = {}
@@ -33,7 +47,7 @@ def defaults(model: Model) -> list[tuple[str, str]]:
 
 def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
     """Give (group, name, key below it, default in words) of every key that stands at its default."""
-    for group in ("gears", "bodies", "shafts", "meshes", "bearings", "couplings", "loads", "scenarios"):
+    for group in GROUPS:
         found = own_bodies(model.bodies) if group == "bodies" else getattr(model, group)
         for name, part in found.items():
             idle = _idle(part)
