@@ -171,8 +171,8 @@ def test_an_explicit_method(expected):
 def test_stiff_methods(kind, form, expected):
     """Two and four thousand steps; what is late by t has everything off by its rate times t.
 
-    The error of a run falls with its tolerance, but for the steps that become more: a power of 0.75 allows for
-    that. The factors are twice the largest error seen of nine methods, not a bound.
+    The error of a run falls with its tolerance, but for the steps that become more: a power of 0.75 allows
+    for that. The factors are twice the largest error seen of nine methods, not a bound.
     """
     for rtol in (1e-7, 1e-9):
         system, state = mechanism()
