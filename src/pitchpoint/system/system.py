@@ -15,7 +15,7 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
 from pitchpoint.multibody.bodies import Body, body_records
 from pitchpoint.system.layout import Channel, Layout, body_channels, structure
-from pitchpoint.system.link import link, link_parts, listens, senses_accelerations, state_bodies
+from pitchpoint.system.link import fit_signals, link, link_parts
 from pitchpoint.system.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from pitchpoint.system.controller import SampledController
 
 TWO_PI = 6.283185307179586
-NO_MATTER = 1e30
-"""Share of a coordinate that an error may have if nothing depends on it."""
 Law = Callable[..., float] | int
 
 
@@ -112,12 +110,7 @@ class System:
         tables = link(self.records, self.pools, self.laws)
         parts = link_parts(self.program["body"])
         made = Workspace(dict(self.program), dict(self.sizes), tables, parts, self.weight)
-        if listens(self.records):
-            made.mach[0]["watch"] = made.arrays["heard"].ctypes.data
-        if senses_accelerations(self.records):
-            made.mach[0]["constant_mass"] = 0
-        states = state_bodies(self.records)
-        made.arrays["relative"][self.program["body"]["spin"][states]] = NO_MATTER
+        fit_signals(made, self.records)
         return made
 
     def __getstate__(self) -> dict[str, Any]:
