@@ -42,11 +42,15 @@ ELSEWHERE = {
     "flexible_body": "tests/unit/elements/test_flexible_body.py",
     "joint_friction": "tests/unit/elements/test_joint_friction.py",
     "guide": "tests/unit/elements/test_guide.py",
+    "linear_modes": "tests/unit/elements/test_linear_part.py",
+    "linear_part": "tests/unit/elements/test_linear_part.py",
     "gear_mesh": "tests/invariants/test_gear_mesh.py",
     "curve_curve": "tests/unit/elements/test_planar_contact.py",
     "point_curve": "tests/unit/elements/test_planar_contact.py",
     "point_on_curve": "tests/unit/elements/test_point_on_curve.py",
     "point_surface": "tests/unit/elements/test_surface_contact.py",
+    "signal": "tests/unit/elements/test_signals.py",
+    "signal_of_loads": "tests/unit/elements/test_signals.py",
     "surface_surface": "tests/unit/elements/test_surface_contact.py",
 }
 

@@ -19,6 +19,7 @@ import pytest
 from pitchpoint.contact.stiffness.constant import constant
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.beam_section import Beam, tube
+from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system import evaluate
 from pitchpoint.system.rules.gear_mesh import MeshLaws, Placement, mesh_row
 from pitchpoint.system.system import assemble
@@ -110,3 +111,19 @@ def test_damped_frequencies_of_the_geared_rotors():
     assert f[10] == pytest.approx(59.188, rel=1e-4)
     assert f[11] == pytest.approx(63.113, rel=1e-4)
     assert f[12] == pytest.approx(74.203, rel=1e-4)
+
+
+def test_modes_about_the_operating_point_are_the_same():
+    """The way of users: from a start at speed to named modes, with beams and mesh in the strain energy."""
+    system, state = machine()
+    modes = find_modes(system, start=state)
+    expected, _ = damped_frequencies(*evaluate.linearize(system, state))
+    f = np.sort(modes.damped_frequency[modes.damped_frequency > 1.0])
+    assert f[:13] == pytest.approx(expected[expected > 1.0][:13], rel=1e-6)
+    assert f[12] == pytest.approx(74.203, rel=1e-4)
+    assert "beam shaft_beam0" in modes.elements
+    assert "mesh gear_mesh0" in modes.elements
+    # along x all of the mass takes part: no mode is left out
+    mass = 525.7 + 116.04 + 726.4 + 5.0 + 7.45
+    mass += sum(float(row["mass"]) for row in system.records["shaft_beam"])
+    assert modes.effective_mass[:, 0].sum() == pytest.approx(mass, rel=1e-6)

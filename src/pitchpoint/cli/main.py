@@ -23,6 +23,7 @@ COMMANDS = {
     "gears": "Geometry of gears and pairs; drawings.",
     "mesh": "Mesh stiffness over the mesh cycle.",
     "modes": "Natural frequencies and mode shapes.",
+    "frf": "Frequency response about an operating point.",
     "run": "Time response or slow roll of a scenario.",
     "sweep": "Speed sweep up and down, with jumps.",
     "compare-solvers": "Accuracy against time of all integrators on one model.",

@@ -30,6 +30,15 @@ if TYPE_CHECKING:
     metavar="PSI",
     help="Mesh phase at which the meshes are taken; the mean over the mesh cycle if left out.",
 )
+@click.option(
+    "--count", type=click.IntRange(min=1), metavar="N", help="Lowest N modes; all up to 300 if left out."
+)
+@click.option(
+    "--animation",
+    type=click.Path(dir_okay=False),
+    metavar="FILE",
+    help="Write the motion of all bodies over one cycle of every mode: json or npz.",
+)
 @output("Result file (netCDF-4/HDF5); none if left out.")
 @as_json
 @allow_code
@@ -39,6 +48,8 @@ def modes(
     file: str,
     scenario: str | None,
     phase: float | None,
+    count: int | None,
+    animation: str | None,
     output: str | None,
     as_json: bool,
     allow_code: bool,
@@ -53,7 +64,10 @@ def modes(
     name = known_scenario(model, scenario) if scenario is not None else None
     target = result_path(output, file, name or "") if output is not None else None
     summary, error = unless_it_cannot_begin(
-        lambda: compute(model, file, name, target, phase=phase, quiet=quiet), {"modes": []}
+        lambda: compute(
+            model, file, name, target, phase=phase, count=count, animation=animation, quiet=quiet
+        ),
+        {"modes": []},
     )
     if as_json:
         emit_json(summary)
@@ -64,7 +78,15 @@ def modes(
 
 
 def compute(
-    model: Model, file: str, name: str | None, target: Path | None, *, phase: float | None, quiet: bool
+    model: Model,
+    file: str,
+    name: str | None,
+    target: Path | None,
+    *,
+    phase: float | None,
+    count: int | None = None,
+    animation: str | None = None,
+    quiet: bool,
 ) -> tuple[dict[str, Any], None]:
     """Find the modes, and write them if there is a file to write; gives what `modes --json` prints."""
     from pitchpoint.cli.progress import ProgressDisplay
@@ -76,9 +98,11 @@ def compute(
     begun = time.perf_counter()
     system = compile_model(model, name)
     with ProgressDisplay("modes", "elements", quiet=quiet) as progress:
-        found = find_modes(system, name, phase=phase, progress=progress)
+        found = find_modes(system, name, phase=phase, count=count, progress=progress)
     if target is not None:
         store(target, header_of(model, file, name or "", "modes", "modal"), found)
+    if animation is not None:
+        animate(animation, found)
     summary = {
         "status": how_a_status_ends(OK),
         "sentence": sentence(OK),
@@ -135,9 +159,26 @@ def rows_of(found: Modes) -> list[dict[str, Any]]:
             "shape": dict(zip(found.coordinates, found.shape[k].tolist(), strict=True)),
             "kinetic_share": dict(zip(found.coordinates, found.kinetic[k].tolist(), strict=True)),
             "potential_share": dict(zip(found.elements, found.potential[k].tolist(), strict=True)),
+            "participation": found.participation[k].tolist(),
+            "effective_mass": found.effective_mass[k].tolist(),
         }
         for k in range(len(found.names))
     ]
+
+
+def animate(path: str, found: Modes) -> None:
+    """Write the motion of all bodies over one cycle of every mode."""
+    from pitchpoint.io.mode_animation import write_mode_animation
+
+    write_mode_animation(
+        path,
+        bodies=found.bodies,
+        names=found.names,
+        frequency=found.frequency,
+        place=found.place,
+        axes=found.axes,
+        body_shape=found.damped_body_shape,
+    )
 
 
 def store(path: Path, header: Header, found: Modes) -> None:
@@ -147,6 +188,8 @@ def store(path: Path, header: Header, found: Modes) -> None:
     axes = [
         Axis("mode", list(range(1, len(found.names) + 1)), long_name="number of the mode"),
         Axis("coordinate", list(found.coordinates)),
+        Axis("direction", ["x", "y", "z", "rx", "ry", "rz"]),
+        Axis("body", list(found.bodies)),
     ]
     by_coordinate = ("mode", "coordinate")
     filled = [
@@ -171,6 +214,18 @@ def store(path: Path, header: Header, found: Modes) -> None:
             found.damped_shape.imag,
         ),
         (Quantity("kinetic_share", by_coordinate, "1", "share in the kinetic energy"), found.kinetic),
+        (
+            Quantity("participation", ("mode", "direction"), "1", "participation factor, SI units"),
+            found.participation,
+        ),
+        (
+            Quantity("effective_mass", ("mode", "direction"), "1", "effective mass [kg, kg m^2]"),
+            found.effective_mass,
+        ),
+        (
+            Quantity("body_shape", ("mode", "body", "direction"), "1", "motion of the bodies [m, rad]"),
+            found.body_shape,
+        ),
         (Quantity("name", ("mode",), dtype="text", long_name="what moves"), list(found.names)),
     ]
     if found.elements:

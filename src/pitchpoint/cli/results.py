@@ -25,6 +25,11 @@ SHOWN = (
     "mesh_force",
     "contact_state",
     "speed",
+    "displacement",
+    "slip_speed",
+    "contact_force",
+    "tension",
+    "torque",
     "bearing_force",
     "coupling_force",
 )

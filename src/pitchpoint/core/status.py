@@ -19,6 +19,7 @@ STEP_UNDERFLOW = 8
 INTERRUPTED = 9
 BAD_CENTRE = 10
 TABLE_RANGE = 11
+CONTROLLER = 12
 
 _SENTENCES = {
     DIED: "an element kernel stopped with an exception",
@@ -33,6 +34,7 @@ _SENTENCES = {
     INTERRUPTED: "interrupted by the user; the result so far is kept",
     BAD_CENTRE: "two gears came closer than their base circles allow",
     TABLE_RANGE: "a table was asked for a value outside its range",
+    CONTROLLER: "a controller failed",
 }
 
 

@@ -23,6 +23,7 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.multibody.channels import frame_args, observations
+from pitchpoint.multibody.vectors import add, cross, dot, times, unit
 
 TWO_PI = 6.283185307179586
 
@@ -157,26 +158,6 @@ def _tangent(b, kk, ck, cd):
 
 
 @kernel
-def _cross(a, b):
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-@kernel
-def _dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-@kernel
-def _add(a, b):
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
-@kernel
-def _times(s, a):
-    return s * a[0], s * a[1], s * a[2]
-
-
-@kernel
 def _origin(f):
     return f["r"][0], f["r"][1], f["r"][2]
 
@@ -200,12 +181,6 @@ def _spun(f, turn):
 
 
 @kernel
-def _unit(c):
-    """Unit vector of column c of three; zero beyond."""
-    return 1.0 if c == 0 else 0.0, 1.0 if c == 1 else 0.0, 1.0 if c == 2 else 0.0
-
-
-@kernel
 def _axis(f):
     return f["R"][0, 2], f["R"][1, 2], f["R"][2, 2]
 
@@ -213,9 +188,9 @@ def _axis(f):
 @kernel
 def _arms(b, f, g):
     """Marker i from the origin of body i, from that of body j, and from marker j."""
-    own = _times(b["zi"], _axis(f))
-    arm = _add(_add(_origin(f), own), _times(-1.0, _origin(g)))
-    return own, arm, _add(arm, _times(-b["zj"], _axis(g)))
+    own = times(b["zi"], _axis(f))
+    arm = add(add(_origin(f), own), times(-1.0, _origin(g)))
+    return own, arm, add(arm, times(-b["zj"], _axis(g)))
 
 
 @kernel
@@ -225,18 +200,18 @@ def _moves(b, f, g, side, c):
     Motion c of body i (`side` 0) or j (1) is a translation (c < 3) or a turn. W turns with the frame of body
     j, which does not spin.
     """
-    shift = _unit(c)
-    turn = _unit(c - 3)
+    shift = unit(c)
+    turn = unit(c - 3)
     if side == 0:
-        dn = _cross(turn, _axis(f))
-        d_own = _times(b["zi"], dn)
-        d_arm = _add(shift, d_own)
-        return _spun(f, turn), _unit(3), dn, d_own, d_arm, d_arm
+        dn = cross(turn, _axis(f))
+        d_own = times(b["zi"], dn)
+        d_arm = add(shift, d_own)
+        return _spun(f, turn), unit(3), dn, d_own, d_arm, d_arm
     twist = -_spun(g, turn)
-    frame = _add(turn, _times(twist, _axis(g)))
-    d_arm = _times(-1.0, shift)
-    d_gap = _add(d_arm, _times(-b["zj"], _cross(turn, _axis(g))))
-    return twist, frame, _unit(3), _unit(3), d_arm, d_gap
+    frame = add(turn, times(twist, _axis(g)))
+    d_arm = times(-1.0, shift)
+    d_gap = add(d_arm, times(-b["zj"], cross(turn, _axis(g))))
+    return twist, frame, unit(3), unit(3), d_arm, d_gap
 
 
 @kernel
@@ -245,8 +220,8 @@ def _turned_axis(b, n, frame, dn, k):
     if k == 2:
         return dn
     w = _along(b, 1 - k)
-    de = _add(_cross(_cross(frame, w), n), _cross(w, dn))
-    return de if k == 0 else _times(-1.0, de)
+    de = add(cross(cross(frame, w), n), cross(w, dn))
+    return de if k == 0 else times(-1.0, de)
 
 
 @kernel
@@ -261,27 +236,27 @@ def _change(b, f, g, side, c):
     twist, frame, dn, d_own, d_arm, d_gap = _moves(b, f, g, side, c)
     oi = _twist(f, 3)
     oj = _twist(g, 3)
-    across = _add(oi, _times(-1.0, oj))
-    force = _unit(3)
-    couple = _unit(3)
+    across = add(oi, times(-1.0, oj))
+    force = unit(3)
+    couple = unit(3)
     T = b["C"]
     for k in range(3):
         w = _along(b, k)
-        dw = _cross(frame, w)
-        T[k, 0] = _dot(dw, gap) + _dot(w, d_gap)
-        T[k, 1] = _dot(dw, _twist(f, 0)) + _dot(_add(_cross(d_own, w), _cross(own, dw)), oi)
-        T[k, 1] -= _dot(dw, _twist(g, 0)) + _dot(_add(_cross(d_arm, w), _cross(arm, dw)), oj)
+        dw = cross(frame, w)
+        T[k, 0] = dot(dw, gap) + dot(w, d_gap)
+        T[k, 1] = dot(dw, _twist(f, 0)) + dot(add(cross(d_own, w), cross(own, dw)), oi)
+        T[k, 1] -= dot(dw, _twist(g, 0)) + dot(add(cross(d_arm, w), cross(arm, dw)), oj)
         de = _turned_axis(b, n, frame, dn, k)
-        T[3 + k, 1] = _dot(de, across)
-        force = _add(force, _times(b["f"][k], w))
-        couple = _add(couple, _times(b["f"][3 + k], de))
+        T[3 + k, 1] = dot(de, across)
+        force = add(force, times(b["f"][k], w))
+        couple = add(couple, times(b["f"][3 + k], de))
         if k < 2:  # u_3 = -n . w_y, u_4 = n . w_x
-            s = _dot(dn, w) + _dot(n, dw)
+            s = dot(dn, w) + dot(n, dw)
             T[4 - k, 0] = s if k == 0 else -s
     T[5, 0] = twist
-    df = _cross(frame, force)
-    mi = _add(couple, _add(_cross(d_own, force), _cross(own, df)))
-    mj = _add(couple, _add(_cross(d_arm, force), _cross(arm, df)))
+    df = cross(frame, force)
+    mi = add(couple, add(cross(d_own, force), cross(own, df)))
+    mj = add(couple, add(cross(d_arm, force), cross(arm, df)))
     for r in range(3):
         T[r, 2] = df[r]
         T[3 + r, 2] = mi[r]

@@ -15,48 +15,7 @@ from pitchpoint.contact.friction import friction_per_speed
 from pitchpoint.contact.impact import elastic_energy, normal_force
 from pitchpoint.core.kernel import kernel
 from pitchpoint.multibody.channels import events, observations
-
-
-@kernel
-def cross(a, b):
-    """Cross product of two triples."""
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-@kernel
-def dot(a, b):
-    """Scalar product of two triples."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-@kernel
-def plus(a, s, b):
-    """The triple a + s b."""
-    return a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]
-
-
-@kernel
-def triple(a):
-    """Array of three as a triple."""
-    return a[0], a[1], a[2]
-
-
-@kernel
-def half(a, first):
-    """Translation (`first` 0) or rotation (3) of a twist."""
-    return a[first], a[first + 1], a[first + 2]
-
-
-@kernel
-def row(A, r):
-    """Row r of a 3 x 3 matrix."""
-    return A[r, 0], A[r, 1], A[r, 2]
-
-
-@kernel
-def column(A, c):
-    """Column c of a 3 x 3 matrix."""
-    return A[0, c], A[1, c], A[2, c]
+from pitchpoint.multibody.vectors import column, cross, dot, plus, triple
 
 
 @kernel
@@ -112,7 +71,7 @@ def place_markers(b, f, g):
             at[r] = o["r"][r] + S[r, 0] * p[0] + S[r, 1] * p[1] + S[r, 2] * p[2]
             for c in range(3):
                 E[r, c] = S[r, 0] * B[0, c] + S[r, 1] * B[1, c] + S[r, 2] * B[2, c]
-    gap = plus(triple(b["oi"]), -1.0, triple(b["oj"]))
+    gap = plus(triple(b["oi"], 0), -1.0, triple(b["oj"], 0))
     for r in range(3):
         axis = column(b["Ej"], r)
         b["d"][r] = dot(axis, gap)
@@ -136,16 +95,16 @@ def begin(b, f, g):
 @kernel
 def _arms(b, f, g):
     """Point of attack, and its arms about the origins of both bodies."""
-    P = plus(triple(b["Q"]), -(b["r"] + 0.5 * b["side"] * b["h"]), triple(b["n"]))
-    return P, plus(P, -1.0, triple(f["r"])), plus(P, -1.0, triple(g["r"]))
+    P = plus(triple(b["Q"], 0), -(b["r"] + 0.5 * b["side"] * b["h"]), triple(b["n"], 0))
+    return P, plus(P, -1.0, triple(f["r"], 0)), plus(P, -1.0, triple(g["r"], 0))
 
 
 @kernel
 def _forces(b, f, g, ai, aj):
     """Velocity of i against j, its part along the normal, and the numbers of normal force and friction."""
-    u = plus(half(f["tw"], 0), 1.0, cross(half(f["tw"], 3), ai))
-    u = plus(u, -1.0, plus(half(g["tw"], 0), 1.0, cross(half(g["tw"], 3), aj)))
-    n = triple(b["n"])
+    u = plus(triple(f["tw"], 0), 1.0, cross(triple(f["tw"], 3), ai))
+    u = plus(u, -1.0, plus(triple(g["tw"], 0), 1.0, cross(triple(g["tw"], 3), aj)))
+    n = triple(b["n"], 0)
     rate = dot(n, u)
     N, by_h, by_rate, loss = normal_force(b, -b["h"], -rate)
     s = plus(u, -rate, n)
@@ -173,10 +132,10 @@ def _change(n, s, law, slip, dh, drate, dn, ds):
 def _tangent(b, ctl, f, g, kk, F, u, rate, law, slip):
     """Add the exact tangents of both wrenches by places (ck) and rates (cd) of both bodies."""
     P, ai, aj = _arms(b, f, g)
-    n = triple(b["n"])
+    n = triple(b["n"], 0)
     s = plus(u, -rate, n)
-    wi = half(f["tw"], 3)
-    wj = half(g["tw"], 3)
+    wi = triple(f["tw"], 3)
+    wj = triple(g["tw"], 3)
     for k in range(12):
         side = k // 6
         c = k % 6
@@ -228,7 +187,7 @@ def act(b, ctl, f, g, kk):
     P, ai, aj = _arms(b, f, g)
     if b["h"] < b["gap"]:
         b["gap"] = b["h"]
-        away = plus(P, -1.0, triple(b["oj"]))
+        away = plus(P, -1.0, triple(b["oj"], 0))
         for k in range(3):
             b["place"][k] = dot(away, column(b["Ej"], k))
     if b["h"] >= 0.0:
@@ -238,7 +197,7 @@ def act(b, ctl, f, g, kk):
     if law[0] == 0.0:  # nothing is in touch, or damping has parted it
         b["loss"] += law[3]
         return
-    n = triple(b["n"])
+    n = triple(b["n"], 0)
     s = plus(u, -rate, n)
     push = law[0] * slip[0]
     F = plus((law[0] * n[0], law[0] * n[1], law[0] * n[2]), -push, s)

@@ -20,21 +20,9 @@ from pitchpoint.contact.surface import SPHERE
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK, REFUSED
 from pitchpoint.elements.contact_record import RECORD
-from pitchpoint.elements.contact_wrench import (
-    act,
-    begin,
-    column,
-    cross,
-    dot,
-    finish,
-    moved,
-    plus,
-    put,
-    put_3,
-    triple,
-    turned,
-)
+from pitchpoint.elements.contact_wrench import act, begin, finish, moved, put, put_3, turned
 from pitchpoint.multibody.channels import F8, frame_args
+from pitchpoint.multibody.vectors import column, cross, dot, plus, triple
 
 LEAST_COSINE = 0.1
 """Planes of two curves must not be tilted more than that: the curve of i would be seen from its edge."""
@@ -53,11 +41,11 @@ def _running(b, f, g, along, T, size, rows):
     `along` is tau, T the unit direction of curve i in space and `size` its length in the plane of j; rows =
     (a, b, c, d, phi).
     """
-    n = triple(b["n"])
-    Q = triple(b["Q"])
+    n = triple(b["n"], 0)
+    Q = triple(b["Q"], 0)
     z = column(b["Ej"], 2)
-    ai = plus(Q, -1.0, triple(f["r"]))
-    aj = plus(Q, -1.0, triple(g["r"]))
+    ai = plus(Q, -1.0, triple(f["r"], 0))
+    aj = plus(Q, -1.0, triple(g["r"], 0))
     phi = rows[4]
     below = rows[0] * rows[3] + rows[1] * rows[2] + phi * rows[0] * rows[2]
     flat = plus(T, -dot(T, z), z)
@@ -96,7 +84,7 @@ def place_contact(b, f, g, A, B, hit):
     along = _in_world(b["Ej"], bx, by)
     T = _in_world(b["Ei"], tx, ty)
     put_3(b["n"], _in_world(b["Ej"], by, -bx))
-    put_3(b["Q"], plus(triple(b["oi"]), 1.0, _in_world(b["Ei"], x, y)))
+    put_3(b["Q"], plus(triple(b["oi"], 0), 1.0, _in_world(b["Ei"], x, y)))
     phi = (px - qx) * by - (py - qy) * bx
     b["r"] = b["radius"]
     b["h"] = phi - b["radius"]

@@ -19,9 +19,10 @@ from pitchpoint.contact.curve import Curve
 from pitchpoint.contact.curve_point import WIDTH, arc_length, nearest, point_of
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import INCONSISTENT, OK
-from pitchpoint.elements.contact_wrench import column, cross, dot, half, moved, plus, triple, turned
+from pitchpoint.elements.contact_wrench import moved, turned
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.channels import F8, constraint_args, constraint_rates, observations
+from pitchpoint.multibody.vectors import column, cross, dot, plus, triple
 
 BODY_FIXED = True
 ROWS = 1
@@ -85,7 +86,7 @@ def _project(b, f, g):
         b["o"][r] = g["r"][r] + T[r, 0] * q[0] + T[r, 1] * q[1] + T[r, 2] * q[2]
         for c in range(3):
             E[r, c] = T[r, 0] * b["Bj"][0, c] + T[r, 1] * b["Bj"][1, c] + T[r, 2] * b["Bj"][2, c]
-    gap = plus(triple(b["c"]), -1.0, triple(b["o"]))
+    gap = plus(triple(b["c"], 0), -1.0, triple(b["o"], 0))
     for k in range(3):
         b["y"][k] = dot(gap, column(E, k))
 
@@ -116,15 +117,15 @@ def _search(b, rows):
 @kernel
 def _second(b, f, g, n, tau, w):
     """Second time derivative of the distance at the accelerations in the frames; w the curvature W."""
-    ai = plus(triple(b["c"]), -1.0, triple(f["r"]))
-    aj = plus(triple(b["c"]), -1.0, triple(g["r"]))
-    wi = half(f["tw"], 3)
-    wj = half(g["tw"], 3)
-    vi = plus(half(f["tw"], 0), 1.0, cross(wi, ai))
-    u = plus(vi, -1.0, plus(half(g["tw"], 0), 1.0, cross(wj, aj)))
-    a = plus(plus(half(f["ac"], 0), 1.0, cross(half(f["ac"], 3), ai)), 1.0, cross(wi, cross(wi, ai)))
-    away = plus(vi, -1.0, half(g["tw"], 0))
-    carried = plus(plus(half(g["ac"], 0), 1.0, cross(half(g["ac"], 3), aj)), 1.0, cross(wj, away))
+    ai = plus(triple(b["c"], 0), -1.0, triple(f["r"], 0))
+    aj = plus(triple(b["c"], 0), -1.0, triple(g["r"], 0))
+    wi = triple(f["tw"], 3)
+    wj = triple(g["tw"], 3)
+    vi = plus(triple(f["tw"], 0), 1.0, cross(wi, ai))
+    u = plus(vi, -1.0, plus(triple(g["tw"], 0), 1.0, cross(wj, aj)))
+    a = plus(plus(triple(f["ac"], 0), 1.0, cross(triple(f["ac"], 3), ai)), 1.0, cross(wi, cross(wi, ai)))
+    away = plus(vi, -1.0, triple(g["tw"], 0))
+    carried = plus(plus(triple(g["ac"], 0), 1.0, cross(triple(g["ac"], 3), aj)), 1.0, cross(wj, away))
     along = dot(tau, u)
     return dot(n, plus(a, -1.0, carried)) + dot(cross(wj, n), u) + w * along * along
 
@@ -134,8 +135,8 @@ def _tangent(b, ctl, f, g, n, tau, w, lam):
     """Add the change of the wrenches of the load: the normal turns along the curve and with its body."""
     kk = view(ctl["kk"], (ctl["np"], 6, 6), F8)
     s = ctl["ck"] * lam
-    ai = plus(triple(b["c"]), -1.0, triple(f["r"]))
-    aj = plus(triple(b["c"]), -1.0, triple(g["r"]))
+    ai = plus(triple(b["c"], 0), -1.0, triple(f["r"], 0))
+    aj = plus(triple(b["c"], 0), -1.0, triple(g["r"], 0))
     for k in range(12):
         c = k % 6
         motion = moved(c, ai if k < 6 else aj)
@@ -179,8 +180,8 @@ def point_on_curve(rec, ctl, fr, q, g, G):
         E = b["E"]
         tau = plus((tx * E[0, 0], tx * E[1, 0], tx * E[2, 0]), ty, column(E, 1))
         n = plus((ty * E[0, 0], ty * E[1, 0], ty * E[2, 0]), -tx, column(E, 1))
-        mi = cross(plus(triple(b["c"]), -1.0, triple(f["r"])), n)
-        mj = cross(plus(triple(b["c"]), -1.0, triple(o["r"])), n)
+        mi = cross(plus(triple(b["c"], 0), -1.0, triple(f["r"], 0)), n)
+        mj = cross(plus(triple(b["c"], 0), -1.0, triple(o["r"], 0)), n)
         for k in range(3):
             Gf[r, 0, k] = n[k]
             Gf[r, 0, 3 + k] = mi[k]

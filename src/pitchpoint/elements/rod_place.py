@@ -6,7 +6,8 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.contact_wrench import column, dot, moved, plus, put, put_3, triple, turned
+from pitchpoint.elements.contact_wrench import moved, put, put_3, turned
+from pitchpoint.multibody.vectors import column, dot, plus, triple
 
 FLAT = 1e-9
 """Sine of the tilt below which a circle lies flat on a plane: its centre stands for the lowest place."""
@@ -29,15 +30,15 @@ def rim_place(b, f, g, along, weight):
     e = (0.0, 0.0, 0.0)
     if not flat:
         e = (m[0] / size, m[1] / size, m[2] / size)
-    C = plus(triple(b["oi"]), along, a)
+    C = plus(triple(b["oi"], 0), along, a)
     Q = plus(C, -R, e)
     put_3(b["n"], n)
     put_3(b["Q"], Q)
     b["side"] = 1.0
     b["r"] = tube
-    b["h"] = dot(n, plus(Q, -1.0, triple(b["oj"]))) - tube
+    b["h"] = dot(n, plus(Q, -1.0, triple(b["oj"], 0))) - tube
     b["weight"] = weight
-    arm = plus(C, -1.0, triple(f["r"]))
+    arm = plus(C, -1.0, triple(f["r"], 0))
     for k in range(12):
         c = k % 6
         dn = (0.0, 0.0, 0.0)
@@ -87,20 +88,20 @@ def rods_place(b, f, g):
     """Common normal of the axes of two cylinders; ends are round. Differentiated with both places running."""
     a = column(b["Ei"], 2)
     c = column(b["Ej"], 2)
-    w = plus(triple(b["oi"]), -1.0, triple(b["oj"]))
+    w = plus(triple(b["oi"], 0), -1.0, triple(b["oj"], 0))
     s, t, free_s, free_t = _nearest_on_axes(w, a, c, 0.5 * b["size_i"][1], 0.5 * b["size_j"][1])
     d = plus(plus(w, s, a), -t, c)
     phi = max(math.sqrt(dot(d, d)), 1e-12)
     n = (d[0] / phi, d[1] / phi, d[2] / phi)
-    Q = plus(triple(b["oi"]), s, a)
+    Q = plus(triple(b["oi"], 0), s, a)
     put_3(b["n"], n)
     put_3(b["Q"], Q)
     b["side"] = 1.0
     b["r"] = b["size_i"][0]
     b["h"] = phi - b["size_i"][0] - b["size_j"][0]
     b["weight"] = 1.0
-    arm_i = plus(Q, -1.0, triple(f["r"]))
-    arm_j = plus(plus(Q, -1.0, d), -1.0, triple(g["r"]))
+    arm_i = plus(Q, -1.0, triple(f["r"], 0))
+    arm_j = plus(plus(Q, -1.0, d), -1.0, triple(g["r"], 0))
     ac = dot(a, c)
     for k in range(12):
         motion = moved(k % 6, arm_i if k < 6 else arm_j)

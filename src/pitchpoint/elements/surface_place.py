@@ -9,7 +9,8 @@ eliminated in W.
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.contact_wrench import column, dot, moved, plus, put, put_3, row, triple, turned
+from pitchpoint.elements.contact_wrench import moved, put, put_3, turned
+from pitchpoint.multibody.vectors import column, dot, plus, row, triple
 
 
 @kernel
@@ -37,7 +38,7 @@ def curvature_in_world(E, V, W):
 @kernel
 def local(b, E, o, x):
     """World point x from marker (o, E) into b["y"]."""
-    gap = plus(x, -1.0, triple(o))
+    gap = plus(x, -1.0, triple(o, 0))
     for k in range(3):
         b["y"][k] = dot(gap, column(E, k))
 
@@ -58,7 +59,7 @@ def point_place(b, f, g, Q, m, h, r, weight):
     for k in range(12):
         mine = (k < 6) == (side > 0.0)  # the body of the point moves, not that of the surface
         o = f["r"] if k < 6 else g["r"]
-        motion = moved(k % 6, plus(Q, -1.0, triple(o)))
+        motion = moved(k % 6, plus(Q, -1.0, triple(o, 0)))
         s = side if mine else -side
         dn = (
             s * dot(row(W, 0), motion),

@@ -14,8 +14,9 @@ from pitchpoint.contact.triangle_search import (
     tree_of,
 )
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.contact_wrench import act, plus, triple
+from pitchpoint.elements.contact_wrench import act
 from pitchpoint.elements.surface_place import curvature_in_world, local, point_place, rotated
+from pitchpoint.multibody.vectors import plus, triple
 
 
 @kernel
@@ -41,13 +42,13 @@ def _one_way(b, c, f, g, kk, side):
         )
         half = (middle[0] - tree[k, 0], middle[1] - tree[k, 1], middle[2] - tree[k, 2])
         reach = depth + math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2])
-        local(b, E_s, o_s, plus(triple(o), 1.0, rotated(E, middle)))
+        local(b, E_s, o_s, plus(triple(o, 0), 1.0, rotated(E, middle)))
         if box_distance(boxes, 0, b["y"]) >= reach * reach:
             k = int(tree[k, 6])
             continue
         first = int(tree[k, 7])
         for h in range(first, first + int(tree[k, 8])):
-            Q = plus(triple(o), 1.0, rotated(E, (points[h, 0], points[h, 1], points[h, 2])))
+            Q = plus(triple(o, 0), 1.0, rotated(E, (points[h, 0], points[h, 1], points[h, 2])))
             local(b, E_s, o_s, Q)
             if not nearest_place(where, b["y"], depth, b["hit"]):
                 continue

@@ -38,10 +38,10 @@ def base_of(parts: Parts, one: str, two: str) -> str:
 
 
 def has_carriers(parts: Parts, links: list[Link]) -> bool:
-    """Whether the gears of some mesh hang on a body that moves."""
-    return any(
-        bool(_movers(parts, base_of(parts, one, two))) for place, one, two, _ in links if place[0] == "meshes"
-    )
+    """Whether some link joins bodies whose spins count from different frames."""
+    from pitchpoint.model.scenario_check import same_base
+
+    return any(place[0] != "ratios" and not same_base(parts, one, two) for place, one, two, _ in links)
 
 
 def carried_speeds(

@@ -34,19 +34,14 @@ def links_of(parts: Parts) -> list[Link]:
         bodies = [parts.body_of(g) for g in mesh.gears]
         if None in bodies or bodies[0] == bodies[1] or not all(g in parts.gears for g in mesh.gears):
             continue
-        if not _same_base(parts, str(bodies[0]), str(bodies[1])):
-            continue
         z_1, z_2 = (parts.gears[g].sign * parts.gears[g].number_of_teeth for g in mesh.gears)
         found.append((("meshes", name), str(bodies[0]), str(bodies[1]), -z_1 / z_2))
     for name, coupling in parts.couplings.items():
         one, two = coupling.bodies
         if one != two and one in parts.bodies and two in parts.bodies and coupling.carries_torque:
-            if not _same_base(parts, one, two):
-                continue
             found.append((("couplings", name), one, two, 1.0))
     for name, spring in parts.torsion_springs.items():
-        both = len(set(spring.bodies) & set(parts.bodies)) == 2
-        if both and spring.stiffness > 0.0 and _same_base(parts, *spring.bodies):
+        if len(set(spring.bodies) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
             found.append((("torsion_springs", name), *spring.bodies, 1.0))
     for name, ratio in parts.ratios.items():
         ends = [coordinate(parts.mechanism, parts, term) for term in ratio.terms]
@@ -57,7 +52,7 @@ def links_of(parts: Parts) -> list[Link]:
     return found
 
 
-def _same_base(parts: Parts, one: str, two: str) -> bool:
+def same_base(parts: Parts, one: str, two: str) -> bool:
     """Whether two bodies hang on the same one, so that their spins count from the same frame."""
     seats = parts.mechanism.seats
     return one not in seats or two not in seats or seats[one].parent == seats[two].parent
@@ -71,7 +66,9 @@ def _is_spin(parts: Parts, place: tuple[str, int, str]) -> bool:
 def ratios(parts: Parts) -> dict[str, list[tuple[str, float]]]:
     """Speed ratios between neighbouring bodies: body -> [(neighbour, speed of it per own speed)]."""
     out: dict[str, list[tuple[str, float]]] = {}
-    for _, one, two, ratio in links_of(parts):
+    for place, one, two, ratio in links_of(parts):
+        if place[0] != "ratios" and not same_base(parts, one, two):
+            continue  # the spins count from different frames: see `carried_trains`
         out.setdefault(one, []).append((two, ratio))
         out.setdefault(two, []).append((one, 1.0 / ratio))
     return out

@@ -50,6 +50,7 @@ BODY = np.dtype(
         ("guide", "i8"),  # displacements given by functions, -1 for none
         ("shares", "i8"),  # body whose coordinates are its own too, 0 for none
         ("fixed_axes", "i8"),  # 1: S is asked for
+        ("state", "i8"),  # 1: no body, its spin rate is the state of an element
         ("lead", "f8"),  # screw: way along the axis per radian [m/rad]
         ("sense", "f8"),  # spin axis against that of the parent: 1 parallel, -1 opposite, 0 neither
         ("pos", "f8", 3),  # reference position of the origin, axes S of the parent [m]
@@ -104,6 +105,8 @@ class Body:
         Coordinates (name, unit) of a guided body, at most six; it may have none and follow time alone.
     shares
         Number of an earlier body whose coordinates guide this body too, in place of own ones; 0 = none.
+    state
+        Whether it is no body at all: its spin rate is the state of an element, with c' = f_c for the torque.
     angle
         Initial spin [rad]; any number of turns.
     start, rate
@@ -124,6 +127,7 @@ class Body:
     lead: float = 0.0
     guided_by: tuple[tuple[str, str], ...] = ()
     shares: int = 0
+    state: bool = False
     angle: float = 0.0
     start: tuple[float, ...] = ()
     rate: tuple[float, ...] = ()
@@ -223,6 +227,7 @@ def body_records(bodies: Sequence[Body]) -> NDArray[np.void]:
         axes = AXES[body.motion]
         record["joint"] = body.motion if body.is_round else GENERAL
         own = bodies[body.shares - 1] if body.shares else body
+        record["state"] = body.state
         record["n"], record["parent"], record["shares"] = len(own.coordinates), body.parent, body.shares
         record["axis"][: len(axes)] = axes
         record["lead"] = body.lead if body.motion == SCREW else 0.0

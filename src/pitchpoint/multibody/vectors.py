@@ -37,6 +37,24 @@ def times(s, a):
 
 
 @kernel
+def plus(a, s, b):
+    """a + s b."""
+    return a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]
+
+
+@kernel
+def row(A, r):
+    """Row r of a 3 x 3 matrix."""
+    return A[r, 0], A[r, 1], A[r, 2]
+
+
+@kernel
+def column(A, c):
+    """Column c of a 3 x 3 matrix."""
+    return A[0, c], A[1, c], A[2, c]
+
+
+@kernel
 def triple(x, first):
     """Three numbers of an array: r (first 0), or the parts 0 and 3 of a twist."""
     return x[first], x[first + 1], x[first + 2]

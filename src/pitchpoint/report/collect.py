@@ -51,7 +51,7 @@ def describe(model: Model) -> ReportModel:
         pairs={name: (pair, *model.meshes[name].gears) for name, pair in model.pairs.items()},
         shafts={mesh: body for mesh, body in bodies.items() if body},
         assumptions=[f"{key}: {value}" for key, value in defaults(model)],
-        sources=SOURCES,
+        sources=SOURCES if model.meshes else SOURCES[:1] if model.gears else (),
     )
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.keys import defaults_of, keys_of
+from pitchpoint.model.model import GROUPS
 from pitchpoint.model.remarks import follows_flanks
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 from pitchpoint.model.shafts import own_bodies
@@ -17,18 +18,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
-GROUPS = (
-    "gears",
-    "bodies",
-    "shafts",
-    "elastic_bodies",
-    "meshes",
-    "bearings",
-    "couplings",
-    "loads",
-    "scenarios",
-)
-"""Sections whose defaults are listed."""
+WITHOUT_GEARS = {"sum over the gears": "none", "that of the gears": "its origin"}
+"""Defaults of bodies that carry no gears."""
 
 
 def defaults(model: Model) -> list[tuple[str, str]]:
@@ -55,7 +46,8 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
                 idle.discard("slices")  # grids of gaps are read on slices, whatever the width integral
             for key, value in _unset(part):
                 if key not in idle:
-                    yield group, name, key, value
+                    bare = group == "bodies" and not part.gears
+                    yield group, name, key, WITHOUT_GEARS.get(value, value) if bare else value
 
 
 def _idle(part: Any) -> set[str]:

@@ -56,17 +56,9 @@ class Assembly:
     moved: tuple[float, str]
 
     def report(self) -> tuple[str, ...]:
-        """What a user should know, in sentences."""
-        found = []
-        if self.redundant:
-            found.append(
-                f"{', '.join(self.redundant)}: repeat what other constraints hold; "
-                "the motion is not affected, reactions are shared in one of many possible ways"
-            )
+        """What a user should know beside the repeated rows (`rows.row_notes`), in sentences."""
         size, name = self.moved
-        if size > 1e-6:
-            found.append(f"loops were closed by moving {name} by {size:.4g}")
-        return tuple(found)
+        return (f"loops were closed by moving {name} by {size:.4g}",) if size > 1e-6 else ()
 
 
 def assemble_state(
@@ -96,6 +88,7 @@ def assemble_state(
     if system.sizes["nc"] == 0:
         return Assembly(found, system.sizes["nd"], (), (0.0, ""))
     begun = found.q.copy()
+    _walk(system, found, keep)
     _close(system, found, keep)
     G, gt = _rows(system, found)
     _match_rates(system, found, G, gt, keep_rates)
@@ -112,21 +105,54 @@ def assemble_state(
     )
 
 
+def _walk(system: System, state: State, keep: Collection[int]) -> None:
+    """Bring the other coordinates near, by moving those that are kept from the drawn place in short steps.
+
+    Closing loops from far away may fail, or close them the other way round; what was drawn decides.
+    """
+    kept = np.fromiter(keep, int, len(keep))
+    turns = np.abs(state.q[kept]) / MOST_TURN
+    count = int(np.ceil(turns.max(initial=0.0)))
+    if count <= 1:
+        return
+    here = state.copy()
+    here.q[:] = 0.0
+    here.charts[:] = np.eye(3)
+    target = state.q[kept]
+    try:
+        _close(system, here, (), loop_rows(system))
+        for share in np.linspace(0.0, 1.0, count + 1)[1:]:
+            here.q[kept] = share * target
+            _close(system, here, keep, loop_rows(system))
+    except SolverError:
+        return  # the drawn place is none, or the way leads through one that does not close
+    others = np.setdiff1d(np.arange(state.q.size), kept)
+    state.q[others], state.charts[:] = here.q[others], here.charts
+
+
+def loop_rows(system: System) -> list[int]:
+    """Rows that prescribe no motion."""
+    return [r for r, name in enumerate(system.layout.rows) if not name.startswith("drive ")]
+
+
 def _rows(system: System, state: State) -> tuple[Array, Array]:
     """Rows G and their partial time derivatives at a state; g stays in the workspace."""
     G = evaluate.constraint_jacobian(system, state)
     return G, system.workspace.gt.copy()
 
 
-def _close(system: System, state: State, keep: Collection[int]) -> None:
-    """Move the coordinates until every row holds."""
+def _close(system: System, state: State, keep: Collection[int], rows: list[int] | None = None) -> None:
+    """Move the coordinates until every row holds, or some of them."""
+    chosen = slice(None) if rows is None else rows
+    if system.sizes["nc"] == 0 or rows == []:
+        return
     free = np.setdiff1d(np.arange(system.sizes["nd"]), np.fromiter(keep, int, len(keep)))
     turning = system.weight[free] != 1.0
     weight = _reluctance(system)[free]
     last = np.inf
     for _ in range(MOST_STEPS):
-        G, _ = _rows(system, state)
-        g = system.workspace.g.copy()
+        G = _rows(system, state)[0][chosen]
+        g = system.workspace.g[chosen].copy()
         size = float(np.abs(g).max())
         scale = 1.0 + float(np.abs(state.q[free]).max(initial=0.0))
         if size <= CLOSED * scale:
@@ -138,7 +164,8 @@ def _close(system: System, state: State, keep: Collection[int]) -> None:
         longest = float(np.abs(step[turning]).max(initial=0.0))
         state.q[free] += step * min(1.0, MOST_TURN / longest if longest > 0.0 else 1.0)
     evaluate.residual(system, state)
-    g = np.abs(system.workspace.g)
+    g = np.zeros(system.sizes["nc"])
+    g[chosen] = np.abs(system.workspace.g[chosen])
     if g.max() > OPEN:
         raise SolverError(f"loops do not close: {_off(system, g)}", INCONSISTENT, state)
 

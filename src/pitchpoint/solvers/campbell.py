@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,12 +14,23 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.eigen import best_match, damped, ratio_of, symmetric, undamped
-from pitchpoint.solvers.modal import Linearised, energy_shares, linearise, rigid_rotations
+from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
+from pitchpoint.solvers.element_tangents import inertial_stiffness
+from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.linear_system import (
+    Linearised,
+    damped_modes,
+    free_directions,
+    linearise,
+    lowest,
+)
+from pitchpoint.solvers.modal import energy_shares
 from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
+from pitchpoint.solvers.trains import rotations
 from pitchpoint.system import evaluate
-from pitchpoint.system.system import System
+from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -62,54 +73,105 @@ def follow_modes(
     progress: Progress = silent,
 ) -> Campbell:
     """Natural frequencies over speed; parameters as in `solve_campbell`."""
-    if system.model is None:
-        raise SolverError("Campbell data need a system made from a model, for its gear ratios", INCONSISTENT)
-    body = body or next(iter(system.model.bodies))
-    if body not in system.model.bodies:
-        raise SolverError(f"no body {body!r}; there are: {', '.join(system.model.bodies)}", INCONSISTENT)
+    body = body or system.layout.bodies[1]
+    if body not in system.layout.bodies[1:]:
+        known = ", ".join(system.layout.bodies[1:] if system.model is None else system.model.bodies)
+        raise SolverError(f"no body {body!r}; there are: {known}", INCONSISTENT)
     omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     linear = linearise(system, scenario)
-    parts = linear.at_rest
-    values, shapes = undamped(parts.M, parts.K, linear.basis, rigid_rotations(linear.system))
-    ratios = system.model.start_speeds(Scenario(speed={body: 1.0}))
+    own, parts = linear.system, linear.at_rest
+    rates = speed_ratios(own, body)
+    values, shapes, _ = lowest(linear)
     n = len(values)
-    found, last = np.zeros((omega.size, n), complex), np.eye(n, dtype=complex)
+    found, last = np.zeros((omega.size, n), complex), shapes.astype(complex)
     for s, speed in enumerate(omega):
-        D, K = _at_speed(linear, {name: ratio * speed for name, ratio in ratios.items()})
-        roots, z = damped(D, K, shapes, values)
+        at = at_speeds(linear, speed * rates)
+        squares, basis = (values, shapes) if at.at_rest is parts else lowest(at)[:2]
+        roots, z = damped_modes(at, squares, basis)
+        roots, z = roots[:n], z[:n]
         # each mode goes on in the one that resembles it most
-        order = best_match(np.abs(last.conj().T @ z))
-        found[s], last = roots[order], z[:, order]
+        order = best_match(np.abs(last.conj() @ parts.M @ z.T))
+        found[s], last = roots[order], z[order]
         progress(s + 1, omega.size, "speeds")
     kinetic, potential = energy_shares(parts, shapes, values)
-    names = mode_names(linear.system.layout, parts, values, shapes, kinetic, potential)
-    return Campbell(body, omega, found.imag / (2.0 * np.pi), ratio_of(found), names, _orders(system, ratios))
+    names = mode_names(own.layout, parts, values, shapes, kinetic, potential)
+    return Campbell(body, omega, found.imag / (2.0 * np.pi), ratio_of(found), names, _orders(own, rates))
 
 
-def _at_speed(linear: Linearised, speeds: dict[str, float]) -> tuple[Array, Array]:
-    """Damping matrix at some speeds, and the stiffness matrix less its symmetric part at rest."""
-    system, still = linear.system, linear.state.copy()
+def speed_ratios(system: System, body: str) -> Array:
+    """Rates of all coordinates as one body turns at 1 rad/s: by the model, or by what turns together."""
+    if system.model is None:
+        return np.asarray(rotations(system, (system.spin(body),))[:, 0])
+    rates = np.zeros(system.sizes["nd"])
+    for name, ratio in system.model.start_speeds(Scenario(speed={body: 1.0})).items():
+        if ratio != 0.0:
+            rates[system.spin(name)] = ratio
+    return rates
+
+
+def at_speeds(linear: Linearised, rates: Array) -> Linearised:
+    """The linear system at other speeds; where bodies hang in trees, about the equilibrium of these."""
+    still = _still(linear)
+    if np.any(linear.system.program["body"]["joint"] == GENERAL):
+        return _steady(linear, still, rates)
+    return _turning(linear, still, rates)
+
+
+def _still(linear: Linearised) -> State:
+    """The operating point without its speeds."""
+    still = linear.state.copy()
     still.v[:] = 0.0
-    turning = still.copy()
-    for name, speed in speeds.items():
-        if speed != 0.0:
-            turning.v[system.spin(name)] = speed
+    return still
+
+
+def _turning(linear: Linearised, still: State, rates: Array) -> Linearised:
+    """The linear system at other speeds, its place unchanged: nothing but bodies on ground."""
+    at_rest, turning = linear.at_rest, still.copy()
+    turning.v = rates
     D, K = (
-        evaluate.matrix(system, turning, 0.0, cd, ck) - evaluate.matrix(system, still, 0.0, cd, ck)
+        evaluate.matrix(linear.system, turning, 0.0, cd, ck)
+        - evaluate.matrix(linear.system, still, 0.0, cd, ck)
         for cd, ck in ((1.0, 0.0), (0.0, 1.0))
     )
-    at_rest = linear.at_rest
-    return at_rest.D + D, K + at_rest.K - symmetric(at_rest.K)
+    return replace(linear, D=at_rest.D + D, K=at_rest.K + K)
 
 
-def _orders(system: System, ratios: dict[str, float]) -> dict[str, float]:
+def _steady(linear: Linearised, still: State, rates: Array) -> Linearised:
+    """The linear system at the relative equilibrium of other speeds: bodies in trees lean outwards.
+
+    Meshes keep the stiffness that they have at rest.
+    """
+    system, turning = linear.system, still.copy()
+    turning.v = rates
+    state = find_equilibrium(system, turning, linear.held).state
+    at_rest = state.copy()
+    at_rest.v[:] = 0.0
+    elastic = linear.at_rest.K.copy()
+    for kind, share in zip(linear.at_rest.kinds, linear.at_rest.shares, strict=True):
+        if kind == "rotation":  # that of the speeds of the scenario
+            elastic[np.ix_(share.places, share.places)] -= share.matrix
+    mean = elastic - evaluate.matrix(system, still, 0.0, 0.0, 1.0)
+    mean_D = linear.at_rest.D - evaluate.matrix(system, still, 0.0, 1.0, 0.0)
+    D = mean_D + evaluate.matrix(system, state, 0.0, 1.0, 0.0)
+    K = mean + evaluate.matrix(system, state, 0.0, 0.0, 1.0)
+    M = evaluate.matrix(system, state, 1.0, 0.0, 0.0)
+    K_rest = mean + evaluate.matrix(system, at_rest, 0.0, 0.0, 1.0)
+    K_rest = K_rest + symmetric(inertial_stiffness(system, state, at_rest))
+    parts = replace(linear.at_rest, M=M, K=K_rest)
+    return replace(
+        linear, state=state, at_rest=parts, D=D, K=K, basis=free_directions(system, state, linear.states)
+    )
+
+
+def _orders(system: System, rates: Array) -> dict[str, float]:
     """Mesh frequency over rotational frequency of the body with ratio 1, by mesh."""
     found = {}
     for name, record in zip(mesh_names(system), system.records.get("gear_mesh", ()), strict=True):
-        one, two = (system.layout.bodies[int(record[e])] for e in ("i", "j"))
-        teeth, ratio = (record["z1"], ratios.get(one, 0.0))
+        spins = system.program["body"]["spin"]
+        one, two = (int(spins[int(record[e])]) for e in ("i", "j"))
+        teeth, ratio = record["z1"], rates[one] if one >= 0 else 0.0
         if ratio == 0.0:
-            teeth, ratio = record["z2"], ratios.get(two, 0.0)
+            teeth, ratio = record["z2"], rates[two] if two >= 0 else 0.0
         found[name] = float(abs(teeth * ratio))
     return found
 
@@ -131,7 +193,8 @@ def solve_campbell(
     speeds
         Speeds of one body [rad/s], shape (n_speed,).
     body
-        The body whose speed counts; default the first. The others follow from the gear ratios.
+        The body whose speed counts; default the first. The others follow from the gear ratios, or turn with
+        it. Where bodies hang in trees, every speed has its own relative equilibrium.
     scenario
         Gives loads and the operating point; meshes count with the mean over their cycle.
     progress

@@ -16,8 +16,10 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
-from pitchpoint.solvers.assembly import REDUNDANT, assemble_state
+from pitchpoint.solvers.assembly import REDUNDANT, assemble_state, loop_rows
+from pitchpoint.solvers.still import slopes, step_on
 from pitchpoint.system import evaluate
+from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -52,7 +54,7 @@ class MechanismRest:
 
 def is_looped(system: System) -> bool:
     """Whether rows other than prescribed motions tie the coordinates."""
-    return bool(_holding(system))
+    return bool(loop_rows(system))
 
 
 def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], tolerance: float) -> MechanismRest:
@@ -75,7 +77,7 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         If loops do not close or no equilibrium is found.
     """
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
-    holds = _holding(system)
+    holds = loop_rows(system)
     here = _closed(system, state, kept)
     mu = FIRST
     for count in range(MOST_STEPS):
@@ -85,14 +87,13 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], ROUNDING * acting[free].max(initial=0.0))
         if np.all(np.abs(left) <= goal):
             return MechanismRest(here, R, count)
-        K = Z.T @ evaluate.matrix(system, here, 0.0, 0.0, 1.0)[np.ix_(free, free)] @ Z
+        K = Z.T @ slopes(system, here, EXACT)[np.ix_(free, free)] @ Z
         M = Z.T @ evaluate.matrix(system, here, 1.0, 0.0, 0.0)[np.ix_(free, free)] @ Z
         inverse = np.linalg.pinv(K + mu * M)
         y = -inverse @ left
         size = float(np.abs(Z @ y).max(initial=0.0))
         y *= min(1.0, LONGEST / size if size > 0.0 else 1.0)
-        trial = here.copy()
-        trial.q[free] += Z @ y
+        trial = step_on(system, here, free, Z @ y)
         try:
             trial = _closed(system, trial, kept)
             H, S, _ = _balanced(system, trial, free, holds)
@@ -118,15 +119,11 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
     )
 
 
-def _holding(system: System) -> list[int]:
-    """Rows that prescribe no motion."""
-    return [r for r, name in enumerate(system.layout.rows) if not name.startswith("drive ")]
-
-
 def _closed(system: System, state: State, kept: tuple[int, ...]) -> State:
     """The same state with its loops closed; rates stay as they are."""
     still = state.copy()
     still.v[:] = 0.0
+    still.v[system.states] = state.v[system.states]
     found = assemble_state(system, still, keep=kept).state
     found.v[:] = state.v
     return found

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -62,10 +64,9 @@ def undamped(M: Array, K: Array, basis: Array, rigid: Array) -> tuple[Array, Arr
         raise SolverError("a free direction has no mass, so it has no frequency", SINGULAR)
     m, k = scale[:, None] * m * scale, scale[:, None] * k * scale
     values, vectors = symmetric_pencil(k, m)
-    for j in range(values.size):
-        x = vectors[:, j]
-        if abs(x @ k @ x) <= RIGID * float(np.abs(x) @ np.abs(k) @ np.abs(x)):
-            values[j] = 0.0
+    sizes = np.abs(vectors)
+    terms = ((np.abs(k) @ sizes) * sizes).sum(axis=0)
+    values[np.abs(((k @ vectors) * vectors).sum(axis=0)) <= RIGID * terms] = 0.0
     unsorted = (basis @ (scale[:, None] * vectors)).T
     small = np.abs(values) < SLOW * np.abs(values).max(initial=0.0)
     values[small & _are_rigid(unsorted, rigid, M)] = 0.0
@@ -139,6 +140,62 @@ def damped(
         # nothing brings a rigid rotation back: what seems to is what the tangents leave over of a turn
         values[(omega == 0.0) & (values.imag > 0.0) & (np.abs(values) < LEFT_OVER)] = 0.0
     return np.asarray(values * unit, dtype=np.complex128), z
+
+
+def damped_with_states(
+    M: Array, D: Array, K: Array, shapes: Array, omega: Array, states: Sequence[int], left: Array
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Eigenvalues and shapes of a system whose force elements have states.
+
+    A state is the rate of a coordinate whose place nothing reads: x'' of it is its first derivative.
+
+    Parameters
+    ----------
+    M, D, K
+        Matrices of the whole system, shape (nd, nd).
+    shapes, omega
+        Undamped modes with all states held, shape (n, nd) and (n,).
+    states
+        Coordinates whose rates are the states, ns of them.
+    left
+        What of K the undamped modes have not taken, shape (nd, nd).
+
+    Returns
+    -------
+    eigenvalue (n + ns,), shape over the coordinates (n + ns, nd); first those that resemble the undamped
+    modes, then those of the states, the slowest first
+    """
+    n, ns = len(shapes), len(states)
+    own = list(states)
+    mass = M[np.ix_(own, own)]
+    A = np.zeros((2 * n + ns, 2 * n + ns))
+    A[:n, n : 2 * n] = np.eye(n)
+    A[n : 2 * n, :n] = -np.diag(omega * np.abs(omega)) - shapes @ left @ shapes.T
+    A[n : 2 * n, n : 2 * n] = -shapes @ D @ shapes.T
+    A[n : 2 * n, 2 * n :] = -shapes @ D[:, own]
+    A[2 * n :, :n] = -np.linalg.solve(mass, K[own] @ shapes.T)
+    A[2 * n :, n : 2 * n] = -np.linalg.solve(mass, D[own] @ shapes.T)
+    A[2 * n :, 2 * n :] = -np.linalg.solve(mass, D[np.ix_(own, own)])
+    values, vectors = np.linalg.eig(A)
+    unit = max(float(np.abs(values).max(initial=0.0)), 1e-300)
+    upper = np.flatnonzero(values.imag > -1e-12 * unit)
+    values, vectors = values[upper], vectors[:, upper]
+    values = np.where(np.abs(values.imag) <= 1e-12 * unit, values.real, values)
+    z = vectors[:n] / np.maximum(np.linalg.norm(vectors[:n], axis=0), 1e-300)
+    # a mode goes on in what resembles it, vibrates like it and is as fast
+    size = np.maximum(np.abs(values), 1e-12 * unit)
+    apart = np.abs(np.log(size / np.maximum(np.abs(omega), 1e-12 * unit)[:, None]))
+    likeness = np.abs(z) ** 2 * np.where(values.imag > 0.0, 2.0, 1.0) / (1.0 + apart)
+    first = best_match(likeness) if n else np.zeros(0, np.intp)
+    rest = np.setdiff1d(np.arange(values.size), first)
+    carried = np.linalg.norm(vectors[2 * n :], axis=0) / np.maximum(np.linalg.norm(vectors, axis=0), 1e-300)
+    rest = rest[np.argsort(-carried[rest], kind="stable")][:ns]
+    order = np.concatenate([first, rest[np.argsort(np.abs(values[rest]), kind="stable")]])
+    found = values[order]
+    full = (shapes.T @ vectors[:n, order]).astype(np.complex128)
+    still = np.abs(found) <= 1e-12 * unit
+    full[own] = np.where(still, 0.0, vectors[2 * n :, order] / np.where(still, 1.0, found))
+    return np.asarray(found, dtype=np.complex128), np.asarray(full.T)
 
 
 def _quadratic(k: Array, d: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:

@@ -28,6 +28,7 @@ from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
 from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
+from pitchpoint.solvers.still import slopes, step_on
 from pitchpoint.solvers.surfaces import Surface, crossed
 from pitchpoint.solvers.trains import complete, exchange, free_spins
 from pitchpoint.system import evaluate
@@ -152,7 +153,7 @@ def _pseudo_time(
     passing: set[Surface] = set()  # surfaces that did not hold when they were tried last
     mu = FIRST
     for count in range(MOST_ITERATIONS):
-        whole = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)
+        whole = slopes(system, state, NEWTON)
         # positions are rounded as about 1 m and 1 rad are: nothing below the forces of that can be asked for
         rounded = ROUNDING * weight * (np.abs(whole) @ (np.abs(state.q) + 1.0) + damping)
         goal = np.maximum(rounded, wanted)[free]
@@ -161,8 +162,7 @@ def _pseudo_time(
         K = whole[np.ix_(free, free)]
         inverse = np.linalg.pinv((K + mu * mass) / np.outer(root, root)) / np.outer(root, root)
         step = -inverse @ R[free]
-        trial = state.copy()
-        trial.q[free] += step
+        trial = step_on(system, state, free, step)
         try:
             new = evaluate.residual(system, trial)
         except SolverError:

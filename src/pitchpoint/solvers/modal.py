@@ -7,12 +7,17 @@ at one phase. Undamped modes are those at rest, with the symmetric part of K; da
 gyroscopic terms of the speeds and the whole K. A torque that follows its tilting body makes K unsymmetric
 and can feed energy into modes that nothing damps. Friction of the flanks is left out of both. Rayleigh and
 modal damping are made at the phase where the scenario starts.
+
+Mechanisms vibrate in the directions that their loops leave free, with the reactions of the loops in K. Where
+bodies hang in trees, what a steady rotation adds by inertia (centrifugal forces) belongs to the stiffness of
+the undamped modes; the operating point then is the relative equilibrium, all rates steady. States of force
+elements are held for the undamped modes and free for the damped ones.
 """
 
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,13 +25,11 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.eigen import damped, ratio_of, symmetric, undamped
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.body_shapes import DIRECTIONS, base_vectors, body_motions, participation
+from pitchpoint.solvers.eigen import ratio_of
+from pitchpoint.solvers.linear_system import damped_modes, linearise, lowest
 from pitchpoint.solvers.mode_names import mode_names
-from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
-from pitchpoint.solvers.start import without_friction
-from pitchpoint.solvers.stiffness_parts import Array, Parts, mesh_names, shift, split, touching
-from pitchpoint.solvers.trains import driven_coordinates, held_spins, rotations
+from pitchpoint.solvers.stiffness_parts import Array, Parts
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -54,13 +57,25 @@ class Modes:
     kinetic
         Share of each coordinate in the kinetic energy of a mode, shape (n, nd).
     potential
-        Share of each element in the strain energy, shape (n, ne); zero for rigid modes.
+        Share of each element in the strain energy, shape (n, ne); zero for rigid modes, negative where loads
+        or weight weaken it.
     names
         What moves, in words.
     coordinates, elements
         Names of coordinates and elements.
     state
         The operating point.
+    participation, effective_mass
+        Factor [kg^1/2, kg^1/2 m] and mass [kg, kg m^2] with which the mode follows a base that accelerates
+        along x, y, z or turns about them through the world origin, shape (n, 6).
+    bodies
+        Names of the bodies, ground first.
+    place, axes
+        Where their frames are at the operating point, shape (nb, 3) [m] and (nb, 3, 3), world axes.
+    body_shape, damped_body_shape
+        Displacement of the origins and turn of the bodies in a mode, world axes, shape (n, nb, 6).
+    state_eigenvalue
+        Further eigenvalues [1/s], those of the states of force elements, the slowest first.
     notes
         What the user should know, in sentences.
     """
@@ -77,94 +92,23 @@ class Modes:
     coordinates: tuple[str, ...]
     elements: tuple[str, ...]
     state: State
+    participation: Array
+    effective_mass: Array
+    bodies: tuple[str, ...]
+    place: Array
+    axes: Array
+    body_shape: Array
+    damped_body_shape: NDArray[np.complex128]
+    state_eigenvalue: NDArray[np.complex128]
     notes: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
-class Linearised:
-    """Split matrices about an operating point, at rest and at speed, and what the user should know of it."""
-
-    system: System
-    state: State
-    at_rest: Parts
-    D: Array
-    K: Array
-    basis: Array
-    notes: tuple[str, ...]
-
-
-def _without_friction(point: OperatingPoint) -> OperatingPoint:
-    """The same point with frictionless flanks, and a note if that changes something."""
-    smooth = without_friction(point.system)
-    if smooth is point.system:
-        return point
-    note = "friction of the flanks is left out of the modes; it belongs to the motion, not to a state"
-    return replace(point, system=smooth, notes=(*point.notes, note))
-
-
-def linearise(
-    system: System,
-    scenario: Scenario | str | None = None,
-    *,
-    phase: float | None = None,
-    mean: bool = True,
-    progress: Progress = silent,
-) -> Linearised:
-    """Matrices of small vibrations about the loaded state of a scenario; arguments as in `find_modes`."""
-    point = _without_friction(operating_point(system, scenario))
-    own, state = point.system.copy(), point.state
-    if phase is not None:
-        state = _at_phase(own, state, phase, point.held)
-    loose = touching(own, state)
-    notes = list(point.notes)
-    if loose:
-        notes.append(
-            f"no load presses the flanks of {', '.join(loose)} together: "
-            "they are taken as touching, on the front if nothing leans on the back"
-        )
-    still = state.copy()
-    still.v[:] = 0.0
-    at_rest = split(own, still, point.held, mean and phase is None, loose, progress)
-    D = at_rest.D + evaluate.matrix(own, state, 0.0, 1.0, 0.0) - evaluate.matrix(own, still, 0.0, 1.0, 0.0)
-    K = at_rest.K + evaluate.matrix(own, state, 0.0, 0.0, 1.0) - evaluate.matrix(own, still, 0.0, 0.0, 1.0)
-    return Linearised(own, state, at_rest, D, K, _free_directions(own, state), tuple(notes))
-
-
-def _at_phase(system: System, state: State, phase: float, held: tuple[int, ...]) -> State:
-    """Put every mesh at one phase; the records of the system change."""
-    for _ in range(4):  # the deflection of the new place moves the phase a little
-        values = evaluate.observe(system, state)
-        for name, record in zip(mesh_names(system), system.records.get("gear_mesh", ()), strict=True):
-            shift(record, phase - float(values[system.layout.channel(f"mesh_phase[{name}]")]))
-        rest = find_equilibrium(system, state, held).state
-        rest.v[:] = state.v
-        state = rest
-    return state
-
-
-def _free_directions(system: System, state: State) -> Array:
-    """Columns that span what constraint rows leave free, shape (nd, n)."""
-    nd = system.sizes["nd"]
-    if system.sizes["nc"] == 0:
-        return np.eye(nd)
-    G = evaluate.constraint_jacobian(system, state)
-    fixed = np.flatnonzero(np.abs(G).sum(axis=0) > 0.0)
-    if np.count_nonzero(G) == np.linalg.matrix_rank(G) == fixed.size:
-        return np.delete(np.eye(nd), fixed, axis=1)  # rows that each hold one coordinate
-    _, values, rows = np.linalg.svd(G)
-    rank = int(np.sum(values > 1e-10 * values[0]))
-    return np.asarray(rows[rank:].T)
-
-
-def rigid_rotations(system: System) -> Array:
-    """Turns of the spins that nothing resists: one row per free train that nothing drives, shape (r, nd)."""
-    return rotations(system, held_spins(system)[len(driven_coordinates(system)) :]).T
 
 
 def energy_shares(parts: Parts, shapes: Array, omega: Array) -> tuple[Array, Array]:
     """Shares of coordinates (n, nd) and elements (n, ne) in kinetic and strain energy (rigid modes: 0)."""
     kinetic = shapes * (shapes @ parts.M)
-    potential = np.einsum("ni,eij,nj->ne", shapes, parts.K_element, shapes)
+    potential = np.zeros((len(shapes), len(parts.shares)))
+    for e, share in enumerate(parts.shares):
+        potential[:, e] = share.energy(shapes)
     potential = np.where(omega[:, None] == 0.0, 0.0, potential)
     total = potential.sum(axis=1, keepdims=True)
     return kinetic, np.divide(potential, total, out=np.zeros_like(potential), where=total > 0.0)
@@ -176,6 +120,8 @@ def find_modes(
     *,
     phase: float | None = None,
     mean: bool = True,
+    count: int | None = None,
+    start: State | None = None,
     progress: Progress = silent,
 ) -> Modes:
     """Modes about the loaded state of a scenario.
@@ -191,6 +137,11 @@ def find_modes(
         Mesh phase in [0, 1) at which every mesh is taken; default: mean over the mesh cycle.
     mean
         False: the phase of the operating point as it is.
+    count
+        Number of modes, lowest first; damped ones are found in their span. Default: all up to 300.
+    start
+        State near which the operating point is looked for; its rates are kept. Default: that of the scenario,
+        and the initial state of a system made from numbers.
     progress
         Told after every element.
 
@@ -203,26 +154,40 @@ def find_modes(
     SolverError
         If there is no equilibrium to vibrate about.
     """
-    linear = linearise(system, scenario, phase=phase, mean=mean, progress=progress)
-    parts = linear.at_rest
-    omega, shapes = undamped(parts.M, parts.K, linear.basis, rigid_rotations(linear.system))
-    values, z = damped(linear.D, linear.K - symmetric(parts.K), shapes, omega)
-    complex_shapes = _turned(np.asarray(z.T @ shapes, dtype=np.complex128), parts.M)
+    linear = linearise(system, scenario, phase=phase, mean=mean, start=start, progress=progress)
+    own, parts = linear.system, linear.at_rest
+    omega, shapes, notes = lowest(linear, count)
+    values, complex_shapes = damped_modes(linear, omega, shapes)
+    n = len(omega)
+    complex_shapes = _turned(complex_shapes[:n], parts.M)
     kinetic, potential = energy_shares(parts, shapes, omega)
+    factors, masses = participation(base_vectors(own, linear.state), shapes)
+    moved = body_motions(own, linear.state, shapes)
+    moved_damped = body_motions(own, linear.state, complex_shapes)
+    evaluate.residual(own, linear.state)
+    frames = own.workspace.fr
     return Modes(
         frequency=omega / (2.0 * np.pi),
         shape=shapes,
-        eigenvalue=values,
-        damped_frequency=values.imag / (2.0 * np.pi),
-        damping_ratio=ratio_of(values),
+        eigenvalue=values[:n],
+        damped_frequency=values[:n].imag / (2.0 * np.pi),
+        damping_ratio=ratio_of(values[:n]),
         damped_shape=complex_shapes,
         kinetic=kinetic,
         potential=potential,
-        names=mode_names(linear.system.layout, parts, omega, shapes, kinetic, potential),
-        coordinates=linear.system.layout.coordinates,
+        names=mode_names(own.layout, parts, omega, shapes, kinetic, potential),
+        coordinates=own.layout.coordinates,
         elements=parts.elements,
         state=linear.state,
-        notes=linear.notes,
+        participation=factors,
+        effective_mass=masses,
+        bodies=own.layout.bodies,
+        place=frames["r"].copy(),
+        axes=frames["R"].copy(),
+        body_shape=np.asarray(moved, dtype=np.float64),
+        damped_body_shape=np.asarray(moved_damped, dtype=np.complex128),
+        state_eigenvalue=values[n:],
+        notes=(*linear.notes, *notes),
     )
 
 
@@ -244,6 +209,8 @@ def solve_modal(
     *,
     phase: float | None = None,
     mean: bool = True,
+    count: int | None = None,
+    start: State | None = None,
     progress: Progress = silent,
 ) -> xr.Dataset:
     """Natural frequencies, damping ratios, shapes and energy shares; parameters as in `find_modes`.
@@ -253,14 +220,16 @@ def solve_modal(
     xarray.Dataset
         Over `mode`: frequency, damped_frequency [Hz], damping_ratio, eigenvalue_real and eigenvalue_imag
         [1/s], name; over `mode` and `coordinate`: shape (modal mass 1), damped_shape_real, damped_shape_imag,
-        kinetic_share; over `mode` and `element`: potential_share.
+        kinetic_share; over `mode` and `element`: potential_share; over `mode` and `direction`: participation
+        and effective_mass; over `mode`, `body` and `direction`: body_shape, the displacement of the origin
+        of every body and its turn, world axes.
     """
     import xarray as xr
 
     from pitchpoint.solvers.dataset import attributes
 
     began = time.perf_counter()
-    m = find_modes(system, scenario, phase=phase, mean=mean, progress=progress)
+    m = find_modes(system, scenario, phase=phase, mean=mean, count=count, start=start, progress=progress)
     one, by_coordinate = ("mode",), ("mode", "coordinate")
     data = {
         "frequency": (one, m.frequency, "Hz", "undamped natural frequency"),
@@ -273,6 +242,9 @@ def solve_modal(
         "damped_shape_imag": (by_coordinate, m.damped_shape.imag, "1", "damped shape, imaginary part"),
         "kinetic_share": (by_coordinate, m.kinetic, "1", "share in the kinetic energy"),
         "potential_share": (("mode", "element"), m.potential, "1", "share in the strain energy"),
+        "participation": (("mode", "direction"), m.participation, "1", "participation factor, SI units"),
+        "effective_mass": (("mode", "direction"), m.effective_mass, "1", "effective mass [kg, kg m^2]"),
+        "body_shape": (("mode", "body", "direction"), m.body_shape, "1", "motion of the bodies [m, rad]"),
     }
     wall = time.perf_counter() - began
     return xr.Dataset(
@@ -282,6 +254,8 @@ def solve_modal(
             "name": ("mode", list(m.names)),
             "coordinate": list(m.coordinates),
             "element": list(m.elements),
+            "direction": list(DIRECTIONS),
+            "body": list(m.bodies),
         },
         attrs={
             **attributes(system, "modal", wall_s=wall, phase="mean" if phase is None else phase),

@@ -24,6 +24,8 @@ TORSIONAL = 0.7
 """Share of the spins in the kinetic energy from which a mode counts as torsional."""
 ENOUGH = 0.8
 """Share of the kinetic energy that the named motions make up."""
+FORCES = ("closure", "force", "gravity", "rotation", "spring_damper", "torque")
+"""Kinds of which a mode is not named: they are no shafts."""
 MOST = 3
 """Most motions that are named."""
 
@@ -67,6 +69,8 @@ def _elastic(layout: Layout, parts: Parts, shape: Array, kinetic: Array, potenti
     if _spin_share(layout, kinetic) < TORSIONAL or not potential.size:
         return _motions(layout, kinetic)
     e = int(np.argmax(potential))
+    if parts.kinds[e] in FORCES:
+        return _motions(layout, kinetic)
     one, two = (layout.bodies[b] for b in parts.bodies[e])
     share = "" if potential[e] > 0.995 else f" {100.0 * potential[e]:.0f} %"
     if parts.bodies[e][1] == 0:
@@ -79,7 +83,7 @@ def _motions(layout: Layout, kinetic: Array) -> str:
     named, total = [], 0.0
     for k in np.argsort(-kinetic, kind="stable")[:MOST]:
         body, _, motion = layout.coordinates[k].rpartition(".")
-        named.append(f"{body} {MOTION[motion]} {100.0 * kinetic[k]:.0f} %")
+        named.append(f"{body} {MOTION.get(motion, motion)} {100.0 * kinetic[k]:.0f} %")
         total += float(kinetic[k])
         if total >= ENOUGH:
             break

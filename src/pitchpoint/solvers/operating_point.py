@@ -36,7 +36,9 @@ class OperatingPoint:
     notes: tuple[str, ...] = ()
 
 
-def operating_point(system: System, scenario: Scenario | str | None = None) -> OperatingPoint:
+def operating_point(
+    system: System, scenario: Scenario | str | None = None, start: State | None = None
+) -> OperatingPoint:
     """Find the state that a scenario starts from, or the system at rest under its loads.
 
     Parameters
@@ -45,6 +47,9 @@ def operating_point(system: System, scenario: Scenario | str | None = None) -> O
         The compiled model, with the same scenario if it drives bodies.
     scenario
         Scenario or its name; default the one the system was compiled with, else at rest.
+    start
+        State near which the equilibrium is looked for, in place of a scenario; its rates are kept, so the
+        equilibrium is that of a steady rotation.
 
     Raises
     ------
@@ -60,7 +65,7 @@ def operating_point(system: System, scenario: Scenario | str | None = None) -> O
         scenario = system.model.scenarios[scenario]
     own = system.copy()
     held = held_spins(own)
-    if own.model is None:
-        return OperatingPoint(own, find_equilibrium(own, None, held).state, held)
-    start = prepare_start(own, scenario or own.scenario or Scenario())
-    return OperatingPoint(start.system, start.state, held, start.notes)
+    if own.model is None or start is not None:
+        return OperatingPoint(own, find_equilibrium(own, start, held).state, held)
+    begin = prepare_start(own, scenario or own.scenario or Scenario())
+    return OperatingPoint(begin.system, begin.state, held, begin.notes)

@@ -25,9 +25,19 @@ def redundant_rows(system: System) -> tuple[str, ...]:
 def row_notes(system: System) -> tuple[str, ...]:
     """Tell the user of rows that repeat others; empty if none does."""
     names = redundant_rows(system)
-    if not names:
-        return ()
-    return (f"{', '.join(names)}: prescribes what other constraints prescribe already; it takes no load",)
+    loops = [name.removeprefix("closure ") for name in names if name.startswith("closure ")]
+    others = [name for name in names if not name.startswith("closure ")]
+    found = []
+    if loops:
+        found.append(
+            f"{', '.join(loops)}: what other joints hold already; the motion is the same without, and loads "
+            "are shared in one of many possible ways"
+        )
+    if others:
+        found.append(
+            f"{', '.join(others)}: prescribes what other constraints prescribe already; it takes no load"
+        )
+    return tuple(found)
 
 
 def rows_agree(system: System, t: float) -> int:

@@ -49,6 +49,8 @@ def fastest_mesh(system: System, scenario: Scenario) -> float:
     from pitchpoint.elements import drive
     from pitchpoint.elements.ratio import place_of
 
+    if "gear_mesh" not in system.records:
+        return 0.0
     speeds = speeds_of(system, scenario)
     highest = _mesh_frequency(system, speeds)
     driven = dict(scenario.speed)

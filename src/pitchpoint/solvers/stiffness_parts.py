@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Stiffness of a system split into its elements, and its mean over the mesh cycles.
 
-What an element contributes is the difference between the matrix with it and without it, so every kind keeps
-its physics in its kernel. A mesh is turned through its cycle by moving its path of contact, all bodies
-staying where they are: meshes of a train get their own mean each, whatever the periods of the others.
+What an element contributes is the difference between the matrix with it alone and with none (see
+`element_tangents`), so every kind keeps its physics in its kernel. A mesh is turned through its cycle by
+moving its path of contact, all bodies staying where they are: meshes of a train get their own mean each,
+whatever the periods of the others.
 """
 
 from __future__ import annotations
@@ -15,15 +16,33 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements import gear_mesh_record as mesh
+from pitchpoint.elements import registry
 from pitchpoint.elements.mesh_nodes import MOST_SPLIT
+from pitchpoint.solvers.element_tangents import (
+    Share,
+    bare_matrix,
+    element_names,
+    share_of,
+    stiffness_of,
+    tangents,
+)
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
-#: Field that holds the stiffness of an element, by kind; without it the element has none.
-STIFFNESS_FIELD = {"bearing": "K", "coupling": "k", "gear_mesh": "c_prime"}
+#: Field that holds the stiffness of a mesh; without it there is none.
+STIFFNESS_FIELD = {"gear_mesh": "c_prime"}
+
+NONE = 1e-14
+"""Stiffness over the largest below which an element has none."""
+
+FIRST = ("bearing", "coupling", "gear_mesh")
+"""Kinds that are listed before all others."""
+
+WORDS = {"gear_mesh": "mesh", "closure": "reaction", "shaft_beam": "beam"}
+"""Words for kinds where they differ from the name."""
 
 TOUCH = 1e-9
 """Penetration at which an unloaded flank is looked at [m]."""
@@ -40,59 +59,47 @@ class Parts:
     M, D, K
         Mass, damping and stiffness matrix, shape (nd, nd); D and K are those of the whole system.
     elements
-        Names of the elements with stiffness, "KIND NAME".
+        Names of the elements with stiffness, "KIND NAME"; loads and reactions of loops have one too where
+        they turn with what moves.
+    kinds
+        Their kinds.
     bodies
         The two bodies of each element, 0 is ground, shape (ne, 2).
-    K_element
-        Their shares of K, shape (ne, nd, nd).
+    shares
+        Their shares of K.
     """
 
     M: Array
     D: Array
     K: Array
     elements: tuple[str, ...]
+    kinds: tuple[str, ...]
     bodies: NDArray[np.int64]
-    K_element: Array
+    shares: tuple[Share, ...]
 
 
 def mesh_names(system: System) -> tuple[str, ...]:
     """Names of the meshes in the order of their records."""
-    return _names(system, "gear_mesh")
-
-
-def _names(system: System, kind: str) -> tuple[str, ...]:
-    """Names of the elements of a kind, read from the first observation of each."""
-    firsts = (system.layout.channels[int(r["out"])].name for r in system.records.get(kind, ()))
-    return tuple(name.partition("[")[2].rstrip("]").partition(".")[0] for name in firsts)
+    return element_names(system, "gear_mesh") if "gear_mesh" in system.records else ()
 
 
 def element_list(system: System) -> list[tuple[str, int, str]]:
-    """All elements with stiffness: kind, number of the record, "WORD NAME" for people."""
+    """All elements: kind, number of the record, "WORD NAME" for people."""
     found = []
-    for kind in STIFFNESS_FIELD:
-        for k, name in enumerate(_names(system, kind)):
-            record = system.records[kind][k]
-            word = "mesh" if kind == "gear_mesh" else "bearing"
-            if kind == "coupling" or (kind == "bearing" and record["j"] != 0):
+    for kind in sorted(system.records, key=_rank):
+        if registry.find(kind).channel in (registry.MOTION, registry.FRICTION):
+            continue
+        for k, name in enumerate(element_names(system, kind)):
+            word = WORDS.get(kind, kind.replace("_", " "))
+            if kind == "bearing" and system.records[kind][k]["j"] != 0:
                 word = "coupling"
             found.append((kind, k, f"{word} {name}"))
     return found
 
 
-def matrices(system: System, state: State) -> tuple[Array, Array]:
-    """Damping and stiffness matrix at a state, exact."""
-    return evaluate.matrix(system, state, 0.0, 1.0, 0.0), evaluate.matrix(system, state, 0.0, 0.0, 1.0)
-
-
-def without(system: System, state: State, kind: str, k: int) -> tuple[Array, Array]:
-    """Damping and stiffness matrix at a state with one element left out; the system is unchanged after."""
-    bank, name = system.records[kind], STIFFNESS_FIELD[kind]
-    kept = np.copy(bank[name][k])
-    bank[name][k] = 0.0
-    try:
-        return matrices(system, state)
-    finally:
-        bank[name][k] = kept
+def _rank(kind: str) -> tuple[int, str]:
+    """Springs first, then all others by name."""
+    return (FIRST.index(kind) if kind in FIRST else len(FIRST), kind)
 
 
 def shift(record: np.void, share: float) -> None:
@@ -200,23 +207,34 @@ def split(
         Told after every element.
     """
     M = evaluate.matrix(system, state, 1.0, 0.0, 0.0)
-    D_all, K_all = matrices(system, state)
-    D, K = D_all.copy(), K_all.copy()
+    D = evaluate.matrix(system, state, 0.0, 1.0, 0.0)
+    K = evaluate.matrix(system, state, 0.0, 0.0, 1.0)
+    bare = bare_matrix(system, state, 0.0, 0.0, 1.0)
+    least = NONE * float(np.abs(K).max(initial=0.0))
+    found: list[tuple[str, str, tuple[int, int], Share]] = []
     listed = element_list(system)
-    shares = np.zeros((len(listed), *K.shape))
-    bodies = np.zeros((len(listed), 2), np.int64)
     for e, (kind, k, name) in enumerate(listed):
-        bodies[e] = system.records[kind][k]["i"], system.records[kind][k]["j"]
-        d, rest = without(system, state, kind, k)
-        shares[e], d = K_all - rest, D_all - d
-        if kind == "gear_mesh" and mean:
-            loose = name.partition(" ")[2] in touched
-            D_mean, K_mean = _cycle_mean(system, state, held, k, loose)
-            D, K = D + D_mean - d, K + K_mean - shares[e]
-            shares[e] = K_mean
+        if kind == "gear_mesh":
+            d, own = tangents(system, state, {kind: slice(k, k + 1)})
+            if mean:
+                loose = name.partition(" ")[2] in touched
+                D_mean, K_mean = _cycle_mean(system, state, held, k, loose)
+                D, K, own = D + D_mean - d, K + K_mean - own, K_mean
+        else:
+            own = stiffness_of(system, state, {kind: slice(k, k + 1)}, bare)
+        if kind in FIRST or np.abs(own).max(initial=0.0) > least:
+            found.append((kind, name, _ends(system.records[kind][k]), share_of(own)))
         if progress is not None:
             progress(e + 1, len(listed), name)
-    return Parts(M, D, K, tuple(name for _, _, name in listed), bodies, shares)
+    kinds, names, bodies, shares = zip(*found, strict=True) if found else ((), (), (), ())
+    ends = np.array(bodies, np.int64).reshape(-1, 2)
+    return Parts(M, D, K, tuple(names), tuple(kinds), ends, tuple(shares))
+
+
+def _ends(record: np.void) -> tuple[int, int]:
+    """Both bodies of an element."""
+    fields = record.dtype.names or ()
+    return int(record["i"]), int(record["j"]) if "j" in fields else 0
 
 
 def _cycle_mean(
@@ -246,8 +264,7 @@ def _cycle_mean(
                 for _ in range(2):  # the deflection there moves the phase a little
                     at = _rest_at(system, at, held, state)
                     shift(record, flank * _nearest(float(psi) - _phase(system, at, k, flank)))
-            whole, rest = matrices(system, at), without(system, at, "gear_mesh", k)
-            total += weight * (np.array(whole) - np.array(rest))
+            total += weight * np.array(tangents(system, at, {"gear_mesh": slice(k, k + 1)}))
     finally:
         for name in ("xi_0", "xi_b", "u0"):
             record[name] = kept[name]

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.scenario import Scenario
+    from pitchpoint.solvers.sampled_control import Sampler
 
 CHUNK_SECONDS = 0.15
 """Wall time that one call of the compiled loop should take: progress and Ctrl-C come between calls."""
@@ -184,6 +185,13 @@ class _Loop:
         self.dense = self.adaptive or scenario.method in STIFF_METHODS  # samples lie within steps
         self.h, self.every = choose_step(start, scenario)
         self.steps = 0
+        self.sampler: Sampler | None = None
+        if self.system.controllers:
+            from pitchpoint.solvers.sampled_control import Sampler  # only those who use it wait for it
+
+            self.sampler = Sampler(self.system, start.state)
+            if not self.dense:
+                self.h, self.every = self.sampler.common_step(self.h, scenario.sample_rate)
         if scenario.method in STIFF_METHODS:
             self.run_: Any = self._stiff()
             return
@@ -231,6 +239,8 @@ class _Loop:
             row = evaluate.observe(self.system, evaluate.store(self.system, self.t0))
             self.sink.append(np.array([self.t0]), row[None, :])
         try:
+            if self.sampler is not None and self.sampler.status != OK:
+                return self.sampler.status
             return self._dense(progress) if self.dense else self._fixed(progress)
         except KeyboardInterrupt:
             return INTERRUPTED
@@ -244,14 +254,16 @@ class _Loop:
             begun = time.perf_counter()
             stop = settle if self.run_.steps < settle else total
             take = min(n, stop - self.run_.steps)
+            if self.sampler is not None:
+                take = min(take, max(1, round((self.sampler.next() - self.run_.t) / self.h)))
             sums = None if self.run_.steps < settle else self.sums
             every = self.every if self.sink is not None else 0
             chunk = self.run_.advance(
                 take, every=every, statistics=sums, events=MOST_EVENTS if self.watch else 0
             )
-            self._take(chunk)
-            if chunk.status != OK:
-                return int(chunk.status)
+            status = self._take(chunk)
+            if status != OK:
+                return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
             n = next_chunk(n, time.perf_counter() - begun)
         return self._last_step(rest) if rest > 0.0 else OK
@@ -261,8 +273,7 @@ class _Loop:
         self.run_.change_step(h)
         sums = self.sums if self.window < self.t_end else None
         chunk = self.run_.advance(1, statistics=sums, events=MOST_EVENTS if self.watch else 0)
-        self._take(chunk)
-        return int(chunk.status)
+        return self._take(chunk)
 
     def _dense(self, progress: Progress) -> int:
         sample = 1.0 / self.scenario.sample_rate if self.scenario.sample_rate else self.h
@@ -271,6 +282,8 @@ class _Loop:
         while self.run_.t < self.t_end - 1e-12 * max(1.0, abs(self.t_end)):
             begun = time.perf_counter()
             limit = self.window if self.run_.t < self.window - 1e-15 else self.t_end
+            if self.sampler is not None:
+                limit = min(limit, self.sampler.next())
             chunk = self.run_.advance_to(
                 limit,
                 sample=sample,
@@ -279,19 +292,23 @@ class _Loop:
                 restart=bool(self.watch),
                 most=n,
             )
-            self._take(chunk)
-            if chunk.status != OK:
-                return int(chunk.status)
+            status = self._take(chunk)
+            if status != OK:
+                return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
             n = min(next_chunk(n, time.perf_counter() - begun), most)
         return OK
 
-    def _take(self, chunk: Any) -> None:
+    def _take(self, chunk: Any) -> int:
+        """Keep what a chunk found, call the controllers that are due; returns the status."""
         self.steps += chunk.steps
         if self.sink is not None and len(chunk.rows):
             self.sink.append(chunk.rows[:, 0].copy(), chunk.rows[:, 1:])
         if len(chunk.events):
             self.events.append(self.watch.pick(chunk.events))
+        if chunk.status == OK and self.sampler is not None:
+            return self.sampler.follow(self.run_)
+        return int(chunk.status)
 
     def summary(self, status: int, wall_s: float) -> TimeSummary:
         found = read_statistics(self.sums)
@@ -311,7 +328,7 @@ class _Loop:
         t = float(self.run_.t)
         return TimeSummary(
             status=status,
-            sentence=explain(self.system, status),
+            sentence=(self.sampler.said if self.sampler is not None else "") or explain(self.system, status),
             steps=self.steps,
             step=0.0 if self.adaptive else self.h,
             wall_s=wall_s,

@@ -201,7 +201,7 @@ def _ratio(record: np.void, index: dict[int, int]) -> Array:
 def _resisted(system: System, index: dict[int, int]) -> list[Array]:
     """Rows of spins that springs, contacts, loops or eccentric weight keep from turning freely."""
     body = system.program["body"]
-    held: set[int] = set()
+    held = {int(s) for s in system.states}
     for kind, records in system.records.items():
         if kind in ("gear_mesh", "bearing", "ratio"):
             continue

@@ -39,6 +39,10 @@ def _arguments(system: System, record: Any) -> tuple[float, float, int, int]:
     t = float(system.workspace.ctl[0]["t"])
     if "psi" in record.dtype.names:  # a mesh: the stiffness law is no function of time
         return 0.0, float(record["psi"]), int(record["params"]), len(system.pools["gear_mesh"])
+    if "slot" in record.dtype.names:  # a signal of another signal
+        kind = next(name for name in ("signal", "signal_of_loads") if name in system.pools)
+        x = float(system.pools[kind][int(record["a"])])
+        return t, x, int(record["start"]), int(record["n"])
     frame = system.workspace.fr[int(record["i"])]
     x = float(frame["phi"]) + 2.0 * math.pi * int(frame["turns"])
     if record["over"] == signal.OVER_TIME:

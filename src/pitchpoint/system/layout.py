@@ -239,7 +239,7 @@ def body_channels(
     table: list[tuple[int, int, int, int]] = []
     words = {"alpha": "rx", "beta": "ry"}
     for b, (body, name) in enumerate(zip(bodies, names, strict=True), start=1):
-        for k, (coordinate, unit) in enumerate(body.coordinates):
+        for k, (coordinate, unit) in enumerate(() if body.state else body.coordinates):
             dof = int(records[b]["dof"]) + k
             at = first + len(channels)
             if body.motion in TUMBLING and unit == "rad":

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import address, law_address, prepare
 from pitchpoint.elements import registry
+from pitchpoint.elements.signal_record import ACCELERATION, ANGULAR_ACCELERATION, CHANNEL, RATE
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
@@ -86,6 +87,26 @@ def link_parts(body: NDArray[np.void]) -> dict[str, int]:
     if np.any(body["chart"] >= 0):
         parts["tumble"] = tree.tumble_entry
     return {name: address(kernel) for name, kernel in parts.items()}
+
+
+def listens(records: Mapping[str, NDArray[np.void]]) -> bool:
+    """Whether a signal reads what other elements observe, so that they have to say it at every evaluation."""
+    bank = records.get("signal_of_loads")
+    return bank is not None and bool(np.any(bank["op"] == CHANNEL))
+
+
+def senses_accelerations(records: Mapping[str, NDArray[np.void]]) -> bool:
+    """Whether a signal follows accelerations: what it drives may be part of the mass matrix then."""
+    sensed = (ACCELERATION, ANGULAR_ACCELERATION)
+    banks = [records[name] for name in ("signal", "signal_of_loads") if name in records]
+    return any(bool(np.any(np.isin(bank["op"], sensed))) for bank in banks)
+
+
+def state_bodies(records: Mapping[str, NDArray[np.void]]) -> NDArray[np.int64]:
+    """Hidden bodies whose spin rates are states of signals; nothing depends on their spins."""
+    banks = [records[name] for name in ("signal", "signal_of_loads") if name in records]
+    found = [bank["i"][bank["op"] == RATE] for bank in banks]
+    return np.concatenate(found).astype(np.int64) if found else np.zeros(0, np.int64)
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:

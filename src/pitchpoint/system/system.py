@@ -15,14 +15,17 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
 from pitchpoint.multibody.bodies import Body, body_records
 from pitchpoint.system.layout import Channel, Layout, body_channels, structure
-from pitchpoint.system.link import link, link_parts
+from pitchpoint.system.link import link, link_parts, listens, senses_accelerations, state_bodies
 from pitchpoint.system.workspace import Workspace
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
+    from pitchpoint.system.controller import SampledController
 
 TWO_PI = 6.283185307179586
+NO_MATTER = 1e30
+"""Share of a coordinate that an error may have if nothing depends on it."""
 Law = Callable[..., float] | int
 
 
@@ -83,6 +86,8 @@ class System:
         Names of the records of every kind, for messages.
     keep
         Further objects that must live as long as the records (arrays whose addresses they hold).
+    controllers
+        Sampled controllers; time runs call them at their instants.
     model, scenario
         The description it was made from, if there was one.
     """
@@ -97,6 +102,7 @@ class System:
     weight: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     names: Mapping[str, Sequence[str]] = field(default_factory=dict)
     keep: tuple[Any, ...] = ()
+    controllers: tuple[SampledController, ...] = ()
     model: Model | None = None
     scenario: Scenario | None = None
 
@@ -105,7 +111,14 @@ class System:
         """Memory and addresses, made at first use in this process."""
         tables = link(self.records, self.pools, self.laws)
         parts = link_parts(self.program["body"])
-        return Workspace(dict(self.program), dict(self.sizes), tables, parts, self.weight)
+        made = Workspace(dict(self.program), dict(self.sizes), tables, parts, self.weight)
+        if listens(self.records):
+            made.mach[0]["watch"] = made.arrays["heard"].ctypes.data
+        if senses_accelerations(self.records):
+            made.mach[0]["constant_mass"] = 0
+        states = state_bodies(self.records)
+        made.arrays["relative"][self.program["body"]["spin"][states]] = NO_MATTER
+        return made
 
     def __getstate__(self) -> dict[str, Any]:
         state = dict(self.__dict__)
@@ -153,6 +166,12 @@ class System:
                 q[spin] -= TWO_PI * turns[b]
         charts = np.tile(np.eye(3), (int(self.program["body"]["chart"].max()) + 1, 1, 1))
         return State(0.0, q, v, np.zeros(nd), np.zeros(self.sizes["nc"]), turns, charts)
+
+    @property
+    def states(self) -> NDArray[np.int64]:
+        """Coordinates whose rates are states of elements; their places mean nothing, shape (n,)."""
+        body = self.program["body"]
+        return np.asarray(body["spin"][body["state"] == 1])
 
     def spin(self, body: str) -> int:
         """Index of the spin coordinate of a body by name."""

@@ -62,6 +62,7 @@ _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("clock", "i8", ("16",)),
     ("real", "f8", ("16",)),  # remembered contraction rate, step size, error of the last step
     ("row", "f8", ("no",)),  # observation of the step
+    ("heard", "f8", ("no",)),  # observations that signals read
     ("ev0", "f8", ("ne",)),  # event functions before the step
     ("ev1", "f8", ("ne",)),  # and after it
 )
@@ -77,6 +78,7 @@ MACH = np.dtype(
             *("nguiding", "nfrictions", "ncharts"),
             *("residual", "factor_entry", "solve_entry"),  # addresses of the parts that all drivers share
             *("tree", "tumble"),  # and of those that only trees need, 0 without
+            "watch",  # address of `heard` if signals read observations, else 0
             "constant_mass",  # 1: M does not depend on q
         )
     ],
@@ -149,7 +151,10 @@ class Workspace:
         ctl["guides"], ctl["ng"] = self.arrays["guides"].ctypes.data, len(self.arrays["guides"])
         for name, where in parts.items():
             mach[name] = where
-        mach["constant_mass"] = int(np.all(program["body"]["joint"] < 6))
+        # forces that follow accelerations are found by iteration, see `linear.solve_acceleration`
+        mach["constant_mass"] = int(
+            np.all(program["body"]["joint"] < 6) and not len(self.tables["frictions"])
+        )
         ctl["mach"] = self.mach.ctypes.data
         ctl["at"] = self.ctl.ctypes.data
         ctl["bad"] = ctl["badkind"] = -1

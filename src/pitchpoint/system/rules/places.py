@@ -58,4 +58,4 @@ def hidden_bodies(elements: Iterable[str]) -> list[Body]:
     elements
         Names of the elements with a state.
     """
-    return [Body(name=f"{name}.state", polar_inertia=1.0) for name in elements]
+    return [Body(name=f"{name}.state", polar_inertia=1.0, state=True) for name in elements]

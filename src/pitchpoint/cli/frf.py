@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint frf`: frequency response about an operating point."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quantity, quiet
+from pitchpoint.cli.output import emit_json, show, shown, table
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from pitchpoint.io.container import Header
+    from pitchpoint.model.model import Model
+    from pitchpoint.solvers.frequency_response import FrequencyResponse
+
+
+@click.command()
+@model_file
+@click.option(
+    "--input",
+    "-i",
+    "inputs",
+    multiple=True,
+    required=True,
+    metavar="NAME",
+    help="Excitation: BODY.COORDINATE, BODY.fx ... mz, transmission_error[MESH] or unbalance[BODY].",
+)
+@click.option(
+    "--response",
+    "-r",
+    "responses",
+    multiple=True,
+    required=True,
+    metavar="NAME",
+    help="What is looked at: BODY.COORDINATE, BODY.ux ... rz, or a channel such as mesh_force[MESH].",
+)
+@quantity("--from", "frequency", "Lowest frequency; a hundredth of the highest if left out.")
+@quantity("--to", "frequency", "Highest frequency.")
+@click.option("--points", type=click.IntRange(min=2), default=400, help="Number of frequencies.")
+@click.option("--linear", is_flag=True, help="Equal steps of the frequency instead of equal ratios.")
+@click.option(
+    "--modes", type=click.IntRange(min=1), metavar="N", help="By the lowest N modes; directly if left out."
+)
+@click.option(
+    "--synchronous", metavar="BODY", help="The speed of this body follows the frequency, the others with it."
+)
+@click.option(
+    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if left out."
+)
+@click.option("--picture", type=click.Path(dir_okay=False), metavar="HTML", help="Write a picture.")
+@output("Result file (netCDF-4/HDF5); none if left out.")
+@as_json
+@allow_code
+@quiet
+@debug
+def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
+    """Compute the frequency response of FILE about its loaded state."""
+    from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.cli.reading import read_model
+    from pitchpoint.cli.results import known_scenario, result_path, unless_it_cannot_begin
+
+    if options["to"] is None:
+        raise click.UsageError("--to is needed: the highest frequency, such as --to '2 kHz'")
+    model = read_model(file, allow_code, quiet)
+    scenario = options["scenario"]
+    name = known_scenario(model, scenario) if scenario is not None else None
+    target = result_path(options["output"], file, name or "") if options["output"] is not None else None
+    summary, error = unless_it_cannot_begin(
+        lambda: compute(model, file, name, target, options, quiet=quiet), {"inputs": [], "outputs": []}
+    )
+    if as_json:
+        emit_json(summary)
+    elif error is None:
+        _print(f"{model.title or file}: frequency response", summary, quiet=quiet)
+    return OK if error is None else exit_code_of(error)
+
+
+def frequencies(low: float | None, high: float, points: int, linear: bool) -> list[float]:
+    """Frequencies from low to high [Hz].
+
+    Examples
+    --------
+    >>> frequencies(1.0, 100.0, 3, False), frequencies(0.0, 10.0, 3, True), frequencies(None, 100.0, 2, False)
+    ([1.0, 10.0, 100.0], [0.0, 5.0, 10.0], [1.0, 100.0])
+    """
+    low = 0.01 * high if low is None else low
+    if linear or low <= 0.0:
+        return [low + (high - low) * k / (points - 1) for k in range(points)]
+    return [float(low * (high / low) ** (k / (points - 1))) for k in range(points)]
+
+
+def compute(
+    model: Model, file: str, name: str | None, target: Path | None, options: dict[str, Any], *, quiet: bool
+) -> tuple[dict[str, Any], None]:
+    """Find the response, write it if there is a file to write; gives what `frf --json` prints."""
+    from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.cli.results import header_of, how_a_status_ends
+    from pitchpoint.core.status import OK, sentence
+    from pitchpoint.solvers.frequency_response import find_response
+    from pitchpoint.system.compile import compile_model
+
+    begun = time.perf_counter()
+    system = compile_model(model, name)
+    hertz = frequencies(options["from"], options["to"], options["points"], options["linear"])
+    with ProgressDisplay("frf", "frequencies", quiet=quiet) as progress:
+        found = find_response(
+            system,
+            options["inputs"],
+            options["responses"],
+            hertz,
+            name,
+            modes=options["modes"],
+            synchronous=options["synchronous"],
+            progress=progress,
+        )
+    if target is not None:
+        store(target, header_of(model, file, name or "", "frequency_response", "frequency_response"), found)
+    if options["picture"] is not None:
+        _draw(options["picture"], found)
+    summary = {
+        "status": how_a_status_ends(OK),
+        "sentence": sentence(OK),
+        "wall_s": time.perf_counter() - begun,
+        "output": None if target is None else str(target),
+        "notes": list(found.notes),
+        "inputs": [{"name": n, "unit": u} for n, u in zip(found.inputs, found.input_units, strict=True)],
+        "outputs": [{"name": n, "unit": u} for n, u in zip(found.outputs, found.output_units, strict=True)],
+        "frequency": found.frequency.tolist(),
+        "real": found.response.real.tolist(),
+        "imag": found.response.imag.tolist(),
+    }
+    return summary, None
+
+
+def _draw(path: str, found: FrequencyResponse) -> None:
+    """Write amplitude and phase as a page."""
+    from pitchpoint.viz.frequency_response_plot import plot_frequency_response
+
+    units = [f"{o}/({i})" if " " in i else f"{o}/{i}" for o in found.output_units for i in found.input_units]
+    figure = plot_frequency_response(found.frequency, found.response, found.outputs, found.inputs, units)
+    figure.write_html(path, include_plotlyjs=True)
+
+
+def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
+    """Show where every response is largest."""
+    import numpy as np
+
+    size = np.hypot(np.array(summary["real"]), np.array(summary["imag"]))
+    hertz = summary["frequency"]
+    cells = []
+    for o, out in enumerate(summary["outputs"]):
+        for i, put in enumerate(summary["inputs"]):
+            at = int(np.argmax(size[:, o, i]))
+            unit = f"{out['unit']} per {put['unit']}"
+            cells.append(
+                [
+                    f"{out['name']} by {put['name']}",
+                    f"{size[at, o, i]:.5g} {unit}",
+                    shown(hertz[at], "frequency", 5),
+                    f"{size[0, o, i]:.5g} {unit}",
+                ]
+            )
+    table(title, ["response", "largest", "at", f"at {shown(hertz[0], 'frequency', 4)}"], cells)
+    if not quiet:
+        for note in summary["notes"]:
+            show(f"note: {note}")
+        if summary["output"] is not None:
+            show(f"written to {summary['output']}")
+
+
+def store(path: Path, header: Header, found: FrequencyResponse) -> None:
+    """Write a response to a result file."""
+    from pitchpoint.io.tables import Axis, Quantity, write_tables
+
+    axes = [
+        Axis("frequency", found.frequency.tolist(), unit="Hz", long_name="frequency of the excitation"),
+        Axis("output", list(found.outputs)),
+        Axis("input", list(found.inputs)),
+    ]
+    dims = ("frequency", "output", "input")
+    filled = [
+        (Quantity("response_real", dims, "1", "response per unit, real part"), found.response.real),
+        (Quantity("response_imag", dims, "1", "response per unit, imaginary part"), found.response.imag),
+        (Quantity("output_unit", ("output",), dtype="text", long_name="SI unit"), list(found.output_units)),
+        (Quantity("input_unit", ("input",), dtype="text", long_name="SI unit"), list(found.input_units)),
+    ]
+    write_tables(path, header, axes, filled, notes=found.notes)

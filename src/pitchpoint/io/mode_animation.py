@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Mode shapes for animation: where the frames of all bodies are over one cycle, as JSON or NPZ.
+
+A picture turns the frame of a body by the small turn and moves its origin by the displacement; the shapes are
+scaled so that the largest displacement of an origin, or the turn at a given radius, has a given length.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.io.container import ResultError
+
+FORMATS = (".json", ".npz")
+
+
+def cycle(shape: ArrayLike, frames: int = 24) -> NDArray[np.float64]:
+    """One cycle of vibration: Re(shape e^(i 2 pi k/frames)), a new first axis of `frames` places.
+
+    Examples
+    --------
+    >>> cycle(np.array([1.0, 1.0j]), 4).round(12) + 0.0
+    array([[ 1.,  0.],
+           [ 0., -1.],
+           [-1.,  0.],
+           [ 0.,  1.]])
+    """
+    turn = np.exp(2j * np.pi * np.arange(frames) / frames)
+    found = np.multiply.outer(turn, np.asarray(shape, dtype=np.complex128)).real
+    return np.asarray(found, dtype=np.float64)
+
+
+def write_mode_animation(
+    path: str | Path,
+    *,
+    bodies: Sequence[str],
+    names: Sequence[str],
+    frequency: ArrayLike,
+    place: ArrayLike,
+    axes: ArrayLike,
+    body_shape: ArrayLike,
+    frames: int = 24,
+    amplitude: float = 0.01,
+    radius: float = 0.1,
+) -> None:
+    """Write modes for animation.
+
+    Parameters
+    ----------
+    path
+        File that ends in .json or .npz.
+    bodies
+        Names of the bodies, ground first.
+    names, frequency
+        Of the modes; [Hz], shape (n,).
+    place, axes
+        Frames at rest, world axes, shape (nb, 3) [m] and (nb, 3, 3), columns are the axes.
+    body_shape
+        Displacement of the origin and small turn of every body, real or complex, world axes, (n, nb, 6).
+    frames
+        Places over one cycle.
+    amplitude, radius
+        Largest displacement [m] after scaling; a turn counts with what it moves at this radius [m].
+
+    Raises
+    ------
+    ResultError
+        If the name of the file ends otherwise.
+    """
+    target = Path(path)
+    if target.suffix not in FORMATS:
+        raise ResultError(f"{target.name}: modes are written as {' or '.join(FORMATS)}")
+    shape = np.asarray(body_shape, dtype=np.complex128)
+    reach = np.maximum(
+        np.linalg.norm(shape[..., :3], axis=-1), radius * np.linalg.norm(shape[..., 3:], axis=-1)
+    ).max(axis=1, initial=0.0)
+    factor = np.divide(amplitude, reach, out=np.zeros_like(reach), where=reach > 0.0)
+    motion = np.moveaxis(cycle(shape * factor[:, None, None], frames), 0, 1)  # mode, frame, body, 6
+    content = {
+        "bodies": np.array(list(bodies)),
+        "modes": np.array(list(names)),
+        "frequency": np.asarray(frequency, dtype=np.float64),
+        "place": np.asarray(place, dtype=np.float64),
+        "axes": np.asarray(axes, dtype=np.float64),
+        "scale": factor,
+        "motion": motion,
+    }
+    if target.suffix == ".npz":
+        np.savez_compressed(target, **content)
+        return
+    about = "motion: mode, frame of the cycle, body, displacement [m] and turn [rad] in world axes"
+    lists = {key: value.tolist() for key, value in content.items()}
+    target.write_text(json.dumps({"about": about, **lists}), encoding="utf-8")

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tangents of single elements of any kind: the system is evaluated with all others switched off.
+
+Forces and tangents of a system are sums over its elements, so what one adds is the difference between the
+system with it alone and the system with none. Kinds keep their physics in their kernels and need not know.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.elements import registry
+from pitchpoint.system import evaluate
+from pitchpoint.system.link import TABLES, kind_of_row
+from pitchpoint.system.system import State, System
+
+Array = NDArray[np.float64]
+
+NEGLIGIBLE = 1e-13
+"""Entry of the mass matrix over the largest that counts as none."""
+
+
+@dataclass(frozen=True)
+class Share:
+    """A matrix that is zero but for a few rows and columns.
+
+    Parameters
+    ----------
+    places
+        Coordinates of the rows and columns, shape (m,).
+    matrix
+        The entries, shape (m, m).
+    """
+
+    places: NDArray[np.int64]
+    matrix: Array
+
+    def energy(self, shapes: Array) -> Array:
+        """x^T A x of every row of `shapes`, shape (n,)."""
+        x = shapes[:, self.places]
+        return np.asarray(((x @ self.matrix) * x).sum(axis=1))
+
+    def add_to(self, whole: Array) -> None:
+        """Add the entries to a dense matrix (nd, nd)."""
+        whole[np.ix_(self.places, self.places)] += self.matrix
+
+
+def share_of(whole: Array) -> Share:
+    """Cut a dense matrix (nd, nd) down to the coordinates that it has entries for."""
+    used = np.flatnonzero(np.any(whole != 0.0, axis=0) | np.any(whole != 0.0, axis=1))
+    return Share(used, whole[np.ix_(used, used)].copy())
+
+
+@contextmanager
+def switched(system: System, on: dict[str, slice]) -> Iterator[None]:
+    """Evaluate a system with some records of some kinds alone; joints made of functions stay.
+
+    Parameters
+    ----------
+    system
+        The system; its address tables are changed while the context lasts.
+    on
+        Records that count, by name of kind.
+    """
+    tables = system.workspace.tables
+    kept = {name: table.copy() for name, table in tables.items()}
+    row = 0
+    for name in TABLES:
+        table = tables[name]
+        for e in range(len(table)):
+            kind = kind_of_row(system.records, row)
+            row += 1
+            if name == "guiding":
+                continue
+            bank = system.records[kind]
+            begin, end, _ = on.get(kind, slice(0, 0)).indices(bank.size)
+            table[e, 1] = bank.ctypes.data + begin * bank.itemsize
+            table[e, 2] = max(end - begin, 0)
+    try:
+        yield
+    finally:
+        for name, table in tables.items():
+            table[:] = kept[name]
+
+
+def tangents(system: System, state: State, on: dict[str, slice]) -> tuple[Array, Array]:
+    """Damping and stiffness matrix of some records, without the inertia of the bodies."""
+    found = []
+    for factors in ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
+        parts = []
+        for what in (on, {}):
+            with switched(system, what):
+                parts.append(evaluate.matrix(system, state, *factors))
+        found.append(parts[0] - parts[1])
+    return found[0], found[1]
+
+
+def stiffness_of(system: System, state: State, on: dict[str, slice], bare: Array) -> Array:
+    """Stiffness matrix of some records; `bare` is that of the system with none."""
+    with switched(system, on):
+        return evaluate.matrix(system, state, 0.0, 0.0, 1.0) - bare
+
+
+def bare_matrix(system: System, state: State, cm: float, cd: float, ck: float) -> Array:
+    """Matrix of the bodies alone, without any element."""
+    with switched(system, {}):
+        return evaluate.matrix(system, state, cm, cd, ck)
+
+
+def massive_kinds(system: System, state: State) -> tuple[str, ...]:
+    """Kinds whose elements have inertia of their own."""
+    bare = bare_matrix(system, state, 1.0, 0.0, 0.0)
+    found = []
+    for kind in system.records:
+        with switched(system, {kind: slice(None)}):
+            more = evaluate.matrix(system, state, 1.0, 0.0, 0.0) - bare
+        if np.abs(more).max(initial=0.0) > NEGLIGIBLE * np.abs(bare).max(initial=0.0):
+            found.append(kind)
+    return tuple(found)
+
+
+def inertial_stiffness(system: System, state: State, still: State) -> Array:
+    """What steady rotation adds to the stiffness by inertia, bodies and massive elements (centrifugal)."""
+    on = dict.fromkeys(massive_kinds(system, still), slice(None))
+    with switched(system, on):
+        turning = evaluate.matrix(system, state, 0.0, 0.0, 1.0)
+        return turning - evaluate.matrix(system, still, 0.0, 0.0, 1.0)
+
+
+def state_coordinates(system: System) -> tuple[int, ...]:
+    """Coordinates whose rates are states of force elements: their places mean nothing."""
+    found = set()
+    for kind, bank in system.records.items():
+        if registry.find(kind).pairs == registry.WITH_STATE:
+            found |= {int(system.program["body"][int(k)]["spin"]) for k in bank["k"] if k > 0}
+    return tuple(sorted(found - {-1}))
+
+
+def element_names(system: System, kind: str) -> tuple[str, ...]:
+    """Names of all elements of a kind, as in the observations."""
+    given = system.names.get(kind, ())
+    return tuple(given[k] if k < len(given) else f"{kind}{k}" for k in range(system.records[kind].size))

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Frequency response about an operating point: y = C (K + i omega D - omega^2 M)^-1 B, directly or by modes.
+
+M, D and K are those of `linear_system.linearise`: gyroscopic terms and all that follows from a steady rotation
+are in them, meshes count with the mean over their cycle or with one phase. Loops are kept by moving in the
+directions that they leave free; the reactions follow. Driven spins do not vibrate. With a synchronous body
+every frequency is its speed: the response to its unbalance.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import SINGULAR
+from pitchpoint.model.scenario import Scenario
+from pitchpoint.solvers.campbell import at_speeds, speed_ratios
+from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
+from pitchpoint.solvers.ports import Input, Outputs, find_inputs, find_outputs
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State, System
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class FrequencyResponse:
+    """Complex response per unit of each input.
+
+    Parameters
+    ----------
+    frequency
+        [Hz], shape (nf,).
+    response
+        Amplitude and phase of every output per unit of every input, e^(i omega t), shape (nf, no, ni).
+    outputs, inputs, output_units, input_units
+        Names and units.
+    notes
+        What the user should know, in sentences.
+    """
+
+    frequency: Array
+    response: Complex
+    outputs: tuple[str, ...]
+    inputs: tuple[str, ...]
+    output_units: tuple[str, ...]
+    input_units: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+
+
+def find_response(
+    system: System,
+    inputs: Sequence[str],
+    outputs: Sequence[str],
+    frequencies: ArrayLike,
+    scenario: Scenario | str | None = None,
+    *,
+    modes: int | None = None,
+    synchronous: str | None = None,
+    phase: float | None = None,
+    start: State | None = None,
+    progress: Progress = silent,
+) -> FrequencyResponse:
+    """Complex frequency response.
+
+    Parameters
+    ----------
+    system
+        The compiled model.
+    inputs, outputs
+        Names as in `ports`.
+    frequencies
+        [Hz], shape (nf,).
+    scenario, phase, start
+        As in `modal.find_modes`.
+    modes
+        Number of undamped modes whose span the response is looked for in; default: the direct solution.
+    synchronous
+        Body whose speed follows the frequency, the others with it as their ratios are.
+    progress
+        Told after every frequency.
+
+    Raises
+    ------
+    SolverError
+        If a name is not known, there is no equilibrium, or nothing resists at a frequency.
+    """
+    linear = linearise(system, scenario, phase=phase, start=start)
+    ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
+    hertz = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
+    basis = linear.basis if modes is None else lowest(linear, modes)[1].T
+    rates = None if synchronous is None else speed_ratios(linear.system, synchronous)
+    found = np.zeros((hertz.size, len(outs.names), len(ins)), complex)
+    for f, omega in enumerate(2.0 * np.pi * hertz):
+        at = linear if rates is None else at_speeds(linear, omega * rates)
+        found[f] = _respond(at, basis, ins, outs, float(omega))
+        progress(f + 1, hertz.size, "frequencies")
+    names, units = tuple(i.name for i in ins), tuple(i.unit for i in ins)
+    return FrequencyResponse(hertz, found, outs.names, names, outs.units, units, linear.notes)
+
+
+def _respond(linear: Linearised, basis: Array, ins: Sequence[Input], outs: Outputs, omega: float) -> Complex:
+    """Outputs per unit of each input at one circular frequency [rad/s], shape (no, ni)."""
+    M, D, K = linear.at_rest.M, linear.D, linear.K
+    own = list(linear.states)
+    unit = np.eye(len(M))[:, own]
+    dynamic = K + 1j * omega * D - omega**2 * M
+    # the unknown of a state is the state, the rate of its coordinate
+    columns = np.hstack([dynamic @ basis, D[:, own] + 1j * omega * M[:, own]])
+    rows = np.hstack([basis, unit]).T
+    B = np.column_stack([port.at(omega) for port in ins])
+    A = rows @ columns
+    try:
+        y = np.linalg.solve(A, rows @ B)
+    except np.linalg.LinAlgError:
+        y = np.full((len(rows), len(ins)), np.nan)
+    if not np.all(np.isfinite(y)):
+        raise SolverError(f"nothing resists at {omega / (2.0 * np.pi):.6g} Hz: a rigid motion", SINGULAR)
+    n = basis.shape[1]
+    q = basis @ y[:n]
+    rate = 1j * omega * q + unit @ y[n:]
+    found = outs.place @ q + outs.rate @ rate
+    if np.any(outs.react):
+        G = evaluate.constraint_jacobian(linear.system, linear.state)
+        left = B - columns @ y
+        found = found + outs.react @ np.linalg.lstsq(G.T.astype(complex), left, rcond=1e-9)[0]
+    for i, port in enumerate(ins):
+        if port.mesh >= 0:
+            feed = outs.feed[:, port.mesh]
+            damper = np.where(feed != 0.0, outs.rate @ port.follows, 0.0)
+            found[:, i] += feed - 1j * omega * damper
+    return np.asarray(found)
+
+
+def solve_frequency_response(
+    system: System,
+    inputs: Sequence[str],
+    outputs: Sequence[str],
+    frequencies: ArrayLike,
+    scenario: Scenario | str | None = None,
+    *,
+    modes: int | None = None,
+    synchronous: str | None = None,
+    phase: float | None = None,
+    start: State | None = None,
+    progress: Progress = silent,
+) -> xr.Dataset:
+    """Frequency response as a dataset; parameters as in `find_response`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `frequency` [Hz], `output` and `input`: response (complex), amplitude, phase [rad]; over
+        `output` and `input`: their units.
+    """
+    import xarray as xr
+
+    from pitchpoint.solvers.dataset import attributes
+
+    began = time.perf_counter()
+    found = find_response(
+        system,
+        inputs,
+        outputs,
+        frequencies,
+        scenario,
+        modes=modes,
+        synchronous=synchronous,
+        phase=phase,
+        start=start,
+        progress=progress,
+    )
+    dims = ("frequency", "output", "input")
+    data = {
+        "response": (dims, found.response, {"long_name": "response per unit of the input"}),
+        "amplitude": (dims, np.abs(found.response), {"long_name": "amplitude per unit of the input"}),
+        "phase": (dims, np.angle(found.response), {"units": "rad", "long_name": "phase lead"}),
+    }
+    coords = {
+        "frequency": ("frequency", found.frequency, {"units": "Hz", "long_name": "frequency"}),
+        "output": list(found.outputs),
+        "input": list(found.inputs),
+        "output_unit": ("output", list(found.output_units)),
+        "input_unit": ("input", list(found.input_units)),
+    }
+    attrs = attributes(system, "frequency_response", wall_s=time.perf_counter() - began, modes=modes or "all")
+    return xr.Dataset(data, coords=coords, attrs={**attrs, "notes": "; ".join(found.notes)})

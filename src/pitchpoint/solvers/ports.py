@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where a linear system is shaken and where it is looked at: named inputs and outputs as columns and rows.
+
+Inputs: a coordinate (`BODY.spin`), a force or moment on a body in world axes (`BODY.fx` ... `BODY.mz`),
+`transmission_error[MESH]`, `unbalance[BODY]`. Outputs: a coordinate, a motion of a body in world axes
+(`BODY.ux` ... `BODY.rz`), any channel.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.solvers.body_shapes import body_motions
+from pitchpoint.solvers.element_tangents import tangents
+from pitchpoint.solvers.linear_system import Linearised
+from pitchpoint.solvers.stiffness_parts import mesh_names
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State
+
+Array = NDArray[np.float64]
+
+LOADS = ("fx", "fy", "fz", "mx", "my", "mz")
+MOTIONS = ("ux", "uy", "uz", "rx", "ry", "rz")
+MESH_FORCES = ("mesh_force", "normal_force", "circumferential_force", "radial_force", "axial_force")
+"""Channels of a mesh that are its stiffness times a deflection."""
+STEP = 2e-10
+"""Step of differences [m]: below the touch of unloaded flanks."""
+RATE = 1e-6
+"""Step of the rates [m/s]."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """One excitation per unit: force + i omega rate + omega^2 turning on the coordinates.
+
+    Parameters
+    ----------
+    name, unit
+        What it is, and its unit.
+    force, rate, turning
+        Shape (nd,); `turning` is complex.
+    follows
+        Motion of the coordinates that would do the same as an error of the flanks, or zeros, shape (nd,).
+    mesh
+        Number of the mesh whose error it is, -1 for none.
+    """
+
+    name: str
+    unit: str
+    force: Array
+    rate: Array
+    turning: NDArray[np.complex128]
+    follows: Array
+    mesh: int = -1
+
+    def at(self, omega: float) -> NDArray[np.complex128]:
+        """Generalised forces at a circular frequency [rad/s], shape (nd,)."""
+        return np.asarray(self.force + 1j * omega * self.rate + omega**2 * self.turning)
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """What is looked at: y = place q + rate q' + react lambda + feed e.
+
+    Parameters
+    ----------
+    names, units
+        Of the outputs, no of them.
+    place, rate, react
+        Shape (no, nd), (no, nd), (no, nc).
+    feed
+        By errors of the flanks, shape (no, number of meshes).
+    """
+
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    place: Array
+    rate: Array
+    react: Array
+    feed: Array
+
+
+def coordinate_units(linear: Linearised) -> dict[str, str]:
+    """Unit of every coordinate."""
+    system = linear.system
+    names = system.layout.bodies[1:]
+    return {
+        f"{name}.{word}": unit
+        for body, name in zip(system.bodies, names, strict=True)
+        for word, unit in body.coordinates
+    }
+
+
+def _unknown(name: str, known: Sequence[str], what: str) -> SolverError:
+    near = difflib.get_close_matches(name, known, 1, 0.5)
+    hint = f"did you mean {near[0]}?" if near else f"for example {', '.join(known[:6])}"
+    return SolverError(f"no {what} is called {name!r}; {hint}", INCONSISTENT)
+
+
+def find_inputs(linear: Linearised, names: Sequence[str]) -> tuple[Input, ...]:
+    """Excitations by name.
+
+    Raises
+    ------
+    SolverError
+        If there is no such coordinate, body or mesh.
+    """
+    system = linear.system
+    units, nd = coordinate_units(linear), system.sizes["nd"]
+    meshes, bodies = mesh_names(system), system.layout.bodies[1:]
+    known = [*units, *(f"{b}.{w}" for b in bodies for w in LOADS)]
+    known += [f"transmission_error[{m}]" for m in meshes] + [f"unbalance[{b}]" for b in bodies]
+    zero = np.zeros(nd)
+    found, J = [], None
+    for name in names:
+        if name not in known:
+            raise _unknown(name, known, "input")
+        if name in units:
+            force = np.zeros(nd)
+            force[system.layout.coordinate(name)] = 1.0
+            unit = "N" if units[name] == "m" else "N m"
+            found.append(Input(name, unit, force, zero, zero.astype(complex), zero))
+            continue
+        if name.startswith("transmission_error["):
+            found.append(_error_of(linear, name, meshes.index(name[19:-1])))
+            continue
+        J = body_motions(system, linear.state, np.eye(nd)).real if J is None else J
+        if name.startswith("unbalance["):
+            b = system.layout.bodies.index(name[10:-1])
+            found.append(Input(name, "kg m", zero, zero, _turning(linear, J, b), zero))
+            continue
+        body, _, word = name.rpartition(".")
+        force = J[:, system.layout.bodies.index(body), LOADS.index(word)]
+        unit = "N" if word[0] == "f" else "N m"
+        found.append(Input(name, unit, force, zero, zero.astype(complex), zero))
+    return tuple(found)
+
+
+def _turning(linear: Linearised, J: Array, b: int) -> NDArray[np.complex128]:
+    """Force of an unbalance over omega^2: it turns from the first axis of the frame to the second."""
+    evaluate.residual(linear.system, linear.state)
+    frame = linear.system.workspace.fr[b]
+    sense = -1.0 if frame["spin"] < 0.0 else 1.0
+    direction = frame["R"][:, 0] - 1j * sense * frame["R"][:, 1]
+    return np.asarray(J[:, b, :3] @ direction, dtype=np.complex128)
+
+
+def _error_of(linear: Linearised, name: str, k: int) -> Input:
+    """Error of the flanks of a mesh: what its deflection is less than the travel of the gears.
+
+    It acts like a travel of the gears against each other, with the stiffness that counts (the mean over the
+    cycle, or that of one phase) and the damping of the mesh.
+    """
+    system, still = linear.system, linear.state.copy()
+    still.v[:] = 0.0
+    force = _by_travel(system, k, lambda: evaluate.residual(system, still))
+    D, K = tangents(system, still, {"gear_mesh": slice(k, k + 1)})
+    weight = system.weight
+    scaled = np.linalg.lstsq(K / np.outer(weight, weight), force / weight, rcond=1e-9)[0]
+    follows = scaled / weight
+    share = linear.at_rest.shares[linear.at_rest.elements.index(f"mesh {mesh_names(system)[k]}")]
+    mean = np.zeros_like(force)
+    mean[share.places] = share.matrix @ follows[share.places]
+    nothing = np.zeros(force.size, complex)
+    return Input(name, "m", mean, D @ follows, nothing, follows, k)
+
+
+def _by_travel(system, k: int, ask) -> Array:  # type: ignore[no-untyped-def]
+    """Derivative of what `ask` gives by the travel that a mesh was assembled with."""
+    record = system.records["gear_mesh"][k]
+    kept, sides = float(record["u0"]), []
+    for sign in (1.0, -1.0):
+        record["u0"] = kept + sign * STEP
+        sides.append(ask())
+    record["u0"] = kept
+    return np.asarray((sides[0] - sides[1]) / (2.0 * STEP))
+
+
+def find_outputs(linear: Linearised, names: Sequence[str]) -> Outputs:
+    """Rows of the outputs by name; channels are differentiated at the operating point as it is.
+
+    Forces of meshes go by the stiffness that counts, the mean over the cycle.
+
+    Raises
+    ------
+    SolverError
+        If there is no such coordinate, body or channel.
+    """
+    system = linear.system
+    nd, nc = system.sizes["nd"], system.sizes["nc"]
+    units = coordinate_units(linear)
+    channels = {c.name: c for c in system.layout.channels}
+    bodies = system.layout.bodies[1:]
+    known = [*units, *channels, *(f"{b}.{w}" for b in bodies for w in MOTIONS)]
+    meshes = len(mesh_names(system))
+    place, rate = np.zeros((len(names), nd)), np.zeros((len(names), nd))
+    react, feed = np.zeros((len(names), nc)), np.zeros((len(names), meshes))
+    found, J, slopes = [], None, None
+    for row, name in enumerate(names):
+        if name not in known:
+            raise _unknown(name, known, "output")
+        if name in units:
+            place[row, system.layout.coordinate(name)] = 1.0
+            found.append(units[name])
+        elif name in channels:
+            slopes = _slopes(linear, meshes) if slopes is None else slopes
+            o = system.layout.channel(name)
+            place[row], rate[row], react[row], feed[row] = (part[o] for part in slopes)
+            found.append(channels[name].unit)
+        else:
+            J = body_motions(system, linear.state, np.eye(nd)).real if J is None else J
+            body, _, word = name.rpartition(".")
+            place[row] = J[:, system.layout.bodies.index(body), MOTIONS.index(word)]
+            found.append("m" if word[0] == "u" else "rad")
+    return Outputs(tuple(names), tuple(found), place, rate, react, feed)
+
+
+def _slopes(linear: Linearised, meshes: int) -> tuple[Array, Array, Array, Array]:
+    """Derivatives of all channels by coordinates, rates, multipliers and errors of the flanks."""
+    system, state = linear.system, linear.state
+    weight = system.weight
+    nothing = np.zeros((system.sizes["no"], 0))
+    largest = float(np.abs(state.lam).max(initial=0.0))
+    found = [
+        _differences(system, state, "q", STEP / weight),
+        _differences(system, state, "v", RATE / weight),
+        _differences(system, state, "lam", np.full(state.lam.size, 1e-3 * (1.0 + largest))),
+    ]
+    errors = [-_by_travel(system, k, lambda: evaluate.observe(system, state)) for k in range(meshes)]
+    feed = np.column_stack(errors) if errors else nothing
+    for o, channel in enumerate(system.layout.channels):
+        if channel.name.startswith("transmission_error["):
+            feed[o] = 0.0  # the travel of the gears is what it is, whatever their flanks are like
+    for k, name in enumerate(mesh_names(system)):
+        ratio = _mean_ratio(linear, k, name)
+        for word in MESH_FORCES:
+            o = system.layout.channel(f"{word}[{name}]")
+            found[0][o] *= ratio
+            feed[o] *= ratio
+    return found[0], found[1], found[2], feed
+
+
+def _mean_ratio(linear: Linearised, k: int, name: str) -> float:
+    """Stiffness of a mesh that counts (mean over its cycle) over that of the phase of the operating point."""
+    still = linear.state.copy()
+    still.v[:] = 0.0
+    _, now = tangents(linear.system, still, {"gear_mesh": slice(k, k + 1)})
+    share = linear.at_rest.shares[linear.at_rest.elements.index(f"mesh {name}")]
+    own = now[np.ix_(share.places, share.places)]
+    size = float(np.sum(own * own))
+    return float(np.sum(own * share.matrix)) / size if size > 0.0 else 1.0
+
+
+def _differences(system, state: State, key: str, steps: Array) -> Array:  # type: ignore[no-untyped-def]
+    """Central differences of all channels by one part of the state, shape (no, n)."""
+    found = np.zeros((system.sizes["no"], steps.size))
+    for k, step in enumerate(steps):
+        sides = []
+        for sign in (1.0, -1.0):
+            moved = state.copy()
+            getattr(moved, key)[k] += sign * step
+            sides.append(evaluate.observe(system, moved))
+        found[:, k] = (sides[0] - sides[1]) / (2.0 * step)
+    return found

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How far a reduced system is off: natural frequencies and compliance at the meshes, up to a frequency."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.solvers.eigen import undamped
+from pitchpoint.solvers.linear_system import free_directions, rigid_rotations
+from pitchpoint.solvers.stiffness_parts import mesh_names
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State, System
+
+Array = NDArray[np.float64]
+
+POINTS = 25
+"""Frequencies at which compliances are compared."""
+STEP = 2e-10
+"""Step of the travel of a mesh [m]."""
+
+
+@dataclass(frozen=True)
+class ReductionError:
+    """Error of a reduced system about its operating point.
+
+    Parameters
+    ----------
+    limit
+        Highest frequency of interest [Hz].
+    full, reduced
+        Natural frequencies up to it [Hz], without damping and gyroscopic terms; the reduced ones belong to
+        the full ones in order.
+    frequency
+        Largest relative difference of both.
+    compliance
+        Largest difference of the dynamic compliance of a mesh (travel of the gears per mesh force, the mesh
+        in place) over the largest compliance, at frequencies up to the limit.
+    coordinates
+        Number of coordinates of both systems.
+    """
+
+    limit: float
+    full: Array
+    reduced: Array
+    frequency: float
+    compliance: float
+    coordinates: tuple[int, int]
+
+    def report(self) -> str:
+        """One sentence."""
+        full, reduced = self.coordinates
+        return (
+            f"{reduced} of {full} coordinates: natural frequencies up to {self.limit:.6g} Hz differ by up to "
+            f"{100.0 * self.frequency:.2g} %, the compliance of the meshes by {100.0 * self.compliance:.2g} %"
+        )
+
+
+def compare(full: System, at: State, reduced: System, near: State, limit: float) -> ReductionError:
+    """Compare a reduced system with the full one about one operating point."""
+    found = [_frequencies(s, x) for s, x in ((full, at), (reduced, near))]
+    below = found[0][found[0] <= limit]
+    own = found[1][: below.size]
+    rigid = below <= 0.0
+    off = np.abs(own[~rigid] / below[~rigid] - 1.0)
+    if below.size > own.size:
+        off = np.array([np.inf])
+    one, two = (_compliances(s, x, limit) for s, x in ((full, at), (reduced, near)))
+    size = np.abs(one).max(initial=0.0)
+    compliance = float(np.abs(one - two).max(initial=0.0) / size) if size > 0.0 else 0.0
+    sizes = (full.sizes["nd"], reduced.sizes["nd"])
+    return ReductionError(limit, below, own, float(off.max(initial=0.0)), compliance, sizes)
+
+
+def _frequencies(system: System, state: State) -> Array:
+    """Natural frequencies [Hz], ascending."""
+    still = state.copy()
+    still.v[:] = 0.0
+    M, K = (evaluate.matrix(system, still, *f) for f in ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))
+    omega, _ = undamped(M, K, free_directions(system, still), rigid_rotations(system))
+    return np.asarray(omega / (2.0 * np.pi))
+
+
+def _compliances(system: System, state: State, limit: float) -> NDArray[np.complex128]:
+    """Travel of each mesh per force in it, at frequencies up to a limit, shape (meshes, POINTS)."""
+    M, D, K = (evaluate.matrix(system, state, *f) for f in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+    Z = free_directions(system, state)
+    found = np.zeros((len(mesh_names(system)), POINTS), complex)
+    for k in range(len(found)):
+        record = system.records["gear_mesh"][k]
+        kept, sides = float(record["u0"]), []
+        for sign in (1.0, -1.0):
+            record["u0"] = kept + sign * STEP
+            sides.append((evaluate.residual(system, state), _force(system, state, k)))
+        record["u0"] = kept
+        change = sides[0][1] - sides[1][1]
+        if change == 0.0:
+            continue
+        b = Z.T @ ((sides[0][0] - sides[1][0]) / change)
+        for p, w in enumerate(2.0 * np.pi * limit * (np.arange(POINTS) + 0.5) / POINTS):
+            dynamic = Z.T @ (K + 1j * w * D - w * w * M) @ Z
+            found[k, p] = b @ np.linalg.solve(dynamic, b.astype(complex))
+    return found
+
+
+def _force(system: System, state: State, k: int) -> float:
+    """Force in a mesh [N]."""
+    values = evaluate.observe(system, state)
+    return float(values[system.layout.channel(f"mesh_force[{mesh_names(system)[k]}]")])

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sampled controllers during a run: called at their instants, between two calls of the compiled loop.
+
+Integrators step onto every instant and begin anew where an output has changed, for forces jump there. At an
+instant all inputs are read first, then outputs whose delay is over and those without delay are written, in
+the order of the controllers. Every run starts with fresh states and start values, so it repeats to the bit.
+"""
+
+from __future__ import annotations
+
+import copy
+import math
+from fractions import Fraction
+from typing import Any
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import CONTROLLER, NOT_FINITE, OK
+from pitchpoint.solvers.dormand_prince import SLOPE_AT
+from pitchpoint.solvers.step_choice import divided
+from pitchpoint.system import evaluate, signals
+from pitchpoint.system.perform import RESIDUAL, ask
+from pitchpoint.system.system import State, System
+from pitchpoint.system.workspace import VALID
+
+SAME = 1e-9
+"""Share of a period within which two instants are one."""
+FINEST = 1e-3
+"""Least share of the chosen step that a step may have for the sake of the instants."""
+
+
+class Sampler:
+    """The controllers of one run.
+
+    Parameters
+    ----------
+    system
+        System with controllers; its held signals are set to their start values.
+    state
+        Start of the run, at which they are called for the first time.
+
+    Attributes
+    ----------
+    status, said
+        How the last calls ended, and a sentence if a controller failed.
+    """
+
+    def __init__(self, system: System, state: State) -> None:
+        self.system, self.t0 = system, state.t
+        self.said = ""
+        self._calls = [0] * len(system.controllers)
+        self._states = [copy.deepcopy(c.state) for c in system.controllers]
+        self._waiting: list[tuple[float, str, float]] = []
+        signals.reset(system)
+        evaluate.prepare(system)
+        evaluate.load(system, state)
+        self.status, _ = self.update(state.t)
+
+    def next(self) -> float:
+        """Time of the next instant [s]."""
+        calls = [self._instant(k) for k in range(len(self._calls))]
+        return min([*calls, *(t for t, _, _ in self._waiting)])
+
+    def _instant(self, k: int) -> float:
+        return self.t0 + self._calls[k] * self.system.controllers[k].period
+
+    def follow(self, run: Any) -> int:
+        """Do what is due where a run has come to; it begins anew if a force jumps. Returns the status."""
+        if self.next() > run.t + self._room():
+            return OK
+        self.status, changed = self.update(run.t)
+        return begin_anew(run) if changed else self.status
+
+    def _room(self) -> float:
+        return SAME * min(c.period for c in self.system.controllers)
+
+    def update(self, t: float) -> tuple[int, bool]:
+        """Do what is due at the state in the workspace; returns the status and whether an output changed."""
+        system = self.system
+        room = self._room()
+        status = ask(system.workspace, RESIDUAL, t)
+        if status != OK:
+            return status, False
+        due = [k for k in range(len(self._calls)) if self._instant(k) <= t + room]
+        read = {k: signals.values(system, system.controllers[k].inputs) for k in due}
+        writing = [(name, value) for when, name, value in self._waiting if when <= t + room]
+        self._waiting = [w for w in self._waiting if w[0] > t + room]
+        for k in due:
+            controller = system.controllers[k]
+            outputs, self.said = controller.call(t, read[k], self._states[k])
+            if self.said:
+                return CONTROLLER, False
+            when = self._instant(k) + controller.delay
+            self._calls[k] += 1
+            for name, value in zip(controller.outputs, outputs, strict=True):
+                if controller.delay > 0.0:
+                    self._waiting.append((when, name, value))
+                else:
+                    writing.append((name, value))
+        before = signals.values(system, [name for name, _ in writing])
+        for name, value in writing:
+            signals.hold(system, name, value)
+        return OK, any(x != value for x, (_, value) in zip(before, writing, strict=True))
+
+    def common_step(self, h: float, sample_rate: float | None) -> tuple[float, int]:
+        """Time step [s] that leads onto all instants and samples, at most h, and steps between samples.
+
+        Raises
+        ------
+        SolverError
+            If periods, delays and samples have no common divisor worth the name.
+        """
+        times = [x for c in self.system.controllers for x in (c.period, c.delay) if x > 0.0]
+        times += [1.0 / sample_rate] if sample_rate else []
+        parts = [Fraction(x).limit_denominator(10**9) for x in times]
+        whole = math.lcm(*(p.denominator for p in parts))
+        base = math.gcd(*(int(p * whole) for p in parts)) / whole
+        step, _ = divided(base, h) if base > 0.0 else (0.0, 0)
+        if not step > FINEST * h:
+            raise SolverError(
+                f"periods and delays of controllers and samples ({', '.join(f'{x:.9g}' for x in times)} s) "
+                f"have no common step near {h:.3g} s; choose multiples of one time, or variable steps",
+                NOT_FINITE,
+            )
+        return step, max(1, round(1.0 / (sample_rate * step))) if sample_rate else 1
+
+
+def begin_anew(run: Any) -> int:
+    """Let an integration go on from where it is after a jump of the forces; returns the status."""
+    w = run.system.workspace
+    status = evaluate.accelerations(run.system, run.t)
+    for name, now in (("al", w.a), ("ap", w.a), ("lp", w.lam)):
+        w.arrays[name][:] = now
+    w.arrays["real"][SLOPE_AT] = math.nan
+    w.clock[VALID] = 0
+    if hasattr(run, "past"):
+        run.past[0]["k"] = 0
+    return status

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Systems with signals: their records beside those of the other elements, and the controllers they have."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import CompileError
+from pitchpoint.elements import signal_record as sr
+from pitchpoint.elements.signal_net import SignalNet
+from pitchpoint.system.controller import SampledController
+from pitchpoint.system.system import System, assemble
+
+KINDS = ("signal", "signal_of_loads")
+
+
+def assemble_controlled(
+    net: SignalNet,
+    banks: Mapping[str, NDArray[np.void]],
+    constraints: Mapping[str, NDArray[np.void]] | None = None,
+    *,
+    controllers: Sequence[SampledController] = (),
+    names: Mapping[str, Sequence[str]] | None = None,
+    pools: Mapping[str, NDArray[np.float64]] | None = None,
+    laws: Mapping[str, Sequence[Any]] | None = None,
+    **more: Any,
+) -> System:
+    """Make a system with signals; arguments as of `system.assemble`, but for those below.
+
+    Parameters
+    ----------
+    net
+        The bodies with their signals.
+    controllers
+        Sampled controllers; they write signals made by `SignalNet.held`.
+
+    Raises
+    ------
+    CompileError
+        If signals form an algebraic loop, or something is named that does not exist.
+    """
+    if not net.nodes:
+        return assemble(net.bodies, banks, constraints, names=names, pools=pools, laws=laws, **more)
+    records, labels, pool, functions = net.records()
+    kind = net.kind
+    system = assemble(
+        [*net.bodies, *net.states],
+        {**banks, kind: records},
+        constraints,
+        names={**(names or {}), kind: labels},
+        pools={**(pools or {}), kind: pool},
+        laws={**(laws or {}), kind: functions},
+        **more,
+    )
+    for name, channel in net.listened.items():
+        known = [c.name for c in system.layout.channels]
+        if channel not in known:
+            raise CompileError(f"signal {name!r}: nothing observes {channel!r}")
+        system.records[kind]["channel"][labels.index(name)] = known.index(channel)
+    _check(net, controllers)
+    return replace(system, controllers=tuple(controllers))
+
+
+def _check(net: SignalNet, controllers: Sequence[SampledController]) -> None:
+    """Controllers read signals and write held ones, each of these once."""
+    taken: set[str] = set()
+    for controller in controllers:
+        for name in controller.inputs:
+            if name not in net.nodes:
+                raise CompileError(f"controller {controller.name!r}: no signal is called {name!r}")
+        for name in controller.outputs:
+            if name not in net.nodes or net.nodes[name].op != sr.HELD:
+                raise CompileError(f"controller {controller.name!r}: {name!r} is no held signal")
+            if name in taken:
+                raise CompileError(f"controller {controller.name!r}: {name!r} has another controller already")
+            taken.add(name)
+
+
+def kind_of_signals(system: System) -> str:
+    """Kind of the signals of a system, "" if it has none."""
+    return next((kind for kind in KINDS if kind in system.records), "")
+
+
+def values(system: System, names: Sequence[str]) -> NDArray[np.float64]:
+    """Values of signals at the last evaluation of the system."""
+    kind = kind_of_signals(system)
+    labels = list(system.names[kind])
+    slots = [int(system.records[kind]["slot"][labels.index(name)]) for name in names]
+    found: NDArray[np.float64] = system.pools[kind][slots].copy()
+    return found
+
+
+def hold(system: System, name: str, value: float) -> None:
+    """Write a held signal."""
+    kind = kind_of_signals(system)
+    record = system.records[kind][list(system.names[kind]).index(name)]
+    system.pools[kind][int(record["start"])] = value
+
+
+def reset(system: System) -> None:
+    """Bring all held signals back to their start values."""
+    kind = kind_of_signals(system)
+    for record in system.records[kind]:
+        if record["op"] == sr.HELD:
+            system.pools[kind][int(record["start"])] = record["value"]

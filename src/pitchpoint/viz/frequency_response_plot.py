@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Amplitude and phase over frequency."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pitchpoint.viz import theme
+from pitchpoint.viz.quantities import scale
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+
+HEIGHT = 520
+
+
+def plot_frequency_response(
+    frequency: ArrayLike,
+    response: ArrayLike,
+    outputs: Sequence[str],
+    inputs: Sequence[str],
+    units: Sequence[str] = (),
+) -> go.Figure:
+    """Bode plot: amplitude on a logarithmic scale above, phase below; one curve per output and input.
+
+    Parameters
+    ----------
+    frequency
+        [Hz], shape (nf,).
+    response
+        Complex response per unit of the inputs, SI, shape (nf, no, ni).
+    outputs, inputs
+        Their names.
+    units
+        Units of the curves, output by output, input by input; "m/N" and the like.
+    """
+    import plotly.graph_objects as go
+
+    hertz = np.asarray(frequency, dtype=np.float64)
+    found = np.asarray(response, dtype=np.complex128)
+    pitch = scale("Hz", hertz)
+    different = sorted(set(units))
+    title = f"amplitude [{different[0]}]" if len(different) == 1 else "amplitude [SI]"
+    figure = go.Figure(layout=theme.layout(pitch.title("frequency"), title, height=HEIGHT))
+    for o, output in enumerate(outputs):
+        for i, name in enumerate(inputs):
+            k = o * len(inputs) + i
+            line = {"color": theme.SERIES[k % len(theme.SERIES)], "width": 1.6}
+            label = f"{output} by {name}"
+            x = hertz * pitch.factor
+            figure.add_scatter(x=x, y=np.abs(found[:, o, i]), mode="lines", name=label, line=line)
+            angle = np.degrees(np.angle(found[:, o, i]))
+            figure.add_scatter(
+                x=x, y=angle, mode="lines", name=label, line=line, yaxis="y2", showlegend=False
+            )
+    figure.update_layout(
+        yaxis={"type": "log", "domain": [0.36, 1.0], "exponentformat": "power"},
+        yaxis2={
+            "domain": [0.0, 0.28],
+            "range": [-185.0, 185.0],
+            "tickvals": [-180, -90, 0, 90, 180],
+            "title": {"text": "phase [deg]"},
+        },
+        xaxis={"anchor": "y2"},
+        showlegend=True,
+    )
+    return figure

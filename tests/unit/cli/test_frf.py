@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint frf` and the animation of `pitchpoint modes`."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pitchpoint.cli.main import run_command
+from pitchpoint.io.reading import open_result
+from tests.support.cli_files import TORSION, json_of, written
+
+ERROR = ["-i", "transmission_error[stage]", "-r", "mesh_force[stage]"]
+
+
+def test_response_to_the_error_of_the_flanks(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Free pair with damping ratio zeta: H = -(k + d s) m s^2/(m s^2 + d s + k), at its resonance."""
+    file, target, page = written(tmp_path, TORSION), tmp_path / "frf.h5", tmp_path / "frf.html"
+    r_b = 0.075 * math.cos(math.radians(20.0))
+    m = 0.0115 / (2.0 * r_b**2)
+    resonance = math.sqrt(4.0e8 / m) / (2.0 * math.pi)
+    limits = ["--from", f"{0.5 * resonance} Hz", "--to", f"{resonance} Hz", "--points", "2", "--linear"]
+    found = json_of(["frf", file, *ERROR, *limits, "-o", str(target), "--picture", str(page)], capsys)
+    s = 2j * math.pi * np.array(found["frequency"])
+    d = 2.0 * 0.05 * math.sqrt(4.0e8 * m)
+    expected = -(4.0e8 + d * s) * m * s**2 / (m * s**2 + d * s + 4.0e8)
+    response = np.array(found["real"])[:, 0, 0] + 1j * np.array(found["imag"])[:, 0, 0]
+    assert response == pytest.approx(expected, rel=1e-6)
+    assert found["outputs"] == [{"name": "mesh_force[stage]", "unit": "N"}]
+    with open_result(target) as data:
+        assert data["response_real"].values[1, 0, 0] == found["real"][1][0][0]
+    assert "plotly" in page.read_text(encoding="utf-8")
+
+
+def test_people_get_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run_command(["frf", written(tmp_path, TORSION), *ERROR, "--to", "5 kHz", "--points", "50"]) == 0
+    assert "mesh_force[stage] by transmission_error[stage]" in capsys.readouterr().out
+
+
+def test_an_unknown_name(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run_command(["frf", written(tmp_path, TORSION), "-i", "x", "-r", "driver.spin", "--to", "9"]) != 0
+    assert "no input is called 'x'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("suffix", ["json", "npz"])
+def test_modes_for_animation(tmp_path: Path, capsys: pytest.CaptureFixture[str], suffix: str) -> None:
+    target = tmp_path / f"modes.{suffix}"
+    found = json_of(["modes", written(tmp_path, TORSION), "--animation", str(target)], capsys)
+    if suffix == "json":
+        data = {k: np.array(v) for k, v in json.loads(target.read_text(encoding="utf-8")).items()}
+    else:
+        data = dict(np.load(target))
+    assert data["motion"].shape == (2, 24, 3, 6)
+    assert list(data["bodies"]) == ["ground", "driver", "driven"]
+    assert data["frequency"].tolist() == [row["frequency"] for row in found["modes"]]
+    # turns of the gears at radius 0.1 m reach 10 mm; both halves of the cycle are opposite
+    assert np.abs(data["motion"][..., 5]).max() == pytest.approx(0.1, rel=1e-9)
+    assert data["motion"][:, 12] == pytest.approx(-data["motion"][:, 0], abs=1e-15)
