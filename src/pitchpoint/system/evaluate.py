@@ -13,8 +13,8 @@ from pitchpoint.system.law_fault import law_fault
 from pitchpoint.system.link import kind_of_row, link_exact
 from pitchpoint.system.perform import ACCELERATE, EVENTS, OBSERVE, RESIDUAL, REST, WRAP, ask, perform
 from pitchpoint.system.residual import EXACT
-from pitchpoint.system.workspace import VALID
 from pitchpoint.system.system import State, System
+from pitchpoint.system.workspace import VALID
 
 
 def load(system: System, state: State) -> None:
