@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
 
 FILE = Path(__file__).parents[2] / "examples" / "camshaft-train" / "train.yaml"

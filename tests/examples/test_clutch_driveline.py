@@ -16,7 +16,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
 
 FOLDER = Path(__file__).parents[2] / "examples" / "clutch-driveline"

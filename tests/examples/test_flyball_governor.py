@@ -16,7 +16,8 @@ from scipy.optimize import brentq
 
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
 
 FILE = Path(__file__).parents[2] / "examples" / "flyball-governor" / "model.yaml"

@@ -14,7 +14,8 @@ from pitchpoint.elements.signal_net import SignalNet
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.start import Start
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.controller import SampledController, sampled_pid
 from pitchpoint.system.signals import assemble_controlled
 
