@@ -203,7 +203,7 @@ class _Loop:
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
-            n = next_chunk(n, time.perf_counter() - begun)
+            n = min(next_chunk(n, time.perf_counter() - begun), total)  # controllers may cut chunks short
         return self._last_step(rest) if rest > 0.0 else OK
 
     def _last_step(self, h: float) -> int:

@@ -85,6 +85,14 @@ def test_a_sampled_pi_controller_against_the_exact_discrete_solution(method, del
     np.testing.assert_allclose(found, exact(25, delay), atol=most)
 
 
+def test_many_short_chunks():
+    """Six hundred calls: chunks that controllers cut short say nothing about how long the next may be."""
+    done, times, rows = go(pi(), duration=12.0, sample_rate=1.0 / PERIOD)
+    assert done.status == OK, done.sentence
+    found = rows[:, pi().layout.channel("signal[speed]")]
+    np.testing.assert_allclose(found, exact(600, 0.0), atol=5e-6)
+
+
 def test_a_delay_of_several_periods_keeps_outputs_in_order():
     """With u = t and a delay of 2.5 periods the output at any time is that of the call before t - delay."""
     system = rotor(lambda t, inputs, state, p: t, delay=2.5 * PERIOD)
