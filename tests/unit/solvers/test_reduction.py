@@ -153,6 +153,22 @@ def test_a_pair_without_stations_stays_what_it_is():
     assert found.error.compliance < 1e-6
 
 
+def test_modal_damping_across_the_mesh_is_kept():
+    """Damping ratios tie all coordinates, those of both gears too; the reduced pair has the same ones."""
+    rest = "".join(
+        f"  on_{b}: {{body: {b}, stiffness: {{radial: 1e8, axial: 1e8, tilt: 1e6}}}}\n"
+        for b in ("driver", "driven")
+    )
+    rest = f"bearings:\n{rest}damping: {{modal: 0.02}}\nscenarios:\n  go: {{duration: 1 ms}}\n"
+    text = pair("{law: constant, value: 3e8 N/m}", beta="17 deg", motion="free", rest=rest)
+    found = reduce_system(compiled(text, "go")[1], limit=1e4)
+    one = find_modes(found.full, start=found.full_state).damping_ratio
+    two = find_modes(found.system, start=found.state).damping_ratio
+    assert "damping" not in found.system.records
+    assert one[1:] == pytest.approx(np.full(11, 0.02), rel=5e-3)
+    assert two == pytest.approx(one, rel=1e-6, abs=1e-9)
+
+
 def test_unknown_names():
     system, start = geared_shafts(5)
     with pytest.raises(SolverError, match="nothing to keep is called c9"):
