@@ -173,7 +173,9 @@ def _kept_bodies(system: System, condensed: Choice, keep: Sequence[str]) -> list
         rest = np.setdiff1d(np.arange(bank.size), condensed.get(kind, np.zeros(0, np.int64)))
         for field in {f for pair in registry.find(kind).pairs for f in pair}:
             kept |= {int(b) for b in bank[field][rest]}
-    for part in _parts(system, condensed):
+    parts = _parts(system, condensed)
+    kept |= set(range(1, body.size)) - {b for part in parts for b in part}
+    for part in parts:
         if not kept & set(part):
             kept.add(part[0])  # a part that nothing else touches stays as one body and its modes
     return sorted(kept - {0})
@@ -282,9 +284,9 @@ def _condense(
     turning = np.array([float(c in set(body["spin"])) for c in outer] + [0.0] * omega.size)
     left = stiff @ turning
     if np.abs(left).max(initial=0.0) > TURNS * np.abs(stiff).max(initial=0.0):
-        raise SolverError(
-            f"{', '.join(system.layout.bodies[b] for b in ends)}: held against turning", INCONSISTENT
-        )
+        names = ", ".join(system.layout.bodies[b] for b in ends)
+        why = "their axes are not parallel, or springs hold them"
+        raise SolverError(f"{names}: do not turn together freely: {why}", INCONSISTENT)
     if turning.any():
         stiff -= np.outer(left, turning) / turning.sum()  # rounding: turning together costs nothing
     first = len(bodies) + 1
