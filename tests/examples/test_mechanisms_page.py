@@ -12,7 +12,11 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.core.errors import ModelError
+from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.joint import COORDINATES
+from pitchpoint.solvers.modal import find_modes
+from pitchpoint.system.compile import compile_model
 
 TEXT = (Path(__file__).parents[2] / "docs" / "mechanisms.md").read_text(encoding="utf-8")
 WORDS = " ".join(TEXT.split())
@@ -66,6 +70,23 @@ def test_commands_run_and_numbers_are_right(folder: Path, capsys: pytest.Capture
     swing = numbers("swing")["speed[crank]"]
     # generalised-alpha with rho = 0.8 at 0.1 ms: second order, (w h)^2 = 1e-4 at most
     assert abs(swing["min"]) * 30.0 / np.pi == pytest.approx(fastest, rel=1e-4)
+
+
+def test_the_shafts_of_the_page() -> None:
+    rig, rod = re.findall(r"^```yaml\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)[1:]
+    model = loads_model(rig)
+    assert model.stations["input"][3] == pytest.approx(0.1, rel=1e-12)
+    assert "pinion sits on `input.4`" in WORDS
+    modes = find_modes(compile_model(model), "run")
+    assert modes.frequency[0] == pytest.approx(0.0, abs=1e-3)
+    assert f"lowest natural frequency is {modes.frequency[1]:.0f} Hz" in WORDS
+    assert "output" in modes.names[1]
+    assert "translation z" in modes.names[1]
+    # the keys of the other snippet are those of the file; what is missing is told, nothing else
+    with pytest.raises(ModelError) as error:
+        loads_model(rod)
+    told = {p.where: p.message for p in error.value.problems}
+    assert set(told) == {"elastic_bodies.rod.file", "joints.crank_pin.bodies[0]"}
 
 
 def test_the_table_of_joints_is_complete() -> None:

@@ -13,7 +13,11 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
+from pitchpoint.elements import joint_friction, torsion_maxwell
+from pitchpoint.elements.beam import beam_row
 from pitchpoint.elements.gravity import gravity_records
+from pitchpoint.elements.signal import Pool
+from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import FREE, PLANAR, TORSION, Body
 from pitchpoint.multibody.joints import (
     CYLINDRICAL,
@@ -24,10 +28,12 @@ from pitchpoint.multibody.joints import (
     SPHERICAL,
     UNIVERSAL,
 )
+from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
-from tests.support.engine import frame
-from tests.support.forces import check_matrices, moved_world, moving
+from tests.support.engine import bearings, couplings, frame, gear_rows, torques
+from tests.support.forces import check_matrices, moved_world, moving, shafts
+from tests.support.mechanisms import four_bar
 from tests.support.trees import accelerated, positive_inertia
 from tests.unit.elements.test_all_joints import ELEMENTS
 
@@ -44,8 +50,21 @@ JOINTS = {
     "floating": FLOATING,
 }
 #: A clutch turns about the axes of joints, and counts their angles: another joint is another clutch.
-WITH_MARKERS = sorted(set(ELEMENTS) - {"friction_clutch"})
+WITH_MARKERS = sorted({*ELEMENTS, "beam"} - {"friction_clutch"})
 GRAVITY = np.array([1.0, -9.0, 3.0])
+
+
+def beam(i, j, bodies, place, axes):
+    """A beam with mass from a place to another further along its third axis."""
+    shape = Beam(section=rectangle(0.1, 0.08), length=0.3, E=2e5, G=8e4, rho=900.0)
+    frames = [np.eye(3) if k == 0 else np.asarray(bodies[k - 1].axes) for k in (i, j)]
+    origins = [np.zeros(3) if k == 0 else np.asarray(bodies[k - 1].position) for k in (i, j)]
+    ends = (place, place + 0.3 * axes[:, 2])
+    nodes = tuple(E.T @ (x - o) for E, x, o in zip(frames, ends, origins, strict=True))
+    return beam_row(shape, bodies=(i, j), nodes=nodes, axes=tuple(E.T @ axes for E in frames), eta=1e-2)
+
+
+MAKERS = {**ELEMENTS, "beam": beam}
 
 
 def pair(rng, joint):
@@ -97,11 +116,12 @@ def moved_record(record, before, after, number):
         if record[end] != number:
             continue
         for name in (f"p_{end}", "p"):
-            if name in record.dtype.names and (name != "p" or end == "i"):
+            if name in record.dtype.names and record[name].shape == (3,) and (name != "p" or end == "i"):
                 found[name] = turn @ record[name] + shift
-        if f"A_{end}" in record.dtype.names:
-            found[f"A_{end}"] = turn @ record[f"A_{end}"]
-    if "F" in record.dtype.names and record["i"] == number:
+        for name in (f"A_{end}", f"B_{end}"):
+            if name in record.dtype.names:
+                found[name] = turn @ record[name]
+    if "F" in record.dtype.names and record["F"].shape == (6,) and record["i"] == number:
         found["F"] = np.concatenate([turn @ record["F"][:3], turn @ record["F"][3:]])
     return found
 
@@ -164,7 +184,7 @@ def test_a_mechanism_may_hang_from_its_other_end(i, j, joint, kind):
     rng = np.random.default_rng(5)
     bodies = pair(rng, joint)
     place, axes = 0.2 * rng.normal(size=3), frame(rng)
-    record = ELEMENTS[kind](i, j, bodies, place, axes)
+    record = MAKERS[kind](i, j, bodies, place, axes)
     there = reversed_pair(bodies)
     number = {0: 0, 1: 2, 2: 1, 3: 3}
     again = record.copy()
@@ -218,8 +238,8 @@ def test_the_world_may_be_moved_and_turned(joint):
 
     def build(parts, point, directions, gravity):
         banks = {
-            kind: np.concatenate([ELEMENTS[kind](i, j, parts, point, directions) for i, j in ends])
-            for kind in ("bushing", "clearance_bearing", "force", "rolling_bearing", "spring_damper")
+            kind: np.concatenate([MAKERS[kind](i, j, parts, point, directions) for i, j in ends])
+            for kind in ("beam", "bushing", "clearance_bearing", "force", "rolling_bearing", "spring_damper")
         }
         return assemble(parts, {**banks, "gravity": gravity_records(parts[:2], gravity)})
 
@@ -234,3 +254,95 @@ def test_the_world_may_be_moved_and_turned(joint):
     for half in (slice(0, 3), slice(3, 6)):
         there = expected["ac"][:3, half] @ turn.T
         np.testing.assert_allclose(found["ac"][:3, half], there, atol=1e-10 * max(1.0, np.abs(there).max()))
+
+
+@pytest.mark.parametrize("kind", WITH_MARKERS)
+def test_a_loop_may_be_cut_at_its_other_end(kind):
+    """A four-bar from crank to rocker and back again, an element on its coupler."""
+    rng = np.random.default_rng(8)
+    corners = ((0.0, 0.0), (0.1, 0.9), (1.2, 1.1), (1.0, 0.0))
+    there, back = (four_bar(c) for c in (corners, corners[::-1]))
+    place, axes = np.array([0.5, 0.8, 0.1]), frame(rng)
+    hidden = Body(polar_inertia=1.0, name="state")
+    one = [*there.bodies, hidden]
+    two = [*back.bodies, hidden]
+    record = MAKERS[kind](2, 0, one, place, axes)
+    if "k" in record.dtype.names and record["k"].dtype.kind == "i":
+        record["k"] = 4
+    again = record.copy()
+    if kind == "gravity":
+        record, again = (gravity_records(b[:3], GRAVITY) for b in (one, two))
+    else:
+        again[0] = moved_record(record[0], one[1], two[1], 2)
+    names = there.names
+    systems = [
+        assemble(bodies, {kind: r}, {"closure": old.records["closure"]}, names=names)
+        for bodies, r, old in ((one, record, there), (two, again, back))
+    ]
+    found, rate = [], 2.0
+    for system, order in zip(systems, ((1, 2, 3), (3, 2, 1)), strict=True):
+        state = system.initial_state()
+        crank = system.layout.coordinate("crank.spin")
+        state.v[crank] = rate
+        state = assemble_state(system, state, keep_rates=[crank]).state
+        state.v[system.layout.coordinate("state.spin")] = 0.3
+        evaluate.residual(system, state)
+        rate = float(system.workspace.fr["tw"][3][5])  # of the rocker, which is the other crank
+        frames = accelerated(system, state)
+        found.append(_at_centres(frames, system.bodies, order, [np.eye(3)] * 3))
+    for a, b in zip(*found, strict=True):
+        np.testing.assert_allclose(b[2], a[2], atol=1e-12)
+        np.testing.assert_allclose(b[3], a[3], atol=1e-9 * max(1.0, np.abs(a[3]).max()))
+    assert max(np.abs(row[3]).max() for row in found[0]) > 1.0
+
+
+def _about_axes(bodies, turn):
+    """What acts about the axes of shafts, with all kinds at once."""
+    damper = np.zeros(1, torsion_maxwell.RECORD)
+    damper["i"], damper["j"], damper["k"] = 1, 3, 5
+    damper["stiffness"], damper["damping"] = 40.0, 3.0
+    loads = torques([(1, 2.0), (3, -1.0)])
+    loads["j"] = 0, 4
+    hold = bearings([(1, 0, np.diag([900.0, 800.0, 700.0, 40.0, 30.0, 0.0]), 2.0 * np.eye(6))])
+    hold["D"][:, 5] = 0.0
+    hold["B"] = turn
+    hold["d0"] = turn.T @ np.asarray(bodies[0].position)  # from the origin of the world
+    rubbed, pool = np.zeros(1, joint_friction.RECORD), Pool()
+    rubbed["i"], rubbed["j"], rubbed["form"], rubbed["ratio"] = 3, 2, joint_friction.TURN, 1.0
+    rubbed["mu"], rubbed["c_r"], rubbed["v_eps"] = 0.2, 0.05, 0.1
+    carrier, planet = bodies[1], bodies[2]
+    rubbed["p_j"] = np.asarray(carrier.axes).T @ np.subtract(planet.position, carrier.position)
+    rubbed["axis"] = np.asarray(carrier.axes).T @ np.asarray(planet.axes)[:, 2]
+    beyond = joint_friction.bodies_beyond(bodies, 3)
+    rubbed["n_beyond"], rubbed["beyond"] = beyond.size, pool.add(beyond.view(np.float64))
+    banks = {
+        "bearing": hold,
+        "coupling": couplings([(1, 2, 30.0, 0.4, 0.1), (3, 4, 20.0, 0.3, 0.0), (2, 0, 15.0, 0.2, 0.0)]),
+        "gravity": gravity_records(bodies[:4], turn @ GRAVITY),
+        "joint_friction": rubbed,
+        "torque": loads,
+        "torsion_maxwell": damper,
+    }
+    ratio = {"ratio": gear_rows([(2, 4, 20, 41)])}
+    return assemble(bodies, banks, ratio, pools={"joint_friction": pool.array()})
+
+
+def test_elements_about_axes_in_a_moved_world():
+    """Accelerations of joint coordinates, and the reaction of a gear ratio, know nothing of the world."""
+    rng = np.random.default_rng(9)
+    bodies = shafts(rng, states=1)
+    moved, turn, _ = moved_world(bodies, rng)
+    one, two = _about_axes(bodies, np.eye(3)), _about_axes(moved, turn)
+    state = moving(one, rng, 0.3, 0.05)
+    found = []
+    for system in (one, two):
+        accelerated(system, state)
+        found.append(np.concatenate([system.workspace.a, system.workspace.lam]))
+    assert np.abs(found[0]).min() > 1e-3
+    np.testing.assert_allclose(found[1], found[0], atol=1e-10 * np.abs(found[0]).max())
+
+
+@pytest.mark.nojit
+@pytest.mark.parametrize("joint", ["universal", "screw"])
+def test_other_ends_without_the_compiler(joint):
+    test_a_mechanism_may_hang_from_its_other_end(1, 2, joint, "bushing")

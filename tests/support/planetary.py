@@ -90,15 +90,15 @@ def planetary(pairs, inertias, meshes, masses=None, supports=None, n=3, damping=
     return assemble(bodies, banks, pools={"gear_mesh": pool.array()})
 
 
-def lin_parker(damping=0.0):
-    """The planar set of Lin and Parker (1999) with three planets: 18 degrees of freedom."""
+def lin_parker(n=3, damping=0.0):
+    """The planar set of Lin and Parker (1999) with n planets: 9 + 3 n degrees of freedom."""
     pairs = gear_pairs(24, 31, 3.2e-3, math.radians(24.6))
     r_s, r_p, r_r = (0.5 * abs(g.d_b) for g in (pairs[0].gear1, pairs[0].gear2, pairs[1].gear2))
     a = pairs[0].a_w
     inertias = (0.39 * r_s**2, 6.29 * a**2, 3.0 * r_r**2, 0.61 * r_p**2)
     supports = (1e8, 1e8, 1e8, 1e8, 1e9 * r_r**2)
     masses = (0.4, 5.43, 2.35, 0.66)
-    return planetary(pairs, inertias, (5e8, 5e8), masses, supports, damping=damping)
+    return planetary(pairs, inertias, (5e8, 5e8), masses, supports, n, damping)
 
 
 def touching(system, angle):

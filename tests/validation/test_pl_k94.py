@@ -52,4 +52,6 @@ def test_frequencies_of_the_set(alpha):
     found = frequencies(M, K)
     assert np.abs(D).max() < 1e-12
     np.testing.assert_allclose(found[-4:], closed_form()[-4:], rtol=1e-9)
+    for frequency, published in zip(found[-4:], PUBLISHED[-4:], strict=True):
+        assert frequency == pytest.approx(published, abs=1e-8)
     np.testing.assert_allclose(found[:2], 0.0, atol=1e-6)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""PL-LP99: planar planetary set with three planets, 18 degrees of freedom.
+"""PL-LP99: planar planetary sets with three and four planets, 18 and 21 degrees of freedom.
 
 J. Lin, R. G. Parker, Analytical characterization of the unique properties of planetary gear free vibration,
 J. Vib. Acoust. 121 (1999) 316, numbers of cases.md. Coordinates there are x, y and u = base radius times
@@ -12,41 +12,52 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.linalg import eigh
 
 from pitchpoint.system import evaluate
-from tests.support.engine import frequencies
 from tests.support.planetary import lin_parker, touching
 
-ROTATIONAL = [0.0, 1475.7, 1930.3, 2658.3, 7462.8, 11775.3]
-TRANSLATIONAL = [743.2, 1102.4, 1896.0, 2276.4, 6986.3, 9647.9]
+ROTATIONAL = {
+    3: [1475.7, 1930.3, 2658.3, 7462.8, 11775.3],
+    4: [1536.6, 1970.6, 2625.7, 7773.6, 13071.1],
+}
+TRANSLATIONAL = {
+    3: [743.2, 1102.4, 1896.0, 2276.4, 6986.3, 9647.9],
+    4: [727.0, 1091.0, 1892.8, 2342.5, 7189.9, 10437.6],
+}
+PLANET = {3: [], 4: [1808.2, 5963.8, 6981.7]}
 
 
-@pytest.fixture(scope="module")
-def matrices():
-    system = lin_parker()
+def modes(n):
+    """System, frequencies [Hz] in ascending order and shapes as columns."""
+    system = lin_parker(n)
     M, D, K = evaluate.linearize(system, touching(system, 1e-12))
     assert np.abs(D).max() < 1e-9
-    return system, M, K
+    squares, shapes = eigh(0.5 * (K + K.T), M)
+    return system, np.sqrt(np.maximum(squares, 0.0)) / (2.0 * np.pi), shapes
 
 
-def test_eighteen_frequencies(matrices):
-    """Rotational ones once, translational ones twice; 5e-4 as in cases.md (last digit of the data: 1e-2)."""
-    system, M, K = matrices
-    assert system.sizes["nd"] == 18
-    wanted = sorted(ROTATIONAL + 2 * TRANSLATIONAL)
-    found = frequencies(M, K)
-    np.testing.assert_allclose(found[1:], wanted[1:], rtol=5e-4)
+@pytest.mark.parametrize("n", [3, 4])
+def test_all_frequencies(n):
+    """Once, twice and n - 3 times; 5e-4: published digits are rounded and some data to three of them."""
+    system, found, _ = modes(n)
+    assert system.sizes["nd"] == 9 + 3 * n
+    wanted = sorted(ROTATIONAL[n] + 2 * TRANSLATIONAL[n] + (n - 3) * PLANET[n])
     assert found[0] < 1e-2
-    twice = [f for f in found if np.abs(np.array(TRANSLATIONAL) / f - 1.0).min() < 5e-4]
+    for frequency, published in zip(found[1:], wanted, strict=True):
+        assert frequency == pytest.approx(published, rel=5e-4)
+    twice = [f for f in found[1:] if np.abs(np.array(TRANSLATIONAL[n]) / f - 1.0).min() < 5e-4]
     np.testing.assert_allclose(twice[::2], twice[1::2], rtol=1e-8)
 
 
-def test_rotational_modes_do_not_move_centres(matrices):
-    """What belongs to single frequencies leaves sun, carrier and ring where they are."""
-    system, M, K = matrices
-    squares, shapes = np.linalg.eig(np.linalg.solve(M, K))
-    centres = [system.layout.coordinate(f"{b}.{c}") for b in ("sun", "carrier", "ring") for c in "xy"]
-    for wanted in ROTATIONAL[1:]:
-        k = int(np.argmin(np.abs(np.sqrt(np.abs(squares)) / (2.0 * np.pi) - wanted)))
-        shape = np.abs(shapes[:, k])
-        assert shape[centres].max() < 1e-9 * shape.max()
+@pytest.mark.parametrize("n", [3, 4])
+def test_what_stays_where_it_is(n):
+    """Rotational modes do not move the centres of sun, carrier, ring; modes of planets do not turn them."""
+    system, found, shapes = modes(n)
+    at = {
+        word: [system.layout.coordinate(f"{b}.{word}") for b in ("sun", "carrier", "ring")]
+        for word in ("x", "y", "spin")
+    }
+    for published, words in [(f, "xy") for f in ROTATIONAL[n]] + [(f, ("x", "y", "spin")) for f in PLANET[n]]:
+        shape = np.abs(shapes[:, int(np.argmin(np.abs(found - published)))])
+        assert max(shape[at[word]].max() for word in words) < 1e-7 * shape.max()

@@ -10,6 +10,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pitchpoint.elements.shaft_beam import shaft_row
+from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
@@ -36,3 +38,26 @@ def test_case_b_two_rotors_over_equal_gears():
     null = vt[G.shape[0] :].T
     found = frequencies(null.T @ M @ null, null.T @ K @ null)
     assert found == pytest.approx([0.0, 425.4, 634.1, 3247.2], abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("pieces", "published"),
+    [
+        (5, (1.9417, 4.0719, 6.5437, 9.1547)),
+        (8, (1.9225, 3.9187, 6.0625, 8.4185)),
+        (50, (1.9106, 3.8232, 5.7394, 7.6613)),
+    ],
+)
+def test_case_d_a_drill_string_of_pieces(pieces, published):
+    """800 m of pipe 0.78/0.65 m between discs of 200 and 10 kg m^2; linear elements with consistent mass."""
+    shape = Beam(section=tube(0.78, 0.65), length=800.0 / pieces, E=2e11, G=75e9, rho=8000.0)
+    ends = {0: 200.0, pieces: 10.0}
+    bodies = [
+        Body(position=(0.0, 0.0, 800.0 / pieces * k), polar_inertia=ends.get(k, 1e-9), name=f"n{k}")
+        for k in range(pieces + 1)
+    ]
+    rows = [shaft_row(shape, bodies=(k + 1, k + 2)) for k in range(pieces)]
+    system = assemble(bodies, {"shaft_beam": np.concatenate(rows)})
+    M, _, K = evaluate.linearize(system, system.initial_state())
+    for frequency, value in zip(frequencies(M, K)[1:], published, strict=False):
+        assert frequency == pytest.approx(value, abs=1e-4)

@@ -201,7 +201,7 @@ def sense_angle(b, f, g, rows, tangents):
     n = (f["R"][0, 2], f["R"][1, 2], f["R"][2, 2])
     way = 1.0 if dot(n, cross(e, y)) > 0.0 else -1.0
     # the spins say how many turns there were; the angle itself stays free of them
-    n_turns = math.floor((way * rest - angle - b["low"]) / TWO_PI + 0.5) + way * turns
+    n_turns = math.floor((way * rest - angle + b["low"]) / TWO_PI + 0.5) + way * turns
     return angle + TWO_PI * n_turns
 
 

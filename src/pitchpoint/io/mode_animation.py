@@ -91,7 +91,7 @@ def write_mode_animation(
         "motion": motion,
     }
     if target.suffix == ".npz":
-        np.savez_compressed(target, **content)  # type: ignore[arg-type]
+        np.savez_compressed(target, **content)
         return
     about = "motion: mode, frame of the cycle, body, displacement [m] and turn [rad] in world axes"
     lists = {key: value.tolist() for key, value in content.items()}

@@ -181,9 +181,9 @@ def _joints(model: Model) -> Iterator[str]:
     named = {e for _, _, _, given in ends_of(model) for e in ((given,) if isinstance(given, str) else given)}
     named |= {f"{load.body}.{load.marker}" for load in model.loads.values()}
     for body, part in model.bodies.items():
-        for marker in part.markers:
+        for marker in part.markers if part.elastic is None else ():  # nodes shape its modes, too
             if f"{body}.{marker}" not in named:
-                group = "bodies" if part.shaft is None else "shafts"
+                group = "shafts" if part.shaft is not None else "bodies"
                 yield f"{group}.{body}.markers.{marker}: has no effect: nothing names {body}.{marker}"
 
 

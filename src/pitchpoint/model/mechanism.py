@@ -122,7 +122,7 @@ def _roots(parts: Parts, joints: Mapping[str, Joint]) -> dict[str, Seat]:
             name in moved or not (body.gears or (body.is_round and not body.markers))
         ):
             continue
-        kind = MOTIONS[body.motion or "torsion"]
+        kind = "free" if body.elastic is not None else MOTIONS[body.motion or "torsion"]
         found[name] = Seat(name, kind=kind, coordinates=COORDINATES[kind])
     return found
 

@@ -76,6 +76,7 @@ def _seats(parts: Parts, report: Reader) -> None:
     for name, joint in parts.joints.items():
         first, second = (split(e)[0] for e in joint.bodies)
         told = [b for b in (first, second) if b != GROUND and parts.bodies[b].motion is not None]
+        told = [b for b in told if not parts.bodies[b].stands_in]  # joints hold those beside their motion
         if GROUND in (first, second) and told:
             report.problem(
                 ("bodies", told[0], "motion"),

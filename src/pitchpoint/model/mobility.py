@@ -59,6 +59,9 @@ def mass_matrix(parts: Parts) -> tuple[list[str], Array, float]:
     scale = 0.0
     for name, seat in parts.mechanism.seats.items():
         own = columns(parts, seat)
+        if parts.bodies[name].elastic is not None:
+            paths[name] = []  # its mass is in its file: what hangs on it counts as if it stood
+            continue
         paths[name] = paths[seat.parent] + [(len(names) + k, c) for k, (_, c) in enumerate(own)]
         names += [n for n, _ in own]
         inertia = body_inertia(parts.bodies[name], parts.gears)

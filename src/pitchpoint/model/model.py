@@ -18,6 +18,7 @@ from pitchpoint.model.components.clutch import Clutch
 from pitchpoint.model.components.contact import CamContact, CurveContact, SurfaceContact
 from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
+from pitchpoint.model.components.elastic_body import ElasticBody
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.joint import Joint
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
@@ -82,6 +83,9 @@ class Model:
     gears: Mapping[str, Gear] = key("components", "the gears by name", {}, of=Gear)
     bodies: Mapping[str, Body] = key("components", "bodies, with the gears that they carry", {}, of=Body)
     shafts: Mapping[str, Shaft] = key("components", "elastic shafts, with the gears on them", {}, of=Shaft)
+    elastic_bodies: Mapping[str, ElasticBody] = key(
+        "components", "elastic bodies from finite-element matrices", {}, of=ElasticBody
+    )
     joints: Mapping[str, Joint] = key("components", "joints between bodies", {}, of=Joint)
     springs: Mapping[str, Spring] = key("components", "springs and dampers between points", {}, of=Spring)
     maxwells: Mapping[str, Maxwell] = key(

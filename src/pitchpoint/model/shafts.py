@@ -33,8 +33,8 @@ def stand_in(shaft: Shaft) -> Body:
 
 
 def own_bodies(bodies: Mapping[str, Body]) -> dict[str, Body]:
-    """Bodies without those that stand for shafts."""
-    return {name: body for name, body in bodies.items() if body.shaft is None}
+    """Bodies without those that stand for elastic shafts and bodies."""
+    return {name: body for name, body in bodies.items() if not body.stands_in}
 
 
 def add_shafts(parts: Parts, report: Reader) -> None:

@@ -263,8 +263,8 @@ def check_motions(parts: Parts, report: Reader) -> None:
 def _inertia(parts: Parts, name: str, report: Reader) -> None:
     """Mass and inertia of one body, as far as its motion needs them."""
     body = parts.bodies[name]
-    if body.moves == "joint" or not body.is_round:
-        return  # checked with the mechanism: what hangs on it counts
+    if body.moves == "joint" or not body.is_round or body.elastic is not None:
+        return  # checked with the mechanism: what hangs on it counts; of an elastic one the file decides
     needed = [k for k in INERTIAS[body.moves] if ("bodies", name, k) not in report.tainted]
     given = {k: getattr(body, k) for k in needed if getattr(body, k) is not None}
     total = None
@@ -341,6 +341,7 @@ def check(parts: Parts, report: Reader) -> None:
     """All checks, in the order in which a later one may rely on an earlier one."""
     from pitchpoint.model.assembly import resolve
     from pitchpoint.model.contact_check import check_contacts
+    from pitchpoint.model.elastic_check import add_elastic_bodies, check_elastic_bodies
     from pitchpoint.model.force_check import check_forces, check_loads, check_unbalances
     from pitchpoint.model.joint_check import check_directions, check_joints, check_masses, check_places
     from pitchpoint.model.mechanism_check import check_mechanism
@@ -349,6 +350,7 @@ def check(parts: Parts, report: Reader) -> None:
     from pitchpoint.model.support_check import check_couplings, check_positions
 
     add_shafts(parts, report)
+    add_elastic_bodies(parts, report)
     check_references(parts, report)
     check_places(parts, report)
     check_carriers(parts, report)
@@ -358,6 +360,7 @@ def check(parts: Parts, report: Reader) -> None:
     check_joints(parts, report)
     check_forces(parts, report)
     check_contacts(parts, report)
+    check_elastic_bodies(parts, report)
     check_positions(parts, report)
     resolve(parts, report)
     check_shaft_places(parts, report)

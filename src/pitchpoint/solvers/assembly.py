@@ -28,6 +28,8 @@ OPEN = 1e-8
 """Residual from which a loop counts as open: beyond what rounding and double roots leave."""
 REDUNDANT = 1e-9
 """Singular value over the largest below which rows repeat each other."""
+STIFF = 1e4
+"""How much rather than by one modal coordinate of an elastic body a loop is closed by rigid motion."""
 MOST_TURN = 0.3
 """Largest step of an angle [rad]: beyond that rows are not straight."""
 
@@ -146,6 +148,7 @@ def _close(system: System, state: State, keep: Collection[int], rows: list[int] 
         return
     free = np.setdiff1d(np.arange(system.sizes["nd"]), np.fromiter(keep, int, len(keep)))
     turning = system.weight[free] != 1.0
+    weight = _reluctance(system)[free]
     last = np.inf
     for _ in range(MOST_STEPS):
         G = _rows(system, state)[0][chosen]
@@ -154,7 +157,7 @@ def _close(system: System, state: State, keep: Collection[int], rows: list[int] 
         scale = 1.0 + float(np.abs(state.q[free]).max(initial=0.0))
         if size <= CLOSED * scale:
             return
-        step = -_least(G[:, free] / system.weight[free], g) / system.weight[free]
+        step = -_least(G[:, free] / weight, g) / weight
         if size <= OPEN and size >= 0.5 * last:
             return  # as near as rounding, or a double root, lets it come
         last = size
@@ -165,6 +168,18 @@ def _close(system: System, state: State, keep: Collection[int], rows: list[int] 
     g[chosen] = np.abs(system.workspace.g[chosen])
     if g.max() > OPEN:
         raise SolverError(f"loops do not close: {_off(system, g)}", INCONSISTENT, state)
+
+
+def _reluctance(system: System) -> Array:
+    """Weight of every coordinate in closing loops; elastic bodies bend only where nothing else helps."""
+    found = system.weight.copy()
+    body = system.program["body"]
+    for record in system.records.get("flexible_body", ()):
+        for hidden in (int(record[n]) for n in "jklm"):
+            first, n = int(body[hidden]["dof"]), int(body[hidden]["n"])
+            if hidden:
+                found[first : first + n] *= STIFF
+    return found
 
 
 def _off(system: System, g: Array) -> str:
@@ -181,8 +196,9 @@ def _least(A: Array, b: Array) -> Array:
 def _match_rates(system: System, state: State, G: Array, gt: Array, keep: Collection[int]) -> None:
     """Change the rates as little as possible until G v = -gt."""
     free = np.setdiff1d(np.arange(system.sizes["nd"]), np.fromiter(keep, int, len(keep)))
+    weight = _reluctance(system)[free]
     off = G @ state.v + gt
-    state.v[free] -= _least(G[:, free] / system.weight[free], off) / system.weight[free]
+    state.v[free] -= _least(G[:, free] / weight, off) / weight
     left = np.abs(G @ state.v + gt)
     scale = max(float((np.abs(G) @ np.abs(state.v)).max(initial=0.0)), float(np.abs(gt).max(initial=0.0)))
     if left.max() > OPEN * max(scale, 1e-3):

@@ -18,14 +18,14 @@ from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.equilibrium import find_equilibrium
-from pitchpoint.solvers.modal import (
+from pitchpoint.solvers.linear_system import (
     Linearised,
     damped_modes,
-    energy_shares,
     free_directions,
     linearise,
     lowest,
 )
+from pitchpoint.solvers.modal import energy_shares
 from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
 from pitchpoint.solvers.trains import rotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Frequency response about an operating point: y = C (K + i omega D - omega^2 M)^-1 B, directly or by modes.
 
-M, D and K are those of `modal.linearise`: gyroscopic terms and all that follows from a steady rotation are in
-them, meshes count with the mean over their cycle or with one phase. Loops are kept by moving in the
+M, D and K are those of `linear_system.linearise`: gyroscopic terms and all that a steady rotation does
+are in them, meshes count with the mean over their cycle or with one phase. Loops are kept by moving in the
 directions that they leave free; the reactions follow. Driven spins do not vibrate. With a synchronous body
 every frequency is its speed: the response to its unbalance.
 """
@@ -22,7 +22,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds, speed_ratios
-from pitchpoint.solvers.modal import Linearised, linearise, lowest
+from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
 from pitchpoint.solvers.ports import Input, Outputs, find_inputs, find_outputs
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -69,7 +69,6 @@ def find_response(
     modes: int | None = None,
     synchronous: str | None = None,
     phase: float | None = None,
-    mean: bool = True,
     start: State | None = None,
     progress: Progress = silent,
 ) -> FrequencyResponse:
@@ -83,7 +82,7 @@ def find_response(
         Names as in `ports`.
     frequencies
         [Hz], shape (nf,).
-    scenario, phase, mean, start
+    scenario, phase, start
         As in `modal.find_modes`.
     modes
         Number of undamped modes whose span the response is looked for in; default: the direct solution.
@@ -97,7 +96,7 @@ def find_response(
     SolverError
         If a name is not known, there is no equilibrium, or nothing resists at a frequency.
     """
-    linear = linearise(system, scenario, phase=phase, mean=mean, start=start)
+    linear = linearise(system, scenario, phase=phase, start=start)
     ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
     hertz = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
     basis = linear.basis if modes is None else lowest(linear, modes)[1].T

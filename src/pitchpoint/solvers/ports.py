@@ -19,7 +19,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.body_shapes import body_motions
 from pitchpoint.solvers.element_tangents import tangents
-from pitchpoint.solvers.modal import Linearised
+from pitchpoint.solvers.linear_system import Linearised
 from pitchpoint.solvers.stiffness_parts import mesh_names
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State

@@ -37,8 +37,9 @@ Choice = dict[str, NDArray[np.int64]]
 
 LINEAR = ("beam", "bearing", "bushing", "coupling", "damping", "gravity", "shaft_beam")
 """Kinds that are condensed if nothing else acts on one of their bodies."""
-BEYOND = 2.0
-"""Fixed-interface modes are kept up to this multiple of the highest frequency of interest."""
+BEYOND = 4.0
+"""Fixed-interface modes are kept up to this multiple of the highest frequency of interest: for geared shafts
+natural frequencies below it then err by less than 0.1 % (by 0.2 % with a multiple of 2)."""
 TURNS = 1e-7
 """Stiffness against a rotation of a whole shaft, over the largest, that counts as rounding."""
 
@@ -247,7 +248,7 @@ def _condense(
     body = system.program["body"]
     phi = np.zeros((len(hidden), 0))
     omega = np.zeros(0)
-    static = np.zeros((len(hidden), len(outer)))
+    static: Array = np.zeros((len(hidden), len(outer)))
     if hidden:
         k = symmetric(K[np.ix_(hidden, hidden)])
         static = -np.linalg.solve(k, symmetric(K)[np.ix_(hidden, outer)])
@@ -268,7 +269,7 @@ def _condense(
             f"{', '.join(system.layout.bodies[b] for b in ends)}: held against turning", INCONSISTENT
         )
     if turning.any():
-        k = k - np.outer(left, turning) / turning.sum()  # rounding: turning together costs nothing
+        k -= np.outer(left, turning) / turning.sum()  # rounding: turning together costs nothing
     first = len(bodies) + 1
     for j, w in enumerate(omega):
         # inertia one, the spring as a coupling to ground: it is held like any torsional body

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.solvers.eigen import undamped
-from pitchpoint.solvers.modal import free_directions, rigid_rotations
+from pitchpoint.solvers.linear_system import free_directions, rigid_rotations
 from pitchpoint.solvers.stiffness_parts import mesh_names
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System

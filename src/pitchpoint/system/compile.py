@@ -21,6 +21,7 @@ from pitchpoint.system.rules.clutch import clutch_bank
 from pitchpoint.system.rules.contact import cam_banks, curve_bank, surface_banks
 from pitchpoint.system.rules.damping import damping_bank
 from pitchpoint.system.rules.drive import drive_bank
+from pitchpoint.system.rules.elastic_body import elastic_bank
 from pitchpoint.system.rules.gear_mesh import mesh_bank
 from pitchpoint.system.rules.gravity import gravity_bank
 from pitchpoint.system.rules.guide import guide_bank
@@ -79,6 +80,7 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     others = [
         bearing_bank(model),
         shaft_bank(model, body_numbers(model)),
+        elastic_bank(model, body_numbers(model)),
         *load_banks(model),
         damping_bank(model),
         gravity_bank(model),

@@ -15,7 +15,7 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
 from pitchpoint.multibody.bodies import Body, body_records
 from pitchpoint.system.layout import Channel, Layout, body_channels, structure
-from pitchpoint.system.link import link, link_parts, listens, senses_accelerations
+from pitchpoint.system.link import fit_signals, link, link_parts
 from pitchpoint.system.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -110,10 +110,7 @@ class System:
         tables = link(self.records, self.pools, self.laws)
         parts = link_parts(self.program["body"])
         made = Workspace(dict(self.program), dict(self.sizes), tables, parts, self.weight)
-        if listens(self.records):
-            made.mach[0]["watch"] = made.arrays["heard"].ctypes.data
-        if senses_accelerations(self.records):
-            made.mach[0]["constant_mass"] = 0
+        fit_signals(made, self.records)
         return made
 
     def __getstate__(self) -> dict[str, Any]:

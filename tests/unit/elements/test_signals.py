@@ -445,6 +445,30 @@ def test_speed_controller_of_a_drive_train_with_two_masses():
         np.testing.assert_allclose(found, wanted[1:], rtol=3e-6)
 
 
+@pytest.mark.parametrize("method", ["wstiff", "dassl", "rk"])
+def test_units_of_states_do_not_matter_for_the_steps(method):
+    """The same loop with inertia and gains a million times larger: what its integral is worth is relative."""
+    steps, speeds = [], []
+    for scale in (1.0, 1e6):
+        net = SignalNet(one_mass(50.0 * scale))
+        net.sensor("speed", sr.ANGULAR_VELOCITY, 1)
+        net.low_pass("measured", "speed", 0.02)
+        net.linear("error", {"measured": -1.0}, 10.0)
+        net.pid("u", "error", kp=30.0 * scale, ki=60.0 * scale)
+        net.torque("generator", "u", 1)
+        system = assemble_controlled(net, {})
+        state = system.initial_state()
+        if method == "rk":
+            run = runge_kutta.start_adaptive(system, state, rtol=1e-7, atol=1e-11, atol_rate=1e-7)
+        else:
+            run = bdf.start(system, state, method, rtol=1e-7)
+        run.advance_to(3.0)
+        steps.append(run.steps)
+        speeds.append(run.state().v[system.spin("rotor")])
+    assert steps[1] < 2 * steps[0]
+    assert speeds[1] == pytest.approx(speeds[0], rel=1e-5)
+
+
 # --------------------------------------------------------------------------------------------- bad input
 
 

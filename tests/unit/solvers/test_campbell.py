@@ -9,7 +9,12 @@ import numpy as np
 import pytest
 
 import pitchpoint as pp
+from pitchpoint.analysis.campbell import campbell_crossings
 from pitchpoint.core.errors import SolverError
+from pitchpoint.multibody.beam_section import Beam, tube
+from pitchpoint.solvers.campbell import follow_modes
+from pitchpoint.system.system import assemble
+from tests.support.beams import nodes, shaft, supports
 from tests.support.machines import compiled, pair
 
 M, I_P, I_T = 3.0, 0.02, 0.012
@@ -66,3 +71,38 @@ def test_orders_follow_from_the_teeth():
 def test_an_unknown_body_is_named():
     with pytest.raises(SolverError, match="no body 'rotor'; there are: disc"):
         pp.solve_campbell(compiled(ROTOR)[1], [0.0], "rotor")
+
+
+def test_whirl_and_critical_speeds_of_a_rotor_on_a_beam():
+    """Disc in the middle of a light shaft on stiff bearings, made from numbers alone.
+
+    Half a shaft of length a with the shear parameter phi: k = 2 E I/(a^3 (1/3 + phi/12)) laterally and
+    k_t = 24 E I/((4 + phi) a) against tilt. Whirl of the tilt: w = W I_p/(2 I_t) +- root(...), and w = W for
+    W^2 = k_t/(I_t - I_p) forwards, k_t/(I_t + I_p) backwards.
+    """
+    a, mass, i_t, i_p = 0.5, 8.0, 0.05, 0.03
+    piece = Beam(section=tube(0.03, nu=0.3), length=a, E=2.1e11, G=8e10, rho=0.0)
+    ends = (1e-3, 1e-8, 1e-8)
+    bodies = nodes([0.0, a, 2.0 * a], {0: ends, 1: (mass, i_t, i_p), 2: ends}, name="n")
+    stiff = np.diag([1e12, 1e12, 1e12, 0.0, 0.0, 0.0])
+    held = supports(bodies, [(1, stiff, 0.0 * stiff), (3, stiff, 0.0 * stiff)])
+    system = assemble(bodies, {"shaft_beam": shaft([piece, piece]), "bearing": held})
+    EI, phi = piece.E * piece.section.I_1, piece.phi(1)
+    k = 2.0 * EI / (a**3 * (1.0 / 3.0 + phi / 12.0))
+    k_t = 24.0 * EI / ((4.0 + phi) * a)
+    speeds = np.linspace(0.0, 2500.0, 101)
+    found = follow_modes(system, speeds, "n1")
+    assert found.orders == {}
+    half = 0.5 * i_p * speeds / i_t
+    root = np.sqrt(half**2 + k_t / i_t)
+    expected = np.column_stack([np.full_like(speeds, math.sqrt(k / mass))] * 2 + [root - half, root + half])
+    low = np.sort(found.frequency, axis=1)[:, 1:5] * 2.0 * math.pi  # after the rigid rotation
+    # bearings give way by k/1e12
+    assert low == pytest.approx(np.sort(expected, axis=1), rel=1e-5)
+    lateral = [
+        c for c in range(found.frequency.shape[1]) if 0 < found.frequency[0, c] * 2 * math.pi < 1.01 * root[0]
+    ]
+    crossings = campbell_crossings(speeds, found.frequency[:, lateral], [1.0])
+    critical = [math.sqrt(k / mass)] * 2 + [math.sqrt(k_t / (i_t + s * i_p)) for s in (1.0, -1.0)]
+    # straight lines between speeds 25 rad/s apart
+    assert sorted(c.speed for c in crossings) == pytest.approx(sorted(critical), rel=2e-4)

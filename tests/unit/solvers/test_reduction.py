@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-import time
 
 import numpy as np
 import pytest
@@ -15,12 +14,14 @@ from pitchpoint.core.status import OK
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.reduction import reduce_system
 from pitchpoint.system import evaluate
 from pitchpoint.system.rules.gear_mesh import MeshLaws, Placement, mesh_row
 from pitchpoint.system.system import assemble
 from tests.support.beams import nodes, shaft, supports
 from tests.support.engine import torques
+from tests.support.machines import compiled, pair
 
 LENGTH, SPEED, TORQUE = 0.4, 200.0, 100.0
 
@@ -75,43 +76,40 @@ def reduced():
 
 
 def test_frequencies_and_compliance(reduced):
-    """Fixed-interface modes up to twice the limit: errors below a tenth of a per cent, as is usual."""
+    """0.1 % is what is asked of Craig and Bampton's method; compliances differ most beside a resonance, where
+    a frequency off by e changes them by e/(2 zeta) of their peak, zeta of a per cent."""
     assert reduced.error.coordinates[0] == 156
     assert reduced.error.coordinates[1] < 60
     assert reduced.error.full.size > 8
     assert reduced.error.frequency < 1e-3
-    assert reduced.error.compliance < 1e-2
+    assert reduced.error.compliance < 2e-2
     assert "natural frequencies up to 3000 Hz" in reduced.error.report()
 
 
 def test_the_operating_point_is_the_same(reduced):
-    """What is kept feels the same forces: the residual of both is the same on their coordinates."""
-    full = evaluate.residual(reduced.full, reduced.full_state)
-    left = evaluate.residual(reduced.system, reduced.state)
-    scale = TORQUE
-    assert np.abs(left - 0.0).max() <= np.abs(full).max() + 1e-6 * scale
+    """What is kept feels the same forces: both rest to the tolerance of the equilibrium (1e-9 of 6 kN)."""
+    for system, state in ((reduced.full, reduced.full_state), (reduced.system, reduced.state)):
+        assert np.abs(evaluate.residual(system, state)).max() < 1e-4
 
 
 def run(system, state, h, steps):
     channel = system.layout.channel("mesh_force[gear_mesh0]")
     machine = generalized_alpha.start(system, state, h)
     found = []
-    began = time.perf_counter()
     for _ in range(steps // 10):
         assert machine.advance(10).status == OK
         found.append(machine.state())
-    wall = time.perf_counter() - began
-    return np.array([evaluate.observe(system, s)[channel] for s in found]), wall
+    return np.array([evaluate.observe(system, s)[channel] for s in found])
 
 
 def test_mesh_force_over_time(reduced):
-    """Ten mesh periods from the operating point: its waves, with the nonlinear mesh, agree to a per cent."""
+    """Ten mesh periods at 1.3 kHz from the operating point, the mesh nonlinear: what is left out is above the
+    limit, one part in fifty of the wave."""
     steps = 800
-    force, slow = run(reduced.full, reduced.full_state, 1e-5, steps)
-    again, fast = run(reduced.system, reduced.state, 1e-5, steps)
+    force = run(reduced.full, reduced.full_state, 1e-5, steps)
+    again = run(reduced.system, reduced.state, 1e-5, steps)
     assert np.ptp(force) > 20.0
     assert np.abs(again - force).max() < 0.02 * np.ptp(force)
-    print(f"{slow:.2f} s against {fast:.2f} s")
 
 
 def test_whole_turns_change_nothing(reduced):
@@ -124,6 +122,35 @@ def test_whole_turns_change_nothing(reduced):
     state.turns[two] -= 40 * 2
     assert spins[one[0]] >= 0
     assert evaluate.residual(reduced.system, state) == pytest.approx(expected, rel=1e-9, abs=1e-6)
+
+
+def test_modes_of_the_reduced_system_are_found_as_of_any(reduced):
+    """Whirl included: damped frequencies at speed agree as well as the undamped ones."""
+    one = find_modes(reduced.full, start=reduced.full_state, mean=False)
+    two = find_modes(reduced.system, start=reduced.state, mean=False)
+    low = np.sort(one.damped_frequency[one.damped_frequency < 2000.0])
+    assert np.sort(two.damped_frequency)[: low.size] == pytest.approx(low, rel=1e-3, abs=1e-3)
+    assert low.size > 8
+
+
+def test_a_pair_without_stations_stays_what_it_is():
+    """Twelve freedoms: bearings become one linear part, nothing is left out."""
+    text = pair(
+        "{law: constant, value: 3e8 N/m}",
+        beta="17 deg",
+        motion="free",
+        rest="bearings:\n"
+        + "".join(
+            f"  on_{b}: {{body: {b}, stiffness: {{radial: 1e8, axial: 1e8, tilt: 1e6}}}}\n"
+            for b in ("driver", "driven")
+        ),
+    )
+    found = reduce_system(compiled(text)[1], limit=1e4)
+    assert "bearing" not in found.system.records
+    assert found.error.coordinates == (12, 12)
+    assert found.error.full.size > 5
+    assert found.error.frequency < 1e-7  # what turned axes do to the bearings of a tilted gear
+    assert found.error.compliance < 1e-6
 
 
 def test_unknown_names():

@@ -11,6 +11,7 @@ from pitchpoint.model.components.marker import Axes, Marker, Triple
 from pitchpoint.model.keys import choice, component, derived, key, quantities, quantity
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.elastic_body import ElasticBody
     from pitchpoint.model.components.shaft import Shaft
 
 MOTIONS = ("torsion", "planar", "free", "fixed")
@@ -88,11 +89,18 @@ class Body:
     """Name of the joint that carries it, if one does."""
     shaft: Shaft | None = derived()
     """The elastic shaft that it stands for, if it does: its origin is the start of the shaft."""
+    elastic: ElasticBody | None = derived()
+    """The elastic body that it stands for, if it does: its markers are the nodes."""
 
     @property
     def moves(self) -> str:
         """How it moves: its motion against ground, or 'joint' where a joint carries it."""
         return "joint" if self.joint is not None else self.motion or "torsion"
+
+    @property
+    def stands_in(self) -> bool:
+        """Whether it stands for an elastic shaft or body, which a file describes elsewhere."""
+        return self.shaft is not None or self.elastic is not None
 
     @property
     def center(self) -> Triple | None:

@@ -20,6 +20,7 @@ from pitchpoint.model.shafts import nearest_station
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.unbalance import with_point_mass
+from pitchpoint.system.rules.elastic_body import elastic_count, elastic_of, node_at
 from pitchpoint.system.rules.shaft import shaft_of
 
 if TYPE_CHECKING:
@@ -55,7 +56,9 @@ def bodies(model: Model) -> list[Body]:
     number = body_numbers(model)
     found: dict[str, Body] = {}
     for n, seat in model.mechanism.seats.items():
-        if n in model.shafts:
+        if n in model.elastic_bodies:
+            found |= {b.name: b for b in elastic_of(model, n, number[n]).bodies}
+        elif n in model.shafts:
             found |= {b.name: b for b in shaft_of(model, n, number[n]).bodies}
         else:
             found[n] = _body(model, seat, _parent(model, seat))
@@ -78,8 +81,16 @@ def body_numbers(model: Model) -> dict[str, int]:
     found, k = {GROUND: 0}, 1
     for name in model.mechanism.seats:
         found[name] = k
-        k += len(model.stations.get(name, (0.0,)))
+        k += count_of(model, name)
     return found
+
+
+def count_of(model: Model, body: str) -> int:
+    """How many bodies of the records a body of the model is: stations of a shaft, frame and nodes of an
+    elastic body."""
+    if body in model.elastic_bodies:
+        return elastic_count(model, body)
+    return len(model.stations.get(body, (0.0,)))
 
 
 def _parent(model: Model, seat: Seat) -> int:
@@ -176,6 +187,9 @@ def frame_at(model: Model, body: str, place: Array | None) -> tuple[int, Array, 
         return 0, np.zeros(3), np.eye(3)
     number = body_numbers(model)[body]
     at, axes = seat_frame(model, model.mechanism.seats[body])
+    if body in model.elastic_bodies and place is not None:
+        here, node = node_at(model, body, place)
+        return number + here, node, axes
     if body in model.shafts and place is not None:
         places = model.stations[body]
         k = nearest_station(places, float(place[2] - at[2]))

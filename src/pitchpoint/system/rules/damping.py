@@ -9,7 +9,7 @@ import numpy as np
 
 from pitchpoint.elements import damping as element
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import body_numbers
+from pitchpoint.system.rules.bodies import body_numbers, count_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -22,7 +22,7 @@ def damping_bank(model: Model) -> Bank:
         number[name] + k
         for name, seat in model.mechanism.seats.items()
         if seat.coordinates
-        for k in range(len(model.stations.get(name, (0.0,))))
+        for k in range(count_of(model, name))
     ]
     rows = []
     if model.damping is not None:

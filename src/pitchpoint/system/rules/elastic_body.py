@@ -3,20 +3,39 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import CompileError
-from pitchpoint.elements.flexible_body import GROUP, MOST, flexible_row, interface_bodies, modal_bodies
+from pitchpoint.core.errors import CompileError, ModelError
+from pitchpoint.elements.flexible_body import (
+    GROUP,
+    MOST,
+    RECORD,
+    flexible_row,
+    interface_bodies,
+    modal_bodies,
+)
+from pitchpoint.model.frames import axes_of
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.multibody.craig_bampton import Modes, modal_damping
+from pitchpoint.multibody.craig_bampton import Modes, craig_bampton, modal_damping
+from pitchpoint.multibody.fe_matrices import read_dmig, read_npz, structure_from_dmig
 from pitchpoint.multibody.joints import FLOATING
 from pitchpoint.multibody.mass_invariants import mass_invariants
 from pitchpoint.multibody.structure import Structure, turned_stiffening
+from pitchpoint.system.rules.bank import Bank
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+NEAR = 1e-3
+"""Distance of a node from the place that names it, per size of the body."""
 
 
 @dataclass(frozen=True)
@@ -126,3 +145,101 @@ def elastic_parts(
         found[word] = first + len(bodies) - 1
     names = tuple(f"{name}.{k // GROUP + 1}.eta{k + 1}" for k in range(n))
     return ElasticParts(tuple(bodies), row, np.concatenate(rows), found, names)
+
+
+# --- of a model ---------------------------------------------------------------------------------------------
+def elastic_of(model: Model, name: str, first: int) -> ElasticParts:
+    """Bodies and records of an elastic body of a model; `first` is the number of its frame."""
+    part, body = model.elastic_bodies[name], model.bodies[name]
+    structure, modes, nodes = _reduced(model, name)
+    return elastic_parts(
+        name,
+        structure,
+        modes,
+        dict(zip(part.nodes, nodes, strict=True)),
+        first=first,
+        pose=(body.origin or (0.0, 0.0, 0.0), axes_of(model, name)),
+        damping_ratio=part.damping_ratio,
+        gravity=model.gravity or (0.0, 0.0, 0.0),
+    )
+
+
+def elastic_bank(model: Model, numbers: Mapping[str, int]) -> Bank:
+    """All elastic bodies.
+
+    Parameters
+    ----------
+    model
+        The model.
+    numbers
+        Number of every body in the records.
+    """
+    parts = [elastic_of(model, name, numbers[name]).flexible for name in model.elastic_bodies]
+    return Bank("flexible_body", np.concatenate([np.zeros(0, RECORD), *parts]), tuple(model.elastic_bodies))
+
+
+def elastic_count(model: Model, name: str) -> int:
+    """How many bodies of the records an elastic body is: its frame, and one more and one per node for every
+    three modes."""
+    groups = -(-_reduced(model, name)[1].frequency.size // GROUP)
+    return 1 + groups * (1 + len(model.elastic_bodies[name].nodes))
+
+
+def node_at(model: Model, name: str, place: NDArray[np.float64]) -> tuple[int, NDArray[np.float64]]:
+    """Number of the nearest named node from the frame of its body, and its place in the world [m]."""
+    body = model.bodies[name]
+    structure, modes, nodes = _reduced(model, name)
+    origin, axes = np.array(body.origin or (0.0, 0.0, 0.0)), axes_of(model, name)
+    places = origin + structure.places[list(nodes)] @ axes.T
+    k = int(np.argmin(np.linalg.norm(places - place, axis=1)))
+    groups = -(-modes.frequency.size // GROUP)
+    return groups * (1 + k + 1), places[k]
+
+
+def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]]:
+    """Matrices, modes and numbers of the named nodes of an elastic body; read and reduced once."""
+    part = model.elastic_bodies[name]
+    places = tuple((n, m.position) for n, m in part.nodes.items())
+    try:
+        stamp = Path(part.file).stat().st_mtime_ns
+        return _read(part.file, stamp, places, part.modes, part.below)
+    except (CompileError, ModelError, OSError) as fault:
+        raise CompileError(f"elastic_bodies.{name}: {fault}") from None
+
+
+@functools.lru_cache(maxsize=8)
+def _read(
+    file: str,
+    stamp: int,
+    wanted: tuple[tuple[str, tuple[float, float, float]], ...],
+    count: int | None,
+    below: float | None,
+) -> tuple[Structure, Modes, tuple[int, ...]]:
+    """Read a file and reduce it; `stamp` tells when it was changed."""
+    if Path(file).suffix == ".npz":
+        structure = read_npz(file)
+    else:
+        structure, _ = structure_from_dmig(read_dmig(file))
+    nodes = tuple(_node(structure, word, np.array(place)) for word, place in wanted)
+    if below is not None:
+        modes = craig_bampton(structure, nodes, below=6.0 * below).select(below=below)
+    else:
+        modes = craig_bampton(structure, nodes, 2 * (count or MOST)).select(count=count)
+    if not 0 < modes.frequency.size <= MOST:
+        raise CompileError(
+            f"{modes.frequency.size} modes below {below:g} Hz (limit 1 to {MOST}); give modes instead"
+        )
+    return structure, modes, nodes
+
+
+def _node(structure: Structure, word: str, place: NDArray[np.float64]) -> int:
+    """Node of the file at a place."""
+    apart = np.linalg.norm(structure.places - place, axis=1)
+    size = float(np.linalg.norm(np.ptp(structure.places, axis=0)))
+    k = int(np.argmin(apart))
+    if apart[k] > NEAR * size:
+        near = ", ".join(f"{1e3 * x:.6g}" for x in structure.places[k])
+        raise CompileError(
+            f"nodes.{word}: there is no node of the file at this place; the nearest is at [{near}] mm"
+        )
+    return k

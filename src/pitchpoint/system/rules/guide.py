@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from pitchpoint.model.components.law import Constant, FormulaLaw, Law, PythonLaw
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.system.rules.drive import value_of_law
+from pitchpoint.system.rules.elastic_body import elastic_of
 from pitchpoint.system.rules.stiffness import user_law
 
 if TYPE_CHECKING:
@@ -42,7 +44,11 @@ def guide_bank(model: Model, scenario: Scenario | None) -> Bank:
                 first = False
                 rows.append(row)
                 names.append(f"{seat.joint}.{word}")
-    return pack("guide", element.RECORD, rows, names, pool=pool.array())
+    own = pack("guide", element.RECORD, rows, names, pool=pool.array())
+    banks = [own.records, *(elastic_of(model, n, number[n]).guides for n in model.elastic_bodies)]
+    for name, records in zip(model.elastic_bodies, banks[1:], strict=True):
+        names += [f"{name}.{k}" for k in range(len(records))]
+    return replace(own, records=np.concatenate(banks), names=tuple(names))
 
 
 def _follow(row: Any, pool: Pool, joint: Joint, law: Law, duration: float, where: str) -> None:

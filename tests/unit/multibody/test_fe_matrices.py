@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from scipy.io import mmwrite
 
 from pitchpoint.core.errors import ModelError, PitchpointError
-from pitchpoint.io import fe_matrices
-from pitchpoint.io.fe_matrices import read_dmig, read_matrix_market, read_npz, structure_from_dmig
+from pitchpoint.multibody import fe_matrices
 from pitchpoint.multibody.beam_section import Beam, tube
+from pitchpoint.multibody.fe_matrices import read_dmig, read_matrix_market, read_npz, structure_from_dmig
 from pitchpoint.multibody.structure import beam_line
 
 LINE = beam_line([Beam(section=tube(0.05), length=0.3, E=2.1e11, G=8.1e10, rho=7850.0)] * 2)

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""An elastic body from finite-element matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from pitchpoint.model.components.marker import Axes, Marker, Triple
+from pitchpoint.model.keys import component, integer, key, positive, quantities, quantity
+
+MOST_MODES = 12
+"""Modes that one elastic body can have."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ElasticBody:
+    """An unsupported elastic body that moves through space and bends in a few of its modes.
+
+    Joints and forces hold it at nodes, named elsewhere as BODY.NODE.
+    """
+
+    file: str = key(
+        "file",
+        "matrices of the finite elements: a NumPy archive (.npz) with K, M and places, or a Nastran punch "
+        "file with the matrices KAAX and MAAX and the GRID points; in SI units",
+    )
+    nodes: Mapping[str, Marker] = key(
+        "components",
+        "nodes for joints and forces by name, with their places in the axes of the file",
+        of=Marker,
+    )
+    modes: int | None = integer("number of modes, the lowest ones", None, minimum=1, maximum=MOST_MODES)
+    below: float | None = positive(
+        "frequency", "instead of a number: all modes up to this frequency, 12 at most", None
+    )
+    damping_ratio: float = quantity(
+        "dimensionless", "damping ratio of every mode", 0.0, minimum=0.0, maximum=1.0
+    )
+    position: Triple | None = quantities(
+        "length",
+        "origin of the file in the world [x, y, z]",
+        None,
+        length=(3, 3),
+        display="from joints",
+    )
+    axes: Axes | None = component(
+        Axes, "directions of the axes of the file in the world; without them those of the world"
+    )

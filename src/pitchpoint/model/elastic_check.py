@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Elastic bodies among the bodies: a body with markers at the nodes stands in for each, and its checks."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pitchpoint.model.components.body import Body
+from pitchpoint.model.frames import split
+from pitchpoint.model.keys import Place
+from pitchpoint.model.read import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.elastic_body import ElasticBody
+    from pitchpoint.model.parts import Parts
+
+AXIAL = (
+    "bearings",
+    "loads",
+    "unbalances",
+    "couplings",
+    "torsion_springs",
+    "torsion_maxwells",
+    "clutches",
+)
+"""Sections whose parts need the axis of a body."""
+
+
+def stand_in(part: ElasticBody) -> Body:
+    """Body that stands for an elastic one: free, with markers at its nodes."""
+    return Body(motion="free", position=part.position, axes=part.axes, markers=part.nodes, elastic=part)
+
+
+def add_elastic_bodies(parts: Parts, report: Reader) -> None:
+    """Check the elastic bodies by themselves and put a body in the place of each."""
+    from pitchpoint.model.validate import exactly_one
+
+    group = "elastic_bodies"
+    for path in [p for p in report.tainted if p[0] == group]:
+        report.tainted.add(("bodies", *path[1:]))
+    parts.names["bodies"] = parts.known("bodies") | parts.known(group)
+    for name, part in parts.elastic_bodies.items():
+        if name in parts.bodies:
+            report.problem((group, name), "has the name of a body", remedy="give it a name of its own")
+            report.tainted.add(("bodies",))
+            continue
+        exactly_one(part, ("modes", "below"), (group, name), report)
+        if not part.nodes and (group, name, "nodes") not in report.tainted:
+            report.problem(
+                (group, name, "nodes"),
+                "is empty: nothing could hold the body",
+                remedy="name the nodes of joints and forces, such as {eye: {position: [0, 0, 0]}}",
+            )
+        report.aliases["bodies", name] = (group, name)
+        parts.bodies[name] = stand_in(part)
+
+
+def check_elastic_bodies(parts: Parts, report: Reader) -> None:
+    """What acts on an elastic body acts at its nodes, and it has no spin axis."""
+    from pitchpoint.model.joint_check import ends_of
+
+    elastic = set(parts.elastic_bodies)
+    if not elastic:
+        return
+    for group, name, key, given in ends_of(parts):
+        for end in (given,) if isinstance(given, str) else given:
+            body, node = split(end)
+            if body in elastic and not node:
+                _refuse(parts, body, (group, name, key), "without a node", "write {}", report)
+    for group in AXIAL:
+        for name, part in getattr(parts, group).items():
+            one = hasattr(part, "body")
+            for body in {part.body} if one else set(part.bodies):
+                if body not in elastic or (group == "loads" and part.marker is not None):
+                    continue
+                at = (group, name, "body" if one else "bodies")
+                load = group == "loads"
+                remedy = "give the load marker: NODE and a force" if load else "use a bushing at {}"
+                _refuse(parts, body, at, "which has no axis", remedy, report)
+    for name, load in parts.loads.items():
+        if load.reaction in elastic:
+            _refuse(
+                parts,
+                str(load.reaction),
+                ("loads", name, "reaction"),
+                "which has no axis",
+                "make two loads of it",
+                report,
+            )
+
+
+def _refuse(parts: Parts, body: str, at: Place, what: str, remedy: str, report: Reader) -> None:
+    nodes = " or ".join(f"{body}.{n}" for n in parts.bodies[body].markers) if body in parts.bodies else ""
+    report.problem(at, f"names the elastic body {body}, {what}", remedy=remedy.format(nodes))
