@@ -72,7 +72,7 @@ def test_contact_force_below_the_speed_of_lifting():
     expected = along(angle, 2437.0 * RPM) / across
     settled = t > 0.05
     assert expected[settled].min() == pytest.approx(12.27, abs=0.005)
-    # contact and roller vibrate at 3.6 kHz after the start; its damper adds 0.04 N where the overlap changes most
+    # roller and contact vibrate at 3.6 kHz after the start; the damper adds 0.04 N where the overlap changes
     assert np.max(np.abs(force - expected)[settled]) < 0.1
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The example `camshaft-train`: means and period of the hammering train on elastic shafts, its twist by hand."""
+"""The example `camshaft-train`: means, period and twist of the hammering train on elastic shafts."""
 
 from __future__ import annotations
 

@@ -33,9 +33,10 @@ def lift(theta):
 
 def moment(theta, speed, push=0.0):
     closing = (BALL * L + SLEEVE * B) * G + B * (PRELOAD + STIFFNESS * lift(theta) - push)
-    return 2.0 * closing * math.sin(theta) - 2.0 * BALL * L * math.cos(theta) * (
-        A + L * math.sin(theta)
-    ) * speed**2
+    return (
+        2.0 * closing * math.sin(theta)
+        - 2.0 * BALL * L * math.cos(theta) * (A + L * math.sin(theta)) * speed**2
+    )
 
 
 def equilibrium(speed, push=0.0):

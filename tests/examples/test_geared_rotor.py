@@ -97,7 +97,10 @@ def geared_by_hand(pinion, wheel, piece=0.025):
     twist_M[-1, -1] += 0.02465
     twist_M[10, 10] += pinion[1]
     whole_drive = wheel[1] + DENSITY * math.pi / 32.0 * 0.05**4 * 0.3  # stiff: its ends are free
-    blocks_M, blocks_K = (rotor[0], twist_M, drive[0], [[whole_drive]]), (rotor[2], twist_K, drive[2], [[0.0]])
+    blocks_M, blocks_K = (
+        (rotor[0], twist_M, drive[0], [[whole_drive]]),
+        (rotor[2], twist_K, drive[2], [[0.0]]),
+    )
     M, K = block_diag(*blocks_M), block_diag(*blocks_K)
     g = np.zeros(len(M))
     g[20], g[len(rotor[0]) + 10] = 1.0, 0.5 * 69e-3 * math.cos(math.radians(20.0))
@@ -110,7 +113,9 @@ def whirl(matrices, speed, count):
     """Lowest whirl frequencies [Hz]: forward positive, backward negative."""
     M, G, K = matrices
     n = len(M)
-    A = np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), 1j * speed * np.linalg.solve(M, G)]])
+    A = np.block(
+        [[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), 1j * speed * np.linalg.solve(M, G)]]
+    )
     roots = np.linalg.eigvals(A).imag / (2.0 * math.pi)
     return roots[np.argsort(np.abs(roots))][:count]
 
