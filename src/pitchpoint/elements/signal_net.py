@@ -234,7 +234,9 @@ class SignalNet:
         """State whose rate is another signal."""
         k = len(self.states)
         # its spin, on which nothing depends, does not begin at zero: errors are judged by its size
-        hidden = Body(motion=TORSION, polar_inertia=1.0, start=(1.0,), rate=(start,), name=f"state.{name}")
+        hidden = Body(
+            motion=TORSION, polar_inertia=1.0, start=(1.0,), rate=(start,), name=f"state.{name}", state=True
+        )
         self.states.append(hidden)
         self._add(Node(name, sr.STATE, (), {"unit": unit_code(unit)}, state=k))
         self._add(Node(f"{name}.rate", sr.RATE, (rate,), {}, state=k))

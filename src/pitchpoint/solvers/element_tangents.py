@@ -132,15 +132,6 @@ def inertial_stiffness(system: System, state: State, still: State) -> Array:
         return turning - evaluate.matrix(system, still, 0.0, 0.0, 1.0)
 
 
-def state_coordinates(system: System) -> tuple[int, ...]:
-    """Coordinates whose rates are states of force elements: their places mean nothing."""
-    found = set()
-    for kind, bank in system.records.items():
-        if registry.find(kind).pairs == registry.WITH_STATE:
-            found |= {int(system.program["body"][int(k)]["spin"]) for k in bank["k"] if k > 0}
-    return tuple(sorted(found - {-1}))
-
-
 def element_names(system: System, kind: str) -> tuple[str, ...]:
     """Names of all elements of a kind, as in the observations."""
     given = system.names.get(kind, ())
