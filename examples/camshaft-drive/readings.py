@@ -16,7 +16,8 @@ import numpy as np
 
 from pitchpoint import Model, compile_model, load_model
 from pitchpoint.analysis.statistics import contact_statistics
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 
 HERE = Path(__file__).parent
 MESH, TEETH = "gap_430", 59

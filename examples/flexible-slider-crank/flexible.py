@@ -80,7 +80,7 @@ def bend(turns: float = 2.0, step: float = 2e-5, every: int = 5) -> tuple[NDArra
     Returns
     -------
     t, angle, deflection, travel
-        Time [s], angle of the crank [rad], way of the middle of the rod out of its chord, and of the piston [m].
+        Time [s], angle of the crank [rad], bend of the middle of the rod and way of the piston [m].
     """
     system, nodes = machine()
     state = system.initial_state()
@@ -157,7 +157,8 @@ def main() -> None:
         plot_signals(t, channels, rows=rows, title="middle of the rod").write_html(sys.argv[1])
     print("crank [deg]   bend   beam theory   without vibration [mm]")
     for k in range(0, len(t), len(t) // 24):
-        print(f"{math.degrees(angle[k]):11.1f} {1e3 * deflection[k]:6.3f} {1e3 * whole[k]:13.3f} {1e3 * slow[k]:13.3f}")
+        bends = 1e3 * np.array([deflection[k], whole[k], slow[k]])
+        print(f"{math.degrees(angle[k]):11.1f} {bends[0]:6.3f} {bends[1]:13.3f} {bends[2]:13.3f}")
 
 
 if __name__ == "__main__":

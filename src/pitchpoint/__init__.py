@@ -28,8 +28,10 @@ if TYPE_CHECKING:
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell import solve_campbell
     from pitchpoint.solvers.equilibrium import solve_equilibrium
+    from pitchpoint.solvers.frequency_response import solve_frequency_response
     from pitchpoint.solvers.modal import solve_modal
     from pitchpoint.solvers.quasistatic import solve_quasistatic
+    from pitchpoint.solvers.reduction import reduce_system
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
@@ -52,9 +54,11 @@ __all__ = [
     "compile_model",
     "load_model",
     "open_result",
+    "reduce_system",
     "run_cases",
     "solve_campbell",
     "solve_equilibrium",
+    "solve_frequency_response",
     "solve_modal",
     "solve_quasistatic",
     "solve_time",
@@ -81,8 +85,10 @@ _HOMES = {
     "report.write": ("write_report",),
     "solvers.campbell": ("solve_campbell",),
     "solvers.equilibrium": ("solve_equilibrium",),
+    "solvers.frequency_response": ("solve_frequency_response",),
     "solvers.modal": ("solve_modal",),
     "solvers.quasistatic": ("solve_quasistatic",),
+    "solvers.reduction": ("reduce_system",),
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),

@@ -35,7 +35,8 @@ from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.solvers.equilibrium import solve_equilibrium
 from pitchpoint.solvers.sampling import accumulate, new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.gear_mesh import MeshLaws

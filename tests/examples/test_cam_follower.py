@@ -15,7 +15,8 @@ import pytest
 from scipy.optimize import brentq
 
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
 
 FILE = Path(__file__).parents[2] / "examples" / "cam-follower" / "model.yaml"
@@ -71,7 +72,7 @@ def test_contact_force_below_the_speed_of_lifting():
     expected = along(angle, 2437.0 * RPM) / across
     settled = t > 0.05
     assert expected[settled].min() == pytest.approx(12.27, abs=0.005)
-    # contact and roller vibrate at 3.6 kHz after the start; its damper adds 0.04 N where the overlap changes most
+    # roller and contact vibrate at 3.6 kHz after the start; the damper adds 0.04 N where the overlap changes
     assert np.max(np.abs(force - expected)[settled]) < 0.1
 
 

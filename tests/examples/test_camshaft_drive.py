@@ -16,7 +16,8 @@ from pitchpoint.analysis.amplification import amplification_factor
 from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.sweep.speed import run_sweep
 from pitchpoint.system.compile import compile_model
 

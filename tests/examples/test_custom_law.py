@@ -15,7 +15,8 @@ import pytest
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
 
 FOLDER = Path(__file__).parents[2] / "examples" / "custom-law"

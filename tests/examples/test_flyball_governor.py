@@ -16,7 +16,8 @@ from scipy.optimize import brentq
 
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
 
 FILE = Path(__file__).parents[2] / "examples" / "flyball-governor" / "model.yaml"
@@ -32,9 +33,10 @@ def lift(theta):
 
 def moment(theta, speed, push=0.0):
     closing = (BALL * L + SLEEVE * B) * G + B * (PRELOAD + STIFFNESS * lift(theta) - push)
-    return 2.0 * closing * math.sin(theta) - 2.0 * BALL * L * math.cos(theta) * (
-        A + L * math.sin(theta)
-    ) * speed**2
+    return (
+        2.0 * closing * math.sin(theta)
+        - 2.0 * BALL * L * math.cos(theta) * (A + L * math.sin(theta)) * speed**2
+    )
 
 
 def equilibrium(speed, push=0.0):

@@ -131,7 +131,7 @@ def measured(system, state):
 
 
 def test_what_is_steady_stays():
-    """For two seconds, twelve turns: an equilibrium against which small errors grow no faster than sines."""
+    """For two seconds: an equilibrium about which small errors swing and do not grow."""
     system, state = governor(THETA, steady(THETA))
     run = runge_kutta.start_adaptive(system, state, rtol=1e-11, atol=1e-13, atol_rate=1e-11)
     assert run.advance_to(DURATION).status == OK
@@ -145,20 +145,20 @@ def test_an_explicit_method(reference):
     run = runge_kutta.start_adaptive(system, state, rtol=1e-11, atol=1e-13, atol_rate=1e-11)
     assert run.advance_to(DURATION).status == OK
     found, apart = measured(system, run.state())
-    np.testing.assert_allclose(found, reference, atol=1e-8)
+    np.testing.assert_allclose(found, reference, atol=1e-10)
     assert apart < 1e-10
 
 
 @pytest.mark.parametrize("form", bdf.FORMS)
 @pytest.mark.parametrize("kind", ["gstiff", "wstiff", "dassl"])
 def test_stiff_methods(kind, form, reference):
-    """Hundreds of steps that leave part of 1e-7 of the rates each; the arms swing at 20 rad/s."""
+    """Nine hundred steps that leave a part of 1e-7 of 9 rad/s each, for 2 s."""
     system, state = governor(THETA, 1.3 * steady(THETA))
     run = bdf.start(system, state, kind, form=form, rtol=1e-7)
     assert run.advance_to(DURATION).status == OK
     found, apart = measured(system, run.state())
-    np.testing.assert_allclose(found, reference, atol=2e-4)
-    assert apart < 1e-5
+    np.testing.assert_allclose(found, reference, atol=5e-6)
+    assert apart < 1e-9
 
 
 def test_equal_steps_are_of_second_order(reference):

@@ -20,7 +20,8 @@ import pytest
 
 from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
 
 FOLDER = Path(__file__).parents[2] / "examples" / "camshaft-drive"

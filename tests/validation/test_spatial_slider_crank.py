@@ -169,11 +169,17 @@ def test_an_explicit_method(expected):
 @pytest.mark.parametrize("form", bdf.FORMS)
 @pytest.mark.parametrize("kind", ["gstiff", "wstiff", "dassl"])
 def test_stiff_methods(kind, form, expected):
-    """A thousand steps that may leave 1e-7 of a speed of 25 rad/s each."""
-    system, state = mechanism()
-    run = bdf.start(system, state, kind, form=form, rtol=1e-7)
-    assert run.advance_to(DURATION).status == OK
-    np.testing.assert_allclose(measured(system, run.state()), expected, atol=2e-3)
+    """Two and four thousand steps; what is late by t has everything off by its rate times t.
+
+    The error of a run falls with its tolerance, but for the steps that become more: a power of 0.75 allows
+    for that. The factors are twice the largest error seen of nine methods, not a bound.
+    """
+    for rtol in (1e-7, 1e-9):
+        system, state = mechanism()
+        run = bdf.start(system, state, kind, form=form, rtol=rtol)
+        assert run.advance_to(DURATION).status == OK
+        off = np.abs(measured(system, run.state()) - expected)
+        assert np.all(off < np.array([2e-4, 3e-3, 3e-6, 2e-4, 3e-6]) * (rtol / 1e-7) ** 0.75)
 
 
 @pytest.mark.parametrize("form", ["I3", "SI2"])

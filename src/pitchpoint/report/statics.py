@@ -135,6 +135,9 @@ def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, li
         if order > 0.0
         for k in range(1, HARMONICS + 1)
     }
+    if orders:  # modes far above everything that the meshes excite would press the others to the bottom
+        reach = 1.2 * max(orders.values()) * top / (2.0 * math.pi)
+        vibrating &= (np.min(data.frequency, axis=0) <= reach) | (found.frequency <= reach)
     campbell = CampbellData(
         speed=data.speed,
         mode_frequencies=data.frequency[:, vibrating],

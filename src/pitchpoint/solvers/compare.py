@@ -23,7 +23,8 @@ from pitchpoint.core.status import INTERRUPTED, OK
 from pitchpoint.model.scenario import ERROR_METHODS, FORMS, STIFF_METHODS
 from pitchpoint.solvers.start import Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step
-from pitchpoint.solvers.time import Memory, loop_of, run_time
+from pitchpoint.solvers.time import loop_of, run_time
+from pitchpoint.solvers.time_summary import Memory
 
 if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario

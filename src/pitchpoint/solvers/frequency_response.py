@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Frequency response about an operating point: y = C (K + i omega D - omega^2 M)^-1 B, directly or by modes.
 
-M, D and K are those of `linear_system.linearise`: gyroscopic terms and all that follows from a steady rotation
+M, D and K are those of `linear_system.linearise`: gyroscopic terms and all that a steady rotation does
 are in them, meshes count with the mean over their cycle or with one phase. Loops are kept by moving in the
 directions that they leave free; the reactions follow. Driven spins do not vibrate. With a synchronous body
 every frequency is its speed: the response to its unbalance.

@@ -67,6 +67,16 @@ class Reduced:
     error: ReductionError
 
 
+@dataclass(frozen=True)
+class Part:
+    """A condensed part: its coordinates (the first `outer` stay), their shapes, and which body has which."""
+
+    places: NDArray[np.int64]
+    T: Array
+    outer: int
+    blocks: tuple[tuple[int, NDArray[np.int64]], ...]
+
+
 def reduce_system(
     system: System,
     scenario: Scenario | str | None = None,
@@ -109,12 +119,14 @@ def reduce_system(
     bodies = [replace(own.bodies[b - 1], parent=number[own.bodies[b - 1].parent]) for b in kept]
     bodies = [replace(b, name=own.layout.bodies[k]) for b, k in zip(bodies, kept, strict=True)]
     rows: dict[str, list[NDArray[np.void]]] = {"linear_part": [], "linear_modes": [], "coupling": []}
+    blocks = []
     for p, part in enumerate(parts):
         inner = [b for b in part if b not in number]
         ends = [b for b in part if b in number]
-        if not inner and not ends:
-            continue
-        _condense(own, state, (M, D, K, f), (ends, inner), limit, f"part{p + 1}", number, bodies, rows)
+        blocks.append(
+            _condense(own, state, (M, D, K, f), (ends, inner), limit, f"part{p + 1}", number, bodies, rows)
+        )
+    _damp_across(D, state, blocks, rows["linear_modes"])
     found = _assembled(own, condensed, number, bodies, rows)
     begun = _state_of(own, state, found, kept)
     return Reduced(found, begun, own, state, compare(own, state, found, begun, limit))
@@ -123,14 +135,17 @@ def reduce_system(
 def _condensed(system: System, keep: Sequence[str]) -> Choice:
     """Records of linear elements between round bodies on ground that nobody wants to keep."""
     body = system.program["body"]
-    found = {}
+    found: Choice = {}
     labels = [f"{kind} {name}" for kind in system.records for name in element_names(system, kind)]
     unknown = [name for name in keep if name not in labels and name not in system.layout.bodies]
     if unknown:
         raise SolverError(f"nothing to keep is called {', '.join(unknown)}", INCONSISTENT)
-    for kind in LINEAR:
+    joined: set[int] = set()
+    for kind in sorted(LINEAR, key=lambda k: k == "damping"):  # last: of bodies that others join
         if kind not in system.records:
             continue
+        if kind == "damping":
+            joined = {b for part in _parts(system, found) for b in part}
         names = element_names(system, kind)
         chosen = []
         for k, record in enumerate(system.records[kind]):
@@ -138,6 +153,8 @@ def _condensed(system: System, keep: Sequence[str]) -> Choice:
             round_ = all(b == 0 or body[b]["joint"] != GENERAL for b in ends)
             turns = kind != "bearing" or 0 not in ends or record["K"][5, 5] == 0.0
             straight = kind != "coupling" or (record["gap"] == 0.0 and record["form"] == 0)
+            if kind == "damping" and round_:
+                round_ = all(b in joined for b in ends)
             if round_ and turns and straight and f"{kind} {names[k]}" not in keep:
                 chosen.append(k)
         found[kind] = np.array(chosen, np.int64)
@@ -156,7 +173,9 @@ def _kept_bodies(system: System, condensed: Choice, keep: Sequence[str]) -> list
         rest = np.setdiff1d(np.arange(bank.size), condensed.get(kind, np.zeros(0, np.int64)))
         for field in {f for pair in registry.find(kind).pairs for f in pair}:
             kept |= {int(b) for b in bank[field][rest]}
-    for part in _parts(system, condensed):
+    parts = _parts(system, condensed)
+    kept |= set(range(1, body.size)) - {b for part in parts for b in part}
+    for part in parts:
         if not kept & set(part):
             kept.add(part[0])  # a part that nothing else touches stays as one body and its modes
     return sorted(kept - {0})
@@ -240,7 +259,7 @@ def _condense(
     number: dict[int, int],
     bodies: list[Body],
     rows: dict[str, list[NDArray[np.void]]],
-) -> None:
+) -> Part:
     """Condense one part: append its modal bodies and its records."""
     ends, inner = sides
     M, D, K, f = matrices
@@ -251,7 +270,7 @@ def _condense(
     static: Array = np.zeros((len(hidden), len(outer)))
     if hidden:
         k = symmetric(K[np.ix_(hidden, hidden)])
-        static = -np.linalg.solve(k, symmetric(K)[np.ix_(hidden, outer)])
+        static = np.asarray(-np.linalg.solve(k, symmetric(K)[np.ix_(hidden, outer)]))
         squares, shapes = undamped(
             M[np.ix_(hidden, hidden)], k, np.eye(len(hidden)), np.zeros((0, len(hidden)))
         )
@@ -260,16 +279,16 @@ def _condense(
     n = len(outer)
     T = np.block([[np.eye(n), np.zeros((n, omega.size))], [static, phi]])
     places = [*outer, *hidden]
-    m, d, k = (T.T @ A[np.ix_(places, places)] @ T for A in (M, D, K))
+    m, d, stiff = (T.T @ A[np.ix_(places, places)] @ T for A in (M, D, K))
     force = T.T @ f[places]
     turning = np.array([float(c in set(body["spin"])) for c in outer] + [0.0] * omega.size)
-    left = k @ turning
-    if np.abs(left).max(initial=0.0) > TURNS * np.abs(k).max(initial=0.0):
-        raise SolverError(
-            f"{', '.join(system.layout.bodies[b] for b in ends)}: held against turning", INCONSISTENT
-        )
+    left = stiff @ turning
+    if np.abs(left).max(initial=0.0) > TURNS * np.abs(stiff).max(initial=0.0):
+        names = ", ".join(system.layout.bodies[b] for b in ends)
+        why = "their axes are not parallel, or springs hold them"
+        raise SolverError(f"{names}: do not turn together freely: {why}", INCONSISTENT)
     if turning.any():
-        k -= np.outer(left, turning) / turning.sum()  # rounding: turning together costs nothing
+        stiff -= np.outer(left, turning) / turning.sum()  # rounding: turning together costs nothing
     first = len(bodies) + 1
     for j, w in enumerate(omega):
         # inertia one, the spring as a coupling to ground: it is held like any torsional body
@@ -278,13 +297,13 @@ def _condense(
         row["i"], row["k"] = first + j, w * w
         rows["coupling"].append(row)
         m[n + j, n + j] -= 1.0
-        k[n + j, n + j] -= w * w
+        stiff[n + j, n + j] -= w * w
     blocks = [(number[b], np.array([outer.index(c) for c in _places(system, [b])], np.int64)) for b in ends]
     blocks += [(first + j, np.array([n + j])) for j in range(omega.size)]
-    least = [1e-13 * np.abs(A).max(initial=0.0) for A in (m, d, k)]
+    least = [1e-13 * np.abs(A).max(initial=0.0) for A in (m, d, stiff)]
     for one, (i, at) in enumerate(blocks):
         for two, (j, by) in enumerate(blocks):
-            cut = [A[np.ix_(at, by)] for A in (m, d, k)]
+            cut = [A[np.ix_(at, by)] for A in (m, d, stiff)]
             if one != two and all(np.abs(c).max(initial=0.0) <= s for c, s in zip(cut, least, strict=True)):
                 continue
             row = np.zeros(1, linear_part.RECORD)
@@ -300,6 +319,25 @@ def _condense(
             if one >= len(ends) and two < len(ends):
                 r["K"][:] = 0.0  # static shapes do not stress the fixed modes
             rows["linear_part" if physical else "linear_modes"].append(row)
+    return Part(np.array(places, np.int64), T, n, tuple(blocks))
+
+
+def _damp_across(D: Array, state: State, parts: Sequence[Part], rows: list[NDArray[np.void]]) -> None:
+    """Damping between parts, such as that of modal damping ratios."""
+    for p in parts:
+        for q in parts:
+            whole = D[np.ix_(p.places, q.places)]
+            if p is q or not whole.any():
+                continue
+            d = p.T.T @ whole @ q.T
+            rates = np.concatenate([state.v[q.places[: q.outer]], np.zeros(q.T.shape[1] - q.outer)])
+            for i, at in p.blocks:
+                for j, by in q.blocks:
+                    row = np.zeros(1, linear_part.RECORD)
+                    row["i"], row["j"] = i, j
+                    row["D"][0, : at.size, : by.size] = d[np.ix_(at, by)]
+                    row["v0"][0, : by.size] = rates[by]
+                    rows.append(row)
 
 
 def _refer(record: np.void, system: System, state: State, j: int, i: int) -> None:

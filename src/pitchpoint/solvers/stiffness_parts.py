@@ -226,6 +226,8 @@ def split(
             found.append((kind, name, _ends(system.records[kind][k]), share_of(own)))
         if progress is not None:
             progress(e + 1, len(listed), name)
+    if np.abs(bare).max(initial=0.0) > least:  # joints that turn over time make the bodies heavy or light
+        found.append(("rotation", "guided motion", (0, 0), share_of(bare)))
     kinds, names, bodies, shares = zip(*found, strict=True) if found else ((), (), (), ())
     ends = np.array(bodies, np.int64).reshape(-1, 2)
     return Parts(M, D, K, tuple(names), tuple(kinds), ends, tuple(shares))

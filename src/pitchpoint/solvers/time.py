@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,9 +20,10 @@ from pitchpoint.solvers.rows import explain, row_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
+from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
 from pitchpoint.system import evaluate
 from pitchpoint.system.remarks import deep_contacts
-from pitchpoint.system.system import State, System
+from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -38,68 +38,6 @@ MOST_EVENTS = 100_000
 """Events kept per chunk."""
 MOST_SAMPLES = 100_000
 """Samples for which a chunk of an adaptive method has room."""
-
-
-class Sink(Protocol):
-    """Anything that takes samples as they come, such as a result file."""
-
-    def append(self, t: NDArray[np.float64], values: NDArray[np.float64]) -> None:
-        """Take n samples: times [s], shape (n,), and all channels, shape (n, no)."""
-
-
-@dataclass
-class Memory:
-    """A sink that keeps everything."""
-
-    times: list[NDArray[np.float64]] = field(default_factory=list)
-    rows: list[NDArray[np.float64]] = field(default_factory=list)
-
-    def append(self, t: NDArray[np.float64], values: NDArray[np.float64]) -> None:
-        """Keep samples."""
-        self.times.append(t)
-        self.rows.append(values)
-
-
-@dataclass(frozen=True)
-class TimeSummary:
-    """What a run did.
-
-    Parameters
-    ----------
-    status, sentence
-        How it ended, as a number and in words.
-    steps, step, wall_s
-        Accepted steps, time step (0 if adaptive) [s], wall time [s]. A last step may be shorter.
-    t_end
-        Time reached [s].
-    window
-        Begin and end of the statistics [s].
-    channels
-        Statistics by channel over all steps of the window: unit, mean, rms of the alternating part, min, max;
-        NaN if it ended before any.
-    events
-        Time [s], index in `event_names`, direction; shape (n, 3).
-    event_names
-        Names of the event functions.
-    notes
-        What the user should know, in sentences.
-    state
-        State reached. A run can go on from it, but a drive by formula or function is followed up to the
-        duration of its scenario only.
-    """
-
-    status: int
-    sentence: str
-    steps: int
-    step: float
-    wall_s: float
-    t_end: float
-    window: tuple[float, float]
-    channels: dict[str, dict[str, Any]]
-    events: NDArray[np.float64]
-    event_names: tuple[str, ...]
-    notes: tuple[str, ...]
-    state: State
 
 
 def scenario_of(system: System, scenario: Scenario | None) -> Scenario:
@@ -265,7 +203,7 @@ class _Loop:
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
-            n = next_chunk(n, time.perf_counter() - begun)
+            n = min(next_chunk(n, time.perf_counter() - begun), total)  # controllers may cut chunks short
         return self._last_step(rest) if rest > 0.0 else OK
 
     def _last_step(self, h: float) -> int:

@@ -14,6 +14,7 @@ from pitchpoint.system.link import kind_of_row, link_exact
 from pitchpoint.system.perform import ACCELERATE, EVENTS, OBSERVE, RESIDUAL, REST, WRAP, ask, perform
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System
+from pitchpoint.system.workspace import VALID
 
 
 def load(system: System, state: State) -> None:
@@ -117,6 +118,7 @@ def matrix(
         entry = linearise.entry
         link_exact(system.records)
     check(system, ask(w, RESIDUAL, state.t, jac, (cm, cd, ck), entry=entry))
+    w.clock[VALID] = 0  # a run under way has lost the matrix it kept
     nd = system.sizes["nd"]
     dense = np.zeros((nd, nd))
     layout = system.layout

@@ -5,7 +5,7 @@ process."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,11 @@ from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
 
+if TYPE_CHECKING:
+    from pitchpoint.system.workspace import Workspace
+
+NO_MATTER = 1e30
+"""Share of a coordinate that an error may have if nothing depends on it."""
 _CHANNEL = {
     registry.FRAME: 0,
     registry.FRICTION: 0,
@@ -89,24 +94,27 @@ def link_parts(body: NDArray[np.void]) -> dict[str, int]:
     return {name: address(kernel) for name, kernel in parts.items()}
 
 
-def listens(records: Mapping[str, NDArray[np.void]]) -> bool:
-    """Whether a signal reads what other elements observe, so that they have to say it at every evaluation."""
-    bank = records.get("signal_of_loads")
-    return bank is not None and bool(np.any(bank["op"] == CHANNEL))
-
-
-def senses_accelerations(records: Mapping[str, NDArray[np.void]]) -> bool:
-    """Whether a signal follows accelerations: what it drives may be part of the mass matrix then."""
-    sensed = (ACCELERATION, ANGULAR_ACCELERATION)
-    banks = [records[name] for name in ("signal", "signal_of_loads") if name in records]
-    return any(bool(np.any(np.isin(bank["op"], sensed))) for bank in banks)
+def signal_banks(records: Mapping[str, NDArray[np.void]]) -> list[NDArray[np.void]]:
+    """Records of signals; there is one bank at most."""
+    return [records[name] for name in ("signal", "signal_of_loads") if name in records]
 
 
 def state_bodies(records: Mapping[str, NDArray[np.void]]) -> NDArray[np.int64]:
     """Hidden bodies whose spin rates are states of signals; nothing depends on their spins."""
-    banks = [records[name] for name in ("signal", "signal_of_loads") if name in records]
-    found = [bank["i"][bank["op"] == RATE] for bank in banks]
+    found = [bank["i"][bank["op"] == RATE] for bank in signal_banks(records)]
     return np.concatenate(found).astype(np.int64) if found else np.zeros(0, np.int64)
+
+
+def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -> None:
+    """Tell a new workspace what signals need of it."""
+    mach = workspace.mach[0]
+    for bank in signal_banks(records):
+        if np.any(bank["op"] == CHANNEL):  # other elements say what they observe at every evaluation
+            mach["watch"] = workspace.arrays["heard"].ctypes.data
+        if np.any(np.isin(bank["op"], (ACCELERATION, ANGULAR_ACCELERATION))):
+            mach["constant_mass"] = 0  # what follows accelerations may be part of the mass matrix
+        spins = workspace.program["body"]["spin"][state_bodies(records)]
+        workspace.arrays["relative"][spins] = NO_MATTER
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:

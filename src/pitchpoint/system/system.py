@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
 from pitchpoint.multibody.bodies import Body, body_records
-from pitchpoint.system.layout import Channel, Layout, body_channels, structure
-from pitchpoint.system.link import link, link_parts, listens, senses_accelerations, state_bodies
+from pitchpoint.system.layout import Layout, body_channels, structure
+from pitchpoint.system.link import fit_signals, link, link_parts
+from pitchpoint.system.records import checked, fill, number, pairs
 from pitchpoint.system.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -24,8 +25,6 @@ if TYPE_CHECKING:
     from pitchpoint.system.controller import SampledController
 
 TWO_PI = 6.283185307179586
-NO_MATTER = 1e30
-"""Share of a coordinate that an error may have if nothing depends on it."""
 Law = Callable[..., float] | int
 
 
@@ -112,12 +111,7 @@ class System:
         tables = link(self.records, self.pools, self.laws)
         parts = link_parts(self.program["body"])
         made = Workspace(dict(self.program), dict(self.sizes), tables, parts, self.weight)
-        if listens(self.records):
-            made.mach[0]["watch"] = made.arrays["heard"].ctypes.data
-        if senses_accelerations(self.records):
-            made.mach[0]["constant_mass"] = 0
-        states = state_bodies(self.records)
-        made.arrays["relative"][self.program["body"]["spin"][states]] = NO_MATTER
+        fit_signals(made, self.records)
         return made
 
     def __getstate__(self) -> dict[str, Any]:
@@ -181,119 +175,6 @@ class System:
         return found
 
 
-def _checked(kind: registry.Kind, bank: NDArray[np.void], nb: int) -> NDArray[np.void]:
-    """Own, contiguous copy of a bank with the exact dtype and valid body indices."""
-    record = kind.load().RECORD
-    if bank.dtype != record:
-        raise CompileError(f"records of kind {kind.name!r} have another layout than the kind declares")
-    bank = np.array(bank, dtype=record, order="C").reshape(-1)
-    for pair in kind.pairs:
-        for name in pair:
-            if bank.size and not (0 <= bank[name].min() and bank[name].max() < nb):
-                raise CompileError(
-                    f"a record of kind {kind.name!r} names a body that does not exist ({name})"
-                )
-    return bank
-
-
-def _outputs(rows: Sequence[tuple[str, ...]], label: str) -> list[Channel]:
-    found = []
-    for row in rows:
-        name, unit, text = row if len(row) == 3 else (row[0], "1", row[1])
-        full = name.format(label) if "{}" in name else f"{name}[{label}]"
-        found.append(Channel(full, unit, text))
-    return found
-
-
-def _movers(records: NDArray[np.void], b: int) -> set[int]:
-    """Bodies whose joints move a body."""
-    found = set()
-    while b:
-        if records[b]["n"] > 0:
-            found.add(b)
-        b = int(records[b]["parent"])
-    return found
-
-
-def _carried(records: NDArray[np.void], i: int, j: int) -> int:
-    """Which of two gears carries the line between them round: the one whose base moves with more joints."""
-    one, two = (_movers(records, int(records[b]["parent"])) for b in (i, j))
-    return 0 if one == two else 1 if len(one) > len(two) else 2
-
-
-def _fill(
-    kind: registry.Kind,
-    bank: NDArray[np.void],
-    records: NDArray[np.void],
-    pair_index: Mapping[tuple[int, int], int],
-    parts: Mapping[str, Any],
-) -> None:
-    """Write the index fields of a bank: pair blocks, coordinate blocks, spin coordinates."""
-    fields = bank.dtype.names or ()
-    for record in bank:
-        for a, b in kind.pairs:
-            i, j = int(record[a]), int(record[b])
-            for name, key in ((a + a, (i, i)), (a + b, (i, j)), (b + a, (j, i)), (b + b, (j, j))):
-                if name in fields:
-                    record[name] = pair_index.get(key, 0)
-            if "carried" in fields:
-                record["carried"] = _carried(records, i, j)
-            if "blk" in fields:
-                ni, nj = parts["node_of"][i], parts["node_of"][j]
-                record["blk"] = parts["blocks"].get((ni, nj), 0) if ni >= 0 and nj >= 0 else 0
-            for body, end in ((i, a), (j, b)):
-                values = {
-                    f"dof_{end}": records[body]["dof"],
-                    f"n_{end}": records[body]["n"],
-                    f"guide_{end}": records[body]["guide"],
-                    f"o_{end}": max(parts["offset_of"][body], 0),
-                    f"spin_{end}": records[body]["spin"],
-                }
-                for name, value in values.items():
-                    if name in fields:
-                        record[name] = value
-
-
-def _pairs(banks: Mapping[str, NDArray[np.void]], channel: str) -> set[tuple[int, int]]:
-    """Pairs of bodies that the records of a channel join; of constraints only those on turning frames."""
-    return {
-        (int(record[a]), int(record[b]))
-        for name, bank in banks.items()
-        if registry.find(name).channel == channel
-        if channel != registry.CONSTRAINT or hasattr(registry.find(name).load(), "BODY_FIXED")
-        for a, b in registry.find(name).pairs
-        for record in bank
-    }
-
-
-def _number(
-    banks: Mapping[str, NDArray[np.void]], names: Mapping[str, Sequence[str]]
-) -> tuple[list[Channel], list[Channel], list[str], list[tuple[int, int]]]:
-    """Give every record its observations, event functions and constraint rows."""
-    channels: list[Channel] = []
-    events: list[Channel] = []
-    rows: list[str] = []
-    row_bodies: list[tuple[int, int]] = []
-    for name, bank in banks.items():
-        module = registry.find(name).load()
-        fields = bank.dtype.names or ()
-        outputs = getattr(module, "outputs", None)
-        for k, record in enumerate(bank):
-            label = names[name][k] if name in names else f"{name}{k}"
-            if "out" in fields:
-                record["out"] = len(channels)
-            channels += _outputs(outputs(record) if outputs else getattr(module, "OUTPUTS", ()), label)
-            if "ev" in fields:
-                record["ev"] = len(events)
-            events += _outputs(getattr(module, "EVENTS", ()), label)
-            if "row" in fields:
-                record["row"] = len(rows)
-                for _ in range(module.ROWS):
-                    rows.append(f"{name} {label}")
-                    row_bodies.append((int(record["i"]), int(record["j"])))
-    return channels, events, rows, row_bodies
-
-
 def assemble(
     bodies: Sequence[Body],
     banks: Mapping[str, NDArray[np.void]],
@@ -345,7 +226,7 @@ def assemble(
         raise CompileError("; ".join(faults))
     records = body_records(bodies)
     given = {**banks, **(constraints or {})}
-    ordered = {n: _checked(registry.find(n), given[n], records.size) for n in sorted(given)}
+    ordered = {n: checked(registry.find(n), given[n], records.size) for n in sorted(given)}
     ordered = {n: bank for n, bank in ordered.items() if bank.size}
     for name, bank in ordered.items():
         if getattr(registry.find(name).load(), "BODY_FIXED", False):
@@ -353,12 +234,12 @@ def assemble(
                 records["fixed_axes"][bank[field]] = 1
     program, pair_index, parts = structure(
         records,
-        set().union(*(_pairs(ordered, c) for c in (registry.FRAME, registry.FRICTION, registry.CONSTRAINT))),
-        _pairs(ordered, registry.COORDINATE),
+        set().union(*(pairs(ordered, c) for c in (registry.FRAME, registry.FRICTION, registry.CONSTRAINT))),
+        pairs(ordered, registry.COORDINATE),
     )
     for name, bank in ordered.items():
-        _fill(registry.find(name), bank, records, pair_index, parts)
-    channels, events, rows, row_bodies = _number(ordered, names or {})
+        fill(registry.find(name), bank, records, pair_index, parts)
+    channels, events, rows, row_bodies = number(ordered, names or {})
     of_bodies, program["body_out"] = body_channels(bodies, named, records, len(channels))
     program["rows"] = np.array(row_bodies, np.int64).reshape(-1, 2)
     channels += of_bodies

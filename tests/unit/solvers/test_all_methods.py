@@ -17,7 +17,8 @@ from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import PRISMATIC
 from pitchpoint.solvers import bdf, runge_kutta
 from pitchpoint.solvers.compare import TOLERANCES, cases_of, compare_solvers
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.system import assemble
 from tests.support.closures import pins

@@ -9,10 +9,15 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.status import OK
-from pitchpoint.elements import gravity, maxwell, spring_damper
+from pitchpoint.elements import gravity, guide, maxwell, spring_damper
 from pitchpoint.elements import torque as torque_kind
+from pitchpoint.elements.flexible_body import flexible_row, modal_bodies
+from pitchpoint.multibody.beam_section import Beam, Section
 from pitchpoint.multibody.bodies import TORSION, Body
-from pitchpoint.multibody.joints import PRISMATIC
+from pitchpoint.multibody.craig_bampton import held_modes
+from pitchpoint.multibody.joints import GUIDED, PRISMATIC
+from pitchpoint.multibody.mass_invariants import mass_invariants
+from pitchpoint.multibody.structure import axial_stiffening, beam_line
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.campbell import follow_modes
 from pitchpoint.solvers.modal import find_modes, solve_modal
@@ -216,3 +221,29 @@ def test_a_preload_that_follows_the_body_counts():
     k = 5.0 + 2.0 * G * 0.4 * math.cos(turn)
     expected = math.sqrt(k / (2.0 * 0.64 / 3.0)) / (2.0 * math.pi)
     assert modes.frequency[0] == pytest.approx(expected, rel=1e-7)
+
+
+def test_a_rotating_blade():
+    """Thin blade turned over time: 13.1702 at 12 rad/s, Wright et al. 1982, Table 1 (six modes: 1e-3)."""
+    n = 24
+    thin = Section(A=1e-2, I_1=1e-8, I_2=1e-8, J=2e-8, kappa_1=0.0, kappa_2=0.0)
+    beams = [Beam(section=thin, length=1.0 / n, E=1e8, G=4e13, rho=1e2)] * n
+    line = beam_line(beams)
+    held = held_modes(line, [0], 12)
+    geo = np.einsum("ka,rkl,lb->rab", held.shape, axial_stiffening(beams, line, 0.0), held.shape)
+    hub = Body(motion=GUIDED, guided_by=(), inertia=np.zeros((3, 3)), name="hub")
+    turn = np.zeros(1, guide.RECORD)
+    turn["i"], turn["m"], turn["k"], turn["slope"], turn["first"] = 1, 3, guide.TIME, 12.0, 1
+    hidden, guides = modal_bodies("blade", 12, first=2)
+    row = flexible_row(
+        mass_invariants(line, held.shape, (0.0, 0.0, 0.0)),
+        (2.0 * math.pi * held.frequency) ** 2,
+        frame=1,
+        hidden=tuple(range(2, 2 + len(hidden))),
+        stiffening=geo,
+    )
+    banks = {"flexible_body": row, "guide": np.concatenate([turn, guides])}
+    modes = find_modes(assemble([hub, *hidden], banks))
+    assert 2.0 * math.pi * modes.frequency[1] == pytest.approx(13.1702, rel=1e-3)
+    assert 2.0 * math.pi * modes.frequency[3] == pytest.approx(37.6031, rel=1e-3)
+    assert modes.elements == ("flexible body flexible_body0",)

@@ -13,6 +13,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import OK
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.beam_section import Beam, tube
+from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.reduction import reduce_system
@@ -20,7 +21,7 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.rules.gear_mesh import MeshLaws, Placement, mesh_row
 from pitchpoint.system.system import assemble
 from tests.support.beams import nodes, shaft, supports
-from tests.support.engine import torques
+from tests.support.engine import couplings, torques
 from tests.support.machines import compiled, pair
 
 LENGTH, SPEED, TORQUE = 0.4, 200.0, 100.0
@@ -151,6 +152,31 @@ def test_a_pair_without_stations_stays_what_it_is():
     assert found.error.full.size > 5
     assert found.error.frequency < 1e-7  # what turned axes do to the bearings of a tilted gear
     assert found.error.compliance < 1e-6
+
+
+def test_modal_damping_across_the_mesh_is_kept():
+    """Damping ratios tie all coordinates, those of both gears too; the reduced pair has the same ones."""
+    rest = "".join(
+        f"  on_{b}: {{body: {b}, stiffness: {{radial: 1e8, axial: 1e8, tilt: 1e6}}}}\n"
+        for b in ("driver", "driven")
+    )
+    rest = f"bearings:\n{rest}damping: {{modal: 0.02}}\nscenarios:\n  go: {{duration: 1 ms}}\n"
+    text = pair("{law: constant, value: 3e8 N/m}", beta="17 deg", motion="free", rest=rest)
+    found = reduce_system(compiled(text, "go")[1], limit=1e4)
+    one = find_modes(found.full, start=found.full_state).damping_ratio
+    two = find_modes(found.system, start=found.state).damping_ratio
+    assert "damping" not in found.system.records
+    assert one[1:] == pytest.approx(np.full(11, 0.02), rel=5e-3)
+    assert two == pytest.approx(one, rel=1e-6, abs=1e-9)
+
+
+def test_bodies_that_no_linear_element_touches_stay():
+    """A shaft of two discs that nothing loads is one disc and a mode; a disc alone is itself."""
+    discs = [Body(polar_inertia=v, name=n) for n, v in (("a", 1.0), ("b", 2.0), ("lone", 3.0))]
+    system = assemble(discs, {"coupling": couplings([(1, 2, 50.0, 0.0, 0.0)])})
+    found = reduce_system(system, limit=10.0)
+    assert found.system.layout.bodies == ("ground", "a", "lone", "part1.mode1")
+    assert found.error.reduced == pytest.approx([0.0, 0.0, math.sqrt(50.0 * 1.5) / (2.0 * math.pi)], abs=1e-9)
 
 
 def test_unknown_names():

@@ -14,7 +14,8 @@ from pitchpoint.elements.signal_net import SignalNet
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.start import Start
-from pitchpoint.solvers.time import Memory, run_time
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.controller import SampledController, sampled_pid
 from pitchpoint.system.signals import assemble_controlled
 
@@ -82,6 +83,14 @@ def test_a_sampled_pi_controller_against_the_exact_discrete_solution(method, del
     most = {"generalized_alpha": 5e-6, "constant_bdf": 2e-5}.get(method, 2e-7)
     np.testing.assert_allclose(times, PERIOD * np.arange(26), atol=1e-12)
     np.testing.assert_allclose(found, exact(25, delay), atol=most)
+
+
+def test_many_short_chunks():
+    """Six hundred calls: chunks that controllers cut short say nothing about how long the next may be."""
+    done, times, rows = go(pi(), duration=12.0, sample_rate=1.0 / PERIOD)
+    assert done.status == OK, done.sentence
+    found = rows[:, pi().layout.channel("signal[speed]")]
+    np.testing.assert_allclose(found, exact(600, 0.0), atol=5e-6)
 
 
 def test_a_delay_of_several_periods_keeps_outputs_in_order():

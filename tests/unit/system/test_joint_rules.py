@@ -344,7 +344,8 @@ scenarios:
 
 
 def test_a_planet_set_of_meshes_turns_by_willis():
-    from pitchpoint.solvers.time import Memory, run_time
+    from pitchpoint.solvers.time import run_time
+    from pitchpoint.solvers.time_summary import Memory
 
     model = loads_model(PLANETS)
     assert model.bodies["planet"].origin == pytest.approx((0.054, 0.0, 0.0))  # from its mesh
