@@ -76,6 +76,8 @@ def summary(model: Model) -> dict[str, Any]:
             "polar_inertia": inertia.polar,
             "transverse_inertia": inertia.transverse,
         }
+        if body.elastic is not None:  # only its file knows
+            bodies[name] |= dict.fromkeys(("mass", "polar_inertia", "transverse_inertia"))
     return {
         "ok": True,
         "title": model.title,
@@ -96,6 +98,7 @@ def summary(model: Model) -> dict[str, Any]:
             for name, mesh in model.meshes.items()
         },
         "shafts": {name: _stations(model, name) for name in model.shafts},
+        "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "joints": _joints(model),
         "rods": list(model.rods),
         "ratios": list(model.ratios),
@@ -158,6 +161,11 @@ def _mobility(model: Model) -> dict[str, int]:
     return {"coordinates": count + more, "constraints": count - mobility, "by_count": mobility + more}
 
 
+def _modes(found: dict[str, Any]) -> str:
+    """Elastic bodies, whose modes only compiling counts."""
+    return f" without the modes of {', '.join(found['elastic_bodies'])}" if found["elastic_bodies"] else ""
+
+
 def _show_joints(found: dict[str, Any]) -> None:
     """Tree, loops and count of the degrees of freedom."""
     rows = [
@@ -181,7 +189,7 @@ def _show_joints(found: dict[str, Any]) -> None:
     count = found["mobility"]
     if count["constraints"]:
         show(
-            f"{count['coordinates']} coordinates - {count['constraints']} constraints = "
+            f"{count['coordinates']} coordinates{_modes(found)} - {count['constraints']} constraints = "
             f"{count['by_count']} degrees of freedom by count; redundant constraints leave more, which "
             "assembling finds out"
         )
@@ -197,8 +205,8 @@ def _print(model: Model, file: str) -> None:
             ", ".join(body["gears"]),
             ", ".join(body["degrees_of_freedom"]) or "fixed",
             ", ".join(f"{round(1e3 * c, 9) + 0.0:.6g}" for c in body["origin"]) if body["origin"] else "",
-            shown(body["mass"], "mass", 5),
-            shown(body["polar_inertia"], "inertia", 5),
+            shown(body["mass"], "mass", 5) if name not in found["elastic_bodies"] else "in its file",
+            shown(body["polar_inertia"], "inertia", 5) if name not in found["elastic_bodies"] else "",
         ]
         for name, body in found["bodies"].items()
     ]

@@ -74,8 +74,7 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
                 if body not in elastic or (group == "loads" and part.marker is not None):
                     continue
                 at = (group, name, "body" if one else "bodies")
-                load = group == "loads"
-                remedy = "give the load marker: NODE and a force" if load else "use a bushing at {}"
+                remedy = "use a bushing at {}" if group != "loads" else "give marker: NODE and a force"
                 _refuse(parts, body, at, "which has no axis", remedy, report)
     for name, load in parts.loads.items():
         if load.reaction in elastic:

@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 
+from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.write import plain
@@ -180,3 +183,15 @@ def test_wrong_matrices_are_told_with_the_body(tmp_path):
     np.savez(tmp_path / "rod.npz", K=np.eye(6), places=np.zeros((1, 3)))
     with pytest.raises(CompileError, match=r"elastic_bodies\.rod:[\s\S]*has no matrix 'M'"):
         compile_model(model)
+
+
+def test_check_tells_of_elastic_bodies(tmp_path, capsys):
+    crank_with(tmp_path)
+    assert run_command(["check", str(tmp_path / "crank.yaml")]) == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert "in its file" in told
+    assert "8 coordinates without the modes of rod - 10 constraints" in told
+    assert run_command(["check", str(tmp_path / "crank.yaml"), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["elastic_bodies"] == {"rod": ["big", "small"]}
+    assert found["bodies"]["rod"]["mass"] is None
