@@ -183,7 +183,7 @@ def build(name, tilt=1e-3):
     ]
     records = SAMPLES[name](rng)
     if "k" in records.dtype.names and "kk" in records.dtype.names:  # a state, as the spin rate of a body
-        bodies.append(Body(polar_inertia=1.0, name="hidden"))
+        bodies.append(Body(polar_inertia=1.0, name="hidden", state=True))
     system = assemble(bodies, {name: records})
     state = system.initial_state()
     n = system.sizes["nd"]

@@ -83,7 +83,7 @@ def pair(rng, joint):
         )
         for parent, motion in enumerate((FLOATING, JOINTS[joint]))
     ]
-    return [*bodies, Body(polar_inertia=1.0, name="state")]
+    return [*bodies, Body(polar_inertia=1.0, name="state", state=True)]
 
 
 def hung_again(body, place, axes, **more):
@@ -263,7 +263,7 @@ def test_a_loop_may_be_cut_at_its_other_end(kind):
     corners = ((0.0, 0.0), (0.1, 0.9), (1.2, 1.1), (1.0, 0.0))
     there, back = (four_bar(c) for c in (corners, corners[::-1]))
     place, axes = np.array([0.5, 0.8, 0.1]), frame(rng)
-    hidden = Body(polar_inertia=1.0, name="state")
+    hidden = Body(polar_inertia=1.0, name="state", state=True)
     one = [*there.bodies, hidden]
     two = [*back.bodies, hidden]
     record = MAKERS[kind](2, 0, one, place, axes)

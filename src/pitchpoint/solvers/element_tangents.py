@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements import registry
 from pitchpoint.system import evaluate
 from pitchpoint.system.link import TABLES, kind_of_row
 from pitchpoint.system.system import State, System

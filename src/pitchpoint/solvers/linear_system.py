@@ -16,7 +16,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.assembly import REDUNDANT
 from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, undamped
-from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of, state_coordinates
+from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.start import without_friction
@@ -99,7 +99,7 @@ def linearise(
     K = at_rest.K + evaluate.matrix(own, state, 0.0, 0.0, 1.0) - evaluate.matrix(own, still, 0.0, 0.0, 1.0)
     if state.v.any():
         at_rest = _turning(own, state, still, at_rest)
-    states = state_coordinates(own)
+    states = tuple(int(s) for s in own.states)
     basis = free_directions(own, state, states)
     return Linearised(own, state, at_rest, D, K, basis, states, point.held, tuple(notes))
 

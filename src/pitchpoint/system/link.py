@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import address, law_address, prepare
 from pitchpoint.elements import registry
-from pitchpoint.elements.signal_record import ACCELERATION, ANGULAR_ACCELERATION, CHANNEL, RATE
+from pitchpoint.elements.signal_record import ACCELERATION, ANGULAR_ACCELERATION, CHANNEL
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
@@ -99,22 +99,16 @@ def signal_banks(records: Mapping[str, NDArray[np.void]]) -> list[NDArray[np.voi
     return [records[name] for name in ("signal", "signal_of_loads") if name in records]
 
 
-def state_bodies(records: Mapping[str, NDArray[np.void]]) -> NDArray[np.int64]:
-    """Hidden bodies whose spin rates are states of signals; nothing depends on their spins."""
-    found = [bank["i"][bank["op"] == RATE] for bank in signal_banks(records)]
-    return np.concatenate(found).astype(np.int64) if found else np.zeros(0, np.int64)
-
-
 def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -> None:
-    """Tell a new workspace what signals need of it."""
+    """Tell a new workspace what signals and states of elements need of it."""
     mach = workspace.mach[0]
+    body = workspace.program["body"]
+    workspace.arrays["relative"][body["spin"][body["state"] == 1]] = NO_MATTER
     for bank in signal_banks(records):
         if np.any(bank["op"] == CHANNEL):  # other elements say what they observe at every evaluation
             mach["watch"] = workspace.arrays["heard"].ctypes.data
         if np.any(np.isin(bank["op"], (ACCELERATION, ANGULAR_ACCELERATION))):
             mach["constant_mass"] = 0  # what follows accelerations may be part of the mass matrix
-        spins = workspace.program["body"]["spin"][state_bodies(records)]
-        workspace.arrays["relative"][spins] = NO_MATTER
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:
