@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Slider-crank with an elastic rod: how far its middle bends out of the chord, against beam theory.
 
-Usage: ``python flexible.py`` prints a table, ``python flexible.py bend.html`` draws the curves.
+Usage: ``python flexible.py`` prints a table, ``python flexible.py bend.html`` draws the curves,
+``python flexible.py rod.npz`` writes the matrices of the rod for `elastic.yaml`.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.craig_bampton import craig_bampton
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC, SPHERICAL
-from pitchpoint.multibody.structure import beam_line
+from pitchpoint.multibody.structure import Structure, beam_line
 from pitchpoint.solvers.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.rules.elastic_body import elastic_parts
@@ -34,14 +35,19 @@ ALONG = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 """Axes of the rod in the world: its first axis along y, its second along z, itself along x."""
 
 
+def bar() -> Structure:
+    """Matrices of the rod, along the third axis of its own."""
+    piece = Beam(section=rectangle(THICK, WIDE), length=LENGTH / PIECES, E=E, G=G, rho=DENSITY)
+    return beam_line([piece] * PIECES)
+
+
 def machine() -> tuple[System, dict[str, int]]:
     """Crank, piston and elastic rod, all in line along x, and the numbers of the nodes of the rod.
 
     The crank is so heavy that it keeps its speed. The rod carries itself: its frame floats, and its ends are
     held by a pin on the crank and a ball in the piston.
     """
-    piece = Beam(section=rectangle(THICK, WIDE), length=LENGTH / PIECES, E=E, G=G, rho=DENSITY)
-    structure = beam_line([piece] * PIECES)
+    structure = bar()
     modes = craig_bampton(structure, [0, PIECES], 6)
     crank = Body(motion=TORSION, polar_inertia=1e4, name="crank")
     piston = Body(
@@ -145,6 +151,10 @@ def theory(t: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.floa
 
 def main() -> None:
     """Print or write the curves."""
+    if len(sys.argv) > 1 and sys.argv[1].endswith(".npz"):
+        rod = bar()
+        np.savez_compressed(sys.argv[1], K=rod.K.toarray(), M=rod.M.toarray(), places=rod.places)
+        return
     t, angle, deflection, _ = bend()
     slow, whole = theory(t)
     if len(sys.argv) > 1:

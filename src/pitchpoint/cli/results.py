@@ -159,7 +159,7 @@ def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> N
     """Show the statistics of the channels that people ask for first; those that are zero only as a count."""
     rows, zeros = [], []
     for name, row in channels.items():
-        if name.partition("[")[0] in SHOWN:
+        if name.partition("[")[0] in SHOWN and ".eta" not in name:  # modal coordinates tell little
             if any(row[key] != 0.0 for key in STATISTICS):
                 rows.append([name, *statistics_cells(row)])
             else:
