@@ -184,7 +184,7 @@ def test_a_state_of_an_element():
         Body(
             motion=PRISMATIC, axes=along_x, position=(1.0, 0.0, 0.0), mass=m, inertia=np.eye(3), name="mass"
         ),
-        Body(motion=TORSION, polar_inertia=1.0, name="state"),
+        Body(motion=TORSION, polar_inertia=1.0, name="state", state=True),
     ]
     spring = np.zeros(1, spring_damper.RECORD)
     spring["i"], spring["free"], spring["k"] = 1, 1.0, k
