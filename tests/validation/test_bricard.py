@@ -22,6 +22,7 @@ from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
 from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.rows import row_notes
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.one_freedom import ROD, OneFreedom, along_rod, turn_about
@@ -119,11 +120,14 @@ def energy(system, state):
 
 def test_one_row_repeats_others_and_is_named():
     """Five coordinates, five rows, one freedom: a count gives none."""
-    found = assemble_state(mechanism())
+    system = mechanism()
+    found = assemble_state(system)
     assert found.freedoms == 1
     assert len(found.redundant) == 1
     assert found.redundant[0].startswith("closure last joint")
-    assert "repeat what other constraints hold" in found.report()[0]
+    assert runge_kutta.start_adaptive(system, found.state).advance_to(1e-3).status == OK
+    (note,) = row_notes(system)
+    assert note.startswith("last joint") and "what other joints hold already" in note
 
 
 def check(advance, run, reference, most):
