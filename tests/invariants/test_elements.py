@@ -196,7 +196,9 @@ def build(name, tilt=1e-3):
 
 
 def test_every_registered_kind_is_tested():
-    assert set(registry.names()) <= set(SAMPLES) | set(ELSEWHERE)
+    # other tests of the same process may have registered kinds of their own
+    shipped = {name for name in registry.names() if registry.find(name).module.startswith("pitchpoint.")}
+    assert shipped == set(SAMPLES) | set(ELSEWHERE)
 
 
 @pytest.mark.nojit
