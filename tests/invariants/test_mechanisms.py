@@ -18,16 +18,8 @@ from pitchpoint.elements.beam import beam_row
 from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.beam_section import Beam, rectangle
-from pitchpoint.multibody.bodies import FREE, PLANAR, TORSION, Body
-from pitchpoint.multibody.joints import (
-    CYLINDRICAL,
-    FIXED,
-    FLOATING,
-    PRISMATIC,
-    SCREW,
-    SPHERICAL,
-    UNIVERSAL,
-)
+from pitchpoint.multibody.bodies import Body
+from pitchpoint.multibody.joints import FLOATING, SCREW, UNIVERSAL
 from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
@@ -35,20 +27,8 @@ from tests.support.engine import bearings, couplings, frame, gear_rows, torques
 from tests.support.forces import check_matrices, moved_world, moving, shafts
 from tests.support.mechanisms import four_bar
 from tests.support.trees import accelerated, positive_inertia
-from tests.unit.elements.test_all_joints import ELEMENTS
+from tests.unit.elements.test_all_joints import ELEMENTS, JOINTS
 
-JOINTS = {
-    "fixed": FIXED,
-    "torsion": TORSION,
-    "planar": PLANAR,
-    "free": FREE,
-    "prismatic": PRISMATIC,
-    "cylindrical": CYLINDRICAL,
-    "universal": UNIVERSAL,
-    "spherical": SPHERICAL,
-    "screw": SCREW,
-    "floating": FLOATING,
-}
 #: A clutch turns about the axes of joints, and counts their angles: another joint is another clutch.
 WITH_MARKERS = sorted({*ELEMENTS, "beam"} - {"friction_clutch"})
 GRAVITY = np.array([1.0, -9.0, 3.0])

@@ -103,6 +103,19 @@ def check_balance(system, state, scale=1.0):
     np.testing.assert_allclose(moment, 0.0, atol=1e-12 * size)
 
 
+def markers(system, record, state):
+    """Places and axes of the two markers of a record, in the world."""
+    wrenches(system, state)
+    r, A = [], []
+    for end in "ij":
+        k = int(record[end][0])
+        f = system.workspace.fr[k]
+        S = f["S"] if k else np.eye(3)
+        r.append(f["r"] + S @ record["p_" + end][0])
+        A.append(S @ record["A_" + end][0])
+    return r, A
+
+
 def power(system, state):
     """Power of the elements on all bodies but ground and hidden ones [W]."""
     F = wrenches(system, state)

@@ -19,6 +19,7 @@ from tests.support.forces import (
     along,
     check_balance,
     check_matrices,
+    markers,
     mechanism,
     moved_world,
     moving,
@@ -39,14 +40,7 @@ def made(rng, i, j, symmetric=True):
 
 def displacement(system, record, state):
     """Displacement of marker i in the axes of marker j, rotation vector from SciPy."""
-    wrenches(system, state)
-    r, A = [], []
-    for end in "ij":
-        k = int(record[end][0])
-        f = system.workspace.fr[k]
-        S = f["S"] if k else np.eye(3)
-        r.append(f["r"] + S @ record["p_" + end][0])
-        A.append(S @ record["A_" + end][0])
+    r, A = markers(system, record, state)
     s = Rotation.from_matrix(A[1].T @ A[0]).as_rotvec()
     return np.concatenate([A[1].T @ (r[0] - r[1]), s]) - record["x0"][0]
 

@@ -23,6 +23,7 @@ from tests.support.forces import (
     along,
     check_balance,
     check_matrices,
+    markers,
     mechanism,
     moved_world,
     moving,
@@ -54,14 +55,7 @@ def journal(bodies, i, j, position=(0.0, 0.0, 0.0), axes=None, **numbers):
 
 def approaches(system, record, state):
     """Approach of the raceways at every element, by plain vectors; turns within half a turn."""
-    wrenches(system, state)
-    r, A = [], []
-    for end in "ij":
-        k = int(record[end][0])
-        f = system.workspace.fr[k]
-        S = f["S"] if k else np.eye(3)
-        r.append(f["r"] + S @ record["p_" + end][0])
-        A.append(S @ record["A_" + end][0])
+    r, A = markers(system, record, state)
     (x, y, z), n = A[1].T @ (r[0] - r[1]), A[1].T @ A[0][:, 2]
     if "n" not in record.dtype.names:
         return np.array([np.hypot(x, y) - record["gap"][0]])
