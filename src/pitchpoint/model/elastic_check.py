@@ -25,6 +25,9 @@ AXIAL = (
 )
 """Sections whose parts need the axis of a body."""
 
+MATRICES = ("stiffness_file", "mass_file", "place_file")
+"""Files of an elastic body whose matrices stand apart."""
+
 
 def stand_in(part: ElasticBody) -> Body:
     """Body that stands for an elastic one: free, with markers at its nodes."""
@@ -45,6 +48,7 @@ def add_elastic_bodies(parts: Parts, report: Reader) -> None:
             report.tainted.add(("bodies",))
             continue
         exactly_one(part, ("modes", "below"), (group, name), report)
+        _files(name, part, report)
         if not part.nodes and (group, name, "nodes") not in report.tainted:
             report.problem(
                 (group, name, "nodes"),
@@ -53,6 +57,29 @@ def add_elastic_bodies(parts: Parts, report: Reader) -> None:
             )
         report.aliases["bodies", name] = (group, name)
         parts.bodies[name] = stand_in(part)
+
+
+def _files(name: str, part: ElasticBody, report: Reader) -> None:
+    """One archive, or the three files of Matrix Market matrices."""
+    at: Place = ("elastic_bodies", name)
+    if at in report.tainted or any((*at, k) in report.tainted for k in ("file", *MATRICES)):
+        return
+    given = [k for k in MATRICES if getattr(part, k) is not None]
+    if part.file is not None and given:
+        report.problem(
+            (*at, given[0]), "stands beside file", remedy=f"give file alone, or {', '.join(MATRICES)}"
+        )
+    elif part.file is None and not given:
+        report.problem(
+            at,
+            "has no matrices",
+            remedy=f"give file: BODY.npz (or BODY.pch), or {', '.join(MATRICES)}",
+        )
+    elif given and len(given) < len(MATRICES):
+        missing = [k for k in MATRICES if k not in given]
+        report.problem(
+            at, f"lacks {' and '.join(missing)} beside {' and '.join(given)}", remedy="give all three"
+        )
 
 
 def check_elastic_bodies(parts: Parts, report: Reader) -> None:

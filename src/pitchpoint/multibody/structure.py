@@ -103,6 +103,9 @@ def make_structure(
         off = abs(matrix - matrix.T)
         if off.nnz and off.max() > 1e-8 * abs(matrix).max():
             raise CompileError(f"{name}: is not symmetric; give both triangles of the matrix")
+        if matrix.shape[0] and matrix.diagonal().min() < 0.0:
+            wrong = int(matrix.diagonal().argmin())
+            raise CompileError(f"{name}: has {matrix.diagonal()[wrong]:.6g} on its diagonal, row {wrong + 1}")
         pair.append((0.5 * (matrix + matrix.T)).tocsc())
     n = pair[0].shape[0]
     if pair[1].shape[0] != n:
@@ -138,6 +141,49 @@ def _numbering(
     if np.unique(where * 6 + how).size != n:
         raise CompileError("a node has the same direction twice")
     return where, how
+
+
+FASTEST = 1e5
+"""Twenty times the speed of sound in steel; bodies that are all but rigid on purpose come near it [m/s]."""
+
+
+def check_mass(structure: Structure) -> None:
+    """Refuse a mass matrix that no body has: its mass is positive and the same in all directions.
+
+    Raises
+    ------
+    CompileError
+        With the masses along x, y and z.
+    """
+    rigid = structure.rigid(structure.places.mean(axis=0))[:, :3]
+    m = (rigid * np.asarray(structure.M @ rigid)).sum(axis=0)
+    shown = ", ".join(f"{v:.6g}" for v in m)
+    if not m.min() > 0.0:
+        raise CompileError(f"M: the body has the masses {shown} kg along x, y and z (limit > 0)")
+    if np.ptp(m) > 1e-3 * m.max():
+        raise CompileError(
+            f"M: the body has the masses {shown} kg along x, y and z, and a body has one; "
+            "check the directions of the displacements and scalar masses"
+        )
+
+
+def check_speed(structure: Structure, frequency: float) -> None:
+    """Refuse a body whose lowest mode [Hz] would need waves faster than sound could be.
+
+    A wave crosses a body twice in a period of its lowest longitudinal mode; other modes are slower.
+
+    Raises
+    ------
+    CompileError
+        Usually K in N/m stands beside places in mm.
+    """
+    size = float(np.linalg.norm(np.ptp(structure.places, axis=0)))
+    if 2.0 * size * frequency > FASTEST:
+        raise CompileError(
+            f"the lowest mode of {frequency:.6g} Hz in a body of {size:.6g} m needs waves of "
+            f"{2.0 * size * frequency:.3g} m/s (limit {FASTEST:g} m/s); "
+            "give K in N/m, M in kg and places in m"
+        )
 
 
 def beam_line(beams: Sequence[Beam]) -> Structure:

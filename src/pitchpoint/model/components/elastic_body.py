@@ -20,10 +20,21 @@ class ElasticBody:
     Joints and forces hold it at nodes, named elsewhere as BODY.NODE.
     """
 
-    file: str = key(
+    file: str | None = key(
         "file",
         "matrices of the finite elements: a NumPy archive (.npz) with K, M and places, or a Nastran punch "
         "file with the matrices KAAX and MAAX and the GRID points; in SI units",
+        None,
+    )
+    stiffness_file: str | None = key(
+        "file", "instead of file: the stiffness matrix as a Matrix Market file (.mtx, .mtx.gz)", None
+    )
+    mass_file: str | None = key("file", "and the mass matrix, likewise", None)
+    place_file: str | None = key(
+        "file",
+        "and a table of the nodes, one per line in the order of the matrices: x y z in m, and the digits of "
+        "their displacements (123 translations, 456 turns) where they are neither 123 nor 123456 throughout",
+        None,
     )
     nodes: Mapping[str, Marker] = key(
         "components",
@@ -47,3 +58,10 @@ class ElasticBody:
     axes: Axes | None = component(
         Axes, "directions of the axes of the file in the world; without them those of the world"
     )
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """One file, or those of K, M and the places."""
+        if self.file is not None:
+            return (self.file,)
+        return tuple(f for f in (self.stiffness_file, self.mass_file, self.place_file) if f is not None)

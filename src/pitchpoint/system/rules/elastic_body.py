@@ -28,7 +28,8 @@ from pitchpoint.multibody.craig_bampton import Modes, craig_bampton, modal_dampi
 from pitchpoint.multibody.fe_matrices import read_dmig, read_npz, structure_from_dmig
 from pitchpoint.multibody.joints import FLOATING
 from pitchpoint.multibody.mass_invariants import mass_invariants
-from pitchpoint.multibody.structure import Structure, turned_stiffening
+from pitchpoint.multibody.matrix_market import read_parts
+from pitchpoint.multibody.structure import Structure, check_mass, check_speed, turned_stiffening
 from pitchpoint.system.rules.bank import Bank
 
 if TYPE_CHECKING:
@@ -201,25 +202,33 @@ def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]
     part = model.elastic_bodies[name]
     places = tuple((n, m.position) for n, m in part.nodes.items())
     try:
-        stamp = Path(part.file).stat().st_mtime_ns
-        return _read(part.file, stamp, places, part.modes, part.below)
-    except (CompileError, ModelError, OSError) as fault:
+        stamps = tuple(Path(f).stat().st_mtime_ns for f in part.files)
+        return _read(part.files, stamps, places, part.modes, part.below)
+    except (CompileError, ModelError, OSError, MemoryError) as fault:
         raise CompileError(f"elastic_bodies.{name}: {fault}") from None
+    except (np.linalg.LinAlgError, RuntimeError) as fault:
+        raise CompileError(
+            f"elastic_bodies.{name}: K and M have no modes that can be found ({fault}); K must have "
+            "no negative and M positive eigenvalues"
+        ) from None
 
 
 @functools.lru_cache(maxsize=8)
 def _read(
-    file: str,
-    stamp: int,
+    files: tuple[str, ...],
+    stamps: tuple[int, ...],
     wanted: tuple[tuple[str, tuple[float, float, float]], ...],
     count: int | None,
     below: float | None,
 ) -> tuple[Structure, Modes, tuple[int, ...]]:
-    """Read a file and reduce it; `stamp` tells when it was changed."""
-    if Path(file).suffix == ".npz":
-        structure = read_npz(file)
+    """Read files and reduce them; `stamps` tell when they were changed."""
+    if len(files) == 3:
+        structure = read_parts(*files)
+    elif Path(files[0]).suffix == ".npz":
+        structure = read_npz(files[0])
     else:
-        structure, _ = structure_from_dmig(read_dmig(file))
+        structure, _ = structure_from_dmig(read_dmig(files[0]))
+    check_mass(structure)
     nodes = tuple(_node(structure, word, np.array(place)) for word, place in wanted)
     if below is not None:
         modes = craig_bampton(structure, nodes, below=6.0 * below).select(below=below)
@@ -229,6 +238,7 @@ def _read(
         raise CompileError(
             f"{modes.frequency.size} modes below {below:g} Hz (limit 1 to {MOST}); give modes instead"
         )
+    check_speed(structure, float(modes.frequency[0]))
     return structure, modes, nodes
 
 
