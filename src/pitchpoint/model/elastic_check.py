@@ -48,6 +48,12 @@ def add_elastic_bodies(parts: Parts, report: Reader) -> None:
             report.tainted.add(("bodies",))
             continue
         exactly_one(part, ("modes", "below"), (group, name), report)
+        if part.static_shapes and part.below is not None:
+            report.problem(
+                (group, name, "static_shapes"),
+                "stands beside below: the shapes count among a number of modes",
+                remedy="give modes: 12, say, instead of below",
+            )
         _files(name, part, report)
         if not part.nodes and (group, name, "nodes") not in report.tainted:
             report.problem(
@@ -87,6 +93,7 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
     from pitchpoint.model.joint_check import ends_of
 
     elastic = set(parts.elastic_bodies)
+    part_of = parts.elastic_bodies
     if not elastic:
         return
     for group, name, key, given in ends_of(parts):
@@ -102,6 +109,10 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
                     continue
                 at = (group, name, "body" if one else "bodies")
                 remedy = "use a bushing at {}" if group != "loads" else "give marker: NODE and a force"
+                if part_of[body].rotor:
+                    remedy = "name a body that a fixed joint carries at {} instead, such as {{mass: 0 kg}}"
+                elif group == "bearings":
+                    remedy = "name the body that runs in it, and give housing: {}"
                 _refuse(parts, body, at, "which has no axis", remedy, report)
     for name, load in parts.loads.items():
         if load.reaction in elastic:

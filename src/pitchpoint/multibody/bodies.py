@@ -264,6 +264,11 @@ def base_of(records: NDArray[np.void], b: int) -> int:
     return int(records[int(records[b]["spinner"]) or b]["parent"])
 
 
+def spin_of(records: NDArray[np.void], b: int) -> int:
+    """Coordinate that is the spin of body b, its own or that of the body whose spin it has; -1 for none."""
+    return int(records[int(records[b]["spinner"]) or b]["spin"])
+
+
 def _hang(record: np.void, body: Body, bodies: Sequence[Body]) -> None:
     """Place of the joint in the axes of the parent."""
     position, axes = np.asarray(body.position, float), np.asarray(body.axes, float)

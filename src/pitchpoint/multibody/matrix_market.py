@@ -13,7 +13,7 @@ import warnings
 import zlib
 from collections.abc import Iterator
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, cast
 
 import numpy as np
 
@@ -47,7 +47,7 @@ def read_matrix_market(path: str | os.PathLike[str]) -> Any:
 
     file = checked(path)
     try:
-        with gzip.open(file) if file.suffix == ".gz" else file.open("rb") as text:
+        with cast(IO[bytes], gzip.open(file) if file.suffix == ".gz" else file.open("rb")) as text:
             n, i, j, values, symmetric = _body(file, _short_lines(file, text))
     except (ValueError, EOFError, OSError, zlib.error, MemoryError) as error:
         raise refuse(file, f"cannot be read ({error})") from None

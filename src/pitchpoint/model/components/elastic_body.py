@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from pitchpoint.model.components.marker import Axes, Marker, Triple
-from pitchpoint.model.keys import component, integer, key, positive, quantities, quantity
+from pitchpoint.model.keys import boolean, component, integer, key, positive, quantities, quantity
 
 MOST_MODES = 12
 """Modes that one elastic body can have."""
@@ -40,6 +40,16 @@ class ElasticBody:
         "components",
         "nodes for joints and forces by name, with their places in the axes of the file",
         of=Marker,
+    )
+    rotor: bool = boolean(
+        "whether it turns about the z axis of its axes as a shaft does: its turns are counted, it can be "
+        "driven, and what is fixed to its nodes can carry gears and run in bearings",
+        False,
+    )
+    static_shapes: bool = boolean(
+        "whether the modes hold every shape into which forces at the nodes can bend the body, six fewer than "
+        "the nodes have displacements, and the rest of them the lowest with the nodes held",
+        False,
     )
     modes: int | None = integer("number of modes, the lowest ones", None, minimum=1, maximum=MOST_MODES)
     below: float | None = positive(

@@ -26,7 +26,7 @@ from pitchpoint.model.frames import axes_of
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.craig_bampton import Modes, craig_bampton, modal_damping
 from pitchpoint.multibody.fe_matrices import read_dmig, read_npz, structure_from_dmig
-from pitchpoint.multibody.joints import FLOATING
+from pitchpoint.multibody.joints import FLOATING, FREE
 from pitchpoint.multibody.mass_invariants import mass_invariants
 from pitchpoint.multibody.matrix_market import read_parts
 from pitchpoint.multibody.structure import Structure, check_mass, check_speed, turned_stiffening
@@ -159,10 +159,17 @@ def elastic_of(model: Model, name: str, first: int) -> ElasticParts:
         modes,
         dict(zip(part.nodes, nodes, strict=True)),
         first=first,
+        frame=_spinning_frame(model, name) if part.rotor else None,
         pose=(body.origin or (0.0, 0.0, 0.0), axes_of(model, name)),
         damping_ratio=part.damping_ratio,
         gravity=model.gravity or (0.0, 0.0, 0.0),
     )
+
+
+def _spinning_frame(model: Model, name: str) -> Body:
+    """Floating frame of a rotor: its spin is a coordinate whose turns are counted."""
+    origin = model.bodies[name].origin or (0.0, 0.0, 0.0)
+    return Body(motion=FREE, position=origin, axes=axes_of(model, name), inertia=np.zeros((3, 3)), name=name)
 
 
 def elastic_bank(model: Model, numbers: Mapping[str, int]) -> Bank:
@@ -203,7 +210,7 @@ def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]
     places = tuple((n, m.position) for n, m in part.nodes.items())
     try:
         stamps = tuple(Path(f).stat().st_mtime_ns for f in part.files)
-        return _read(part.files, stamps, places, part.modes, part.below)
+        return _read(part.files, stamps, places, part.modes, part.below, part.static_shapes)
     except (CompileError, ModelError, OSError, MemoryError) as fault:
         raise CompileError(f"elastic_bodies.{name}: {fault}") from None
     except (np.linalg.LinAlgError, RuntimeError) as fault:
@@ -220,6 +227,7 @@ def _read(
     wanted: tuple[tuple[str, tuple[float, float, float]], ...],
     count: int | None,
     below: float | None,
+    static_shapes: bool,
 ) -> tuple[Structure, Modes, tuple[int, ...]]:
     """Read files and reduce them; `stamps` tell when they were changed."""
     if len(files) == 3:
@@ -230,16 +238,30 @@ def _read(
         structure, _ = structure_from_dmig(read_dmig(files[0]))
     check_mass(structure)
     nodes = tuple(_node(structure, word, np.array(place)) for word, place in wanted)
-    if below is not None:
+    if static_shapes:
+        modes = _static(structure, nodes, count or MOST)
+    elif below is not None:
         modes = craig_bampton(structure, nodes, below=6.0 * below).select(below=below)
     else:
         modes = craig_bampton(structure, nodes, 2 * (count or MOST)).select(count=count)
-    if not 0 < modes.frequency.size <= MOST:
+    if below is not None and not 0 < modes.frequency.size <= MOST:
         raise CompileError(
             f"{modes.frequency.size} modes below {below:g} Hz (limit 1 to {MOST}); give modes instead"
         )
-    check_speed(structure, float(modes.frequency[0]))
+    if modes.frequency.size:
+        check_speed(structure, float(modes.frequency[0]))
     return structure, modes, nodes
+
+
+def _static(structure: Structure, nodes: tuple[int, ...], count: int) -> Modes:
+    """All static shapes of the nodes, and modes with the nodes held up to a number of both."""
+    needed = int(np.isin(structure.node, nodes).sum()) - 6
+    if needed > count:
+        raise CompileError(
+            f"static_shapes: the nodes can deflect in {needed} shapes, and {count} modes are asked for "
+            f"(limit {MOST}); name fewer nodes, or leave static_shapes out"
+        )
+    return craig_bampton(structure, nodes, count - needed)
 
 
 def _node(structure: Structure, word: str, place: NDArray[np.float64]) -> int:
