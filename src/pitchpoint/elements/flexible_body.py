@@ -33,6 +33,8 @@ from pitchpoint.multibody.joints import GUIDED
 from pitchpoint.multibody.mass_invariants import MassInvariants
 
 BODY_FIXED = True
+SPINS = "free"
+"""What bends with a body turns with it."""
 
 MOST = 12
 """Most modal coordinates of one body."""
