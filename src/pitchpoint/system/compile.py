@@ -13,7 +13,7 @@ from pitchpoint.model.force_check import states_of
 from pitchpoint.model.frames import axes_of
 from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
-from pitchpoint.system.rules.bearing import bearing_bank
+from pitchpoint.system.rules.bearing import bearing_bank, housing_seats
 from pitchpoint.system.rules.bodies import bodies, body_numbers, end_of, world_place
 from pitchpoint.system.rules.bushing import bushing_bank
 from pitchpoint.system.rules.closure import closure_bank
@@ -67,7 +67,7 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     if not model.bodies:
         raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
-    tree = bodies(model)
+    tree = [*bodies(model), *housing_seats(model)]
     elements = [n for names in states_of(model).values() for n in names]
     states = {name: k for k, name in enumerate(elements, start=len(tree) + 1)}
     places = Places(
