@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     "--animation",
     type=click.Path(dir_okay=False),
     metavar="FILE",
-    help="Write the motion of all bodies over one cycle of every mode: json or npz.",
+    help="Write the motion of bodies and nodes over one cycle of every mode: json or npz.",
 )
 @output("Result file (netCDF-4/HDF5); none if left out.")
 @as_json
@@ -102,7 +102,7 @@ def compute(
     if target is not None:
         store(target, header_of(model, file, name or "", "modes", "modal"), found)
     if animation is not None:
-        animate(animation, found)
+        animate(animation, found, model)
     summary = {
         "status": how_a_status_ends(OK),
         "sentence": sentence(OK),
@@ -166,9 +166,10 @@ def rows_of(found: Modes) -> list[dict[str, Any]]:
     ]
 
 
-def animate(path: str, found: Modes) -> None:
-    """Write the motion of all bodies over one cycle of every mode."""
+def animate(path: str, found: Modes, model: Model) -> None:
+    """Write the motion of all bodies, and of the nodes of elastic ones, over one cycle of every mode."""
     from pitchpoint.io.mode_animation import write_mode_animation
+    from pitchpoint.solvers.node_shapes import node_shapes
 
     write_mode_animation(
         path,
@@ -178,6 +179,7 @@ def animate(path: str, found: Modes) -> None:
         place=found.place,
         axes=found.axes,
         body_shape=found.damped_body_shape,
+        nodes=node_shapes(model, found),
     )
 
 

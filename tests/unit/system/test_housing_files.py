@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 from scipy.linalg import eigh
 
+from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.multibody.beam_section import Beam, rectangle
@@ -14,6 +17,7 @@ from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.multibody.joints import FIXED, FLOATING
 from pitchpoint.multibody.structure import beam_line
 from pitchpoint.solvers.modal import find_modes
+from pitchpoint.solvers.node_shapes import node_shapes
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
@@ -163,6 +167,64 @@ def test_tangents_of_a_bearing_in_a_housing(key, factors):
     np.testing.assert_allclose(F[1, :3] + F[3, :3], 0.0, atol=1e-12)
     total = F[1, 3:] + F[3, 3:] + np.cross(r[1], F[1, :3]) + np.cross(r[3], F[3, :3])
     np.testing.assert_allclose(total, 0.0, atol=1e-11)
+
+
+def test_modes_for_animation_move_the_nodes_of_the_file(tmp_path):
+    """Foot at rest, eye as the body that goes with it but for products of turns of 20 urad."""
+    model = arm_with(tmp_path)
+    found = find_modes(compile_model(model, "still"), count=6)
+    places, shape = node_shapes(model, found)["arm"]
+    assert places.shape == (5, 3)
+    assert shape.shape == (6, 5, 3)
+    np.testing.assert_allclose(places[:, 0], np.linspace(0.0, LENGTH, 5), atol=1e-5)
+    eye = found.damped_body_shape[:, found.bodies.index("arm.eye"), :3]
+    size = np.abs(eye).max()
+    np.testing.assert_allclose(shape[:, 4], eye, atol=2e-6 * size)
+    np.testing.assert_allclose(shape[:, 0], 0.0, atol=1e-6 * size)
+    file = tmp_path / "modes.json"
+    assert run_command(["modes", str(tmp_path / "arm.yaml"), "--count", "3", "--animation", str(file)]) == 0
+    told = json.loads(file.read_text(encoding="utf-8"))
+    assert np.shape(told["nodes"]["arm"]["motion"]) == (3, 24, 5, 3)
+    assert told["nodes"]["arm"]["number"] == [0, 1, 2, 3, 4]
+    assert "of nodes: mode" in told["about"]
+    assert run_command(["modes", str(tmp_path / "arm.yaml"), "--animation", str(tmp_path / "m.npz")]) == 0
+    with np.load(tmp_path / "m.npz") as arrays:
+        motion = arrays["node_motion[arm]"]
+        bodies = list(arrays["bodies"])
+        np.testing.assert_allclose(
+            motion[:, :, 4], arrays["motion"][:, :, bodies.index("arm.eye"), :3], atol=2e-6 * 0.01
+        )
+
+
+@pytest.mark.parametrize("spin", ["0 rad", "1 rad"])
+def test_nodes_of_a_tilted_body_move_as_its_bodies_do(tmp_path, spin):
+    """A rotor turned by a radian and a frame askew: every named node agrees."""
+    text = ARM.replace(
+        "axes: {z: [1, 0, 0], x: [0, 1, 0]}", "axes: {z: [1, 2, 2], x: [0, 1, -1]}\n    rotor: true"
+    )
+    text = text.replace("position: [0.3, 0, 0]}", "position: [0.1, 0.2, 0.2]}").replace(
+        "housing: arm.eye, ", ""
+    )
+    text = text.replace(
+        "  clamp: {type: fixed, bodies: [ground, arm.foot]}", "  pin: {type: fixed, bodies: [arm.eye, disc]}"
+    )
+    text = text.replace(
+        "bodies:\n", "bodies:\n  disc: {mass: 1 kg, inertia_tensor: [1e-3, 1e-3, 1e-3, 0, 0, 0]}\n", 1
+    )
+    model = arm_with(tmp_path, text)
+    system = compile_model(model, "still")
+    start = system.initial_state()
+    start.q[system.layout.coordinate("arm.spin")] = float(spin.split()[0])
+    found = find_modes(system, "still", count=12, start=start)
+    places, shape = node_shapes(model, found)["arm"]
+    assert found.state.q[found.coordinates.index("arm.spin")] == pytest.approx(
+        float(spin.split()[0]), abs=1e-3
+    )
+    for word, node in (("foot", 0), ("eye", 4)):
+        k = found.bodies.index(f"arm.{word}")
+        np.testing.assert_allclose(places[node], found.place[k], atol=1e-9)
+        wanted = found.damped_body_shape[:, k, :3]
+        np.testing.assert_allclose(shape[:, node], wanted, atol=1e-6 * np.abs(wanted).max())
 
 
 @pytest.mark.parametrize(

@@ -204,6 +204,21 @@ def node_at(model: Model, name: str, place: NDArray[np.float64]) -> tuple[int, N
     return groups * (1 + k + 1), places[k]
 
 
+def file_nodes(model: Model, name: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Nodes of the file of an elastic body in the axes of its frame.
+
+    Returns
+    -------
+    places, shape
+        From the origin of the frame (k, 3) [m], and translations per modal coordinate, (k, 3, n).
+    """
+    structure, modes, _ = _reduced(model, name)
+    shape = np.zeros((len(structure.places), 3, modes.frequency.size))
+    rows = np.flatnonzero(structure.direction < 3)
+    shape[structure.node[rows], structure.direction[rows]] = modes.shape[rows]
+    return structure.places, shape
+
+
 def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]]:
     """Matrices, modes and numbers of the named nodes of an elastic body; read and reduced once."""
     part = model.elastic_bodies[name]
