@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.model.components.beam import Beam
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.bushing import Bushing
@@ -101,6 +102,7 @@ class Model:
         of=TorsionMaxwell,
     )
     bushings: Mapping[str, Bushing] = key("components", "elastic bushings", {}, of=Bushing)
+    beams: Mapping[str, Beam] = key("components", "elastic beams between two places", {}, of=Beam)
     clutches: Mapping[str, Clutch] = key("components", "clutches and brakes", {}, of=Clutch)
     rolling_bearings: Mapping[str, RollingBearing] = key(
         "components", "bearings with their rolling elements", {}, of=RollingBearing
