@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import CompileError
+from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.model.force_check import states_of
 from pitchpoint.model.frames import axes_of
 from pitchpoint.system.link import prepare_kernels
@@ -38,6 +38,7 @@ from pitchpoint.system.rules.spring import (
     torsion_maxwell_bank,
     torsion_spring_bank,
 )
+from pitchpoint.system.source import with_lines
 from pitchpoint.system.system import Law, System, assemble
 
 if TYPE_CHECKING:
@@ -64,7 +65,16 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     ------
     CompileError
         If the model has no bodies or no such scenario, or something of it cannot be expressed.
+    ModelError
+        If a file that it names, of code or numbers, is not what it should be.
     """
+    try:
+        return _compile(model, scenario)
+    except ModelError as error:
+        raise with_lines(model, error) from None
+
+
+def _compile(model: Model, scenario: Scenario | str | None) -> System:
     if not model.bodies:
         raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
