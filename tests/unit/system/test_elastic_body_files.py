@@ -10,7 +10,7 @@ import pytest
 from scipy.io import mmwrite
 
 from pitchpoint.cli.main import run_command
-from pitchpoint.core.errors import CompileError, ModelError
+from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.write import plain
@@ -180,11 +180,13 @@ def test_wrong_elastic_bodies_are_told(tmp_path, old, new, words):
 
 def test_wrong_matrices_are_told_with_the_body(tmp_path):
     model = crank_with(tmp_path, CRANK.replace("300 mm", "290 mm", 1))
-    with pytest.raises(CompileError, match=r"elastic_bodies\.rod: nodes\.small: there is no node.*300\] mm"):
+    with pytest.raises(
+        ModelError, match=r"elastic_bodies\.rod\.nodes\.small \(line 8\): there is no node.*300\] mm"
+    ):
         compile_model(model)
     model = crank_with(tmp_path)
     np.savez(tmp_path / "rod.npz", K=np.eye(6), places=np.zeros((1, 3)))
-    with pytest.raises(CompileError, match=r"elastic_bodies\.rod:[\s\S]*has no matrix 'M'"):
+    with pytest.raises(ModelError, match=r"elastic_bodies\.rod\.file \(line 7\): rod.npz: has no matrix 'M'"):
         compile_model(model)
 
 
@@ -310,7 +312,7 @@ def short(line):
 def test_matrices_of_no_free_body_are_told(tmp_path, change, words):
     model = crank_with(tmp_path)
     np.savez(tmp_path / "rod.npz", **change(beam_line(rod())))
-    with pytest.raises(CompileError, match=r"elastic_bodies\.rod:[\s\S]*(" + words + ")"):
+    with pytest.raises(ModelError, match=r"elastic_bodies\.rod \(line 6\): .*(" + words + ")"):
         compile_model(model)
 
 
@@ -325,17 +327,33 @@ def test_places_in_millimetres_are_suspected(tmp_path):
     (tmp_path / "m.yaml").write_text(
         f"elastic_bodies: {{b: {{file: solid.npz, nodes: {{{nodes}}}, modes: 4}}}}\n", encoding="utf-8"
     )
-    with pytest.raises(CompileError, match=r"needs waves of .*places in m"):
+    with pytest.raises(ModelError, match=r"needs waves of .*places in m"):
         compile_model(load_model(tmp_path / "m.yaml"))
+
+
+def test_check_tells_what_is_wrong_with_the_matrices_of_all_bodies(tmp_path, capsys):
+    text = CRANK.replace("joints:", "  other: {file: rod.npz, nodes: {a: {}}, modes: 2}\njoints:", 1)
+    text = text.replace("scenarios:", "  b: {type: spherical, bodies: [other.a, ground]}\nscenarios:", 1)
+    crank_with(tmp_path, text)
+    np.savez(tmp_path / "rod.npz", **on_ground(beam_line(rod())))
+    assert run_command(["check", str(tmp_path / "crank.yaml")]) == 2
+    told = " ".join(capsys.readouterr().err.split())
+    assert (
+        "elastic_bodies.rod (line 6): K: a rigid motion meets a force at node 0; take away supports" in told
+    )
+    assert "elastic_bodies.other (line 12): K: a rigid motion" in told
+    assert "Traceback" not in told
 
 
 def test_check_tells_of_elastic_bodies(tmp_path, capsys):
     crank_with(tmp_path)
     assert run_command(["check", str(tmp_path / "crank.yaml")]) == 0
     told = " ".join(capsys.readouterr().out.split())
-    assert "in its file" in told
+    assert "rod, unsupported, swings in 6 modes of 1" in told
     assert "8 coordinates without the modes of rod - 10 constraints" in told
     assert run_command(["check", str(tmp_path / "crank.yaml"), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["elastic_bodies"] == {"rod": ["big", "small"]}
-    assert found["bodies"]["rod"]["mass"] is None
+    assert found["bodies"]["rod"]["mass"] == pytest.approx(7800.0 * 4e-4 * LENGTH)
+    assert found["bodies"]["rod"]["polar_inertia"] is None
+    assert len(found["elastic_frequencies"]["rod"]) == 6

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.core.errors import CompileError, ModelError
+from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.shafts import nearest_station
 from pitchpoint.multibody.beam_section import Beam, tube
@@ -229,5 +229,5 @@ def test_wrong_rotors_are_told(tmp_path, old, new, words):
 
 def test_too_many_static_shapes_are_told(tmp_path):
     _, model = pair(tmp_path, "1 m", lambda text: text.replace("modes: 12", "modes: 10"))
-    with pytest.raises(CompileError, match="can deflect in 12 shapes, and 10 modes are asked for"):
+    with pytest.raises(ModelError, match="can deflect in 12 shapes, and 10 modes are asked for"):
         compile_model(model)

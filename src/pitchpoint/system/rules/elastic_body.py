@@ -6,14 +6,14 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import CompileError, ModelError
+from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, Problem
 from pitchpoint.elements.flexible_body import (
     GROUP,
     MOST,
@@ -22,6 +22,7 @@ from pitchpoint.elements.flexible_body import (
     interface_bodies,
     modal_bodies,
 )
+from pitchpoint.model.elastic_check import MATRICES
 from pitchpoint.model.frames import axes_of
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.craig_bampton import Modes, craig_bampton, modal_damping
@@ -31,8 +32,10 @@ from pitchpoint.multibody.mass_invariants import mass_invariants
 from pitchpoint.multibody.matrix_market import read_parts
 from pitchpoint.multibody.structure import Structure, check_mass, check_speed, turned_stiffening
 from pitchpoint.system.rules.bank import Bank
+from pitchpoint.system.source import with_lines
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.elastic_body import ElasticBody
     from pitchpoint.model.model import Model
 
 NEAR = 1e-3
@@ -226,13 +229,51 @@ def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]
     try:
         stamps = tuple(Path(f).stat().st_mtime_ns for f in part.files)
         return _read(part.files, stamps, places, part.modes, part.below, part.static_shapes)
-    except (CompileError, ModelError, OSError, MemoryError) as fault:
-        raise CompileError(f"elastic_bodies.{name}: {fault}") from None
-    except (np.linalg.LinAlgError, RuntimeError) as fault:
-        raise CompileError(
-            f"elastic_bodies.{name}: K and M have no modes that can be found ({fault}); K must have "
-            "no negative and M positive eigenvalues"
-        ) from None
+    except (PitchpointError, OSError, MemoryError, np.linalg.LinAlgError, RuntimeError) as fault:
+        raise ModelError([_told(name, part, fault)], model.file) from None
+
+
+def _told(name: str, part: ElasticBody, fault: Exception) -> Problem:
+    """What is wrong with the files of an elastic body, as a problem of the model that names them."""
+    at = f"elastic_bodies.{name}"
+    if isinstance(fault, ModelError):
+        found = fault.problems[0]
+        keys = [k for k in ("file", *MATRICES) if fault.file is not None and getattr(part, k) == fault.file]
+        inner = replace(found, where=found.where or Path(fault.file or at).name, remedy=None)
+        return Problem(f"{at}.{keys[0]}" if keys else at, str(inner), remedy=found.remedy)
+    if isinstance(fault, CompileError):
+        head, _, rest = str(fault).partition(": ")
+        if head.startswith("nodes."):
+            return Problem(f"{at}.{head}", rest)
+        return Problem(at, str(fault))
+    return Problem(
+        at,
+        f"has matrices without modes that can be found ({fault})",
+        remedy="K must have no negative eigenvalue, and M none that is not positive",
+    )
+
+
+def elastic_facts(model: Model) -> dict[str, tuple[float, NDArray[np.float64]]]:
+    """Mass [kg] and natural frequencies [Hz] of every elastic body, unsupported.
+
+    Raises
+    ------
+    ModelError
+        With what is wrong with the files of all of them.
+    """
+    found = {}
+    problems: list[Problem] = []
+    for name in model.elastic_bodies:
+        try:
+            structure, modes, _ = _reduced(model, name)
+        except ModelError as fault:
+            problems += fault.problems
+            continue
+        along = structure.rigid()[:, 0]
+        found[name] = float(along @ (structure.M @ along)), modes.frequency
+    if problems:
+        raise with_lines(model, ModelError(problems, model.file))
+    return found
 
 
 @functools.lru_cache(maxsize=8)
