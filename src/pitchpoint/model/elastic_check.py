@@ -27,6 +27,7 @@ AXIAL = (
 
 MATRICES = ("stiffness_file", "mass_file", "place_file")
 """Files of an elastic body whose matrices stand apart."""
+ALL_FILES = ("file", *MATRICES, "spin_stiffness_file")
 
 
 def stand_in(part: ElasticBody) -> Body:
@@ -70,7 +71,7 @@ def _files(name: str, part: ElasticBody, report: Reader) -> None:
     at: Place = ("elastic_bodies", name)
     if at in report.tainted or any((*at, k) in report.tainted for k in ("file", *MATRICES)):
         return
-    given = [k for k in MATRICES if getattr(part, k) is not None]
+    given = [k for k in ALL_FILES[1:] if getattr(part, k) is not None]
     if part.file is not None and given:
         report.problem(
             (*at, given[0]), "stands beside file", remedy=f"give file alone, or {', '.join(MATRICES)}"
@@ -81,8 +82,7 @@ def _files(name: str, part: ElasticBody, report: Reader) -> None:
             "has no matrices",
             remedy=f"give file: BODY.npz (or BODY.pch), or {', '.join(MATRICES)}",
         )
-    elif given and len(given) < len(MATRICES):
-        missing = [k for k in MATRICES if k not in given]
+    elif given and (missing := [k for k in MATRICES if k not in given]):
         report.problem(
             at, f"lacks {' and '.join(missing)} beside {' and '.join(given)}", remedy="give all three"
         )

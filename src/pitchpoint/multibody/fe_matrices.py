@@ -300,15 +300,13 @@ def read_npz(path: str | os.PathLike[str]) -> Structure:
     ----------
     path
         File of `numpy.savez` with dense K and M, or with the parts K_data, K_indices, K_indptr of compressed
-        columns and likewise for M.
+        columns and likewise for M; and K_spin, if there is one (see `Structure`).
 
     Raises
     ------
     ModelError
         If an array is missing, has objects in it, or is too large.
     """
-    from scipy.sparse import csc_array
-
     file = checked(path)
     try:
         with zipfile.ZipFile(file) as archive:
@@ -321,23 +319,30 @@ def read_npz(path: str | os.PathLike[str]) -> Structure:
         raise refuse(file, f"is no archive of plain arrays ({error})") from None
     if "places" not in data:
         raise refuse(file, "has no array 'places'", remedy="add the nodes (number of nodes, 3) in m")
-    pair: list[Any] = []
-    for name in ("K", "M"):
-        parts = [f"{name}_{p}" for p in ("data", "indices", "indptr")]
-        if name in data:
-            pair.append(data[name])
-        elif all(p in data for p in parts):
-            n = data[parts[2]].size - 1
-            try:
-                arrays_of: Any = tuple(data[p] for p in parts)
-                matrix = csc_array(arrays_of, shape=(n, n))
-                matrix.check_format()
-            except (ValueError, TypeError) as error:
-                raise refuse(file, f"{name}: parts do not fit ({error})") from None
-            pair.append(matrix)
-        else:
-            raise refuse(file, f"has no matrix {name!r}", remedy=f"save {name}, or {', '.join(parts)}")
+    found = {name: _matrix(file, data, name) for name in ("K", "M")}
+    if "K_spin" in data or "K_spin_data" in data:
+        found["K_spin"] = _matrix(file, data, "K_spin")
     for name, array in data.items():
         if array.dtype.kind not in "fiu":
             raise refuse(file, f"{name}: holds no real numbers")
-    return make_structure(pair[0], pair[1], data["places"], data.get("node"), data.get("direction"))
+    node, direction = data.get("node"), data.get("direction")
+    return make_structure(found["K"], found["M"], data["places"], node, direction, found.get("K_spin"))
+
+
+def _matrix(file: Path, data: dict[str, Any], name: str) -> Any:
+    """One matrix of an archive, dense or of its parts."""
+    from scipy.sparse import csc_array
+
+    parts = [f"{name}_{p}" for p in ("data", "indices", "indptr")]
+    if name in data:
+        return data[name]
+    if not all(p in data for p in parts):
+        raise refuse(file, f"has no matrix {name!r}", remedy=f"save {name}, or {', '.join(parts)}")
+    n = data[parts[2]].size - 1
+    try:
+        arrays_of: Any = tuple(data[p] for p in parts)
+        matrix = csc_array(arrays_of, shape=(n, n))
+        matrix.check_format()
+    except (ValueError, TypeError) as error:
+        raise refuse(file, f"{name}: parts do not fit ({error})") from None
+    return matrix

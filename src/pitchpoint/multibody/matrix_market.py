@@ -178,7 +178,10 @@ def _directions(file: Path, number: int, text: str) -> tuple[int, ...]:
 
 
 def read_parts(
-    stiffness: str | os.PathLike[str], mass: str | os.PathLike[str], places: str | os.PathLike[str]
+    stiffness: str | os.PathLike[str],
+    mass: str | os.PathLike[str],
+    places: str | os.PathLike[str],
+    spin_stiffness: str | os.PathLike[str] | None = None,
 ) -> Structure:
     """Structure of two Matrix Market files and a table of nodes.
 
@@ -188,6 +191,9 @@ def read_parts(
         Files for `read_matrix_market`.
     places
         File for `read_places`.
+    spin_stiffness
+        File for `read_matrix_market` with what a spin adds, see `Structure`.
     """
     K, M = read_matrix_market(stiffness), read_matrix_market(mass)
-    return make_structure(K, M, *read_places(places))
+    more = None if spin_stiffness is None else read_matrix_market(spin_stiffness)
+    return make_structure(K, M, *read_places(places), K_spin=more)

@@ -36,6 +36,12 @@ class ElasticBody:
         "their displacements (123 translations, 456 turns) where they are neither 123 nor 123456 throughout",
         None,
     )
+    spin_stiffness_file: str | None = key(
+        "file",
+        "and what a spin about the z axis of the file adds to the stiffness, per (rad/s)^2: the stress "
+        "stiffness of its loads at 1 rad/s; in an archive it is K_spin",
+        None,
+    )
     nodes: Mapping[str, Marker] = key(
         "components",
         "nodes for joints and forces by name, with their places in the axes of the file",
@@ -71,7 +77,8 @@ class ElasticBody:
 
     @property
     def files(self) -> tuple[str, ...]:
-        """One file, or those of K, M and the places."""
+        """One file, or those of K, M, the places and what a spin adds."""
         if self.file is not None:
             return (self.file,)
-        return tuple(f for f in (self.stiffness_file, self.mass_file, self.place_file) if f is not None)
+        given = (self.stiffness_file, self.mass_file, self.place_file, self.spin_stiffness_file)
+        return tuple(f for f in given if f is not None)

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,9 +20,10 @@ from pitchpoint.elements.flexible_body import (
     RECORD,
     flexible_row,
     interface_bodies,
+    interface_count,
     modal_bodies,
 )
-from pitchpoint.model.elastic_check import MATRICES
+from pitchpoint.model.elastic_check import ALL_FILES
 from pitchpoint.model.frames import axes_of
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.craig_bampton import Modes, craig_bampton, modal_damping
@@ -75,7 +76,7 @@ def elastic_parts(
     frame: Body | None = None,
     pose: tuple[ArrayLike, ArrayLike] | None = None,
     damping_ratio: float = 0.0,
-    stiffening: ArrayLike | None = None,
+    stiffening: Sequence[Any] | None = None,
     gravity: ArrayLike = (0.0, 0.0, 0.0),
 ) -> ElasticParts:
     """Put an elastic body into a system.
@@ -98,7 +99,8 @@ def elastic_parts(
     damping_ratio
         Of every mode [-].
     stiffening
-        Stiffness of the displacements of the structure by loads (9, size, size), see `axial_stiffening`.
+        Stiffness of the displacements of the structure by each of nine loads, sparse or dense or None, see
+        `axial_stiffening`.
     gravity
         World axes [m/s^2].
 
@@ -121,7 +123,8 @@ def elastic_parts(
     numbers = tuple(range(first + 1, first + 1 + len(hidden)))
     extra = None
     if stiffening is not None:
-        loads = [modes.shape.T @ (part @ modes.shape) for part in np.asarray(stiffening, float)]
+        nothing = np.zeros((n, n))
+        loads = [nothing if k is None else modes.shape.T @ (k @ modes.shape) for k in stiffening]
         extra = turned_stiffening(loads, Q)
     row = flexible_row(
         integrals,
@@ -165,6 +168,7 @@ def elastic_of(model: Model, name: str, first: int) -> ElasticParts:
         frame=_spinning_frame(model, name) if part.rotor else None,
         pose=(body.origin or (0.0, 0.0, 0.0), axes_of(model, name)),
         damping_ratio=part.damping_ratio,
+        stiffening=None if structure.K_spin is None else [*[None] * 5, structure.K_spin, *[None] * 3],
         gravity=model.gravity or (0.0, 0.0, 0.0),
     )
 
@@ -190,10 +194,9 @@ def elastic_bank(model: Model, numbers: Mapping[str, int]) -> Bank:
 
 
 def elastic_count(model: Model, name: str) -> int:
-    """How many bodies of the records an elastic body is: its frame, and one more and one per node for every
-    three modes."""
-    groups = -(-_reduced(model, name)[1].frequency.size // GROUP)
-    return 1 + groups * (1 + len(model.elastic_bodies[name].nodes))
+    """How many bodies of the records an elastic body is: its frame, one for every three modes, its nodes."""
+    modes = _reduced(model, name)[1].frequency.size
+    return 1 - (-modes // GROUP) + interface_count(modes) * len(model.elastic_bodies[name].nodes)
 
 
 def node_at(model: Model, name: str, place: NDArray[np.float64]) -> tuple[int, NDArray[np.float64]]:
@@ -203,8 +206,8 @@ def node_at(model: Model, name: str, place: NDArray[np.float64]) -> tuple[int, N
     origin, axes = np.array(body.origin or (0.0, 0.0, 0.0)), axes_of(model, name)
     places = origin + structure.places[list(nodes)] @ axes.T
     k = int(np.argmin(np.linalg.norm(places - place, axis=1)))
-    groups = -(-modes.frequency.size // GROUP)
-    return groups * (1 + k + 1), places[k]
+    n = modes.frequency.size
+    return -(-n // GROUP) + interface_count(n) * (k + 1), places[k]
 
 
 def file_nodes(model: Model, name: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -238,7 +241,7 @@ def _told(name: str, part: ElasticBody, fault: Exception) -> Problem:
     at = f"elastic_bodies.{name}"
     if isinstance(fault, ModelError):
         found = fault.problems[0]
-        keys = [k for k in ("file", *MATRICES) if fault.file is not None and getattr(part, k) == fault.file]
+        keys = [k for k in ALL_FILES if fault.file is not None and getattr(part, k) == fault.file]
         inner = replace(found, where=found.where or Path(fault.file or at).name, remedy=None)
         return Problem(f"{at}.{keys[0]}" if keys else at, str(inner), remedy=found.remedy)
     if isinstance(fault, CompileError):
@@ -286,7 +289,7 @@ def _read(
     static_shapes: bool,
 ) -> tuple[Structure, Modes, tuple[int, ...]]:
     """Read files and reduce them; `stamps` tell when they were changed."""
-    if len(files) == 3:
+    if len(files) >= 3:
         structure = read_parts(*files)
     elif Path(files[0]).suffix == ".npz":
         structure = read_npz(files[0])
