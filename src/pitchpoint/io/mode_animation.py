@@ -17,6 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.io.container import ResultError
 
+RADIUS = 0.1
+"""Where a turn counts as a displacement [m]."""
 MOST_NUMBERS = 6_000_000
 """Numbers that the motion of the nodes of one body may take in a file; of more, every second is kept, say."""
 Array = NDArray[np.float64]
@@ -51,7 +53,6 @@ def write_mode_animation(
     nodes: Mapping[str, tuple[ArrayLike, ArrayLike]] | None = None,
     frames: int = 24,
     amplitude: float = 0.01,
-    radius: float = 0.1,
 ) -> None:
     """Write modes for animation.
 
@@ -72,8 +73,8 @@ def write_mode_animation(
         modes, real or complex, world axes, (n, k, 3).
     frames
         Places over one cycle.
-    amplitude, radius
-        Largest displacement [m] after scaling; a turn counts with what it moves at this radius [m].
+    amplitude
+        Largest displacement [m] after scaling; a turn counts with what it moves at 0.1 m.
 
     Raises
     ------
@@ -85,7 +86,7 @@ def write_mode_animation(
         raise ResultError(f"{target.name}: modes are written as {' or '.join(FORMATS)}")
     shape = np.asarray(body_shape, dtype=np.complex128)
     reach = np.maximum(
-        np.linalg.norm(shape[..., :3], axis=-1), radius * np.linalg.norm(shape[..., 3:], axis=-1)
+        np.linalg.norm(shape[..., :3], axis=-1), RADIUS * np.linalg.norm(shape[..., 3:], axis=-1)
     ).max(axis=1, initial=0.0)
     swing = {name: (np.asarray(at, float), np.asarray(u, complex)) for name, (at, u) in (nodes or {}).items()}
     for _, shapes in swing.values():
