@@ -114,6 +114,33 @@ def test_a_beam_that_turns_with_its_hub_starts_with_its_speed():
     assert min(outward.values()) > 500.0
 
 
+@pytest.mark.parametrize(("speed", "first", "second"), [(2.0, 4.1373, 22.6149), (6.0, 7.3604, 26.8091)])
+def test_a_blade_that_turns_stiffens(speed, first, second):
+    # Wright, Smith, Thresher, Wang, J. Appl. Mech. 49 (1982) 197-202, Table 1, hub radius 0; frequencies and
+    # speed times L^2 sqrt(rho A/(E I)). Pieces of constant tension each leave an error of their square, 1/256
+    steel = material("steel")
+    unit = 0.002 * math.sqrt(steel.youngs_modulus / (3.0 * steel.density)) / 2.0
+    text = f"""\
+bodies:
+  hub: {{mass: 1 kg, inertia_tensor: [1, 1, 1, 0, 0, 0], markers: {{root: {{}}}}}}
+  tip: {{mass: 1 mg, inertia_tensor: [1e-9, 1e-9, 1e-9, 0, 0, 0], position: [1 m, 0, 0]}}
+joints:
+  axle: {{type: revolute, bodies: [ground, hub], position: [0, 0, 0]}}
+  flange: {{type: free, bodies: [hub, tip], position: [1 m, 0, 0]}}
+beams:
+  blade: {{ends: [hub.root, tip], section: {{width: 40 mm, height: 2 mm}}, axis: [0, 1, 0], pieces: 16}}
+scenarios:
+  turn:
+    drive: {{hub: {{speed: {speed * unit} rad/s}}}}
+    speed: {{hub: {speed * unit} rad/s}}
+    duration: 1 s
+"""
+    model = loads_model(text)
+    found = find_modes(compile_model(model, "turn"))
+    flaps = math.tau * np.sort(found.frequency)[:2] / unit
+    assert flaps == pytest.approx([first, second], rel=2e-3)
+
+
 @pytest.mark.parametrize(
     ("change", "where", "words"),
     [
