@@ -77,6 +77,9 @@ class UserLaw:
         return "" if math.isfinite(value) else f"{self.source} returned {value}"
 
 
+LAW_ARGUMENTS = ("t", "x", "p")
+
+
 def load_user_law(
     reference: str,
     folder: Path,
@@ -100,6 +103,21 @@ def load_user_law(
     where
         Path of the key in the model, for messages.
     """
+    function = load_function(reference, folder, LAW_ARGUMENTS, allow_code=allow_code, where=where)
+    values = np.ascontiguousarray(parameters if len(parameters) else [0.0], dtype=np.float64)
+    return UserLaw(function, values, reference)
+
+
+def load_function(
+    reference: str, folder: Path, arguments: Sequence[str], *, allow_code: bool, where: str
+) -> Callable[..., Any]:
+    """Load a function from a Python file; arguments as of `load_user_law`, but for the one below.
+
+    Parameters
+    ----------
+    arguments
+        Names of the arguments that it will be called with.
+    """
     if not allow_code:
         _refuse(
             where,
@@ -119,14 +137,21 @@ def load_user_law(
             "give it relative to the model file",
         )
     module = _execute(path, where, reference)
-    function = getattr(module, attribute, None)
+    function: Any = getattr(module, attribute, None)
     if not callable(function):
         known = ", ".join(n for n, v in vars(module).items() if inspect.isfunction(v)) or "none"
         _refuse(where, reference, "names no function of that file", f"functions there: {known}")
-    if not hasattr(function, "address") and len(_positional(function)) != 3:
-        _refuse(where, reference, "does not take three arguments", "define it as f(t, x, p)")
-    values = np.ascontiguousarray(parameters if len(parameters) else [0.0], dtype=np.float64)
-    return UserLaw(function, values, reference)
+    if not hasattr(function, "address") and len(_positional(function)) != len(arguments):
+        _refuse(
+            where,
+            reference,
+            f"does not take {_COUNT[len(arguments)]} arguments",
+            f"define it as f({', '.join(arguments)})",
+        )
+    return function  # type: ignore[no-any-return]
+
+
+_COUNT = {3: "three", 4: "four"}
 
 
 def _execute(path: Path, where: str, reference: str) -> Any:

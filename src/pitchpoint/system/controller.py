@@ -76,7 +76,7 @@ class SampledController:
 
 
 def sampled_pid(
-    t: float, inputs: Sequence[float], state: dict[str, float], parameters: dict[str, float]
+    t: float, inputs: Sequence[float], state: dict[str, Any], parameters: dict[str, float]
 ) -> float:
     """PID in the form of a digital controller: backward differences, clamped, with conditional integration.
 
@@ -87,7 +87,7 @@ def sampled_pid(
     inputs
         The control error.
     state
-        {"integral": 0.0, "error": 0.0}.
+        {"integral": 0.0, "error": None}: the error of the call before, None at the first.
     parameters
         kp, ki, kd, period; low and high if the output has limits.
     """
@@ -95,7 +95,8 @@ def sampled_pid(
     h = parameters["period"]
     low, high = parameters.get("low", -math.inf), parameters.get("high", math.inf)
     integral = state["integral"] + parameters.get("ki", 0.0) * h * e
-    u = parameters.get("kp", 0.0) * e + integral + parameters.get("kd", 0.0) * (e - state["error"]) / h
+    before = e if state["error"] is None else state["error"]
+    u = parameters.get("kp", 0.0) * e + integral + parameters.get("kd", 0.0) * (e - before) / h
     state["error"] = e
     limited = min(max(u, low), high)
     if u == limited or (u - limited) * e < 0.0:  # integrate only where it leads back
