@@ -148,7 +148,7 @@ def load_function(
             f"does not take {_COUNT[len(arguments)]} arguments",
             f"define it as f({', '.join(arguments)})",
         )
-    return function  # type: ignore[no-any-return]
+    return function
 
 
 _COUNT = {3: "three", 4: "four"}

@@ -324,7 +324,7 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
             if isinstance(value, Mapping) and isinstance(forms, dict):
                 new = report.chosen(forms, TYPE, value, here)
             else:
-                new = report.component(*allowed, value, here) if isinstance(value, Mapping) else value
+                new = report.component(allowed[0], value, here) if isinstance(value, Mapping) else value
             if not isinstance(new, allowed) and new is not BAD:
                 report.problem(here, "is neither a mapping nor a component", value=shown(value))
         else:

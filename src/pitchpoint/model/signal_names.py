@@ -8,7 +8,7 @@ from typing import Any
 
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.controller import inputs_of, outputs_of
-from pitchpoint.model.components.sensor import LoadSensor
+from pitchpoint.model.components.sensor import FrameSensor, JointSensor, LoadSensor
 from pitchpoint.model.keys import Place
 
 SECTIONS = ("sensors", "blocks", "controllers", "actuators")
@@ -77,3 +77,35 @@ def has_state_between(block: bl.Block) -> bool:
     if isinstance(block, bl.TransferFunction):
         return len(block.numerator) < len(block.denominator) or block.numerator[0] == 0.0
     return isinstance(block, bl.Integrator | bl.Filter)
+
+
+RATES = (
+    "velocity",
+    "acceleration",
+    "distance_rate",
+    "angular_velocity",
+    "angular_acceleration",
+)
+
+
+def rates_behind(machine: Any) -> dict[str, str]:
+    """For every actuator that follows a rate, through whatever blocks, the sensor of it."""
+    found = {}
+    for name, part in machine.actuators.items():
+        waiting, seen = [part.signal], set()
+        while waiting:
+            signal = waiting.pop()
+            if signal in seen:
+                continue
+            seen.add(signal)
+            if signal in machine.blocks:
+                waiting += [n for n, _ in inputs(machine.blocks[signal])]
+            elif signal in machine.sensors and _is_rate(machine.sensors[signal]):
+                found[name] = signal
+    return found
+
+
+def _is_rate(sensor: Any) -> bool:
+    if isinstance(sensor, JointSensor):
+        return sensor.derivative > 0
+    return isinstance(sensor, FrameSensor) and sensor.quantity in RATES

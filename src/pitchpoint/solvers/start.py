@@ -110,7 +110,7 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         return Start(_with_damping(system, state), state, notes)
     system, balanced, held = balance_torques(system, state, held, driven)
     found, told = rest_of_controls(system, state, held, {*driven, *balanced})
-    notes = [*told, *_notes(system, found, {*driven, *balanced})]
+    notes = (*told, *_notes(system, found, {*driven, *balanced}))
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     return Start(_with_damping(system, state), state, (*notes, *more))
 
