@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 SAME = math.sqrt(0.5)
 """Cosine of the angle of two spin axes up to which a torque has an axis half-way between them."""
+PARALLEL = 1.0 - 1e-9
 NO_HOLD = ("free", "shaft")
 """Joints that leave all six displacements free."""
 
@@ -299,25 +300,24 @@ def _torque(parts: Parts, at: Place, actuator: TorqueActuator, report: Reader) -
     if bodies[0] == GROUND:
         report.problem(at, "name ground first", remedy="name the driven body first")
         return
-    for body in bodies:
-        if body == GROUND:
-            continue
-        found = coordinate(parts.mechanism, parts, body)
-        fixed = parts.mechanism.seats[body].kind == "fixed" or parts.bodies[body].moves == "fixed"
-        if isinstance(found, str) and not (fixed and body != bodies[0]):
-            report.problem(at, found, remedy="write {type: force, quantity: moment, ...} instead")
-            return
-    if len(bodies) == 2 and GROUND not in bodies:
-        one, two = (_spin_axis(parts, body) for body in bodies)
-        if abs(float(one @ two)) < SAME:
-            report.problem(
-                at,
-                f"turn about different axes: {bodies[0]} and {bodies[1]}",
-                value=" and ".join(bodies),
-                limit="45 deg",
-                remedy="let the torque act back on the body that carries the bearing of the driven one, or "
-                "write {type: force, quantity: moment, ...}",
-            )
+    driven = coordinate(parts.mechanism, parts, bodies[0])
+    if isinstance(driven, str):
+        report.problem(at, driven, remedy="write {type: force, quantity: moment, ...} instead")
+        return
+    if len(bodies) == 1 or bodies[1] == GROUND:
+        return
+    one, two = (_spin_axis(parts, body) for body in bodies)
+    along = abs(float(one @ two))
+    spins = not isinstance(coordinate(parts.mechanism, parts, bodies[1]), str)
+    # a body without a spin takes the torque whatever its axes, but for one nearly along it
+    if along < SAME if spins else SAME < along < PARALLEL:
+        report.problem(
+            at,
+            f"stand {math.degrees(math.acos(along)):.4g} deg askew: {bodies[0]} and {bodies[1]}",
+            limit="45 deg" if spins else "0 deg, or above 45 deg",
+            remedy="let the torque act back on the body that carries the driven one, or write "
+            "{type: force, quantity: moment, ...}",
+        )
 
 
 def _spin_axis(parts: Parts, body: str) -> Any:
