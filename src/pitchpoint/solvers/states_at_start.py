@@ -51,7 +51,9 @@ def rest_of_controls(
         found = find_equilibrium(system, state, kept)  # its own error, if the machine has no rest either
         found = replace(found, held=tuple(held), reaction=found.reaction[: len(held)])
         return found, ("no rest of machine and controllers: states of signals begin at their start values",)
-    return _balanced(system, found, held, known)
+    found, notes = _balanced(system, found, held, known)
+    # states count little beside forces in what ends an equilibrium
+    return replace(found, state=states_of_inputs(system, found.state)), notes
 
 
 def _balanced(

@@ -61,7 +61,7 @@ class SampledController:
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # noqa: BLE001 - a user's code may raise anything, SystemExit too
-            return [], self._said(t, f"raised {type(error).__name__}: {error}{_where(error)}")
+            return [], self._said(t, f"raised {type(error).__name__}: {error}", _where(error))
         try:
             found = [float(x) for x in (answer if np.ndim(answer) else [answer])]
         except (TypeError, ValueError):
@@ -73,14 +73,14 @@ class SampledController:
         ]
         return found, self._said(t, f"returned {', '.join(bad)}") if bad else ""
 
-    def _said(self, t: float, what: str) -> str:
-        return f"the controller {self.name!r} {what} (t = {t:.6g} s)"
+    def _said(self, t: float, what: str, where: str = "") -> str:
+        return f"the controller {self.name!r} {what} (t = {t:.6g} s{where})"
 
 
 def _where(error: BaseException) -> str:
     """File and line in which an exception was raised."""
     last = traceback.extract_tb(error.__traceback__)[-1]
-    return f" ({Path(last.filename).name}, line {last.lineno})"
+    return f", {Path(last.filename).name}, line {last.lineno}"
 
 
 def sampled_pid(
