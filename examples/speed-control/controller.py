@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A speed controller as it runs in a drive: proportional and integral part, limited torque."""
 
 

@@ -128,7 +128,7 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
     ]
     table(title, ["mode", "natural frequency", "damped", "damping ratio"], cells)
     if summary["states"]:
-        words = [f"{x:.5g} ± {y:.5g}i" if y > 0.0 else f"{x:.5g}" for x, y in summary["states"]]
+        words = [f"{x:.5g} ± {y:.5g}i" if y > 0.0 else f"{x + 0.0:.5g}" for x, y in summary["states"]]
         show(f"eigenvalues of states [1/s]: {', '.join(words)}")
     if not quiet:
         for note in summary["notes"]:

@@ -77,9 +77,6 @@ class UserLaw:
         return "" if math.isfinite(value) else f"{self.source} returned {value}"
 
 
-LAW_ARGUMENTS = ("t", "x", "p")
-
-
 def load_user_law(
     reference: str,
     folder: Path,
@@ -103,7 +100,7 @@ def load_user_law(
     where
         Path of the key in the model, for messages.
     """
-    function = load_function(reference, folder, LAW_ARGUMENTS, allow_code=allow_code, where=where)
+    function = load_function(reference, folder, ("t", "x", "p"), allow_code=allow_code, where=where)
     values = np.ascontiguousarray(parameters if len(parameters) else [0.0], dtype=np.float64)
     return UserLaw(function, values, reference)
 
@@ -111,12 +108,16 @@ def load_user_law(
 def load_function(
     reference: str, folder: Path, arguments: Sequence[str], *, allow_code: bool, where: str
 ) -> Callable[..., Any]:
-    """Load a function from a Python file; arguments as of `load_user_law`, but for the one below.
+    """Load a function from a Python file.
 
     Parameters
     ----------
+    reference, folder
+        As of `load_user_law`.
     arguments
         Names of the arguments that it will be called with.
+    allow_code, where
+        As of `load_user_law`.
     """
     if not allow_code:
         _refuse(

@@ -7,12 +7,11 @@ import ast
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.user_law import LAW_ARGUMENTS
 from pitchpoint.model.components.block import LawBlock
 from pitchpoint.model.components.controller import PythonController
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
-from pitchpoint.model.signal_names import CONTROLLER_ARGUMENTS
+from pitchpoint.model.signal_names import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
 from pitchpoint.model.validate import nearest
 
 if TYPE_CHECKING:

@@ -15,8 +15,9 @@ SECTIONS = ("sensors", "blocks", "controllers", "actuators")
 """Sections of a file that have to do with signals."""
 TIME = "t"
 """Name of the time where a formula takes it."""
+LAW_ARGUMENTS = ("t", "x", "p")
 CONTROLLER_ARGUMENTS = ("t", "inputs", "state", "parameters")
-"""What functions of controllers are called with."""
+"""What functions of blocks and of controllers are called with."""
 
 
 def made(machine: Any) -> Iterator[tuple[str, Place]]:

@@ -24,6 +24,8 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 
 MOST_STEPS = 20
+MOST_TURNS = 50
+"""Most turns between a machine and the states that follow its loads."""
 AT_REST = 1e-9
 """Rate of a state over the terms it is made of, and torque left over, that count as none."""
 
@@ -44,16 +46,41 @@ def rest_of_controls(
     """
     if not signal_states(system).size:
         return find_equilibrium(system, state, held), ()
-    try:
-        found = find_equilibrium(system, state, held)
-    except SolverError:
-        kept = (*held, *(int(k) for k in signal_states(system)))
-        found = find_equilibrium(system, state, kept)  # its own error, if the machine has no rest either
-        found = replace(found, held=tuple(held), reaction=found.reaction[: len(held)])
+    found = _rest(system, state, held)
+    if found is None:
+        found = _with_states_kept(system, state, held)  # its own error, if the machine has no rest either
         return found, ("no rest of machine and controllers: states of signals begin at their start values",)
     found, notes = _balanced(system, found, held, known)
     # states count little beside forces in what ends an equilibrium
     return replace(found, state=states_of_inputs(system, found.state)), notes
+
+
+def _rest(system: System, state: State, held: Sequence[int]) -> Equilibrium | None:
+    """Equilibrium of machine and states together, or in turns: tangents of sensed loads are not known."""
+    try:
+        return find_equilibrium(system, state, held)
+    except SolverError:
+        here = state
+    states = signal_states(system)
+    for _ in range(MOST_TURNS):
+        try:
+            found = _with_states_kept(system, here, held)
+            settled = _settled(system, found.state)
+        except SolverError:
+            return None
+        if settled is None:
+            return None
+        here = settled
+        changed = np.abs(here.v[states] - found.state.v[states])
+        if np.all(changed <= AT_REST * np.maximum(1.0, np.abs(here.v[states]))):
+            return replace(found, state=here)
+    return None
+
+
+def _with_states_kept(system: System, state: State, held: Sequence[int]) -> Equilibrium:
+    kept = (*held, *(int(k) for k in signal_states(system)))
+    found = find_equilibrium(system, state, kept)
+    return replace(found, held=tuple(held), reaction=found.reaction[: len(held)])
 
 
 def _balanced(
@@ -72,14 +99,17 @@ def _balanced(
         left = found.reaction[open_]
         if not idle.size or np.all(np.abs(left) <= AT_REST * _acting(system, found.state)[list(held)][open_]):
             break
-        slope = np.column_stack([_answer(system, found, held, k)[open_] - left for k in idle])
+        answers = [_answer(system, found, held, k) for k in idle]
+        if any(answer is None for answer in answers):
+            break
+        slope = np.column_stack([answer[open_] - left for answer in answers if answer is not None])
         step = -np.linalg.pinv(slope, rcond=1e-9) @ left
         if not np.abs(step).max(initial=0.0) > 0.0:
             break
         trial = found.state.copy()
         trial.v[idle] += step * _unit(found.state, idle)
-        better = find_equilibrium(system, trial, held)
-        if not np.linalg.norm(better.reaction[open_]) < np.linalg.norm(left):
+        better = _rest(system, trial, held)
+        if better is None or not np.linalg.norm(better.reaction[open_]) < np.linalg.norm(left):
             break
         found = better
     return found, notes
@@ -95,11 +125,12 @@ def _unit(state: State, at: NDArray[np.int64]) -> Array:
     return np.maximum(1.0, np.abs(state.v[at]))
 
 
-def _answer(system: System, found: Equilibrium, held: Sequence[int], k: int) -> Array:
+def _answer(system: System, found: Equilibrium, held: Sequence[int], k: int) -> Array | None:
     """Reactions with one state changed by its unit."""
     trial = found.state.copy()
     trial.v[k] += float(_unit(trial, np.array([k]))[0])
-    return find_equilibrium(system, trial, held).reaction
+    answer = _rest(system, trial, held)
+    return None if answer is None else answer.reaction
 
 
 def _moving(system: System, state: State, idle: NDArray[np.int64]) -> NDArray[np.bool_]:
@@ -117,21 +148,30 @@ def _name(system: System, k: int) -> str:
 
 
 def states_of_inputs(system: System, state: State) -> State:
-    """The same state of the machine, with filters and transfer functions at rest where they can be.
+    """The same state of the machine, with filters and transfer functions at rest if they can be.
 
     Parameters
     ----------
     system, state
         Places and rates of the machine stay.
     """
+    found = _settled(system, state)
+    return state if found is None else found
+
+
+def _settled(system: System, state: State) -> State | None:
+    """The same; None if the states do not come to rest with their inputs as they are."""
     states = signal_states(system)
     free = np.setdiff1d(states, restless(system, state, states))
     found = state.copy()
-    for _ in range(MOST_STEPS if free.size else 0):
+    if not free.size:
+        return found
+    for _ in range(MOST_STEPS):
         rates = evaluate.residual(system, found)[free]
         slope = evaluate.matrix(system, found, 0.0, 1.0, 0.0, EXACT)[np.ix_(free, free)]
         step = -np.linalg.lstsq(slope, rates, rcond=1e-12)[0]
         found.v[free] += step
         if np.all(np.abs(step) <= 1e-13 * np.maximum(1.0, np.abs(found.v[free]))):
             break
-    return found
+    left = np.abs(evaluate.residual(system, found)[free])
+    return found if np.all(left <= 1e-6 * (np.abs(slope) @ np.abs(found.v[free])) + 1e-12) else None

@@ -72,8 +72,8 @@ def test_check_and_results_show_the_signals(file: Path, capsys: pytest.CaptureFi
 @pytest.mark.parametrize(
     ("fault", "said"),
     [
-        ("1", "the controller 'loop' raised RuntimeError: sensor lost (t = 0.12 s, laws.py, line 8)"),
-        ("2", "the controller 'loop' returned nan for 'u' (t = 0.1 s)"),
+        ("1", "controllers.loop (line 8) raised RuntimeError: sensor lost (t = 0.12 s, laws.py, line 8)"),
+        ("2", "controllers.loop (line 8) returned nan for 'u' (t = 0.1 s)"),
     ],
 )
 def test_a_controller_that_fails(
@@ -97,7 +97,7 @@ def test_a_block_that_returns_nan(file: Path, capsys: pytest.CaptureFixture[str]
     assert run_command(["run", str(file), "--allow-code", "-o", "out.h5"]) == 3
     error = capsys.readouterr().err
     assert "laws.py:seen returned nan" in error
-    assert "seen" in error
+    assert "blocks.seen (line 6)" in error
     with open_result("out.h5") as data:
         assert float(data["time"][-1]) == pytest.approx(0.249, abs=2e-3)
 

@@ -19,6 +19,7 @@ from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.sweep.speed import run_sweep
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
+from tests.support.mechanism_files import SLIDER_CRANK
 
 PAIR = """\
 gears:
@@ -154,6 +155,40 @@ scenarios: {run: {duration: 20 ms, step: 0.1 ms, settle_time: 0 s}}
     # an equilibrium ends at 1e-9 of what acts, and rates of states have gains up to 1/(10 ms)
     assert signal("angle") == pytest.approx(0.8, abs=1e-7)
     assert signal("u") == pytest.approx(2.0 * 9.81 * 0.5 * np.cos(0.8), rel=1e-7)
+
+
+def test_a_servo_in_a_mechanism_with_a_loop():
+    """The torque that holds the crank is the slope of the potential energy over its angle."""
+    text = "gravity: [0, -9.81 m/s^2, 0]\n" + SLIDER_CRANK
+    text += """\
+sensors: {angle: {type: joint, coordinate: main.spin}}
+blocks:
+  error: {type: sum, inputs: {angle: -1}, offset: 0.5 rad}
+  u: {type: pid, input: error, proportional: 40, integral: 30}
+actuators: {motor: {type: torque, signal: u, bodies: [crank]}}
+scenarios: {run: {duration: 20 ms, step: 0.1 ms, settle_time: 0 s}}
+"""
+    start, signal = begun(text)
+    wanted = 9.81 * (0.04 * np.cos(0.5) - 0.005 * np.sin(0.5) + 0.8 * 0.1 * (1.0 - 0.12 / 0.3) * np.cos(0.5))
+    assert signal("angle") == pytest.approx(0.5, abs=1e-7)
+    assert signal("u") == pytest.approx(wanted, rel=1e-6)
+    done, _, channel = go(compile_model(loads_model(text), "run"))
+    assert done.status == 1, done.sentence
+    np.testing.assert_allclose(channel("signal[angle]"), 0.5, atol=1e-6)
+
+
+def test_a_filter_of_a_sensed_load():
+    """The force of the mesh is known after all others, its tangent is not, and rest is found all the same."""
+    text = PAIR.replace("loads:\n", "  force: {type: observation, channel: 'mesh_force[stage]'}\nloads:\n")
+    text += """\
+blocks:
+  calm: {type: filter, input: force, time_constant: 2 ms}
+  back: {type: sum, inputs: {calm: 1 mm}}
+"""
+    start, signal = begun(text + DRIVE.replace("signal: u", "signal: back"))
+    force = 40.0 / (0.06 * np.cos(np.radians(20.0)))
+    assert signal("calm") == pytest.approx(force, rel=1e-8)
+    assert signal("back") == pytest.approx(1e-3 * force, rel=1e-8)
 
 
 def test_poles_and_response_of_a_speed_loop():
