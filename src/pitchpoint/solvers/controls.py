@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.elements.signal_graph import LOADS
 from pitchpoint.model.signal_names import rates_behind
+from pitchpoint.system.source import source
 
 if TYPE_CHECKING:
     from pitchpoint.system.system import System
@@ -54,3 +56,20 @@ def refuse_rates(system: System, what: str) -> None:
             "load instead, or run a time response",
             INCONSISTENT,
         )
+
+
+def refuse_loads(system: System, what: str) -> None:
+    """Stop where bodies and observations get new numbers and signals sense loads by the old ones.
+
+    Parameters
+    ----------
+    system, what
+        As in `refuse_sampled`.
+    """
+    for kind in ("signal", "signal_of_loads"):
+        for record, name in zip(system.records.get(kind, ()), system.names.get(kind, ()), strict=True):
+            if int(record["op"]) in LOADS:
+                raise SolverError(
+                    f"{what} cannot keep {source(system, kind, name)}, which senses a load; leave it out",
+                    INCONSISTENT,
+                )

@@ -13,7 +13,8 @@ from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.frequency_response import find_response
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.quasistatic import roll_through
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.reduction import reduce_system
+from pitchpoint.solvers.start import Start, prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.sweep.speed import run_sweep
@@ -269,6 +270,32 @@ def test_what_other_analyses_cannot_take_in():
         roll_through(compile_model(loads_model(PAIR + ERROR + PI % "" + DRIVE), "roll"), "roll")
     modes = find_modes(compile_model(loads_model(sampled), "run"), "run")
     assert "nothing calls the sampled controllers here (c)" in modes.notes[-1]
+
+
+def test_a_reduced_system_keeps_its_controllers():
+    text = PAIR + ERROR + SAMPLED % ", start: 20" + DRIVE
+    text = text.replace(
+        "drum: {gears: [wheel],",
+        "disc: {motion: torsion, inertia: 0.1, position: [0, 0, 1]}\n  drum: {gears: [wheel],",
+    )
+    text = text.replace(
+        "loads:", "couplings:\n  c: {bodies: [motor, disc], stiffness: {torsion: 1e5}}\nloads:"
+    )
+    system = compile_model(loads_model(text.replace("100 rad/s}\ncontr", "110 rad/s}\ncontr")), "run")
+    reduced = reduce_system(system, "run", limit=200.0)
+    assert [c.name for c in reduced.system.controllers] == ["c"]
+    found = []
+    for one, state in ((reduced.system, reduced.state), (reduced.full, reduced.full_state)):
+        done, _, channel = go(one, system.scenario, start=Start(one, state))
+        assert done.status == 1, done.sentence
+        found.append(channel("signal[u]"))
+    assert np.ptp(found[0]) > 1.0
+    # the disc on its spring at 160 Hz and its shape up to 200 Hz are in both
+    np.testing.assert_allclose(found[0], found[1], rtol=2e-3)
+    heard = "  force: {type: observation, channel: 'mesh_force[stage]'}\nloads:\n"
+    system = compile_model(loads_model(PAIR.replace("loads:\n", heard)), "run")
+    with pytest.raises(SolverError, match=r"cannot keep sensors.force \(line 11\), which senses a load"):
+        reduce_system(system, "run", limit=200.0)
 
 
 def test_a_roll_and_a_sweep_with_signals_that_they_can_take_in():
