@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.geometry.materials import LIBRARY
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.frequency_response import find_response
 from pitchpoint.solvers.modal import find_modes
@@ -176,6 +177,37 @@ scenarios: {run: {duration: 20 ms, step: 0.1 ms, settle_time: 0 s}}
     done, _, channel = go(compile_model(loads_model(text), "run"))
     assert done.status == 1, done.sentence
     np.testing.assert_allclose(channel("signal[angle]"), 0.5, atol=1e-6)
+
+
+def test_an_elastic_shaft_at_its_speed():
+    """The drive takes the load from the start, and the twist of the shaft is T (l_1/I_1 + l_2/I_2)/G."""
+    text = """\
+shafts:
+  input:
+    sections: [{length: 60 mm, diameter: 40 mm}, {length: 120 mm, diameter: 50 mm}]
+    material: steel
+    position: [0, 0, 0]
+    markers: {far: {position: [0, 0, 180 mm]}}
+bearings:
+  left: {body: input, position: [0, 0, 20 mm], stiffness: {radial: 2e8 N/m, axial: 1e8 N/m}}
+  right: {body: input, position: [0, 0, 170 mm], stiffness: {radial: 2e8 N/m}}
+sensors:
+  twist: {type: frames, quantity: angle, ends: [input.far, input]}
+  speed: {type: frames, quantity: angular_velocity, ends: [input.far, ground]}
+blocks:
+  error: {type: sum, inputs: {speed: -1}, offset: 100 rad/s}
+  u: {type: pid, input: error, proportional: 2, integral: 20}
+actuators: {motor: {type: torque, signal: u, bodies: [input]}}
+loads: {load: {body: input, torque: -50 N m, position: [0, 0, 180 mm]}}
+scenarios: {run: {speed: {input: 100 rad/s}, duration: 2 ms, step: 5 us, settle_time: 0 s}}
+"""
+    start, signal = begun(text)
+    assert start.notes == ()
+    assert signal("u") == pytest.approx(50.0, rel=1e-8)
+    steel = LIBRARY["steel"]
+    shear = steel.youngs_modulus / (2.0 * (1.0 + steel.poisson_ratio))
+    polar = np.pi / 32.0 * np.array([0.04, 0.05]) ** 4
+    assert signal("twist") == pytest.approx(-50.0 / shear * np.sum([0.06, 0.12] / polar), rel=1e-6)
 
 
 def test_a_filter_of_a_sensed_load():
