@@ -67,7 +67,7 @@ def modes(
         lambda: compute(
             model, file, name, target, phase=phase, count=count, animation=animation, quiet=quiet
         ),
-        {"modes": []},
+        {"modes": [], "states": []},
     )
     if as_json:
         emit_json(summary)
