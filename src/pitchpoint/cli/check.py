@@ -63,6 +63,7 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
 
 def summary(model: Model) -> dict[str, Any]:
     """Collect what will be simulated."""
+    from pitchpoint.model.signal_words import HEAD, signal_lines
     from pitchpoint.report.defaults import defaults
     from pitchpoint.system.rules.elastic_body import elastic_facts
 
@@ -112,6 +113,7 @@ def summary(model: Model) -> dict[str, Any]:
         "couplings": list(model.couplings),
         **{group: list(getattr(model, group)) for group in FORCES},
         "loads": list(model.loads),
+        "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
     }
@@ -249,6 +251,8 @@ def _print(model: Model, file: str) -> None:
     for group in ("bearings", "couplings", *FORCES, "loads"):
         if found[group]:
             show(f"{group}: {', '.join(found[group])}")
+    if found["signals"]:
+        table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
     if found["scenarios"]:
         show("scenarios: " + ", ".join(f"{name} ({kind})" for name, kind in found["scenarios"].items()))
     assumed = found["defaults"]

@@ -67,7 +67,7 @@ def modes(
         lambda: compute(
             model, file, name, target, phase=phase, count=count, animation=animation, quiet=quiet
         ),
-        {"modes": []},
+        {"modes": [], "states": []},
     )
     if as_json:
         emit_json(summary)
@@ -110,6 +110,7 @@ def compute(
         "output": None if target is None else str(target),
         "notes": list(found.notes),
         "modes": rows_of(found),
+        "states": [[float(x.real), float(x.imag)] for x in found.state_eigenvalue],
     }
     return summary, None
 
@@ -126,6 +127,9 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
         for row in summary["modes"]
     ]
     table(title, ["mode", "natural frequency", "damped", "damping ratio"], cells)
+    if summary["states"]:
+        words = [f"{x:.5g} ± {y:.5g}i" if y > 0.0 else f"{x + 0.0:.5g}" for x, y in summary["states"]]
+        show(f"eigenvalues of states [1/s]: {', '.join(words)}")
     if not quiet:
         for note in summary["notes"]:
             show(f"note: {note}")

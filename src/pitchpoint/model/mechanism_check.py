@@ -348,7 +348,7 @@ def _coordinates(parts: Parts, report: Reader) -> None:
             at: Place = ("scenarios", name, "drive", word)
             found = coordinate(parts.mechanism, parts, word)
             if isinstance(found, str):
-                report.problem(at, found, remedy=_listed(parts))
+                report.problem(at, found, remedy=coordinates_listed(parts))
                 continue
             wanted = ("speed", "angle") if found[2] == "angle" else ("velocity", "position")
             given = [k for k in ("speed", "angle", "velocity", "position") if getattr(drive, k) is not None]
@@ -361,7 +361,7 @@ def _coordinates(parts: Parts, report: Reader) -> None:
                 )
 
 
-def _listed(parts: Parts) -> str:
+def coordinates_listed(parts: Parts) -> str:
     """All coordinates that can be named."""
     found = [
         f"{seat.joint}.{word}"
@@ -385,7 +385,7 @@ def _ratios(parts: Parts, report: Reader) -> None:
         for word, value in ratio.terms.items():
             found = coordinate(parts.mechanism, parts, word)
             if isinstance(found, str):
-                report.problem((*at, word), found, remedy=_listed(parts))
+                report.problem((*at, word), found, remedy=coordinates_listed(parts))
                 continue
             lengths[word] = (found[2] == "length") + isinstance(value, Arm)
         if len(lengths) == len(ratio.terms) and len(set(lengths.values())) > 1:

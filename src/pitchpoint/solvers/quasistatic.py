@@ -24,6 +24,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.roll_notes import load_notes
@@ -129,6 +130,7 @@ def roll_through(
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
         raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
+    refuse_rates(system, "a slow roll")
     point = operating_point(system, scenario)
     own = point.system.copy()
     k = mesh_names(own).index(mesh)
