@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.model.frames import frame
+from pitchpoint.model.frames import body_frame
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def check_couplings(parts: Parts, report: Reader) -> None:
         places = [b.origin for b in bodies if b is not None and b.origin is not None]
         if len(places) < 2 or not _holds_sideways(coupling):
             continue
-        z, other = (frame(b.axes)[:, 2] for b in bodies if b is not None)
+        z, other = (body_frame(parts, b)[1][:, 2] for b in coupling.bodies)
         cosine = float(z @ other)
         if cosine < 1.0 - COAXIAL**2:
             report.problem(
@@ -65,7 +65,7 @@ def check_couplings(parts: Parts, report: Reader) -> None:
                 f"have axes {apart * 1e3:.6g} mm apart, and the coupling holds more than their rotation",
                 value=f"{first} and {second}",
                 limit=f"{COAXIAL * 1e3:g} mm",
-                remedy=f"give {first} and {second} the same x and y, or the coupling torsion only",
+                remedy=f"put {first} and {second} on one axis, or give the coupling torsion only",
             )
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements import bearing as element
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.coupling import Coupling
-from pitchpoint.model.frames import frame
+from pitchpoint.model.frames import body_frame
 from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
@@ -34,7 +34,7 @@ def bearing_bank(model: Model) -> Bank:
     for name, part, ends in parts:
         row = np.zeros(1, element.RECORD)[0]
         origin = [np.array(model.bodies[b].origin or (0.0, 0.0, 0.0)) for b in ends]
-        axes = frame(model.bodies[ends[0]].axes)
+        axes = body_frame(model, ends[0])[1]
         marker = origin[0] + axes @ [0.0, 0.0, part.position[2]]
         row["i"], row["zi"] = seat_at(model, ends[0], part.position[2])
         row["K"] = part.stiffness.matrix6()
