@@ -28,8 +28,8 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 REST = 1e-5
 """Share up to which what is reckoned at an equilibrium agrees."""
 MEAN = 2e-4
-"""The same of damped meshes over their cycle: one of the phases of that mean may lie on a jump of the damping,
-which round-off then puts on either side."""
+"""The same of damped meshes over their cycle: one of the phases of that mean may lie on a jump of the
+damping, which round-off then puts on either side."""
 NOTHING = 1e-12
 """What is less in SI units is round-off of zero."""
 ALONG_X = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])

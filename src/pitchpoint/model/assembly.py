@@ -272,6 +272,8 @@ def _by_couplings(parts: Parts, mesh: Mesh) -> str:
 def _directions(parts: Parts, report: Reader) -> None:
     """Angle of every line of centres; places given twice must agree."""
     for name, mesh in parts.meshes.items():
+        if ("meshes", name, "gears") in report.tainted:
+            continue
         theta = mesh.direction or 0.0
         bodies = [parts.body_of(g) for g in mesh.gears]
         ends = [parts.bodies[b].origin for b in bodies if b is not None]
@@ -309,7 +311,7 @@ def _directions(parts: Parts, report: Reader) -> None:
 def _widths(parts: Parts, report: Reader) -> None:
     """Common face width of every mesh and where its middle lies on both gears."""
     for name, mesh in parts.meshes.items():
-        if not all(g in parts.gears for g in mesh.gears):
+        if not all(g in parts.gears for g in mesh.gears) or ("meshes", name, "gears") in report.tainted:
             continue
         axis = mesh_frame(parts, ends_of(parts, mesh)[0])[:, 2]
         middle = [_middle(parts, g, axis) for g in mesh.gears]

@@ -69,7 +69,7 @@ def mesh_rates(system: System, speeds: Mapping[str, float]) -> list[float]:
             rates[index[int(body[b]["spin"])]] = speeds.get(name, 0.0)
     found = []
     for record in system.records.get("gear_mesh", ()):
-        base = _turning(system, index, int(body[_carried(record)]["parent"]))
+        base = _base(system, index, record)
         relative = _turning(system, index, int(record["i"])) - base
         found.append(abs(float(record["z1"] * (relative @ rates))))
     return found
@@ -141,11 +141,10 @@ def _as_the_teeth_want(system: System, index: dict[int, int], spin: int) -> Arra
     return np.asarray(np.linalg.lstsq(A, np.array([*np.zeros(len(rows)), 1e3]), rcond=None)[0])
 
 
-def _turning(system: System, index: dict[int, int], b: int) -> Array:
-    """How a body turns in space, about its own axis, per rate of every spin."""
+def _turning(system: System, index: dict[int, int], b: int, sense: float = 1.0) -> Array:
+    """How a body turns in space per rate of every spin: about its own axis, against it for a `sense` of -1."""
     body = system.program["body"]
     found = np.zeros(len(index))
-    sense = 1.0
     while b and sense != 0.0:
         if body[b]["spin"] >= 0:
             found[index[int(body[b]["spin"])]] += sense
@@ -166,7 +165,7 @@ def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[A
                 i, j = int(record["i"]), int(record["j"])
                 one, two = (_turning(system, index, b) for b in (i, j))
                 if kind == "gear_mesh":
-                    base = _turning(system, index, int(system.program["body"][_carried(record)]["parent"]))
+                    base = _base(system, index, record)
                     row = float(record["z1"]) * (one - base) + float(record["z2"]) * (two - base)
                 elif kind == "bearing" and record["K"][5, 5] == 0.0:
                     continue
@@ -181,9 +180,14 @@ def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[A
     return found
 
 
-def _carried(record: np.void) -> int:
-    """The gear whose base carries the line of centres of a mesh."""
-    return int(record["i"] if record["carried"] == 1 else record["j"])
+def _base(system: System, index: dict[int, int], record: np.void) -> Array:
+    """How what carries the line of centres of a mesh turns about the axes of its gears, per rate of any spin.
+
+    A housing that turns about another axis takes the gears along and turns none against the other.
+    """
+    body = system.program["body"]
+    gear = int(record["i"] if record["carried"] == 1 else record["j"])
+    return _turning(system, index, int(body[gear]["parent"]), float(body[gear]["sense"]))
 
 
 def _ratio(record: np.void, index: dict[int, int]) -> Array:
