@@ -16,7 +16,10 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
 from pitchpoint.elements.ratio import place_of
-from pitchpoint.system.system import System
+from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.solvers.assembly import loop_rows
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
@@ -41,17 +44,69 @@ def driven_coordinates(system: System) -> tuple[int, ...]:
     return tuple(place_of(r, "i") for r in system.records.get("drive", ()))
 
 
-def exchange(system: System, held: Sequence[int], spin: int) -> tuple[int, ...]:
-    """Hold one spin in place of the one among `held` that its train moves most; it comes last."""
+def exchange(system: System, held: Sequence[int], spin: int, state: State | None = None) -> tuple[int, ...]:
+    """Hold one spin in place of the one among `held` that its train moves most; it comes last.
+
+    With a state a train also goes on through closed loops, as they stand there.
+    """
     if spin in held:
         return (*(h for h in held if h != spin), spin)
     free, index = _free(system)
+    if state is not None and loop_rows(system):
+        free, index = _motions(system, state), {k: k for k in range(system.sizes["nd"])}
     turning = [h for h in held if h in index and np.linalg.norm(free[index[h]]) > SAME]
     if not turning or np.linalg.norm(free[index[spin]]) <= SAME:
         return (*held, spin)
     shares = np.linalg.lstsq(free[[index[h] for h in turning]].T, free[index[spin]], rcond=None)[0]
     given_up = turning[int(np.argmax(np.abs(shares)))]
     return (*(h for h in held if h != given_up), spin)
+
+
+def turning_rates(system: System, state: State, spin: int) -> Array:
+    """Rates of all coordinates as one spin turns at 1 rad/s through teeth and closed loops, as they stand.
+
+    What they leave open besides moves as little as it can.
+
+    Returns
+    -------
+    ndarray, shape (nd,)
+        Zeros if the loops hold it fast.
+    """
+    free = _motions(system, state)
+    row = free[spin]
+    return np.zeros(len(free)) if np.linalg.norm(row) <= SAME else np.asarray(free @ row / (row @ row))
+
+
+def is_independent(system: System, state: State, held: Sequence[int], spin: int) -> bool:
+    """Whether a spin can turn through teeth and closed loops while others are held."""
+    rows = _motions(system, state)[[*held, spin]]
+    return int(np.linalg.matrix_rank(rows, tol=SAME)) > int(np.linalg.matrix_rank(rows[:-1], tol=SAME))
+
+
+def _motions(system: System, state: State) -> Array:
+    """What teeth and loops let move: orthonormal columns, shape (nd, k); rates of spins count by 1 rad.
+
+    Shafts stay in their bearings, elastic bodies and states of elements as they are.
+    """
+    body, nd = system.program["body"], system.sizes["nd"]
+    _, index = _free(system)
+    rows = list(evaluate.constraint_jacobian(system, state)[loop_rows(system)])
+    for relation in _relations(system, index, True):
+        row = np.zeros(nd)
+        row[list(index)] = relation
+        rows.append(row)
+    still = {int(s) for s in system.states}
+    hidden = {int(r[n]) for r in system.records.get("flexible_body", ()) for n in "jklm"} - {0}
+    for k, b in enumerate(body):
+        if k and (b["joint"] != GENERAL or k in hidden):
+            own = range(int(b["dof"]), int(b["dof"]) + int(b["n"]))
+            still |= {c for c in own if c != int(b["spin"]) or k in hidden}
+    rows += list(np.eye(nd)[sorted(still)])
+    L = np.array(rows).reshape(-1, nd)
+    sizes = np.linalg.norm(L, axis=1, keepdims=True)
+    L = L / np.where(sizes > 0.0, sizes, 1.0)
+    _, values, basis = np.linalg.svd(L)
+    return np.asarray(basis[int(np.sum(values > SAME * values.max(initial=0.0))) :].T)
 
 
 def complete(system: System, first: Sequence[int], others: Iterable[int]) -> tuple[int, ...]:
@@ -142,7 +197,7 @@ def _as_the_teeth_want(system: System, index: dict[int, int], spin: int) -> Arra
 
 
 def _turning(system: System, index: dict[int, int], b: int, sense: float = 1.0) -> Array:
-    """How a body turns in space per rate of every spin: about its own axis, against it for a `sense` of -1."""
+    """How a body turns in space per rate of every spin: about its own axis, or against it (`sense` -1)."""
     body = system.program["body"]
     found = np.zeros(len(index))
     while b and sense != 0.0:
