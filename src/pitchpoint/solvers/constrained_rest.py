@@ -33,6 +33,8 @@ LONGEST = 0.3
 """Largest step of a coordinate [m, rad]."""
 ROUNDING = 1e-13
 """Share of what acts that rounding leaves over."""
+PLACES = 8 * 2.2e-16
+"""Rounding of a force that follows from a place, over the stiffness: as many are added up at a body."""
 
 
 @dataclass(frozen=True)
@@ -86,10 +88,14 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         G, R, acting = _balanced(system, here, free, holds)
         Z = _directions(G[:, free], system.weight[free])
         left = Z.T @ R[free]
-        goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], ROUNDING * acting[free].max(initial=0.0))
+        whole = slopes(system, here, EXACT)
+        # places are rounded as about 1 m and 1 rad are: nothing below the forces of that can be asked for
+        rounded = PLACES * (np.abs(whole) @ (np.abs(here.q) + 1.0))
+        least = np.maximum(rounded[free], ROUNDING * acting[free].max(initial=0.0))
+        goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], least)
         if np.all(np.abs(left) <= goal):
             return MechanismRest(here, R, count)
-        K = Z.T @ slopes(system, here, EXACT)[np.ix_(free, free)] @ Z
+        K = Z.T @ whole[np.ix_(free, free)] @ Z
         M = Z.T @ evaluate.matrix(system, here, 1.0, 0.0, 0.0)[np.ix_(free, free)] @ Z
         inverse = np.linalg.pinv(K + mu * M)
         y = -inverse @ left

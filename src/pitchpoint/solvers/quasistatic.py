@@ -33,7 +33,7 @@ from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.roll_notes import load_notes
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
 from pitchpoint.solvers.touch import tangent_stiffness, touching_error
-from pitchpoint.solvers.trains import exchange, held_spins, rotations, turning_rates
+from pitchpoint.solvers.trains import exchange, held_spins, rotations, tied_by_teeth, turning_rates
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import State, System
 
@@ -183,7 +183,7 @@ def roll_through(
             unloaded[m, :done],
             tangent[m, :done],
             _shares(own, rows, name, int(own.records["gear_mesh"][m]["n_pair"])),
-            _pitches(own, own.records["gear_mesh"][m], rates, abs(int(z))),
+            _pitches(own, own.records["gear_mesh"][m], rates, spin, abs(int(z))),
         )
         for m, name in enumerate(names)
     }
@@ -269,13 +269,12 @@ def _assembled(system: System, state: State, held: Sequence[int]) -> State:
     return close_loops(system, new, held) if is_looped(system) else new
 
 
-def _pitches(system: System, record: np.void, rates: Array, z: int) -> Fraction | None:
+def _pitches(system: System, record: np.void, rates: Array, rolled: int, z: int) -> Fraction | None:
     """Tooth pitches that a mesh goes on per period of the rolled one; exact, None if loops are on the way."""
-    spins = [int(system.program["body"][record[e]]["spin"]) for e in "ij"]
-    if is_looped(system) and not any(rates[s] for s in spins if s >= 0):
-        return None
     for body, teeth in ((record["i"], record["z1"]), (record["j"], record["z2"])):
         spin = system.program["body"][body]["spin"]
+        if spin >= 0 and is_looped(system) and not tied_by_teeth(system, rolled, int(spin)):
+            return None
         if spin >= 0:
             return Fraction(abs(float(rates[spin]))).limit_denominator(LARGEST_RATIO) * abs(int(teeth)) / z
     return Fraction(0)

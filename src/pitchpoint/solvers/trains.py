@@ -77,6 +77,14 @@ def turning_rates(system: System, state: State, spin: int) -> Array:
     return np.zeros(len(free)) if np.linalg.norm(row) <= SAME else np.asarray(free @ row / (row @ row))
 
 
+def tied_by_teeth(system: System, one: int, two: int) -> bool:
+    """Whether teeth and other ratios that never change tie two spins, whatever loops do besides."""
+    _, index = _free(system)
+    rows = [row / np.linalg.norm(row) for row in _relations(system, index, True)]
+    free = _null_space(np.array(rows).reshape(-1, len(index)))[[index[one], index[two]]]
+    return int(np.linalg.matrix_rank(free, tol=SAME)) < 2
+
+
 def is_independent(system: System, state: State, held: Sequence[int], spin: int) -> bool:
     """Whether a spin can turn through teeth and closed loops while others are held."""
     rows = _motions(system, state)[[*held, spin]]
@@ -104,9 +112,7 @@ def _motions(system: System, state: State) -> Array:
     rows += list(np.eye(nd)[sorted(still)])
     L = np.array(rows).reshape(-1, nd)
     sizes = np.linalg.norm(L, axis=1, keepdims=True)
-    L = L / np.where(sizes > 0.0, sizes, 1.0)
-    _, values, basis = np.linalg.svd(L)
-    return np.asarray(basis[int(np.sum(values > SAME * values.max(initial=0.0))) :].T)
+    return _null_space(L / np.where(sizes > 0.0, sizes, 1.0))
 
 
 def complete(system: System, first: Sequence[int], others: Iterable[int]) -> tuple[int, ...]:
@@ -181,10 +187,13 @@ def _free(system: System) -> tuple[Array, dict[int, int]]:
     if not rows:
         return np.eye(len(index)), index
     L = np.array(rows)
-    L /= np.linalg.norm(L, axis=1, keepdims=True)
-    _, sizes, basis = np.linalg.svd(L)
-    rank = int(np.sum(sizes > SAME * sizes.max(initial=0.0)))
-    return np.asarray(basis[rank:].T), index
+    return _null_space(L / np.linalg.norm(L, axis=1, keepdims=True)), index
+
+
+def _null_space(rows: Array) -> Array:
+    """Orthonormal columns that rows of length one leave."""
+    _, sizes, basis = np.linalg.svd(rows)
+    return np.asarray(basis[int(np.sum(sizes > SAME * sizes.max(initial=0.0))) :].T)
 
 
 def _as_the_teeth_want(system: System, index: dict[int, int], spin: int) -> Array:

@@ -143,7 +143,7 @@ scenarios:
 
 
 def test_two_trains_joined_by_a_universal_joint():
-    """Cardan: the pin of the driving fork stands across the plane of the shafts: tan phi2 = cos(a) tan phi1."""
+    """Cardan: the driving pin stands across the plane of the shafts: tan phi2 = cos(a) tan phi1."""
     model = crossed(ANGLE, UNIVERSAL)
     run = solve_time(compile_model(model, "run"))
     first, second = run["angle[two]"].values, run["angle[three]"].values
@@ -157,8 +157,8 @@ def test_torques_of_two_trains_joined_by_a_universal_joint():
     """In that position the second shaft takes 1/cos(a) of the torque of the first: the power is the same."""
     model = crossed(ANGLE, UNIVERSAL.replace("drive: {one: {speed: 100 rad/s}}", "hold: [one]"))
     rest = solve_equilibrium(compile_model(model))
-    # 30 N m on a, doubled on b against it; c passes on three halves, d turns against c
-    assert rest["torque[brake]"].item() == pytest.approx(30.0 * 2.0 / math.cos(ANGLE) * 1.5, rel=1e-6)
+    # 30 N m on a are 60 N m on b; c passes on three halves, and d turns as a does
+    assert rest["torque[brake]"].item() == pytest.approx(-30.0 * 2.0 / math.cos(ANGLE) * 1.5, rel=1e-6)
     for mesh, radius, torque in (("first", 0.03, 30.0), ("second", 0.045, 60.0 / math.cos(ANGLE))):
         force = abs(rest[f"mesh_force[{mesh}]"].item())
         assert force * radius * math.cos(math.radians(20.0)) == pytest.approx(torque, rel=1e-6)
