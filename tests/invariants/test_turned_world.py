@@ -20,6 +20,7 @@ from pitchpoint.solvers.equilibrium import solve_equilibrium
 from pitchpoint.solvers.frequency_response import find_response
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.quasistatic import roll_through
+from pitchpoint.solvers.reduction import reduce_system
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 from tests.support.turned_world import about, turned
@@ -244,6 +245,13 @@ def test_rolls(name):
     for mesh in rolls[0].meshes:
         same(rolls[1].meshes[mesh].unloaded, rolls[0].meshes[mesh].unloaded, 1e-6)
         same(rolls[1].meshes[mesh].tangent_stiffness, rolls[0].meshes[mesh].tangent_stiffness)
+
+
+@pytest.mark.parametrize("name", ["shafts", "rotor"])
+def test_reductions(name):
+    reduced = [reduce_system(s, limit=3000.0) for s in both(name, TILTED)]
+    one, two = (find_modes(r.system, start=r.state).frequency for r in reduced)
+    same(two[two < 3000.0], one[one < 3000.0])
 
 
 @pytest.mark.parametrize("name", STEADY)

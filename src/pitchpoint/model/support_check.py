@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bearings and couplings sit on the axes of their bodies, and what a coupling joins lies on one axis."""
+"""Bearings and couplings sit on the axes of their bodies, and what they join lies along one axis."""
 
 from __future__ import annotations
 
@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.model.frames import body_frame
+from pitchpoint.model.frames import axes_of, body_frame, place_of
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.coupling import Coupling
     from pitchpoint.model.parts import Parts
 
+ASKEW = math.radians(5.0)
+"""Angle from which rings do not stand about one axis; no bearing is mounted that far askew."""
 COAXIAL = 1e-6
 """Distance of two axes [m] up to which they count as one: what places computed from meshes differ by."""
 
@@ -67,6 +69,26 @@ def check_couplings(parts: Parts, report: Reader) -> None:
                 limit=f"{COAXIAL * 1e3:g} mm",
                 remedy=f"put {first} and {second} on one axis, or give the coupling torsion only",
             )
+
+
+def check_rings(parts: Parts, report: Reader) -> None:
+    """Rings of rolling and plain bearings stand about one axis; a marker of ground stands along the world."""
+    for group in ("rolling_bearings", "plain_bearings"):
+        for name, bearing in getattr(parts, group).items():
+            if any(place_of(parts, end) is None for end in bearing.ends) or (group, name) in report.tainted:
+                continue
+            z, other = (axes_of(parts, end)[:, 2] for end in bearing.ends)
+            angle = math.atan2(float(np.linalg.norm(np.cross(z, other))), abs(float(z @ other)))
+            if angle > ASKEW:
+                inner, outer = bearing.ends
+                report.problem(
+                    (group, name, "ends"),
+                    f"have z axes {math.degrees(angle):.6g} deg apart",
+                    value=f"{inner} and {outer}",
+                    limit=f"{math.degrees(ASKEW):.3g} deg",
+                    remedy=f"give the marker {outer} axes whose z lies along that of {inner}; on ground it "
+                    "takes a body with motion: fixed and a marker",
+                )
 
 
 def _holds_sideways(coupling: Coupling) -> bool:

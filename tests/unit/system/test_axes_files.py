@@ -226,6 +226,45 @@ def test_a_train_on_a_housing_that_turns_about_another_axis():
     assert abs(still["angle[housing]"].values).max() < 1e-9
 
 
+RINGS = """\
+bodies:
+  housing: {motion: fixed, position: [0, 0, 0], markers: {seat: {HERE}}}
+  rotor: {motion: free, mass: 2 kg, inertia: 2e-3, transverse_inertia: 2e-3, position: [0, 0, 0],
+    axes: {z: [1, 0, 0]}}
+rolling_bearings:
+  groove: {ends: [rotor, OUTER], type: ball, elements: 9, element_diameter: 10 mm, pitch_diameter: 60 mm,
+    stiffness: 1e10}
+plain_bearings: {bush: {ends: [rotor, OUTER], clearance: 20 um, stiffness: 1e8}}
+bearings: {soft: {body: rotor, stiffness: {radial: 1e6, axial: 1e6, tilt: 1e4, torsion: 100}}}
+loads: {weight: {body: rotor, force: [0, 0, -1000]}}
+"""
+
+
+@pytest.mark.parametrize("outer", ["housing.seat", "ground"])
+def test_rings_stand_about_one_axis(outer):
+    with pytest.raises(ModelError) as caught:
+        loads_model(RINGS.replace("OUTER", outer).replace("HERE", ""))
+    assert [p.where for p in caught.value.problems] == [
+        "rolling_bearings.groove.ends",
+        "plain_bearings.bush.ends",
+    ]
+    assert [p.line for p in caught.value.problems] == [6, 8]
+    assert "90 deg apart" in caught.value.problems[0].message
+
+
+def test_bearings_along_another_axis_carry_the_same():
+    """The rotor and its bearings along x against the same along z, the load turned with them."""
+    there = RINGS.replace("OUTER", "housing.seat").replace("HERE", "axes: {z: [1, 0, 0], x: [0, 1, 0]}")
+    here = (
+        RINGS.replace("OUTER", "housing.seat").replace("HERE", "").replace("axes: {z: [1, 0, 0]}", "axes: {}")
+    )
+    here = here.replace("[0, 0, -1000]", "[0, -1000, 0]")
+    rests = [solve_equilibrium(compile_model(loads_model(text))) for text in (there, here)]
+    for name in rests[0]:
+        if "[" in name:
+            np.testing.assert_allclose(rests[0][name].item(), rests[1][name].item(), rtol=1e-9, atol=1e-9)
+
+
 def test_turned_frames_agree_with_turned_places():
     """Axes tilted by 5 degrees, as of a wind turbine: the wheel lies where the tilted plane has it."""
     R = about([0.0, 1.0, 0.0], math.radians(5.0))
