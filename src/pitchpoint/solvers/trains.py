@@ -9,7 +9,7 @@ is stiff in other directions only, like the bearings of a shaft in a housing tha
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,6 +89,26 @@ def is_independent(system: System, state: State, held: Sequence[int], spin: int)
     """Whether a spin can turn through teeth and closed loops while others are held."""
     rows = _motions(system, state)[[*held, spin]]
     return int(np.linalg.matrix_rank(rows, tol=SAME)) > int(np.linalg.matrix_rank(rows[:-1], tol=SAME))
+
+
+def rates_through_loops(system: System, state: State, given: Collection[int]) -> Array:
+    """Rates that fit teeth and closed loops at a state, those of some coordinates as they stand in it.
+
+    What the given ones leave open changes as little as it can; where they contradict teeth and loops, all
+    rates stay as they are.
+
+    Returns
+    -------
+    ndarray, shape (nd,)
+    """
+    free, known = _motions(system, state), sorted(given)
+    wanted = state.v[known]
+    share = free.T @ state.v
+    share = share + np.linalg.lstsq(free[known], wanted - free[known] @ share, rcond=SAME)[0]
+    off = np.abs(free[known] @ share - wanted).max(initial=0.0)
+    if off > SAME * np.abs(wanted).max(initial=0.0):
+        return state.v.copy()
+    return np.where(np.linalg.norm(free, axis=1) > SAME, free @ share, state.v)
 
 
 def _motions(system: System, state: State) -> Array:
