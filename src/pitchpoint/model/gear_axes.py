@@ -68,27 +68,27 @@ def settle_twists(parts: Parts, report: Reader) -> None:
         z, other = (f[:, 2] for f in frames)
         angle = math.atan2(float(np.linalg.norm(np.cross(z, other))), float(z @ other))
         if angle > PARALLEL:
-            _skew(("meshes", name, "gears"), (one, two), angle, report)
+            _skew(name, mesh.gears, (one, two), angle, report)
             continue
         x = frames[0].T @ frames[1][:, 0]
         parts.meshes[name] = replace(mesh, twist=math.atan2(x[1], x[0]))
 
 
-def _skew(at: Place, bodies: tuple[str, str], angle: float, report: Reader) -> None:
+def _skew(name: str, gears: tuple[str, str], bodies: tuple[str, str], angle: float, report: Reader) -> None:
+    at: Place = ("meshes", name, "gears")
     one, two = bodies
     if math.pi - angle <= PARALLEL:
         report.problem(
             at,
             f"turn about z axes that point in opposite directions, those of {one} and {two}",
-            value="180 deg",
-            limit="0 deg",
+            value=" and ".join(gears),
             remedy=f"turn the z of {one} or {two} round: speeds of gears in mesh count about one direction",
         )
         return
     report.problem(
         at,
-        f"turn about axes that are not parallel, the z axes of {one} and {two}",
-        value=f"{math.degrees(angle):.6g} deg",
-        limit=f"{PARALLEL:g} rad where all coordinates are zero",
+        f"turn about axes {math.degrees(angle):.6g} deg apart, the z axes of {one} and {two}",
+        value=" and ".join(gears),
+        limit=f"parallel to {PARALLEL:g} rad",
         remedy=f"give {one} and {two} the same axes; ratios or universal joints couple shafts that cross",
     )
