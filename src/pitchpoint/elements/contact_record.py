@@ -39,6 +39,7 @@ RECORD = np.dtype(
         ("sense", "f8"),  # 1 material inside the surface of j, -1 outside
         ("radius", "f8"),  # radius of the roller or sphere on body i [m]
         ("depth", "f8"),  # deepest overlap that counts [m]; what overlaps more is another side
+        ("deepest", "f8"),  # planar curves: overlap up to which at least the nearest place counts [m]
         ("margin", "f8"),  # largest gap that is looked for and shown [m]
         ("stations", "i8"),  # places along a line of contact
         ("along", "f8", (MOST_STATIONS, 2)),  # where they are [m], and their weights
@@ -54,7 +55,7 @@ RECORD = np.dtype(
         ("Ej", "f8", (3, 3)),
         ("M", "f8", (3, 3)),  # axes of marker i in those of marker j
         ("d", "f8", 3),  # marker i from marker j in axes of j
-        ("reach", "f8", 6),
+        ("reach", "f8", 7),
         ("hits", "f8", (MOST, HIT)),
         ("Q", "f8", 3),
         ("n", "f8", 3),
@@ -148,7 +149,7 @@ def set_curve(record: np.void, body: str, pool: Pool, curve: Curve) -> None:
     """
     record["start_" + body], record["rows_" + body] = pool.add(curve.rows), len(curve.rows)
     if body == "j":
-        record["reach"][3:] = curve.circle()
+        record["reach"][3:6] = curve.circle()
 
 
 def set_triangles(record: np.void, body: str, pool: Pool, surface: TriangleSurface) -> None:

@@ -10,6 +10,7 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import dump_model, loads_model
+from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.kinematics import moved_to
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
@@ -68,6 +69,37 @@ def test_a_ball_is_pressed_out_of_a_plate():
     system = compile_model(model)
     a, _ = accelerations(system, system.initial_state())
     assert a[system.layout.coordinate("ball.z")] == pytest.approx(1000.0 / 0.5, rel=1e-9)
+
+
+FACES = {
+    "open": "{shape: polygon, closed: false, x: [-40 mm, 40 mm], y: [0, 0]}",
+    "block": "{shape: polygon, x: [-40 mm, 40 mm, 40 mm, -40 mm], y: [0, 0, 30 mm, 30 mm]}",
+}
+
+
+@pytest.mark.parametrize("start", ["0 mm", "2 mm", "40 mm"])
+@pytest.mark.parametrize("face", FACES)
+def test_a_follower_is_found_at_rest_on_its_cam(face, start):
+    """The steps of the search grow in the air and land deep in the cam, from where it comes back.
+
+    At rest the overlap carries the weight: 9.81 N/kg 0.2 kg/(1e7 N/m) = 0.1962 um.
+    """
+    text = CAM.replace("position: [0, 50 mm, 0]", "position: [0, 40 mm, 0]").replace(
+        "guide: {", f"guide: {{start: {{z: {start}}}, "
+    )
+    head, tail = text.split("cam_contacts:")
+    text = f"""gravity: [0, -9.81 m/s^2, 0]
+{head}curve_contacts:
+  c:
+    ends: [lifter.foot, cam]
+    first: {FACES[face]}
+    second: {{shape: circle, radius: 30 mm, x: [0 mm], y: [10 mm]}}
+    law: {{force: 10 N, depth: 1 um, exponent: 1}}
+scenarios:{tail.split("scenarios:")[1]}"""
+    system = compile_model(loads_model(text), "run")
+    found = find_equilibrium(system)
+    d = system.layout.coordinate("lifter.z")
+    assert found.state.q[d] == pytest.approx(-0.1962e-6, rel=1e-6)
 
 
 def test_triangles_come_from_a_file(tmp_path):

@@ -93,7 +93,12 @@ class CamContact:
     permanent: bool = boolean("never parts: a constraint without law and friction", False)
     law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
     friction: ContactFriction | None = component(ContactFriction, "friction; none without")
-    depth: float | None = positive("length", "deepest overlap that counts", None, display="5 % of the size")
+    depth: float | None = positive(
+        "length",
+        "deepest overlap that counts; what overlaps more is another side",
+        None,
+        display="5 % of the size; if all overlap more, the nearest side",
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -106,7 +111,10 @@ class CurveContact:
     law: ContactLaw = component(ContactLaw, "normal force", REQUIRED)
     friction: ContactFriction | None = component(ContactFriction, "friction; none without")
     depth: float | None = positive(
-        "length", "deepest overlap that counts", None, display="5 % of the smaller curve"
+        "length",
+        "deepest overlap that counts; what overlaps more is another side",
+        None,
+        display="5 % of the smaller curve; if all overlap more, the nearest side",
     )
     margin: float | None = positive(
         "length", "largest gap that is looked for", None, display="half the smaller curve"
