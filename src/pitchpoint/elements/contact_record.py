@@ -41,8 +41,9 @@ RECORD = np.dtype(
         ("depth", "f8"),  # deepest overlap that counts [m]; what overlaps more is another side
         ("deepest", "f8"),  # planar curves: overlap up to which at least the nearest place counts [m]
         ("margin", "f8"),  # largest gap that is looked for and shown [m]
-        ("stations", "i8"),  # places along a line of contact
-        ("along", "f8", (MOST_STATIONS, 2)),  # where they are [m], and their weights
+        ("length", "f8"),  # of the line of contact that the law counts for [m]
+        ("stations", "i8"),  # Gauss points along a line of contact, 0: there is none
+        ("along", "f8", (MOST_STATIONS, 2)),  # where they are from 0 to 1, and their weights
         ("ev", "i8"),
         ("pool", "i8"),
         ("start_i", "i8"),  # curve or triangles of body i in the pool
