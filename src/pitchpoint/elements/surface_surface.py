@@ -10,7 +10,9 @@ is zero) in the plane z = 0. Spheres against anything are the kind point_surface
 * crossed cylinders: one place, on the common normal of the axes, which must not be parallel; round ends;
 * triangles: the middle of every face of one surface that is below the other one presses with the area of its
   face, in both directions with half of it, so that finer triangles converge to a layer of springs (law per
-  area).
+  area);
+* triangles on a plane, cylinder, cone, torus or sphere: the same with the triangles alone, on a surface that is
+  exact.
 """
 
 from __future__ import annotations
@@ -26,9 +28,10 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.contact_record import EVENTS, MOST_STATIONS, RECORD, RESULTS, set_triangles
 from pitchpoint.elements.contact_wrench import act, begin, finish
 from pitchpoint.elements.line_contact import line_of_contact
+from pitchpoint.elements.point_surface import set_surface
 from pitchpoint.elements.rod_place import rim_place, rods_place
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.triangle_contact import points_on_triangles
+from pitchpoint.elements.triangle_contact import points_on_shape, points_on_triangles
 from pitchpoint.multibody.channels import frame_args
 
 __all__ = [
@@ -40,6 +43,7 @@ __all__ = [
     "set_crossed_cylinders",
     "set_cylinder_on_plane",
     "set_cylinders_in_line",
+    "set_mesh_on_shape",
     "set_meshes",
     "set_ring_on_plane",
     "surface_surface",
@@ -167,6 +171,43 @@ def set_meshes(
     record["margin"] = record["depth"]
 
 
+def set_mesh_on_shape(
+    record: np.void,
+    pool: Pool,
+    surface: TriangleSurface,
+    form: str,
+    size: Sequence[float] = (),
+    hollow: bool = False,
+    depth: float | None = None,
+) -> None:
+    """Triangles of body i on a surface of simple shape of body j.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contact_record.new_records`), markers and law apart; the law counts per area:
+        K in N/m^(e+2), C in N s/m^3.
+    pool
+        Pool of the kind.
+    surface
+        Triangles of body i.
+    form, size, hollow
+        As in `point_surface.set_surface`; a cylinder may have its length [m] as second size, it then has flat
+        ends.
+    depth
+        How deep a point may be below the surface [m]; None = without limit.
+    """
+    of_length = form == "cylinder" and len(size) == 2
+    if of_length and not size[1] > 0.0:
+        raise ValueError("the length of a cylinder is above zero")
+    set_surface(record, form, size[:1] if of_length else size, 0.0, hollow)
+    if of_length:
+        record["size_j"][1] = size[1]
+    set_triangles(record, "i", pool, surface)
+    record["depth"] = np.inf if depth is None else depth
+    record["margin"] = np.inf
+
+
 @kernel
 def surface_surface(rec, ctl, fr, kk):
     """Wrenches, tangents and results of all pairs of surfaces."""
@@ -178,6 +219,8 @@ def surface_surface(rec, ctl, fr, kk):
         begin(b, f, g)
         if b["form_j"] == TRIANGLES:
             points_on_triangles(b, c, f, g, kk)
+        elif b["form_i"] == TRIANGLES:
+            points_on_shape(b, c, f, g, kk)
         elif b["stations"] > 0:
             line_of_contact(b, c, f, g, kk)
         elif b["form_j"] == CYLINDER:

@@ -12,6 +12,7 @@ from pitchpoint.elements.surface_surface import (
     set_crossed_cylinders,
     set_cylinder_on_plane,
     set_cylinders_in_line,
+    set_mesh_on_shape,
     set_meshes,
     set_ring_on_plane,
 )
@@ -141,6 +142,42 @@ SHAPES = {
     "crossed cylinders": ("surface_surface", rods, (0.02, 0.0295, 0.05)),
     "ends of cylinders": ("surface_surface", rod_ends, (0.11, 0.028, 0.05)),
     "boxes": ("surface_surface", lambda r, p: set_meshes(r, p, (BOX, BOX), 2e-3), (0.04, 0.03, 0.0995), area),
+    "ball on plane": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BALL, "plane"),
+        (0.1, 0.2, 0.0485),
+        area,
+    ),
+    "box on ball": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BOX, "sphere", (0.04,)),
+        (0.01, 0.0885, 0.02),
+        area,
+    ),
+    "ball in tube": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BALL, "cylinder", (0.06, 0.1), True),
+        (0.008, 0.009, 0.045),
+        area,
+    ),
+    "ball on the edge of a cylinder": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BALL, "cylinder", (0.06, 0.1)),
+        (0.06, 0.072, 0.07),
+        area,
+    ),
+    "ball on cone": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BALL, "cone", (0.5,)),
+        (0.0, 0.0765, -0.043),
+        area,
+    ),
+    "ball on torus": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BALL, "torus", (0.1, 0.03)),
+        (0.0, 0.1, 0.0765),
+        area,
+    ),
     "balls": (
         "surface_surface",
         lambda r, p: set_meshes(r, p, (BALL, BALL), 2e-3),
