@@ -105,7 +105,7 @@ def gap_of_length(size, sense, y):
 
 @kernel
 def of_length(size, sense, y, W):
-    """Distance [m] of the point y from a cylinder with flat ends, its outward normal, and W [1/m] as a result.
+    """Distance [m] of the point y from a cylinder with flat ends, its outward normal, and W [1/m].
 
     size = radius and length [m], the middle at the origin; with `sense` -1 a bore of that length through
     material without end. Inside the material the nearer of jacket and end counts.

@@ -11,8 +11,8 @@ is zero) in the plane z = 0. Spheres against anything are the kind point_surface
 * triangles: the middle of every face of one surface that is below the other one presses with the area of its
   face, in both directions with half of it, so that finer triangles converge to a layer of springs (law per
   area);
-* triangles on a plane, cylinder, cone, torus or sphere: the same with the triangles alone, on a surface that is
-  exact.
+* triangles on a plane, cylinder, cone, torus or sphere: the same with the triangles alone, on a surface that
+  is exact.
 """
 
 from __future__ import annotations

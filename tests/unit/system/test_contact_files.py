@@ -105,7 +105,7 @@ scenarios:{tail.split("scenarios:")[1]}"""
 def test_triangles_come_from_a_file(tmp_path):
     corners = np.array([[[-1, -1, 0], [1, -1, 0], [1, 1, 0]], [[-1, -1, 0], [1, 1, 0], [-1, 1, 0]]], float)
     np.save(tmp_path / "plate.npy", corners)
-    text = BALL.replace("{shape: plane}", "{shape: triangles, file: plate.npy}")
+    text = BALL.replace("{shape: plane}", "{shape: triangles, file: plate.npy, open: true}")
     model = loads_model(text, file=str(tmp_path / "m.yaml"))
     assert "file: plate.npy" in dump_model(model)
     system = compile_model(model)

@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from pitchpoint.contact import curve as curves
 from pitchpoint.contact import impact
 from pitchpoint.contact.triangles import TriangleSurface
-from pitchpoint.core.errors import CompileError
+from pitchpoint.core.errors import CompileError, GeometryError
 from pitchpoint.elements import contact_record as element
 from pitchpoint.elements import curve_curve, point_curve, point_on_curve, point_surface, surface_surface
 from pitchpoint.elements.signal import Pool
+from pitchpoint.geometry.triangle_file import placed_triangles, read_triangles
 from pitchpoint.model.components.contact import (
     CamContact,
     ContactCurve,
@@ -25,6 +26,7 @@ from pitchpoint.model.components.contact import (
     CurveContact,
     SurfaceContact,
 )
+from pitchpoint.model.file_digest import file_digest
 from pitchpoint.system.rules.bank import Bank, pack
 
 Array = NDArray[np.float64]
@@ -90,7 +92,7 @@ def surface_banks(contacts: Mapping[str, SurfaceContact], end: End) -> tuple[Ban
     for name, part in contacts.items():
         where = f"surface_contacts.{name}"
         first, second, ends = part.first, part.second, part.ends
-        if _is_ball(second) and not _is_ball(first) or (first.shape == "plane" and second.shape != "plane"):
+        if not _in_order(first, second):
             first, second, ends = second, first, (ends[1], ends[0])
         row = _marked(ends, end)
         which = 0 if _is_ball(first) else 1
@@ -186,13 +188,22 @@ def _forces(row: np.void, law: ContactLaw, friction: ContactFriction | None, whe
 
 def _triangles(part: ContactSurface, where: str) -> TriangleSurface:
     """Triangles of a file."""
-    file = part.file
-    if file is None:
-        raise CompileError(f"{where}.file: triangles come from a NumPy file")
+    if part.file is None:
+        raise CompileError(f"{where}.file: triangles come from a file")
+    if file_digest(part.file) != part.digest:
+        raise CompileError(f"{where}.file: has changed since the model was read; read it again")
     try:
-        return TriangleSurface.from_triangles(np.load(file, allow_pickle=False))
-    except (OSError, ValueError) as fault:
+        found = placed_triangles(read_triangles(part.file), part.unit or 1.0, part.hollow)
+        return TriangleSurface.from_triangles(found)
+    except (GeometryError, ValueError) as fault:
         raise CompileError(f"{where}.file: {fault}") from None
+
+
+def _sizes(part: ContactSurface, where: str) -> list[float]:
+    """Sizes of a simple shape; of a cylinder with its length, if it has one."""
+    names = {"plane": (), "cone": ("half_angle",), "torus": ("radius", "tube")}.get(part.shape, ("radius",))
+    sizes = [_needed(getattr(part, name), name, where) for name in names]
+    return [*sizes, part.length] if part.shape == "cylinder" and part.length is not None else sizes
 
 
 def _ball(
@@ -203,13 +214,8 @@ def _ball(
     if other.shape == "triangles":
         point_surface.set_mesh(row, pool, _triangles(other, where), radius, part.depth)
         return
-    sizes = {
-        "plane": (),
-        "cone": (other.half_angle,),
-        "torus": (other.radius, other.tube),
-    }.get(other.shape, (other.radius,))
-    given = [_needed(size, other.shape, where) for size in sizes]
     try:
+        given = _sizes(other, where)[: 1 if other.shape == "cylinder" else 2]
         point_surface.set_surface(row, other.shape, given, radius, other.hollow)
     except ValueError as fault:
         raise CompileError(f"{where}: {fault}") from None
@@ -220,9 +226,9 @@ def _pair(
 ) -> None:
     """Two surfaces none of which is a sphere."""
     shapes = one.shape, two.shape
-    if one.hollow or two.hollow:
-        raise CompileError(f"{where}: only a sphere can touch a hollow surface")
-    if shapes == ("cylinder", "plane"):
+    if "triangles" in shapes:
+        _on_triangles(row, pool, one, two, part, where)
+    elif shapes == ("cylinder", "plane"):
         radius, length = _needed(one.radius, "radius", where), _needed(one.length, "length", where)
         surface_surface.set_cylinder_on_plane(row, radius, length, part.stations)
     elif shapes == ("torus", "plane"):
@@ -231,11 +237,44 @@ def _pair(
     elif shapes == ("cylinder", "cylinder"):
         radii = [_needed(s.radius, "radius", where) for s in (one, two)]
         lengths = [_needed(s.length, "length", where) for s in (one, two)]
-        surface_surface.set_crossed_cylinders(row, radii, lengths)
-    elif shapes == ("triangles", "triangles"):
-        both = [_triangles(s, where) for s in (one, two)]
-        surface_surface.set_meshes(row, pool, both, part.depth)
+        if part.line or two.hollow:
+            surface_surface.set_cylinders_in_line(row, radii, lengths, two.hollow, part.stations)
+        else:
+            surface_surface.set_crossed_cylinders(row, radii, lengths)
     else:
         raise CompileError(
             f"{where}: a {shapes[0]} against a {shapes[1]} is not known; describe both by triangles"
         )
+
+
+def _on_triangles(
+    row: np.void, pool: Pool, one: ContactSurface, two: ContactSurface, part: SurfaceContact, where: str
+) -> None:
+    """Triangles on triangles or on a simple shape."""
+    surface = _triangles(one, where)
+    if two.shape == "triangles":
+        surface_surface.set_meshes(row, pool, (surface, _triangles(two, where)), part.depth)
+        return
+    try:
+        surface_surface.set_mesh_on_shape(
+            row, pool, surface, two.shape, _sizes(two, where), two.hollow, part.depth
+        )
+    except ValueError as fault:
+        raise CompileError(f"{where}: {fault}") from None
+
+
+def _in_order(first: ContactSurface, second: ContactSurface) -> bool:
+    """Whether the kinds take the surfaces in this order.
+
+    Balls come first, planes last, triangles before simple shapes, what is in a bore before the bore, the
+    shorter of two cylinders before the longer one.
+    """
+    if _is_ball(first) or _is_ball(second):
+        return _is_ball(first)
+    if "triangles" in (first.shape, second.shape):
+        return first.shape == "triangles"
+    if first.shape == second.shape == "cylinder":
+        if first.hollow != second.hollow:
+            return second.hollow
+        return first.length is None or second.length is None or first.length <= second.length
+    return first.shape != "plane"
