@@ -28,6 +28,7 @@ RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + CONTACT_LAW
     + [
+        ("row", "i8"),  # constraint row of a contact that never parts; written by the layout
         ("pi", "f8", 3),  # marker on body i, axes S [m]
         ("Bi", "f8", (3, 3)),  # its axes, columns in axes S
         ("pj", "f8", 3),  # marker on body j

@@ -230,7 +230,7 @@ def triangle_faults(
     if not 1 <= n <= MOST_TRIANGLES:
         few = Fault("has no triangles", remedy=_AGAIN)
         return [Fault("are too many", f"{n} triangles", f"<= {MOST_TRIANGLES}", _COARSER) if n else few]
-    bad = ~np.isfinite(corners).all(axis=(1, 2))
+    bad = np.asarray(~np.isfinite(corners).all(axis=(1, 2)))
     if bad.any():
         found_bad = f"have corners that are no finite numbers, the first is number {_first(bad)}"
         return [Fault(found_bad, f"{int(bad.sum())} triangles", remedy=_AGAIN)]
@@ -256,7 +256,8 @@ def _of_triangles(found: Triangles) -> list[Fault]:
     faces = join_corners(corners)[1]
     points = (faces == np.roll(faces, 1, axis=1)).any(axis=1)  # two corners in one place: left out, no harm
     whole = float(np.ptp(corners.reshape(-1, 3), axis=0).max())
-    flat = (~points | points.all()) & (size <= FLAT * whole * np.maximum(longest, 1e-300))
+    looked_at = np.full(len(points), True) if points.all() else ~points
+    flat = looked_at & (size <= FLAT * whole * np.maximum(longest, 1e-300))
     faults = []
     if flat.any():
         faults.append(

@@ -29,25 +29,35 @@ def check_contacts(parts: Parts, report: Reader) -> None:
         at: Place = ("curve_contacts", name)
         _curve(pair.first, (*at, "first"), report)
         _curve(pair.second, (*at, "second"), report)
+        _permanent(pair, at, ("law", "friction", "depth", "margin"), report)
         _forces(pair, at, report)
     for name, contact in parts.surface_contacts.items():
         check_surfaces(parts, name, contact, report)
+        held = ("law", "friction", "depth")
+        _permanent(contact, ("surface_contacts", name), held, report)
         _forces(contact, ("surface_contacts", name), report)
 
 
 def _cam(cam: CamContact, at: Place, report: Reader) -> None:
     _curve(cam.curve, (*at, "curve"), report)
-    if cam.permanent:
-        for key in ("law", "friction", "depth"):
-            if getattr(cam, key) is not None:
+    _permanent(cam, at, ("law", "friction", "depth"), report)
+    _forces(cam, at, report)
+
+
+def _permanent(
+    part: CamContact | CurveContact | SurfaceContact, at: Place, forces: tuple[str, ...], report: Reader
+) -> None:
+    """What never parts has no law, and all else has one."""
+    if part.permanent:
+        for key in forces:
+            if getattr(part, key) is not None:
                 report.problem((*at, key), "has no effect: what never parts has no law", remedy="remove it")
-    elif cam.law is None:
+    elif part.law is None and (*at, "law") not in report.tainted:
         report.problem(
             (*at, "law"),
-            "is missing: a follower that may part",
-            remedy="add law: {force: 1 kN, depth: 0.1 mm}",
+            "is missing: bodies that may part",
+            remedy="add law: {force: 1 kN, depth: 0.1 mm}, or permanent: true",
         )
-    _forces(cam, at, report)
 
 
 def _forces(part: CamContact | CurveContact | SurfaceContact, at: Place, report: Reader) -> None:

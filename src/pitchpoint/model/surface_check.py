@@ -54,6 +54,8 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
         check_file(part, (*at, key), report)
     if contact.line and shapes != {"cylinder"}:
         report.problem((*at, "line"), "has no effect: only two cylinders have a choice", remedy="remove it")
+    if contact.permanent:
+        _held(contact, at, report)
     if "triangles" in shapes or any(p.shape == "sphere" and not p.hollow for p, _ in (one, two)):
         for part, key in (one, two):
             _sizes(part, SIZES[part.shape], (*at, key), report)
@@ -77,6 +79,18 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
         _bore(contact, at, report)
     elif pair == ("cylinder", "cylinder") and not contact.line:
         _crossed(parts, contact, at, report)
+
+
+def _held(contact: SurfaceContact, at: Place, report: Reader) -> None:
+    """Only a sphere on a smooth surface can be kept in contact."""
+    shapes = [contact.first.shape, contact.second.shape]
+    balls = [p.shape == "sphere" and not p.hollow for p in (contact.first, contact.second)]
+    if not any(balls) or "triangles" in shapes:
+        report.problem(
+            (*at, "permanent"),
+            f"is of a {shapes[0]} and a {shapes[1]}; what stays is a sphere on any surface but triangles",
+            remedy="give a law instead",
+        )
 
 
 def check_file(part: ContactSurface, at: Place, report: Reader) -> None:

@@ -63,6 +63,65 @@ def test_a_follower_stays_on_its_cam():
     assert state.v[d] == pytest.approx(20.0 * slope, rel=1e-10)
 
 
+FLAT = CAM.replace(
+    """cam_contacts:
+  c:
+    ends: [lifter.foot, cam]
+    curve: {shape: circle, radius: 30 mm, x: [0 mm], y: [10 mm]}
+    radius: 10 mm
+""",
+    """curve_contacts:
+  c:
+    ends: [lifter.foot, cam]
+    first: {shape: polygon, closed: false, x: [-40 mm, 40 mm], y: [0, 0]}
+    second: {shape: circle, radius: 30 mm, x: [0 mm], y: [10 mm]}
+""",
+)
+CUP = """\
+gravity: [0, 0, -9.81 m/s^2]
+bodies:
+  ball: {mass: 0.5 kg, inertia_tensor: [2e-5, 2e-5, 2e-5, 0, 0, 0], position: [0, 0, -90 mm]}
+joints:
+  j: {type: free, bodies: [ground, ball]}
+surface_contacts:
+  c:
+    ends: [ground, ball]
+    first: {shape: sphere, radius: 100 mm, hollow: true}
+    second: {shape: sphere, radius: 10 mm}
+    permanent: true
+scenarios:
+  swing: {duration: 1 s}
+"""
+
+
+def test_a_flat_follower_stays_on_its_cam():
+    """Lift R + e sin(w t) from the top of the circle, at e cos(w t) from the middle."""
+    model = loads_model(FLAT)
+    assert loads_model(dump_model(model)) == model
+    system = compile_model(model, "run")
+    state = system.initial_state()
+    for t in (0.0, 0.01, 0.02, 0.03):
+        state = moved_to(system, state, t)
+    theta = math.pi / 2.0 + 20.0 * 0.03
+    d = system.layout.coordinate("lifter.z")
+    assert state.q[d] == pytest.approx(0.03 + 0.01 * math.sin(theta) - 0.05, abs=1e-13)
+    assert state.v[d] == pytest.approx(20.0 * 0.01 * math.cos(theta), rel=1e-10)
+    seen = dict(zip([c.name for c in system.layout.channels], evaluate.observe(system, state), strict=True))
+    assert seen["contact_path[c.i]"] == pytest.approx(0.04 + 0.01 * math.cos(theta), abs=1e-12)
+
+
+def test_a_ball_that_never_leaves_a_cup_is_a_pendulum():
+    """Without friction it swings with sqrt(g/l), l = 90 mm, and presses with its weight."""
+    model = loads_model(CUP)
+    assert loads_model(dump_model(model)) == model
+    system = compile_model(model, "swing")
+    state = system.initial_state()
+    state.q[0] = 1e-5
+    a, lam = accelerations(system, state)
+    assert a[0] == pytest.approx(-9.81 / 0.09 * 1e-5, rel=1e-7)
+    assert abs(lam[0]) == pytest.approx(0.5 * 9.81, rel=1e-8)
+
+
 def test_a_ball_is_pressed_out_of_a_plate():
     model = loads_model(BALL)
     assert loads_model(dump_model(model)) == model
@@ -119,6 +178,22 @@ def test_triangles_come_from_a_file(tmp_path):
 # (file, changes, place, words)
 CASES = {
     "no law": (CAM, [("permanent: true", "permanent: false")], "cam_contacts.c.law", "is missing"),
+    "a permanent curve with a margin": (
+        FLAT,
+        [("permanent: true", "permanent: true\n    margin: 1 mm")],
+        "curve_contacts.c.margin",
+        "what never parts has no law",
+    ),
+    "curves without law": (FLAT, [("    permanent: true\n", "")], "curve_contacts.c.law", "is missing"),
+    "a cup that never leaves a plane": (
+        CUP,
+        [
+            ("shape: sphere, radius: 10 mm", "shape: torus, radius: 10 mm, tube: 1 mm"),
+            ("shape: sphere, radius: 100 mm, hollow: true", "shape: plane"),
+        ],
+        "surface_contacts.c.permanent",
+        "is of a plane and a torus",
+    ),
     "a law of what never parts": (
         CAM,
         [("permanent: true", "permanent: true\n    law: {force: 1, depth: 1}")],

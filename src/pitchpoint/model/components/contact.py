@@ -110,7 +110,8 @@ class CurveContact:
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
     first: ContactCurve = component(ContactCurve, "the curve of the first body", REQUIRED)
     second: ContactCurve = component(ContactCurve, "the curve of the second body", REQUIRED)
-    law: ContactLaw = component(ContactLaw, "normal force", REQUIRED)
+    permanent: bool = boolean("never parts: a constraint without law and friction", False)
+    law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
     friction: ContactFriction | None = component(ContactFriction, "friction; none without")
     depth: float | None = positive(
         "length",
@@ -170,7 +171,11 @@ class SurfaceContact:
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
     first: ContactSurface = component(ContactSurface, "the surface of the first body", REQUIRED)
     second: ContactSurface = component(ContactSurface, "the surface of the second body", REQUIRED)
-    law: ContactLaw = component(ContactLaw, "normal force", REQUIRED)
+    permanent: bool = boolean(
+        "a sphere that never leaves a surface other than triangles: a constraint without law and friction",
+        False,
+    )
+    law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
     friction: ContactFriction | None = component(ContactFriction, "friction; none without")
     depth: float | None = positive(
         "length", "triangles: deepest overlap that counts", None, display="a part of the size"

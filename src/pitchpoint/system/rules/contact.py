@@ -14,7 +14,14 @@ from pitchpoint.contact import impact
 from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.core.errors import CompileError, GeometryError
 from pitchpoint.elements import contact_record as element
-from pitchpoint.elements import curve_curve, point_curve, point_on_curve, point_surface, surface_surface
+from pitchpoint.elements import (
+    curve_curve,
+    curve_on_curve,
+    point_curve,
+    point_on_curve,
+    point_surface,
+    surface_surface,
+)
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.triangle_file import placed_triangles, read_triangles
 from pitchpoint.model.components.contact import (
@@ -58,13 +65,9 @@ def cam_banks(contacts: Mapping[str, CamContact], end: End) -> tuple[Bank, Bank]
             held.append(row)
             held_names.append(name)
             continue
-        if part.law is None:
-            raise CompileError(
-                f"{where}: a follower that may part needs a law; add `law` or `permanent: true`"
-            )
         row = _marked(part.ends, end)
         point_curve.set_cam(row, pool, curve, part.radius, part.depth)
-        _forces(row, part.law, part.friction, where)
+        _forces(row, _law_of(part, where), part.friction, where)
         rows.append(row)
         names.append(name)
     return (
@@ -73,39 +76,55 @@ def cam_banks(contacts: Mapping[str, CamContact], end: End) -> tuple[Bank, Bank]
     )
 
 
-def curve_bank(contacts: Mapping[str, CurveContact], end: End) -> Bank:
-    """Curves against curves."""
-    pool, rows = Pool(), []
+def curve_banks(contacts: Mapping[str, CurveContact], end: End) -> tuple[Bank, Bank]:
+    """Curves against curves: those with a force, and those that never part."""
+    pools, rows, names = (Pool(), Pool()), ([], []), ([], [])  # type: ignore[var-annotated]
     for name, part in contacts.items():
         where = f"curve_contacts.{name}"
         row = _marked(part.ends, end)
         both = curve_of(part.first, f"{where}.first"), curve_of(part.second, f"{where}.second")
-        curve_curve.set_curves(row, pool, both, part.depth, part.margin)
-        _forces(row, part.law, part.friction, where)
-        rows.append(row)
-    return pack("curve_curve", element.RECORD, rows, list(contacts), pool=pool.array())
+        which = 1 if part.permanent else 0
+        if part.permanent:
+            curve_on_curve.set_held_curves(row, pools[1], both)
+        else:
+            curve_curve.set_curves(row, pools[0], both, part.depth, part.margin)
+            _forces(row, _law_of(part, where), part.friction, where)
+        rows[which].append(row)
+        names[which].append(name)
+    return (
+        pack("curve_curve", element.RECORD, rows[0], names[0], pool=pools[0].array()),
+        pack("curve_on_curve", element.RECORD, rows[1], names[1], pool=pools[1].array()),
+    )
 
 
-def surface_banks(contacts: Mapping[str, SurfaceContact], end: End) -> tuple[Bank, Bank]:
-    """Surfaces against surfaces: those with a sphere, and all others."""
-    pools, rows, names = (Pool(), Pool()), ([], []), ([], [])  # type: ignore[var-annotated]
+def _law_of(part: CamContact | CurveContact | SurfaceContact, where: str) -> ContactLaw:
+    if part.law is None:
+        raise CompileError(f"{where}: bodies that may part need a law; add `law` or `permanent: true`")
+    return part.law
+
+
+def surface_banks(contacts: Mapping[str, SurfaceContact], end: End) -> tuple[Bank, Bank, Bank]:
+    """Surfaces against surfaces: those with a sphere, all others, and spheres that never part."""
+    pools, rows, names = (Pool(), Pool()), ([], [], []), ([], [], [])  # type: ignore[var-annotated]
     for name, part in contacts.items():
         where = f"surface_contacts.{name}"
         first, second, ends = part.first, part.second, part.ends
         if not _in_order(first, second):
             first, second, ends = second, first, (ends[1], ends[0])
         row = _marked(ends, end)
-        which = 0 if _is_ball(first) else 1
-        if which == 0:
-            _ball(row, pools[0], first, second, part, where)
-        else:
+        which = 2 if part.permanent else 0 if _is_ball(first) else 1
+        if which == 1:
             _pair(row, pools[1], first, second, part, where)
-        _forces(row, part.law, part.friction, where)
+        else:
+            _ball(row, pools[0], first, second, part, where)
+        if not part.permanent:
+            _forces(row, _law_of(part, where), part.friction, where)
         rows[which].append(row)
         names[which].append(name)
     return (
         pack("point_surface", element.RECORD, rows[0], names[0], pool=pools[0].array()),
         pack("surface_surface", element.RECORD, rows[1], names[1], pool=pools[1].array()),
+        pack("ball_on_surface", element.RECORD, rows[2], names[2]),
     )
 
 
@@ -210,6 +229,8 @@ def _ball(
     row: np.void, pool: Pool, ball: ContactSurface, other: ContactSurface, part: SurfaceContact, where: str
 ) -> None:
     """A sphere against a surface."""
+    if not _is_ball(ball) or (part.permanent and other.shape == "triangles"):
+        raise CompileError(f"{where}.permanent: only a sphere stays, and only on smooth surfaces")
     radius = _needed(ball.radius, "radius", where)
     if other.shape == "triangles":
         point_surface.set_mesh(row, pool, _triangles(other, where), radius, part.depth)
