@@ -114,6 +114,12 @@ class TriangleSurface:
         """Longest side of the box around the surface [m]."""
         return float(np.ptp(self.vertices, axis=0).max())
 
+    def is_closed(self) -> bool:
+        """Whether every edge has a triangle on both sides."""
+        one, two = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
+        many = len(self.vertices)
+        return bool(np.isin(two * many + one, one * many + two).all())
+
     def packed(self) -> FloatArray:
         """The surface as one float array for the kernels.
 

@@ -150,6 +150,20 @@ def test_triangles_rest_in_simple_shapes(tmp_path, shape, start):
     assert np.all(np.isfinite(evaluate.observe(system, found.state)))
 
 
+@pytest.mark.parametrize("start", [18.1, 20, 30])
+def test_a_ball_is_found_at_rest_on_triangles(tmp_path, start):
+    """The search comes back out of the box from wherever its steps land."""
+    (tmp_path / "part.stl").write_bytes(binary(BOX))
+    content = PLATE.replace(
+        "first: {shape: triangles, file: part.stl, unit: 1 mm}", "first: {shape: sphere, radius: 10 mm}"
+    )
+    content = content.replace("{shape: plane}", "{shape: triangles, file: part.stl, unit: 1 mm}")
+    content = content.replace("force: 1e9 N, depth: 1 mm", "force: 4.905 N, depth: 0.1 mm")
+    system = compile_model(loads(content.replace("[0, 0, 5 mm]", f"[0, 0, {start} mm]"), tmp_path))
+    found = find_equilibrium(system)
+    assert 1e-3 * start + found.state.q[0] == pytest.approx(0.0179, abs=1e-9)  # the marker is 2 mm above
+
+
 ROUND = binary(BOX)
 TURNED = BOX.copy()
 TURNED[4] = TURNED[4][::-1]
