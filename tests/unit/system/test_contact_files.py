@@ -14,6 +14,7 @@ from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.kinematics import moved_to
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
+from pitchpoint.system.source import row_source, row_unit
 from tests.support.mechanism_files import accelerations
 
 CAM = """\
@@ -108,6 +109,15 @@ def test_a_flat_follower_stays_on_its_cam():
     assert state.v[d] == pytest.approx(20.0 * 0.01 * math.cos(theta), rel=1e-10)
     seen = dict(zip([c.name for c in system.layout.channels], evaluate.observe(system, state), strict=True))
     assert seen["contact_path[c.i]"] == pytest.approx(0.04 + 0.01 * math.cos(theta), abs=1e-12)
+
+
+def test_rows_of_contacts_name_their_place():
+    """Messages of loops that do not close say which contact it is and by what length."""
+    for content, section, line in ((CAM, "cam_contacts", 8), (FLAT, "curve_contacts", 8)):
+        system = compile_model(loads_model(content), "run")
+        row = next(r for r, words in enumerate(system.layout.rows) if words.endswith(" c"))
+        assert row_source(system, row) == f"{section}.c (line {line})"
+        assert row_unit(system, row) == " m"
 
 
 def test_a_ball_that_never_leaves_a_cup_is_a_pendulum():
