@@ -63,8 +63,11 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
 
 def summary(model: Model) -> dict[str, Any]:
     """Collect what will be simulated."""
+    from pitchpoint.model.signal_words import HEAD, signal_lines
     from pitchpoint.report.defaults import defaults
+    from pitchpoint.system.rules.elastic_body import elastic_facts
 
+    facts = elastic_facts(model) if model.elastic_bodies else {}
     bodies = {}
     for name, body in model.bodies.items():
         inertia = model.body_inertia(name)
@@ -78,7 +81,8 @@ def summary(model: Model) -> dict[str, Any]:
             "transverse_inertia": inertia.transverse,
         }
         if body.elastic is not None:  # only its file knows
-            bodies[name] |= dict.fromkeys(("mass", "polar_inertia", "transverse_inertia"))
+            bodies[name] |= dict.fromkeys(("polar_inertia", "transverse_inertia"))
+            bodies[name]["mass"] = facts[name][0]
     return {
         "ok": True,
         "title": model.title,
@@ -100,6 +104,7 @@ def summary(model: Model) -> dict[str, Any]:
         },
         "shafts": {name: _stations(model, name) for name in model.shafts},
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
+        "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
         "joints": _joints(model),
         "rods": list(model.rods),
         "ratios": list(model.ratios),
@@ -108,6 +113,7 @@ def summary(model: Model) -> dict[str, Any]:
         "couplings": list(model.couplings),
         **{group: list(getattr(model, group)) for group in FORCES},
         "loads": list(model.loads),
+        "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
     }
@@ -208,7 +214,7 @@ def _print(model: Model, file: str) -> None:
             ", ".join(body["gears"]),
             ", ".join(body["degrees_of_freedom"]) or "fixed",
             ", ".join(f"{round(1e3 * c, 9) + 0.0:.6g}" for c in body["origin"]) if body["origin"] else "",
-            shown(body["mass"], "mass", 5) if name not in found["elastic_bodies"] else "in its file",
+            shown(body["mass"], "mass", 5),
             shown(body["polar_inertia"], "inertia", 5) if name not in found["elastic_bodies"] else "",
         ]
         for name, body in found["bodies"].items()
@@ -220,6 +226,9 @@ def _print(model: Model, file: str) -> None:
             ["body", "gears", "moves in", "origin [mm]", "mass", "polar inertia"],
             rows,
         )
+    for name, frequencies in found["elastic_frequencies"].items():
+        listed = ", ".join(f"{f:.4g}" for f in frequencies)
+        show(f"{name}, unsupported, swings in {len(frequencies)} modes of {listed} Hz")
     rows = [
         [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
         for stations in found["shafts"].values()
@@ -244,6 +253,8 @@ def _print(model: Model, file: str) -> None:
     for group in ("bearings", "couplings", *FORCES, "loads"):
         if found[group]:
             show(f"{group}: {', '.join(found[group])}")
+    if found["signals"]:
+        table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
     if found["scenarios"]:
         show("scenarios: " + ", ".join(f"{name} ({kind})" for name, kind in found["scenarios"].items()))
     assumed = found["defaults"]

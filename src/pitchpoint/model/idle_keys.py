@@ -17,6 +17,7 @@ from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy
 from pitchpoint.model.joint_check import ends_of
 from pitchpoint.model.keys import defaults_of
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
+from pitchpoint.model.signal_words import idle_signals
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
@@ -63,6 +64,7 @@ def idle_keys(model: Model) -> tuple[str, ...]:
         *_supports(model),
         *_loads(model),
         *_scenarios(model),
+        *idle_signals(model),
     )
 
 

@@ -23,6 +23,8 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.model.scenario import Scenario
+from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.roll_notes import load_notes
@@ -128,11 +130,12 @@ def roll_through(
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
         raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
+    refuse_rates(system, "a slow roll")
     point = operating_point(system, scenario)
     own = point.system.copy()
     k = mesh_names(own).index(mesh)
     record = own.records["gear_mesh"][k]
-    body = next(int(record[e]) for e in ("i", "j") if own.program["body"][record[e]]["spin"] >= 0)
+    body = next(int(record[e]) for e in ("i", "j") if spin_of(own.program["body"], record[e]) >= 0)
     z = record["z1"] if body == record["i"] else record["z2"]
     spin = own.spin(own.layout.bodies[body])
     held = exchange(own, held_spins(own), spin)
@@ -236,7 +239,7 @@ def _assembled(system: System, state: State) -> State:
 def _pitches(system: System, record: np.void, rates: Array) -> Fraction:
     """Tooth pitches that a mesh goes on while the rolled body turns by 2 pi; ratios of trains are exact."""
     for body, teeth in ((record["i"], record["z1"]), (record["j"], record["z2"])):
-        spin = system.program["body"][body]["spin"]
+        spin = spin_of(system.program["body"], body)
         if spin >= 0:
             return Fraction(abs(float(rates[spin]))).limit_denominator(LARGEST_RATIO) * abs(int(teeth))
     return Fraction(0)

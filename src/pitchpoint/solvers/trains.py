@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
 from pitchpoint.elements.ratio import place_of
+from pitchpoint.multibody.bodies import base_of
 from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
@@ -69,7 +70,7 @@ def mesh_rates(system: System, speeds: Mapping[str, float]) -> list[float]:
             rates[index[int(body[b]["spin"])]] = speeds.get(name, 0.0)
     found = []
     for record in system.records.get("gear_mesh", ()):
-        base = _turning(system, index, int(body[_carried(record)]["parent"]))
+        base = _turning(system, index, base_of(body, _carried(record)))
         relative = _turning(system, index, int(record["i"])) - base
         found.append(abs(float(record["z1"] * (relative @ rates))))
     return found
@@ -166,7 +167,7 @@ def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[A
                 i, j = int(record["i"]), int(record["j"])
                 one, two = (_turning(system, index, b) for b in (i, j))
                 if kind == "gear_mesh":
-                    base = _turning(system, index, int(system.program["body"][_carried(record)]["parent"]))
+                    base = _turning(system, index, base_of(system.program["body"], _carried(record)))
                     row = float(record["z1"]) * (one - base) + float(record["z2"]) * (two - base)
                 elif kind == "bearing" and record["K"][5, 5] == 0.0:
                     continue

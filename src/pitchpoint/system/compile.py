@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.model.force_check import states_of
 from pitchpoint.model.frames import axes_of
+from pitchpoint.model.signal_names import SECTIONS
 from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.beam import beam_bank, beam_stations
-from pitchpoint.system.rules.bearing import bearing_bank
+from pitchpoint.system.rules.bearing import bearing_bank, housing_seats
 from pitchpoint.system.rules.bodies import bodies, body_numbers, end_of, world_place
 from pitchpoint.system.rules.bushing import bushing_bank
 from pitchpoint.system.rules.closure import closure_bank
@@ -78,7 +79,7 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     if not model.bodies:
         raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
-    tree = bodies(model)
+    tree = [*bodies(model), *housing_seats(model)]
     states: dict[str, int] = {}
     places = Places(
         end=partial(end_of, model),
@@ -122,8 +123,18 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     trees = any(not body.is_round for body in tree)
     prepare_kernels(used | {"gear_mesh"} if model.meshes else used, trees)
     banks = [mesh_bank(model), *others]
-    system = assemble(
-        [*tree, *hidden_bodies(elements)],
+    everybody = [*tree, *hidden_bodies(elements)]
+    if any(getattr(model, section) for section in SECTIONS):
+        # only machines with signals wait for what these need
+        from pitchpoint.system.rules.signals import net_of_model
+        from pitchpoint.system.signals import assemble_controlled
+
+        net, controllers = net_of_model(model, everybody, places)
+        prepare_kernels({net.kind}, trees)
+        assembled = partial(assemble_controlled, net, controllers=controllers)
+    else:
+        assembled = partial(assemble, everybody)
+    system = assembled(
         {b.kind: b.records for b in banks if b.records.size},
         {b.kind: b.records for b in constraints if b.records.size},
         names={b.kind: b.names for b in (*banks, *constraints)},

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.system.system import System
 
+SIGNALS = ("sensors", "blocks", "controllers", "actuators")
 SECTIONS: dict[str, tuple[str, ...]] = {
     "ball_on_surface": ("surface_contacts",),
     "beam": ("beams",),
@@ -36,6 +37,8 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "ratio": ("ratios",),
     "rolling_bearing": ("rolling_bearings",),
     "shaft_beam": ("shafts",),
+    "signal": SIGNALS,
+    "signal_of_loads": SIGNALS,
     "spring_damper": ("springs",),
     "surface_surface": ("surface_contacts",),
     "torque": ("loads",),
