@@ -164,7 +164,9 @@ def _mobility(model: Model) -> dict[str, int]:
     """Coordinates of the tree and degrees of freedom by Gruebler's count."""
     from pitchpoint.model.mechanism import freedoms
 
-    others = len(model.rods) + len(model.ratios) + sum(c.permanent for c in model.cam_contacts.values())
+    contacts = (model.cam_contacts, model.curve_contacts, model.surface_contacts)
+    held = sum(c.permanent for group in contacts for c in group.values())
+    others = len(model.rods) + len(model.ratios) + held
     count, mobility = freedoms(model.mechanism, model, others)
     more = 6 * sum(len(places) - 1 for places in model.stations.values())
     return {"coordinates": count + more, "constraints": count - mobility, "by_count": mobility + more}
