@@ -52,6 +52,8 @@ class EventWatch:
             self._named[:, k] = k, index[f"{falling}[{mesh}"]
             kept[k] = kind in wanted
         self._kept = kept
+        #: Per event function 1 if its sign changes count, in one direction at least: a method ends steps there.
+        self.functions = (kept[self._named[0]] | kept[self._named[1]]).astype(np.int64)
 
     def __bool__(self) -> bool:
         return bool(self._kept.any())
