@@ -92,9 +92,9 @@ class StiffRun:
     ) -> Chunk:
         """Go to a time; arguments as in `runge_kutta.ExplicitRun.advance_to`.
 
-        With `restart` steps end at events, which begin anew what is behind them: no step and no past goes over
-        a jump or a bend of the forces. Else an event is located on the polynomial of its step, and what it
-        does to the solution is left to the error of the step.
+        With `restart` steps end at events, and what comes behind begins anew: no step and no past goes over a
+        jump or a bend of the forces. Else an event is located on the polynomial of its step, and what it does
+        to the solution is left to the error of the step.
         """
         reach = min(t_end - self.t, most * self.longest)
         room = int(reach / sample) + 2 if sample > 0.0 else 0

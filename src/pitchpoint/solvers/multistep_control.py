@@ -52,8 +52,9 @@ PAST = np.dtype(
         ("integrals", "i8"),  # 1: multipliers are rates of eta and xi
         *(
             (name, "i8")
-            for name in ("rows", "times", "new", "ahead", "slope", "allowed", "W", "p", "tol", "iteration", "wanted")
+            for name in ("rows", "times", "new", "ahead", "slope", "allowed", "W", "p", "tol", "iteration")
         ),
+        ("wanted", "i8"),  # address of a flag per event function, 0: it ends no steps; 0 if all do
         ("iterate", "i8"),  # addresses of the Newton iteration
         ("step", "i8"),  # of one whole step,
         ("seek", "i8"),  # of one that ends at an event,

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Steps of a multistep method that end at events, where forces jump or bend.
 
-A polynomial over the bend is no solution, so the step is made anew up to it. First guess: where the polynomial
-through the past, all of it before the event, meets it; then the polynomial of the shortened step, until the step
-ends behind the event by no more than `LOCATED` of the step tried. `multistep_restart` goes on from there.
+A polynomial over the bend is no solution, so a step ends there. First guess: where the polynomial through the
+past, all of it before the event, meets it; then where that of the shortened step does, until the step ends
+behind the event by no more than `LOCATED` of the step tried. `multistep_restart` goes on from there.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ ROOM = 5
 
 @kernel
 def _first_event(at, where, h, n):
-    """Share of the step of length h that ended now at which its first event lies; 2 without one, < 0: died."""
+    """Where in the step of length h that ends now its first event lies, 0 to 1; 2 if none, < 0 if it died."""
     b = view(where, 1, PAST)[0]
     found = view(b["p"], (ROOM, 3), F8)
     dense = prepare_events(at, where, h, n)

@@ -2,10 +2,10 @@
 """How a multistep method goes on where forces jump or bend: at order 3, from derivatives of the new side.
 
 The past of the other side is of no use any more. Accelerations a little later give jerk and its derivative
-(differences at two points, twice: the second time with the states that the first pass leads to); their
-Taylor series is the past of the new side. That costs five solutions for accelerations, where a start at order 1
-costs some ten steps, with a matrix each. Where a mode is so stiff that differences say nothing the two passes
-disagree, and the method starts at order 1 after all.
+(differences at two points, twice: the second time with the states that the first pass leads to); their Taylor
+series is the past of the new side. That costs five solutions for accelerations, a start at order 1 some ten
+steps with a matrix each. Where a mode is so stiff that differences say nothing the two passes disagree, and
+the method starts at order 1 after all.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ ORDER_AFTER = 3
 APART = 1.0 / 16.0
 """Distance of the points of the differences, over the step."""
 DISAGREEMENT = 0.1
-"""Change of the third derivative between both passes, over step and accelerations, from which it is nothing."""
+"""Change of the third derivative between both passes, over what it adds to, from which it says nothing."""
 MOST_TRIES = 3
 """Distances tried, each an eighth of the one before: the new side may be faster than the old one."""
 FIRST_SHARE = 0.25
