@@ -18,6 +18,7 @@ from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques, find_equilibrium
+from pitchpoint.solvers.sticking import settle_clutches
 from pitchpoint.solvers.trains import driven_coordinates, free_spins, held_spins, rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -108,7 +109,8 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         return Start(_with_damping(system, state), state, notes)
     system, balanced, held = balance_torques(system, state, held, driven)
     found = find_equilibrium(system, state, held)
-    notes = _notes(system, found, {*driven, *balanced})
+    system, found, remarks = settle_clutches(system, found, driven, balanced)
+    notes = (*_notes(system, found, {*driven, *balanced}), *remarks)
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     return Start(_with_damping(system, state), state, (*notes, *more))
 
