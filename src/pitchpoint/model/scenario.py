@@ -117,7 +117,10 @@ class Scenario:
         "time", "start of the window of the statistics", None, minimum=0.0, display="20 % of duration"
     )
     step: float | None = positive(
-        "time", "time step", None, display="1/200 of the shortest period of mesh and modes; those of finite elements count as far as excited"
+        "time",
+        "time step",
+        None,
+        display="1/200 of the shortest period of mesh and modes, finite elements as far as excited",
     )
     tolerance: float = positive(
         "dimensionless", "relative tolerance of methods that choose their steps", 1e-7, maximum=0.1

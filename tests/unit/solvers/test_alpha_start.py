@@ -67,6 +67,22 @@ def test_multipliers_of_a_pendulum_are_of_second_order_from_the_first_step(form,
     assert late[0] < 0.1
 
 
+@pytest.mark.parametrize("rho_inf", [0.8, 1.0])
+@pytest.mark.parametrize("form", ["I3", "SI2"])
+def test_multipliers_stay_of_second_order_behind_a_change_of_the_step(form, rho_inf, force):
+    most = []
+    for h in (1e-2, 5e-3, 2.5e-3):
+        system, run = begin(h, form, rho_inf)
+        assert run.advance(round(0.4 / h)).status == OK
+        run.change_step(h / 2.0)
+        errors = []
+        for _ in range(round(0.4 / h)):
+            assert run.advance(1).status == OK
+            errors.append(abs(abs(system.workspace.lam[0]) - force(run.t)))
+        most.append(max(errors))
+    np.testing.assert_allclose(np.log2(np.array(most[:-1]) / np.array(most[1:])), 2.0, atol=0.3)
+
+
 def test_rates_begin_off_their_rows_by_what_the_scheme_keeps_them_off():
     """C h^2 q''' along the rows: the drift of the rates is the same at the start as after a while."""
     h = 5e-3
