@@ -81,13 +81,12 @@ def follow_modes(
     linear = linearise(system, scenario)
     own, parts = linear.system, linear.at_rest
     rates = speed_ratios(own, body)
-    values, shapes, _ = lowest(linear)
-    n = len(values)
+    modes = lowest(linear)
+    values, shapes, n = modes.omega, modes.shapes, len(modes.omega)
     found, last = np.zeros((omega.size, n), complex), shapes.astype(complex)
     for s, speed in enumerate(omega):
         at = at_speeds(linear, speed * rates)
-        squares, basis = (values, shapes) if at.at_rest is parts else lowest(at)[:2]
-        roots, z = damped_modes(at, squares, basis)
+        roots, z = damped_modes(at, modes if at.at_rest is parts else lowest(at))
         roots, z = roots[:n], z[:n]
         # each mode goes on in the one that resembles it most
         order = best_match(np.abs(last.conj() @ parts.M @ z.T))

@@ -99,7 +99,7 @@ def find_response(
     linear = linearise(system, scenario, phase=phase, start=start)
     ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
     hertz = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
-    basis = linear.basis if modes is None else lowest(linear, modes)[1].T
+    basis = linear.basis if modes is None else lowest(linear, modes).shapes.T
     rates = None if synchronous is None else speed_ratios(linear.system, synchronous)
     found = np.zeros((hertz.size, len(outs.names), len(ins)), complex)
     for f, omega in enumerate(2.0 * np.pi * hertz):
