@@ -115,11 +115,10 @@ def sorted_modes(
     # of all eigenvalues: the largest is at least the largest on the diagonal, whose masses are one
     largest = max(np.abs(values).max(initial=0.0), k.diagonal().max(initial=0.0))
     values[(np.abs(values) < SLOW * largest) & _are_rigid(unsorted, rigid, M)] = 0.0
-    whole = m if isinstance(m, np.ndarray) else m.toarray()
-    root = np.asarray(np.linalg.cholesky(whole).T, dtype=np.float64)
     order = np.argsort(values, kind="stable")
     values, vectors = values[order], vectors[:, order]
-    moved = root @ vectors
+    # of sparse masses the diagonal, which is one, is enough to choose components by
+    moved = np.linalg.cholesky(m).T @ vectors if isinstance(m, np.ndarray) else vectors
     start = 0
     while start < values.size:
         stop = start + 1

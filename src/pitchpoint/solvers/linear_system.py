@@ -50,6 +50,8 @@ class Linearised:
         Damping and stiffness matrix at speed, shape (nd, nd).
     basis
         Directions that vibrate: columns, shape (nd, n), sparse if the system is large.
+    rigid
+        Turns that nothing resists, shape (r, nd).
     states
         Coordinates whose rates are states of force elements.
     held
@@ -64,6 +66,7 @@ class Linearised:
     D: Array
     K: Array
     basis: Any
+    rigid: Array
     states: tuple[int, ...]
     held: tuple[int, ...]
     notes: tuple[str, ...]
@@ -108,7 +111,8 @@ def linearise(
         at_rest = _turning(own, state, still, at_rest)
     states = tuple(int(s) for s in own.states)
     basis = free_directions(own, state, states)
-    return Linearised(own, state, at_rest, D, K, basis, states, point.held, tuple(notes))
+    rigid = rigid_rotations(own)
+    return Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, tuple(notes))
 
 
 def _turning(system: System, state: State, still: State, at_rest: Parts) -> Parts:
@@ -226,7 +230,7 @@ class Undamped:
 
 def lowest(linear: Linearised, count: int | None = None) -> Undamped:
     """Undamped modes, lowest first: all of systems with up to `MOST_MODES`, or as many as are asked for."""
-    parts, rigid = linear.at_rest, rigid_rotations(linear.system)
+    parts, rigid = linear.at_rest, linear.rigid
     total = linear.basis.shape[1]
     wanted = total if total <= MOST_MODES else LOWEST
     wanted = min(wanted if count is None else count, total)

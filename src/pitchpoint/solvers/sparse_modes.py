@@ -157,6 +157,7 @@ def nearest_damped(
     SolverError
         If the iteration does not converge.
     """
+    from scipy.sparse import csc_array
     from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs, splu
 
     A, B = _first_order(matrices, basis, states)
@@ -177,7 +178,7 @@ def nearest_damped(
     values = np.where(np.abs(values.imag) <= 1e-10 * np.abs(values), values.real, values)
     z = np.asarray((basis @ y[:n]).T, dtype=np.complex128)
     carried = np.linalg.norm(y[2 * n :], axis=0) / np.linalg.norm(y, axis=0)
-    first = best_match(_likeness(matrices[0], omega, shapes, values, z))
+    first = best_match(_likeness(csc_array(matrices[0]), omega, shapes, values, z))
     rest = np.setdiff1d(np.flatnonzero(carried > OWN), first)
     rest = rest[np.argsort(np.abs(values[rest]), kind="stable")]
     still = np.zeros(values.size, bool)
@@ -206,10 +207,10 @@ def _first_order(matrices: tuple[Array, Array, Array], basis: Any, states: Seque
     return block_array(A, format="csc"), block_array(B, format="csc")
 
 
-def _likeness(M: Array, omega: Array, shapes: Array, values: Complex, z: Complex) -> Array:
+def _likeness(M: Any, omega: Array, shapes: Array, values: Complex, z: Complex) -> Array:
     """How well damped modes go on from undamped ones: in shape, in speed, and vibrating; shape (m, candidates)."""
-    size = np.sqrt(sum(np.einsum("ij,ij->i", part, part @ M) for part in (z.real, z.imag)))
-    within = np.abs((shapes @ M) @ z.T) ** 2 / np.maximum(size, 1e-300) ** 2
+    size = np.sqrt(sum(np.einsum("ij,ij->i", part, (M @ part.T).T) for part in (z.real, z.imag)))
+    within = np.abs((M @ shapes.T).T @ z.T) ** 2 / np.maximum(size, 1e-300) ** 2
     least = 1e-6 * float(np.abs(omega).max(initial=1e-300))
     fast = np.maximum(np.abs(values), least) / np.maximum(np.abs(omega), least)[:, None]
     vibrates = np.where(values.imag > 0.0, 2.0, np.where(fast > 1.0, 0.5, 1.0))
