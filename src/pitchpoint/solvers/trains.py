@@ -213,6 +213,9 @@ def _resisted(system: System, index: dict[int, int]) -> list[Array]:
                 held |= _leaning(system)
                 break
             fields = records.dtype.names or ()
+            if kind == "linear_hold":  # on one body, against what it hangs on
+                held |= {int(body[record["i"]]["spin"])} - {-1}
+                continue
             ends = [_movers(body, int(record[end])) for end in ("i", "j") if end in fields]
             held |= set.symmetric_difference(*ends) if len(ends) == 2 else ends[0]
     return [np.eye(len(index))[index[s]] for s in sorted(held)]
