@@ -40,6 +40,12 @@ from pitchpoint.solvers.reduction_part import Linear, Rows, condense, damp_acros
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System, assemble
 
+BEYOND = (4.0, 8.0, 16.0, 32.0, 64.0)
+"""Multiples of the highest frequency of interest up to which fixed-interface modes are kept: for geared shafts the
+first is enough, heavy bodies on soft springs between stiffly held ones need more."""
+WANTED = 1e-3
+"""Error of the natural frequencies at which no more modes are kept."""
+
 
 @dataclass(frozen=True)
 class Reduced:
@@ -103,33 +109,49 @@ def reduce_system(
     point = operating_point(system, scenario, start)
     own, state = point.system, point.state
     split = split_up(own, state, keep)
+    whole = _linear(own, state, split)
+    modes = -1
+    for beyond in BEYOND:
+        found, count = _condensed(own, state, split, whole, beyond * limit)
+        if count == modes:
+            continue
+        begun, modes = _state_of(own, state, found, split.kept), count
+        reduced = found, begun, compare(own, state, found, begun, limit)
+        if reduced[2].frequency <= WANTED:
+            break
+    names = tuple(own.layout.bodies[b] for b in split.kept)
+    return Reduced(reduced[0], reduced[1], own, state, reduced[2], names, (*point.notes, *split.notes))
+
+
+def _bodies(system: System, split: Split) -> tuple[list[Body], dict[int, int]]:
+    """Bodies that stay, and their new numbers."""
     number = {0: 0} | {b: k for k, b in enumerate(split.kept, start=1)}
+    old = {b: system.bodies[b - 1] for b in split.kept}
     bodies = [
-        replace(
-            own.bodies[b - 1],
-            parent=number[own.bodies[b - 1].parent],
-            shares=number[own.bodies[b - 1].shares],
-            name=own.layout.bodies[b],
-        )
-        for b in split.kept
+        replace(body, parent=number[body.parent], shares=number[body.shares], name=system.layout.bodies[b])
+        for b, body in old.items()
     ]
-    bare = _assembled(own, split.condensed, number, bodies, {})
-    whole = _linear(own, state, split, bare)
+    return bodies, number
+
+
+def _condensed(
+    system: System, state: State, split: Split, whole: Linear, limit: float
+) -> tuple[System, int]:
+    """The reduced system with fixed-interface modes up to a frequency [Hz], and their number."""
+    bodies, number = _bodies(system, split)
     rows: Rows = {"linear_part": [], "linear_hold": [], "linear_modes": [], "coupling": []}
     parts = []
     for p, part in enumerate(split.parts):
         sides = [b for b in part if b in number], [b for b in part if b not in number]
-        parts.append(condense(own, state, whole, sides, limit, f"part{p + 1}", number, bodies, rows))
+        parts.append(condense(system, state, whole, sides, limit, f"part{p + 1}", number, bodies, rows))
     damp_across(whole.D, state, parts, rows["linear_modes"])
-    found = _assembled(own, split.condensed, number, bodies, rows)
-    begun = _state_of(own, state, found, split.kept)
-    names = tuple(own.layout.bodies[b] for b in split.kept)
-    error = compare(own, state, found, begun, limit)
-    return Reduced(found, begun, own, state, error, names, (*point.notes, *split.notes))
+    return _assembled(system, split.condensed, number, bodies, rows), len(rows["coupling"])
 
 
-def _linear(system: System, state: State, split: Split, kept: System) -> Linear:
+def _linear(system: System, state: State, split: Split) -> Linear:
     """What is condensed: the system with all bodies and the condensed elements, less the bodies that stay."""
+    bodies, number = _bodies(system, split)
+    kept = _assembled(system, split.condensed, number, bodies, {})
     near = _state_of(system, state, kept, split.kept)
     at = coordinates_of(system, split.kept)
     own = coordinates_of(kept, range(1, len(split.kept) + 1))

@@ -230,12 +230,13 @@ def _changing(system: System, state: State, eligible: Choice) -> tuple[Choice, l
     rows, columns, places = system.layout.entries
     scale = np.sqrt(np.diag(evaluate.matrix(system, state, 1.0, 0.0, 0.0)))
     size = scale[rows] * scale[columns]
+    rate = float(np.abs(state.v).max())
 
     def ask() -> list[Array]:
-        """Scaled entries of M, D and K at all moments."""
+        """Entries of M, D and K at all moments, in the scale of the masses and of the fastest spin."""
         return [
-            np.array([evaluate.blocks(system, s, *f).reshape(-1)[places] / size for s in states])
-            for f in FACTORS
+            np.array([evaluate.blocks(system, s, *f).reshape(-1)[places] / (size * rate**power) for s in states])
+            for power, f in enumerate(FACTORS)
         ]
 
     with switched(system, {}):
@@ -266,7 +267,7 @@ def _changing(system: System, state: State, eligible: Choice) -> tuple[Choice, l
 
 def _varies(entries: Array) -> NDArray[np.bool_]:
     """Entries that are not the same at all moments (first axis)."""
-    return np.asarray(np.ptp(entries, axis=0) > SAME * np.abs(entries).max(initial=0.0))
+    return np.asarray(np.ptp(entries, axis=0) > SAME * np.abs(entries).max(initial=1.0))
 
 
 def _loose(

@@ -20,9 +20,6 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 Rows = dict[str, list[NDArray[np.void]]]
 
-BEYOND = 4.0
-"""Fixed-interface modes are kept up to this multiple of the highest frequency of interest: for geared shafts
-natural frequencies below it then err by less than 0.1 % (by 0.2 % with a multiple of 2)."""
 TURNS = 1e-7
 """Stiffness against a rotation of a whole shaft, over the largest, that counts as rounding."""
 NOTHING = 1e-13
@@ -81,7 +78,7 @@ def condense(
     sides
         Bodies of the part that stay, and those that go.
     limit
-        Highest frequency of interest [Hz].
+        Frequency up to which fixed-interface modes are kept [Hz].
     name
         Of the part.
     number
@@ -95,7 +92,7 @@ def condense(
     inside = np.ix_(shapes.places, shapes.places)
     m, d, stiff = (shapes.T.T @ A[inside] @ shapes.T for A in (whole.M, whole.D, whole.K))
     force = shapes.T.T @ whole.f[shapes.places]
-    free = _free_turn(system, state, ends, shapes, stiff)
+    groups = _turning_groups(system, state, ends, shapes, stiff)
     first = len(bodies) + 1
     for j, w in enumerate(omega):
         # inertia one, the spring as a coupling to ground: it is held like any torsional body
@@ -124,8 +121,9 @@ def condense(
             if one == two:
                 r["f0"][: at.size] = force[at]
             if two < len(ends):
-                _refer(r, system, state, ends[two], ends[one] if free and one < len(ends) else 0)
-            rows[_kind(system, ends, one, two, free, stiff[at, at])].append(row)
+                together = one < len(ends) and groups[one] == groups[two] >= 0
+                _refer(r, system, state, ends[two], ends[one] if together else 0)
+            rows[_kind(system, ends, (one, two), groups, cut[2])].append(row)
     return Part(np.array(shapes.places, np.int64), shapes.T, n, tuple(blocks))
 
 
@@ -138,7 +136,7 @@ def _shapes(whole: Linear, outer: list[int], hidden: list[int], limit: float) ->
         static = np.asarray(-np.linalg.solve(k, symmetric(whole.K)[np.ix_(hidden, outer)]))
         M = whole.M[np.ix_(hidden, hidden)]
         found, modes = undamped(M, k, np.eye(len(hidden)), np.zeros((0, len(hidden))))
-        low = int(np.sum(found < BEYOND * 2.0 * np.pi * limit))
+        low = int(np.sum(found < 2.0 * np.pi * limit))
         omega, phi = found[:low], modes[:low].T
     n = len(outer)
     T = np.block([[np.eye(n), np.zeros((n, omega.size))], [static, phi]])
@@ -149,41 +147,53 @@ def _is_round(system: System, b: int) -> bool:
     return bool(system.program["body"][b]["joint"] != GENERAL)
 
 
-def _free_turn(system: System, state: State, ends: Sequence[int], shapes: Shapes, stiff: Array) -> bool:
-    """Whether all round bodies of a part turn together freely; what rounding left of that is taken out.
+def _turning_groups(
+    system: System, state: State, ends: Sequence[int], shapes: Shapes, stiff: Array
+) -> list[int]:
+    """Round bodies of a part that can only turn together, and do so freely: number of the group of every end.
+
+    -1 stands for bodies that are held or have no spin. What rounding left of free turns is taken out.
 
     Raises
     ------
     SolverError
-        If they turn at the operating point though something holds them.
+        If bodies turn at the operating point though something holds them.
     """
     body = system.program["body"]
-    spins = {int(body[b]["spin"]) for b in ends if _is_round(system, b)} - {-1}
-    turning = np.array([float(c in spins) for c in shapes.places[: shapes.outer]] + [0.0] * shapes.omega.size)
-    if not turning.any():
-        return False
-    left = stiff @ turning
-    if np.abs(left).max(initial=0.0) > TURNS * np.abs(stiff).max(initial=0.0):
-        if not np.any(state.v[sorted(spins)]):
-            return False  # at rest: held, and moved little
-        names = ", ".join(system.layout.bodies[b] for b in ends)
-        why = "their axes are not parallel, or springs hold them"
-        raise SolverError(f"{names}: do not turn together freely: {why}; keep one of them", INCONSISTENT)
-    stiff -= np.outer(left, turning) / turning.sum()  # rounding: turning together costs nothing
-    return True
+    groups = [-1] * len(ends)
+    least = TURNS * np.abs(stiff).max(initial=0.0)
+    own = {e: shapes.places.index(int(body[b]["spin"])) for e, b in enumerate(ends) if _is_round(system, b)
+           and body[b]["spin"] >= 0}
+    for first in own:
+        if groups[first] >= 0:
+            continue
+        group, new = {first}, {first}
+        while new:
+            new = {e for e in own if any(abs(stiff[own[e], own[g]]) > least for g in new)} - group
+            group |= new
+        turning = np.zeros(len(stiff))
+        turning[[own[e] for e in group]] = 1.0
+        left = stiff @ turning
+        if np.abs(left).max(initial=0.0) <= least:
+            stiff -= np.outer(left, turning) / turning.sum()  # rounding: turning together costs nothing
+            for e in group:
+                groups[e] = first
+        elif np.any(state.v[[shapes.places[own[e]] for e in group]]):
+            names = ", ".join(system.layout.bodies[ends[e]] for e in sorted(group))
+            why = "their axes are not parallel, or springs hold them"
+            raise SolverError(f"{names}: do not turn together freely: {why}; keep one of them", INCONSISTENT)
+    return groups
 
 
-def _kind(system: System, ends: Sequence[int], one: int, two: int, free: bool, diagonal: Array) -> str:
+def _kind(system: System, ends: Sequence[int], pair: tuple[int, int], groups: list[int], diagonal: Array) -> str:
     """Kind of the records of a block, which says how far it keeps bodies from turning."""
+    one, two = pair
     if one >= len(ends) or two >= len(ends):
         return "linear_modes"
-    spin = int(system.program["body"][ends[one]]["spin"])
-    if one == two and spin >= 0 and not (free and _is_round(system, ends[one])):
-        place = spin - int(system.program["body"][ends[one]]["dof"])
-        if diagonal[place] > 0.0:
-            return "linear_hold"
-    round_ = _is_round(system, ends[one]) and _is_round(system, ends[two])
-    return "linear_part" if round_ else "linear_modes"
+    place = int(system.program["body"][ends[one]]["spin"]) - int(system.program["body"][ends[one]]["dof"])
+    if one == two and place >= 0 and groups[one] < 0 and diagonal[place, place] > 0.0:
+        return "linear_hold"
+    return "linear_part" if groups[one] == groups[two] >= 0 else "linear_modes"
 
 
 def damp_across(D: Array, state: State, parts: Sequence[Part], rows: list[NDArray[np.void]]) -> None:
@@ -207,14 +217,13 @@ def damp_across(D: Array, state: State, parts: Sequence[Part], rows: list[NDArra
 
 
 def _refer(record: np.void, system: System, state: State, j: int, i: int) -> None:
-    """Write where body j is at the operating point, and the spin of body i against which it counts."""
+    """Write where body j is at the operating point, and if i is given, that its spin counts against that of i."""
     body = system.program["body"]
     dof, n = int(body[j]["dof"]), int(body[j]["n"])
     record["x0"][:n], record["v0"][:n] = state.q[dof : dof + n], state.v[dof : dof + n]
     spin = int(body[j]["spin"])
     if spin >= 0:
         record["x0"][spin - dof] += 2.0 * np.pi * state.turns[j]
-    both = i and spin >= 0 and body[i]["spin"] >= 0 and _is_round(system, i) and _is_round(system, j)
-    if both:
+    if i and spin >= 0:
         record["relative"] = 1
         record["spin0"] = state.q[body[i]["spin"]] + 2.0 * np.pi * state.turns[i]
