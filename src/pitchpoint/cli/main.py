@@ -25,6 +25,7 @@ COMMANDS = {
     "mesh": "Mesh stiffness over the mesh cycle.",
     "modes": "Natural frequencies and mode shapes.",
     "frf": "Frequency response about an operating point.",
+    "reduce": "Condense linear parts; what is left and its error.",
     "run": "Time response or slow roll of a scenario.",
     "sweep": "Speed sweep up and down, with jumps.",
     "compare-solvers": "Accuracy against time of all integrators on one model.",
