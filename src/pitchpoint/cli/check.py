@@ -19,6 +19,7 @@ FORCES = (
     "torsion_springs",
     "torsion_maxwells",
     "bushings",
+    "beams",
     "clutches",
     "rolling_bearings",
     "plain_bearings",

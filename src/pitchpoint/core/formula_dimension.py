@@ -2,10 +2,10 @@
 """Dimensions inside formulas: what the units of a formula give, and what cannot be right.
 
 Written units are checked, everything else is SI. The variables carry their units: t a time, angle an angle,
-speed an angular speed. A number without unit is a plain factor beside a written unit, takes the unit of the
-other side of a sum, and supplies the seconds that a variable beside it needs, so that
-``150 N m * (1 + 0.1*sin(157*t))`` is a torque and ``1.2 * 150 kg`` is none. A formula without any unit is
-never refused.
+speed an angular speed, elongation a length and rate a speed. A number without unit is a plain factor beside
+a written unit, takes the unit of the other side of a sum, and supplies the seconds that a variable beside it
+needs, so that ``150 N m * (1 + 0.1*sin(157*t))`` is a torque and ``1.2 * 150 kg`` is none. A formula without
+any unit is never refused.
 
 Radians count as 1. Cycles do not: 25 Hz in a formula is the number 25, so it needs 2*pi where an angle or an
 angular speed is wanted.
@@ -40,8 +40,14 @@ from pitchpoint.core.formula_language import (
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import parse_unit
 
-SECONDS_OF_VARIABLE = {"t": 1.0, "angle": 0.0, "speed": -1.0}
-"""Power of the second in the unit of each known variable; radians count as 1."""
+VARIABLES = {
+    "t": (0.0, 1.0),
+    "angle": (0.0, 0.0),
+    "speed": (0.0, -1.0),
+    "elongation": (1.0, 0.0),
+    "rate": (1.0, -1.0),
+}
+"""Powers of metre and second in the unit of each known variable; radians count as 1."""
 
 Base = tuple[float, float, float]
 _CLOSE = 1e-6
@@ -134,10 +140,10 @@ def of_number(value: float, unit: str) -> Kind:
 
 def of_variable(name: str) -> Kind:
     """Kind of a variable; one that is not known may be anything."""
-    if name not in SECONDS_OF_VARIABLE:
+    if name not in VARIABLES:
         return ANYTHING
-    s = SECONDS_OF_VARIABLE[name]
-    return Kind(rising=max(s, 0.0), falling=min(s, 0.0), turned=name != "t")
+    m, s = VARIABLES[name]
+    return Kind((m, 0.0, 0.0), rising=max(s, 0.0), falling=min(s, 0.0), turned=name in ("angle", "speed"))
 
 
 def combine(op: int, kinds: list[Kind], exponent: float | None = None) -> Kind:

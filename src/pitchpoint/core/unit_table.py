@@ -182,6 +182,9 @@ DIMENSIONS: dict[str, Dimension] = {
         "a length", (1, 0, 0, 0), "m", "3 mm", display=((0.0, "µm"), (1e-4, "mm"), (10.0, "m"))
     ),
     "area": Dimension("an area", (2, 0, 0, 0), "m^2", "20 mm^2", display=((0.0, "mm^2"),)),
+    "second_moment_of_area": Dimension(
+        "a second moment of area", (4, 0, 0, 0), "m^4", "1.2e4 mm^4", display=((0.0, "mm^4"),)
+    ),
     "angle": Dimension("an angle", (0, 0, 0, 0), "rad", "20 deg", (1,), ((0.0, "deg"),)),
     "mass": Dimension("a mass", (0, 1, 0, 0), "kg", "2.5 kg", display=((0.0, "g"), (1.0, "kg"), (1e4, "t"))),
     "inertia": Dimension("a moment of inertia", (2, 1, 0, 0), "kg m^2", "0.0115 kg m^2"),

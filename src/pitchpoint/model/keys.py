@@ -40,6 +40,7 @@ class Key:
     below: bool = False  # the maximum itself is refused
     choices: tuple[str, ...] = ()
     length: tuple[int, int] = (0, 10**7)
+    variables: tuple[str, ...] = ()  # of a law: what its formulas may use, if not t, angle, speed
     dotted: bool = False  # names of components may be two words with a dot, as JOINT.COORDINATE
     of: Any = None  # dataclass of nested components, or table of variants
     display: str = ""  # default in the words of a user, where a formula stands behind it

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.model.components.beam import Beam
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.bushing import Bushing
@@ -33,7 +34,18 @@ from pitchpoint.model.components.spring import Maxwell, Spring
 from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
 from pitchpoint.model.components.unbalance import Unbalance
 from pitchpoint.model.inertia import BodyInertia, body_inertia
-from pitchpoint.model.keys import BAD, Key, component, defaults_of, derived, key, keys_of, quantities, text
+from pitchpoint.model.keys import (
+    BAD,
+    Key,
+    Place,
+    component,
+    defaults_of,
+    derived,
+    key,
+    keys_of,
+    quantities,
+    text,
+)
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.pair_check import gap
 from pitchpoint.model.parts import Parts
@@ -101,6 +113,7 @@ class Model:
         of=TorsionMaxwell,
     )
     bushings: Mapping[str, Bushing] = key("components", "elastic bushings", {}, of=Bushing)
+    beams: Mapping[str, Beam] = key("components", "elastic beams between two places", {}, of=Beam)
     clutches: Mapping[str, Clutch] = key("components", "clutches and brakes", {}, of=Clutch)
     rolling_bearings: Mapping[str, RollingBearing] = key(
         "components", "bearings with their rolling elements", {}, of=RollingBearing
@@ -128,6 +141,8 @@ class Model:
     scenarios: Mapping[str, Scenario] = key("components", "what is done to the model", {}, of=Scenario)
     file: str | None = derived()
     """Path of the file the model came from."""
+    lines: Mapping[Place, int] | None = derived()
+    """Lines of the keys that it has there, counted from 1."""
     pairs: Mapping[str, GearPair] = derived()
     """Pair of every mesh at its centre distance; the common face width is what overlaps."""
     mechanism: Mechanism = derived()
@@ -148,7 +163,13 @@ class Model:
         self._settle(parts)
 
     @classmethod
-    def from_parts(cls, parts: Parts, keys: Mapping[str, Any], file: str | None = None) -> Model:
+    def from_parts(
+        cls,
+        parts: Parts,
+        keys: Mapping[str, Any],
+        file: str | None = None,
+        lines: Mapping[Place, int] | None = None,
+    ) -> Model:
         """Model of parts that `validate.check` has settled and found without problems.
 
         Parameters
@@ -157,12 +178,13 @@ class Model:
             The parts.
         keys
             Values of the keys that are no sections; those left out have their defaults.
-        file
+        file, lines
             As in the class.
         """
         model = object.__new__(cls)
         plain = {n: v for n, v in {**defaults_of(cls), **keys}.items() if n not in GROUPS}
-        for name, value in {**plain, "file": file, "damping": parts.damping}.items():
+        own = {"file": file, "lines": lines, "damping": parts.damping}
+        for name, value in {**plain, **own}.items():
             object.__setattr__(model, name, value)
         model._settle(parts)
         return model
@@ -229,6 +251,10 @@ class Model:
         return dataclasses.replace(self, **tops)
 
     # --- what follows ----------------------------------------------------------------------------------
+    def line(self, place: Place) -> int | None:
+        """Line of a key in the file the model came from, such as ("loads", "push"); None if it has none."""
+        return (self.lines or {}).get(place)
+
     def backlash(self, mesh: str) -> float:
         """Total gap along the base tangent at the centre distance [m]: the given one, or of the geometry."""
         return gap(self.pairs[mesh], self.meshes[mesh])

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
+from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, Key, Place
 
 if TYPE_CHECKING:
@@ -28,11 +28,12 @@ _CALL = re.compile(r"[a-zA-Z_]\w*\s*\(")
 def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a torque, force or prescribed motion in any of its forms."""
     motion = key.dimension in ("angle", "angular_speed", "length", "speed")
+    variables = key.variables or (("t",) if motion else VARIABLES)
     if isinstance(data, Mapping):
         if "python" in data:
             return python(reader, key, data, path)
         if "table" in data:
-            return _table(reader, key, data, path, only_time=motion)
+            return _table(reader, key, data, path, variables)
         return reader.problem(
             path,
             "is neither a table nor a Python function",
@@ -40,7 +41,6 @@ def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         )
     if data == "balance" and key.dimension == "torque":
         return Balance()
-    variables = ("t",) if motion else VARIABLES
     if isinstance(data, str) and (
         any(w in variables for w in _WORDS.findall(data)) or _CALL.search(data) is not None
     ):
@@ -67,11 +67,11 @@ def _formula(reader: Reader, key: Key, text: str, path: Place, variables: tuple[
     return FormulaLaw(text, variables)
 
 
-def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, *, only_time: bool) -> Any:
+def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, variables: tuple[str, ...]) -> Any:
     reader.unknown(data, ("table", "over"), path)
-    choices = ("time",) if only_time else ("time", "angle")
+    choices = ("time", *(v for v in AXES if v in variables))
     over = reader.word(Key("choice", "", choices=choices), data.get("over", "time"), (*path, "over"))
-    x_key = Key("quantity", "", dimension="angle" if over == "angle" else "time")
+    x_key = Key("quantity", "", dimension=AXES.get(over, "time"))
     points = table_points(reader, key, data["table"], (*path, "table"), x_key, over)
     if points is BAD or over is BAD:
         return BAD

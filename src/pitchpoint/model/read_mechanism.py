@@ -17,7 +17,7 @@ from pitchpoint.model.show import shown
 if TYPE_CHECKING:
     from pitchpoint.model.read import Reader
 
-RESERVED = ("t", "angle", "speed", "pi", *DISPLACEMENTS)
+RESERVED = ("t", "angle", "speed", "elongation", "rate", "pi", *DISPLACEMENTS)
 """Names that a user's coordinate cannot have: they mean something else in formulas."""
 _WORDS = re.compile(r"(?<![\w.])(?:[a-zA-Z_]\w*)")
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from numbers import Real
 from typing import Any
 
-from pitchpoint.model.components.law import Constant, TableLaw
+from pitchpoint.model.components.law import AXES, Constant, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.tooth_profile import Points
 from pitchpoint.model.keys import Key, Place, defaults_of, keys_of
@@ -108,7 +108,7 @@ def _law(key: Key, law: Any, place: Place, report: Reader) -> None:
         if len(law.abscissa) != len(law.values) or len(law.values) < 2:
             report.problem(place, "needs two lists of one length, at least 2", remedy="correct the table")
             return
-        axis = Key("quantity", "", dimension="time" if law.over == "time" else "angle")
+        axis = Key("quantity", "", dimension=AXES.get(law.over, "angle"))
         for i, (x, y) in enumerate(zip(law.abscissa, law.values, strict=True)):
             _value(axis, x, (*place, i), report)
             _value(number, y, (*place, i), report)

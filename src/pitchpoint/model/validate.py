@@ -340,6 +340,7 @@ def trains(parts: Parts) -> list[set[str]]:
 def check(parts: Parts, report: Reader) -> None:
     """All checks, in the order in which a later one may rely on an earlier one."""
     from pitchpoint.model.assembly import resolve
+    from pitchpoint.model.beam_check import check_beams
     from pitchpoint.model.contact_check import check_contacts
     from pitchpoint.model.elastic_check import add_elastic_bodies, check_elastic_bodies
     from pitchpoint.model.force_check import check_forces, check_loads, check_unbalances
@@ -365,6 +366,7 @@ def check(parts: Parts, report: Reader) -> None:
     resolve(parts, report)
     check_shaft_places(parts, report)
     check_mechanism(parts, report)
+    check_beams(parts, report)
     check_couplings(parts, report)
     check_motions(parts, report)
     check_unbalances(parts, report)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import display_unit, in_unit, parse_quantity
 from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
-from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
+from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.ratio import Arm
 from pitchpoint.model.keys import Key, defaults_of, keys_of
@@ -128,7 +128,7 @@ class _Writer:
             return value.text
         if isinstance(value, TableLaw):
             own = dict(getattr(self.within, "coordinates", {}))
-            abscissa = "time" if value.over == "time" else own.get(value.over, "angle")
+            abscissa = {**AXES, **own}[value.over]
             rows = [
                 [quantity_text(x, abscissa), quantity_text(y, key.dimension)]
                 for x, y in zip(value.abscissa, value.values, strict=True)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.system import evaluate
+from pitchpoint.system.source import row_source, row_unit
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -164,10 +166,29 @@ def _close(system: System, state: State, keep: Collection[int], rows: list[int] 
         longest = float(np.abs(step[turning]).max(initial=0.0))
         state.q[free] += step * min(1.0, MOST_TURN / longest if longest > 0.0 else 1.0)
     evaluate.residual(system, state)
+    if np.abs(system.workspace.g[chosen]).max() <= OPEN:
+        return
+    _approach(system, state, free, chosen)
     g = np.zeros(system.sizes["nc"])
     g[chosen] = np.abs(system.workspace.g[chosen])
     if g.max() > OPEN:
-        raise SolverError(f"loops do not close: {_off(system, g)}", INCONSISTENT, state)
+        raise SolverError(f"loops do not close: {_off(system, g)} at best", INCONSISTENT, state)
+
+
+def _approach(system: System, state: State, free: NDArray[np.intp], chosen: Any) -> None:
+    """Move the free coordinates to where the rows are nearest to holding: Newton does not stop there."""
+    from scipy.optimize import least_squares
+
+    def off(q: Array) -> Array:
+        state.q[free] = q
+        _rows(system, state)
+        return system.workspace.g[chosen].copy()
+
+    def slope(q: Array) -> Array:
+        state.q[free] = q
+        return _rows(system, state)[0][chosen][:, free]
+
+    off(least_squares(off, state.q[free], slope).x)
 
 
 def _reluctance(system: System) -> Array:
@@ -185,7 +206,7 @@ def _reluctance(system: System) -> Array:
 def _off(system: System, g: Array) -> str:
     """The rows that are furthest from holding, in words."""
     worst = [r for r in np.argsort(-g)[:3] if g[r] > max(OPEN, 0.01 * g.max())]
-    return "; ".join(f"{system.layout.rows[r]} is off by {g[r]:.3g}" for r in worst)
+    return "; ".join(f"{row_source(system, r)} is off by {g[r]:.3g}{row_unit(system, r)}" for r in worst)
 
 
 def _least(A: Array, b: Array) -> Array:
@@ -205,8 +226,8 @@ def _match_rates(system: System, state: State, G: Array, gt: Array, keep: Collec
         worst = int(np.argmax(left))
         given = ", ".join(system.layout.coordinates[k] for k in keep) or "none"
         raise SolverError(
-            f"the initial rates contradict each other: {system.layout.rows[worst]} would move apart at "
-            f"{left[worst]:.3g} per second (given rates: {given})",
+            f"the initial rates contradict each other: {row_source(system, worst)} would move apart at "
+            f"{left[worst]:.3g}{row_unit(system, worst)} per second (given rates: {given})",
             INCONSISTENT,
             state,
         )

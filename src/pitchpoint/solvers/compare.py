@@ -99,12 +99,9 @@ class _Case:
     setting: str
     value: float
 
-    def applied_to(self, scenario: Scenario, t_end: float) -> Scenario:
+    def applied_to(self, scenario: Scenario) -> Scenario:
         """The scenario with method, form and setting of this run."""
-        rate = scenario.sample_rate or SAMPLES / t_end
-        chosen = replace(
-            scenario, method=self.method, form=self.form or None, order=None, events=(), sample_rate=rate
-        )
+        chosen = replace(scenario, method=self.method, form=self.form or None, order=None, events=())
         if self.setting == "tolerance":
             return replace(chosen, tolerance=self.value, step=None)
         return replace(chosen, step=self.value)
@@ -160,6 +157,8 @@ def compare_solvers(
     begin = prepare_start(system, scenario)
     rate = scenario.sample_rate or SAMPLES / scenario.duration
     step = choose_step(begin, replace(scenario, sample_rate=rate))[0]
+    # no sample may shorten the longest step that is compared
+    scenario = replace(scenario, sample_rate=scenario.sample_rate or min(rate, 1.0 / (max(STEPS) * step)))
     chosen = list(cases_of(system.sizes["nc"], step))
     for method in dict.fromkeys(case.method for case in chosen):
         address(loop_of(method))  # what is compiled is not measured
@@ -204,7 +203,7 @@ def _attempt(
     reference: NDArray[np.float64] | None,
 ) -> tuple[Attempt, NDArray[np.float64]]:
     """One run, with its error if there is a reference; and its samples, times first."""
-    chosen = case.applied_to(scenario, float(scenario.duration or 0.0))
+    chosen = case.applied_to(scenario)
     memory = Memory()
     begun = time.process_time()
     end = time.monotonic() + limit_s

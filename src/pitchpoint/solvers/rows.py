@@ -7,6 +7,7 @@ import numpy as np
 
 from pitchpoint.core.status import INCONSISTENT, OK
 from pitchpoint.system import evaluate
+from pitchpoint.system.source import row_source, row_unit
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import FACTORISATIONS
 
@@ -58,5 +59,6 @@ def explain(system: System, status: int) -> str:
     text = evaluate.explain(system, status)
     row = int(system.workspace.ctl[0]["bad"])
     if status == INCONSISTENT and 0 <= row < system.sizes["nc"]:
-        text += f" ({system.layout.rows[row]} is off by {abs(system.workspace.g[row]):.3g})"
+        off = f"{abs(system.workspace.g[row]):.3g}{row_unit(system, row)}"
+        text += f" ({row_source(system, row)} is off by {off})"
     return text

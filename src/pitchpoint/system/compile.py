@@ -8,11 +8,12 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import CompileError
+from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.model.force_check import states_of
 from pitchpoint.model.frames import axes_of
 from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
+from pitchpoint.system.rules.beam import beam_bank, beam_stations
 from pitchpoint.system.rules.bearing import bearing_bank
 from pitchpoint.system.rules.bodies import bodies, body_numbers, end_of, world_place
 from pitchpoint.system.rules.bushing import bushing_bank
@@ -37,6 +38,7 @@ from pitchpoint.system.rules.spring import (
     torsion_maxwell_bank,
     torsion_spring_bank,
 )
+from pitchpoint.system.source import with_lines
 from pitchpoint.system.system import Law, System, assemble
 
 if TYPE_CHECKING:
@@ -63,19 +65,31 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     ------
     CompileError
         If the model has no bodies or no such scenario, or something of it cannot be expressed.
+    ModelError
+        If a file that it names, of code or numbers, is not what it should be.
     """
+    try:
+        return _compile(model, scenario)
+    except ModelError as error:
+        raise with_lines(model, error) from None
+
+
+def _compile(model: Model, scenario: Scenario | str | None) -> System:
     if not model.bodies:
         raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
     tree = bodies(model)
-    elements = [n for names in states_of(model).values() for n in names]
-    states = {name: k for k, name in enumerate(elements, start=len(tree) + 1)}
+    states: dict[str, int] = {}
     places = Places(
         end=partial(end_of, model),
         world=partial(world_place, model),
         axes=partial(axes_of, model),
         state=states.__getitem__,
     )
+    beams = beam_bank(model, places, len(tree) + 1)
+    tree += beam_stations(model, places)
+    elements = [n for names in states_of(model).values() for n in names]
+    states |= {name: k for k, name in enumerate(elements, start=len(tree) + 1)}
     followers, held = cam_banks(model.cam_contacts, places.end)
     others = [
         bearing_bank(model),
@@ -91,6 +105,7 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
         torsion_spring_bank(model.torsion_springs, places),
         torsion_maxwell_bank(model.torsion_maxwells, places),
         bushing_bank(model.bushings, places),
+        beams,
         clutch_bank(model.clutches, places),
         rolling_bearing_bank(model.rolling_bearings, places),
         plain_bearing_bank(model.plain_bearings, places),

@@ -15,6 +15,7 @@ from pitchpoint.system.law_fault import law_fault
 from pitchpoint.system.link import kind_of_row, link_exact
 from pitchpoint.system.perform import ACCELERATE, EVENTS, OBSERVE, RESIDUAL, REST, WRAP, ask, perform
 from pitchpoint.system.residual import EXACT
+from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
 
@@ -55,8 +56,8 @@ def explain(system: System, status: int) -> str:
     if record < 0:
         return f"{text} ({kind.replace('_', ' ')})"
     names = system.names.get(kind, ())
-    name = f"{names[record]!r}" if record < len(names) else f"{record + 1}"
-    text += f" ({kind.replace('_', ' ')} {name})"
+    name = source(system, kind, names[record]) if record < len(names) else f"{kind} {record + 1}"
+    text = f"{name}: {text}"
     return text + law_fault(system, kind, record) if status == NOT_FINITE else text
 
 

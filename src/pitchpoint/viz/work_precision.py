@@ -11,7 +11,8 @@ from pitchpoint.viz import theme
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-SYMBOLS = {"": "circle", "I3": "square", "SI2": "diamond", "SI1": "triangle-up"}
+SYMBOLS = {"": "circle", "I3": "circle", "SI2": "square", "SI1": "triangle-up"}
+DASHES = {"": "solid", "I3": "solid", "SI2": "dash", "SI1": "dot"}
 
 
 def plot_work_precision(rows: Sequence[Mapping[str, Any]], title: str = "") -> go.Figure:
@@ -26,7 +27,14 @@ def plot_work_precision(rows: Sequence[Mapping[str, Any]], title: str = "") -> g
     """
     import plotly.graph_objects as go
 
-    layout = theme.layout("processor time [s]", "error, share of the alternating part", height=480)
+    layout = theme.layout(
+        "processor time [ms]",
+        "error, share of the alternating part",
+        height=560,
+        margin={"t": 64},
+        legend={"orientation": "v", "x": 1.02, "y": 1.0, "yanchor": "top"},
+        title={"text": title, "x": 0.0, "xref": "paper", "xanchor": "left"},
+    )
     figure = go.Figure(layout=layout)
     groups: dict[tuple[str, str], list[Mapping[str, Any]]] = {}
     for row in rows:
@@ -35,15 +43,19 @@ def plot_work_precision(rows: Sequence[Mapping[str, Any]], title: str = "") -> g
     colours = {name: k for k, name in enumerate(dict.fromkeys(method for method, _ in groups))}
     for (method, form), points in groups.items():
         figure.add_scatter(
-            x=[p["cpu_s"] for p in points],
+            x=[1e3 * p["cpu_s"] for p in points],
             y=[p["error"] for p in points],
             mode="lines+markers",
             name=f"{method} {form}".strip(),
-            line={"color": theme.SERIES[colours[method] % len(theme.SERIES)], "width": 1.6},
+            line={
+                "color": theme.SERIES[colours[method] % len(theme.SERIES)],
+                "width": 1.6,
+                "dash": DASHES.get(form, "solid"),
+            },
             marker={"symbol": SYMBOLS.get(form, "circle"), "size": 8},
             text=[f"{p['setting']} {p['value']:.3g}, {p['steps']} steps" for p in points],
         )
-    figure.update_xaxes(type="log")
-    figure.update_yaxes(type="log", exponentformat="power")
-    figure.update_layout(showlegend=True, title=title or None)
+    figure.update_xaxes(type="log", dtick="D2", tickformat="~g")
+    figure.update_yaxes(type="log", dtick=1, exponentformat="power")
+    figure.update_layout(showlegend=True)
     return figure

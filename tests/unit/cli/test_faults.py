@@ -173,6 +173,11 @@ def test_a_load_that_grows_without_bound_ends_as_a_failure(tmp_path: Path) -> No
     assert run_command(["run", file, "-s", "steady", "-o", str(tmp_path / "out.h5"), "-q"]) == 3
 
 
+def line_of(file: str, words: str) -> int:
+    """Line of a file that holds these words, from 1."""
+    return next(n for n, row in enumerate(Path(file).read_text().splitlines(), 1) if words in row)
+
+
 @pytest.mark.parametrize("function", ["missing", "two"])
 def test_a_python_law_that_cannot_be_used_is_told_at_its_place(
     function: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -182,14 +187,16 @@ def test_a_python_law_that_cannot_be_used_is_told_at_its_place(
     file = written(tmp_path, TORSION.replace("torque: 150 N m}", law, 1))
     out = str(tmp_path / "out.h5")
     assert run_command(["run", file, "-s", "steady", "-o", out, "--allow-code"]) == 2
-    assert f"loads.input.torque: law.py:{function}" in capsys.readouterr().err
+    assert f"loads.input.torque (line {line_of(file, law)}): law.py:{function}" in capsys.readouterr().err
 
 
-def test_the_element_that_failed_has_its_name(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_element_that_failed_has_name_and_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     law = "torque: 150 N m * sqrt(1e-3 - t)}"
     file = written(tmp_path, TORSION.replace("torque: 150 N m}", law, 1))
     assert run_command(["run", file, "-s", "steady", "-o", str(tmp_path / "out.h5")]) == 3
-    assert "(torque 'input')" in capsys.readouterr().err
+    assert f": loads.input (line {line_of(file, law)}): a force" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(("command", "scenario"), [("run", "steady"), ("run", "roll"), ("sweep", "sweep")])

@@ -61,6 +61,18 @@ def tip(angle, rate):
     [
         ("stiffness: 2 kN/m, damping: 30 N s/m", lambda x, w: 2000.0 * x + 30.0 * w),
         ("stiffness: 2 kN/m, free_length: 0.1 m", lambda x, w: 2000.0 * (x + 0.5099019513592785 - 0.1)),
+        (
+            "force: 40 N/mm^3 * elongation^3 + 3 N s/m * rate",
+            lambda x, w: 4e10 * x**3 + 3.0 * w,
+        ),
+        (
+            "stiffness: 1 kN/m, force: {table: [[-1 m, -400 N], [0, 0], [1 m, 90 N]], over: elongation}",
+            lambda x, w: 1000.0 * x + (90.0 * x if x > 0.0 else 400.0 * x),
+        ),
+        (
+            "force: {table: [[-10 m/s, -200 N], [0, 0], [10 m/s, 500 N]], over: rate}",
+            lambda x, w: 50.0 * w if w > 0.0 else 20.0 * w,
+        ),
     ],
 )
 def test_springs_pull_along_their_line(keys, tension):

@@ -10,6 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
+AXES = {"time": "time", "angle": "angle", "elongation": "length", "rate": "speed"}
+"""What a table may run over, with the dimension of that."""
+
 
 @dataclass(frozen=True)
 class Constant:
@@ -21,7 +24,8 @@ class Constant:
 
 @dataclass(frozen=True)
 class FormulaLaw:
-    """A formula, parsed by `core.formula` with the variables `t` [s], `angle` [rad], `speed` [rad/s]."""
+    """A formula, parsed by `core.formula`: of `t` [s], `angle` [rad] and `speed` [rad/s] about an axis,
+    of `t`, `elongation` [m] and `rate` [m/s] along lines."""
 
     text: str
     """Formula as the user wrote it; its result is in SI."""
@@ -31,14 +35,15 @@ class FormulaLaw:
 
 @dataclass(frozen=True)
 class TableLaw:
-    """Piecewise linear table over time or over the angle of the body it acts on."""
+    """Piecewise linear table over time, the angle of the body it acts on, an elongation or its rate."""
 
     abscissa: tuple[float, ...]
-    """Time [s] or angle [rad], strictly increasing, at least two entries."""
+    """Time [s], angle [rad], elongation [m] or rate [m/s], strictly increasing, at least two entries."""
     values: tuple[float, ...]
     """SI values, same length."""
     over: str = "time"
-    """'time' (held constant outside the table) or 'angle' (repeated with the length of the table)."""
+    """One of `AXES`, or a coordinate of a user joint; held constant outside the table, but over angles
+    repeated with its length."""
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pitchpoint.model.components.law import PythonLaw
+from pitchpoint.model.components.law import Law
 from pitchpoint.model.keys import key, positive, quantity
 
 POINTS = "its two ends, each of them ground, a body or BODY.MARKER"
@@ -21,11 +21,14 @@ class Spring:
     free_length: float | None = quantity(
         "length", "length without force", None, minimum=0.0, display="distance of its ends as placed"
     )
-    force: PythonLaw | None = key(
-        "python",
-        "further tension: 'file.py:function' with f(t, x, parameters) in N; x is the elongation, its rate "
-        "stands behind the parameters",
+    force: Law | None = key(
+        "law",
+        "further tension: a formula of t, elongation, rate, {table: [[x, F], ...], over: elongation|rate|"
+        "time}, {python: 'file.py:function', parameters: [...]} with f(t, elongation, parameters), the rate "
+        "behind the parameters",
         None,
+        dimension="force",
+        variables=("t", "elongation", "rate"),
     )
 
 

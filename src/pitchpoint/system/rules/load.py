@@ -24,8 +24,13 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.load import Load
     from pitchpoint.model.model import Model
 
-VARIABLES = ("t", "angle", "speed")
-"""What a formula may use, in the order of the compiled programme."""
+OVER = {
+    "time": sig.OVER_TIME,
+    "angle": sig.OVER_ANGLE,
+    "elongation": sig.OVER_ANGLE,
+    "rate": sig.OVER_SPEED,
+}
+"""Where elements find what a table runs over: an elongation along a line stands for an angle."""
 
 
 def set_signal(record: Any, pool: sig.Pool, law: Law, where: str) -> Any:
@@ -35,13 +40,13 @@ def set_signal(record: Any, pool: sig.Pool, law: Law, where: str) -> Any:
     elif isinstance(law, Balance):
         sig.set_constant(record, 0.0)
     elif isinstance(law, TableLaw):
-        over = sig.OVER_ANGLE if law.over == "angle" else sig.OVER_TIME
+        over = OVER[law.over]
         period = law.abscissa[-1] - law.abscissa[0] if law.over == "angle" else 0.0
         if abs(period - 2.0 * math.pi) < 1e-9:
             period = 2.0 * math.pi
         sig.set_table(record, pool, np.array(law.abscissa), np.array(law.values), over, period)
     elif isinstance(law, FormulaLaw):
-        sig.set_formula(record, pool, Formula.parse(law.text, VARIABLES))
+        sig.set_formula(record, pool, Formula.parse(law.text, law.variables))
     elif isinstance(law, PythonLaw):
         sig.set_law(record, pool, law.parameters, sig.OVER_ANGLE)
         return user_law(law, where).function

@@ -4,17 +4,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
 from pitchpoint.elements import coupling, maxwell, spring_damper, torsion_maxwell
 from pitchpoint.elements import signal as sig
+from pitchpoint.model.components.law import Law
 from pitchpoint.model.components.spring import Maxwell, Spring
 from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
-from pitchpoint.system.rules.bank import Bank, Law, pack
+from pitchpoint.system.rules.bank import Bank, pack
+from pitchpoint.system.rules.bank import Law as Function
 from pitchpoint.system.rules.load import set_signal
 from pitchpoint.system.rules.places import Places
-from pitchpoint.system.rules.stiffness import user_law
 
 TURN = 2.0 * np.pi
 
@@ -22,21 +24,26 @@ TURN = 2.0 * np.pi
 def spring_bank(springs: Mapping[str, Spring], places: Places) -> Bank:
     """Springs and dampers along lines; without a free length as long as they are placed."""
     pool, rows = sig.Pool(), []
-    laws: list[Law | None] = []
+    laws: list[Function | None] = []
     for name, part in springs.items():
         row = np.zeros(1, spring_damper.RECORD)[0]
         places.mark(row, part.ends)
         one, two = (places.world(end) for end in part.ends)
         row["free"] = np.linalg.norm(one - two) if part.free_length is None else part.free_length
         row["k"], row["d"] = part.stiffness, part.damping
-        laws.append(None)
-        if part.force is not None:
-            sig.set_law(row, pool, part.force.parameters, sig.OVER_BOTH)
-            laws[-1] = user_law(part.force, f"springs.{name}.force").function
+        laws.append(_further(row, pool, part.force, f"springs.{name}.force"))
         rows.append(row)
     return pack(
         "spring_damper", spring_damper.RECORD, rows, list(springs), pool=pool.array(), laws=tuple(laws)
     )
+
+
+def _further(row: Any, pool: sig.Pool, law: Law | None, where: str) -> Function | None:
+    """Write the law beside stiffness and damping; a Python function gets the rate behind its parameters."""
+    function = None if law is None else set_signal(row, pool, law, where)
+    if row["form"] == sig.LAW:
+        row["over"] = sig.OVER_BOTH
+    return function
 
 
 def maxwell_bank(elements: Mapping[str, Maxwell], places: Places) -> Bank:
@@ -58,14 +65,9 @@ def torsion_spring_bank(springs: Mapping[str, TorsionSpring], places: Places) ->
         row = np.zeros(1, coupling.RECORD)[0]
         places.pair(row, part.bodies)
         row["k"], row["d"], row["u0"], row["gap"] = part.stiffness, part.damping, part.angle, part.play
-        law = None
-        if part.torque is not None:
-            law = set_signal(row, pool, part.torque, f"torsion_springs.{name}.torque")
-            if row["form"] == sig.TABLE and row["period"] != TURN:
-                row["period"] = 0.0
-            if row["form"] == sig.LAW:
-                row["over"] = sig.OVER_BOTH
-        laws.append(law)
+        laws.append(_further(row, pool, part.torque, f"torsion_springs.{name}.torque"))
+        if row["form"] == sig.TABLE and row["period"] != TURN:
+            row["period"] = 0.0
         rows.append(row)
     return pack("coupling", coupling.RECORD, rows, list(springs), pool=pool.array(), laws=tuple(laws))
 

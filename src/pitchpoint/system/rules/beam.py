@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Beams between places as stations, bodies with six coordinates, and the pieces between them.
+
+Stations hang on the body of the first end: a beam that turns with a hub starts with the right speed, and its
+coordinates are how far it bends.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.elements.beam_record import RECORD, beam_row
+from pitchpoint.model.components.marker import Axes
+from pitchpoint.model.frames import axes_of, frame, place_of
+from pitchpoint.model.shafts import station_names
+from pitchpoint.multibody.beam_section import Beam, Section, rectangle, tube
+from pitchpoint.multibody.bodies import Body
+from pitchpoint.multibody.joints import FLOATING
+from pitchpoint.system.rules.bank import Bank
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.beam import Beam as BeamPart
+    from pitchpoint.model.model import Model
+    from pitchpoint.system.rules.places import Places
+
+Array = NDArray[np.float64]
+
+BARE = 1e-9
+"""Mass and inertia of a station per mass and inertia of the beam: a body needs some."""
+
+
+def beam_stations(model: Model, places: Places) -> list[Body]:
+    """Stations of all beams, to stand behind the bodies of the model."""
+    found = []
+    for name, part in model.beams.items():
+        root, tip, axes = _line(model, part)
+        piece = _piece(part, float(np.linalg.norm(tip - root)))
+        mass, parent = BARE * piece.mass, places.end(part.ends[0])[0]
+        for k, label in enumerate(station_names(name, part.pieces)[1:], start=1):
+            found.append(
+                Body(
+                    name=label,
+                    motion=FLOATING,
+                    parent=parent,
+                    position=tuple(root + (tip - root) * k / part.pieces),
+                    axes=axes,
+                    mass=mass,
+                    inertia=mass * piece.length**2 * np.eye(3),
+                )
+            )
+    return found
+
+
+def beam_bank(model: Model, places: Places, first: int) -> Bank:
+    """Pieces of all beams.
+
+    Parameters
+    ----------
+    model
+        The model.
+    places
+        How its ends are found.
+    first
+        Number of the first station in the records.
+    """
+    rows, names, station = [np.zeros(0, RECORD)], [], first
+    for name, part in model.beams.items():
+        root, tip, axes = _line(model, part)
+        piece = _piece(part, float(np.linalg.norm(tip - root)))
+        inner = [(station + k, np.zeros(3), np.eye(3)) for k in range(part.pieces - 1)]
+        station += part.pieces - 1
+        nodes = [
+            _clamped(model, places, part.ends[0], axes),
+            *inner,
+            _clamped(model, places, part.ends[1], axes),
+        ]
+        for k, (one, two) in enumerate(zip(nodes[:-1], nodes[1:], strict=True), start=1):
+            rows.append(
+                beam_row(
+                    piece,
+                    bodies=(one[0], two[0]),
+                    nodes=(one[1], two[1]),
+                    axes=(one[2], two[2]),
+                    eta=part.internal_damping,
+                    gravity=model.gravity or (0.0, 0.0, 0.0),
+                )
+            )
+            names.append(name if part.pieces == 1 else f"{name}.{k}")
+    return Bank("beam", np.concatenate(rows), tuple(names))
+
+
+def _line(model: Model, part: BeamPart) -> tuple[Array, Array, Array]:
+    """Both ends in the world with all coordinates zero [m], and the axes of the section, columns."""
+    root, tip = (place_of(model, e) for e in part.ends)
+    assert root is not None and tip is not None  # a model places all its bodies
+    way = tip - root
+    return root, tip, frame(Axes(z=tuple(way), x=part.axis))
+
+
+def _clamped(model: Model, places: Places, end: str, axes: Array) -> tuple[int, Array, Array]:
+    """Number of the body at an end, the node and the axes of the section in the frame of that body."""
+    number, node, own = places.end(end)
+    return number, node, own @ axes_of(model, end).T @ axes
+
+
+def _piece(part: BeamPart, length: float) -> Beam:
+    data = part.material_data
+    return Beam(
+        section=section_of(part, data.poisson_ratio),
+        length=length / part.pieces,
+        E=data.youngs_modulus,
+        G=data.shear_modulus,
+        rho=data.density,
+    )
+
+
+def section_of(part: BeamPart, nu: float) -> Section:
+    """Section of a beam from whichever shape it is given by; nu is Poisson's ratio [-]."""
+    s = part.section
+    if s.diameter is not None:
+        return tube(s.diameter, s.bore, nu)
+    if s.width is not None and s.height is not None:
+        return rectangle(s.width, s.height, nu)
+    assert s.area is not None and s.torsion is not None  # a model has no other sections
+    return Section(
+        A=s.area,
+        I_1=s.bending[0],
+        I_2=s.bending[1],
+        J=s.torsion,
+        kappa_1=s.shear[0],
+        kappa_2=s.shear[1],
+    )

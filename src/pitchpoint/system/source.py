@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where in the model file a record comes from, so that a failed computation can name component and line."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import ModelError
+from pitchpoint.model.show import dotted
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+    from pitchpoint.system.system import System
+
+SECTIONS: dict[str, tuple[str, ...]] = {
+    "beam": ("beams",),
+    "bearing": ("bearings", "couplings"),
+    "bushing": ("bushings",),
+    "clearance_bearing": ("plain_bearings",),
+    "closure": ("joints", "rods"),
+    "coupling": ("torsion_springs",),
+    "curve_curve": ("curve_contacts",),
+    "flexible_body": ("elastic_bodies",),
+    "force": ("loads",),
+    "friction_clutch": ("clutches",),
+    "gear_mesh": ("meshes",),
+    "guide": ("joints", "elastic_bodies"),
+    "joint_friction": ("joints",),
+    "maxwell": ("maxwells",),
+    "point_curve": ("cam_contacts",),
+    "point_on_curve": ("cam_contacts",),
+    "point_surface": ("surface_contacts",),
+    "ratio": ("ratios",),
+    "rolling_bearing": ("rolling_bearings",),
+    "shaft_beam": ("shafts",),
+    "spring_damper": ("springs",),
+    "surface_surface": ("surface_contacts",),
+    "torque": ("loads",),
+    "torsion_maxwell": ("torsion_maxwells",),
+}
+"""Sections of a model file whose components become records of a kind."""
+LENGTHS = ("x", "y", "z")
+"""Last words of closures that are distances; the others are angles."""
+
+
+def source(system: System, kind: str, name: str) -> str:
+    """Place in the model file of a record, such as "loads.push (line 6)".
+
+    Parameters
+    ----------
+    system
+        A system.
+    kind, name
+        Kind of the record and its name; a component may have several, NAME.x or NAME.2.
+
+    Returns
+    -------
+    str
+        Without a model, or where none of its components has the name: kind and name.
+    """
+    found = _component(system, kind, name)
+    if found is None:
+        return f"{kind.replace('_', ' ')} {name!r}"
+    section, component = found
+    line = system.model.line((section, component)) if system.model is not None else None
+    return f"{section}.{name}" + (f" (line {line})" if line is not None else "")
+
+
+def row_source(system: System, row: int) -> str:
+    """The same for a constraint row by its number."""
+    words = system.layout.rows[row]
+    kind, name = _row(words)
+    return source(system, kind, name) if kind and _component(system, kind, name) else words
+
+
+def row_unit(system: System, row: int) -> str:
+    """Unit of what a constraint row is off by, with a blank before it; "" for angles and ratios."""
+    kind, name = _row(system.layout.rows[row])
+    distance = kind == "point_on_curve" or (kind == "closure" and name.rpartition(".")[2] in LENGTHS)
+    rod = kind == "closure" and system.model is not None and name in system.model.rods
+    return " m" if distance or rod else ""
+
+
+def with_lines(model: Model, error: ModelError) -> ModelError:
+    """The error with the lines of those of its problems that have none but name a place in the file."""
+    places = {dotted(place): line for place, line in (model.lines or {}).items()}
+
+    def line_of(where: str) -> int | None:
+        while where and where not in places:
+            where = where.rpartition(".")[0]
+        return places.get(where)
+
+    found = [p if p.line is not None else replace(p, line=line_of(p.where)) for p in error.problems]
+    return ModelError(found, error.file or model.file)
+
+
+def _row(words: str) -> tuple[str, str]:
+    """Kind and name of a row; both empty for rows that are no component's."""
+    for kind in SECTIONS:
+        head = kind.replace("_", " ") + " "
+        if words.startswith(head):
+            return kind, words.removeprefix(head)
+    return "", ""
+
+
+def _component(system: System, kind: str, name: str) -> tuple[str, str] | None:
+    """Section and name of the component that a record comes from."""
+    if system.model is None:
+        return None
+    for section in SECTIONS.get(kind, ()):
+        known = getattr(system.model, section, {})
+        for candidate in (name, name.rpartition(".")[0], name.partition(".")[0]):
+            if candidate in known:
+                return section, candidate
+    return None
