@@ -297,7 +297,9 @@ def mode_rows() -> list[Row]:
     response = partial(find_response, system, ["s5.fx"], ["s9.uy"], hertz, start=start)
     modes()
     return [
-        Row("modes of 200 stations", cpu_seconds(modes, 3), "s", "<= 4", "lowest 40 of 1200, damped ones too"),
+        Row(
+            "modes of 200 stations", cpu_seconds(modes, 3), "s", "<= 4", "lowest 40 of 1200, damped ones too"
+        ),
         Row("response of 200 stations", cpu_seconds(response, 2), "s", "<= 6", "100 frequencies"),
     ]
 

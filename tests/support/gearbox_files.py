@@ -10,7 +10,8 @@ gears:
 bodies:
   driver:
     {gears: [g1], motion: free, position: [0, 0, 0], inertia: 0.002 kg m^2, mass: 2 kg,
-     transverse_inertia: 0.0015 kg m^2, markers: {l: {position: [0, 0, -30 mm]}, r: {position: [0, 0, 30 mm]}}}
+     transverse_inertia: 0.0015 kg m^2,
+     markers: {l: {position: [0, 0, -30 mm]}, r: {position: [0, 0, 30 mm]}}}
   driven:
     {gears: [g2], motion: free, position: [112.5 mm, 0, 0], inertia: 0.01 kg m^2, mass: 4 kg,
      transverse_inertia: 0.006 kg m^2, markers: {l: {position: [0, 0, -30 mm]}, r: {position: [0, 0, 30 mm]}}}
@@ -51,7 +52,5 @@ scenarios: {run: {speed: {driver: 2000 rpm}, duration: 10 ms, step: 10 us}}
     "FOOT",
     "stiffness: {radial: 3e6 N/m, axial: 2e6 N/m, tilt: 2e4, torsion: 2e4}, "
     "damping: {radial: 300, axial: 300, tilt: 3, torsion: 3}",
-).replace(
-    "SEAT", "stiffness: {radial: 1e8 N/m, axial: 5e7 N/m}, damping: {radial: 500, axial: 500}"
-)
+).replace("SEAT", "stiffness: {radial: 1e8 N/m, axial: 5e7 N/m}, damping: {radial: 500, axial: 500}")
 """Two gears on bushings for bearings in a housing on two feet, with a tuned absorber on a rail."""

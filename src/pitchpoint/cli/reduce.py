@@ -22,7 +22,10 @@ SHOWN = 20
 @model_file
 @quantity("--limit", "frequency", "Highest frequency of interest, such as '3 kHz'.")
 @click.option(
-    "--keep", multiple=True, metavar="NAME", help="Body, or element as 'KIND NAME', that stays; may be repeated."
+    "--keep",
+    multiple=True,
+    metavar="NAME",
+    help="Body, or element as 'KIND NAME', that stays; may be repeated.",
 )
 @click.option(
     "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if left out."
@@ -49,7 +52,9 @@ def reduce(
     from pitchpoint.cli.results import known_scenario, unless_it_cannot_begin
 
     if limit is None:
-        raise click.UsageError("--limit is needed: the highest frequency of interest, such as --limit '3 kHz'")
+        raise click.UsageError(
+            "--limit is needed: the highest frequency of interest, such as --limit '3 kHz'"
+        )
     model = read_model(file, allow_code, quiet)
     name = known_scenario(model, scenario) if scenario is not None else None
     nothing: dict[str, Any] = {"coordinates": [], "kept": [], "full": [], "reduced": []}
@@ -57,7 +62,9 @@ def reduce(
     if as_json:
         emit_json(summary)
     elif error is None:
-        _print(f"{model.title or file}: reduced for frequencies up to {shown(limit, 'frequency', 4)}", summary)
+        _print(
+            f"{model.title or file}: reduced for frequencies up to {shown(limit, 'frequency', 4)}", summary
+        )
         if not quiet:
             for note in summary["notes"]:
                 show(f"note: {note}")

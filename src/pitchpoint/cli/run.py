@@ -202,7 +202,9 @@ def reduced_start(system: System, scenario: Scenario, limit: float) -> Start:
     from pitchpoint.solvers.start import Start
 
     if system.controllers:
-        raise SolverError("--reduce: the model has controllers, which a reduced system cannot feed", INCONSISTENT)
+        raise SolverError(
+            "--reduce: the model has controllers, which a reduced system cannot feed", INCONSISTENT
+        )
     found = reduce_system(system, scenario, limit=limit)
     return Start(found.system, found.state, (found.error.report(), *found.notes))
 

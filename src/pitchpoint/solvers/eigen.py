@@ -81,10 +81,10 @@ def scaled_pencil(M: Array, K: Array, basis: Any) -> tuple[Any, Any, Array]:
     scale = 1.0 / np.sqrt(diagonal)
     if isinstance(basis, np.ndarray):
         return scale[:, None] * m * scale, scale[:, None] * k * scale, scale
-    from scipy.sparse import diags_array
+    from scipy.sparse import csc_array, diags_array
 
     left = diags_array(scale)
-    return (left @ m @ left).tocsc(), (left @ k @ left).tocsc(), scale
+    return csc_array(left @ m @ left), csc_array(left @ k @ left), scale
 
 
 def sorted_modes(

@@ -22,8 +22,8 @@ from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.start import without_friction
-from pitchpoint.solvers.still import LARGE
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, mesh_names, shift, split, touching
+from pitchpoint.solvers.still import LARGE
 from pitchpoint.solvers.trains import driven_coordinates, held_spins, rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System

@@ -164,7 +164,9 @@ def _error_of(linear: Linearised, name: str, k: int) -> Input:
     D, K = (evaluate.dense(system, A) for A in tangents(system, still, {"gear_mesh": slice(k, k + 1)}))
     used = np.flatnonzero(np.any(K != 0.0, axis=0) | (force != 0.0))
     weight = system.weight[used]
-    scaled = np.linalg.lstsq(K[np.ix_(used, used)] / np.outer(weight, weight), force[used] / weight, rcond=1e-9)[0]
+    scaled = np.linalg.lstsq(
+        K[np.ix_(used, used)] / np.outer(weight, weight), force[used] / weight, rcond=1e-9
+    )[0]
     follows = np.zeros_like(force)
     follows[used] = scaled / weight
     share = linear.at_rest.shares[linear.at_rest.elements.index(f"mesh {mesh_names(system)[k]}")]

@@ -3,8 +3,8 @@
 
 Bodies that only linear elements touch (bearings, bushings, couplings, springs, beams) are condensed onto the
 bodies that anything else acts on, by static shapes and by modes with those bodies fixed (Craig and Bampton).
-What is kept runs with its own kernels, large rotation included; the condensed part is a linear element between
-the bodies that remain and a few modal coordinates, gyroscopic terms taken at the operating speed. What may go
+What is kept runs with its own kernels, large rotation included; the condensed part is a linear element
+between the bodies that remain and a few modal coordinates, gyroscopic terms taken at the operating speed. What may go
 stands in `reduction_choice`: parts whose linearisation does not change over time. Kept bodies of a part other
 than turning round ones are expected near the operating point.
 
@@ -41,8 +41,8 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System, assemble
 
 BEYOND = (4.0, 8.0, 16.0, 32.0, 64.0)
-"""Multiples of the highest frequency of interest up to which fixed-interface modes are kept: for geared shafts the
-first is enough, heavy bodies on soft springs between stiffly held ones need more."""
+"""Multiples of the highest frequency of interest up to which fixed-interface modes are kept: for geared shafts
+the first is enough, heavy bodies on soft springs between stiffly held ones need more."""
 WANTED = 1e-3
 """Error of the natural frequencies at which no more modes are kept."""
 
@@ -134,9 +134,7 @@ def _bodies(system: System, split: Split) -> tuple[list[Body], dict[int, int]]:
     return bodies, number
 
 
-def _condensed(
-    system: System, state: State, split: Split, whole: Linear, limit: float
-) -> tuple[System, int]:
+def _condensed(system: System, state: State, split: Split, whole: Linear, limit: float) -> tuple[System, int]:
     """The reduced system with fixed-interface modes up to a frequency [Hz], and their number."""
     bodies, number = _bodies(system, split)
     rows: Rows = {"linear_part": [], "linear_hold": [], "linear_modes": [], "coupling": []}

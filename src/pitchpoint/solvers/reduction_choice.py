@@ -3,8 +3,8 @@
 
 A body goes if nothing acts on it, or on what hangs on it, but linear elements and weight, and if its place in
 the equations of motion is the same at all times: its masses and these elements are evaluated at the operating
-point and where the steady rotation has taken it a while later. Bodies at rest pass, round shafts pass as their
-coordinates do not spin, an arm on a shaft that only spins passes, one on a shaft in bearings does not.
+point and where the steady rotation has taken it a while later. Bodies at rest pass, round shafts pass as
+their coordinates do not spin, an arm on a shaft that only spins passes, one on a shaft in bearings does not.
 """
 
 from __future__ import annotations
@@ -156,7 +156,7 @@ def _kept(system: System, eligible: Choice, forced: set[int]) -> set[int]:
 
 
 def _used(system: System, eligible: Choice, kept: set[int]) -> Choice:
-    """Linear elements that are condensed: on bodies that go, and between round bodies, where it costs nothing.
+    """Linear elements that are condensed: on bodies that go, and between round ones, where it costs nothing.
 
     What ties two bodies of a mechanism that both stay keeps its own kernel, large motion included.
     """
@@ -235,7 +235,9 @@ def _changing(system: System, state: State, eligible: Choice) -> tuple[Choice, l
     def ask() -> list[Array]:
         """Entries of M, D and K at all moments, in the scale of the masses and of the fastest spin."""
         return [
-            np.array([evaluate.blocks(system, s, *f).reshape(-1)[places] / (size * rate**power) for s in states])
+            np.array(
+                [evaluate.blocks(system, s, *f).reshape(-1)[places] / (size * rate**power) for s in states]
+            )
             for power, f in enumerate(FACTORS)
         ]
 
@@ -274,9 +276,7 @@ def _loose(
     system: System, state: State, condensed: Choice, parts: Sequence[list[int]], kept: set[int]
 ) -> list[int]:
     """Bodies that could move while the kept ones of their part stand still."""
-    K = symmetric(
-        sum_over(system, condensed, lambda: evaluate.matrix(system, state, 0.0, 0.0, 1.0))
-    )
+    K = symmetric(sum_over(system, condensed, lambda: evaluate.matrix(system, state, 0.0, 0.0, 1.0)))
     found: set[int] = set()
     for part in parts:
         hidden = [b for b in part if b not in kept]

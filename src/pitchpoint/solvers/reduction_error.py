@@ -129,7 +129,7 @@ def _along(Z: Any, A: Array) -> Any:
 
 def _solved(A: Any, b: NDArray[np.complex128]) -> NDArray[np.complex128]:
     if isinstance(A, np.ndarray):
-        return np.linalg.solve(A, b)
+        return np.asarray(np.linalg.solve(A, b), dtype=np.complex128)
     from scipy.sparse.linalg import splu
 
     return np.asarray(splu(A.tocsc()).solve(b))

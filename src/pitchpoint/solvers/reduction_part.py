@@ -104,7 +104,9 @@ def condense(
         stiff[n + j, n + j] -= w * w
     stiff[n:, :n] = 0.0  # static shapes do not stress the fixed modes
     own = shapes.places[:n]
-    blocks = [(number[b], np.array([own.index(c) for c in coordinates_of(system, [b])], np.int64)) for b in ends]
+    blocks = [
+        (number[b], np.array([own.index(c) for c in coordinates_of(system, [b])], np.int64)) for b in ends
+    ]
     blocks += [(first + j, np.array([n + j])) for j in range(omega.size)]
     least = [NOTHING * np.abs(A).max(initial=0.0) for A in (m, d, stiff)]
     for one, (i, at) in enumerate(blocks):
@@ -162,8 +164,11 @@ def _turning_groups(
     body = system.program["body"]
     groups = [-1] * len(ends)
     least = TURNS * np.abs(stiff).max(initial=0.0)
-    own = {e: shapes.places.index(int(body[b]["spin"])) for e, b in enumerate(ends) if _is_round(system, b)
-           and body[b]["spin"] >= 0}
+    own = {
+        e: shapes.places.index(int(body[b]["spin"]))
+        for e, b in enumerate(ends)
+        if _is_round(system, b) and body[b]["spin"] >= 0
+    }
     for first in own:
         if groups[first] >= 0:
             continue
@@ -185,7 +190,9 @@ def _turning_groups(
     return groups
 
 
-def _kind(system: System, ends: Sequence[int], pair: tuple[int, int], groups: list[int], diagonal: Array) -> str:
+def _kind(
+    system: System, ends: Sequence[int], pair: tuple[int, int], groups: list[int], diagonal: Array
+) -> str:
     """Kind of the records of a block, which says how far it keeps bodies from turning."""
     one, two = pair
     if one >= len(ends) or two >= len(ends):
@@ -217,7 +224,7 @@ def damp_across(D: Array, state: State, parts: Sequence[Part], rows: list[NDArra
 
 
 def _refer(record: np.void, system: System, state: State, j: int, i: int) -> None:
-    """Write where body j is at the operating point, and if i is given, that its spin counts against that of i."""
+    """Write where body j is at the operating point; if i is given, its spin counts against that of i."""
     body = system.program["body"]
     dof, n = int(body[j]["dof"]), int(body[j]["n"])
     record["x0"][:n], record["v0"][:n] = state.q[dof : dof + n], state.v[dof : dof + n]

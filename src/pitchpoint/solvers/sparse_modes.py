@@ -6,7 +6,7 @@ eigenvalues lie below a number is the count of negative pivots of K - number M (
 so what an iteration has missed of a multiple root is known and looked for beside what has been found.
 
 Damping couples a mode with others that nobody asked for, so the damped modes are not looked for in the span
-of the undamped ones but in the whole space: Arnoldi iterations with (A - s B)^-1 B, the system in first order.
+of the undamped ones but in the whole space: Arnoldi iterations with (A - s B)^-1 B in first order.
 
 References
 ----------
@@ -43,7 +43,7 @@ ROUNDS = 8
 NEARER = 0.1
 """Shift of the damped modes over the lowest frequency that is not zero."""
 STILL = 1e-5
-"""Eigenvalue over that shift below which a rigid mode stays where it is: a double zero loses half its digits."""
+"""Eigenvalue over that shift below which a rigid mode stands still: a double zero loses half its digits."""
 OWN = 0.5
 """Share of a shape in the states of elements from which it is theirs."""
 
@@ -76,7 +76,10 @@ def _factors(k: Any, m: Any, shift: float) -> tuple[Any, int]:
     for nearly in (0.0, 1e-9, 1e-7):  # a pivot may be zero by chance
         try:
             lu = splu(
-                (k + shift * (1.0 + nearly) * m).tocsc(), "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options
+                (k + shift * (1.0 + nearly) * m).tocsc(),
+                "MMD_AT_PLUS_A",
+                diag_pivot_thresh=0.0,
+                options=options,
             )
         except RuntimeError:
             continue
@@ -200,7 +203,11 @@ def _first_order(matrices: tuple[Array, Array, Array], basis: Any, states: Seque
     n = basis.shape[1]
     m, d, k = ((basis.T @ A @ basis).tocsc() for A in (M, D, K))
     unit = eye_array(n, format="csc")
-    A = [[None, unit, None], [-k, -d, -(basis.T @ D[:, own])], [-(K @ basis)[own], -(D @ basis)[own], -D[own][:, own]]]
+    A = [
+        [None, unit, None],
+        [-k, -d, -(basis.T @ D[:, own])],
+        [-(K @ basis)[own], -(D @ basis)[own], -D[own][:, own]],
+    ]
     B = [[unit, None, None], [None, m, None], [None, None, M[own][:, own]]]
     if not own:
         A, B = [row[:2] for row in A[:2]], [row[:2] for row in B[:2]]
@@ -208,7 +215,7 @@ def _first_order(matrices: tuple[Array, Array, Array], basis: Any, states: Seque
 
 
 def _likeness(M: Any, omega: Array, shapes: Array, values: Complex, z: Complex) -> Array:
-    """How well damped modes go on from undamped ones: in shape, in speed, and vibrating; shape (m, candidates)."""
+    """How well damped modes go on from undamped ones, in shape and speed; shape (m, candidates)."""
     size = np.sqrt(sum(np.einsum("ij,ij->i", part, (M @ part.T).T) for part in (z.real, z.imag)))
     within = np.abs((M @ shapes.T).T @ z.T) ** 2 / np.maximum(size, 1e-300) ** 2
     least = 1e-6 * float(np.abs(omega).max(initial=1e-300))

@@ -206,7 +206,9 @@ def split(
     progress
         Told after every element.
     """
-    M, D, K = (evaluate.blocks(system, state, *f) for f in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)))
+    M, D, K = (
+        evaluate.blocks(system, state, *f) for f in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    )
     bare = bare_blocks(system, state, 0.0, 0.0, 1.0)
     least = NONE * float(np.abs(K).max(initial=0.0))
     found: list[tuple[str, str, tuple[int, int], Share]] = []

@@ -73,7 +73,7 @@ def inverse_of(A: Any, root: Array) -> Callable[[Array], Array]:
     scaled = A / np.outer(root, root)
     try:
         inverse = np.linalg.inv(scaled)
-        regular = np.linalg.norm(scaled, 1) * np.linalg.norm(inverse, 1) < REGULAR
+        regular = bool(np.linalg.norm(scaled, 1) * np.linalg.norm(inverse, 1) < REGULAR)
     except np.linalg.LinAlgError:
         regular = False
     if not regular:

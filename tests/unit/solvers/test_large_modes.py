@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Modes of systems with hundreds of coordinates: closed forms, multiple roots, and the dense way on small ones."""
+"""Modes of systems with hundreds of coordinates: closed forms, multiple roots, the dense way on small ones."""
 
 from __future__ import annotations
 
@@ -128,7 +128,9 @@ def test_states_of_elements(sparse_ways):
     n = 12
     bodies = [
         *discs(n),
-        Body(motion=PRISMATIC, axes=along_x, position=(1.0, 0.0, 0.0), mass=m, inertia=np.eye(3), name="mass"),
+        Body(
+            motion=PRISMATIC, axes=along_x, position=(1.0, 0.0, 0.0), mass=m, inertia=np.eye(3), name="mass"
+        ),
         Body(motion=TORSION, polar_inertia=1.0, name="state", state=True),
     ]
     spring = np.zeros(1, spring_damper.RECORD)
@@ -140,7 +142,9 @@ def test_states_of_elements(sparse_ways):
     sparse_ways()
     modes = find_modes(system, count=3)
     roots = np.roots([m, m * k_m / d, k + k_m, k * k_m / d])  # m s^2 + k + k_m s/(s + k_m/d) = 0
-    assert 2.0 * math.pi * modes.frequency == pytest.approx([0.0, math.sqrt(k / m), free_chain(n, 1)], rel=1e-9)
+    assert 2.0 * math.pi * modes.frequency == pytest.approx(
+        [0.0, math.sqrt(k / m), free_chain(n, 1)], rel=1e-9
+    )
     assert modes.eigenvalue[1] == pytest.approx(roots[roots.imag > 0][0], rel=1e-8)
     assert modes.state_eigenvalue == pytest.approx([roots[np.abs(roots.imag) < 1e-9][0].real], rel=1e-8)
 
@@ -148,7 +152,12 @@ def test_states_of_elements(sparse_ways):
 def test_frequency_response_of_a_large_machine(sparse_ways):
     """Sparse and dense elimination differ by rounding."""
     system = pp.compile_model(pp.load_model(EXAMPLES / "geared-rotor/model.yaml"), "fast")
-    where = (["disc.fx", "transmission_error[stage]"], ["disc.uy", "mesh_force[stage]"], [50.0, 700.0], "fast")
+    where = (
+        ["disc.fx", "transmission_error[stage]"],
+        ["disc.uy", "mesh_force[stage]"],
+        [50.0, 700.0],
+        "fast",
+    )
     one = find_response(system, *where).response
     sparse_ways()
     two = find_response(system, *where).response

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reduced systems with bodies that are not round: a housing on feet, what hangs on it, what turns with a gear."""
+"""Reduced systems with bodies that are not round: a housing, what hangs on it, what turns with a gear."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ gears:
   g2: {{number_of_teeth: 45, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}}
 bodies:
   driver:
-    {{gears: [g1], MOTION, position: [0, 0, 0], inertia: 0.02 kg m^2, mass: 2 kg, transverse_inertia: 0.015 kg m^2,
-     markers: {{pin: {{position: [{1e3 * RADIUS} mm, 0, 0]}}}}}}
+    {{gears: [g1], MOTION, position: [0, 0, 0], inertia: 0.02 kg m^2, mass: 2 kg,
+     transverse_inertia: 0.015 kg m^2, markers: {{pin: {{position: [{1e3 * RADIUS} mm, 0, 0]}}}}}}
   driven: {{gears: [g2], inertia: 0.01 kg m^2}}
   arm:
     {{mass: 0.4 kg, center_of_mass: [{1e3 * ARM} mm, 0, 0], inertia_tensor: [1e-9, 1e-9, 1e-9, 0, 0, 0],
@@ -60,8 +60,8 @@ def housing():
 
 
 def test_a_housing_and_what_hangs_on_it_are_condensed(housing):
-    """Seven coordinates become seven modes, as all lie below four times the limit: nothing is lost, and damped
-    eigenvalues at speed, with gyroscopic terms, agree up to rounding (1e-10)."""
+    """Seven coordinates become seven modes, as all lie below four times the limit: nothing is lost,
+    and damped eigenvalues at speed, with gyroscopic terms, agree up to rounding (1e-10)."""
     system, reduced = housing
     assert reduced.kept == ("driver", "driven")
     assert reduced.notes == ()
@@ -75,8 +75,8 @@ def test_a_housing_and_what_hangs_on_it_are_condensed(housing):
 
 
 def test_truncated_modes_of_a_housing_state_their_error():
-    """Fixed modes of the housing between its stiffly held gears lie high, and carry most of its mass: four times
-    the limit would leave an error of 1 %, so more of them are kept until it is 0.1 % as asked for."""
+    """Fixed modes of the housing between its stiffly held gears lie high, and carry most of its mass: four
+    times the limit would leave an error of 1 %, so more of them are kept until it is 0.1 % as asked for."""
     _, system = compiled(GEARBOX, "run")
     found = reduce_system(system, "run", limit=45.0)
     full, less = found.error.full, found.error.reduced
@@ -100,7 +100,7 @@ def test_response_of_the_reduced_gearbox(housing):
 def test_time_response_of_the_reduced_gearbox(housing):
     """Twenty milliseconds with the mesh parted by a blow: what is condensed is linear, the mesh is not.
 
-    The housing moves by micrometres, of which the square over its size (1e-5 of it) is what linear parts miss.
+    The housing moves by micrometres: what linear parts miss is the square of that over its size, 1e-5 of it.
     """
     _, reduced = housing
     found = []
@@ -144,7 +144,7 @@ def test_a_pendulum_over_time():
 
 
 def test_what_changes_with_the_angle_is_kept():
-    """The same pendulum on a driver that also moves sideways shakes it once a turn: it stays, with a remark."""
+    """The same pendulum on a driver that also moves sideways shakes it once a turn: it stays."""
     text = PENDULUM.replace("MOTION", "motion: free").replace("LOAD", "50")
     text += (
         "bearings:\n  b: {body: driver, stiffness: {radial: 1e8, axial: 1e8, tilt: 1e6}}\n"

@@ -17,7 +17,9 @@ gears:
   g1: {number_of_teeth: 30, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
   g2: {number_of_teeth: 45, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
 bodies:
-  driver: {gears: [g1], position: [0, 0, 0], inertia: 0.002 kg m^2, markers: {pin: {position: [120 mm, 0, 50 mm]}}}
+  driver:
+    {gears: [g1], position: [0, 0, 0], inertia: 0.002 kg m^2,
+     markers: {pin: {position: [120 mm, 0, 50 mm]}}}
   driven: {gears: [g2], inertia: 0.01 kg m^2}
   arm:
     mass: 0.5 kg
@@ -35,8 +37,8 @@ ARM = 1e-3 + 0.5 * 0.15**2
 
 @pytest.mark.parametrize("joint", ["fixed", "revolute"])
 def test_an_arm_counts_with_its_gear(joint):
-    """d = 2 zeta sqrt(k m), 1/m = r_1^2/J_1 + r_2^2/J_2. A hinge across the axis adds no coupling at rest: the
-    inertia is the diagonal of the mass matrix."""
+    """d = 2 zeta sqrt(k m), 1/m = r_1^2/J_1 + r_2^2/J_2. A hinge across the axis couples nothing at rest: J is
+    the diagonal of the mass matrix."""
     model, system = compiled(PAIR.replace("JOINT", joint))
     assert turning_inertia(model, "driver") == pytest.approx(0.002 + ARM, rel=1e-12)
     M = evaluate.matrix(system, system.initial_state(), 1.0, 0.0, 0.0)
@@ -63,11 +65,17 @@ def test_a_gear_on_a_body_that_is_fixed_to_another():
   screws: {type: fixed, bodies: [hub, driver]}
 """
     text = PAIR.replace("JOINT", "revolute")
-    text = text.replace("  arm:\n", hub).replace("joints:\n", screws).replace(
-        "inertia: 0.002 kg m^2,", "inertia: 0.002 kg m^2, mass: 1 kg, transverse_inertia: 0.001 kg m^2,"
+    text = (
+        text.replace("  arm:\n", hub)
+        .replace("joints:\n", screws)
+        .replace(
+            "inertia: 0.002 kg m^2,", "inertia: 0.002 kg m^2, mass: 1 kg, transverse_inertia: 0.001 kg m^2,"
+        )
     )
     model, _ = compiled(text)
     assert turning_inertia(model, "driver") == pytest.approx(0.004 + 0.002 + ARM, rel=1e-12)
     held = text.replace("type: revolute, bodies: [ground, hub]", "type: fixed, bodies: [ground, hub]")
     held = held.replace("loads: {input: {body: driver, torque: 50 N m}, output", "loads: {output")
-    assert turning_inertia(compiled(held.replace("torque: balance", "torque: 1 N m"))[0], "driver") == math.inf
+    assert (
+        turning_inertia(compiled(held.replace("torque: balance", "torque: 1 N m"))[0], "driver") == math.inf
+    )
