@@ -53,14 +53,12 @@ def run(
     file: str,
     scenario: str | None,
     output: str | None,
-    step: float | None,
-    decimate: int | None,
-    reduce: float | None,
     vary: tuple[str, ...],
     jobs: int | None,
     as_json: bool,
     allow_code: bool,
     quiet: bool,
+    **how: Any,
 ) -> int:
     """Compute the time response, or the slow roll, of a scenario of FILE.
 
@@ -77,6 +75,7 @@ def run(
     )
 
     model = read_model(file, allow_code, quiet)
+    step, decimate, reduce = how["step"], how["decimate"], how["reduce"]
     name = choose_scenario(model, scenario, "time", "quasi_static")
     rolls = model.scenarios[name].kind == "quasi_static"
     refuse_idle(

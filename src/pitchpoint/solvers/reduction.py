@@ -4,9 +4,9 @@
 Bodies that only linear elements touch (bearings, bushings, couplings, springs, beams) are condensed onto the
 bodies that anything else acts on, by static shapes and by modes with those bodies fixed (Craig and Bampton).
 What is kept runs with its own kernels, large rotation included; the condensed part is a linear element
-between the bodies that remain and a few modal coordinates, gyroscopic terms taken at the operating speed. What may go
-stands in `reduction_choice`: parts whose linearisation does not change over time. Kept bodies of a part other
-than turning round ones are expected near the operating point.
+between the bodies that remain and a few modal coordinates, gyroscopic terms taken at the operating speed.
+What may go stands in `reduction_choice`: parts whose linearisation does not change over time. Kept bodies of
+a part other than turning round ones are expected near the operating point.
 
 References
 ----------
@@ -41,8 +41,8 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System, assemble
 
 BEYOND = (4.0, 8.0, 16.0, 32.0, 64.0)
-"""Multiples of the highest frequency of interest up to which fixed-interface modes are kept: for geared shafts
-the first is enough, heavy bodies on soft springs between stiffly held ones need more."""
+"""Multiples of the highest frequency of interest up to which fixed-interface modes are kept: for shafts the
+first is enough, heavy bodies on soft springs between stiffly held ones need more."""
 WANTED = 1e-3
 """Error of the natural frequencies at which no more modes are kept."""
 

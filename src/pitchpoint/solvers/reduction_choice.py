@@ -9,7 +9,7 @@ their coordinates do not spin, an arm on a shaft that only spins passes, one on 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -298,7 +298,7 @@ def coordinates_of(system: System, bodies: Sequence[int]) -> list[int]:
     return [int(body[b]["dof"]) + k for b in bodies for k in range(int(body[b]["n"]))]
 
 
-def sum_over(system: System, condensed: Choice, ask) -> Array:  # type: ignore[no-untyped-def]
+def sum_over(system: System, condensed: Choice, ask: Callable[[], Array]) -> Array:
     """What `ask` gives with the condensed records alone, all bodies in place."""
     runs = {
         kind: [(int(r[0]), int(r[-1]) + 1) for r in np.split(k, np.flatnonzero(np.diff(k) > 1) + 1) if r.size]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Modes of systems with hundreds of coordinates: closed forms, multiple roots, the dense way on small ones."""
+"""Modes of systems with hundreds of coordinates: closed forms, multiple roots, the dense way beside it."""
 
 from __future__ import annotations
 

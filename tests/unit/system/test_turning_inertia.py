@@ -37,8 +37,8 @@ ARM = 1e-3 + 0.5 * 0.15**2
 
 @pytest.mark.parametrize("joint", ["fixed", "revolute"])
 def test_an_arm_counts_with_its_gear(joint):
-    """d = 2 zeta sqrt(k m), 1/m = r_1^2/J_1 + r_2^2/J_2. A hinge across the axis couples nothing at rest: J is
-    the diagonal of the mass matrix."""
+    """d = 2 zeta sqrt(k m), 1/m = r_1^2/J_1 + r_2^2/J_2. A hinge across the axis couples nothing at rest: J
+    is the diagonal of the mass matrix."""
     model, system = compiled(PAIR.replace("JOINT", joint))
     assert turning_inertia(model, "driver") == pytest.approx(0.002 + ARM, rel=1e-12)
     M = evaluate.matrix(system, system.initial_state(), 1.0, 0.0, 0.0)
