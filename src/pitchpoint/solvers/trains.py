@@ -302,9 +302,26 @@ def _resisted(system: System, index: dict[int, int]) -> list[Array]:
                 held |= _leaning(system)
                 break
             fields = records.dtype.names or ()
+            if kind == "linear_hold":  # on one body, against what it hangs on
+                held |= {int(body[record["i"]]["spin"])} - {-1}
+                continue
             ends = [_movers(body, int(record[end])) for end in ("i", "j") if end in fields]
-            held |= set.symmetric_difference(*ends) if len(ends) == 2 else ends[0]
+            between = set.symmetric_difference(*ends) if len(ends) == 2 else ends[0]
+            held |= between - (_unresisted(body, record) if kind == "bushing" else set())
     return [np.eye(len(index))[index[s]] for s in sorted(held)]
+
+
+def _unresisted(body: NDArray[np.void], record: np.void) -> set[int]:
+    """Spins of the two bodies of a bushing that it lets turn: on the axis, and soft about it."""
+    found = set()
+    axis = np.array([0.0, 0.0, 1.0])
+    K = record["K"] + record["K"].T
+    for end in "ij":
+        A = record[f"A_{end}"]
+        x = np.concatenate([A.T @ np.cross(axis, record[f"p_{end}"]), A.T @ axis])
+        if np.abs(K @ x).max() <= SAME * np.abs(K).max():
+            found.add(int(body[int(record[end])]["spin"]))
+    return found
 
 
 def _movers(body: NDArray[np.void], b: int) -> set[int]:

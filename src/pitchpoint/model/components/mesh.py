@@ -10,8 +10,8 @@ from pitchpoint.model.keys import choice, component, derived, integer, key, posi
 
 # The damping belongs to the mesh: a scenario that holds or drives a body does not change it.
 CRITICAL = (
-    "share of critical damping, from the mean stiffness and the inertias of both bodies "
-    "(those that a scenario holds or drives too; not those with motion: fixed)"
+    "share of critical damping, from the mean stiffness and the inertias of both bodies and of what hangs "
+    "on them (those that a scenario holds or drives too; not those with motion: fixed)"
 )
 
 

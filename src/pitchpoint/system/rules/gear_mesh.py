@@ -31,6 +31,7 @@ from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
 from pitchpoint.system.rules.separation import separation_grids
 from pitchpoint.system.rules.stiffness import describe_stiffness, user_law
+from pitchpoint.system.rules.turning_inertia import turning_inertia
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.mesh import TransmissionError
@@ -319,12 +320,15 @@ def _excitation(error: TransmissionError) -> dict[str, Array]:
 
 
 def _reduced_mass(model: Model, name: str) -> float:
-    """Mass that both bodies of a mesh put on its line of action, spins only [kg]; 0 without bodies."""
+    """Mass that both bodies of a mesh, and what hangs on them, put on its line of action, spins only [kg].
+
+    Zero without bodies.
+    """
     inverse = 0.0
     for gear in model.meshes[name].gears:
         body = model.body_of(gear)
         if body is not None and model.bodies[body].moves != "fixed":
-            polar = model.body_inertia(body).polar
+            polar = turning_inertia(model, body)
             inverse += (0.5 * model.gears[gear].geometry.d_b) ** 2 / polar if polar > 0.0 else 0.0
     return 1.0 / inverse if inverse > 0.0 else 0.0
 
