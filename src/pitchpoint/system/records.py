@@ -126,7 +126,7 @@ def number(
             events += _outputs(getattr(module, "EVENTS", ()), label)
             if "row" in fields:
                 record["row"] = len(rows)
-                for _ in range(module.ROWS):
+                for _ in range(getattr(module, "ROWS", 0)):
                     rows.append(f"{name} {label}")
                     row_bodies.append((int(record["i"]), int(record["j"])))
     return channels, events, rows, row_bodies
