@@ -64,8 +64,11 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
 def summary(model: Model) -> dict[str, Any]:
     """Collect what will be simulated."""
     from pitchpoint.model.mechanism import seat_frame
+    from pitchpoint.model.signal_words import HEAD, signal_lines
     from pitchpoint.report.defaults import defaults
+    from pitchpoint.system.rules.elastic_body import elastic_facts
 
+    facts = elastic_facts(model) if model.elastic_bodies else {}
     bodies = {}
     for name, body in model.bodies.items():
         inertia = model.body_inertia(name)
@@ -80,7 +83,8 @@ def summary(model: Model) -> dict[str, Any]:
             "transverse_inertia": inertia.transverse,
         }
         if body.elastic is not None:  # only its file knows
-            bodies[name] |= dict.fromkeys(("mass", "polar_inertia", "transverse_inertia"))
+            bodies[name] |= dict.fromkeys(("polar_inertia", "transverse_inertia"))
+            bodies[name]["mass"] = facts[name][0]
     return {
         "ok": True,
         "title": model.title,
@@ -102,6 +106,7 @@ def summary(model: Model) -> dict[str, Any]:
         },
         "shafts": {name: _stations(model, name) for name in model.shafts},
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
+        "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
         "joints": _joints(model),
         "rods": list(model.rods),
         "ratios": list(model.ratios),
@@ -110,6 +115,7 @@ def summary(model: Model) -> dict[str, Any]:
         "couplings": list(model.couplings),
         **{group: list(getattr(model, group)) for group in FORCES},
         "loads": list(model.loads),
+        "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
     }
@@ -158,7 +164,9 @@ def _mobility(model: Model) -> dict[str, int]:
     """Coordinates of the tree and degrees of freedom by Gruebler's count."""
     from pitchpoint.model.mechanism import freedoms
 
-    others = len(model.rods) + len(model.ratios) + sum(c.permanent for c in model.cam_contacts.values())
+    contacts = (model.cam_contacts, model.curve_contacts, model.surface_contacts)
+    held = sum(c.permanent for group in contacts for c in group.values())
+    others = len(model.rods) + len(model.ratios) + held
     count, mobility = freedoms(model.mechanism, model, others)
     more = 6 * sum(len(places) - 1 for places in model.stations.values())
     return {"coordinates": count + more, "constraints": count - mobility, "by_count": mobility + more}
@@ -224,7 +232,7 @@ def _print(model: Model, file: str) -> None:
             *([] if upright else [_direction(body["axis"])]),
             ", ".join(body["degrees_of_freedom"]) or "fixed",
             ", ".join(f"{round(1e3 * c, 9) + 0.0:.6g}" for c in body["origin"]) if body["origin"] else "",
-            shown(body["mass"], "mass", 5) if name not in found["elastic_bodies"] else "in its file",
+            shown(body["mass"], "mass", 5),
             shown(body["polar_inertia"], "inertia", 5) if name not in found["elastic_bodies"] else "",
         ]
         for name, body in found["bodies"].items()
@@ -244,6 +252,9 @@ def _print(model: Model, file: str) -> None:
             ],
             rows,
         )
+    for name, frequencies in found["elastic_frequencies"].items():
+        listed = ", ".join(f"{f:.4g}" for f in frequencies)
+        show(f"{name}, unsupported, swings in {len(frequencies)} modes of {listed} Hz")
     rows = [
         [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
         for stations in found["shafts"].values()
@@ -268,6 +279,8 @@ def _print(model: Model, file: str) -> None:
     for group in ("bearings", "couplings", *FORCES, "loads"):
         if found[group]:
             show(f"{group}: {', '.join(found[group])}")
+    if found["signals"]:
+        table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
     if found["scenarios"]:
         show("scenarios: " + ", ".join(f"{name} ({kind})" for name, kind in found["scenarios"].items()))
     assumed = found["defaults"]

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.model.frames import GROUND
-from pitchpoint.model.mechanism import seat_frame
+from pitchpoint.model.mechanism import base_of as spin_base
+from pitchpoint.model.mechanism import seat_frame, spinner_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
@@ -32,16 +33,23 @@ def base_of(parts: Parts, one: str, two: str) -> str:
 
     It is what the gear hangs on whose base moves with more joints.
     """
-    bases = [_seat_parent(parts, body) for body in (one, two)]
+    bases = [spin_base(parts, parts.mechanism, body) for body in (one, two)]
     chains = [_movers(parts, base) for base in bases]
     return bases[0] if len(chains[0]) > len(chains[1]) else bases[1]
 
 
 def has_carriers(parts: Parts, links: list[Link]) -> bool:
-    """Whether some link joins bodies whose spins count from different frames."""
+    """Whether some link joins bodies whose spins count from different frames or are those of others."""
     from pitchpoint.model.scenario_check import same_base
 
-    return any(place[0] != "ratios" and not same_base(parts, one, two) for place, one, two, _ in links)
+    return any(
+        place[0] != "ratios"
+        and (
+            not same_base(parts, one, two)
+            or any(spinner_of(parts, parts.mechanism, body) is not None for body in (one, two))
+        )
+        for place, one, two, _ in links
+    )
 
 
 def carried_speeds(
@@ -67,11 +75,6 @@ def carried_speeds(
             wrong.append((name, fits))
     speeds = dict(zip(turning, (free @ y).tolist(), strict=True))
     return {n: speeds.get(n, 0.0) for n in parts.bodies}, wrong
-
-
-def _seat_parent(parts: Parts, body: str) -> str:
-    seat = parts.mechanism.seats.get(body)
-    return GROUND if seat is None else seat.parent
 
 
 def _movers(parts: Parts, body: str) -> list[str]:

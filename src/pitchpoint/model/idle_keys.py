@@ -18,6 +18,7 @@ from pitchpoint.model.frames import ALONG, body_frame
 from pitchpoint.model.joint_check import ends_of
 from pitchpoint.model.keys import defaults_of
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
+from pitchpoint.model.signal_words import idle_signals
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
@@ -64,6 +65,7 @@ def idle_keys(model: Model) -> tuple[str, ...]:
         *_supports(model),
         *_loads(model),
         *_scenarios(model),
+        *idle_signals(model),
     )
 
 

@@ -22,7 +22,15 @@ from pitchpoint.model.frames import (
     split,
 )
 from pitchpoint.model.keys import Place
-from pitchpoint.model.mechanism import ONE_WAY, Seat, axial_offset, coordinate, rows_of
+from pitchpoint.model.mechanism import (
+    COUNTED,
+    ONE_WAY,
+    Seat,
+    axial_offset,
+    coordinate,
+    rows_of,
+    spinner_of,
+)
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
@@ -282,6 +290,8 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
     """Gears turn about the z axis of their body: the joint that carries it lies there and counts turns."""
     body = parts.bodies[name]
     at: Place = ("bodies", name, "gears")
+    if seat.kind == "fixed" and seat.joint is not None and spinner_of(parts, parts.mechanism, name) is None:
+        _standing_gear(parts, name, seat, report)
     if seat.kind in ("spherical", "free", "universal", *FUNCTIONS):
         report.problem(
             at,
@@ -299,6 +309,28 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
         )
 
 
+def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
+    """A gear that is fixed to something stands, or turns with what counts its turns about the same axis."""
+    root = seat
+    while root.kind == "fixed" and root.parent in parts.mechanism.seats:
+        root = parts.mechanism.seats[root.parent]
+    if root.kind in ("fixed", "prismatic"):
+        return
+    remedy = f"give {name} and {root.body} the same z axis"
+    if root.kind not in COUNTED:
+        remedy = f"carry {root.body} by a revolute, cylindrical, screw, planar or shaft joint"
+        if root.body in parts.elastic_bodies:
+            remedy = (
+                f"write rotor: true at the elastic body {root.body}, whose z axis is the axis of the gears"
+            )
+    report.problem(
+        ("bodies", name, "gears"),
+        f"are fixed to {root.body}, which counts no turns about their axis",
+        value=", ".join(parts.bodies[name].gears),
+        remedy=remedy,
+    )
+
+
 # --- coordinates --------------------------------------------------------------------------------------------
 def _coordinates(parts: Parts, report: Reader) -> None:
     """Coordinates that scenarios drive by name; those named by a body are checked with the scenario."""
@@ -309,7 +341,7 @@ def _coordinates(parts: Parts, report: Reader) -> None:
             at: Place = ("scenarios", name, "drive", word)
             found = coordinate(parts.mechanism, parts, word)
             if isinstance(found, str):
-                report.problem(at, found, remedy=_listed(parts))
+                report.problem(at, found, remedy=coordinates_listed(parts))
                 continue
             wanted = ("speed", "angle") if found[2] == "angle" else ("velocity", "position")
             given = [k for k in ("speed", "angle", "velocity", "position") if getattr(drive, k) is not None]
@@ -322,7 +354,7 @@ def _coordinates(parts: Parts, report: Reader) -> None:
                 )
 
 
-def _listed(parts: Parts) -> str:
+def coordinates_listed(parts: Parts) -> str:
     """All coordinates that can be named."""
     found = [
         f"{seat.joint}.{word}"
@@ -346,7 +378,7 @@ def _ratios(parts: Parts, report: Reader) -> None:
         for word, value in ratio.terms.items():
             found = coordinate(parts.mechanism, parts, word)
             if isinstance(found, str):
-                report.problem((*at, word), found, remedy=_listed(parts))
+                report.problem((*at, word), found, remedy=coordinates_listed(parts))
                 continue
             lengths[word] = (found[2] == "length") + isinstance(value, Arm)
         if len(lengths) == len(ratio.terms) and len(set(lengths.values())) > 1:

@@ -8,13 +8,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.model.frames import axes_of, body_frame, place_of
+from pitchpoint.model.frames import GROUND, axes_of, body_frame, place_of, split
+from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.coupling import Coupling
     from pitchpoint.model.parts import Parts
 
+HOUSED = 1e-3
+"""Distance of a bearing from the named place of its housing [m]; what is less is a rigid arm."""
 ASKEW = math.radians(5.0)
 """Angle from which rings do not stand about one axis; no bearing is mounted that far askew."""
 COAXIAL = 1e-6
@@ -37,6 +40,44 @@ def check_positions(parts: Parts, report: Reader) -> None:
                 limit="x = y = 0",
                 remedy=f"write [0, 0, {z * 1e3:.6g} mm]; the axis lies where the position of {body} puts it",
                 taint=False,
+            )
+
+
+def check_housings(parts: Parts, report: Reader) -> None:
+    """A bearing in a housing sits where the named place of it is, and leaves the spin free."""
+    for name, part in parts.bearings.items():
+        at: Place = ("bearings", name)
+        if part.housing is None or part.housing == GROUND or at in report.tainted:
+            continue
+        body, marker = split(part.housing)
+        if body == part.body:
+            report.problem(
+                (*at, "housing"),
+                f"is the body that runs in the bearing, {body}",
+                remedy="name another body, or leave housing out for ground",
+            )
+            continue
+        if part.stiffness.matrix6()[5][5] != 0.0:
+            report.problem(
+                (*at, "stiffness"),
+                f"holds the spin of {part.body} against the housing {body}",
+                limit="torsion: 0",
+                remedy="use a coupling for that, or leave torsion out",
+            )
+        if part.body not in parts.bodies or body not in parts.bodies:
+            continue
+        owner, there = parts.bodies[part.body], place_of(parts, part.housing)
+        if owner.origin is None or there is None or not marker:
+            continue
+        center = np.array(owner.origin) + body_frame(parts, part.body)[1] @ [0.0, 0.0, part.position[2]]
+        apart = float(np.linalg.norm(center - there))
+        if apart > HOUSED * max(1.0, float(np.abs(center).max())):
+            report.problem(
+                (*at, "housing"),
+                f"lies {apart * 1e3:.6g} mm from the bearing",
+                value=part.housing,
+                limit=f"{HOUSED * 1e3:g} mm",
+                remedy=f"correct the place of {marker}, or the position of the bearing or of {part.body}",
             )
 
 

@@ -28,7 +28,7 @@ from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
 from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
-from pitchpoint.solvers.still import slopes, step_on
+from pitchpoint.solvers.still import restless, slopes, step_on
 from pitchpoint.solvers.surfaces import Surface, crossed
 from pitchpoint.solvers.trains import complete, exchange, free_spins, is_independent
 from pitchpoint.system import evaluate
@@ -118,8 +118,10 @@ def find_equilibrium(
     kept = free_spins(system) if held is None else tuple(held)
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
+    idle = restless(system, state, free)
+    free = np.setdiff1d(free, idle)
     if is_looped(system):
-        mechanism = rest_of_mechanism(system, state, kept, tolerance)
+        mechanism = rest_of_mechanism(system, state, (*kept, *map(int, idle)), tolerance)
         reaction = mechanism.residual[list(kept)].copy()
         return Equilibrium(_wrapped(system, mechanism.state), kept, reaction, mechanism.steps)
     found, count, failure = _pseudo_time(system, state, free, tolerance)

@@ -86,7 +86,7 @@ def linearise(
     if phase is not None:
         state = _at_phase(own, state, phase, point.held)
     loose = touching(own, state)
-    notes = list(point.notes)
+    notes = [*point.notes, *_of_one_position(own, state)]
     if loose:
         notes.append(
             f"no load presses the flanks of {', '.join(loose)} together: "
@@ -102,6 +102,21 @@ def linearise(
     states = tuple(int(s) for s in own.states)
     basis = free_directions(own, state, states)
     return Linearised(own, state, at_rest, D, K, basis, states, point.held, tuple(notes))
+
+
+def _of_one_position(system: System, state: State) -> tuple[str, ...]:
+    """A note on elastic bodies whose modes turn: their matrices change as they do."""
+    body = system.program["body"]
+    frames = [int(record["i"]) for record in system.records.get("flexible_body", ())]
+    turning = [
+        system.layout.bodies[b] for b in frames if body[b]["spin"] >= 0 and state.v[body[b]["spin"]] != 0.0
+    ]
+    if not turning:
+        return ()
+    return (
+        f"the modes of {', '.join(turning)} turn with the body: what is found holds for one position of it; "
+        "elastic shafts hold for all",
+    )
 
 
 def _turning(system: System, state: State, still: State, at_rest: Parts) -> Parts:

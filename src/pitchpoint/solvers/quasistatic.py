@@ -25,9 +25,10 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, SINGULAR, sentence
 from pitchpoint.model.components.law import Balance
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.multibody.bodies import GENERAL, spin_of
 from pitchpoint.solvers.assembly import close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
+from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.roll_notes import load_notes
@@ -139,11 +140,12 @@ def roll_through(
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
         raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
+    refuse_rates(system, "a slow roll")
     point = operating_point(system, _begun(system, scenario))
     own = point.system.copy()
     k = mesh_names(own).index(mesh)
     record = own.records["gear_mesh"][k]
-    body = next(int(record[e]) for e in ("i", "j") if own.program["body"][record[e]]["spin"] >= 0)
+    body = next(int(record[e]) for e in ("i", "j") if spin_of(own.program["body"], record[e]) >= 0)
     z = record["z1"] if body == record["i"] else record["z2"]
     spin = own.spin(own.layout.bodies[body])
     state = point.state.copy()
@@ -272,8 +274,8 @@ def _assembled(system: System, state: State, held: Sequence[int]) -> State:
 def _pitches(system: System, record: np.void, rates: Array, rolled: int, z: int) -> Fraction | None:
     """Tooth pitches that a mesh goes on per period of the rolled one; exact, None if loops are on the way."""
     for body, teeth in ((record["i"], record["z1"]), (record["j"], record["z2"])):
-        spin = system.program["body"][body]["spin"]
-        if spin >= 0 and is_looped(system) and not tied_by_teeth(system, rolled, int(spin)):
+        spin = spin_of(system.program["body"], body)
+        if spin >= 0 and is_looped(system) and not tied_by_teeth(system, rolled, spin):
             return None
         if spin >= 0:
             return Fraction(abs(float(rates[spin]))).limit_denominator(LARGEST_RATIO) * abs(int(teeth)) / z

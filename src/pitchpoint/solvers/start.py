@@ -17,7 +17,8 @@ from pitchpoint.model.mechanism import given
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.solvers.constrained_rest import is_looped
-from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques, find_equilibrium
+from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques
+from pitchpoint.solvers.states_at_start import rest_of_controls, states_of_inputs
 from pitchpoint.solvers.trains import (
     driven_coordinates,
     free_spins,
@@ -111,10 +112,11 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     held = list(held_spins(system))
     if scenario.start == "assembled":
         state, notes = _closed(system, scenario, state, driven)
+        state = states_of_inputs(system, state)
         return Start(_with_damping(system, state), state, notes)
     system, balanced, held = balance_torques(system, state, held, driven)
-    found = find_equilibrium(system, state, held)
-    notes = _notes(system, found, {*driven, *balanced})
+    found, told = rest_of_controls(system, state, held, {*driven, *balanced})
+    notes = (*told, *_notes(system, found, {*driven, *balanced}))
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     return Start(_with_damping(system, state), state, (*notes, *more))
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
 from pitchpoint.elements.ratio import place_of
-from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.multibody.bodies import GENERAL, base_of
 from pitchpoint.solvers.assembly import loop_rows
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -271,7 +271,8 @@ def _base(system: System, index: dict[int, int], record: np.void) -> Array:
     """
     body = system.program["body"]
     gear = int(record["i"] if record["carried"] == 1 else record["j"])
-    return _turning(system, index, int(body[gear]["parent"]), float(body[gear]["sense"]))
+    own = int(body[gear]["spinner"]) or gear
+    return _turning(system, index, base_of(body, gear), float(body[own]["sense"]))
 
 
 def _ratio(record: np.void, index: dict[int, int]) -> Array:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sections of a report that are tables first: modes, and independent cases."""
+"""Sections of a report that are tables first: modes, signals, and independent cases."""
 
 from __future__ import annotations
 
@@ -39,6 +39,16 @@ def mode_section(modes: Any) -> Section:
     held = f"; {escape(', '.join(modes.held))} held by the scenario" if modes.held else ""
     section.add(f"<p>About the loaded state, meshes with the mean of their stiffness{held}.</p>")
     section.add(plain_table(("mode", "what moves", "natural frequency", "damping ratio"), body[:MOST_ROWS]))
+    return section
+
+
+def signal_section(lines: Sequence[Sequence[str]]) -> Section:
+    """Sensors, blocks, controllers and actuators."""
+    section = Section("signals", "Signals and control")
+    if lines:
+        rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in lines]
+        head = ("signal", "what it is", "made of", "read by")
+        section.add(plain_table(head, rows[:MOST_ROWS], numbers=False))
     return section
 
 
