@@ -19,6 +19,7 @@ from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques
 from pitchpoint.solvers.states_at_start import rest_of_controls, states_of_inputs
+from pitchpoint.solvers.sticking import settle_clutches
 from pitchpoint.solvers.trains import (
     driven_coordinates,
     free_spins,
@@ -116,7 +117,8 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         return Start(_with_damping(system, state), state, notes)
     system, balanced, held = balance_torques(system, state, held, driven)
     found, told = rest_of_controls(system, state, held, {*driven, *balanced})
-    notes = (*told, *_notes(system, found, {*driven, *balanced}))
+    system, found, remarks = settle_clutches(system, found, driven, balanced)
+    notes = (*told, *_notes(system, found, {*driven, *balanced}), *remarks)
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     return Start(_with_damping(system, state), state, (*notes, *more))
 
