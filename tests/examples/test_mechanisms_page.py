@@ -15,6 +15,7 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.joint import COORDINATES
+from pitchpoint.model.frames import body_frame
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
 
@@ -74,7 +75,7 @@ def test_commands_run_and_numbers_are_right(folder: Path, capsys: pytest.Capture
 
 
 def test_the_shafts_of_the_page() -> None:
-    rig, rod, housing, rotor = re.findall(r"^```yaml\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)[1:]
+    rig, rod, housing, rotor = re.findall(r"^```yaml\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)[2:]
     model = loads_model(rig)
     assert model.stations["input"][3] == pytest.approx(0.1, rel=1e-12)
     assert "pinion sits on `input.4`" in WORDS
@@ -92,6 +93,19 @@ def test_the_shafts_of_the_page() -> None:
         with pytest.raises(ModelError) as error:
             loads_model(text)
         assert {p.where for p in error.value.problems} == missing
+
+
+def test_the_tilted_gears_of_the_page() -> None:
+    snippet = re.findall(r"^```yaml\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)[1]
+    teeth = "normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    gears = f"gears: {{a: {{number_of_teeth: 20, {teeth}}}, b: {{number_of_teeth: 40, {teeth}}}}}\n"
+    model = loads_model(gears + snippet)
+    z = np.array([np.sin(np.radians(85.0)), 0.0, np.sin(np.radians(5.0))])
+    for body in ("pinion", "wheel"):
+        np.testing.assert_allclose(body_frame(model, body)[1][:, 2], z, atol=5e-5)
+    x, y = np.array([0.0, 1.0, 0.0]), np.cross(z, [0.0, 1.0, 0.0])
+    way = 0.09 * (np.cos(np.radians(30.0)) * x + np.sin(np.radians(30.0)) * y)
+    np.testing.assert_allclose(model.bodies["wheel"].origin, way, atol=1e-5)
 
 
 def test_the_table_of_joints_is_complete() -> None:

@@ -42,6 +42,7 @@ ELSEWHERE = {
     "flexible_body": "tests/unit/elements/test_flexible_body.py",
     "joint_friction": "tests/unit/elements/test_joint_friction.py",
     "guide": "tests/unit/elements/test_guide.py",
+    "linear_hold": "tests/unit/elements/test_linear_part.py",
     "linear_modes": "tests/unit/elements/test_linear_part.py",
     "linear_part": "tests/unit/elements/test_linear_part.py",
     "gear_mesh": "tests/invariants/test_gear_mesh.py",

@@ -63,6 +63,7 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
 
 def summary(model: Model) -> dict[str, Any]:
     """Collect what will be simulated."""
+    from pitchpoint.model.mechanism import seat_frame
     from pitchpoint.model.signal_words import HEAD, signal_lines
     from pitchpoint.report.defaults import defaults
     from pitchpoint.system.rules.elastic_body import elastic_facts
@@ -76,6 +77,7 @@ def summary(model: Model) -> dict[str, Any]:
             "motion": body.moves,
             "degrees_of_freedom": _freedoms(model, name),
             "origin": body.origin,
+            "axis": [float(c) for c in seat_frame(model, model.mechanism.seats[name])[1][:, 2]],
             "mass": inertia.mass,
             "polar_inertia": inertia.polar,
             "transverse_inertia": inertia.transverse,
@@ -204,14 +206,30 @@ def _show_joints(found: dict[str, Any]) -> None:
         )
 
 
+def _direction(axis: list[float]) -> str:
+    """Name a direction: an axis of the world, or its parts along them.
+
+    Examples
+    --------
+    >>> _direction([0.0, 0.0, 1.0]), _direction([-1.0, 0.0, 0.0]), _direction([0.99619, 0.0, 0.08716])
+    ('z', '-x', '0.99619, 0, 0.08716')
+    """
+    k = max(range(3), key=lambda i: abs(axis[i]))
+    if abs(axis[k]) > 1.0 - 1e-12:
+        return ("-" if axis[k] < 0.0 else "") + "xyz"[k]
+    return ", ".join(f"{round(c, 6) + 0.0:.6g}" for c in axis)
+
+
 def _print(model: Model, file: str) -> None:
     """Show the same to people."""
     found = summary(model)
     show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
+    upright = all(body["axis"] == [0.0, 0.0, 1.0] for body in found["bodies"].values())
     rows = [
         [
             name,
             ", ".join(body["gears"]),
+            *([] if upright else [_direction(body["axis"])]),
             ", ".join(body["degrees_of_freedom"]) or "fixed",
             ", ".join(f"{round(1e3 * c, 9) + 0.0:.6g}" for c in body["origin"]) if body["origin"] else "",
             shown(body["mass"], "mass", 5),
@@ -223,7 +241,15 @@ def _print(model: Model, file: str) -> None:
         n = found["degrees_of_freedom"]
         table(
             f"Bodies: {n} degrees of freedom",
-            ["body", "gears", "moves in", "origin [mm]", "mass", "polar inertia"],
+            [
+                "body",
+                "gears",
+                *([] if upright else ["axis"]),
+                "moves in",
+                "origin [mm]",
+                "mass",
+                "polar inertia",
+            ],
             rows,
         )
     for name, frequencies in found["elastic_frequencies"].items():

@@ -83,6 +83,7 @@ _KINDS: dict[str, Kind] = {
         Kind("gravity", _HERE + "gravity", FRAME),
         Kind("guide", _HERE + "guide", MOTION),
         Kind("joint_friction", _HERE + "joint_friction", FRICTION),
+        Kind("linear_hold", _HERE + "linear_hold", COORDINATE),
         Kind("linear_modes", _HERE + "linear_modes", COORDINATE),
         Kind("linear_part", _HERE + "linear_part", COORDINATE),
         Kind("maxwell", _HERE + "maxwell", FRAME, WITH_STATE),

@@ -14,7 +14,7 @@ from pitchpoint.model.frames import (
     GROUND,
     Array,
     axes_of,
-    frame,
+    body_frame,
     joint_axes,
     joint_place,
     marker_of,
@@ -282,14 +282,13 @@ def _polar(parts: Parts, report: Reader) -> None:
 def _parallel(parts: Parts, seat: Seat) -> bool:
     from pitchpoint.model.mechanism import seat_frame
 
-    own = frame(parts.bodies[seat.body].axes)
+    own = body_frame(parts, seat.body)[1]
     return bool(own[:, 2] @ seat_frame(parts, seat)[1][:, 2] > 1.0 - 1e-12)
 
 
 def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
-    """Gears turn about the z axis of their body, and meshes are described across the z axis of the world."""
+    """Gears turn about the z axis of their body: the joint that carries it lies there and counts turns."""
     body = parts.bodies[name]
-    upright = frame(body.axes)[2, 2] > 1.0 - 1e-12
     at: Place = ("bodies", name, "gears")
     if seat.kind == "fixed" and seat.joint is not None and spinner_of(parts, parts.mechanism, name) is None:
         _standing_gear(parts, name, seat, report)
@@ -300,19 +299,13 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
             value=", ".join(body.gears),
             remedy="carry the body by a revolute, cylindrical, screw, planar or shaft joint",
         )
-    elif not upright:
-        report.problem(
-            (*at[:2], "axes"),
-            "turn the axis of gears away from the z axis of the world, along which all gears stand",
-            remedy="lay the world so that the gears turn about z",
-        )
     elif seat.joint is not None and axial_offset(parts, seat) is None:
         more = f"; write its bodies as [{seat.parent}, {name}]" if seat.turned else ""
         report.problem(
             at,
             f"turn about the z axis of {name}, which is not that of the joint {seat.joint}",
             value=", ".join(body.gears),
-            remedy=f"put the origin of {name} on the axis of {seat.joint}, and its z axis along it{more}",
+            remedy=f"give {name} an origin on the axis of {seat.joint}, and axes whose z lies along it{more}",
         )
 
 

@@ -349,7 +349,12 @@ def check(parts: Parts, report: Reader) -> None:
     from pitchpoint.model.pair_check import check_phasing
     from pitchpoint.model.shafts import add_shafts, check_shaft_places
     from pitchpoint.model.signal_check import check_signal_places, check_signals
-    from pitchpoint.model.support_check import check_couplings, check_housings, check_positions
+    from pitchpoint.model.support_check import (
+        check_couplings,
+        check_housings,
+        check_positions,
+        check_rings,
+    )
 
     add_shafts(parts, report)
     add_elastic_bodies(parts, report)
@@ -372,6 +377,7 @@ def check(parts: Parts, report: Reader) -> None:
     check_beams(parts, report)
     check_couplings(parts, report)
     check_housings(parts, report)
+    check_rings(parts, report)
     check_motions(parts, report)
     check_unbalances(parts, report)
     check_loads(parts, report)

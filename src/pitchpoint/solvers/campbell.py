@@ -70,6 +70,7 @@ def follow_modes(
     body: str | None = None,
     scenario: Scenario | str | None = None,
     *,
+    count: int | None = None,
     progress: Progress = silent,
 ) -> Campbell:
     """Natural frequencies over speed; parameters as in `solve_campbell`."""
@@ -81,13 +82,12 @@ def follow_modes(
     linear = linearise(system, scenario)
     own, parts = linear.system, linear.at_rest
     rates = speed_ratios(own, body)
-    values, shapes, _ = lowest(linear)
-    n = len(values)
+    modes = lowest(linear, count)
+    values, shapes, n = modes.omega, modes.shapes, len(modes.omega)
     found, last = np.zeros((omega.size, n), complex), shapes.astype(complex)
     for s, speed in enumerate(omega):
         at = at_speeds(linear, speed * rates)
-        squares, basis = (values, shapes) if at.at_rest is parts else lowest(at)[:2]
-        roots, z = damped_modes(at, squares, basis)
+        roots, z = damped_modes(at, modes if at.at_rest is parts else lowest(at, count))
         roots, z = roots[:n], z[:n]
         # each mode goes on in the one that resembles it most
         order = best_match(np.abs(last.conj() @ parts.M @ z.T))
@@ -181,6 +181,7 @@ def solve_campbell(
     body: str | None = None,
     scenario: Scenario | str | None = None,
     *,
+    count: int | None = None,
     progress: Progress = silent,
 ) -> xr.Dataset:
     """Campbell data: damped natural frequencies and mesh frequencies over speed.
@@ -196,6 +197,8 @@ def solve_campbell(
         it. Where bodies hang in trees, every speed has its own relative equilibrium.
     scenario
         Gives loads and the operating point; meshes count with the mean over their cycle.
+    count
+        Number of modes, the lowest at rest. Default: as `modal.find_modes`.
     progress
         Told after every speed.
 
@@ -217,7 +220,7 @@ def solve_campbell(
     from pitchpoint.solvers.dataset import attributes
 
     began = time.perf_counter()
-    c = follow_modes(system, speeds, body, scenario, progress=progress)
+    c = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
     orders: NDArray[np.float64] = np.array(list(c.orders.values()), dtype=np.float64)
     both = ("speed", "mode")
     data = {

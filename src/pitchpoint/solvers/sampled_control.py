@@ -136,11 +136,11 @@ def _named(system: System, name: str) -> tuple[str, str]:
 def begin_anew(run: Any) -> int:
     """Let an integration go on from where it is after a jump of the forces; returns the status."""
     w = run.system.workspace
+    if hasattr(run, "go_on"):
+        return int(run.go_on())
     status = evaluate.accelerations(run.system, run.t)
     for name, now in (("al", w.a), ("ap", w.a), ("lp", w.lam)):
         w.arrays[name][:] = now
     w.arrays["real"][SLOPE_AT] = math.nan
     w.clock[VALID] = 0
-    if hasattr(run, "past"):
-        run.past[0]["k"] = 0
     return status

@@ -1,7 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is unknown at rest: places of bodies, and the states of elements, which stand among the rates."""
+"""What is unknown at rest: places of bodies, and the states of elements, which stand among the rates.
+
+Large systems have sparse matrices here, small ones dense ones; both are used alike.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,14 +17,21 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System
 
+Array = NDArray[np.float64]
+
 STATE = "state."
 """How the names of the hidden bodies of signals begin."""
 SLIGHT = 1e-3
 """Influence of a place on the rate of a state, over that of the speeds, up to which it is none: the axis of a
 shaft that bends is sensed a little askew."""
 
+LARGE = 300
+"""Coordinates from which matrices are sparse (SciPy, which takes a fifth of a second to import)."""
+REGULAR = 1e13
+"""Condition number up to which a matrix is inverted as it is; beyond it what is singular is left out."""
 
-def slopes(system: System, state: State, jac: int) -> NDArray[np.float64]:
+
+def slopes(system: System, state: State, jac: int) -> Array:
     """Derivative of the residual at rest by places and states, shape (nd, nd).
 
     Parameters
@@ -28,11 +41,68 @@ def slopes(system: System, state: State, jac: int) -> NDArray[np.float64]:
     jac
         `residual.NEWTON` or `residual.EXACT`.
     """
-    found = evaluate.matrix(system, state, 0.0, 0.0, 1.0, jac)
+    return evaluate.dense(system, _slope_blocks(system, state, jac))
+
+
+def _slope_blocks(system: System, state: State, jac: int) -> Array:
+    found = evaluate.blocks(system, state, 0.0, 0.0, 1.0, jac)
     if system.states.size:
-        rates = evaluate.matrix(system, state, 0.0, 1.0, 0.0, jac)
-        found[:, system.states] = rates[:, system.states]
+        rates = evaluate.blocks(system, state, 0.0, 1.0, 0.0, jac)
+        _, columns, places = system.layout.entries
+        own = places[np.isin(columns, system.states)]
+        found.reshape(-1)[own] = rates.reshape(-1)[own]
     return found
+
+
+def rest_matrix(system: System, state: State, jac: int, factors: tuple[float, float, float] | None) -> Any:
+    """Matrix cm M + cd D + ck K, or `slopes` without factors; sparse if the system is large."""
+    if factors is None:
+        found = _slope_blocks(system, state, jac)
+    else:
+        found = evaluate.blocks(system, state, *factors, jac)
+    large = system.sizes["nd"] >= LARGE
+    return evaluate.sparse(system, found) if large else evaluate.dense(system, found)
+
+
+def inverse_of(A: Any, root: Array) -> Callable[[Array], Array]:
+    """Function that solves A x = b in the scale of the masses; directions that nothing resists stay at zero.
+
+    Parameters
+    ----------
+    A
+        Dense or sparse matrix, shape (n, n).
+    root
+        Square roots of the masses, shape (n,).
+    """
+    if not isinstance(A, np.ndarray):
+        if (solve := _sparse_inverse(A, root)) is not None:
+            return solve
+        A = A.toarray()
+    scaled = A / np.outer(root, root)
+    try:
+        inverse = np.linalg.inv(scaled)
+        regular = bool(np.linalg.norm(scaled, 1) * np.linalg.norm(inverse, 1) < REGULAR)
+    except np.linalg.LinAlgError:
+        regular = False
+    if not regular:
+        inverse = np.linalg.pinv(scaled)
+    return lambda b: np.asarray(inverse @ (b / root) / root)
+
+
+def _sparse_inverse(A: Any, root: Array) -> Callable[[Array], Array] | None:
+    """The same by sparse elimination; none if the matrix is singular."""
+    from scipy.sparse import diags_array
+    from scipy.sparse.linalg import splu
+
+    scale = diags_array(1.0 / root)
+    try:
+        lu = splu((scale @ A @ scale).tocsc())
+    except RuntimeError:  # a pivot is zero
+        return None
+    pivots = np.abs(lu.U.diagonal())
+    if not pivots.min() * REGULAR > pivots.max():
+        return None
+    return lambda b: np.asarray(lu.solve(b / root) / root)
 
 
 def signal_states(system: System) -> NDArray[np.int64]:

@@ -119,13 +119,15 @@ class RollData:
 class ModeData:
     """Modes about the loaded state: names, frequencies [Hz], shares of critical damping (nan: none).
 
-    `held` names the bodies whose motion the scenario prescribes: they do not vibrate.
+    `held` names the bodies whose motion the scenario prescribes: they do not vibrate. `total` is the number
+    of all modes if these are the lowest of more.
     """
 
     names: Sequence[str]
     frequency: Sequence[float]
     damping_ratio: Sequence[float]
     held: Sequence[str] = ()
+    total: int = 0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,13 +176,14 @@ class TimeRun:
 @dataclass(frozen=True, kw_only=True)
 class CampbellData:
     """Speeds [rad/s] (n_speed,), natural frequencies [Hz] (n_speed, n_mode), orders by name, names of the
-    modes; `shaft` is the body whose speed it is."""
+    modes; `shaft` is the body whose speed it is, `note` a sentence for below the picture."""
 
     speed: ArrayLike
     mode_frequencies: ArrayLike
     orders: Mapping[str, float]
     mode_names: Sequence[str] = ()
     shaft: str = ""
+    note: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -196,7 +196,7 @@ def campbell_section(data: Any) -> Section:
                 mode_names=data.mode_names,
                 shaft=data.shaft,
             ),
-            "Circles mark the speeds at which a mesh order meets a natural frequency.",
+            f"Circles mark the speeds at which a mesh order meets a natural frequency. {data.note}".rstrip(),
         )
     return section
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 MOST_ROWS = 100
+MOST_MODES = 40
 QUANTITIES = (("deflection", "rms"), ("mesh_force", "max"))
 WORDS = {"rms": "rms (alternating)", "max": "greatest"}
 
@@ -38,7 +39,10 @@ def mode_section(modes: Any) -> Section:
         )
     held = f"; {escape(', '.join(modes.held))} held by the scenario" if modes.held else ""
     section.add(f"<p>About the loaded state, meshes with the mean of their stiffness{held}.</p>")
-    section.add(plain_table(("mode", "what moves", "natural frequency", "damping ratio"), body[:MOST_ROWS]))
+    section.add(plain_table(("mode", "what moves", "natural frequency", "damping ratio"), body[:MOST_MODES]))
+    total = max(modes.total, len(body))
+    if total > MOST_MODES:
+        section.add(f"<p>The lowest {MOST_MODES} of {total} modes; the command modes shows the others.</p>")
     return section
 
 

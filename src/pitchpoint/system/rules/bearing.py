@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements import bearing as element
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.coupling import Coupling
-from pitchpoint.model.frames import GROUND, frame, place_of, split
+from pitchpoint.model.frames import GROUND, body_frame, place_of, split
 from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.multibody.bodies import FIXED, Body
 from pitchpoint.system.rules.bank import Bank, pack
@@ -36,7 +36,7 @@ def bearing_bank(model: Model) -> Bank:
     for name, part, ends in parts:
         row = np.zeros(1, element.RECORD)[0]
         origin = [np.array(model.bodies[b].origin or (0.0, 0.0, 0.0)) for b in ends]
-        axes = frame(model.bodies[ends[0]].axes)
+        axes = body_frame(model, ends[0])[1]
         marker = origin[0] + axes @ [0.0, 0.0, part.position[2]]
         row["i"], row["zi"] = seat_at(model, ends[0], part.position[2])
         row["K"] = part.stiffness.matrix6()
@@ -75,7 +75,7 @@ def housing_seats(model: Model) -> list[Body]:
     for name in housed(model):
         part = model.bearings[name]
         origin = np.array(model.bodies[part.body].origin or (0.0, 0.0, 0.0))
-        axes = frame(model.bodies[part.body].axes)
+        axes = body_frame(model, part.body)[1]
         place = origin + axes @ [0.0, 0.0, part.position[2]]
         body, marker = split(str(part.housing))
         parent = frame_at(model, body, place_of(model, str(part.housing)) if marker else place)[0]

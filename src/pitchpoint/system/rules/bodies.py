@@ -203,8 +203,8 @@ def frame_at(model: Model, body: str, place: Array | None) -> tuple[int, Array, 
         return number + here, node, axes
     if body in model.shafts and place is not None:
         places = model.stations[body]
-        k = nearest_station(places, float(place[2] - at[2]))
-        return number + k, at + np.array([0.0, 0.0, places[k]]), axes
+        k = nearest_station(places, float(axes[:, 2] @ (place - at)))
+        return number + k, at + axes[:, 2] * places[k], axes
     return number, at, axes
 
 
