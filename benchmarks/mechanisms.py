@@ -285,6 +285,25 @@ def cost_rows() -> list[Row]:
     ]
 
 
+def mode_rows() -> list[Row]:
+    """Modes and frequency response of a machine with 1200 coordinates."""
+    from pitchpoint.solvers.frequency_response import find_response
+    from pitchpoint.solvers.modal import find_modes
+
+    system = stages(200)
+    start = system.initial_state()
+    modes = partial(find_modes, system, start=start)
+    hertz = np.geomspace(20.0, 2000.0, 100)
+    response = partial(find_response, system, ["s5.fx"], ["s9.uy"], hertz, start=start)
+    modes()
+    return [
+        Row(
+            "modes of 200 stations", cpu_seconds(modes, 3), "s", "<= 4", "lowest 40 of 1200, damped ones too"
+        ),
+        Row("response of 200 stations", cpu_seconds(response, 2), "s", "<= 6", "100 frequencies"),
+    ]
+
+
 def rows() -> list[Row]:
     """Measure all."""
-    return [*against_exudyn(), planetary_row(), *cost_rows()]
+    return [*against_exudyn(), planetary_row(), *cost_rows(), *mode_rows()]

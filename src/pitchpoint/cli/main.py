@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import gc
 import importlib
+import os
 import sys
 import warnings
 from collections.abc import Sequence
@@ -24,6 +25,7 @@ COMMANDS = {
     "mesh": "Mesh stiffness over the mesh cycle.",
     "modes": "Natural frequencies and mode shapes.",
     "frf": "Frequency response about an operating point.",
+    "reduce": "Condense linear parts; what is left and its error.",
     "run": "Time response or slow roll of a scenario.",
     "sweep": "Speed sweep up and down, with jumps.",
     "compare-solvers": "Accuracy against time of all integrators on one model.",
@@ -101,6 +103,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     """Run one command and leave with its exit code; the entry point of the installed script."""
     # the start makes a million objects that all live: looking for garbage among them takes a twentieth of it
     gc.set_threshold(50_000, 20, 20)
+    # dense matrices are small here: threads of the linear algebra only wait for each other on a busy machine
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     end_at_the_second_interrupt()
     sys.exit(run_command(list(sys.argv[1:] if arguments is None else arguments)))
 

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.modal import Modes
 
+SHOWN = 20
+"""Modes in the table if no number is asked for."""
+
 
 @click.command()
 @model_file
@@ -31,13 +34,17 @@ if TYPE_CHECKING:
     help="Mesh phase at which the meshes are taken; the mean over the mesh cycle if left out.",
 )
 @click.option(
-    "--count", type=click.IntRange(min=1), metavar="N", help="Lowest N modes; all up to 300 if left out."
+    "--count",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Find and show the lowest N modes. If left out, the 20 lowest are shown, and all of up to 200 modes "
+    "(the lowest 40 of more) found for JSON and files.",
 )
 @click.option(
     "--animation",
     type=click.Path(dir_okay=False),
     metavar="FILE",
-    help="Write the motion of all bodies over one cycle of every mode: json or npz.",
+    help="Write the motion of bodies and nodes over one cycle of every mode: json or npz.",
 )
 @output("Result file (netCDF-4/HDF5); none if left out.")
 @as_json
@@ -67,13 +74,14 @@ def modes(
         lambda: compute(
             model, file, name, target, phase=phase, count=count, animation=animation, quiet=quiet
         ),
-        {"modes": []},
+        {"total": 0, "modes": [], "states": []},
     )
     if as_json:
         emit_json(summary)
     elif error is None:
         at = "the mean stiffness" if phase is None else f"the phase {phase:g}"
-        _print(f"{model.title or file}: modes at {at}", summary, quiet=quiet)
+        shown_modes = len(summary["modes"]) if count is not None else min(len(summary["modes"]), SHOWN)
+        _print(f"{model.title or file}: modes at {at}", summary, shown_modes, quiet=quiet)
     return OK if error is None else exit_code_of(error)
 
 
@@ -102,20 +110,22 @@ def compute(
     if target is not None:
         store(target, header_of(model, file, name or "", "modes", "modal"), found)
     if animation is not None:
-        animate(animation, found)
+        animate(animation, found, model)
     summary = {
         "status": how_a_status_ends(OK),
         "sentence": sentence(OK),
         "wall_s": time.perf_counter() - begun,
         "output": None if target is None else str(target),
         "notes": list(found.notes),
+        "total": found.total,
         "modes": rows_of(found),
+        "states": [[float(x.real), float(x.imag)] for x in found.state_eigenvalue],
     }
     return summary, None
 
 
-def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
-    """Show frequencies and damping."""
+def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> None:
+    """Show frequencies and damping of the lowest modes, and say what was left out."""
     cells = [
         [
             row["name"],
@@ -123,14 +133,24 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
             shown(row["damped_frequency"], "frequency", 6),
             damping_text(row["damping_ratio"], row["frequency"]),
         ]
-        for row in summary["modes"]
+        for row in summary["modes"][:count]
     ]
     table(title, ["mode", "natural frequency", "damped", "damping ratio"], cells)
-    if not quiet:
-        for note in summary["notes"]:
-            show(f"note: {note}")
-        if summary["output"] is not None:
-            show(f"written to {summary['output']}")
+    if summary["states"]:
+        words = [f"{x:.5g} ± {y:.5g}i" if y > 0.0 else f"{x + 0.0:.5g}" for x, y in summary["states"]]
+        show(f"eigenvalues of states [1/s]: {', '.join(words)}")
+    if quiet:
+        return
+    total = summary["total"]
+    if count < total:
+        last = shown(summary["modes"][count - 1]["frequency"], "frequency", 4)
+        show(f"{count} of {total} modes, up to {last}; --count {total} shows all of them")
+    if count:
+        show("natural: undamped, at rest; damped: with dampers, gyroscopic terms and speeds of the scenario")
+    for note in summary["notes"]:
+        show(f"note: {note}")
+    if summary["output"] is not None:
+        show(f"written to {summary['output']}")
 
 
 def damping_text(ratio: float | None, frequency: float) -> str:
@@ -166,9 +186,10 @@ def rows_of(found: Modes) -> list[dict[str, Any]]:
     ]
 
 
-def animate(path: str, found: Modes) -> None:
-    """Write the motion of all bodies over one cycle of every mode."""
+def animate(path: str, found: Modes, model: Model) -> None:
+    """Write the motion of all bodies, and of the nodes of elastic ones, over one cycle of every mode."""
     from pitchpoint.io.mode_animation import write_mode_animation
+    from pitchpoint.solvers.node_shapes import node_shapes
 
     write_mode_animation(
         path,
@@ -178,6 +199,7 @@ def animate(path: str, found: Modes) -> None:
         place=found.place,
         axes=found.axes,
         body_shape=found.damped_body_shape,
+        nodes=node_shapes(model, found),
     )
 
 

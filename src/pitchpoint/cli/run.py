@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
+    from pitchpoint.solvers.start import Start
+    from pitchpoint.system.system import System
 
 
 ALIKE = 0.999
@@ -39,6 +41,9 @@ NOT_BEGUN: dict[str, Any] = {
 @click.option(
     "--decimate", type=click.IntRange(min=1), metavar="N", help="Store every N-th sample only; 1 if left out."
 )
+@quantity(
+    "--reduce", "frequency", "Condense the linear parts for frequencies up to this, see the command reduce."
+)
 @vary_option
 @as_json
 @allow_code
@@ -48,13 +53,12 @@ def run(
     file: str,
     scenario: str | None,
     output: str | None,
-    step: float | None,
-    decimate: int | None,
     vary: tuple[str, ...],
     jobs: int | None,
     as_json: bool,
     allow_code: bool,
     quiet: bool,
+    **how: Any,
 ) -> int:
     """Compute the time response, or the slow roll, of a scenario of FILE.
 
@@ -71,10 +75,14 @@ def run(
     )
 
     model = read_model(file, allow_code, quiet)
+    step, decimate, reduce = how["step"], how["decimate"], how["reduce"]
     name = choose_scenario(model, scenario, "time", "quasi_static")
     rolls = model.scenarios[name].kind == "quasi_static"
-    refuse_idle("on a slow roll", {"--step": step, "--decimate": decimate} if rolls else {})
+    refuse_idle(
+        "on a slow roll", {"--step": step, "--decimate": decimate, "--reduce": reduce} if rolls else {}
+    )
     refuse_idle("with --vary, whose table has statistics only", {"--decimate": decimate} if vary else {})
+    refuse_idle("with --vary", {"--reduce": reduce} if vary else {})
     refuse_idle("without --vary", {} if vary else {"--jobs": jobs})
     if step is not None:
         model = model.replace(f"scenarios.{name}.step", step)
@@ -87,7 +95,8 @@ def run(
         return _roll(model, file, name, output, as_json=as_json, quiet=quiet)
     target = result_path(output, file, name)
     summary, error = unless_it_cannot_begin(
-        lambda: compute(model, file, name, target, decimate=decimate or 1, quiet=quiet), NOT_BEGUN
+        lambda: compute(model, file, name, target, decimate=decimate or 1, reduce=reduce, quiet=quiet),
+        NOT_BEGUN,
     )
     if as_json:
         emit_json(summary)
@@ -123,7 +132,14 @@ def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bo
 
 
 def compute(
-    model: Model, file: str, name: str, target: Path, *, decimate: int = 1, quiet: bool = False
+    model: Model,
+    file: str,
+    name: str,
+    target: Path,
+    *,
+    decimate: int = 1,
+    reduce: float | None = None,
+    quiet: bool = False,
 ) -> tuple[dict[str, Any], BaseException | None]:
     """Run a scenario into a file; gives the summary that `run --json` prints, and what stopped it early."""
     from pitchpoint.cli.progress import ProgressDisplay
@@ -137,13 +153,16 @@ def compute(
 
     chosen = model.scenarios[name]
     expect(loop_of(chosen.method))
-    system = compile_model(model, chosen)
+    system, start = compile_model(model, chosen), None
+    if reduce is not None:
+        start = reduced_start(system, chosen, reduce)
+        system = start.system
     channels = [Channel(c.name, c.unit, c.long_name) for c in system.layout.channels]
     events = [e.name for e in system.layout.events] if chosen.events else []
     header = header_of(model, file, name, "time", chosen.method)
     with ResultWriter(target, header, channels, decimate=decimate, events=events) as writer:
         with ProgressDisplay(f"run {name}", "s", quiet=quiet) as progress:
-            done = run_time(system, chosen, sink=writer, progress=progress)
+            done = run_time(system, chosen, sink=writer, progress=progress, start=start)
         if events:
             writer.append_events(done.events)
         notes = (*done.notes, *step_notes(chosen, done.step))
@@ -172,6 +191,21 @@ def compute(
         "channels": done.channels,
     }
     return summary, None if done.status == OK else SolverError(sentence, done.status, str(target))
+
+
+def reduced_start(system: System, scenario: Scenario, limit: float) -> Start:
+    """Where a scenario starts with the linear parts condensed for frequencies up to a limit [Hz]."""
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.status import INCONSISTENT
+    from pitchpoint.solvers.reduction import reduce_system
+    from pitchpoint.solvers.start import Start
+
+    if system.controllers:
+        raise SolverError(
+            "--reduce: the model has controllers, which a reduced system cannot feed", INCONSISTENT
+        )
+    found = reduce_system(system, scenario, limit=limit)
+    return Start(found.system, found.state, (found.error.report(), *found.notes))
 
 
 def step_notes(scenario: Scenario, used: float) -> tuple[str, ...]:

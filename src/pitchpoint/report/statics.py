@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from pitchpoint.viz.report import CampbellData, MeshCycleData, ModeData
 
 SPEEDS = 41
+FOLLOWED = 20
+"""Modes of a large system in the Campbell diagram: each takes some milliseconds per speed."""
 HARMONICS = 3
 MOMENTS = 1001
 """Moments at which a drive is asked for its speed."""
@@ -120,15 +122,18 @@ def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, li
             frequency=found.frequency.tolist(),
             damping_ratio=found.damping_ratio.tolist(),
             held=held_bodies(scenario),
+            total=found.total,
         )
         body = reference_body(model)
         top = highest_speed(model, body, found.frequency) if body else 0.0
         if not top > 0.0:
             return modes, None, []
-        data = follow_modes(system, np.linspace(0.0, top, SPEEDS), body, scenario)
+        followed = FOLLOWED if found.total > len(found.frequency) else None
+        data = follow_modes(system, np.linspace(0.0, top, SPEEDS), body, scenario, count=followed)
+        frequency = found.frequency[: data.frequency.shape[1]]
     except PitchpointError as error:
         return None, None, [f"No modes: {error}."]
-    vibrating = found.frequency > 1e-6 * max(float(np.max(found.frequency, initial=0.0)), 1e-300)
+    vibrating = frequency > 1e-6 * max(float(np.max(frequency, initial=0.0)), 1e-300)
     orders = {
         f"{mesh} × {k}": k * order
         for mesh, order in data.orders.items()
@@ -137,7 +142,7 @@ def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, li
     }
     if orders:  # modes far above everything that the meshes excite would press the others to the bottom
         reach = 1.2 * max(orders.values()) * top / (2.0 * math.pi)
-        vibrating &= (np.min(data.frequency, axis=0) <= reach) | (found.frequency <= reach)
+        vibrating &= (np.min(data.frequency, axis=0) <= reach) | (frequency <= reach)
     campbell = CampbellData(
         speed=data.speed,
         mode_frequencies=data.frequency[:, vibrating],
@@ -149,6 +154,7 @@ def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, li
             if moves
         ],
         shaft=str(body),
+        note="" if followed is None else f"The lowest {followed} of {found.total} modes are followed.",
     )
     return modes, campbell if vibrating.any() and orders else None, []
 

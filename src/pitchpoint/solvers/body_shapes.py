@@ -47,23 +47,28 @@ def _twists(system: System, state: State, rates: Array) -> Array:
     return 0.5 * (found[0] - found[1])
 
 
-def base_vectors(system: System, state: State) -> Array:
-    """Force on the coordinates by each unit acceleration of the base, shape (6, nd).
+def base_momenta(system: System, state: State, shapes: Array) -> Array:
+    """Momenta of the whole system in some motions, shape (n, 6).
 
-    They are the momenta of the whole system, forces by acceleration of each coordinate, along the world axes
-    and about them through the world origin; massive elements count as bodies do.
+    Along the world axes and about them through the world origin: by reciprocity the force on a mode, modal
+    coordinates apart, by each unit acceleration of the base. Massive elements count as bodies do.
+
+    Parameters
+    ----------
+    system, state
+        The system and the place that it vibrates about.
+    shapes
+        Rates of the coordinates, shape (n, nd).
     """
     still = state.copy()
     still.v[:] = 0.0
     still.a[:] = 0.0
     still.lam[:] = 0.0
-    nd = system.sizes["nd"]
-    found = np.zeros((6, nd))
     base = _total(system, still)
-    for k in range(nd):
-        still.a[k] = 1.0
-        found[:, k] = base - _total(system, still)
-        still.a[k] = 0.0
+    found = np.zeros((len(shapes), 6))
+    for k, shape in enumerate(shapes):
+        still.a = np.ascontiguousarray(shape)
+        found[k] = base - _total(system, still)
     return found
 
 
@@ -75,15 +80,13 @@ def _total(system: System, state: State) -> Array:
     return np.concatenate([force.sum(axis=0), (moment + np.cross(frames["r"], force)).sum(axis=0)])
 
 
-def participation(vectors: Array, shapes: Array) -> tuple[Array, Array]:
+def participation(momenta: Array) -> tuple[Array, Array]:
     """Participation factors and effective masses of modes with modal mass 1.
 
     Parameters
     ----------
-    vectors
-        See `base_vectors`, shape (6, nd).
-    shapes
-        Mass-normalised shapes, shape (n, nd).
+    momenta
+        See `base_momenta`, shape (n, 6).
 
     Returns
     -------
@@ -97,9 +100,9 @@ def participation(vectors: Array, shapes: Array) -> tuple[Array, Array]:
 
     Examples
     --------
-    >>> participation(np.array([[2.0, 2.0]]), np.array([[0.5, 0.5], [0.5, -0.5]]))[1]
-    array([[4.],
-           [0.]])
+    Two masses of 2 kg side by side on equal springs, moving together and against each other:
+
+    >>> participation(np.array([[2.0, 2.0]]) @ np.array([[0.5, 0.5], [0.5, -0.5]]))[1]
+    array([[4., 0.]])
     """
-    factors = np.asarray(shapes @ vectors.T)
-    return factors, factors**2
+    return momenta.copy(), momenta**2

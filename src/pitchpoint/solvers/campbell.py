@@ -14,7 +14,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.multibody.bodies import GENERAL, spin_of
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.equilibrium import find_equilibrium
@@ -70,6 +70,7 @@ def follow_modes(
     body: str | None = None,
     scenario: Scenario | str | None = None,
     *,
+    count: int | None = None,
     progress: Progress = silent,
 ) -> Campbell:
     """Natural frequencies over speed; parameters as in `solve_campbell`."""
@@ -81,13 +82,12 @@ def follow_modes(
     linear = linearise(system, scenario)
     own, parts = linear.system, linear.at_rest
     rates = speed_ratios(own, body)
-    values, shapes, _ = lowest(linear)
-    n = len(values)
+    modes = lowest(linear, count)
+    values, shapes, n = modes.omega, modes.shapes, len(modes.omega)
     found, last = np.zeros((omega.size, n), complex), shapes.astype(complex)
     for s, speed in enumerate(omega):
         at = at_speeds(linear, speed * rates)
-        squares, basis = (values, shapes) if at.at_rest is parts else lowest(at)[:2]
-        roots, z = damped_modes(at, squares, basis)
+        roots, z = damped_modes(at, modes if at.at_rest is parts else lowest(at, count))
         roots, z = roots[:n], z[:n]
         # each mode goes on in the one that resembles it most
         order = best_match(np.abs(last.conj() @ parts.M @ z.T))
@@ -167,8 +167,7 @@ def _orders(system: System, rates: Array) -> dict[str, float]:
     """Mesh frequency over rotational frequency of the body with ratio 1, by mesh."""
     found = {}
     for name, record in zip(mesh_names(system), system.records.get("gear_mesh", ()), strict=True):
-        spins = system.program["body"]["spin"]
-        one, two = (int(spins[int(record[e])]) for e in ("i", "j"))
+        one, two = (spin_of(system.program["body"], int(record[e])) for e in ("i", "j"))
         teeth, ratio = record["z1"], rates[one] if one >= 0 else 0.0
         if ratio == 0.0:
             teeth, ratio = record["z2"], rates[two] if two >= 0 else 0.0
@@ -182,6 +181,7 @@ def solve_campbell(
     body: str | None = None,
     scenario: Scenario | str | None = None,
     *,
+    count: int | None = None,
     progress: Progress = silent,
 ) -> xr.Dataset:
     """Campbell data: damped natural frequencies and mesh frequencies over speed.
@@ -197,6 +197,8 @@ def solve_campbell(
         it. Where bodies hang in trees, every speed has its own relative equilibrium.
     scenario
         Gives loads and the operating point; meshes count with the mean over their cycle.
+    count
+        Number of modes, the lowest at rest. Default: as `modal.find_modes`.
     progress
         Told after every speed.
 
@@ -218,7 +220,7 @@ def solve_campbell(
     from pitchpoint.solvers.dataset import attributes
 
     began = time.perf_counter()
-    c = follow_modes(system, speeds, body, scenario, progress=progress)
+    c = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
     orders: NDArray[np.float64] = np.array(list(c.orders.values()), dtype=np.float64)
     both = ("speed", "mode")
     data = {

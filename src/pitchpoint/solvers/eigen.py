@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,45 +59,91 @@ def undamped(M: Array, K: Array, basis: Array, rigid: Array) -> tuple[Array, Arr
     SolverError
         If a free direction has no mass.
     """
-    m, k = (basis.T @ symmetric(A) @ basis for A in (M, K))
-    scale = 1.0 / np.sqrt(np.diag(m)) if np.all(np.diag(m) > 0.0) else np.zeros(0)
-    if scale.size != m.shape[0]:
-        raise SolverError("a free direction has no mass, so it has no frequency", SINGULAR)
-    m, k = scale[:, None] * m * scale, scale[:, None] * k * scale
+    m, k, scale = scaled_pencil(M, K, basis)
     values, vectors = symmetric_pencil(k, m)
+    return sorted_modes(m, k, scale, values, vectors, basis, rigid, M)
+
+
+def scaled_pencil(M: Array, K: Array, basis: Any) -> tuple[Any, Any, Array]:
+    """Symmetric mass and stiffness of the free directions, masses of one on the diagonal, and their scale.
+
+    Dense matrices with a dense basis, sparse ones with a sparse basis.
+    """
+    if isinstance(basis, np.ndarray):
+        m, k = (basis.T @ symmetric(A) @ basis for A in (M, K))
+    else:
+        from scipy.sparse import csc_array
+
+        m, k = (basis.T @ csc_array(symmetric(A)) @ basis for A in (M, K))
+    diagonal = m.diagonal()
+    if not np.all(diagonal > 0.0):
+        raise SolverError("a free direction has no mass, so it has no frequency", SINGULAR)
+    scale = 1.0 / np.sqrt(diagonal)
+    if isinstance(basis, np.ndarray):
+        return scale[:, None] * m * scale, scale[:, None] * k * scale, scale
+    from scipy.sparse import csc_array, diags_array
+
+    left = diags_array(scale)
+    return csc_array(left @ m @ left), csc_array(left @ k @ left), scale
+
+
+def sorted_modes(
+    m: Any,
+    k: Any,
+    scale: Array,
+    values: Array,
+    vectors: Array,
+    basis: Any,
+    rigid: Array,
+    M: Array,
+) -> tuple[Array, Array]:
+    """Frequencies and shapes in order, rigid modes at zero and multiple roots settled.
+
+    Parameters
+    ----------
+    m, k, scale
+        As from `scaled_pencil`.
+    values, vectors
+        Eigenvalues (n,) and vectors (nf, n), all of them or the lowest.
+    basis, rigid, M
+        As in `undamped`.
+    """
     sizes = np.abs(vectors)
-    terms = ((np.abs(k) @ sizes) * sizes).sum(axis=0)
+    terms = ((abs(k) @ sizes) * sizes).sum(axis=0)
     values[np.abs(((k @ vectors) * vectors).sum(axis=0)) <= RIGID * terms] = 0.0
     unsorted = (basis @ (scale[:, None] * vectors)).T
-    small = np.abs(values) < SLOW * np.abs(values).max(initial=0.0)
-    values[small & _are_rigid(unsorted, rigid, M)] = 0.0
-    root = np.asarray(np.linalg.cholesky(m).T, dtype=np.float64)
+    # of all eigenvalues: the largest is at least the largest on the diagonal, whose masses are one
+    largest = max(np.abs(values).max(initial=0.0), k.diagonal().max(initial=0.0))
+    values[(np.abs(values) < SLOW * largest) & _are_rigid(unsorted, rigid, M)] = 0.0
     order = np.argsort(values, kind="stable")
     values, vectors = values[order], vectors[:, order]
+    # of sparse masses the diagonal, which is one, is enough to choose components by
+    moved = np.linalg.cholesky(m).T @ vectors if isinstance(m, np.ndarray) else vectors
     start = 0
     while start < values.size:
         stop = start + 1
         while stop < values.size and values[stop] - values[stop - 1] <= SAME * abs(values[stop]):
             stop += 1
-        vectors[:, start:stop] = _settled(vectors[:, start:stop], root)
+        vectors[:, start:stop] = _settled(vectors[:, start:stop], moved[:, start:stop])
         start = stop
     return np.sign(values) * np.sqrt(np.abs(values)), (basis @ (scale[:, None] * vectors)).T
 
 
-def _settled(block: Array, root: Array) -> Array:
+def _settled(block: Array, moved: Array) -> Array:
     """One fixed choice among the shapes of a (multiple) root: each takes all of one component.
 
     The first shape is the projection of the coordinate that moves most in the whole space onto it, and so on;
-    ties go to the first coordinate. Signs: that component is positive.
+    ties go to the first coordinate. Signs: that component is positive. `moved` are the components in the norm
+    of the masses.
     """
-    rest, found = block.copy(), []
+    rest, found = block, []
     for _ in range(block.shape[1]):
-        weighted = root @ rest
-        sizes = np.linalg.norm(weighted, axis=1)
+        sizes = np.linalg.norm(moved, axis=1)
         row = int(np.flatnonzero(sizes >= sizes.max() * (1.0 - 1e-6))[0])
-        turn = weighted[row] / sizes[row]
+        turn = moved[row] / sizes[row]
         found.append(rest @ turn)
-        rest = rest @ _complement(turn)
+        others = _complement(turn)
+        rest, moved = rest @ others, moved @ others
     return np.column_stack(found)
 
 

@@ -55,6 +55,17 @@ def share_of(whole: Array) -> Share:
     return Share(used, whole[np.ix_(used, used)].copy())
 
 
+def share_of_blocks(system: System, blocks: Array) -> Share:
+    """Cut the blocks of a matrix down to the coordinates that it has entries for."""
+    rows, columns, places = system.layout.entries
+    values = blocks.reshape(-1)[places]
+    own = np.flatnonzero(values)
+    used = np.unique(np.concatenate([rows[own], columns[own]]))
+    matrix = np.zeros((used.size, used.size))
+    matrix[np.searchsorted(used, rows[own]), np.searchsorted(used, columns[own])] = values[own]
+    return Share(used, matrix)
+
+
 @contextmanager
 def switched(system: System, on: dict[str, slice]) -> Iterator[None]:
     """Evaluate a system with some records of some kinds alone; joints made of functions stay.
@@ -88,36 +99,36 @@ def switched(system: System, on: dict[str, slice]) -> Iterator[None]:
 
 
 def tangents(system: System, state: State, on: dict[str, slice]) -> tuple[Array, Array]:
-    """Damping and stiffness matrix of some records, without the inertia of the bodies."""
+    """Damping and stiffness matrix of some records, without the inertia of the bodies, as blocks."""
     found = []
     for factors in ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
         parts = []
         for what in (on, {}):
             with switched(system, what):
-                parts.append(evaluate.matrix(system, state, *factors))
+                parts.append(evaluate.blocks(system, state, *factors))
         found.append(parts[0] - parts[1])
     return found[0], found[1]
 
 
 def stiffness_of(system: System, state: State, on: dict[str, slice], bare: Array) -> Array:
-    """Stiffness matrix of some records; `bare` is that of the system with none."""
+    """Stiffness matrix of some records; `bare` is that of the system with none; both as blocks."""
     with switched(system, on):
-        return evaluate.matrix(system, state, 0.0, 0.0, 1.0) - bare
+        return evaluate.blocks(system, state, 0.0, 0.0, 1.0) - bare
 
 
-def bare_matrix(system: System, state: State, cm: float, cd: float, ck: float) -> Array:
-    """Matrix of the bodies alone, without any element."""
+def bare_blocks(system: System, state: State, cm: float, cd: float, ck: float) -> Array:
+    """Blocks of the matrix of the bodies alone, without any element."""
     with switched(system, {}):
-        return evaluate.matrix(system, state, cm, cd, ck)
+        return evaluate.blocks(system, state, cm, cd, ck)
 
 
 def massive_kinds(system: System, state: State) -> tuple[str, ...]:
     """Kinds whose elements have inertia of their own."""
-    bare = bare_matrix(system, state, 1.0, 0.0, 0.0)
+    bare = bare_blocks(system, state, 1.0, 0.0, 0.0)
     found = []
     for kind in system.records:
         with switched(system, {kind: slice(None)}):
-            more = evaluate.matrix(system, state, 1.0, 0.0, 0.0) - bare
+            more = evaluate.blocks(system, state, 1.0, 0.0, 0.0) - bare
         if np.abs(more).max(initial=0.0) > NEGLIGIBLE * np.abs(bare).max(initial=0.0):
             found.append(kind)
     return tuple(found)

@@ -28,9 +28,9 @@ from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
 from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
-from pitchpoint.solvers.still import slopes, step_on
+from pitchpoint.solvers.still import inverse_of, rest_matrix, restless, step_on
 from pitchpoint.solvers.surfaces import Surface, crossed
-from pitchpoint.solvers.trains import complete, exchange, free_spins
+from pitchpoint.solvers.trains import complete, exchange, free_spins, is_independent
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
@@ -118,8 +118,10 @@ def find_equilibrium(
     kept = free_spins(system) if held is None else tuple(held)
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
+    idle = restless(system, state, free)
+    free = np.setdiff1d(free, idle)
     if is_looped(system):
-        mechanism = rest_of_mechanism(system, state, kept, tolerance)
+        mechanism = rest_of_mechanism(system, state, (*kept, *map(int, idle)), tolerance)
         reaction = mechanism.residual[list(kept)].copy()
         return Equilibrium(_wrapped(system, mechanism.state), kept, reaction, mechanism.steps)
     found, count, failure = _pseudo_time(system, state, free, tolerance)
@@ -145,30 +147,32 @@ def _pseudo_time(
 ) -> tuple[Rest, int, int]:
     """Iterate the free coordinates to rest; gives where it ended, steps, and 0 or the status of a failure."""
     weight = 1.0 / system.weight  # residuals as forces
-    mass = evaluate.matrix(system, state, 1.0, 0.0, 0.0, NEWTON)[np.ix_(free, free)]
     R = evaluate.residual(system, state)
-    root = np.sqrt(np.diag(mass))
-    damping = np.abs(evaluate.matrix(system, state, 0.0, 1.0, 0.0, NEWTON)) @ np.abs(state.v)
+    mass, root, damping = None, np.zeros(0), np.zeros(R.size)
+    if state.v.any():
+        damping = abs(rest_matrix(system, state, NEWTON, (0.0, 1.0, 0.0))) @ np.abs(state.v)
     wanted = tolerance * float(np.abs(R * weight).max(initial=0.0))
     passing: set[Surface] = set()  # surfaces that did not hold when they were tried last
     mu = FIRST
     for count in range(MOST_ITERATIONS):
-        whole = slopes(system, state, NEWTON)
+        whole = rest_matrix(system, state, NEWTON, None)
         # positions are rounded as about 1 m and 1 rad are: nothing below the forces of that can be asked for
-        rounded = ROUNDING * weight * (np.abs(whole) @ (np.abs(state.q) + 1.0) + damping)
+        rounded = ROUNDING * weight * (abs(whole) @ (np.abs(state.q) + 1.0) + damping)
         goal = np.maximum(rounded, wanted)[free]
         if (np.abs((R * weight)[free]) <= goal).all():
             return Rest(state, R), count, 0
-        K = whole[np.ix_(free, free)]
-        inverse = np.linalg.pinv((K + mu * mass) / np.outer(root, root)) / np.outer(root, root)
-        step = -inverse @ R[free]
+        if mass is None:  # a state that rests already has no use for it
+            mass = rest_matrix(system, state, NEWTON, (1.0, 0.0, 0.0))[free][:, free]
+            root = np.sqrt(mass.diagonal())
+        inverse = inverse_of(whole[free][:, free] + mu * mass, root)
+        step = -inverse(R[free])
         trial = step_on(system, state, free, step)
         try:
             new = evaluate.residual(system, trial)
         except SolverError:
             mu *= 16.0
             continue
-        left = float(np.linalg.norm(root * (inverse @ new[free])) / np.linalg.norm(root * step))
+        left = float(np.linalg.norm(root * inverse(new[free])) / np.linalg.norm(root * step))
         beyond = float(new[free] @ step) > 0.0  # the forces push back: the step went past the goal
         if left < 0.9 or (left <= GROWTH and not beyond):
             mu = max(mu * (0.1 if left < 0.5 else 0.5), 1e-3)
@@ -248,12 +252,14 @@ def balance_torques(
     spins = [system.spin(system.layout.bodies[int(acting[k])]) for k in wanted]
     let_go = tuple(held)
     for spin in spins:
-        let_go = exchange(system, let_go, spin)
+        let_go = exchange(system, let_go, spin, state)
     found = find_equilibrium(system, state, let_go)
     records = system.records["torque"].copy()
     for k, spin in zip(wanted, spins, strict=True):
         records["value"][k] = found.reaction[found.held.index(spin)]
     kept = list(complete(system, driven, let_go))
+    if is_looped(system):  # a train that goes on through loops stays where its torques balance
+        kept += [s for s in spins if s not in kept and is_independent(system, state, kept, s)]
     return system.with_params({"torque": records}), tuple(spins), kept
 
 
@@ -294,5 +300,6 @@ def solve_equilibrium(
             held = exchange(system, held, spin)
     for name, speed in (speeds or {}).items():
         start.v[system.spin(name)] = speed
-    settled, _, _ = balance_torques(system, _wrapped(system, start), held)
+    settled, balanced, kept = balance_torques(system, _wrapped(system, start), held)
+    held = tuple(kept) if balanced and is_looped(settled) else held
     return point_dataset(settled, find_equilibrium(settled, _wrapped(settled, start), held))

@@ -12,7 +12,7 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,6 +24,7 @@ from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds, speed_ratios
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
 from pitchpoint.solvers.ports import Input, Outputs, find_inputs, find_outputs
+from pitchpoint.solvers.still import LARGE
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -99,32 +100,49 @@ def find_response(
     linear = linearise(system, scenario, phase=phase, start=start)
     ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
     hertz = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
-    basis = linear.basis if modes is None else lowest(linear, modes)[1].T
+    basis = linear.basis if modes is None else lowest(linear, modes).shapes.T
     rates = None if synchronous is None else speed_ratios(linear.system, synchronous)
     found = np.zeros((hertz.size, len(outs.names), len(ins)), complex)
+    matrices = _matrices(linear)
     for f, omega in enumerate(2.0 * np.pi * hertz):
         at = linear if rates is None else at_speeds(linear, omega * rates)
-        found[f] = _respond(at, basis, ins, outs, float(omega))
+        matrices = matrices if rates is None else _matrices(at)
+        found[f] = _respond(at, matrices, basis, ins, outs, float(omega))
         progress(f + 1, hertz.size, "frequencies")
     names, units = tuple(i.name for i in ins), tuple(i.unit for i in ins)
     return FrequencyResponse(hertz, found, outs.names, names, outs.units, units, linear.notes)
 
 
-def _respond(linear: Linearised, basis: Array, ins: Sequence[Input], outs: Outputs, omega: float) -> Complex:
+def _matrices(linear: Linearised) -> tuple[Any, Any, Any]:
+    """M, D and K at speed, sparse if the system is large."""
+    whole = (linear.at_rest.M, linear.D, linear.K)
+    if len(linear.K) < LARGE:
+        return whole
+    from scipy.sparse import csc_array
+
+    M, D, K = (csc_array(A) for A in whole)
+    return M, D, K
+
+
+def _respond(
+    linear: Linearised,
+    matrices: tuple[Any, Any, Any],
+    basis: Any,
+    ins: Sequence[Input],
+    outs: Outputs,
+    omega: float,
+) -> Complex:
     """Outputs per unit of each input at one circular frequency [rad/s], shape (no, ni)."""
-    M, D, K = linear.at_rest.M, linear.D, linear.K
+    M, D, K = matrices
     own = list(linear.states)
-    unit = np.eye(len(M))[:, own]
-    dynamic = K + 1j * omega * D - omega**2 * M
+    unit = np.eye(M.shape[0])[:, own]
     # the unknown of a state is the state, the rate of its coordinate
-    columns = np.hstack([dynamic @ basis, D[:, own] + 1j * omega * M[:, own]])
-    rows = np.hstack([basis, unit]).T
+    columns = [(K + 1j * omega * D - omega**2 * M) @ basis, (D + 1j * omega * M)[:, own]]
     B = np.column_stack([port.at(omega) for port in ins])
-    A = rows @ columns
-    try:
-        y = np.linalg.solve(A, rows @ B)
-    except np.linalg.LinAlgError:
-        y = np.full((len(rows), len(ins)), np.nan)
+    if isinstance(basis, np.ndarray):
+        y = _solved_dense(columns, basis, unit, B)
+    else:
+        y = _solved_sparse(columns, basis, unit, B)
     if not np.all(np.isfinite(y)):
         raise SolverError(f"nothing resists at {omega / (2.0 * np.pi):.6g} Hz: a rigid motion", SINGULAR)
     n = basis.shape[1]
@@ -133,7 +151,7 @@ def _respond(linear: Linearised, basis: Array, ins: Sequence[Input], outs: Outpu
     found = outs.place @ q + outs.rate @ rate
     if np.any(outs.react):
         G = evaluate.constraint_jacobian(linear.system, linear.state)
-        left = B - columns @ y
+        left = B - columns[0] @ y[:n] - columns[1] @ y[n:]
         found = found + outs.react @ np.linalg.lstsq(G.T.astype(complex), left, rcond=1e-9)[0]
     for i, port in enumerate(ins):
         if port.mesh >= 0:
@@ -141,6 +159,29 @@ def _respond(linear: Linearised, basis: Array, ins: Sequence[Input], outs: Outpu
             damper = np.where(feed != 0.0, outs.rate @ port.follows, 0.0)
             found[:, i] += feed - 1j * omega * damper
     return np.asarray(found)
+
+
+def _solved_dense(columns: Sequence[Any], basis: Array, unit: Array, B: Complex) -> Complex:
+    """Coordinates along the basis and states that answer loads; NaN if nothing resists."""
+    rows = np.hstack([basis, unit]).T
+    whole = np.hstack([c if isinstance(c, np.ndarray) else c.toarray() for c in columns])
+    try:
+        return np.asarray(np.linalg.solve(rows @ whole, rows @ B))
+    except np.linalg.LinAlgError:
+        return np.full((len(rows), B.shape[1]), np.nan + 0j)
+
+
+def _solved_sparse(columns: Sequence[Any], basis: Any, unit: Array, B: Complex) -> Complex:
+    """The same with sparse matrices."""
+    from scipy.sparse import csc_array, hstack
+    from scipy.sparse.linalg import splu
+
+    rows = hstack([basis, csc_array(unit)]).T
+    try:
+        lu = splu((rows @ hstack(columns)).tocsc())
+    except RuntimeError:  # a pivot is zero
+        return np.full((rows.shape[0], B.shape[1]), np.nan + 0j)
+    return np.asarray(lu.solve(rows @ B))
 
 
 def solve_frequency_response(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,14 +20,20 @@ from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, unda
 from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
+from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.start import without_friction
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, mesh_names, shift, split, touching
+from pitchpoint.solvers.still import LARGE
 from pitchpoint.solvers.trains import driven_coordinates, held_spins, rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
-MOST_MODES = 300
-"""Modes that are found if no number is asked for."""
+MOST_MODES = 200
+"""Modes up to which a system has all of them found if no number is asked for."""
+LOWEST = 40
+"""Modes that are found of a larger one."""
+SPARSE = 0.3
+"""Share of its modes up to which they are found one by one."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +49,9 @@ class Linearised:
     D, K
         Damping and stiffness matrix at speed, shape (nd, nd).
     basis
-        Directions that vibrate: columns, shape (nd, n).
+        Directions that vibrate: columns, shape (nd, n), sparse if the system is large.
+    rigid
+        Turns that nothing resists, shape (r, nd).
     states
         Coordinates whose rates are states of force elements.
     held
@@ -56,7 +65,8 @@ class Linearised:
     at_rest: Parts
     D: Array
     K: Array
-    basis: Array
+    basis: Any
+    rigid: Array
     states: tuple[int, ...]
     held: tuple[int, ...]
     notes: tuple[str, ...]
@@ -86,7 +96,7 @@ def linearise(
     if phase is not None:
         state = _at_phase(own, state, phase, point.held)
     loose = touching(own, state)
-    notes = list(point.notes)
+    notes = [*point.notes, *_of_one_position(own, state)]
     if loose:
         notes.append(
             f"no load presses the flanks of {', '.join(loose)} together: "
@@ -101,7 +111,23 @@ def linearise(
         at_rest = _turning(own, state, still, at_rest)
     states = tuple(int(s) for s in own.states)
     basis = free_directions(own, state, states)
-    return Linearised(own, state, at_rest, D, K, basis, states, point.held, tuple(notes))
+    rigid = rigid_rotations(own)
+    return Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, tuple(notes))
+
+
+def _of_one_position(system: System, state: State) -> tuple[str, ...]:
+    """A note on elastic bodies whose modes turn: their matrices change as they do."""
+    body = system.program["body"]
+    frames = [int(record["i"]) for record in system.records.get("flexible_body", ())]
+    turning = [
+        system.layout.bodies[b] for b in frames if body[b]["spin"] >= 0 and state.v[body[b]["spin"]] != 0.0
+    ]
+    if not turning:
+        return ()
+    return (
+        f"the modes of {', '.join(turning)} turn with the body: what is found holds for one position of it; "
+        "elastic shafts hold for all",
+    )
 
 
 def _turning(system: System, state: State, still: State, at_rest: Parts) -> Parts:
@@ -131,17 +157,22 @@ def _at_phase(system: System, state: State, phase: float, held: tuple[int, ...])
     return state
 
 
-def free_directions(system: System, state: State, states: Sequence[int] = ()) -> Array:
-    """Columns that span what constraint rows leave free, without the states of elements, shape (nd, n)."""
+def free_directions(system: System, state: State, states: Sequence[int] = ()) -> Any:
+    """Columns that span what constraint rows leave free, without the states of elements, shape (nd, n).
+
+    Sparse if the system is large.
+    """
     nd = system.sizes["nd"]
     mechanical = np.setdiff1d(np.arange(nd), np.array(states, np.int64))
     if system.sizes["nc"] == 0:
-        return np.eye(nd)[:, mechanical]
+        return _unit_columns(nd, mechanical)
     G = evaluate.constraint_jacobian(system, state)[:, mechanical]
     fixed = np.flatnonzero(np.abs(G).sum(axis=0) > 0.0)
-    if np.count_nonzero(G) == np.linalg.matrix_rank(G) == fixed.size:
-        return np.eye(nd)[:, np.delete(mechanical, fixed)]  # rows that each hold one coordinate
+    if np.count_nonzero(G) == fixed.size == np.linalg.matrix_rank(G):
+        return _unit_columns(nd, np.delete(mechanical, fixed))  # rows that each hold one coordinate
     weight = system.weight[mechanical]
+    if nd >= LARGE:
+        return _sparse_null_space(G / weight, mechanical, weight, nd)
     _, values, rows = np.linalg.svd(G / weight)
     rank = int(np.sum(values > REDUNDANT * values[0]))
     whole = np.zeros((nd, mechanical.size - rank))
@@ -149,27 +180,105 @@ def free_directions(system: System, state: State, states: Sequence[int] = ()) ->
     return whole
 
 
+def _unit_columns(nd: int, places: NDArray[np.int64]) -> Any:
+    """Columns that each move one coordinate."""
+    if nd < LARGE:
+        return np.eye(nd)[:, places]
+    from scipy.sparse import csc_array
+
+    n = len(places)
+    return csc_array((np.ones(n), places, np.arange(n + 1)), shape=(nd, n))
+
+
+def _sparse_null_space(G: Array, places: NDArray[np.int64], weight: Array, nd: int) -> Any:
+    """What rows leave free: some coordinates follow the others, chosen as independently as can be.
+
+    Elimination by pivoted orthogonal factors of the columns that rows have; columns without entries are free
+    by themselves, so the basis is as sparse as the loops are local.
+    """
+    from scipy.linalg import qr, solve_triangular
+    from scipy.sparse import csc_array
+
+    used = np.flatnonzero(np.abs(G).sum(axis=0) > 0.0)
+    _, R, order = qr(G[:, used], mode="economic", pivoting=True)
+    sizes = np.abs(np.diag(R))
+    rank = int(np.sum(sizes > REDUNDANT * sizes.max(initial=0.0)))
+    follows, leads = used[order[:rank]], used[order[rank:]]
+    ratio = -solve_triangular(R[:rank, :rank], R[:rank, rank:])
+    ratio[np.abs(ratio) < 1e-14] = 0.0
+    free = np.setdiff1d(np.arange(G.shape[1]), follows)
+    column = np.searchsorted(free, leads)
+    one, two = np.nonzero(ratio)
+    rows = np.concatenate([free, follows[one]])
+    columns = np.concatenate([np.arange(free.size), column[two]])
+    values = np.concatenate([np.ones(free.size), ratio[one, two]]) / weight[rows]
+    return csc_array((values, (places[rows], columns)), shape=(nd, free.size))
+
+
 def rigid_rotations(system: System) -> Array:
     """Turns of the spins that nothing resists: one row per free train that nothing drives, shape (r, nd)."""
     return rotations(system, held_spins(system)[len(driven_coordinates(system)) :]).T
 
 
-def lowest(linear: Linearised, count: int | None = None) -> tuple[Array, Array, tuple[str, ...]]:
-    """Undamped modes, lowest first: circular frequencies, shapes, and a sentence if some were left out."""
-    parts = linear.at_rest
-    omega, shapes = undamped(parts.M, parts.K, linear.basis, rigid_rotations(linear.system))
-    most = MOST_MODES if count is None else count
-    left_out = count is None and len(omega) > most
-    note = (f"the lowest {most} of {len(omega)} modes; ask for a number of modes to see more",)
-    return omega[:most], shapes[:most], note if left_out else ()
+@dataclass(frozen=True)
+class Undamped:
+    """Undamped modes, lowest first.
+
+    Parameters
+    ----------
+    omega, shapes
+        Circular frequencies [rad/s] (n,) and shapes with modal mass 1 (n, nd): those asked for.
+    total
+        Number of modes that there are.
+    notes
+        A sentence if some were left out that nobody asked to leave out.
+    whole
+        All modes of a small system, (omega, shapes); the damped ones are made of them.
+    """
+
+    omega: Array
+    shapes: Array
+    total: int
+    notes: tuple[str, ...]
+    whole: tuple[Array, Array] | None
+
+
+def lowest(linear: Linearised, count: int | None = None) -> Undamped:
+    """Undamped modes, lowest first: all of systems with up to `MOST_MODES`, or as many as are asked for."""
+    parts, rigid = linear.at_rest, linear.rigid
+    total = linear.basis.shape[1]
+    wanted = total if total <= MOST_MODES else LOWEST
+    wanted = min(wanted if count is None else count, total)
+    note = (f"the lowest {wanted} of {total} modes; ask for a number of modes to see more",)
+    notes = note if count is None and wanted < total else ()
+    if total > MOST_MODES and wanted < SPARSE * total:
+        found = lowest_modes(parts.M, parts.K, _sparse(linear.basis), rigid, wanted)
+        return Undamped(*found, total, notes, None)
+    basis = linear.basis if isinstance(linear.basis, np.ndarray) else linear.basis.toarray()
+    omega, shapes = undamped(parts.M, parts.K, basis, rigid)
+    return Undamped(omega[:wanted], shapes[:wanted], total, notes, (omega, shapes))
+
+
+def _sparse(basis: Any) -> Any:
+    """The same columns, sparse."""
+    from scipy.sparse import csc_array
+
+    return csc_array(basis)
 
 
 def damped_modes(
-    linear: Linearised, omega: Array, shapes: Array
+    linear: Linearised, modes: Undamped
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Eigenvalues at speed, those of states last, and their shapes over the coordinates."""
-    left = linear.K - symmetric(linear.at_rest.K)
+    """Eigenvalues at speed beside undamped modes, those of states last, and their shapes."""
+    M, D, K = linear.at_rest.M, linear.D, linear.K
+    if modes.whole is None:
+        return nearest_damped((M, D, K), _sparse(linear.basis), linear.states, modes.omega, modes.shapes)
+    omega, shapes = modes.whole
+    left = K - symmetric(linear.at_rest.K)
     if linear.states:
-        return damped_with_states(linear.at_rest.M, linear.D, linear.K, shapes, omega, linear.states, left)
-    values, z = damped(linear.D, left, shapes, omega)
-    return values, np.asarray(z.T @ shapes, dtype=np.complex128)
+        values, found = damped_with_states(M, D, K, shapes, omega, linear.states, left)
+    else:
+        values, z = damped(D, left, shapes, omega)
+        found = np.asarray(z.T @ shapes, dtype=np.complex128)
+    own = np.r_[: len(modes.omega), len(omega) : len(values)]
+    return values[own], found[own]

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.body_shapes import DIRECTIONS, base_vectors, body_motions, participation
+from pitchpoint.solvers.body_shapes import DIRECTIONS, base_momenta, body_motions, participation
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.linear_system import damped_modes, linearise, lowest
 from pitchpoint.solvers.mode_names import mode_names
@@ -76,6 +76,8 @@ class Modes:
         Displacement of the origins and turn of the bodies in a mode, world axes, shape (n, nb, 6).
     state_eigenvalue
         Further eigenvalues [1/s], those of the states of force elements, the slowest first.
+    total
+        Number of modes that there are; more than n if only the lowest were asked for.
     notes
         What the user should know, in sentences.
     """
@@ -100,6 +102,7 @@ class Modes:
     body_shape: Array
     damped_body_shape: NDArray[np.complex128]
     state_eigenvalue: NDArray[np.complex128]
+    total: int
     notes: tuple[str, ...] = ()
 
 
@@ -138,7 +141,7 @@ def find_modes(
     mean
         False: the phase of the operating point as it is.
     count
-        Number of modes, lowest first; damped ones are found in their span. Default: all up to 300.
+        Number of modes, lowest first. Default: all of up to 200, the lowest 40 of more.
     start
         State near which the operating point is looked for; its rates are kept. Default: that of the scenario,
         and the initial state of a system made from numbers.
@@ -156,12 +159,13 @@ def find_modes(
     """
     linear = linearise(system, scenario, phase=phase, mean=mean, start=start, progress=progress)
     own, parts = linear.system, linear.at_rest
-    omega, shapes, notes = lowest(linear, count)
-    values, complex_shapes = damped_modes(linear, omega, shapes)
+    modes = lowest(linear, count)
+    omega, shapes = modes.omega, modes.shapes
+    values, complex_shapes = damped_modes(linear, modes)
     n = len(omega)
     complex_shapes = _turned(complex_shapes[:n], parts.M)
     kinetic, potential = energy_shares(parts, shapes, omega)
-    factors, masses = participation(base_vectors(own, linear.state), shapes)
+    factors, masses = participation(base_momenta(own, linear.state, shapes))
     moved = body_motions(own, linear.state, shapes)
     moved_damped = body_motions(own, linear.state, complex_shapes)
     evaluate.residual(own, linear.state)
@@ -187,20 +191,20 @@ def find_modes(
         body_shape=np.asarray(moved, dtype=np.float64),
         damped_body_shape=np.asarray(moved_damped, dtype=np.complex128),
         state_eigenvalue=values[n:],
-        notes=(*linear.notes, *notes),
+        total=modes.total,
+        notes=(*linear.notes, *modes.notes),
     )
 
 
 def _turned(shapes: NDArray[np.complex128], M: Array) -> NDArray[np.complex128]:
     """Complex shapes with modal mass 1 whose largest component by mass is real and positive."""
-    weight = np.sqrt(np.diag(M))
-    for row in shapes:
-        sizes = np.abs(row) * weight
-        first = int(np.flatnonzero(sizes >= sizes.max() * (1.0 - 1e-6))[0])
-        row *= np.exp(-1j * np.angle(row[first]))
-        row[first] = abs(row[first])
-        row /= np.sqrt((row.conj() @ M @ row).real)
-    return shapes
+    sizes = np.abs(shapes) * np.sqrt(np.diag(M))
+    chosen = (sizes >= sizes.max(axis=1, keepdims=True) * (1.0 - 1e-6)).argmax(axis=1)
+    rows = np.arange(len(shapes))
+    shapes = shapes * np.exp(-1j * np.angle(shapes[rows, chosen]))[:, None]
+    shapes[rows, chosen] = np.abs(shapes[rows, chosen])
+    mass = sum(np.einsum("ij,ij->i", part, part @ M) for part in (shapes.real, shapes.imag))
+    return np.asarray(shapes / np.sqrt(mass)[:, None], dtype=np.complex128)
 
 
 def solve_modal(

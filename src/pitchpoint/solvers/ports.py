@@ -161,10 +161,14 @@ def _error_of(linear: Linearised, name: str, k: int) -> Input:
     system, still = linear.system, linear.state.copy()
     still.v[:] = 0.0
     force = _by_travel(system, k, lambda: evaluate.residual(system, still))
-    D, K = tangents(system, still, {"gear_mesh": slice(k, k + 1)})
-    weight = system.weight
-    scaled = np.linalg.lstsq(K / np.outer(weight, weight), force / weight, rcond=1e-9)[0]
-    follows = scaled / weight
+    D, K = (evaluate.dense(system, A) for A in tangents(system, still, {"gear_mesh": slice(k, k + 1)}))
+    used = np.flatnonzero(np.any(K != 0.0, axis=0) | (force != 0.0))
+    weight = system.weight[used]
+    scaled = np.linalg.lstsq(
+        K[np.ix_(used, used)] / np.outer(weight, weight), force[used] / weight, rcond=1e-9
+    )[0]
+    follows = np.zeros_like(force)
+    follows[used] = scaled / weight
     share = linear.at_rest.shares[linear.at_rest.elements.index(f"mesh {mesh_names(system)[k]}")]
     mean = np.zeros_like(force)
     mean[share.places] = share.matrix @ follows[share.places]
@@ -253,7 +257,7 @@ def _mean_ratio(linear: Linearised, k: int, name: str) -> float:
     still.v[:] = 0.0
     _, now = tangents(linear.system, still, {"gear_mesh": slice(k, k + 1)})
     share = linear.at_rest.shares[linear.at_rest.elements.index(f"mesh {name}")]
-    own = now[np.ix_(share.places, share.places)]
+    own = evaluate.dense(linear.system, now)[np.ix_(share.places, share.places)]
     size = float(np.sum(own * own))
     return float(np.sum(own * share.matrix)) / size if size > 0.0 else 1.0
 

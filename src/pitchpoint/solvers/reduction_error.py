@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.solvers.eigen import undamped
-from pitchpoint.solvers.linear_system import free_directions, rigid_rotations
+from pitchpoint.solvers.linear_system import SPARSE, free_directions, rigid_rotations
+from pitchpoint.solvers.sparse_modes import lowest_modes
 from pitchpoint.solvers.stiffness_parts import mesh_names
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -18,6 +20,8 @@ Array = NDArray[np.float64]
 
 POINTS = 25
 """Frequencies at which compliances are compared."""
+FIRST = 50
+"""Modes of a large system that are looked for first."""
 STEP = 2e-10
 """Step of the travel of a mesh [m]."""
 
@@ -60,7 +64,7 @@ class ReductionError:
 
 def compare(full: System, at: State, reduced: System, near: State, limit: float) -> ReductionError:
     """Compare a reduced system with the full one about one operating point."""
-    found = [_frequencies(s, x) for s, x in ((full, at), (reduced, near))]
+    found = [_frequencies(s, x, 1.1 * limit) for s, x in ((full, at), (reduced, near))]
     below = found[0][found[0] <= limit]
     own = found[1][: below.size]
     rigid = below <= 0.0
@@ -74,21 +78,30 @@ def compare(full: System, at: State, reduced: System, near: State, limit: float)
     return ReductionError(limit, below, own, float(off.max(initial=0.0)), compliance, sizes)
 
 
-def _frequencies(system: System, state: State) -> Array:
-    """Natural frequencies [Hz], ascending."""
+def _frequencies(system: System, state: State, limit: float) -> Array:
+    """Natural frequencies [Hz], ascending, all up to a limit at least."""
     still = state.copy()
     still.v[:] = 0.0
     M, K = (evaluate.matrix(system, still, *f) for f in ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))
-    omega, _ = undamped(M, K, free_directions(system, still), rigid_rotations(system))
+    basis, rigid = free_directions(system, still), rigid_rotations(system)
+    if not isinstance(basis, np.ndarray):
+        count = FIRST
+        while count < SPARSE * basis.shape[1]:
+            omega = lowest_modes(M, K, basis, rigid, count)[0]
+            if omega[-1] > 2.0 * np.pi * limit:
+                return np.asarray(omega / (2.0 * np.pi))
+            count *= 2
+        basis = basis.toarray()
+    omega, _ = undamped(M, K, basis, rigid)
     return np.asarray(omega / (2.0 * np.pi))
 
 
 def _compliances(system: System, state: State, limit: float) -> NDArray[np.complex128]:
     """Travel of each mesh per force in it, at frequencies up to a limit, shape (meshes, POINTS)."""
-    M, D, K = (evaluate.matrix(system, state, *f) for f in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
     Z = free_directions(system, state)
-    found = np.zeros((len(mesh_names(system)), POINTS), complex)
-    for k in range(len(found)):
+    M, D, K = (_along(Z, evaluate.matrix(system, state, *f)) for f in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+    loads = np.zeros((Z.shape[1], len(mesh_names(system))))
+    for k in range(loads.shape[1]):
         record = system.records["gear_mesh"][k]
         kept, sides = float(record["u0"]), []
         for sign in (1.0, -1.0):
@@ -96,13 +109,30 @@ def _compliances(system: System, state: State, limit: float) -> NDArray[np.compl
             sides.append((evaluate.residual(system, state), _force(system, state, k)))
         record["u0"] = kept
         change = sides[0][1] - sides[1][1]
-        if change == 0.0:
-            continue
-        b = Z.T @ ((sides[0][0] - sides[1][0]) / change)
-        for p, w in enumerate(2.0 * np.pi * limit * (np.arange(POINTS) + 0.5) / POINTS):
-            dynamic = Z.T @ (K + 1j * w * D - w * w * M) @ Z
-            found[k, p] = b @ np.linalg.solve(dynamic, b.astype(complex))
+        if change != 0.0:
+            loads[:, k] = Z.T @ ((sides[0][0] - sides[1][0]) / change)
+    found = np.zeros((loads.shape[1], POINTS), complex)
+    for p, w in enumerate(2.0 * np.pi * limit * (np.arange(POINTS) + 0.5) / POINTS):
+        answer = _solved(K + 1j * w * D - w * w * M, loads.astype(complex))
+        found[:, p] = (loads * answer).sum(axis=0)
     return found
+
+
+def _along(Z: Any, A: Array) -> Any:
+    """A matrix in the free directions, sparse if these are."""
+    if isinstance(Z, np.ndarray):
+        return Z.T @ A @ Z
+    from scipy.sparse import csc_array
+
+    return (Z.T @ csc_array(A) @ Z).tocsc()
+
+
+def _solved(A: Any, b: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    if isinstance(A, np.ndarray):
+        return np.asarray(np.linalg.solve(A, b), dtype=np.complex128)
+    from scipy.sparse.linalg import splu
+
+    return np.asarray(splu(A.tocsc()).solve(b))
 
 
 def _force(system: System, state: State, k: int) -> float:

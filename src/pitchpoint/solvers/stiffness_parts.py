@@ -20,9 +20,9 @@ from pitchpoint.elements import registry
 from pitchpoint.elements.mesh_nodes import MOST_SPLIT
 from pitchpoint.solvers.element_tangents import (
     Share,
-    bare_matrix,
+    bare_blocks,
     element_names,
-    share_of,
+    share_of_blocks,
     stiffness_of,
     tangents,
 )
@@ -206,10 +206,10 @@ def split(
     progress
         Told after every element.
     """
-    M = evaluate.matrix(system, state, 1.0, 0.0, 0.0)
-    D = evaluate.matrix(system, state, 0.0, 1.0, 0.0)
-    K = evaluate.matrix(system, state, 0.0, 0.0, 1.0)
-    bare = bare_matrix(system, state, 0.0, 0.0, 1.0)
+    M, D, K = (
+        evaluate.blocks(system, state, *f) for f in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    )
+    bare = bare_blocks(system, state, 0.0, 0.0, 1.0)
     least = NONE * float(np.abs(K).max(initial=0.0))
     found: list[tuple[str, str, tuple[int, int], Share]] = []
     listed = element_list(system)
@@ -223,14 +223,15 @@ def split(
         else:
             own = stiffness_of(system, state, {kind: slice(k, k + 1)}, bare)
         if kind in FIRST or np.abs(own).max(initial=0.0) > least:
-            found.append((kind, name, _ends(system.records[kind][k]), share_of(own)))
+            found.append((kind, name, _ends(system.records[kind][k]), share_of_blocks(system, own)))
         if progress is not None:
             progress(e + 1, len(listed), name)
     if np.abs(bare).max(initial=0.0) > least:  # joints that turn over time make the bodies heavy or light
-        found.append(("rotation", "guided motion", (0, 0), share_of(bare)))
+        found.append(("rotation", "guided motion", (0, 0), share_of_blocks(system, bare)))
     kinds, names, bodies, shares = zip(*found, strict=True) if found else ((), (), (), ())
     ends = np.array(bodies, np.int64).reshape(-1, 2)
-    return Parts(M, D, K, tuple(names), tuple(kinds), ends, tuple(shares))
+    whole = [evaluate.dense(system, blocks) for blocks in (M, D, K)]
+    return Parts(whole[0], whole[1], whole[2], tuple(names), tuple(kinds), ends, tuple(shares))
 
 
 def _ends(record: np.void) -> tuple[int, int]:
@@ -242,7 +243,7 @@ def _ends(record: np.void) -> tuple[int, int]:
 def _cycle_mean(
     system: System, state: State, held: tuple[int, ...], k: int, loose: bool
 ) -> tuple[Array, Array]:
-    """Mean damping and stiffness of mesh k over its cycle, the other meshes at their phase."""
+    """Mean damping and stiffness of mesh k over its cycle as blocks, the other meshes at their phase."""
     record = system.records["gear_mesh"][k]
     kept = record.copy()
     names = mesh_names(system)
@@ -252,8 +253,7 @@ def _cycle_mean(
     now = _phase(system, state, k, flank)
     both = bool(contact == 2.0 or record["gap"] < 0.0)
     phases, weights = cycle_nodes(record, flank, system.pools["gear_mesh"], both)
-    nd = system.sizes["nd"]
-    total = np.zeros((2, nd, nd))
+    total = np.zeros((2, *system.workspace.A.shape))
     at = state
     try:
         for psi, weight in zip(phases, weights, strict=True):

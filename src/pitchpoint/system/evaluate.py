@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,6 +18,9 @@ from pitchpoint.system.residual import EXACT
 from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
+
+if TYPE_CHECKING:
+    from scipy.sparse import csc_array
 
 
 def load(system: System, state: State) -> None:
@@ -51,7 +56,11 @@ def explain(system: System, status: int) -> str:
     if record < 0:
         return f"{text} ({kind.replace('_', ' ')})"
     names = system.names.get(kind, ())
-    name = source(system, kind, names[record]) if record < len(names) else f"{kind} {record + 1}"
+    name = (
+        source(system, kind, names[record])
+        if record < len(names)
+        else f"{kind.replace('_', ' ')} {record + 1}"
+    )
     text = f"{name}: {text}"
     return text + law_fault(system, kind, record) if status == NOT_FINITE else text
 
@@ -99,6 +108,49 @@ def residual(system: System, state: State) -> NDArray[np.float64]:
     return system.workspace.R.copy()
 
 
+def blocks(
+    system: System, state: State, cm: float, cd: float, ck: float, jac: int = EXACT
+) -> NDArray[np.float64]:
+    """Blocks of the matrix cm M + cd D + ck K at a state; parameters as in `matrix`.
+
+    Returns
+    -------
+    ndarray, shape (na, 6, 6)
+        What `dense` and `sparse` take; sums of blocks are blocks of sums.
+    """
+    prepare(system)
+    load(system, state)
+    w = system.workspace
+    entry = perform
+    if jac == EXACT:
+        entry = linearise.entry
+        link_exact(system.records)
+    check(system, ask(w, RESIDUAL, state.t, jac, (cm, cd, ck), entry=entry))
+    w.clock[VALID] = 0  # a run under way has lost the matrix it kept
+    found = w.A.copy()
+    found[0] = 0.0  # where the kernels drop what belongs to ground
+    return found
+
+
+def dense(system: System, parts: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Dense matrix (nd, nd) of its blocks."""
+    rows, columns, places = system.layout.entries
+    nd = system.sizes["nd"]
+    whole = np.zeros((nd, nd))
+    whole[rows, columns] = parts.reshape(-1)[places]
+    return whole
+
+
+def sparse(system: System, parts: NDArray[np.float64]) -> csc_array:
+    """Sparse matrix (nd, nd), compressed columns, of its blocks."""
+    from scipy.sparse import csc_array
+
+    rows, columns, places = system.layout.entries
+    nd = system.sizes["nd"]
+    starts = np.searchsorted(columns, np.arange(nd + 1))
+    return csc_array((parts.reshape(-1)[places], rows, starts), shape=(nd, nd))
+
+
 def matrix(
     system: System, state: State, cm: float, cd: float, ck: float, jac: int = EXACT
 ) -> NDArray[np.float64]:
@@ -111,22 +163,7 @@ def matrix(
     jac
         `residual.EXACT` for the derivative of the residual, `residual.NEWTON` for what integrators use.
     """
-    prepare(system)
-    load(system, state)
-    w = system.workspace
-    entry = perform
-    if jac == EXACT:
-        entry = linearise.entry
-        link_exact(system.records)
-    check(system, ask(w, RESIDUAL, state.t, jac, (cm, cd, ck), entry=entry))
-    w.clock[VALID] = 0  # a run under way has lost the matrix it kept
-    nd = system.sizes["nd"]
-    dense = np.zeros((nd, nd))
-    layout = system.layout
-    for (i, j), block in layout.blocks.items():
-        r, c, n, m = layout.node_dof[i], layout.node_dof[j], layout.node_size[i], layout.node_size[j]
-        dense[r : r + n, c : c + m] = w.A[block, :n, :m]
-    return dense
+    return dense(system, blocks(system, state, cm, cd, ck, jac))
 
 
 def linearize(

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -67,6 +68,18 @@ class Layout:
     def coordinate(self, name: str) -> int:
         """Index of a coordinate, ``BODY.x`` and the like."""
         return self.coordinates.index(name)
+
+    @cached_property
+    def entries(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+        """Row, column and place in the blocks of every entry of the matrix, column by column."""
+        found = []
+        for (i, j), block in self.blocks.items():
+            r, c = np.mgrid[: self.node_size[i], : self.node_size[j]]
+            place = NODE * NODE * block + NODE * r + c
+            found.append([(self.node_dof[i] + r).ravel(), (self.node_dof[j] + c).ravel(), place.ravel()])
+        whole = np.hstack(found) if found else np.zeros((3, 0), np.int64)
+        rows, columns, places = whole[:, np.lexsort((whole[0], whole[1]))]
+        return rows, columns, places
 
 
 def group(sizes: Sequence[int], edges: set[tuple[int, int]]) -> list[list[int]]:

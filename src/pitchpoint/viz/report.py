@@ -18,7 +18,7 @@ from pitchpoint.viz import report_sections as parts
 from pitchpoint.viz.report_cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report_page import page
 from pitchpoint.viz.report_spectra import spectrum_section
-from pitchpoint.viz.report_tables import case_section, mode_section
+from pitchpoint.viz.report_tables import case_section, mode_section, signal_section
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,6 +41,8 @@ class ReportModel:
         `GearPair` and the names of its two gears, by the name of the mesh; these are drawn.
     shafts
         Body of gear 1 by the name of the mesh: orders of a mesh refer to it at first.
+    signals
+        Sensors, blocks, controllers and actuators: signal, what it is, what it is made of, who reads it.
     warnings, assumptions, sources
         Sentences for the last section.
     """
@@ -54,6 +56,7 @@ class ReportModel:
     flanks: Sequence[Sequence[str]] = ()
     pairs: Mapping[str, tuple[Any, str, str]] = field(default_factory=dict)
     shafts: Mapping[str, str] = field(default_factory=dict)
+    signals: Sequence[Sequence[str]] = ()
     warnings: Sequence[str] = ()
     assumptions: Sequence[str] = ()
     sources: Sequence[str] = ()
@@ -116,13 +119,15 @@ class RollData:
 class ModeData:
     """Modes about the loaded state: names, frequencies [Hz], shares of critical damping (nan: none).
 
-    `held` names the bodies whose motion the scenario prescribes: they do not vibrate.
+    `held` names the bodies whose motion the scenario prescribes: they do not vibrate. `total` is the number
+    of all modes if these are the lowest of more.
     """
 
     names: Sequence[str]
     frequency: Sequence[float]
     damping_ratio: Sequence[float]
     held: Sequence[str] = ()
+    total: int = 0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -171,13 +176,14 @@ class TimeRun:
 @dataclass(frozen=True, kw_only=True)
 class CampbellData:
     """Speeds [rad/s] (n_speed,), natural frequencies [Hz] (n_speed, n_mode), orders by name, names of the
-    modes; `shaft` is the body whose speed it is."""
+    modes; `shaft` is the body whose speed it is, `note` a sentence for below the picture."""
 
     speed: ArrayLike
     mode_frequencies: ArrayLike
     orders: Mapping[str, float]
     mode_names: Sequence[str] = ()
     shaft: str = ""
+    note: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -221,6 +227,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     sections = [
         parts.gear_section(model.gears, model.meshes, model.flanks),
         parts.drawing_section(model.pairs),
+        signal_section(model.signals),
         mesh_cycle_section(results.mesh_cycles),
         roll_section(results.rolls),
         mode_section(results.modes),

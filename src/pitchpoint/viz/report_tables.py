@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sections of a report that are tables first: modes, and independent cases."""
+"""Sections of a report that are tables first: modes, signals, and independent cases."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 MOST_ROWS = 100
+MOST_MODES = 40
 QUANTITIES = (("deflection", "rms"), ("mesh_force", "max"))
 WORDS = {"rms": "rms (alternating)", "max": "greatest"}
 
@@ -38,7 +39,20 @@ def mode_section(modes: Any) -> Section:
         )
     held = f"; {escape(', '.join(modes.held))} held by the scenario" if modes.held else ""
     section.add(f"<p>About the loaded state, meshes with the mean of their stiffness{held}.</p>")
-    section.add(plain_table(("mode", "what moves", "natural frequency", "damping ratio"), body[:MOST_ROWS]))
+    section.add(plain_table(("mode", "what moves", "natural frequency", "damping ratio"), body[:MOST_MODES]))
+    total = max(modes.total, len(body))
+    if total > MOST_MODES:
+        section.add(f"<p>The lowest {MOST_MODES} of {total} modes; the command modes shows the others.</p>")
+    return section
+
+
+def signal_section(lines: Sequence[Sequence[str]]) -> Section:
+    """Sensors, blocks, controllers and actuators."""
+    section = Section("signals", "Signals and control")
+    if lines:
+        rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in lines]
+        head = ("signal", "what it is", "made of", "read by")
+        section.add(plain_table(head, rows[:MOST_ROWS], numbers=False))
     return section
 
 

@@ -50,6 +50,27 @@ def test_people_get_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert "5.000 %" in out
 
 
+def test_the_table_shows_the_lowest_twenty_and_says_so(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Chain of 25 discs: 20 rows and how to see all 25; JSON has all of them."""
+    inertias = "".join(f"  b{k}: {{motion: torsion, inertia: 0.01}}\n" for k in range(25))
+    springs = "".join(
+        f"  c{k}: {{bodies: [b{k}, b{k + 1}], stiffness: {{torsion: 1e4}}}}\n" for k in range(24)
+    )
+    file = written(tmp_path, f"bodies:\n{inertias}couplings:\n{springs}")
+    assert run_command(["modes", file]) == 0
+    out = capsys.readouterr().out
+    assert out.count("(torsion)") + out.count("rotation") >= 20
+    assert "20 of 25 modes, up to" in out
+    assert "--count 25 shows all of them" in out
+    assert "natural: undamped, at rest" in out
+    assert run_command(["modes", file, "--count", "25"]) == 0
+    assert "25 modes, up to" not in capsys.readouterr().out
+    found = json_of(["modes", file], capsys)
+    assert found["total"] == len(found["modes"]) == 25
+
+
 def test_unknown_scenario(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run_command(["modes", written(tmp_path, TORSION), "--scenario", "stedy"]) == 2
     assert "did you mean 'steady'?" in capsys.readouterr().err

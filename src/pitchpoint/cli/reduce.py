@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint reduce`: what condensing the linear parts of a model leaves, and how far it is off."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quantity, quiet
+from pitchpoint.cli.output import emit_json, show, shown, table
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+SHOWN = 20
+"""Natural frequencies in the table."""
+
+
+@click.command()
+@model_file
+@quantity("--limit", "frequency", "Highest frequency of interest, such as '3 kHz'.")
+@click.option(
+    "--keep",
+    multiple=True,
+    metavar="NAME",
+    help="Body, or element as 'KIND NAME', that stays; may be repeated.",
+)
+@click.option(
+    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if left out."
+)
+@as_json
+@allow_code
+@quiet
+@debug
+def reduce(
+    file: str,
+    limit: float | None,
+    keep: tuple[str, ...],
+    scenario: str | None,
+    as_json: bool,
+    allow_code: bool,
+    quiet: bool,
+) -> int:
+    """Condense the linear parts of FILE about its loaded state, and say what that costs.
+
+    `run --reduce LIMIT` computes a time response with the reduced system.
+    """
+    from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.cli.reading import read_model
+    from pitchpoint.cli.results import known_scenario, unless_it_cannot_begin
+
+    if limit is None:
+        raise click.UsageError(
+            "--limit is needed: the highest frequency of interest, such as --limit '3 kHz'"
+        )
+    model = read_model(file, allow_code, quiet)
+    name = known_scenario(model, scenario) if scenario is not None else None
+    nothing: dict[str, Any] = {"coordinates": [], "kept": [], "full": [], "reduced": []}
+    summary, error = unless_it_cannot_begin(lambda: compute(model, name, limit, keep), nothing)
+    if as_json:
+        emit_json(summary)
+    elif error is None:
+        _print(
+            f"{model.title or file}: reduced for frequencies up to {shown(limit, 'frequency', 4)}", summary
+        )
+        if not quiet:
+            for note in summary["notes"]:
+                show(f"note: {note}")
+    return OK if error is None else exit_code_of(error)
+
+
+def compute(
+    model: Model, name: str | None, limit: float, keep: tuple[str, ...]
+) -> tuple[dict[str, Any], None]:
+    """Reduce the system; gives what `reduce --json` prints."""
+    from pitchpoint.cli.results import how_a_status_ends
+    from pitchpoint.core.status import OK, sentence
+    from pitchpoint.solvers.reduction import reduce_system
+    from pitchpoint.system.compile import compile_model
+
+    begun = time.perf_counter()
+    found = reduce_system(compile_model(model, name), name, limit=limit, keep=keep)
+    error = found.error
+    summary = {
+        "status": how_a_status_ends(OK),
+        "sentence": sentence(OK),
+        "wall_s": time.perf_counter() - begun,
+        "output": None,
+        "notes": list(found.notes),
+        "limit": limit,
+        "coordinates": list(error.coordinates),
+        "kept": list(found.kept),
+        "frequency_error": error.frequency,
+        "compliance_error": error.compliance,
+        "full": error.full.tolist(),
+        "reduced": error.reduced.tolist(),
+        "report": error.report(),
+    }
+    return summary, None
+
+
+def _print(title: str, summary: dict[str, Any]) -> None:
+    """Show natural frequencies of both systems, what stays, and the error."""
+    cells = []
+    for k, (full, less) in enumerate(zip(summary["full"], summary["reduced"], strict=False), start=1):
+        off = f"{100.0 * abs(less / full - 1.0):.2g} %" if full > 0.0 else shown(None)
+        cells.append([str(k), shown(full, "frequency", 6), shown(less, "frequency", 6), off])
+    table(title, ["mode", "full", "reduced", "differ by"], cells[:SHOWN])
+    if len(cells) > SHOWN:
+        show(f"{SHOWN} of {len(cells)} modes up to the limit; --json prints all of them")
+    show(summary["report"])
+    show(f"bodies that stay: {', '.join(summary['kept'])}")

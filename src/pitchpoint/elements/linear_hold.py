@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Blocks of a condensed linear part on one body whose joint it keeps from turning freely."""
+
+from __future__ import annotations
+
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.linear_part import OUTPUTS, RECORD, linear_part, part_args
+
+__all__ = ["OUTPUTS", "RECORD", "SPINS", "entry"]
+
+SPINS = "holds"
+
+
+@kernel
+def entry(ctl, rec, n):
+    """Uniform entry of the kind."""
+    c, fr, q, v, a, R, A = part_args(ctl)
+    return linear_part(view(rec, n, RECORD), c, fr, q, v, a, R, A)

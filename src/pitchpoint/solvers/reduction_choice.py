@@ -1,0 +1,313 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What of a system may be condensed: elements and bodies whose linearisation does not change over time.
+
+A body goes if nothing acts on it, or on what hangs on it, but linear elements and weight, and if its place in
+the equations of motion is the same at all times: its masses and these elements are evaluated at the operating
+point and where the steady rotation has taken it a while later. Bodies at rest pass, round shafts pass as
+their coordinates do not spin, an arm on a shaft that only spins passes, one on a shaft in bearings does not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.elements import registry
+from pitchpoint.elements.signal import CONSTANT
+from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.solvers.eigen import symmetric
+from pitchpoint.solvers.element_tangents import element_names, switched
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State, System
+
+Array = NDArray[np.float64]
+Choice = dict[str, NDArray[np.int64]]
+
+LINEAR = ("beam", "bearing", "bushing", "coupling", "damping", "gravity", "shaft_beam", "spring_damper")
+"""Kinds that are condensed if nothing else acts on one of their bodies."""
+FACTORS = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+LATER = (1.0, 2.3)
+"""Angles [rad] by which the fastest spin has gone on when matrices are compared with those of now."""
+SAME = 1e-8
+"""Relative change of a matrix in the scale of the masses that counts as rounding."""
+LOOSE = 1e-9
+"""Eigenvalue of a stiffness with ones on its diagonal below which a motion is not held."""
+LEAD = 1e-3
+"""Share in such a motion from which a body takes part in it."""
+
+
+@dataclass(frozen=True)
+class Split:
+    """What is condensed and what stays.
+
+    Parameters
+    ----------
+    condensed
+        Records by kind.
+    kept
+        Bodies that stay.
+    parts
+        Bodies of every condensed part, those that stay among them.
+    notes
+        What stays though it might have gone, in sentences.
+    """
+
+    condensed: Choice
+    kept: list[int]
+    parts: list[list[int]]
+    notes: tuple[str, ...]
+
+
+def split_up(system: System, state: State, keep: Sequence[str]) -> Split:
+    """Decide what goes; `keep` names bodies and elements ("KIND NAME") that stay."""
+    names = system.layout.bodies
+    labels = [f"{kind} {name}" for kind in system.records for name in element_names(system, kind)]
+    unknown = [name for name in keep if name not in labels and name not in names]
+    if unknown:
+        raise SolverError(f"nothing to keep is called {', '.join(unknown)}", INCONSISTENT)
+    eligible = _linear_records(system, keep)
+    forced = {names.index(n) for n in keep if n in names} | _never(system)
+    notes: list[str] = []
+    if state.v.any():
+        changing, moving = _changing(system, state, eligible)
+        for kind, rows in changing.items():
+            eligible[kind] = np.setdiff1d(eligible[kind], rows)
+            which = ", ".join(element_names(system, kind)[k] for k in rows)
+            notes.append(f"{kind.replace('_', ' ')} {which} is kept: it does not act alike at all times")
+        moving = sorted(set(moving) - forced - _kept(system, eligible, forced))
+        if moving:
+            notes.append(f"kept as their inertia changes over time: {', '.join(names[b] for b in moving)}")
+        forced |= set(moving)
+    while True:
+        kept = _kept(system, eligible, forced)
+        condensed = _used(system, eligible, kept)
+        parts = _parts(system, condensed, kept)
+        lone = [b for b in range(1, len(names)) if b not in kept and not any(b in part for part in parts)]
+        alone = [part[0] for part in parts if not kept & set(part)]
+        loose = [] if lone or alone else _loose(system, state, condensed, parts, kept)
+        if not (lone or alone or loose):
+            return Split(condensed, sorted(kept), parts, tuple(notes))
+        if loose:
+            notes.append(f"kept as no spring of their part holds them: {', '.join(names[b] for b in loose)}")
+        forced |= {*lone, *alone, *loose}
+
+
+def _linear_records(system: System, keep: Sequence[str]) -> Choice:
+    """Records of linear elements that nobody wants to keep."""
+    body = system.program["body"]
+    found: Choice = {}
+    for kind in LINEAR:
+        if kind not in system.records:
+            continue
+        names = element_names(system, kind)
+        chosen = []
+        for k, record in enumerate(system.records[kind]):
+            ends = [int(record[e]) for e in ("i", "j")]
+            grounded = kind == "bearing" and 0 in ends and record["K"][5, 5] != 0.0
+            spins = any(b and body[b]["joint"] != GENERAL for b in ends)
+            straight = kind != "coupling" or (record["gap"] == 0.0 and record["form"] == CONSTANT)
+            if kind == "spring_damper":
+                straight = record["form"] == CONSTANT
+            if straight and not (grounded and spins) and f"{kind} {names[k]}" not in keep:
+                chosen.append(k)
+        found[kind] = np.array(chosen, np.int64)
+    return found
+
+
+def _never(system: System) -> set[int]:
+    """Bodies that functions move, what hangs on them, and states of elements."""
+    body, found = system.program["body"], set()
+    for b in range(1, body.size):
+        path = [b, *_ancestors(body, b)]
+        if any(body[c]["guide"] >= 0 or body[c]["state"] == 1 or body[c]["shares"] for c in path):
+            found.add(b)
+        if body[b]["shares"]:
+            found.add(int(body[b]["shares"]))
+    return found
+
+
+def _ancestors(body: NDArray[np.void], b: int) -> list[int]:
+    """Bodies on the way from a body to ground, without both."""
+    found = []
+    b = int(body[b]["parent"])
+    while b:
+        found.append(b)
+        b = int(body[b]["parent"])
+    return found
+
+
+def _kept(system: System, eligible: Choice, forced: set[int]) -> set[int]:
+    """Bodies that anything but a linear element acts on, those forced to stay, and what carries them."""
+    body, kept = system.program["body"], set(forced)
+    for kind, bank in system.records.items():
+        if kind == "gravity":
+            continue
+        rest = np.setdiff1d(np.arange(bank.size), eligible.get(kind, np.zeros(0, np.int64)))
+        for field in {f for pair in registry.find(kind).pairs for f in pair}:
+            kept |= {int(b) for b in bank[field][rest]}
+    for b in sorted(kept - {0}):
+        kept |= set(_ancestors(body, b))
+    return kept - {0}
+
+
+def _used(system: System, eligible: Choice, kept: set[int]) -> Choice:
+    """Linear elements that are condensed: on bodies that go, and between round ones, where it costs nothing.
+
+    What ties two bodies of a mechanism that both stay keeps its own kernel, large motion included.
+    """
+    body = system.program["body"]
+    found: Choice = {}
+    for kind, rows in eligible.items():
+        chosen = []
+        for k in rows:
+            ends = [int(system.records[kind][k][e]) for e in ("i", "j")]
+            if kind == "gravity":
+                ends = ends[:1]
+            goes = any(b and b not in kept for b in ends)
+            round_ = kind not in ("spring_damper", "gravity", "damping") and all(
+                b == 0 or body[b]["joint"] != GENERAL for b in ends
+            )
+            if goes or round_:
+                chosen.append(int(k))
+        found[kind] = np.array(chosen, np.int64)
+    if "damping" in found:  # of all coordinates: it goes with the bodies that others join
+        joined = {b for part in _parts(system, found, kept) for b in part}
+        bank = system.records["damping"]
+        found["damping"] = np.array(
+            [k for k in eligible["damping"] if {int(bank[k]["i"]), int(bank[k]["j"])} <= joined], np.int64
+        )
+    return found
+
+
+def _parts(system: System, condensed: Choice, kept: set[int]) -> list[list[int]]:
+    """Bodies that condensed elements join, or joints with a body that goes; ground apart."""
+    body = system.program["body"]
+    group = {b: {b} for b in range(1, system.sizes["nb"])}
+    used: set[int] = set()
+
+    def join(one: int, two: int) -> None:
+        whole = group[one] | group[two]
+        for b in whole:
+            group[b] = whole
+
+    for b in range(1, body.size):
+        carriers = _ancestors(body, b)
+        if b not in kept and carriers:
+            used |= {b, *carriers}
+            for c in carriers:
+                join(b, c)
+    for kind, chosen in condensed.items():
+        if kind in ("gravity", "damping"):
+            continue
+        for record in system.records[kind][chosen]:
+            ends = [int(record[e]) for e in ("i", "j") if int(record[e])]
+            used |= set(ends)
+            if len(ends) == 2 and ends[0] != ends[1]:
+                join(ends[0], ends[1])
+    found = {min(group[b]): sorted(group[b]) for b in used}
+    return [found[b] for b in sorted(found)]
+
+
+def _later(system: System, state: State) -> list[State]:
+    """The operating point a while on: all that turns steadily has turned."""
+    top = float(np.abs(state.v).max())
+    found = []
+    for angle in LATER:
+        moved = state.copy()
+        moved.q = state.q + state.v * angle / top
+        found.append(moved)
+    return found
+
+
+def _changing(system: System, state: State, eligible: Choice) -> tuple[Choice, list[int]]:
+    """Elements, and bodies, whose matrices change along a steady rotation."""
+    states = [state, *_later(system, state)]
+    rows, columns, places = system.layout.entries
+    scale = np.sqrt(np.diag(evaluate.matrix(system, state, 1.0, 0.0, 0.0)))
+    size = scale[rows] * scale[columns]
+    rate = float(np.abs(state.v).max())
+
+    def ask() -> list[Array]:
+        """Entries of M, D and K at all moments, in the scale of the masses and of the fastest spin."""
+        return [
+            np.array(
+                [evaluate.blocks(system, s, *f).reshape(-1)[places] / (size * rate**power) for s in states]
+            )
+            for power, f in enumerate(FACTORS)
+        ]
+
+    with switched(system, {}):
+        bare = ask()
+    changing: Choice = {}
+    for kind in [k for k in eligible if k not in ("gravity", "damping") and eligible[k].size]:
+        found = []
+        for k in eligible[kind]:
+            with switched(system, {kind: slice(int(k), int(k) + 1)}):
+                own = [a - b for a, b in zip(ask(), bare, strict=True)]
+            if any(_varies(a).any() for a in own):
+                found.append(int(k))
+        if found:
+            changing[kind] = np.array(found, np.int64)
+    if "gravity" in eligible:
+        with switched(system, {"gravity": slice(None)}):
+            bare = [np.where(_varies(a - b), a, b) for a, b in zip(ask(), bare, strict=True)]
+    varies = np.any([_varies(a) for a in bare], axis=0)
+    own_rows = np.unique(rows[varies])
+    body = system.program["body"]
+    moving = [
+        b
+        for b in range(1, body.size)
+        if np.any((own_rows >= body[b]["dof"]) & (own_rows < body[b]["dof"] + body[b]["n"]))
+    ]
+    return changing, [b for b in moving if body[b]["joint"] == GENERAL]
+
+
+def _varies(entries: Array) -> NDArray[np.bool_]:
+    """Entries that are not the same at all moments (first axis)."""
+    return np.asarray(np.ptp(entries, axis=0) > SAME * np.abs(entries).max(initial=1.0))
+
+
+def _loose(
+    system: System, state: State, condensed: Choice, parts: Sequence[list[int]], kept: set[int]
+) -> list[int]:
+    """Bodies that could move while the kept ones of their part stand still."""
+    K = symmetric(sum_over(system, condensed, lambda: evaluate.matrix(system, state, 0.0, 0.0, 1.0)))
+    found: set[int] = set()
+    for part in parts:
+        hidden = [b for b in part if b not in kept]
+        places = coordinates_of(system, hidden)
+        if not places:
+            continue
+        k = K[np.ix_(places, places)]
+        size = np.sqrt(np.maximum(np.diag(k), 1e-300))
+        values, vectors = np.linalg.eigh(k / np.outer(size, size))
+        motions = np.abs(vectors[:, values < LOOSE]).max(axis=1, initial=0.0)
+        owner = [b for b in hidden for _ in coordinates_of(system, [b])]
+        found |= {b for b, share in zip(owner, motions, strict=True) if share > LEAD}
+    return sorted(found)
+
+
+def coordinates_of(system: System, bodies: Sequence[int]) -> list[int]:
+    """Coordinates of bodies."""
+    body = system.program["body"]
+    return [int(body[b]["dof"]) + k for b in bodies for k in range(int(body[b]["n"]))]
+
+
+def sum_over(system: System, condensed: Choice, ask: Callable[[], Array]) -> Array:
+    """What `ask` gives with the condensed records alone, all bodies in place."""
+    runs = {
+        kind: [(int(r[0]), int(r[-1]) + 1) for r in np.split(k, np.flatnonzero(np.diff(k) > 1) + 1) if r.size]
+        for kind, k in condensed.items()
+    }
+    with switched(system, {}):
+        bare = ask()
+    total = bare.copy()
+    for n in range(max((len(r) for r in runs.values()), default=0)):
+        with switched(system, {kind: slice(*r[n]) for kind, r in runs.items() if n < len(r)}):
+            total += ask() - bare
+    return np.asarray(total)

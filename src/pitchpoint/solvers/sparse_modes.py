@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Lowest modes of large systems: shift and invert, none left out; damping refined beyond their span.
+
+Lanczos iterations with (K + s M)^-1 find the modes nearest to -s, below which there are none. How many
+eigenvalues lie below a number is the count of negative pivots of K - number M (Sylvester's law of inertia),
+so what an iteration has missed of a multiple root is known and looked for beside what has been found.
+
+Damping couples a mode with others that nobody asked for, so the damped modes are not looked for in the span
+of the undamped ones but in the whole space: Arnoldi iterations with (A - s B)^-1 B in first order.
+
+References
+----------
+.. [1] R. G. Grimes, J. G. Lewis, H. D. Simon: A shifted block Lanczos algorithm for solving sparse symmetric
+   generalized eigenproblems, SIAM Journal on Matrix Analysis and Applications 15 (1994) 228-272.
+.. [2] R. B. Lehoucq, D. C. Sorensen, C. Yang: ARPACK Users' Guide, SIAM 1998.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import DIVERGED, SINGULAR
+from pitchpoint.core.symmetric_pencil import symmetric_pencil
+from pitchpoint.solvers.eigen import best_match, scaled_pencil, sorted_modes
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+SHIFT = 1e-10
+"""First shift over the largest stiffness per mass: rigid modes then have six digits, which is enough to find
+them, and all others as many as the rounding of the stiffness leaves."""
+GUARD = 8
+"""Modes that are found beyond those asked for, at least."""
+APART = 1e-6
+"""Relative distance of eigenvalues between which those below are counted."""
+ROUNDS = 8
+"""Most rounds in which missed modes are looked for."""
+NEARER = 0.1
+"""Shift of the damped modes over the lowest frequency that is not zero."""
+STILL = 1e-5
+"""Eigenvalue over that shift below which a rigid mode stands still: a double zero loses half its digits."""
+OWN = 0.5
+"""Share of a shape in the states of elements from which it is theirs."""
+
+
+def lowest_modes(M: Array, K: Array, basis: Any, rigid: Array, count: int) -> tuple[Array, Array]:
+    """Frequencies and shapes of the lowest modes of M x'' + K x = 0; parameters as in `eigen.undamped`.
+
+    Raises
+    ------
+    SolverError
+        If a free direction has no mass, or modes are missing after all rounds.
+    """
+    m, k, scale = scaled_pencil(M, K, basis)
+    n = m.shape[0]
+    shift = SHIFT * max(float(abs(k).max()), 1e-300)
+    lu, below = _factors(k, m, shift)
+    while below:  # unstable: there are modes below the shift
+        shift *= 100.0
+        lu, below = _factors(k, m, shift)
+    values, vectors = _complete(m, k, lu, shift, min(count + max(GUARD, count // 4), n - 1))
+    omega, shapes = sorted_modes(m, k, scale, values, vectors, basis, rigid, M)
+    return omega[:count], shapes[:count]
+
+
+def _factors(k: Any, m: Any, shift: float) -> tuple[Any, int]:
+    """Factors of K + shift M, and its number of negative eigenvalues."""
+    from scipy.sparse.linalg import splu
+
+    options = {"SymmetricMode": True}
+    for nearly in (0.0, 1e-9, 1e-7):  # a pivot may be zero by chance
+        try:
+            lu = splu(
+                (k + shift * (1.0 + nearly) * m).tocsc(),
+                "MMD_AT_PLUS_A",
+                diag_pivot_thresh=0.0,
+                options=options,
+            )
+        except RuntimeError:
+            continue
+        # rows and columns in the same order: the pivots are those of L D L^T
+        if np.array_equal(lu.perm_r, lu.perm_c):
+            return lu, int(np.sum(lu.U.diagonal() < 0.0))
+    raise SolverError("a free direction has neither mass nor stiffness, so it has no frequency", SINGULAR)
+
+
+def _complete(m: Any, k: Any, lu: Any, shift: float, count: int) -> tuple[Array, Array]:
+    """Lowest eigenvalues and vectors, counted."""
+    n = m.shape[0]
+    vectors = np.zeros((n, 0))
+    values = np.zeros(0)
+    missing = count
+    for turn in range(ROUNDS):
+        more = _lanczos(m, k, lu, shift, vectors, min(missing, n - 1 - vectors.shape[1]), turn)
+        both = np.hstack([vectors, more])
+        values, mix = symmetric_pencil(both.T @ (k @ both), both.T @ (m @ both))
+        vectors = both @ mix
+        # count below the last gap, so that no eigenvalue lies where it is counted
+        size = np.abs(values) + shift
+        gaps = np.flatnonzero(np.diff(values) > APART * size[1:])
+        inside = int(gaps[-1]) + 1 if gaps.size else 0
+        if not inside:
+            return values, vectors
+        at = values[inside] - 0.5 * APART * size[inside]
+        missing = _factors(k, m, -at)[1] - inside
+        if missing <= 0:  # what lies above the last gap is part of one multiple root
+            return values, vectors
+    raise SolverError(f"{missing} modes are missing among the lowest {inside}", DIVERGED)
+
+
+def _lanczos(m: Any, k: Any, lu: Any, shift: float, found: Array, count: int, turn: int) -> Array:
+    """Vectors of the lowest eigenvalues beside those found."""
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    n = m.shape[0]
+    carried = m @ found
+
+    def solve(b: Array) -> Array:
+        x = lu.solve(np.asarray(b, dtype=float).ravel())
+        return np.asarray(x - found @ (carried.T @ x))
+
+    start = np.random.default_rng(turn).standard_normal(n)
+    start -= found @ (carried.T @ start)
+    if found.shape[1]:  # a few are missing: one more than those, as the rest would only be repeated
+        count = min(count + 1, n - 1)
+    inverse = LinearOperator((n, n), matvec=solve, dtype=float)
+    return np.asarray(
+        eigsh(k, count, m, sigma=-shift, which="LM", OPinv=inverse, v0=start, ncv=min(n, 2 * count + 20))[1]
+    )
+
+
+def nearest_damped(
+    matrices: tuple[Array, Array, Array], basis: Any, states: Sequence[int], omega: Array, shapes: Array
+) -> tuple[Complex, Complex]:
+    """Damped modes beside the lowest undamped ones.
+
+    Parameters
+    ----------
+    matrices
+        M, D and K at speed, shape (nd, nd) each.
+    basis
+        Free directions, sparse, shape (nd, n).
+    states
+        Coordinates whose rates are states of force elements.
+    omega, shapes
+        Undamped modes: frequencies [rad/s] (m,) and shapes (m, nd).
+
+    Returns
+    -------
+    eigenvalue, shape over the coordinates
+        First those beside the undamped modes, then those of the states among the lowest, slowest first.
+
+    Raises
+    ------
+    SolverError
+        If the iteration does not converge.
+    """
+    from scipy.sparse import csc_array
+    from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs, splu
+
+    A, B = _first_order(matrices, basis, states)
+    size, n, m = A.shape[0], basis.shape[1], len(omega)
+    moving = omega[omega > 0.0]
+    shift = NEARER * float(moving.min() if moving.size else 1.0)
+    lu = splu((A - shift * B).tocsc())
+    inverse = LinearOperator((size, size), matvec=lambda x: lu.solve(B @ np.asarray(x).ravel()), dtype=float)
+    count = min(2 * (m + max(GUARD, m // 4)) + len(states), size - 2)
+    start = np.random.default_rng(0).standard_normal(size)
+    try:
+        found, y = eigs(inverse, count, which="LM", v0=start, ncv=min(size, 2 * count + 20))
+    except ArpackNoConvergence as problem:
+        raise SolverError("the damped modes were not found; ask for another number", DIVERGED) from problem
+    values = shift + 1.0 / found
+    upper = values.imag > -1e-10 * np.abs(values)
+    values, y = values[upper], y[:, upper]
+    values = np.where(np.abs(values.imag) <= 1e-10 * np.abs(values), values.real, values)
+    z = np.asarray((basis @ y[:n]).T, dtype=np.complex128)
+    carried = np.linalg.norm(y[2 * n :], axis=0) / np.linalg.norm(y, axis=0)
+    first = best_match(_likeness(csc_array(matrices[0]), omega, shapes, values, z))
+    rest = np.setdiff1d(np.flatnonzero(carried > OWN), first)
+    rest = rest[np.argsort(np.abs(values[rest]), kind="stable")]
+    still = np.zeros(values.size, bool)
+    still[first[omega == 0.0]] = True
+    still &= np.abs(values) < STILL * shift
+    values[still] = 0.0
+    order = np.concatenate([first, rest])
+    if states:
+        z[:, list(states)] = (y[2 * n :] / np.where(still, np.inf, values)).T
+    return values[order], z[order]
+
+
+def _first_order(matrices: tuple[Array, Array, Array], basis: Any, states: Sequence[int]) -> tuple[Any, Any]:
+    """Sparse A and B of B y' = A y: places and rates in the free directions, and the states."""
+    from scipy.sparse import block_array, csc_array, eye_array
+
+    M, D, K = (csc_array(A) for A in matrices)
+    own = list(states)
+    n = basis.shape[1]
+    m, d, k = ((basis.T @ A @ basis).tocsc() for A in (M, D, K))
+    unit = eye_array(n, format="csc")
+    A = [
+        [None, unit, None],
+        [-k, -d, -(basis.T @ D[:, own])],
+        [-(K @ basis)[own], -(D @ basis)[own], -D[own][:, own]],
+    ]
+    B = [[unit, None, None], [None, m, None], [None, None, M[own][:, own]]]
+    if not own:
+        A, B = [row[:2] for row in A[:2]], [row[:2] for row in B[:2]]
+    return block_array(A, format="csc"), block_array(B, format="csc")
+
+
+def _likeness(M: Any, omega: Array, shapes: Array, values: Complex, z: Complex) -> Array:
+    """How well damped modes go on from undamped ones, in shape and speed; shape (m, candidates)."""
+    size = np.sqrt(sum(np.einsum("ij,ij->i", part, (M @ part.T).T) for part in (z.real, z.imag)))
+    within = np.abs((M @ shapes.T).T @ z.T) ** 2 / np.maximum(size, 1e-300) ** 2
+    least = 1e-6 * float(np.abs(omega).max(initial=1e-300))
+    fast = np.maximum(np.abs(values), least) / np.maximum(np.abs(omega), least)[:, None]
+    vibrates = np.where(values.imag > 0.0, 2.0, np.where(fast > 1.0, 0.5, 1.0))
+    return np.asarray(within * vibrates / (1.0 + np.abs(np.log(fast))))

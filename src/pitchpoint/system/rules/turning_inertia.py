@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What turns with a gear: its body, what that is fixed to, and everything that hangs on these."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.model.frames import GROUND, body_frame
+from pitchpoint.model.mechanism import seat_frame
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+def turning_inertia(model: Model, body: str) -> float:
+    """Moment of inertia about the axis of a body that carries a gear [kg m^2]; infinite if it cannot turn.
+
+    Bodies on joints count as if these were held where the model is drawn (all coordinates zero): the diagonal
+    of the mass matrix at the spin. Elastic bodies that hang on it do not count.
+
+    Parameters
+    ----------
+    model
+        The model.
+    body
+        Name of the body.
+    """
+    seats = model.mechanism.seats
+    while seats[body].kind == "fixed":
+        if seats[body].parent == GROUND:
+            return float("inf")
+        body = seats[body].parent
+    polar = model.body_inertia(body).polar
+    hanging = [n for n in seats if n != body and _hangs_on(model, n, body)]
+    if not hanging:
+        return polar
+    place, axes = seat_frame(model, seats[body])
+    axis = axes[:, 2]
+    for name in hanging:
+        if name in model.elastic_bodies:
+            continue
+        inertia = model.body_inertia(name)
+        origin, own = body_frame(model, name)
+        at = seat_frame(model, seats[name])[0] if origin is None else origin
+        arm = at + own @ np.array(inertia.place) - place
+        along = own.T @ axis
+        beside = arm - (arm @ axis) * axis
+        polar += float(along @ inertia.about_center() @ along + inertia.mass * beside @ beside)
+    return polar
+
+
+def _hangs_on(model: Model, name: str, body: str) -> bool:
+    """Whether joints carry a body from another one."""
+    seats = model.mechanism.seats
+    while name in seats and name != body:
+        name = seats[name].parent
+    return name == body

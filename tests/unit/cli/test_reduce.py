@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint reduce`, and `pitchpoint run --reduce`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from pitchpoint.cli.main import run_command
+from pitchpoint.io.reading import open_result
+from tests.support.cli_files import json_of, written
+from tests.support.gearbox_files import GEARBOX
+
+
+def test_what_is_left_and_its_error(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, GEARBOX)
+    found = json_of(["reduce", file, "--limit", "2 kHz", "-s", "run"], capsys)
+    assert found["kept"] == ["driver", "driven"]
+    assert found["coordinates"] == [19, 19]
+    assert found["frequency_error"] < 1e-9
+    assert len(found["full"]) == len(found["reduced"]) == 18
+    kept = json_of(["reduce", file, "--limit", "2 kHz", "-s", "run", "--keep", "housing"], capsys)
+    assert kept["kept"] == ["driver", "driven", "housing"]
+
+
+def test_people_get_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run_command(["reduce", written(tmp_path, GEARBOX), "--limit", "100 Hz"]) == 0
+    out = capsys.readouterr().out
+    assert "of 19 coordinates: natural frequencies up to 100 Hz differ by up to" in out
+    assert "bodies that stay: driver, driven" in out
+
+
+def test_a_run_with_the_reduced_system(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The mesh force of both runs agrees (1e-6 of its mean, the condensed parts are linear here), and the
+    error of the reduction stands among the notes."""
+    file = written(tmp_path, GEARBOX)
+    found = []
+    for more in ([], ["--reduce", "2 kHz"]):
+        target = str(tmp_path / f"{len(more)}.h5")
+        summary = json_of(["run", file, "-o", target, *more], capsys)
+        with open_result(target) as data:
+            found.append((summary, data["mesh_force[stage]"].values))
+    (full, force), (less, again) = found
+    assert again == pytest.approx(force, rel=1e-6)
+    assert any("of 19 coordinates" in note for note in less["notes"])
+    assert "displacement[housing.x]" in full["channels"]
+    assert "displacement[housing.x]" not in less["channels"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["reduce", "FILE"], "--limit is needed"),
+        (["reduce", "FILE", "--limit", "3 mm"], "--limit"),
+        (["reduce", "FILE", "--limit", "1 kHz", "--keep", "lid"], "nothing to keep is called lid"),
+        (["run", "FILE", "--reduce", "1 kHz", "--vary", "meshes.stage.damping.ratio=0.1"], "--reduce"),
+    ],
+)
+def test_wrong_input(
+    arguments: list[str], words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = written(tmp_path, GEARBOX)
+    assert run_command([file if a == "FILE" else a for a in arguments]) in (2, 3)
+    out = capsys.readouterr()
+    assert words in out.err + out.out
+    assert "Traceback" not in out.err
