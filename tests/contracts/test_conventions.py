@@ -26,6 +26,7 @@ from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.geometry.deviations import Deviations, Runout, separation
 from pitchpoint.geometry.tooth_form import gear_outline
 from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.frames import body_frame
 from pitchpoint.model.phasing import tooth_twist
 from pitchpoint.multibody import bodies as joints
 from pitchpoint.multibody.beam_section import Beam, tube
@@ -109,6 +110,19 @@ def test_spin_axis_is_the_third_axis_of_a_right_handed_frame() -> None:
     R = system.workspace.fr["R"][1]
     assert np.allclose(np.cross(R[:, 0], R[:, 1]), R[:, 2])
     assert np.allclose(R[:, 2], [0.0, 0.0, 1.0])
+    tilted = compile_model(loads_model(FREE.replace("motion: free", "motion: free, axes: {z: [3, 0, 4]}")))
+    evaluate.prepare(tilted)
+    assert np.allclose(tilted.workspace.fr["R"][1][:, 2], [0.6, 0.0, 0.8])
+
+
+def test_bodies_in_mesh_share_their_axes() -> None:
+    bodies = "bodies: {one: {gears: [a]}, two: {gears: [b], axes: {z: [0, 1, 0], x: [0, 0, 1]}}}\n"
+    model = loads_model(pair(gear("a"), gear("b"), "", bodies))
+    for body in ("one", "two"):
+        assert np.allclose(body_frame(model, body)[1], np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]]))
+    other = pair(gear("a"), gear("b"), "", bodies.replace("gears: [a]", "gears: [a], axes: {z: [0, -1, 0]}"))
+    with pytest.raises(ModelError, match="opposite directions"):
+        loads_model(other)
 
 
 def test_line_of_centres_runs_from_gear_1_to_gear_2() -> None:
@@ -117,6 +131,9 @@ def test_line_of_centres_runs_from_gear_1_to_gear_2() -> None:
     way = np.subtract(model.bodies["two"].origin, model.bodies["one"].origin)
     assert np.allclose(way, [0.0, model.pairs["m"].a_w, 0.0], atol=1e-15)
     assert loads_model(pair(gear("a"), gear("b"))).meshes["m"].theta == 0.0
+    turned = loads_model(text.replace("gears: [a]}", "gears: [a], axes: {z: [0, 1, 0], x: [0, 0, 1]}}"))
+    way = np.subtract(turned.bodies["two"].origin, turned.bodies["one"].origin)
+    assert np.allclose(way, [model.pairs["m"].a_w, 0.0, 0.0], atol=1e-15)  # y of the body is x of the world
 
 
 def jointed(joint: str, more: str = "", body: str = "mass: 2, inertia_tensor: [1, 1, 1, 0, 0, 0]"):
@@ -191,9 +208,17 @@ def test_positive_torque_turns_counter_clockwise_seen_from_plus_z() -> None:
     assert np.allclose(np.cross(z, x), y)
 
 
-def test_displacements_are_those_of_the_body_origin_in_world_axes() -> None:
-    get = loaded(FREE + "loads: {f: {body: rotor, force: [100 N, 50 N, -20 N]}}\n")
+ALONG_X = FREE.replace("motion: free", "motion: free, axes: {z: [1, 0, 0], x: [0, 1, 0]}")
+"""The same rotor along x of the world: its x is y there, its y is z."""
+
+
+def test_displacements_are_those_of_the_body_origin_in_its_axes() -> None:
+    push = "loads: {f: {body: rotor, force: [100 N, 50 N, -20 N]}}\n"
+    get = loaded(FREE + push)
     found = [get(f"displacement[rotor.{k}]") for k in "xyz"]
+    assert found == pytest.approx([100.0 / 1e8, 50.0 / 1e8, -20.0 / 1e8], rel=1e-6)
+    get = loaded(ALONG_X + push)
+    found = [get(f"displacement[rotor.{k}]") for k in "zxy"]
     assert found == pytest.approx([100.0 / 1e8, 50.0 / 1e8, -20.0 / 1e8], rel=1e-6)
 
 
@@ -207,6 +232,11 @@ def test_bearing_force_acts_on_the_body() -> None:
     get = loaded(FREE + "loads: {f: {body: rotor, force: [100 N, 50 N, -20 N], position: [0, 0, 100 mm]}}\n")
     force = [get(f"bearing_force[b.{k}]") for k in ("fx", "fy", "fz", "mx", "my")]
     assert force == pytest.approx([-100.0, -50.0, 20.0, 5.0, -10.0], rel=1e-3)
+    get = loaded(
+        ALONG_X + "loads: {f: {body: rotor, force: [-20 N, 100 N, 50 N], position: [0, 0, 100 mm]}}\n"
+    )
+    again = [get(f"bearing_force[b.{k}]") for k in ("fx", "fy", "fz", "mx", "my")]
+    assert again == pytest.approx(force, rel=1e-9)
 
 
 def test_beam_forces_are_those_of_the_part_beyond():
@@ -348,6 +378,8 @@ def test_gear_1_of_the_first_mesh_stands_with_tooth_0_at_angle_0() -> None:
     assert model.phasing.offset["m"] == pytest.approx(0.0, abs=1e-15)
     turned = loads_model(pair(gear("a", 31, more="initial_angle: 3 deg"), gear("b", 30)))
     assert turned.phasing.tooth_angle["a"] == pytest.approx(math.radians(3.0))
+    bodies = "bodies: {one: {gears: [a], axes: {z: [0, 0, 1], x: [0, 1, 0]}}, two: {gears: [b]}}\n"
+    assert loads_model(pair(gear("a"), gear("b"), "", bodies)).phasing.tooth_angle["a"] == 0.0
 
 
 # ----------------------------------------------------------------------------------------------- mesh
@@ -531,6 +563,10 @@ def test_the_place_of_a_force_does_not_spin() -> None:
         state.q[spin] = turned
         pushed = evaluate.residual(plain, state) - evaluate.residual(system, state)
         assert np.allclose(pushed, [0.0, 100.0, 0.0, -3.0, 0.0, 2.0], atol=1e-9)
+    # along x of the world: the force is still along y there, its place 20 mm along x of the body, which is y
+    system = compile_model(loads_model(ALONG_X + text[len(FREE) :]))
+    pushed = evaluate.residual(compile_model(loads_model(ALONG_X)), state) - evaluate.residual(system, state)
+    assert np.allclose(pushed, [100.0, 0.0, 0.0, 0.0, 3.0, 0.0], atol=1e-9)
 
 
 def test_balance_holds_the_train_where_a_run_starts() -> None:

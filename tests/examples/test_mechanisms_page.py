@@ -15,12 +15,14 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.joint import COORDINATES
+from pitchpoint.model.frames import body_frame
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
 
 TEXT = (Path(__file__).parents[2] / "docs" / "mechanisms.md").read_text(encoding="utf-8")
 WORDS = " ".join(TEXT.split())
 R, L = 0.1, 0.3
+ROTOR = {"bodies.wheel_body.gears", "joints.seat.bodies[0]", "joints.left.bodies[0]"}
 
 
 @pytest.fixture
@@ -73,7 +75,7 @@ def test_commands_run_and_numbers_are_right(folder: Path, capsys: pytest.Capture
 
 
 def test_the_shafts_of_the_page() -> None:
-    rig, rod = re.findall(r"^```yaml\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)[1:]
+    rig, rod, housing, rotor = re.findall(r"^```yaml\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)[2:]
     model = loads_model(rig)
     assert model.stations["input"][3] == pytest.approx(0.1, rel=1e-12)
     assert "pinion sits on `input.4`" in WORDS
@@ -82,11 +84,28 @@ def test_the_shafts_of_the_page() -> None:
     assert f"lowest natural frequency is {modes.frequency[1]:.0f} Hz" in WORDS
     assert "output" in modes.names[1]
     assert "translation z" in modes.names[1]
-    # the keys of the other snippet are those of the file; what is missing is told, nothing else
-    with pytest.raises(ModelError) as error:
-        loads_model(rod)
-    told = {p.where: p.message for p in error.value.problems}
-    assert set(told) == {"elastic_bodies.rod.file", "joints.crank_pin.bodies[0]"}
+    # the keys of the other snippets are those of the file; what is missing is told, nothing else
+    for text, missing in (
+        (rod, {"elastic_bodies.rod.file", "joints.crank_pin.bodies[0]"}),
+        (housing, {"gears", "bearings.left.body", "bearings.left.housing"}),
+        (rotor, {*ROTOR, "bodies.journal.inertia"}),  # which nothing carries as long as there is no rotor
+    ):
+        with pytest.raises(ModelError) as error:
+            loads_model(text)
+        assert {p.where for p in error.value.problems} == missing
+
+
+def test_the_tilted_gears_of_the_page() -> None:
+    snippet = re.findall(r"^```yaml\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)[1]
+    teeth = "normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    gears = f"gears: {{a: {{number_of_teeth: 20, {teeth}}}, b: {{number_of_teeth: 40, {teeth}}}}}\n"
+    model = loads_model(gears + snippet)
+    z = np.array([np.sin(np.radians(85.0)), 0.0, np.sin(np.radians(5.0))])
+    for body in ("pinion", "wheel"):
+        np.testing.assert_allclose(body_frame(model, body)[1][:, 2], z, atol=5e-5)
+    x, y = np.array([0.0, 1.0, 0.0]), np.cross(z, [0.0, 1.0, 0.0])
+    way = 0.09 * (np.cos(np.radians(30.0)) * x + np.sin(np.radians(30.0)) * y)
+    np.testing.assert_allclose(model.bodies["wheel"].origin, way, atol=1e-5)
 
 
 def test_the_table_of_joints_is_complete() -> None:

@@ -46,6 +46,8 @@ ELSEWHERE = {
     "linear_modes": "tests/unit/elements/test_linear_part.py",
     "linear_part": "tests/unit/elements/test_linear_part.py",
     "gear_mesh": "tests/invariants/test_gear_mesh.py",
+    "ball_on_surface": "tests/unit/elements/test_permanent_contact.py",
+    "curve_on_curve": "tests/unit/elements/test_permanent_contact.py",
     "curve_curve": "tests/unit/elements/test_planar_contact.py",
     "point_curve": "tests/unit/elements/test_planar_contact.py",
     "point_on_curve": "tests/unit/elements/test_point_on_curve.py",

@@ -17,8 +17,10 @@ from pitchpoint.model.build import build_model
 from pitchpoint.model.keys import walk
 from pitchpoint.model.model import Model
 from pitchpoint.model.read import Reader
-from tests.support.model_files import ISO_EXAMPLE, TORSIONAL_PAIR
+from pitchpoint.system.compile import compile_model
+from tests.support.model_files import CONTROLLED_PAIR, ISO_EXAMPLE, TORSIONAL_PAIR
 
+SIGNALS = ("sensors", "blocks", "controllers", "actuators")
 KEYS = sorted({name for _, _, name, _ in walk(Model)} | {"law"})
 UNITS = ["", " mm", " deg", " kg", " N m", " rpm", " Hz", " N/m", " s", " N/(mm um)", " furlong", " °", "²"]
 NUMBERS = st.one_of(
@@ -43,6 +45,12 @@ WORDS = st.sampled_from(
         "sin(t)",
         "free",
         "up",
+        "speed",
+        "error",
+        "driver.rim",
+        "sum",
+        "pid",
+        "torque",
     ]
 )
 SCALARS = st.one_of(st.none(), st.booleans(), NUMBERS, QUANTITIES, WORDS, st.text(max_size=20))
@@ -91,20 +99,39 @@ def test_arbitrary_structures(data: Any) -> None:
 
 @given(
     st.dictionaries(
-        st.sampled_from(sorted(["gears", "bodies", "meshes", "loads", "scenarios", "bearings"])), TREES
+        st.sampled_from(sorted(["gears", "bodies", "meshes", "loads", "scenarios", "bearings", *SIGNALS])),
+        TREES,
     )
 )
 def test_arbitrary_sections(data: Any) -> None:
     load_or_refuse(data)
 
 
-@given(st.sampled_from([ISO_EXAMPLE, TORSIONAL_PAIR]), st.data())
+@given(st.sampled_from([ISO_EXAMPLE, TORSIONAL_PAIR, CONTROLLED_PAIR]), st.data())
 def test_valid_files_with_some_values_changed(text: str, data: st.DataObject) -> None:
     tree = yaml_data(text)
     for _ in range(data.draw(st.integers(1, 3))):
         path = data.draw(st.sampled_from(places(tree)))
         put(tree, path, data.draw(st.one_of(SCALARS, TREES)))
     load_or_refuse(tree)
+
+
+@given(st.data())
+def test_signals_with_some_values_changed(data: st.DataObject) -> None:
+    """What is accepted can be compiled, written and read again."""
+    tree = yaml_data(CONTROLLED_PAIR)
+    for _ in range(data.draw(st.integers(1, 3))):
+        section = data.draw(st.sampled_from(SIGNALS))
+        path = data.draw(st.sampled_from([p for p in places(tree) if p[0] == section and len(p) > 2]))
+        put(tree, path, data.draw(st.one_of(SCALARS, WORDS, TREES)))
+    try:
+        model = build_model(tree, Reader())
+    except ModelError as error:
+        assert all(str(p) for p in error.problems)
+        return
+    assert loads_model(dump_model(model)) == model
+    with contextlib.suppress(PitchpointError):
+        compile_model(model)
 
 
 @given(st.sampled_from([ISO_EXAMPLE, TORSIONAL_PAIR]), st.data())
@@ -165,7 +192,7 @@ def test_arbitrary_text(text: str) -> None:
         loads_model(text)
 
 
-@given(st.sampled_from([ISO_EXAMPLE, TORSIONAL_PAIR]), st.data())
+@given(st.sampled_from([ISO_EXAMPLE, TORSIONAL_PAIR, CONTROLLED_PAIR]), st.data())
 def test_valid_text_with_characters_changed(text: str, data: st.DataObject) -> None:
     for _ in range(data.draw(st.integers(1, 4))):
         at = data.draw(st.integers(0, len(text) - 1))

@@ -50,3 +50,42 @@ def pair(first: str, second: str, mesh: str = "", rest: str = "") -> str:
     """A file with two gears a and b (lines 2 and 3) and the mesh m (line 5)."""
     keys = f", {mesh}" if mesh else ""
     return f"gears:\n{first}{second}meshes:\n  m: {{gears: [a, b]{keys}}}\n{rest}"
+
+
+CONTROLLED_PAIR = """\
+gears:
+  g1: {number_of_teeth: 20, normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0}
+  g2: {number_of_teeth: 40, normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0}
+bodies:
+  driver: {gears: [g1], motion: torsion, inertia: 0.02 kg m^2, markers: {rim: {position: [30 mm, 0, 0]}}}
+  driven: {gears: [g2], motion: torsion, inertia: 0.4 kg m^2}
+meshes:
+  stage: {gears: [g1, g2], stiffness: {law: constant, value: 4e8 N/m}, damper: {ratio: 0.05}}
+sensors:
+  speed: {type: joint, coordinate: driver, derivative: 1}
+  place: {type: frames, quantity: position, ends: [driver.rim, driven], axis: y}
+  load: {type: load, at: driven, quantity: force, axis: x, seen_from: driver}
+  force: {type: observation, channel: "mesh_force[stage]"}
+blocks:
+  error: {type: sum, inputs: {speed: -1}, offset: 100 rad/s, unit: rad/s}
+  kept: {type: limits, input: error, limits: [-20, 20 rad/s]}
+  curve: {type: table, input: kept, points: [[-10, -5], [0, 0], [10, 8]]}
+  mixed: {type: formula, formula: "2 * curve + sin(t)", inputs: [curve, t]}
+  total: {type: integrator, input: error, start: 1}
+  calm: {type: filter, input: mixed, time_constant: 1 ms, damping_ratio: 0.5}
+  shaped: {type: transfer_function, input: calm, numerator: [1], denominator: [0.01, 1]}
+  u: {type: pid, input: error, proportional: 2 N m s, integral: 10, derivative: 0.1, filter_time: 1 ms,
+    limits: [-9, 9]}
+  heard: {type: filter, input: force, time_constant: 2 ms}
+controllers:
+  loop: {type: pid, input: heard, output: w, proportional: 1e-3, integral: 2, period: 1 ms, delay: 0.5 ms}
+actuators:
+  motor: {type: torque, signal: u, bodies: [driver]}
+  brake: {type: torque, signal: w, bodies: [driven, driver]}
+  push: {type: force, signal: shaped, ends: [driver.rim, ground], axis: y, along: first}
+  jack: {type: strut, signal: calm, ends: [driver.rim, driven]}
+loads:
+  load: {body: driven, torque: 40 N m}
+scenarios:
+  run: {speed: {driver: 100 rad/s}, duration: 5 ms, step: 0.1 ms, settle_time: 0 s}
+"""

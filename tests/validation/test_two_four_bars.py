@@ -8,11 +8,14 @@ line the mechanism could leave its path on another branch, and its rows lose ran
 Source: IFToMM library of computational benchmark problems, problem A02, values at t = 10 s as listed in
 cases.md. The frame is that of the source: x to the right, y upwards.
 
-What fails, and why: near the singular position two rows say almost the same. Their multipliers are a
-difference divided by what is left of the rank, so they lose their digits there, and Newton's iteration, which
-corrects them with the positions, does not reach its tolerance. Equal steps pass if none of them falls close
-to the position, which is luck. gstiff fails at 1e-9, and SI1 does, whose eta are integrals of such
-multipliers. wstiff and dassl in SI2 and I3 pass: they shorten their steps. What does not pass says so.
+Near the singular position two rows say almost the same, and on its other side one of them has changed its
+sign against the other: a Newton iteration with the matrix of the step before leads away there, to the other
+branch in the end. It goes back to its prediction, then, and on with the matrix of that place. What rounding
+and the tolerance of the iteration leave over in a row counts divided by what is left of the rank, so the
+error of equal steps falls with their square down to 5e-4 s; steps so small that one of them comes closer
+than 1e-4 rad to the position may stop there. Variable steps pass down to a tolerance of 1e-9; SI1 stops at
+tolerances below 1e-5: its eta are integrals of multipliers that grow beyond all bounds. What does not pass
+says so.
 """
 
 from __future__ import annotations
@@ -87,31 +90,68 @@ def test_five_bars_have_one_degree_of_freedom():
     assert len(found.redundant) == 6
 
 
-@pytest.mark.parametrize(("kind", "tolerances"), [("wstiff", (1e-5, 1e-7, 1e-9)), ("gstiff", (1e-5, 1e-7))])
+@pytest.mark.parametrize("kind", ["wstiff", "gstiff", "dassl"])
 @pytest.mark.parametrize("planar", [True, False])
-def test_two_four_bars_after_ten_seconds(planar, kind, tolerances):
+def test_two_four_bars_after_ten_seconds(planar, kind):
     """Where the rows lose rank they touch: an error of a row counts as its root in the place.
 
-    So the error falls with the root of the tolerance, and that of one passage is carried on by those after
-    it.
+    So the error falls at least with the root of the tolerance, and that of one passage is carried on by those
+    after it. 7e-4, 3e-5 and 2e-6 when this was written.
     """
-    for rtol in tolerances:
+    for rtol in (1e-5, 1e-7, 1e-9):
         found, drift = run(planar, kind, rtol)
         for value, published in zip(found, PUBLISHED, strict=True):
-            assert value == pytest.approx(published, abs=0.2 * np.sqrt(rtol))
-        assert abs(drift) < 0.2 * np.sqrt(rtol) * 9.81
+            assert value == pytest.approx(published, abs=0.4 * np.sqrt(rtol))
+        assert abs(drift) < 0.4 * np.sqrt(rtol) * 9.81
+
+
+def place_after(planar, h, **options):
+    """Status, time and place and velocity of the upper end at 10 s, with equal steps of generalised-alpha."""
+    system = mechanism(planar)
+    moving = generalized_alpha.start(system, start(system).state, h, **options)
+    status = moving.advance(round(10.0 / h)).status
+    evaluate.residual(system, moving.state())
+    pin = system.workspace.fr[2]
+    return status, moving.t, np.array([*pin["r"][:2], *pin["tw"][:2]])
+
+
+@pytest.mark.parametrize("rho_inf", [0.8, 1.0])
+@pytest.mark.parametrize("form", ["I3", "SI2"])
+@pytest.mark.parametrize("planar", [True, False])
+def test_equal_steps_pass_with_the_error_of_their_order(planar, form, rho_inf):
+    """Fourteen passages. At 5 ms, which comes near none of them, the error is 1e-4, 4 h^2.
+
+    1e-5: what the nearest passage disturbs, which does not fade with rho_inf = 1.
+    """
+    for h in (1e-2, 5e-3, 2e-3, 1e-3):
+        status, _, found = place_after(planar, h, form=form, rho_inf=rho_inf, tolerance=1e-13)
+        assert status == OK
+        np.testing.assert_allclose(found, PUBLISHED, rtol=0.0, atol=6.0 * h * h + 1e-5)
 
 
 @pytest.mark.parametrize("form", ["I3", "SI2"])
-@pytest.mark.parametrize("h", [1e-2, 2e-3, 1e-3])
-def test_equal_steps_pass_or_say_that_they_do_not(h, form):
-    """A step of 0.01 s errs by (1e-2)^2 a passage; nothing may go on along another branch unnoticed."""
-    system = mechanism(True)
-    moving = generalized_alpha.start(system, start(system).state, h, form=form, rho_inf=1.0)
-    if moving.advance(round(10.0 / h)).status == OK:
-        evaluate.residual(system, moving.state())
-        pin = system.workspace.fr[2]
-        found = np.array([*pin["r"][:2], *pin["tw"][:2]])
+@pytest.mark.parametrize("h", [2e-3, 1e-3])
+def test_equal_steps_pass_at_the_default_tolerance(h, form):
+    """1e-11 m over a rank of 1e-3 are 1e-8 m, and 0.04 m/s^2 in the acceleration of a step of 1 ms."""
+    status, _, found = place_after(True, h, form=form)
+    assert status == OK
+    np.testing.assert_allclose(found, PUBLISHED, rtol=0.0, atol=1e-4)
+
+
+@pytest.mark.parametrize("form", ["I3", "SI2"])
+def test_steps_that_are_too_short_pass_or_say_that_they_do_not(form):
+    """Nothing may go on along another branch unnoticed."""
+    status, reached, found = place_after(True, 2e-4, form=form, rho_inf=1.0)
+    if status == OK:
         np.testing.assert_allclose(found, PUBLISHED, atol=1e-2)
     else:
-        assert moving.t < 10.0
+        assert reached < 10.0
+
+
+@pytest.mark.parametrize("rtol", [1e-5, 1e-7])
+def test_multipliers_as_rates_pass_or_say_that_they_do_not(rtol):
+    system = mechanism(True)
+    moving = bdf.start(system, start(system).state, "gstiff", form="SI1", rtol=rtol)
+    status = moving.advance_to(10.0).status
+    assert status == OK or moving.t < 10.0
+    assert rtol < 1e-5 or status == OK

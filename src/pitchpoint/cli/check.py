@@ -63,8 +63,12 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
 
 def summary(model: Model) -> dict[str, Any]:
     """Collect what will be simulated."""
+    from pitchpoint.model.mechanism import seat_frame
+    from pitchpoint.model.signal_words import HEAD, signal_lines
     from pitchpoint.report.defaults import defaults
+    from pitchpoint.system.rules.elastic_body import elastic_facts
 
+    facts = elastic_facts(model) if model.elastic_bodies else {}
     bodies = {}
     for name, body in model.bodies.items():
         inertia = model.body_inertia(name)
@@ -73,12 +77,14 @@ def summary(model: Model) -> dict[str, Any]:
             "motion": body.moves,
             "degrees_of_freedom": _freedoms(model, name),
             "origin": body.origin,
+            "axis": [float(c) for c in seat_frame(model, model.mechanism.seats[name])[1][:, 2]],
             "mass": inertia.mass,
             "polar_inertia": inertia.polar,
             "transverse_inertia": inertia.transverse,
         }
         if body.elastic is not None:  # only its file knows
-            bodies[name] |= dict.fromkeys(("mass", "polar_inertia", "transverse_inertia"))
+            bodies[name] |= dict.fromkeys(("polar_inertia", "transverse_inertia"))
+            bodies[name]["mass"] = facts[name][0]
     return {
         "ok": True,
         "title": model.title,
@@ -100,6 +106,7 @@ def summary(model: Model) -> dict[str, Any]:
         },
         "shafts": {name: _stations(model, name) for name in model.shafts},
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
+        "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
         "joints": _joints(model),
         "rods": list(model.rods),
         "ratios": list(model.ratios),
@@ -108,6 +115,7 @@ def summary(model: Model) -> dict[str, Any]:
         "couplings": list(model.couplings),
         **{group: list(getattr(model, group)) for group in FORCES},
         "loads": list(model.loads),
+        "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
     }
@@ -156,7 +164,9 @@ def _mobility(model: Model) -> dict[str, int]:
     """Coordinates of the tree and degrees of freedom by Gruebler's count."""
     from pitchpoint.model.mechanism import freedoms
 
-    others = len(model.rods) + len(model.ratios) + sum(c.permanent for c in model.cam_contacts.values())
+    contacts = (model.cam_contacts, model.curve_contacts, model.surface_contacts)
+    held = sum(c.permanent for group in contacts for c in group.values())
+    others = len(model.rods) + len(model.ratios) + held
     count, mobility = freedoms(model.mechanism, model, others)
     more = 6 * sum(len(places) - 1 for places in model.stations.values())
     return {"coordinates": count + more, "constraints": count - mobility, "by_count": mobility + more}
@@ -196,17 +206,33 @@ def _show_joints(found: dict[str, Any]) -> None:
         )
 
 
+def _direction(axis: list[float]) -> str:
+    """Name a direction: an axis of the world, or its parts along them.
+
+    Examples
+    --------
+    >>> _direction([0.0, 0.0, 1.0]), _direction([-1.0, 0.0, 0.0]), _direction([0.99619, 0.0, 0.08716])
+    ('z', '-x', '0.99619, 0, 0.08716')
+    """
+    k = max(range(3), key=lambda i: abs(axis[i]))
+    if abs(axis[k]) > 1.0 - 1e-12:
+        return ("-" if axis[k] < 0.0 else "") + "xyz"[k]
+    return ", ".join(f"{round(c, 6) + 0.0:.6g}" for c in axis)
+
+
 def _print(model: Model, file: str) -> None:
     """Show the same to people."""
     found = summary(model)
     show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
+    upright = all(body["axis"] == [0.0, 0.0, 1.0] for body in found["bodies"].values())
     rows = [
         [
             name,
             ", ".join(body["gears"]),
+            *([] if upright else [_direction(body["axis"])]),
             ", ".join(body["degrees_of_freedom"]) or "fixed",
             ", ".join(f"{round(1e3 * c, 9) + 0.0:.6g}" for c in body["origin"]) if body["origin"] else "",
-            shown(body["mass"], "mass", 5) if name not in found["elastic_bodies"] else "in its file",
+            shown(body["mass"], "mass", 5),
             shown(body["polar_inertia"], "inertia", 5) if name not in found["elastic_bodies"] else "",
         ]
         for name, body in found["bodies"].items()
@@ -215,9 +241,20 @@ def _print(model: Model, file: str) -> None:
         n = found["degrees_of_freedom"]
         table(
             f"Bodies: {n} degrees of freedom",
-            ["body", "gears", "moves in", "origin [mm]", "mass", "polar inertia"],
+            [
+                "body",
+                "gears",
+                *([] if upright else ["axis"]),
+                "moves in",
+                "origin [mm]",
+                "mass",
+                "polar inertia",
+            ],
             rows,
         )
+    for name, frequencies in found["elastic_frequencies"].items():
+        listed = ", ".join(f"{f:.4g}" for f in frequencies)
+        show(f"{name}, unsupported, swings in {len(frequencies)} modes of {listed} Hz")
     rows = [
         [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
         for stations in found["shafts"].values()
@@ -242,6 +279,8 @@ def _print(model: Model, file: str) -> None:
     for group in ("bearings", "couplings", *FORCES, "loads"):
         if found[group]:
             show(f"{group}: {', '.join(found[group])}")
+    if found["signals"]:
+        table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
     if found["scenarios"]:
         show("scenarios: " + ", ".join(f"{name} ({kind})" for name, kind in found["scenarios"].items()))
     assumed = found["defaults"]

@@ -44,7 +44,7 @@ SHOWN = 20
     "--animation",
     type=click.Path(dir_okay=False),
     metavar="FILE",
-    help="Write the motion of all bodies over one cycle of every mode: json or npz.",
+    help="Write the motion of bodies and nodes over one cycle of every mode: json or npz.",
 )
 @output("Result file (netCDF-4/HDF5); none if left out.")
 @as_json
@@ -74,7 +74,7 @@ def modes(
         lambda: compute(
             model, file, name, target, phase=phase, count=count, animation=animation, quiet=quiet
         ),
-        {"total": 0, "modes": []},
+        {"total": 0, "modes": [], "states": []},
     )
     if as_json:
         emit_json(summary)
@@ -110,7 +110,7 @@ def compute(
     if target is not None:
         store(target, header_of(model, file, name or "", "modes", "modal"), found)
     if animation is not None:
-        animate(animation, found)
+        animate(animation, found, model)
     summary = {
         "status": how_a_status_ends(OK),
         "sentence": sentence(OK),
@@ -119,6 +119,7 @@ def compute(
         "notes": list(found.notes),
         "total": found.total,
         "modes": rows_of(found),
+        "states": [[float(x.real), float(x.imag)] for x in found.state_eigenvalue],
     }
     return summary, None
 
@@ -135,6 +136,9 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
         for row in summary["modes"][:count]
     ]
     table(title, ["mode", "natural frequency", "damped", "damping ratio"], cells)
+    if summary["states"]:
+        words = [f"{x:.5g} ± {y:.5g}i" if y > 0.0 else f"{x + 0.0:.5g}" for x, y in summary["states"]]
+        show(f"eigenvalues of states [1/s]: {', '.join(words)}")
     if quiet:
         return
     total = summary["total"]
@@ -182,9 +186,10 @@ def rows_of(found: Modes) -> list[dict[str, Any]]:
     ]
 
 
-def animate(path: str, found: Modes) -> None:
-    """Write the motion of all bodies over one cycle of every mode."""
+def animate(path: str, found: Modes, model: Model) -> None:
+    """Write the motion of all bodies, and of the nodes of elastic ones, over one cycle of every mode."""
     from pitchpoint.io.mode_animation import write_mode_animation
+    from pitchpoint.solvers.node_shapes import node_shapes
 
     write_mode_animation(
         path,
@@ -194,6 +199,7 @@ def animate(path: str, found: Modes) -> None:
         place=found.place,
         axes=found.axes,
         body_shape=found.damped_body_shape,
+        nodes=node_shapes(model, found),
     )
 
 

@@ -32,6 +32,7 @@ SHOWN = (
     "torque",
     "bearing_force",
     "coupling_force",
+    "signal",
 )
 """Channels that people see after a run; all of them are in the file."""
 
@@ -159,7 +160,8 @@ def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> N
     """Show the statistics of the channels that people ask for first; those that are zero only as a count."""
     rows, zeros = [], []
     for name, row in channels.items():
-        if name.partition("[")[0] in SHOWN and ".eta" not in name:  # modal coordinates tell little
+        inner = ".eta" in name or (name.startswith("signal[") and "." in name)
+        if name.partition("[")[0] in SHOWN and not inner:  # modal coordinates, parts of blocks tell little
             if any(row[key] != 0.0 for key in STATISTICS):
                 rows.append([name, *statistics_cells(row)])
             else:

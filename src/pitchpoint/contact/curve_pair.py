@@ -208,17 +208,79 @@ def _same(hits, n, A, ka, s, B, kb, t):
 
 
 @kernel
+def nearest_normal(A, B, M, d, least, hits):
+    """Common normal of two curves that is nearest to contact, within `least` [m], into row 0 of `hits`.
+
+    >>> import numpy as np
+    >>> from pitchpoint.contact.curve import circle
+    >>> one, hits = circle(0.5).rows, np.zeros((MOST, HIT))
+    >>> bool(nearest_normal(one, one, np.eye(3), np.array([0.9, 0.0, 0.0]), 1.0, hits))
+    True
+    >>> round(float(hits[0, 0]), 9), round(float(hits[0, 1]), 9)
+    (-0.1, 0.5)
+    """
+    slack = 1e-6 + 2.0 * (1.0 - M[2, 2])
+    turn = math.atan2(M[1, 0], M[0, 0])
+    any_found = False
+    for ka in range(A.shape[0]):
+        x = d[0] + M[0, 0] * A[ka, 1] + M[0, 1] * A[ka, 2]
+        y = d[1] + M[1, 0] * A[ka, 1] + M[1, 1] * A[ka, 2]
+        for kb in range(B.shape[0]):
+            apart = math.sqrt((x - B[kb, 1]) ** 2 + (y - B[kb, 2]) ** 2) - A[ka, 3] - B[kb, 3]
+            if apart >= least or not _may_face(A, ka, B, kb, turn, slack):
+                continue
+            found, s, t, phi = common_normal(A, ka, B, kb, M, d)
+            if found == 0 or abs(phi) >= least:
+                continue
+            any_found = True
+            least = abs(phi)
+            hits[0, 0] = phi
+            hits[0, 1] = s
+            hits[0, 2] = ka
+            hits[0, 3] = t
+            hits[0, 4] = kb
+    return any_found
+
+
+@kernel
+def _deep_contact(A, B, M, d, reach, best, hits):
+    """Whether the nearest place of all is an overlap; it goes into row 0. `best` is the gap found so far.
+
+    Of a point inside an outline the sides of the outline are nearer or farther; outside of it the near side
+    is nearer than the far one. So the place where the curves without offset are nearest tells which it is.
+    """
+    offset = reach[0]
+    near = False
+    for ka in range(A.shape[0]):
+        x = d[0] + M[0, 0] * A[ka, 1] + M[0, 1] * A[ka, 2] - reach[3]
+        y = d[1] + M[1, 0] * A[ka, 1] + M[1, 1] * A[ka, 2] - reach[4]
+        near = near or math.sqrt(x * x + y * y) < A[ka, 3] + offset + reach[5]
+    before = (hits[0, 0], hits[0, 1], hits[0, 2], hits[0, 3], hits[0, 4])
+    least = best + offset if before[4] >= 0.0 else 1e300
+    if not near or not nearest_normal(A, B, M, d, least, hits):
+        return False
+    hits[0, 0] -= offset
+    if hits[0, 0] < 0.0 and hits[0, 0] >= -reach[6]:
+        return True
+    for k in range(HIT):
+        hits[0, k] = before[k]
+    return False
+
+
+@kernel
 def contacts(A, B, M, d, reach, hits):
     """All contacts of two curves, deepest first, into `hits` (MOST rows); returns their number and the gap.
 
     reach = (offset of A [m], deepest overlap that counts [m], largest gap that is looked for [m], x, y and
-    radius of the circle around B). Row 0 holds the nearest place even without contact; its last number is -1
-    if there is none within the largest gap, which is then returned.
+    radius of the circle around B, deepest overlap of all [m]). Row 0 holds the nearest place even without
+    contact; its last number is -1 if there is none within the largest gap, which is then returned. If there
+    is no contact that counts, the nearest place of all counts up to the deepest overlap of all: one body is
+    then far inside the other one.
 
     >>> import numpy as np
     >>> from pitchpoint.contact.curve import circle
     >>> one = circle(0.5).rows
-    >>> reach = np.array([0.0, 0.2, 1.0, 0.0, 0.0, 0.5])
+    >>> reach = np.array([0.0, 0.2, 1.0, 0.0, 0.0, 0.5, 0.2])
     >>> n, gap = contacts(one, one, np.eye(3), np.array([0.9, 0.0, 0.0]), reach, np.zeros((MOST, HIT)))
     >>> int(n), round(float(gap), 9)
     (1, -0.1)
@@ -265,4 +327,6 @@ def contacts(A, B, M, d, reach, hits):
                 hits[at, 2] = ka
                 hits[at, 3] = t
                 hits[at, 4] = kb
+    if n == 0 and reach[6] > reach[1] and _deep_contact(A, B, M, d, reach, best, hits):
+        return 1, hits[0, 0]
     return n, best

@@ -89,6 +89,57 @@ def distance(form, size, sense, y, W):
 
 
 @kernel
+def gap_of_length(size, sense, y):
+    """Distance [m] of the point y from a cylinder with flat ends, the first result of `of_length`.
+
+    >>> import numpy as np
+    >>> round(float(gap_of_length(np.array([0.1, 0.5]), 1.0, np.array([0.13, 0.0, 0.29]))), 9)
+    0.05
+    """
+    u = sense * (math.sqrt(y[0] * y[0] + y[1] * y[1]) - size[0])
+    v = abs(y[2]) - 0.5 * size[1]
+    if u > 0.0 and v > 0.0:
+        return math.sqrt(u * u + v * v)
+    return max(u, v)
+
+
+@kernel
+def of_length(size, sense, y, W):
+    """Distance [m] of the point y from a cylinder with flat ends, its outward normal, and W [1/m].
+
+    size = radius and length [m], the middle at the origin; with `sense` -1 a bore of that length through
+    material without end. Inside the material the nearer of jacket and end counts.
+
+    >>> import numpy as np
+    >>> W = np.zeros((3, 3))
+    >>> phi, nx, ny, nz = of_length(np.array([0.1, 0.5]), 1.0, np.array([0.13, 0.0, 0.29]), W)
+    >>> round(float(phi), 9), round(float(nx), 9), round(float(nz), 9), round(float(W[1, 1]), 6)
+    (0.05, 0.6, 0.8, 4.615385)
+    """
+    for r in range(3):
+        for c in range(3):
+            W[r, c] = 0.0
+    rho = math.sqrt(y[0] * y[0] + y[1] * y[1])
+    ux = y[0] / rho if rho > LEAST else 1.0
+    uy = y[1] / rho if rho > LEAST else 0.0
+    rho = max(rho, LEAST)
+    u = sense * (rho - size[0])
+    v = abs(y[2]) - 0.5 * size[1]
+    up = 1.0 if y[2] > 0.0 else -1.0
+    if u > 0.0 and v > 0.0:
+        d = math.sqrt(u * u + v * v)
+        a = rho - size[0]
+        n = (a / d * ux, a / d * uy, up * v / d)
+        radial(W, n, 1.0, d)
+        _around(W, (a / rho - 1.0) / d, ux, uy)
+        return d, n[0], n[1], n[2]
+    if u >= v:
+        _around(W, sense / rho, ux, uy)
+        return u, sense * ux, sense * uy, 0.0
+    return v, 0.0, 0.0, up
+
+
+@kernel
 def _around(W, k, ux, uy):
     """Add the curvature k in the direction around the axis."""
     W[0, 0] += k * uy * uy

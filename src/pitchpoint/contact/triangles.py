@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.contact.triangle_search import FACE, HEADER, NODE
+from pitchpoint.geometry.triangle_file import join_corners
 
 LEAF = 4
 """Most things in one leaf of a tree."""
@@ -96,12 +97,7 @@ class TriangleSurface:
             Distance below which corners are the same, as a part of the size of the surface.
         """
         corners = np.asarray(triangles, float).reshape(-1, 3)
-        grid = tolerance * np.ptp(corners, axis=0).max()
-        low = corners.min(axis=0)
-        _, first, which = np.unique(
-            np.round((corners - low) / grid).astype(np.int64), axis=0, return_index=True, return_inverse=True
-        )
-        faces = which.reshape(-1, 3)
+        first, faces = join_corners(corners, tolerance)
         kept = (faces != np.roll(faces, 1, axis=1)).all(axis=1)  # slivers without area fall out
         return cls(corners[first], faces[kept])
 
@@ -117,6 +113,12 @@ class TriangleSurface:
     def size(self) -> float:
         """Longest side of the box around the surface [m]."""
         return float(np.ptp(self.vertices, axis=0).max())
+
+    def is_closed(self) -> bool:
+        """Whether every edge has a triangle on both sides."""
+        one, two = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
+        many = len(self.vertices)
+        return bool(np.isin(two * many + one, one * many + two).all())
 
     def packed(self) -> FloatArray:
         """The surface as one float array for the kernels.

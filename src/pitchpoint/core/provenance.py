@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 from enum import Enum
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -35,7 +36,8 @@ def content_hash(data: Any) -> str:
     Parameters
     ----------
     data
-        Numbers, texts, sequences, mappings, arrays, dataclasses, nested.
+        Numbers, texts, sequences, mappings, arrays, dataclasses, nested. Of a file that a dataclass names, a
+        field with a key of kind "file", its content counts and its name does not.
 
     Returns
     -------
@@ -86,7 +88,7 @@ def provenance(
 def _plain(data: Any) -> Any:
     """Turn nested data into what JSON knows; floats by their exact text, so NaN and -0.0 are kept apart."""
     if dataclasses.is_dataclass(data) and not isinstance(data, type):
-        fields = {f.name: _plain(getattr(data, f.name)) for f in dataclasses.fields(data)}
+        fields = {f.name: _plain(_content(f, getattr(data, f.name))) for f in dataclasses.fields(data)}
         return {"": type(data).__name__, **fields}
     if isinstance(data, Mapping):
         return {str(k): _plain(v) for k, v in data.items()}
@@ -105,3 +107,21 @@ def _plain(data: Any) -> Any:
     if isinstance(data, np.integer | np.bool_):
         return data.item()
     return str(data)
+
+
+def _content(field: dataclasses.Field[Any], value: Any) -> Any:
+    """Value of a field; of one that names a file, the hash of what is in it."""
+    if value is None or getattr(field.metadata.get("key"), "kind", "") != "file":
+        return value
+    try:
+        status = Path(value).stat()
+        return _file_hash(str(value), status.st_mtime_ns, status.st_size)
+    except OSError:
+        return value
+
+
+@lru_cache(maxsize=64)
+def _file_hash(path: str, stamp: int, size: int) -> str:
+    """Hash of a file as it is at the time `stamp`."""
+    with Path(path).open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

@@ -100,6 +100,25 @@ def load_user_law(
     where
         Path of the key in the model, for messages.
     """
+    function = load_function(reference, folder, ("t", "x", "p"), allow_code=allow_code, where=where)
+    values = np.ascontiguousarray(parameters if len(parameters) else [0.0], dtype=np.float64)
+    return UserLaw(function, values, reference)
+
+
+def load_function(
+    reference: str, folder: Path, arguments: Sequence[str], *, allow_code: bool, where: str
+) -> Callable[..., Any]:
+    """Load a function from a Python file.
+
+    Parameters
+    ----------
+    reference, folder
+        As of `load_user_law`.
+    arguments
+        Names of the arguments that it will be called with.
+    allow_code, where
+        As of `load_user_law`.
+    """
     if not allow_code:
         _refuse(
             where,
@@ -119,14 +138,21 @@ def load_user_law(
             "give it relative to the model file",
         )
     module = _execute(path, where, reference)
-    function = getattr(module, attribute, None)
+    function: Any = getattr(module, attribute, None)
     if not callable(function):
         known = ", ".join(n for n, v in vars(module).items() if inspect.isfunction(v)) or "none"
         _refuse(where, reference, "names no function of that file", f"functions there: {known}")
-    if not hasattr(function, "address") and len(_positional(function)) != 3:
-        _refuse(where, reference, "does not take three arguments", "define it as f(t, x, p)")
-    values = np.ascontiguousarray(parameters if len(parameters) else [0.0], dtype=np.float64)
-    return UserLaw(function, values, reference)
+    if not hasattr(function, "address") and len(_positional(function)) != len(arguments):
+        _refuse(
+            where,
+            reference,
+            f"does not take {_COUNT[len(arguments)]} arguments",
+            f"define it as f({', '.join(arguments)})",
+        )
+    return function
+
+
+_COUNT = {3: "three", 4: "four"}
 
 
 def _execute(path: Path, where: str, reference: str) -> Any:

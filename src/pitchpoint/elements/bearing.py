@@ -8,6 +8,9 @@ The wrench on body i is the conjugate one, that on body j its exact opposite; fo
 works with the twist between the bodies, so between two spinning bodies it rotates with them.
 
 The twist is conjugate to first order in the tilt; everything else is exact for any tilt when j is ground.
+A bearing in a housing has as body j one that is fixed to the housing at the bearing, along its axis, whose
+frame turns with the housing; it leaves the spin free.
+
 Two bodies must be coaxial as assembled, or joined by torsion alone: u knows no spin but the twist, so a force
 between two axes would do work that no spring gives. `model/support_check.py` refuses such a coupling.
 
@@ -41,6 +44,7 @@ RECORD = np.dtype(
         ("Pj", "f8", (6, 6)),  # scratch: the same of body j
         ("C", "f8", (6, 6)),  # scratch
         ("f", "f8", 6),  # scratch: force on body i in W
+        ("housed", "i8"),  # 1: body j is the seat of a bearing in a housing; W turns with all of its turns
         ("out", "i8"),
     ],
     align=True,
@@ -57,8 +61,8 @@ OUTPUTS = (
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Names of the observations of one record: bearing on ground, or coupling between two bodies."""
-    if record["j"] == 0:
+    """Names of the observations of one record: bearing on ground or in a housing, or coupling."""
+    if record["j"] == 0 or record["housed"]:
         return OUTPUTS
     return tuple(
         (name.replace("bearing", "coupling"), unit, words.replace("the body", "the first body"))
@@ -198,7 +202,7 @@ def _moves(b, f, g, side, c):
     """Change of twist, turn of W, change of axis i and of the three arms with one motion of one body.
 
     Motion c of body i (`side` 0) or j (1) is a translation (c < 3) or a turn. W turns with the frame of body
-    j, which does not spin.
+    j, which does not spin, or with the whole body where that is a housing.
     """
     shift = unit(c)
     turn = unit(c - 3)
@@ -208,6 +212,8 @@ def _moves(b, f, g, side, c):
         d_arm = add(shift, d_own)
         return _spun(f, turn), unit(3), dn, d_own, d_arm, d_arm
     twist = -_spun(g, turn)
+    if b["housed"] == 1:
+        twist = 0.0
     frame = add(turn, times(twist, _axis(g)))
     d_arm = times(-1.0, shift)
     d_gap = add(d_arm, times(-b["zj"], cross(turn, _axis(g))))

@@ -28,6 +28,7 @@ RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + CONTACT_LAW
     + [
+        ("row", "i8"),  # constraint row of a contact that never parts; written by the layout
         ("pi", "f8", 3),  # marker on body i, axes S [m]
         ("Bi", "f8", (3, 3)),  # its axes, columns in axes S
         ("pj", "f8", 3),  # marker on body j
@@ -39,9 +40,11 @@ RECORD = np.dtype(
         ("sense", "f8"),  # 1 material inside the surface of j, -1 outside
         ("radius", "f8"),  # radius of the roller or sphere on body i [m]
         ("depth", "f8"),  # deepest overlap that counts [m]; what overlaps more is another side
+        ("deepest", "f8"),  # planar curves: overlap up to which at least the nearest place counts [m]
         ("margin", "f8"),  # largest gap that is looked for and shown [m]
-        ("stations", "i8"),  # places along a line of contact
-        ("along", "f8", (MOST_STATIONS, 2)),  # where they are [m], and their weights
+        ("length", "f8"),  # of the line of contact that the law counts for [m]
+        ("stations", "i8"),  # Gauss points along a line of contact, 0: there is none
+        ("along", "f8", (MOST_STATIONS, 2)),  # where they are from 0 to 1, and their weights
         ("ev", "i8"),
         ("pool", "i8"),
         ("start_i", "i8"),  # curve or triangles of body i in the pool
@@ -54,7 +57,7 @@ RECORD = np.dtype(
         ("Ej", "f8", (3, 3)),
         ("M", "f8", (3, 3)),  # axes of marker i in those of marker j
         ("d", "f8", 3),  # marker i from marker j in axes of j
-        ("reach", "f8", 6),
+        ("reach", "f8", 7),
         ("hits", "f8", (MOST, HIT)),
         ("Q", "f8", 3),
         ("n", "f8", 3),
@@ -148,7 +151,7 @@ def set_curve(record: np.void, body: str, pool: Pool, curve: Curve) -> None:
     """
     record["start_" + body], record["rows_" + body] = pool.add(curve.rows), len(curve.rows)
     if body == "j":
-        record["reach"][3:] = curve.circle()
+        record["reach"][3:6] = curve.circle()
 
 
 def set_triangles(record: np.void, body: str, pool: Pool, surface: TriangleSurface) -> None:

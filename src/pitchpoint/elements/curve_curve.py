@@ -40,14 +40,19 @@ def set_curves(
     curves
         Curves of bodies i and j.
     depth
-        Deepest overlap that counts as contact [m]; None = a twentieth of the smaller curve.
+        Deepest overlap that counts as contact [m]. None = a twentieth of the smaller curve, and where nothing
+        overlaps less, the nearest place: of two outlines at any overlap, of an outline on an open curve up to
+        the size of the outline, of two open curves up to half the smaller one.
     margin
         Largest gap that is looked for and shown [m]; None = half the smaller curve. Small ones save time.
     """
     size = min(curve.circle()[2] for curve in curves)
+    outlines = [curve.circle()[2] for curve in curves if curve.closed]
     set_curve(record, "i", pool, curves[0])
     set_curve(record, "j", pool, curves[1])
-    record["depth"] = 0.05 * size if depth is None else depth
+    record["depth"] = record["deepest"] = 0.05 * size if depth is None else depth
+    if depth is None:
+        record["deepest"] = np.inf if len(outlines) == 2 else max(outlines, default=0.5 * size)
     record["margin"] = 0.5 * size if margin is None else margin
 
 

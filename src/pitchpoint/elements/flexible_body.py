@@ -33,6 +33,8 @@ from pitchpoint.multibody.joints import GUIDED
 from pitchpoint.multibody.mass_invariants import MassInvariants
 
 BODY_FIXED = True
+SPINS = "free"
+"""What bends with a body turns with it."""
 
 MOST = 12
 """Most modal coordinates of one body."""
@@ -183,8 +185,8 @@ def interface_bodies(
 ) -> tuple[list[Body], NDArray[np.void]]:
     """Frame that goes with one node of an elastic body: a body without mass for joints and forces.
 
-    It is a chain of bodies, one per three modal coordinates, the last of which is at the deflected place;
-    their small turns follow one another.
+    It is a chain of bodies, the last of which is at the deflected place; three modal coordinates after three,
+    displacements add up, then small turns follow one another.
 
     Parameters
     ----------
@@ -204,27 +206,36 @@ def interface_bodies(
     list of Body, records of the kind guide
     """
     phi = np.asarray(shape, float)
+    groups = len(hidden)
+    # displacements of groups 1 to G-1, those of G with its turns, then the turns of the others: the place is
+    # the sum of all displacements, which no turn moves
+    steps = [(g, range(3)) for g in range(groups - 1)]
+    steps += [(groups - 1, range(6)), *((g, range(3, 6)) for g in range(groups - 1))]
     bodies, rows = [], []
-    for g, master in enumerate(hidden):
-        last = g == len(hidden) - 1
+    for step, (g, directions) in enumerate(steps):
         bodies.append(
             Body(
                 motion=GUIDED,
-                parent=first + g - 1 if g else frame,
+                parent=first + step - 1 if step else frame,
                 position=place,
                 axes=axes,
-                shares=master,
-                name=name if last else f"{name}.{g + 1}",
+                shares=hidden[g],
+                name=name if step == len(steps) - 1 else f"{name}.{step + 1}",
             )
         )
         mine = range(GROUP * g, min(GROUP * (g + 1), phi.shape[1]))
         for k in mine:
-            for m in range(6):
+            for m in directions:
                 row = np.zeros(1, guide.RECORD)
-                row["i"], row["m"], row["k"], row["slope"] = first + g, m, k - GROUP * g, phi[m, k]
-                row["first"] = k == mine[0] and m == 0
+                row["i"], row["m"], row["k"], row["slope"] = first + step, m, k - GROUP * g, phi[m, k]
+                row["first"] = k == mine[0] and m == directions[0]
                 rows.append(row)
     return bodies, np.concatenate(rows)
+
+
+def interface_count(modes: int) -> int:
+    """How many bodies `interface_bodies` makes of one node of a body with so many modes."""
+    return 2 * -(-modes // GROUP) - 1
 
 
 @kernel

@@ -35,7 +35,7 @@ from pitchpoint.elements.turning import (
     turn_between,
 )
 from pitchpoint.elements.wrench import spin_axis
-from pitchpoint.multibody.channels import frame_args, observations
+from pitchpoint.multibody.channels import bounded, events, frame_args, observations
 
 TWO_PI = 6.283185307179586
 REGULARISED, BRISTLE = 0, 1
@@ -53,9 +53,15 @@ RECORD = np.dtype(
         ("stiffness", "f8"),  # BRISTLE: torque per angle before slip over capacity [1/rad]
         ("onset", "f8"),  # BRISTLE: share of the capacity below which nothing slips, < 1
         ("sigma", "f8"),  # BRISTLE: damping of the bristles over the stiffness, as a time [s]
+        ("ev", "i8"),
         ("out", "i8"),
     ],
     align=True,
+)
+
+EVENTS = (
+    ("slip_reversal", "the slip of a clutch or brake changes its sign"),
+    ("slip", "a clutch or brake begins to slip or sticks"),
 )
 
 OUTPUTS = (
@@ -112,6 +118,13 @@ def friction_clutch(rec, ctl, fr, kk):
             torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle * part, over_speed)
             if b["sticking"] == BRISTLE:
                 state_tangent(b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed)
+        if c["ev"] != 0:
+            beyond = abs(speed) - b["v_eps"]
+            if b["sticking"] == BRISTLE:
+                beyond = abs(hidden["spin"]) - b["onset"]
+            ev = events(ctl)
+            ev[b["ev"]] = bounded(speed)
+            ev[b["ev"] + 1] = bounded(beyond)
         if c["out"] != 0:
             out = observations(ctl)
             out[b["out"]] = torque

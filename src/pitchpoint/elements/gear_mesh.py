@@ -57,7 +57,7 @@ from pitchpoint.elements.mesh_wrench import (
     mesh_damper,
     spin_flank_rates,
 )
-from pitchpoint.multibody.channels import F8, events, frame_args, observations
+from pitchpoint.multibody.channels import F8, bounded, events, frame_args, observations
 
 __all__ = ["EVENTS", "MAX_PAIRS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
@@ -235,7 +235,7 @@ def _roots(b, ev, x, front, back):
     k = b["ev"]
     ev[k] = front
     ev[k + 1] = back
-    ev[k + 2] = 0.25 * b["travel_rate"] / (1.0 + abs(b["travel_rate"]))
+    ev[k + 2] = bounded(b["travel_rate"])
     leaves = b["eps"]
     if b["source"] == PHASE and b["form"] == RECTANGULAR:
         leaves = view(pooled(b, b["cosine"]), 3, F8)[2]  # the second jump of the wave

@@ -23,6 +23,9 @@ from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.speed_pieces import fit_pieces
 from pitchpoint.multibody.channels import F8, I8, motion_args
 
+SPINS = "free"
+"""Makes displacements and acts on nothing."""
+
 LINEAR, PIECES, FORMULA = 0, 1, 2
 TIME = -1
 

@@ -26,7 +26,7 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.closure import DISTANCE, RIGHT
 from pitchpoint.elements.closure import RECORD as CLOSURE
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.multibody.channels import F8, I8, frame_args, observations
+from pitchpoint.multibody.channels import F8, I8, bounded, events, frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, less, moved_axis, times, triple
 
 SPINS = "free"
@@ -54,9 +54,15 @@ RECORD = np.dtype(
         ("rows", "i8"),  # first of them
         ("closures", "i8"),  # address of the records of that kind; written by the linker
         ("pool", "i8"),
+        ("ev", "i8"),
         ("out", "i8"),
     ],
     align=True,
+)
+
+EVENTS = (
+    ("slip_reversal", "the slip of a joint with friction changes its sign"),
+    ("slip", "friction of a joint has grown up, or falls below that"),
 )
 
 OUTPUTS = (
@@ -175,6 +181,10 @@ def joint_friction(rec, ctl, fr, kk):
             _put(kk[b["ij"]], -s, l_i, m_i, l_i, m_j)
             _put(kk[b["ji"]], -s, l_i, m_j, l_i, m_i)
             _put(kk[b["jj"]], s, l_i, m_j, l_i, m_j)
+        if c["ev"] != 0:
+            ev = events(ctl)
+            ev[b["ev"]] = bounded(v)
+            ev[b["ev"] + 1] = bounded(abs(v) - b["v_eps"])
         if c["out"] != 0:
             out = observations(ctl)
             out[b["out"]] = friction

@@ -122,6 +122,7 @@ def planar_contact(rec, ctl, fr, kk):
         b["reach"][0] = b["radius"]
         b["reach"][1] = b["depth"]
         b["reach"][2] = b["margin"]
+        b["reach"][6] = b["deepest"]
         n, gap = contacts(A, B, b["M"], b["d"], b["reach"], b["hits"])
         if n == 0 and b["hits"][0, 4] < 0.0:
             finish(b, ctl, 1)

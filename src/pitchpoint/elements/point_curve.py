@@ -40,13 +40,17 @@ def set_cam(
     radius
         Radius of the roller of body i, 0 for a point [m].
     depth
-        Deepest overlap that counts as contact [m]; None = a twentieth of the size of both.
+        Deepest overlap that counts as contact [m]. None = a twentieth of the size of both, and where nothing
+        overlaps less, the nearest place at any overlap: an outline is never fallen through. Behind an open
+        curve it counts up to half the size of the curve.
     """
     size = curve.circle()[2]
     set_curve(record, "i", pool, chain([vertex()], True))
     set_curve(record, "j", pool, curve)
     record["form_i"], record["radius"] = SPHERE, radius
-    record["depth"] = 0.05 * (size + radius) if depth is None else depth
+    record["depth"] = record["deepest"] = 0.05 * (size + radius) if depth is None else depth
+    if depth is None:
+        record["deepest"] = np.inf if curve.closed else 0.5 * size + radius
     record["margin"] = 100.0 * (size + math.hypot(*curve.circle()[:2]) + radius)
 
 

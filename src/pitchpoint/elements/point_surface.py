@@ -77,11 +77,13 @@ def set_mesh(
         Radius of the sphere of body i, 0 for a point [m].
     depth
         How far below the surface the centre of the sphere counts, and how far above it a gap is looked for
-        beyond the radius [m]; None = a twentieth of the size of the surface.
+        beyond the radius [m]; None = the size of a closed surface, which is never fallen through, and a
+        twentieth of the size of an open one.
     """
     set_triangles(record, "j", pool, surface)
     record["radius"] = radius
-    record["depth"] = 0.05 * surface.size() if depth is None else depth
+    usual = surface.size() * (1.0 if surface.is_closed() else 0.05)
+    record["depth"] = usual if depth is None else depth
     record["margin"] = record["depth"]
 
 

@@ -65,6 +65,7 @@ WITH_MODES = tuple((a, b) for n, a in enumerate("ijklm") for b in "ijklm"[n + 1 
 _KINDS: dict[str, Kind] = {
     k.name: k
     for k in (
+        Kind("ball_on_surface", _HERE + "ball_on_surface", CONSTRAINT),
         Kind("beam", _HERE + "beam", FRAME),
         Kind("bearing", _HERE + "bearing", FRAME),
         Kind("bushing", _HERE + "bushing", FRAME),
@@ -72,6 +73,7 @@ _KINDS: dict[str, Kind] = {
         Kind("closure", _HERE + "closure", CONSTRAINT),
         Kind("coupling", _HERE + "coupling", FRAME),
         Kind("curve_curve", _HERE + "curve_curve", FRAME),
+        Kind("curve_on_curve", _HERE + "curve_on_curve", CONSTRAINT),
         Kind("damping", _HERE + "damping", COORDINATE),
         Kind("drive", _HERE + "drive", CONSTRAINT),
         Kind("flexible_body", _HERE + "flexible_body", FRAME, WITH_MODES),

@@ -14,15 +14,13 @@ FLAT = 1e-9
 
 
 @kernel
-def rim_place(b, f, g, along, weight):
-    """Lowest place of the circle at `along` [m] on the axis of marker i, over the plane of marker j.
+def rim_place(b, f, g, R, tube, along, weight):
+    """Lowest place of the circle of radius R at `along` [m] on the axis of marker i, over the plane of j.
 
     With m = n - (n . a) a the place is C - R m/|m|; m changes with both bodies.
     """
     a = column(b["Ei"], 2)
     n = column(b["Ej"], 2)
-    R = b["size_i"][0]
-    tube = b["size_i"][1]
     na = dot(n, a)
     m = plus(n, -na, a)
     size = math.sqrt(dot(m, m))

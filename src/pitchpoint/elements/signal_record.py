@@ -37,7 +37,7 @@ WORLD, BODY_I, BODY_J = 0, 1, 2
 """Axes in which the direction of a `FORCE` is given."""
 TIME, NOTHING = -1, -2
 """Inputs of a formula that are no signals."""
-UNITS = ("", "1", "m", "m/s", "m/s^2", "rad", "rad/s", "rad/s^2", "N", "N m")
+UNITS = ("", "1", "m", "m/s", "m/s^2", "rad", "rad/s", "rad/s^2", "N", "N m", "W")
 
 ROW = 18
 """Numbers of one body in the row of a source: by displacement, by rate, by acceleration."""

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two surfaces in contact: cylinder or ring on a plane, crossed cylinders, triangles on triangles.
+"""Two surfaces in contact: cylinders along lines, crossed cylinders, a ring on a plane, triangles.
 
 A cylinder lies along the z axis of its marker, from -length/2 to length/2; a ring (torus; a disc if its tube
 is zero) in the plane z = 0. Spheres against anything are the kind point_surface.
 
-* cylinder on plane: a line of contact, cut at Gauss points, so that the force of a tilted one is exact for a
-  linear law while all of the line is in touch; the law counts for the whole line;
+* cylinder on plane, beside a cylinder or in a bore: a line of contact (elements/line_contact.py), parallel or
+  tilted; the law counts for the whole line. Cylinders have flat ends there;
 * ring on plane: the lowest place of the circle;
-* cylinder on cylinder: the common normal of the axes, which must not be parallel; round ends;
+* crossed cylinders: one place, on the common normal of the axes, which must not be parallel; round ends;
 * triangles: the middle of every face of one surface that is below the other one presses with the area of its
   face, in both directions with half of it, so that finer triangles converge to a layer of springs (law per
-  area).
+  area);
+* triangles on a plane, cylinder, cone, torus or sphere: the same with the triangles alone, on a surface that
+  is exact.
 """
 
 from __future__ import annotations
@@ -25,9 +27,11 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contact_record import EVENTS, MOST_STATIONS, RECORD, RESULTS, set_triangles
 from pitchpoint.elements.contact_wrench import act, begin, finish
+from pitchpoint.elements.line_contact import line_of_contact
+from pitchpoint.elements.point_surface import set_surface
 from pitchpoint.elements.rod_place import rim_place, rods_place
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.triangle_contact import points_on_triangles
+from pitchpoint.elements.triangle_contact import points_on_shape, points_on_triangles
 from pitchpoint.multibody.channels import frame_args
 
 __all__ = [
@@ -38,6 +42,8 @@ __all__ = [
     "entry",
     "set_crossed_cylinders",
     "set_cylinder_on_plane",
+    "set_cylinders_in_line",
+    "set_mesh_on_shape",
     "set_meshes",
     "set_ring_on_plane",
     "surface_surface",
@@ -47,25 +53,62 @@ BODY_FIXED = True
 OUTPUTS = RESULTS
 
 
-def set_cylinder_on_plane(record: np.void, radius: float, length: float, stations: int = 4) -> None:
+def _set_line(record: np.void, radius: float, length: float, shared: float, stations: int) -> None:
+    """Cylinder of body i and Gauss points along its axis."""
+    if not 1 <= stations <= MOST_STATIONS or not min(radius, length) > 0.0:
+        raise ValueError("a line of contact needs a radius, a length and 1 to 8 stations")
+    x, w = np.polynomial.legendre.leggauss(stations)
+    record["form_i"], record["stations"], record["length"] = CYLINDER, stations, shared
+    record["size_i"] = radius, length
+    record["along"][:stations, 0], record["along"][:stations, 1] = 0.5 + 0.5 * x, 0.5 * w
+    record["margin"] = np.inf
+
+
+def set_cylinder_on_plane(record: np.void, radius: float, length: float, stations: int = 8) -> None:
     """A cylinder of body i rolls or stands on a plane of body j.
 
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart.
+        Record of the contact (`contact_record.new_records`), markers and law apart; the law counts for the
+        whole length.
     radius, length
         [m].
     stations
-        Gauss points along the line of contact, 1 to 8.
+        Gauss points along every part of the line in touch, 1 to 8.
     """
-    if not 1 <= stations <= MOST_STATIONS or min(radius, length) <= 0.0:
-        raise ValueError("a cylinder on a plane needs a radius, a length and 1 to 8 stations")
-    x, w = np.polynomial.legendre.leggauss(stations)
-    record["form_i"], record["form_j"], record["stations"] = RIM, PLANE, stations
-    record["size_i"] = radius, 0.0
-    record["along"][:stations, 0], record["along"][:stations, 1] = 0.5 * length * x, 0.5 * w
-    record["margin"] = np.inf
+    _set_line(record, radius, length, length, stations)
+    record["form_j"] = PLANE
+
+
+def set_cylinders_in_line(
+    record: np.void,
+    radii: Sequence[float],
+    lengths: Sequence[float],
+    hollow: bool = False,
+    stations: int = 8,
+) -> None:
+    """A cylinder of body i beside a cylinder of body j or in its bore, with axes that are nearly parallel.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contact_record.new_records`), markers and law apart; the law counts for the
+        whole length of the shorter cylinder.
+    radii, lengths
+        Of bodies i and j [m]; without `hollow` the first one should be the shorter one.
+    hollow
+        Body j is a bore.
+    stations
+        Gauss points along every part of the line in touch, 1 to 8.
+    """
+    if hollow and not radii[0] < radii[1]:
+        raise ValueError(f"a cylinder of radius {radii[0]:g} m does not go into a bore of {radii[1]:g} m")
+    if not min(*radii, *lengths) > 0.0:
+        raise ValueError("cylinders need radii and lengths above zero")
+    _set_line(record, radii[0], lengths[0], min(lengths), stations)
+    record["form_j"], record["size_j"] = CYLINDER, (radii[1], lengths[1])
+    record["sense"] = -1.0 if hollow else 1.0
 
 
 def set_ring_on_plane(record: np.void, radius: float, tube: float = 0.0) -> None:
@@ -82,9 +125,8 @@ def set_ring_on_plane(record: np.void, radius: float, tube: float = 0.0) -> None
     """
     if radius <= 0.0 or tube < 0.0:
         raise ValueError("a ring needs a radius above zero")
-    record["form_i"], record["form_j"], record["stations"] = RIM, PLANE, 1
+    record["form_i"], record["form_j"] = RIM, PLANE
     record["size_i"] = radius, tube
-    record["along"][0] = 0.0, 1.0
     record["margin"] = np.inf
 
 
@@ -129,6 +171,43 @@ def set_meshes(
     record["margin"] = record["depth"]
 
 
+def set_mesh_on_shape(
+    record: np.void,
+    pool: Pool,
+    surface: TriangleSurface,
+    form: str,
+    size: Sequence[float] = (),
+    hollow: bool = False,
+    depth: float | None = None,
+) -> None:
+    """Triangles of body i on a surface of simple shape of body j.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contact_record.new_records`), markers and law apart; the law counts per area:
+        K in N/m^(e+2), C in N s/m^3.
+    pool
+        Pool of the kind.
+    surface
+        Triangles of body i.
+    form, size, hollow
+        As in `point_surface.set_surface`; a cylinder may have its length [m] as second size, it then has flat
+        ends.
+    depth
+        How deep a point may be below the surface [m]; None = without limit.
+    """
+    of_length = form == "cylinder" and len(size) == 2
+    if of_length and not size[1] > 0.0:
+        raise ValueError("the length of a cylinder is above zero")
+    set_surface(record, form, size[:1] if of_length else size, 0.0, hollow)
+    if of_length:
+        record["size_j"][1] = size[1]
+    set_triangles(record, "i", pool, surface)
+    record["depth"] = np.inf if depth is None else depth
+    record["margin"] = np.inf
+
+
 @kernel
 def surface_surface(rec, ctl, fr, kk):
     """Wrenches, tangents and results of all pairs of surfaces."""
@@ -140,13 +219,16 @@ def surface_surface(rec, ctl, fr, kk):
         begin(b, f, g)
         if b["form_j"] == TRIANGLES:
             points_on_triangles(b, c, f, g, kk)
+        elif b["form_i"] == TRIANGLES:
+            points_on_shape(b, c, f, g, kk)
+        elif b["stations"] > 0:
+            line_of_contact(b, c, f, g, kk)
         elif b["form_j"] == CYLINDER:
             rods_place(b, f, g)
             act(b, c, f, g, kk)
         else:
-            for k in range(b["stations"]):
-                rim_place(b, f, g, b["along"][k, 0], b["along"][k, 1])
-                act(b, c, f, g, kk)
+            rim_place(b, f, g, b["size_i"][0], b["size_i"][1], 0.0, 1.0)
+            act(b, c, f, g, kk)
         finish(b, ctl, 0)
     return OK
 

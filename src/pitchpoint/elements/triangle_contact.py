@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Triangles against triangles: middle points of the faces of each surface below the other one."""
+"""Triangles against triangles and against simple shapes: middle points of faces below the other surface.
+
+Against another surface of triangles both surfaces count with half of their areas, against a simple shape the
+triangles with all of it. Of a box of points nothing is nearer to a surface than its middle less half of its
+diagonal, since distances grow at most as fast as one goes.
+"""
 
 from __future__ import annotations
 
 import math
 
+from pitchpoint.contact.surface import CYLINDER, distance, of_length
 from pitchpoint.contact.triangle_search import (
     box_distance,
     nearest_place,
@@ -67,3 +73,45 @@ def points_on_triangles(b, c, f, g, kk):
     """Contact of two triangle surfaces, both ways."""
     _one_way(b, c, f, g, kk, 1.0)
     _one_way(b, c, f, g, kk, -1.0)
+
+
+@kernel
+def _distance(b, W):
+    """Distance of b["y"] from the simple surface of body j, a cylinder with flat ends if it has a length."""
+    if b["form_j"] == CYLINDER and b["size_j"][1] > 0.0:
+        return of_length(b["size_j"], b["sense"], b["y"], W)
+    return distance(b["form_j"], b["size_j"], b["sense"], b["y"], W)
+
+
+@kernel
+def points_on_shape(b, c, f, g, kk):
+    """Contact of the triangles of body i with a plane, cylinder, cone, torus or sphere of body j."""
+    where = b["pool"] + 8 * b["start_i"]
+    tree = point_tree_of(where)
+    points = points_of(where)
+    b["side"] = 1.0
+    k = 0
+    while k < tree.shape[0]:
+        middle = (
+            0.5 * (tree[k, 0] + tree[k, 3]),
+            0.5 * (tree[k, 1] + tree[k, 4]),
+            0.5 * (tree[k, 2] + tree[k, 5]),
+        )
+        half = (middle[0] - tree[k, 0], middle[1] - tree[k, 1], middle[2] - tree[k, 2])
+        reach = math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2])
+        local(b, b["Ej"], b["oj"], plus(triple(b["oi"], 0), 1.0, rotated(b["Ei"], middle)))
+        phi, nx, ny, nz = _distance(b, b["V"])
+        if phi - reach >= max(b["gap"], 0.0) or phi + reach < -b["depth"]:
+            k = int(tree[k, 6])
+            continue
+        first = int(tree[k, 7])
+        for h in range(first, first + int(tree[k, 8])):
+            Q = plus(triple(b["oi"], 0), 1.0, rotated(b["Ei"], (points[h, 0], points[h, 1], points[h, 2])))
+            local(b, b["Ej"], b["oj"], Q)
+            phi, nx, ny, nz = _distance(b, b["V"])
+            if phi < -b["depth"] or (phi >= b["gap"] and phi >= 0.0):
+                continue
+            curvature_in_world(b["Ej"], b["V"], b["W"])
+            point_place(b, f, g, Q, rotated(b["Ej"], (nx, ny, nz)), phi, 0.0, points[h, 3])
+            act(b, c, f, g, kk)
+        k += 1

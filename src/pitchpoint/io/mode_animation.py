@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mode shapes for animation: where the frames of all bodies are over one cycle, as JSON or NPZ.
+"""Mode shapes for animation: where bodies and nodes of elastic bodies are over one cycle, as JSON or NPZ.
 
 A picture turns the frame of a body by the small turn and moves its origin by the displacement; the shapes are
 scaled so that the largest displacement of an origin, or the turn at a given radius, has a given length.
@@ -8,14 +8,20 @@ scaled so that the largest displacement of an origin, or the turn at a given rad
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.io.container import ResultError
 
+RADIUS = 0.1
+"""Where a turn counts as a displacement [m]."""
+MOST_NUMBERS = 6_000_000
+"""Numbers that the motion of the nodes of one body may take in a file; of more, every second is kept, say."""
+Array = NDArray[np.float64]
 FORMATS = (".json", ".npz")
 
 
@@ -44,9 +50,9 @@ def write_mode_animation(
     place: ArrayLike,
     axes: ArrayLike,
     body_shape: ArrayLike,
+    nodes: Mapping[str, tuple[ArrayLike, ArrayLike]] | None = None,
     frames: int = 24,
     amplitude: float = 0.01,
-    radius: float = 0.1,
 ) -> None:
     """Write modes for animation.
 
@@ -62,10 +68,13 @@ def write_mode_animation(
         Frames at rest, world axes, shape (nb, 3) [m] and (nb, 3, 3), columns are the axes.
     body_shape
         Displacement of the origin and small turn of every body, real or complex, world axes, (n, nb, 6).
+    nodes
+        Of every elastic body the places of its nodes at rest, (k, 3) [m], and their displacements in the
+        modes, real or complex, world axes, (n, k, 3).
     frames
         Places over one cycle.
-    amplitude, radius
-        Largest displacement [m] after scaling; a turn counts with what it moves at this radius [m].
+    amplitude
+        Largest displacement [m] after scaling; a turn counts with what it moves at 0.1 m.
 
     Raises
     ------
@@ -77,8 +86,11 @@ def write_mode_animation(
         raise ResultError(f"{target.name}: modes are written as {' or '.join(FORMATS)}")
     shape = np.asarray(body_shape, dtype=np.complex128)
     reach = np.maximum(
-        np.linalg.norm(shape[..., :3], axis=-1), radius * np.linalg.norm(shape[..., 3:], axis=-1)
+        np.linalg.norm(shape[..., :3], axis=-1), RADIUS * np.linalg.norm(shape[..., 3:], axis=-1)
     ).max(axis=1, initial=0.0)
+    swing = {name: (np.asarray(at, float), np.asarray(u, complex)) for name, (at, u) in (nodes or {}).items()}
+    for _, shapes in swing.values():
+        reach = np.maximum(reach, np.linalg.norm(shapes, axis=-1).max(axis=1, initial=0.0))
     factor = np.divide(amplitude, reach, out=np.zeros_like(reach), where=reach > 0.0)
     motion = np.moveaxis(cycle(shape * factor[:, None, None], frames), 0, 1)  # mode, frame, body, 6
     content = {
@@ -90,9 +102,26 @@ def write_mode_animation(
         "scale": factor,
         "motion": motion,
     }
+    elastic = {name: _node_motion(at, u * factor[:, None, None], frames) for name, (at, u) in swing.items()}
     if target.suffix == ".npz":
-        np.savez_compressed(target, **content)
+        flat = {f"{key}[{name}]": value for name, part in elastic.items() for key, value in part.items()}
+        everything: dict[str, Any] = {**content, **flat}
+        np.savez_compressed(target, **everything)
         return
     about = "motion: mode, frame of the cycle, body, displacement [m] and turn [rad] in world axes"
-    lists = {key: value.tolist() for key, value in content.items()}
+    lists: dict[str, Any] = {key: value.tolist() for key, value in content.items()}
+    if elastic:
+        about += "; of nodes: mode, frame of the cycle, node, displacement [m]"
+        lists["nodes"] = {
+            name: {key.removeprefix("node_"): value.tolist() for key, value in part.items()}
+            for name, part in elastic.items()
+        }
     target.write_text(json.dumps({"about": about, **lists}), encoding="utf-8")
+
+
+def _node_motion(place: Array, shape: NDArray[np.complex128], frames: int) -> dict[str, NDArray[Any]]:
+    """Numbers of the nodes that are kept, their places, and their motion (mode, frame, node, 3)."""
+    stride = -(-shape.size * frames // MOST_NUMBERS) or 1
+    kept = np.arange(0, len(place), stride)
+    motion = np.moveaxis(cycle(shape[:, kept], frames), 0, 1)
+    return {"node_number": kept, "node_place": place[kept], "node_motion": motion}

@@ -13,9 +13,13 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.frames import Array, body_frame
+from pitchpoint.model.gear_axes import ends_of, mesh_frame, orient, settle_twists
 from pitchpoint.model.mechanism import hang, place_joined
 from pitchpoint.model.pair_check import check_gear, check_pair, hand_on
 from pitchpoint.model.parts import Parts
@@ -33,6 +37,8 @@ def resolve(parts: Parts, report: Reader) -> None:
     _check_hands(parts, report)
     _profile_shifts(parts, report)
     _pairs(parts, report)
+    orient(parts)
+    settle_twists(parts, report)
     _places(parts, report)
     _widths(parts, report)
 
@@ -152,7 +158,7 @@ def _pairs(parts: Parts, report: Reader) -> None:
 # --- places of bodies --------------------------------------------------------------------------------------
 def _places(parts: Parts, report: Reader) -> None:
     """Place bodies: given positions first, then along meshes and couplings, breadth first."""
-    links = _links(parts)
+    links = _links(parts, report)
     for name, body in parts.bodies.items():
         parts.bodies[name] = replace(body, origin=body.position)
     parts.mechanism = hang(parts)
@@ -205,7 +211,7 @@ def all_linked_known(parts: Parts, report: Reader) -> bool:
     )
 
 
-def _links(parts: Parts) -> dict[str, list[tuple[str, str]]]:
+def _links(parts: Parts, report: Reader) -> dict[str, list[tuple[str, str]]]:
     links: dict[str, list[tuple[str, str]]] = {}
 
     def add(kind: str, link: str, ends: Iterable[str | None]) -> None:
@@ -214,7 +220,7 @@ def _links(parts: Parts) -> dict[str, list[tuple[str, str]]]:
                 links.setdefault(end, []).append((kind, link))
 
     for name, mesh in parts.meshes.items():
-        if mesh.a_w is not None:
+        if mesh.a_w is not None and ("meshes", name, "gears") not in report.tainted:
             add("mesh", name, [parts.body_of(g) for g in mesh.gears])
     for name, coupling in parts.couplings.items():
         add("coupling", name, coupling.bodies)
@@ -240,11 +246,9 @@ def _place_next(parts: Parts, here: str, kind: str, link: str) -> str | None:
         step = abs(mesh.a_w) if forward else -abs(mesh.a_w)
         angle = mesh.direction or 0.0
         near, far = mesh.gears if forward else mesh.gears[::-1]
-        place = (
-            origin[0] + step * math.cos(angle),
-            origin[1] + step * math.sin(angle),
-            origin[2] + parts.bodies[here].gears[near] - parts.bodies[there].gears[far],
-        )
+        rise = parts.bodies[here].gears[near] - parts.bodies[there].gears[far]
+        way = mesh_frame(parts, bodies[0]) @ np.array((step * math.cos(angle), step * math.sin(angle), rise))
+        place = (origin[0] + float(way[0]), origin[1] + float(way[1]), origin[2] + float(way[2]))
     if there not in parts.bodies or parts.bodies[there].origin is not None:
         return None
     parts.bodies[there] = replace(parts.bodies[there], origin=place)
@@ -268,6 +272,8 @@ def _by_couplings(parts: Parts, mesh: Mesh) -> str:
 def _directions(parts: Parts, report: Reader) -> None:
     """Angle of every line of centres; places given twice must agree."""
     for name, mesh in parts.meshes.items():
+        if ("meshes", name, "gears") in report.tainted:
+            continue
         theta = mesh.direction or 0.0
         bodies = [parts.body_of(g) for g in mesh.gears]
         ends = [parts.bodies[b].origin for b in bodies if b is not None]
@@ -278,7 +284,7 @@ def _directions(parts: Parts, report: Reader) -> None:
             and mesh.a_w
             and bodies[0] != bodies[1]
         ):
-            dx, dy = ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]
+            dx, dy, _ = mesh_frame(parts, bodies[0]).T @ np.subtract(ends[1], ends[0])
             distance, angle = math.hypot(dx, dy), math.atan2(dy, dx)
             a = abs(mesh.a_w)
             if abs(distance - a) > PLACE_TOLERANCE * a:
@@ -305,9 +311,10 @@ def _directions(parts: Parts, report: Reader) -> None:
 def _widths(parts: Parts, report: Reader) -> None:
     """Common face width of every mesh and where its middle lies on both gears."""
     for name, mesh in parts.meshes.items():
-        if not all(g in parts.gears for g in mesh.gears):
+        if not all(g in parts.gears for g in mesh.gears) or ("meshes", name, "gears") in report.tainted:
             continue
-        middle = [_middle(parts, g) for g in mesh.gears]
+        axis = mesh_frame(parts, ends_of(parts, mesh)[0])[:, 2]
+        middle = [_middle(parts, g, axis) for g in mesh.gears]
         if middle[0] is None or middle[1] is None:
             middle = [0.0, 0.0]
         half = [0.5 * parts.gears[g].face_width for g in mesh.gears]
@@ -332,10 +339,10 @@ def _widths(parts: Parts, report: Reader) -> None:
         )
 
 
-def _middle(parts: Parts, gear: str) -> float | None:
-    """Axial position of the mid-face of a gear in the world."""
+def _middle(parts: Parts, gear: str, axis: Array) -> float | None:
+    """Position of the mid-face of a gear along an axis through the origin of the world [m]."""
     body = parts.body_of(gear)
     if body is None:
         return None
-    origin = parts.bodies[body].origin
-    return None if origin is None else origin[2] + parts.bodies[body].gears[gear]
+    origin = body_frame(parts, body)[0]
+    return None if origin is None else float(axis @ origin) + parts.bodies[body].gears[gear]

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.model.frames import GROUND
-from pitchpoint.model.mechanism import seat_frame
+from pitchpoint.model.mechanism import base_of as spin_base
+from pitchpoint.model.mechanism import seat_frame, spinner_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
@@ -32,16 +33,23 @@ def base_of(parts: Parts, one: str, two: str) -> str:
 
     It is what the gear hangs on whose base moves with more joints.
     """
-    bases = [_seat_parent(parts, body) for body in (one, two)]
+    bases = [spin_base(parts, parts.mechanism, body) for body in (one, two)]
     chains = [_movers(parts, base) for base in bases]
     return bases[0] if len(chains[0]) > len(chains[1]) else bases[1]
 
 
 def has_carriers(parts: Parts, links: list[Link]) -> bool:
-    """Whether some link joins bodies whose spins count from different frames."""
+    """Whether some link joins bodies whose spins count from different frames or are those of others."""
     from pitchpoint.model.scenario_check import same_base
 
-    return any(place[0] != "ratios" and not same_base(parts, one, two) for place, one, two, _ in links)
+    return any(
+        place[0] != "ratios"
+        and (
+            not same_base(parts, one, two)
+            or any(spinner_of(parts, parts.mechanism, body) is not None for body in (one, two))
+        )
+        for place, one, two, _ in links
+    )
 
 
 def carried_speeds(
@@ -69,11 +77,6 @@ def carried_speeds(
     return {n: speeds.get(n, 0.0) for n in parts.bodies}, wrong
 
 
-def _seat_parent(parts: Parts, body: str) -> str:
-    seat = parts.mechanism.seats.get(body)
-    return GROUND if seat is None else seat.parent
-
-
 def _movers(parts: Parts, body: str) -> list[str]:
     """Bodies on the way from ground whose joints move."""
     found = []
@@ -85,20 +88,30 @@ def _movers(parts: Parts, body: str) -> list[str]:
     return found
 
 
-def _in_space(parts: Parts, place: Mapping[str, int], body: str) -> Array:
-    """Speed of a body about the axis of its gears per speed of every spin."""
+def _in_space(parts: Parts, place: Mapping[str, int], body: str, about: str | None = None) -> Array:
+    """Speed of a body about the axis of its gears, or of those of another body, per speed of every spin.
+
+    What turns about an axis that is not parallel turns no gear against another: it takes both along.
+    """
     found = np.zeros(len(place))
-    sense = 1.0
-    while body != GROUND and body in parts.mechanism.seats:
+    sense = 1.0 if about is None else _sense(parts, body, about)
+    while sense != 0.0 and body != GROUND and body in parts.mechanism.seats:
         seat = parts.mechanism.seats[body]
         if body in place:
             found[place[body]] += sense
         if seat.parent != GROUND and seat.parent in parts.mechanism.seats:
-            axes = [seat_frame(parts, parts.mechanism.seats[b])[1][:, 2] for b in (body, seat.parent)]
-            along = float(axes[0] @ axes[1])
-            sense *= np.sign(along) if abs(abs(along) - 1.0) < SAME else 0.0
+            sense *= _sense(parts, body, seat.parent)
         body = seat.parent
     return found
+
+
+def _sense(parts: Parts, one: str, two: str) -> float:
+    """1 where the axes of two bodies are parallel, -1 where they are opposite, else 0."""
+    if not {one, two} <= parts.mechanism.seats.keys():
+        return 1.0
+    axes = [seat_frame(parts, parts.mechanism.seats[b])[1][:, 2] for b in (one, two)]
+    along = float(axes[0] @ axes[1])
+    return float(np.sign(along)) if abs(abs(along) - 1.0) < SAME else 0.0
 
 
 def _relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
@@ -111,7 +124,9 @@ def _relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
                 row[place[body]] += factor
         return row
     w_1, w_2 = (_in_space(parts, place, body) for body in (one, two))
-    base = _in_space(parts, place, base_of(parts, one, two)) if where[0] == "meshes" else np.zeros(len(place))
+    base = np.zeros(len(place))
+    if where[0] == "meshes":
+        base = _in_space(parts, place, base_of(parts, one, two), about=one)
     return np.asarray((w_2 - base) - ratio * (w_1 - base))
 
 

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
+from pitchpoint.model.surface_check import check_surfaces
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.contact import (
@@ -15,28 +15,10 @@ if TYPE_CHECKING:
         ContactCurve,
         ContactFriction,
         ContactLaw,
-        ContactSurface,
         CurveContact,
         SurfaceContact,
     )
     from pitchpoint.model.parts import Parts
-
-#: Sizes that a surface needs against a sphere.
-SIZES: dict[str, tuple[str, ...]] = {
-    "plane": (),
-    "sphere": ("radius",),
-    "cylinder": ("radius",),
-    "cone": ("half_angle",),
-    "torus": ("radius", "tube"),
-    "triangles": ("file",),
-}
-#: Sizes that both surfaces of a pair without a sphere need; the order of a pair with a plane does not matter.
-PAIRS: dict[tuple[str, str], tuple[tuple[str, ...], tuple[str, ...]]] = {
-    ("cylinder", "plane"): (("radius", "length"), ()),
-    ("torus", "plane"): (("radius", "tube"), ()),
-    ("cylinder", "cylinder"): (("radius", "length"), ("radius", "length")),
-    ("triangles", "triangles"): (("file",), ("file",)),
-}
 
 
 def check_contacts(parts: Parts, report: Reader) -> None:
@@ -47,25 +29,35 @@ def check_contacts(parts: Parts, report: Reader) -> None:
         at: Place = ("curve_contacts", name)
         _curve(pair.first, (*at, "first"), report)
         _curve(pair.second, (*at, "second"), report)
+        _permanent(pair, at, ("law", "friction", "depth", "margin"), report)
         _forces(pair, at, report)
     for name, contact in parts.surface_contacts.items():
-        _surfaces(contact, ("surface_contacts", name), report)
+        check_surfaces(parts, name, contact, report)
+        held = ("law", "friction", "depth")
+        _permanent(contact, ("surface_contacts", name), held, report)
         _forces(contact, ("surface_contacts", name), report)
 
 
 def _cam(cam: CamContact, at: Place, report: Reader) -> None:
     _curve(cam.curve, (*at, "curve"), report)
-    if cam.permanent:
-        for key in ("law", "friction", "depth"):
-            if getattr(cam, key) is not None:
+    _permanent(cam, at, ("law", "friction", "depth"), report)
+    _forces(cam, at, report)
+
+
+def _permanent(
+    part: CamContact | CurveContact | SurfaceContact, at: Place, forces: tuple[str, ...], report: Reader
+) -> None:
+    """What never parts has no law, and all else has one."""
+    if part.permanent:
+        for key in forces:
+            if getattr(part, key) is not None:
                 report.problem((*at, key), "has no effect: what never parts has no law", remedy="remove it")
-    elif cam.law is None:
+    elif part.law is None and (*at, "law") not in report.tainted:
         report.problem(
             (*at, "law"),
-            "is missing: a follower that may part",
-            remedy="add law: {force: 1 kN, depth: 0.1 mm}",
+            "is missing: bodies that may part",
+            remedy="add law: {force: 1 kN, depth: 0.1 mm}, or permanent: true",
         )
-    _forces(cam, at, report)
 
 
 def _forces(part: CamContact | CurveContact | SurfaceContact, at: Place, report: Reader) -> None:
@@ -116,36 +108,4 @@ def _curve(curve: ContactCurve, at: Place, report: Reader) -> None:
             (*at, "radii"),
             f"has {len(curve.radii)} entries for {len(curve.x)} corners",
             remedy="give one radius per corner",
-        )
-
-
-def _surfaces(contact: SurfaceContact, at: Place, report: Reader) -> None:
-    one, two = (contact.first, "first"), (contact.second, "second")
-    if any(p.shape == "sphere" and not p.hollow for p, _ in (one, two)):
-        for part, key in (one, two):
-            _sizes(part, SIZES[part.shape], (*at, key), report)
-        return
-    if one[0].shape == "plane":
-        one, two = two, one
-    shapes = (one[0].shape, two[0].shape)
-    if one[0].hollow or two[0].hollow or shapes not in PAIRS:
-        hollow = "hollow " * (one[0].hollow or two[0].hollow)
-        report.problem(
-            at,
-            f"is of a {hollow}{shapes[0]} and a {shapes[1]}, which is not known",
-            remedy="a sphere touches everything, cylinder and torus a plane, cylinders cross; use triangles "
-            "for others",
-        )
-        return
-    for (part, key), needed in zip((one, two), PAIRS[shapes], strict=True):
-        _sizes(part, needed, (*at, key), report)
-
-
-def _sizes(part: ContactSurface, needed: tuple[str, ...], at: Place, report: Reader) -> None:
-    for key in needed:
-        if getattr(part, key) is None and (*at, key) not in report.tainted:
-            report.problem((*at, key), f"is missing: the {part.shape} needs it", remedy=f"add {key}")
-    if part.half_angle is not None and part.half_angle >= 0.5 * math.pi:
-        report.problem(
-            (*at, "half_angle"), "is no cone", limit="< 90 deg", remedy="give the half of its angle"
         )

@@ -25,6 +25,10 @@ AXIAL = (
 )
 """Sections whose parts need the axis of a body."""
 
+MATRICES = ("stiffness_file", "mass_file", "place_file")
+"""Files of an elastic body whose matrices stand apart."""
+ALL_FILES = ("file", *MATRICES, "spin_stiffness_file")
+
 
 def stand_in(part: ElasticBody) -> Body:
     """Body that stands for an elastic one: free, with markers at its nodes."""
@@ -45,6 +49,13 @@ def add_elastic_bodies(parts: Parts, report: Reader) -> None:
             report.tainted.add(("bodies",))
             continue
         exactly_one(part, ("modes", "below"), (group, name), report)
+        if part.static_shapes and part.below is not None:
+            report.problem(
+                (group, name, "static_shapes"),
+                "stands beside below: the shapes count among a number of modes",
+                remedy="give modes: 12, say, instead of below",
+            )
+        _files(name, part, report)
         if not part.nodes and (group, name, "nodes") not in report.tainted:
             report.problem(
                 (group, name, "nodes"),
@@ -55,11 +66,34 @@ def add_elastic_bodies(parts: Parts, report: Reader) -> None:
         parts.bodies[name] = stand_in(part)
 
 
+def _files(name: str, part: ElasticBody, report: Reader) -> None:
+    """One archive, or the three files of Matrix Market matrices."""
+    at: Place = ("elastic_bodies", name)
+    if at in report.tainted or any((*at, k) in report.tainted for k in ("file", *MATRICES)):
+        return
+    given = [k for k in ALL_FILES[1:] if getattr(part, k) is not None]
+    if part.file is not None and given:
+        report.problem(
+            (*at, given[0]), "stands beside file", remedy=f"give file alone, or {', '.join(MATRICES)}"
+        )
+    elif part.file is None and not given:
+        report.problem(
+            at,
+            "has no matrices",
+            remedy=f"give file: BODY.npz (or BODY.pch), or {', '.join(MATRICES)}",
+        )
+    elif given and (missing := [k for k in MATRICES if k not in given]):
+        report.problem(
+            at, f"lacks {' and '.join(missing)} beside {' and '.join(given)}", remedy="give all three"
+        )
+
+
 def check_elastic_bodies(parts: Parts, report: Reader) -> None:
     """What acts on an elastic body acts at its nodes, and it has no spin axis."""
     from pitchpoint.model.joint_check import ends_of
 
     elastic = set(parts.elastic_bodies)
+    part_of = parts.elastic_bodies
     if not elastic:
         return
     for group, name, key, given in ends_of(parts):
@@ -75,6 +109,10 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
                     continue
                 at = (group, name, "body" if one else "bodies")
                 remedy = "use a bushing at {}" if group != "loads" else "give marker: NODE and a force"
+                if part_of[body].rotor:
+                    remedy = "name a body that a fixed joint carries at {} instead, such as {{mass: 0 kg}}"
+                elif group == "bearings":
+                    remedy = "name the body that runs in it, and give housing: {}"
                 _refuse(parts, body, at, "which has no axis", remedy, report)
     for name, load in parts.loads.items():
         if load.reaction in elastic:

@@ -80,7 +80,7 @@ def body_frame(machine: Machine, body: str) -> tuple[Array | None, Array]:
         return np.zeros(3), np.eye(3)
     part = machine.bodies[body]
     origin = None if part.origin is None else np.array(part.origin, float)
-    return origin, frame(part.axes)
+    return origin, frame(part.orientation or part.axes)
 
 
 def arm(machine: Machine, end: str) -> Array:

@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING
 from pitchpoint.model.components.joint import FUNCTIONS
 from pitchpoint.model.components.law import Constant
 from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy
+from pitchpoint.model.frames import ALONG, body_frame
 from pitchpoint.model.joint_check import ends_of
 from pitchpoint.model.keys import defaults_of
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
+from pitchpoint.model.signal_words import idle_signals
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
@@ -63,6 +65,7 @@ def idle_keys(model: Model) -> tuple[str, ...]:
         *_supports(model),
         *_loads(model),
         *_scenarios(model),
+        *idle_signals(model),
     )
 
 
@@ -232,15 +235,18 @@ def _loads(model: Model) -> Iterator[str]:
             if any(v != 0.0 for v in idle):
                 yield f"loads.{name}.position: has no effect on a torque; it is the place of a force"
             continue
-        along = load.force[2]
+        axis = abs(body_frame(model, load.body)[1][:, 2])
+        k = int(axis.argmax())
+        along = load.force[k]
         if (
             load.marker is None
             and motion in ("torsion", "planar")
+            and axis[k] > ALONG  # a force along no axis of the world has parts that count
             and not (isinstance(along, Constant) and along.value == 0.0)
         ):
             yield (
-                f"loads.{name}.force: its part along z has no effect: {load.body} has motion: {motion} and "
-                "neither moves along its axis nor tilts"
+                f"loads.{name}.force: its part along {'xyz'[k]} has no effect: {load.body} has motion: "
+                f"{motion} and neither moves along its axis nor tilts"
             )
 
 

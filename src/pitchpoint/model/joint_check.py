@@ -36,6 +36,9 @@ def check_places(parts: Parts, report: Reader) -> None:
             at: Place = (group, name, key, i) if many else (group, name, key)
             _known_end(parts, end, at, report)
         if many and len(given) == 2 and len({split(e)[0] for e in given}) == 1:
+            body = parts.bodies.get(split(given[0])[0])
+            if group == "sensors" and body is not None and (body.shaft or body.elastic):
+                continue  # how it bends and twists
             report.problem(
                 (group, name, key),
                 f"lie on one body, {split(given[0])[0]}",

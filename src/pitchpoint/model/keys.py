@@ -18,6 +18,9 @@ REQUIRED: Any = dataclasses.MISSING
 BAD: Any = object()
 """Stands for a value that could not be read; its problem has been noted."""
 
+TYPE = "type"
+"""Key that names the kind of a component where a section has several kinds."""
+
 Place: TypeAlias = tuple[str | int, ...]
 """Place of a value in a file: names of keys and numbers of list entries."""
 
@@ -28,7 +31,8 @@ class Key:
 
     `kind` names the reader: quantity, integer, choice, text, boolean, quantities (a list), names, end and
     ends (places on bodies), component (nested mapping), components (mapping of names to components) or a
-    special form that `model/read.py` registers.
+    special form that `model/read.py` registers. Components of several kinds (`of` is a table) say by the key
+    `type` which one they are; their classes have that word as `form`.
     """
 
     kind: str

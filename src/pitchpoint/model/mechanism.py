@@ -39,6 +39,8 @@ _TURNED = {"universal": ((1, -1), (0, -1), (2, -1)), "spherical": ((2, -1), (1, 
 _FLIPPED = ((0, 1), (1, -1), (2, -1))
 #: Coordinates of a joint that is turned round, in the order of their displacements.
 _RENAMED = {"universal": ("beta", "alpha"), "spherical": ("spin", "beta", "alpha")}
+COUNTED = ("revolute", "cylindrical", "screw", "planar", "shaft")
+"""Joints whose spin is counted in whole turns."""
 ONE_WAY = ("planar", "shaft", "free")
 """Joints whose coordinates have no counterpart when they are turned round."""
 
@@ -122,7 +124,9 @@ def _roots(parts: Parts, joints: Mapping[str, Joint]) -> dict[str, Seat]:
             name in moved or not (body.gears or (body.is_round and not body.markers))
         ):
             continue
-        kind = "free" if body.elastic is not None else MOTIONS[body.motion or "torsion"]
+        kind = MOTIONS[body.motion or "torsion"]
+        if body.elastic is not None and not body.elastic.rotor:
+            kind = "free"  # may tumble
         found[name] = Seat(name, kind=kind, coordinates=COORDINATES[kind])
     return found
 
@@ -156,6 +160,28 @@ def _sorted(parts: Parts, seats: Mapping[str, Seat]) -> dict[str, Seat]:
         if name in seats:
             put(name)
     return out
+
+
+def spinner_of(machine: Machine, mechanism: Mechanism, body: str) -> str | None:
+    """Body whose spin is that of a body too, because fixed joints hold it there, z axis along z axis.
+
+    None for bodies that no fixed joint carries, and where no turns are counted.
+    """
+    seat = mechanism.seats.get(body)
+    if seat is None or seat.joint is None or seat.kind != "fixed":
+        return None
+    axis = seat_frame(machine, seat)[1][:, 2]
+    while seat is not None and seat.kind == "fixed":
+        seat = mechanism.seats.get(seat.parent)
+    if seat is None or seat.kind not in COUNTED:
+        return None
+    return seat.body if axis @ seat_frame(machine, seat)[1][:, 2] > 1.0 - 1e-12 else None
+
+
+def base_of(machine: Machine, mechanism: Mechanism, body: str) -> str:
+    """Body against which the spin of a body counts: its parent, or that of the body whose spin it has."""
+    seat = mechanism.seats.get(spinner_of(machine, mechanism, body) or body)
+    return GROUND if seat is None else seat.parent
 
 
 def place_joined(parts: Parts) -> None:

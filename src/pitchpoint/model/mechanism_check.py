@@ -14,7 +14,7 @@ from pitchpoint.model.frames import (
     GROUND,
     Array,
     axes_of,
-    frame,
+    body_frame,
     joint_axes,
     joint_place,
     marker_of,
@@ -22,7 +22,15 @@ from pitchpoint.model.frames import (
     split,
 )
 from pitchpoint.model.keys import Place
-from pitchpoint.model.mechanism import ONE_WAY, Seat, axial_offset, coordinate, rows_of
+from pitchpoint.model.mechanism import (
+    COUNTED,
+    ONE_WAY,
+    Seat,
+    axial_offset,
+    coordinate,
+    rows_of,
+    spinner_of,
+)
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
@@ -274,15 +282,16 @@ def _polar(parts: Parts, report: Reader) -> None:
 def _parallel(parts: Parts, seat: Seat) -> bool:
     from pitchpoint.model.mechanism import seat_frame
 
-    own = frame(parts.bodies[seat.body].axes)
+    own = body_frame(parts, seat.body)[1]
     return bool(own[:, 2] @ seat_frame(parts, seat)[1][:, 2] > 1.0 - 1e-12)
 
 
 def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
-    """Gears turn about the z axis of their body, and meshes are described across the z axis of the world."""
+    """Gears turn about the z axis of their body: the joint that carries it lies there and counts turns."""
     body = parts.bodies[name]
-    upright = frame(body.axes)[2, 2] > 1.0 - 1e-12
     at: Place = ("bodies", name, "gears")
+    if seat.kind == "fixed" and seat.joint is not None and spinner_of(parts, parts.mechanism, name) is None:
+        _standing_gear(parts, name, seat, report)
     if seat.kind in ("spherical", "free", "universal", *FUNCTIONS):
         report.problem(
             at,
@@ -290,20 +299,36 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
             value=", ".join(body.gears),
             remedy="carry the body by a revolute, cylindrical, screw, planar or shaft joint",
         )
-    elif not upright:
-        report.problem(
-            (*at[:2], "axes"),
-            "turn the axis of gears away from the z axis of the world, along which all gears stand",
-            remedy="lay the world so that the gears turn about z",
-        )
     elif seat.joint is not None and axial_offset(parts, seat) is None:
         more = f"; write its bodies as [{seat.parent}, {name}]" if seat.turned else ""
         report.problem(
             at,
             f"turn about the z axis of {name}, which is not that of the joint {seat.joint}",
             value=", ".join(body.gears),
-            remedy=f"put the origin of {name} on the axis of {seat.joint}, and its z axis along it{more}",
+            remedy=f"give {name} an origin on the axis of {seat.joint}, and axes whose z lies along it{more}",
         )
+
+
+def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
+    """A gear that is fixed to something stands, or turns with what counts its turns about the same axis."""
+    root = seat
+    while root.kind == "fixed" and root.parent in parts.mechanism.seats:
+        root = parts.mechanism.seats[root.parent]
+    if root.kind in ("fixed", "prismatic"):
+        return
+    remedy = f"give {name} and {root.body} the same z axis"
+    if root.kind not in COUNTED:
+        remedy = f"carry {root.body} by a revolute, cylindrical, screw, planar or shaft joint"
+        if root.body in parts.elastic_bodies:
+            remedy = (
+                f"write rotor: true at the elastic body {root.body}, whose z axis is the axis of the gears"
+            )
+    report.problem(
+        ("bodies", name, "gears"),
+        f"are fixed to {root.body}, which counts no turns about their axis",
+        value=", ".join(parts.bodies[name].gears),
+        remedy=remedy,
+    )
 
 
 # --- coordinates --------------------------------------------------------------------------------------------
@@ -316,7 +341,7 @@ def _coordinates(parts: Parts, report: Reader) -> None:
             at: Place = ("scenarios", name, "drive", word)
             found = coordinate(parts.mechanism, parts, word)
             if isinstance(found, str):
-                report.problem(at, found, remedy=_listed(parts))
+                report.problem(at, found, remedy=coordinates_listed(parts))
                 continue
             wanted = ("speed", "angle") if found[2] == "angle" else ("velocity", "position")
             given = [k for k in ("speed", "angle", "velocity", "position") if getattr(drive, k) is not None]
@@ -329,7 +354,7 @@ def _coordinates(parts: Parts, report: Reader) -> None:
                 )
 
 
-def _listed(parts: Parts) -> str:
+def coordinates_listed(parts: Parts) -> str:
     """All coordinates that can be named."""
     found = [
         f"{seat.joint}.{word}"
@@ -353,7 +378,7 @@ def _ratios(parts: Parts, report: Reader) -> None:
         for word, value in ratio.terms.items():
             found = coordinate(parts.mechanism, parts, word)
             if isinstance(found, str):
-                report.problem((*at, word), found, remedy=_listed(parts))
+                report.problem((*at, word), found, remedy=coordinates_listed(parts))
                 continue
             lengths[word] = (found[2] == "length") + isinstance(value, Arm)
         if len(lengths) == len(ratio.terms) and len(set(lengths.values())) > 1:

@@ -11,12 +11,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.model.components.actuator import ACTUATORS, Actuator
 from pitchpoint.model.components.beam import Beam
 from pitchpoint.model.components.bearing import Bearing
+from pitchpoint.model.components.block import BLOCKS, Block
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.bushing import Bushing
 from pitchpoint.model.components.clutch import Clutch
 from pitchpoint.model.components.contact import CamContact, CurveContact, SurfaceContact
+from pitchpoint.model.components.controller import CONTROLLERS, Controller
 from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.elastic_body import ElasticBody
@@ -29,6 +32,7 @@ from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.components.ratio import Ratio
 from pitchpoint.model.components.rod import Rod
 from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
+from pitchpoint.model.components.sensor import SENSORS, Sensor
 from pitchpoint.model.components.shaft import Shaft
 from pitchpoint.model.components.spring import Maxwell, Spring
 from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
@@ -36,6 +40,7 @@ from pitchpoint.model.components.unbalance import Unbalance
 from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import (
     BAD,
+    TYPE,
     Key,
     Place,
     component,
@@ -137,6 +142,14 @@ class Model:
     bearings: Mapping[str, Bearing] = key("components", "bearings between bodies and ground", {}, of=Bearing)
     couplings: Mapping[str, Coupling] = key("components", "couplings between bodies", {}, of=Coupling)
     loads: Mapping[str, Load] = key("components", "torques and forces on bodies", {}, of=Load)
+    sensors: Mapping[str, Sensor] = key("components", "signals of motion and loads", {}, of=SENSORS)
+    blocks: Mapping[str, Block] = key("components", "signals of other signals", {}, of=BLOCKS)
+    controllers: Mapping[str, Controller] = key(
+        "components", "sampled controllers, which read and make signals", {}, of=CONTROLLERS
+    )
+    actuators: Mapping[str, Actuator] = key(
+        "components", "torques and forces that signals make", {}, of=ACTUATORS
+    )
     damping: Damping | None = component(Damping, "Rayleigh and modal damping of the whole model")
     scenarios: Mapping[str, Scenario] = key("components", "what is done to the model", {}, of=Scenario)
     file: str | None = derived()
@@ -322,9 +335,13 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
         if len(path) == 1 and value is None:
             return {k: v for k, v in part.items() if k != name}
         if len(path) == 1:
-            cls = type(part[name])
-            new = report.component(cls, value, here) if isinstance(value, Mapping) else value
-            if not isinstance(new, cls) and new is not BAD:
+            forms = keys_of(Model)[at[0]].of if len(at) == 1 else type(part[name])
+            allowed = tuple(forms.values()) if isinstance(forms, dict) else (type(part[name]),)
+            if isinstance(value, Mapping) and isinstance(forms, dict):
+                new = report.chosen(forms, TYPE, value, here)
+            else:
+                new = report.component(allowed[0], value, here) if isinstance(value, Mapping) else value
+            if not isinstance(new, allowed) and new is not BAD:
                 report.problem(here, "is neither a mapping nor a component", value=shown(value))
         else:
             new = replace_at(part[name], path[1:], value, report, here)
@@ -354,9 +371,9 @@ def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at:
 
 
 def _is_component(key: Key, value: Any) -> bool:
-    allowed = key.of.values() if isinstance(key.of, dict) else (key.of,)
+    allowed = tuple(key.of.values()) if isinstance(key.of, dict) else (key.of,)
     if isinstance(value, Constant | FormulaLaw | TableLaw | PythonLaw | Balance):
-        return key.kind == "law"
+        return key.kind == "law" or (key.kind == "code" and isinstance(value, PythonLaw))
     if key.kind == "components":
-        return isinstance(value, Mapping) and all(isinstance(v, key.of) for v in value.values())
+        return isinstance(value, Mapping) and all(isinstance(v, allowed) for v in value.values())
     return any(cls is not None and isinstance(value, cls) for cls in allowed)

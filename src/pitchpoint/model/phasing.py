@@ -3,7 +3,7 @@
 
 Two gears are assembled centred in their backlash: when a tooth of gear 1 is centred on the line of
 centres, a space of gear 2 is centred on it. With gamma the angle of the centre of tooth 0 (at mid-face, from
-the world's x axis), theta_1 and theta_2 the directions from either axis to the pitch point, and signed z,
+the x axis of its body), theta_1 and theta_2 the directions from either axis to the pitch point, and signed z,
 
     z_1 (gamma_1 - theta_1) + z_2 (gamma_2 - theta_2) = pi   (mod 2 pi),
 
@@ -28,7 +28,8 @@ class Phasing:
     """Result of the assembly."""
 
     tooth_angle: Mapping[str, float]
-    """Angle of the centre of tooth 0 at mid-face, at spin 0, from the x axis, by gear [rad], in (-pi, pi]."""
+    """Angle of the centre of tooth 0 at mid-face, at spin 0, from the x axis of its body, by gear [rad], in
+    (-pi, pi]."""
     offset: Mapping[str, float]
     """Base-tangent distance from the middle of the gap at spin 0, by mesh [m], in (-p_bt/2, p_bt/2]; zero
     unless both gears have an initial_angle or the meshes form a loop. It adds to u_bt."""
@@ -38,17 +39,17 @@ class Phasing:
 
 
 def pitch_directions(mesh: Mesh, gear1: Gear, gear2: Gear) -> tuple[float, float]:
-    """Directions from the axes of gear 1 and gear 2 to the pitch point [rad].
+    """Directions from the axes of gear 1 and gear 2 to the pitch point, from the x axis of either body [rad].
 
     In an internal pair both axes lie on the same side of it: beyond the external gear, seen from the
     internal one.
     """
     forward, back = mesh.theta, mesh.theta + math.pi
     if gear2.type == "internal":
-        return back, back
+        return back, back - mesh.twist
     if gear1.type == "internal":
-        return forward, forward
-    return forward, back
+        return forward, forward - mesh.twist
+    return forward, back - mesh.twist
 
 
 def tooth_twist(gear: Gear, offset: float) -> float:

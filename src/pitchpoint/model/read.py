@@ -16,8 +16,8 @@ from typing import Any
 from pitchpoint.core.errors import Problem, UnitError
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import parse_quantity
-from pitchpoint.model import read_file, read_forms, read_law, read_mechanism
-from pitchpoint.model.keys import BAD, Key, Place, defaults_of, keys_of
+from pitchpoint.model import read_file, read_forms, read_law, read_mechanism, read_signal
+from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
 from pitchpoint.model.show import SI, dotted, example, limit_text, shown
 
 
@@ -252,7 +252,11 @@ class Reader:
         out = {}
         for name, entry in data.items():
             if self.good_name(name, path, description.dotted):
-                result = self.component(description.of, entry, (*path, str(name)))
+                at = (*path, str(name))
+                if isinstance(description.of, dict):
+                    result = self.chosen(description.of, TYPE, entry, at)
+                else:
+                    result = self.component(description.of, entry, at)
                 if result is not BAD:
                     out[str(name)] = result
         return out
@@ -279,16 +283,20 @@ class Reader:
 
     def variant(self, description: Key, data: Any, path: Place) -> Any:
         """Read a component whose key `law` names its kind."""
-        laws = description.of
+        return self.chosen(description.of, "law", data, path)
+
+    def chosen(self, forms: Mapping[str, type], tag: str, data: Any, path: Place) -> Any:
+        """Read a component whose key `tag` names its kind, one of several."""
+        listed = ", ".join(forms)
         if not isinstance(data, Mapping):
-            remedy = f"write {{law: {next(iter(laws))}}}; laws are {', '.join(laws)}"
+            remedy = f"write {{{tag}: {next(iter(forms))}}}; {tag}s are {listed}"
             return self.problem(path, "is not a mapping", value=shown(data), remedy=remedy)
-        if "law" not in data:
-            return self.problem((*path, "law"), "is missing", remedy=f"laws are {', '.join(laws)}")
-        word = self.word(Key("choice", "", choices=tuple(laws)), data["law"], (*path, "law"))
+        if tag not in data:
+            return self.problem((*path, tag), "is missing", remedy=f"{tag}s are {listed}")
+        word = self.word(Key("choice", "", choices=tuple(forms)), data[tag], (*path, tag))
         if word is BAD:
             return BAD
-        return self.component(laws[word], {k: v for k, v in data.items() if k != "law"}, path)
+        return self.component(forms[word], {k: v for k, v in data.items() if k != tag}, path)
 
 
 def _within(description: Key, data: Any, value: float) -> str:
@@ -341,4 +349,9 @@ _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "rates": read_mechanism.rates,
     "motions": read_mechanism.motions,
     "terms": read_mechanism.terms,
+    "value": read_signal.value,
+    "values": read_signal.values,
+    "gains": read_signal.gains,
+    "curve": read_signal.curve,
+    "code": read_signal.code,
 }

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from numbers import Real
 from typing import Any
 
-from pitchpoint.model.components.law import AXES, Constant, TableLaw
+from pitchpoint.model.components.law import AXES, Constant, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.tooth_profile import Points
 from pitchpoint.model.keys import Key, Place, defaults_of, keys_of
@@ -55,6 +55,11 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
             report.value(key, value, place)
         else:
             report.problem(place, "holds texts", remedy="give numbers in SI units")
+    elif key.kind in ("value", "values", "gains", "curve"):
+        report.value(key, value, place)
+    elif key.kind == "code":
+        if not isinstance(value, PythonLaw):
+            report.problem(place, "is of the wrong type", value=type(value).__name__, limit="PythonLaw")
     elif key.kind == "pitch":
         if isinstance(value, FlankPitch):
             recheck(value, place, report)
@@ -69,9 +74,10 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
         allowed = tuple(key.of.values()) if isinstance(key.of, dict) else (key.of,)
         _component(allowed, value, place, report)
     elif key.kind == "components":
+        allowed = tuple(key.of.values()) if isinstance(key.of, dict) else (key.of,)
         for name, part in value.items():
             if report.good_name(name, place, key.dotted):
-                _component((key.of,), part, (*place, name), report)
+                _component(allowed, part, (*place, name), report)
     elif key.kind == "list":
         for i, part in enumerate(value):
             _component((key.of,), part, (*place, i), report)

@@ -14,7 +14,7 @@ METHODS = ("generalized_alpha", "runge_kutta", "rk4", *STIFF_METHODS, "kinematic
 ERROR_METHODS = ("runge_kutta", "gstiff", "wstiff", "dassl")
 """Methods that choose their steps by an error, which `tolerance` limits."""
 FORMS = ("I3", "SI2", "SI1")
-EVENTS = ("pair_entry", "pair_exit", "contact", "sliding_reversal")
+EVENTS = ("pair_entry", "pair_exit", "contact", "sliding_reversal", "stick_slip")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -117,7 +117,10 @@ class Scenario:
         "time", "start of the window of the statistics", None, minimum=0.0, display="20 % of duration"
     )
     step: float | None = positive(
-        "time", "time step", None, display="1/200 of the shortest period of mesh and modes"
+        "time",
+        "time step",
+        None,
+        display="1/200 of the shortest period of mesh and modes, finite elements as far as excited",
     )
     tolerance: float = positive(
         "dimensionless", "relative tolerance of methods that choose their steps", 1e-7, maximum=0.1
@@ -143,7 +146,13 @@ class Scenario:
         maximum=6,
         display="5; 2 of constant_bdf",
     )
-    events: tuple[str, ...] = key("words", "root events to locate and record", (), choices=EVENTS)
+    events: tuple[str, ...] = key(
+        "words",
+        "events to locate and record: tooth pairs, contact of flanks, bodies and journals, sliding of "
+        "flanks, friction that begins or ceases to slip; methods that choose their steps begin anew there",
+        (),
+        choices=EVENTS,
+    )
     sweep: Sweep | None = component(Sweep, "speed sweep instead of one time response")
     quasi_static: QuasiStatic | None = component(QuasiStatic, "slow roll instead of a time response")
 

@@ -8,7 +8,7 @@ import math
 from typing import Any
 
 from pitchpoint.core.unit_table import DIMENSIONS
-from pitchpoint.model.keys import Key, defaults_of, keys_of
+from pitchpoint.model.keys import TYPE, Key, defaults_of, keys_of
 from pitchpoint.model.model import Model
 from pitchpoint.model.write import quantity_text
 
@@ -28,11 +28,11 @@ def json_schema() -> dict[str, Any]:
     return {"$schema": DRAFT, "title": "pitchpoint model file", **top, "$defs": definitions}
 
 
-def _object(cls: type, definitions: dict[str, Any], law: str = "") -> dict[str, Any]:
+def _object(cls: type, definitions: dict[str, Any], word: str = "", tag: str = "law") -> dict[str, Any]:
     keys, defaults = keys_of(cls), defaults_of(cls)
-    properties: dict[str, Any] = {"law": {"const": law}} if law else {}
+    properties: dict[str, Any] = {tag: {"const": word}} if word else {}
     properties |= {name: _property(key, defaults.get(name), definitions) for name, key in keys.items()}
-    required = (["law"] if law else []) + [name for name in keys if name not in defaults]
+    required = ([tag] if word else []) + [name for name in keys if name not in defaults]
     out: dict[str, Any] = {
         "type": "object",
         "description": (cls.__doc__ or "").strip().split("\n")[0],
@@ -42,10 +42,10 @@ def _object(cls: type, definitions: dict[str, Any], law: str = "") -> dict[str, 
     return out | ({"required": required} if required else {})
 
 
-def _reference(cls: type, definitions: dict[str, Any], law: str = "") -> dict[str, str]:
+def _reference(cls: type, definitions: dict[str, Any], word: str = "", tag: str = "law") -> dict[str, str]:
     if cls.__name__ not in definitions:
         definitions[cls.__name__] = {}
-        definitions[cls.__name__] = _object(cls, definitions, law)
+        definitions[cls.__name__] = _object(cls, definitions, word, tag)
     return {"$ref": f"#/$defs/{cls.__name__}"}
 
 
@@ -61,6 +61,9 @@ def _property(key: Key, default: Any, definitions: dict[str, Any]) -> dict[str, 
 
 def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
     number = _number(key)
+    if key.kind == "components" and isinstance(key.of, dict):
+        forms = [_reference(cls, definitions, word, TYPE) for word, cls in key.of.items()]
+        return {"type": "object", "additionalProperties": {"oneOf": forms}}
     if key.kind in ("component", "components", "list", "tooth_profile"):
         inner = _reference(key.of, definitions)
         if key.kind == "components":
@@ -104,6 +107,11 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "rates": {"type": "object", "additionalProperties": number},
         "motions": {"type": "object"},
         "terms": {"type": "object", "additionalProperties": number},
+        "value": number,
+        "values": {**row, **_length(key)},
+        "gains": {"type": "object", "additionalProperties": number},
+        "curve": {"anyOf": [{"type": "array", "items": row}, file]},
+        "code": {"type": "string"},
     }
     return plain[key.kind]
 
@@ -156,13 +164,13 @@ def reference_page() -> str:
     return "\n".join(out)
 
 
-def _section(cls: type, title: str, law: str, seen: set[type], out: list[str]) -> None:
+def _section(cls: type, title: str, word: str, seen: set[type], out: list[str], tag: str = "law") -> None:
     if cls in seen:
         return
     seen.add(cls)
     out += [f"## {title}", "", _first_paragraph(cls), ""]
-    if law:
-        out += [f"`law: {law}`", ""]
+    if word:
+        out += [f"`{tag}: {word}`", ""]
     keys, defaults = keys_of(cls), defaults_of(cls)
     if keys:
         out += ["| key | unit | default | range | meaning |", "|---|---|---|---|---|"]
@@ -172,8 +180,10 @@ def _section(cls: type, title: str, law: str, seen: set[type], out: list[str]) -
     out.append("")
     for name, key in keys.items():
         if isinstance(key.of, dict):
-            for word, variant in key.of.items():
-                _section(variant, f"{name}: {word}", word, seen, out)
+            for form, variant in key.of.items():
+                _section(
+                    variant, f"{name}: {form}", form, seen, out, TYPE if key.kind == "components" else "law"
+                )
         elif key.of is not None:
             _section(key.of, key.of.__name__, "", seen, out)
 
@@ -183,6 +193,8 @@ def _first_paragraph(cls: type) -> str:
 
 
 def _unit(key: Key) -> str:
+    if key.kind in ("value", "values", "gains", "curve"):
+        return "SI"
     return DIMENSIONS[key.dimension].si or "-" if key.dimension else ""
 
 

@@ -11,8 +11,10 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from pitchpoint.model.components.body import Body
-from pitchpoint.model.frames import joint_place, place_of, split
+from pitchpoint.model.frames import Array, body_frame, joint_place, place_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
@@ -28,7 +30,12 @@ SAME = 1e-6
 def stand_in(shaft: Shaft) -> Body:
     """Body that stands for a shaft: its gears, place and markers, and the mass of its sections."""
     return Body(
-        gears=dict(shaft.gears), motion="free", position=shaft.position, markers=shaft.markers, shaft=shaft
+        gears=dict(shaft.gears),
+        motion="free",
+        position=shaft.position,
+        axes=shaft.axes,
+        markers=shaft.markers,
+        shaft=shaft,
     )
 
 
@@ -111,7 +118,11 @@ def seats_on(machine: Any, shaft: str) -> Iterator[tuple[Place, float]]:
         Name of the shaft.
     """
     body = machine.bodies[shaft]
-    start = body.origin[2] if body.origin is not None else 0.0
+    origin, axes = body_frame(machine, shaft)
+
+    def along(place: Array) -> float:
+        return float(axes[:, 2] @ place) - (0.0 if origin is None else float(axes[:, 2] @ origin))
+
     for gear, place in body.gears.items():
         yield ("shafts", shaft, "gears", gear), place
     for name, marker in body.markers.items():
@@ -122,32 +133,35 @@ def seats_on(machine: Any, shaft: str) -> Iterator[tuple[Place, float]]:
                 yield (group, name, "position"), part.position[2]
     for name, coupling in machine.couplings.items():
         if shaft in coupling.bodies:
-            yield ("couplings", name, "position"), _from_first(machine, coupling, start)
+            yield (
+                ("couplings", name, "position"),
+                along(_place_on_axis(machine, coupling.bodies[0], coupling)),
+            )
     for name, load in machine.loads.items():
         if shaft == load.body:
-            yield ("loads", name, "position"), place_of_load(machine, load) - start
+            yield ("loads", name, "position"), along(place_of_load(machine, load))
         elif shaft == load.reaction:
-            yield ("loads", name, "reaction"), place_of_load(machine, load) - start
+            yield ("loads", name, "reaction"), along(place_of_load(machine, load))
     for name, joint in machine.joints.items():
         at = joint_place(machine, joint)
         if at is not None and shaft in {split(e)[0] for e in joint.bodies}:
-            yield ("joints", name, "position"), float(at[2]) - start
+            yield ("joints", name, "position"), along(at)
 
 
-def _from_first(machine: Any, coupling: Any, start: float) -> float:
-    first = machine.bodies.get(coupling.bodies[0])
-    origin = first.origin if first is not None and first.origin is not None else (0.0, 0.0, start)
-    return float(origin[2] - start + coupling.position[2])
+def _place_on_axis(machine: Any, body: str, part: Any) -> Array:
+    """Where something with a `position` on the axis of a body sits, in the world [m]."""
+    if body not in machine.bodies:
+        return np.zeros(3)
+    origin, axes = body_frame(machine, body)
+    return (np.zeros(3) if origin is None else origin) + axes[:, 2] * part.position[2]
 
 
-def place_of_load(machine: Any, load: Any) -> float:
-    """Where a load acts, along the z axis of the world [m]."""
-    if load.marker is not None:
-        place = place_of(machine, f"{load.body}.{load.marker}")
-        return 0.0 if place is None else float(place[2])
-    body = machine.bodies.get(load.body)
-    origin = body.origin if body is not None and body.origin is not None else (0.0, 0.0, 0.0)
-    return float(origin[2] + load.position[2])
+def place_of_load(machine: Any, load: Any) -> Array:
+    """Where a load acts on the axis of its body, or at its marker, in the world [m]."""
+    if load.marker is None:
+        return _place_on_axis(machine, load.body, load)
+    place = place_of(machine, f"{load.body}.{load.marker}")
+    return np.zeros(3) if place is None else place
 
 
 # --- stations -----------------------------------------------------------------------------------------------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bearings and couplings sit on the axes of their bodies, and what a coupling joins lies on one axis."""
+"""Bearings and couplings sit on the axes of their bodies, and what they join lies along one axis."""
 
 from __future__ import annotations
 
@@ -8,13 +8,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.model.frames import frame
+from pitchpoint.model.frames import GROUND, axes_of, body_frame, place_of, split
+from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.coupling import Coupling
     from pitchpoint.model.parts import Parts
 
+HOUSED = 1e-3
+"""Distance of a bearing from the named place of its housing [m]; what is less is a rigid arm."""
+ASKEW = math.radians(5.0)
+"""Angle from which rings do not stand about one axis; no bearing is mounted that far askew."""
 COAXIAL = 1e-6
 """Distance of two axes [m] up to which they count as one: what places computed from meshes differ by."""
 
@@ -38,6 +43,44 @@ def check_positions(parts: Parts, report: Reader) -> None:
             )
 
 
+def check_housings(parts: Parts, report: Reader) -> None:
+    """A bearing in a housing sits where the named place of it is, and leaves the spin free."""
+    for name, part in parts.bearings.items():
+        at: Place = ("bearings", name)
+        if part.housing is None or part.housing == GROUND or at in report.tainted:
+            continue
+        body, marker = split(part.housing)
+        if body == part.body:
+            report.problem(
+                (*at, "housing"),
+                f"is the body that runs in the bearing, {body}",
+                remedy="name another body, or leave housing out for ground",
+            )
+            continue
+        if part.stiffness.matrix6()[5][5] != 0.0:
+            report.problem(
+                (*at, "stiffness"),
+                f"holds the spin of {part.body} against the housing {body}",
+                limit="torsion: 0",
+                remedy="use a coupling for that, or leave torsion out",
+            )
+        if part.body not in parts.bodies or body not in parts.bodies:
+            continue
+        owner, there = parts.bodies[part.body], place_of(parts, part.housing)
+        if owner.origin is None or there is None or not marker:
+            continue
+        center = np.array(owner.origin) + body_frame(parts, part.body)[1] @ [0.0, 0.0, part.position[2]]
+        apart = float(np.linalg.norm(center - there))
+        if apart > HOUSED * max(1.0, float(np.abs(center).max())):
+            report.problem(
+                (*at, "housing"),
+                f"lies {apart * 1e3:.6g} mm from the bearing",
+                value=part.housing,
+                limit=f"{HOUSED * 1e3:g} mm",
+                remedy=f"correct the place of {marker}, or the position of the bearing or of {part.body}",
+            )
+
+
 def check_couplings(parts: Parts, report: Reader) -> None:
     """Forces between axes that lie apart would turn the bodies without a spring that gives the work."""
     for name, coupling in parts.couplings.items():
@@ -47,7 +90,7 @@ def check_couplings(parts: Parts, report: Reader) -> None:
         places = [b.origin for b in bodies if b is not None and b.origin is not None]
         if len(places) < 2 or not _holds_sideways(coupling):
             continue
-        z, other = (frame(b.axes)[:, 2] for b in bodies if b is not None)
+        z, other = (body_frame(parts, b)[1][:, 2] for b in coupling.bodies)
         cosine = float(z @ other)
         if cosine < 1.0 - COAXIAL**2:
             report.problem(
@@ -65,8 +108,28 @@ def check_couplings(parts: Parts, report: Reader) -> None:
                 f"have axes {apart * 1e3:.6g} mm apart, and the coupling holds more than their rotation",
                 value=f"{first} and {second}",
                 limit=f"{COAXIAL * 1e3:g} mm",
-                remedy=f"give {first} and {second} the same x and y, or the coupling torsion only",
+                remedy=f"put {first} and {second} on one axis, or give the coupling torsion only",
             )
+
+
+def check_rings(parts: Parts, report: Reader) -> None:
+    """Rings of rolling and plain bearings stand about one axis; a marker of ground stands along the world."""
+    for group in ("rolling_bearings", "plain_bearings"):
+        for name, bearing in getattr(parts, group).items():
+            if any(place_of(parts, end) is None for end in bearing.ends) or (group, name) in report.tainted:
+                continue
+            z, other = (axes_of(parts, end)[:, 2] for end in bearing.ends)
+            angle = math.atan2(float(np.linalg.norm(np.cross(z, other))), abs(float(z @ other)))
+            if angle > ASKEW:
+                inner, outer = bearing.ends
+                report.problem(
+                    (group, name, "ends"),
+                    f"have z axes {math.degrees(angle):.6g} deg apart",
+                    value=f"{inner} and {outer}",
+                    limit=f"{math.degrees(ASKEW):.3g} deg",
+                    remedy=f"give the marker {outer} axes whose z lies along that of {inner}; on ground it "
+                    "takes a body with motion: fixed and a marker",
+                )
 
 
 def _holds_sideways(coupling: Coupling) -> bool:

@@ -348,7 +348,13 @@ def check(parts: Parts, report: Reader) -> None:
     from pitchpoint.model.mechanism_check import check_mechanism
     from pitchpoint.model.pair_check import check_phasing
     from pitchpoint.model.shafts import add_shafts, check_shaft_places
-    from pitchpoint.model.support_check import check_couplings, check_positions
+    from pitchpoint.model.signal_check import check_signal_places, check_signals
+    from pitchpoint.model.support_check import (
+        check_couplings,
+        check_housings,
+        check_positions,
+        check_rings,
+    )
 
     add_shafts(parts, report)
     add_elastic_bodies(parts, report)
@@ -362,12 +368,16 @@ def check(parts: Parts, report: Reader) -> None:
     check_forces(parts, report)
     check_contacts(parts, report)
     check_elastic_bodies(parts, report)
+    check_signals(parts, report)
     check_positions(parts, report)
     resolve(parts, report)
     check_shaft_places(parts, report)
     check_mechanism(parts, report)
+    check_signal_places(parts, report)
     check_beams(parts, report)
     check_couplings(parts, report)
+    check_housings(parts, report)
+    check_rings(parts, report)
     check_motions(parts, report)
     check_unbalances(parts, report)
     check_loads(parts, report)

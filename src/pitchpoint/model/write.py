@@ -13,7 +13,7 @@ from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
 from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.ratio import Arm
-from pitchpoint.model.keys import Key, defaults_of, keys_of
+from pitchpoint.model.keys import TYPE, Key, defaults_of, keys_of
 from pitchpoint.model.shafts import own_bodies
 
 if TYPE_CHECKING:
@@ -98,6 +98,9 @@ class _Writer:
     def strings(self, key: Key, value: Any) -> list[str]:
         return list(value)
 
+    def plain_list(self, key: Key, value: Any) -> list[float]:
+        return list(value)
+
     def nested(self, key: Key, value: Any) -> dict[str, Any]:
         return self.component(value)
 
@@ -105,7 +108,10 @@ class _Writer:
         return [self.component(v) for v in value]
 
     def nested_names(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
-        return {name: self.component(v) for name, v in value.items()}
+        return {
+            name: {**({TYPE: v.form} if isinstance(key.of, dict) else {}), **self.component(v)}
+            for name, v in value.items()
+        }
 
     def variant(self, key: Key, value: Any) -> dict[str, Any]:
         return {"law": value.law, **self.component(value)}
@@ -171,7 +177,7 @@ class _Writer:
 
     def python(self, key: Key, value: PythonLaw) -> Any:
         name = f"{self.relative(value.file)}:{value.function}"
-        if key.kind == "python" and not value.parameters:
+        if key.kind in ("python", "code") and not value.parameters:
             return name
         return {"python": name, **({"parameters": list(value.parameters)} if value.parameters else {})}
 
@@ -210,6 +216,10 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "law": _Writer.law,
     "laws": _Writer.laws,
     "python": _Writer.python,
+    "code": _Writer.python,
+    "values": _Writer.plain_list,
+    "gains": _Writer.mapping,
+    "curve": _Writer.matrix,
     "material": _Writer.material,
     "center": _Writer.center,
     "ends": _Writer.strings,

@@ -49,6 +49,8 @@ BODY = np.dtype(
         ("chart", "i8"),  # attitude from which its turns count, -1 for none
         ("guide", "i8"),  # displacements given by functions, -1 for none
         ("shares", "i8"),  # body whose coordinates are its own too, 0 for none
+        ("spinner", "i8"),  # body whose spin counts as its own, 0 for none
+        ("upright", "f8", (3, 3)),  # frame from which that counts, columns in axes S of the spinner's parent
         ("fixed_axes", "i8"),  # 1: S is asked for
         ("state", "i8"),  # 1: no body, its spin rate is the state of an element
         ("lead", "f8"),  # screw: way along the axis per radian [m/rad]
@@ -103,6 +105,9 @@ class Body:
         Way of a screw along its axis per radian of its spin [m/rad].
     guided_by
         Coordinates (name, unit) of a guided body, at most six; it may have none and follow time alone.
+    spinner
+        Number of an earlier body on which a fixed one hangs without moving much against it, z axis along z
+        axis: that spin counts as its own, and its frame R does not turn with it. 0 = none.
     shares
         Number of an earlier body whose coordinates guide this body too, in place of own ones; 0 = none.
     state
@@ -127,6 +132,7 @@ class Body:
     lead: float = 0.0
     guided_by: tuple[tuple[str, str], ...] = ()
     shares: int = 0
+    spinner: int = 0
     state: bool = False
     angle: float = 0.0
     start: tuple[float, ...] = ()
@@ -176,6 +182,8 @@ class Body:
                 found.append(f"start values are {len(self.coordinates)} finite numbers")
         if self.shares and (self.motion != GUIDED or self.guided_by):
             found.append("only a guided body without coordinates of its own can share those of another")
+        if self.spinner and (self.motion != FIXED or self.parent == 0):
+            found.append("only a body that is fixed to another one can turn with a spin that is not its own")
         return found + (self._round_faults() if self.is_round else self._tensor_faults())
 
     def _round_faults(self) -> list[str]:
@@ -238,6 +246,10 @@ def body_records(bodies: Sequence[Body]) -> NDArray[np.void]:
             record["guide"] = guides
             guides += 1
         _hang(record, body, bodies)
+        if body.spinner:
+            below = bodies[body.spinner - 1].parent
+            turned = np.asarray(bodies[below - 1].axes, float) if below else np.eye(3)
+            record["spinner"], record["upright"] = body.spinner, turned.T @ np.asarray(body.axes, float)
         record["mass"], record["i_p"] = body.mass, body.polar_inertia
         record["i_t"], record["c_z"] = body.transverse_inertia, body.center
         record["com"], record["inertia"] = body.center_of_mass(), body.tensor()
@@ -245,6 +257,16 @@ def body_records(bodies: Sequence[Body]) -> NDArray[np.void]:
             record["fixed_axes"] = 1
             records[body.parent]["fixed_axes"] = 1
     return records
+
+
+def base_of(records: NDArray[np.void], b: int) -> int:
+    """Body against which the spin of body b counts: its parent, or that of the body whose spin it has."""
+    return int(records[int(records[b]["spinner"]) or b]["parent"])
+
+
+def spin_of(records: NDArray[np.void], b: int) -> int:
+    """Coordinate that is the spin of body b, its own or that of the body whose spin it has; -1 for none."""
+    return int(records[int(records[b]["spinner"]) or b]["spin"])
 
 
 def _hang(record: np.void, body: Body, bodies: Sequence[Body]) -> None:

@@ -175,3 +175,10 @@ def observations(ctl):
 def events(ctl):
     """The row of event functions [ne]; ask only when ``ctl[0]["ev"] != 0``."""
     return view(ctl[0]["ev"], ctl[0]["ne"], F8)
+
+
+@kernel
+def bounded(x):
+    """Event function between -1/4 and 1/4 with the sign of x: a change by more than 1/2 is taken for a phase
+    that wraps round."""
+    return 0.25 * x / (1.0 + abs(x))

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Matrices of finite-element programs: Nastran DMIG punch files, Matrix Market, NumPy archives.
+"""Matrices of finite-element programs: Nastran DMIG punch files and NumPy archives.
 
 All of them end as a `Structure` for the reduction to modes. Files are data from elsewhere: every size is
 checked before memory is taken, nothing in them is executed, and what cannot be read is said with its line.
 
-DMIG: MSC Nastran Quick Reference Guide, bulk data entries DMIG and GRID; fixed fields of 8 characters, or
-of 16 where the name of the entry ends in a star. Matrix Market: Boisvert, Pozo, Remington, NISTIR 5935
-(1996).
+Matrix Market files are read by `matrix_market`. DMIG: MSC Nastran Quick Reference Guide, bulk data entries
+DMIG and GRID; fixed fields of 8 characters, or of 16 where the name of the entry ends in a star.
 """
 
 from __future__ import annotations
@@ -78,17 +77,18 @@ class DmigFile:
         return coo_array((values, (rows, columns)), shape=(len(order), len(order)))
 
 
-def _refuse(path: Path, message: str, line: int | None = None, remedy: str | None = None) -> ModelError:
+def refuse(path: Path, message: str, line: int | None = None, remedy: str | None = None) -> ModelError:
+    """Error about a file, and a line of it."""
     return ModelError([Problem("", message, line=line, remedy=remedy)], str(path))
 
 
-def _checked(path: str | os.PathLike[str]) -> Path:
+def checked(path: str | os.PathLike[str]) -> Path:
     """File that exists and is not too large."""
     file = Path(path)
     if not file.is_file():
-        raise _refuse(file, "there is no such file")
+        raise refuse(file, "there is no such file")
     if file.stat().st_size > MOST_BYTES:
-        raise _refuse(
+        raise refuse(
             file, f"{file.stat().st_size} bytes (limit {MOST_BYTES})", remedy="reduce the model first"
         )
     return file
@@ -104,7 +104,7 @@ def _lines(file: Path) -> Iterator[tuple[int, str]]:
                 return
             number += 1
             if len(line) >= 4096:
-                raise _refuse(file, "is no text of lines of 80 characters", number)
+                raise refuse(file, "is no text of lines of 80 characters", number)
             if line.strip() and not line.startswith("$"):
                 yield number, line.rstrip("\r\n")
 
@@ -118,20 +118,20 @@ def _fields(line: str) -> list[str]:
 
 def _whole(file: Path, number: int, text: str, what: str) -> int:
     if not re.fullmatch(r"\d{1,9}", text):
-        raise _refuse(file, f"{what}: {text!r} is no whole number", number, FIELDS)
+        raise refuse(file, f"{what}: {text!r} is no whole number", number, FIELDS)
     return int(text)
 
 
-def _real(file: Path, number: int, text: str, what: str) -> float:
+def real(file: Path, number: int, text: str, what: str, remedy: str = FIELDS) -> float:
     """A number as Nastran writes it: 1.0+5 and 1.0D+05 are 1e5."""
     if not _NUMBER.match(text):
-        raise _refuse(file, f"{what}: {text!r} is no number", number, FIELDS)
+        raise refuse(file, f"{what}: {text!r} is no number", number, remedy)
     plain = text.upper().replace("D", "E")
     if "E" not in plain:
         plain = plain[0] + re.sub(r"([+-])", r"E\1", plain[1:])
     value = float(plain)
     if not np.isfinite(value):
-        raise _refuse(file, f"{what}: {text} is not finite", number)
+        raise refuse(file, f"{what}: {text} is not finite", number)
     return value
 
 
@@ -148,7 +148,7 @@ def read_dmig(path: str | os.PathLike[str]) -> DmigFile:
     ModelError
         If an entry cannot be read; with its line.
     """
-    file = _checked(path)
+    file = checked(path)
     found = DmigFile()
     column: tuple[str, tuple[int, int]] | None = None
     grid: tuple[int, list[str]] | None = None
@@ -163,16 +163,16 @@ def read_dmig(path: str | os.PathLike[str]) -> DmigFile:
             _term(file, number, line, found, column)
             count += 1
             if count > MOST_ENTRIES:
-                raise _refuse(file, f"more than {MOST_ENTRIES} entries", number)
+                raise refuse(file, f"more than {MOST_ENTRIES} entries", number)
         elif line[0] in "*+ " and grid is not None:
-            third = _real(file, number, line[8:24].strip() or "0.", "x3")
-            first, second = (_real(file, number, t or "0.", "GRID") for t in grid[1])
+            third = real(file, number, line[8:24].strip() or "0.", "x3")
+            first, second = (real(file, number, t or "0.", "GRID") for t in grid[1])
             found.grids[grid[0]] = (first, second, third)
             grid = None
         else:
             column = grid = None  # entries that are not ours
     if not found.matrices:
-        raise _refuse(file, "has no DMIG matrix", remedy="punch K and M with PARAM,EXTOUT,DMIGPCH")
+        raise refuse(file, "has no DMIG matrix", remedy="punch K and M with PARAM,EXTOUT,DMIGPCH")
     return found
 
 
@@ -181,20 +181,20 @@ def _dmig(file: Path, number: int, line: str, found: DmigFile) -> tuple[str, tup
     fields = _fields(line)
     name = fields[0].upper()
     if not re.fullmatch(r"[A-Z][A-Z0-9]{0,7}", name):
-        raise _refuse(file, f"DMIG: {fields[0]!r} is no name of a matrix", number)
+        raise refuse(file, f"DMIG: {fields[0]!r} is no name of a matrix", number)
     large = "*" in line[:8]
     if not large and fields[1] == "0":
         form, kind = _whole(file, number, fields[2], "form"), _whole(file, number, fields[3], "type")
         if form not in (SYMMETRIC, SQUARE):
-            raise _refuse(file, f"{name}: form {form} (limit 1 square or 6 symmetric)", number)
+            raise refuse(file, f"{name}: form {form} (limit 1 square or 6 symmetric)", number)
         if kind not in (1, 2):
-            raise _refuse(file, f"{name}: type {kind} is complex (limit 1 or 2, real)", number)
+            raise refuse(file, f"{name}: type {kind} is complex (limit 1 or 2, real)", number)
         found.matrices.setdefault(name, {})
         if form == SYMMETRIC:
             found.symmetric.add(name)
         return None
     if name not in found.matrices:
-        raise _refuse(file, f"{name}: a column comes before the header of the matrix", number)
+        raise refuse(file, f"{name}: a column comes before the header of the matrix", number)
     column = (_whole(file, number, fields[1], "grid"), _component(file, number, fields[2]))
     if not large and fields[4]:
         _put(file, number, found, (name, column), fields[4:7])
@@ -204,7 +204,7 @@ def _dmig(file: Path, number: int, line: str, found: DmigFile) -> tuple[str, tup
 def _component(file: Path, number: int, text: str) -> int:
     value = _whole(file, number, text or "0", "component")
     if value > 6:
-        raise _refuse(file, f"component {value} (limit 0 to 6)", number)
+        raise refuse(file, f"component {value} (limit 0 to 6)", number)
     return value
 
 
@@ -215,8 +215,8 @@ def _put(
     row = (_whole(file, number, fields[0], "grid"), _component(file, number, fields[1]))
     entries = found.matrices[name]
     if (row, at) in entries or (name in found.symmetric and (at, row) in entries):
-        raise _refuse(file, f"{name}: the entry of {row} and {at} comes twice", number)
-    entries[row, at] = _real(file, number, fields[2], "value")
+        raise refuse(file, f"{name}: the entry of {row} and {at} comes twice", number)
+    entries[row, at] = real(file, number, fields[2], "value")
 
 
 def _term(file: Path, number: int, line: str, found: DmigFile, column: tuple[str, tuple[int, int]]) -> None:
@@ -235,12 +235,12 @@ def _grid(file: Path, number: int, line: str, found: DmigFile) -> tuple[int, lis
     fields = _fields(line)
     grid = _whole(file, number, fields[0], "grid")
     if fields[1] not in ("", "0"):
-        raise _refuse(
+        raise refuse(
             file, f"GRID {grid}: lies in the system {fields[1]}", number, "write places in the basic system"
         )
     if "*" in line[:8]:
         return grid, fields[2:4]
-    x, y, z = (_real(file, number, t or "0.", "GRID") for t in fields[2:5])
+    x, y, z = (real(file, number, t or "0.", "GRID") for t in fields[2:5])
     found.grids[grid] = (x, y, z)
     return None
 
@@ -293,43 +293,6 @@ def structure_from_dmig(
     return structure, nodes
 
 
-def read_matrix_market(path: str | os.PathLike[str]) -> Any:
-    """Read a real square matrix of a Matrix Market file as sparse matrix.
-
-    Parameters
-    ----------
-    path
-        File in coordinate or array format, general or symmetric, plain or compressed as ``.gz``.
-
-    Raises
-    ------
-    ModelError
-        If it is no such file, or too large.
-    """
-    from scipy.io import mminfo, mmread
-    from scipy.sparse import csc_array
-
-    file = _checked(path)
-    try:
-        rows, columns, entries, _, kind, symmetry = mminfo(file)
-    except (ValueError, OSError, OverflowError, UnicodeDecodeError) as error:
-        raise _refuse(file, f"is no Matrix Market file ({error})") from None
-    if rows != columns or not 0 < rows <= MOST_UNKNOWNS or entries > MOST_ENTRIES:
-        raise _refuse(file, f"{rows} x {columns} with {entries} entries (limit square, {MOST_UNKNOWNS} rows)")
-    if kind not in ("real", "integer") or symmetry not in ("general", "symmetric"):
-        raise _refuse(file, f"is {kind} and {symmetry} (limit real, general or symmetric)")
-    # every entry takes four characters at least; compressed files say what they promise only at the end
-    if file.suffix != ".gz" and entries > file.stat().st_size:
-        raise _refuse(file, f"promises {entries} entries in {file.stat().st_size} bytes")
-    try:
-        matrix = csc_array(mmread(file))
-    except (ValueError, OSError, OverflowError, MemoryError) as error:
-        raise _refuse(file, f"cannot be read ({error})") from None
-    if not np.all(np.isfinite(matrix.data)):
-        raise _refuse(file, "has entries that are not finite")
-    return matrix
-
-
 def read_npz(path: str | os.PathLike[str]) -> Structure:
     """Read a NumPy archive with K, M, places and, if nodes differ in their directions, node and direction.
 
@@ -337,44 +300,49 @@ def read_npz(path: str | os.PathLike[str]) -> Structure:
     ----------
     path
         File of `numpy.savez` with dense K and M, or with the parts K_data, K_indices, K_indptr of compressed
-        columns and likewise for M.
+        columns and likewise for M; and K_spin, if there is one (see `Structure`).
 
     Raises
     ------
     ModelError
         If an array is missing, has objects in it, or is too large.
     """
-    from scipy.sparse import csc_array
-
-    file = _checked(path)
+    file = checked(path)
     try:
         with zipfile.ZipFile(file) as archive:
             for item in archive.infolist():
                 if item.file_size > MOST_BYTES:
-                    raise _refuse(file, f"{item.filename}: {item.file_size} bytes (limit {MOST_BYTES})")
+                    raise refuse(file, f"{item.filename}: {item.file_size} bytes (limit {MOST_BYTES})")
         with np.load(file, allow_pickle=False) as arrays:
             data = {name: np.asarray(arrays[name]) for name in arrays.files}
     except (ValueError, OSError, EOFError, KeyError, zipfile.BadZipFile, MemoryError, RuntimeError) as error:
-        raise _refuse(file, f"is no archive of plain arrays ({error})") from None
+        raise refuse(file, f"is no archive of plain arrays ({error})") from None
     if "places" not in data:
-        raise _refuse(file, "has no array 'places'", remedy="add the nodes (number of nodes, 3) in m")
-    pair: list[Any] = []
-    for name in ("K", "M"):
-        parts = [f"{name}_{p}" for p in ("data", "indices", "indptr")]
-        if name in data:
-            pair.append(data[name])
-        elif all(p in data for p in parts):
-            n = data[parts[2]].size - 1
-            try:
-                arrays_of: Any = tuple(data[p] for p in parts)
-                matrix = csc_array(arrays_of, shape=(n, n))
-                matrix.check_format()
-            except (ValueError, TypeError) as error:
-                raise _refuse(file, f"{name}: parts do not fit ({error})") from None
-            pair.append(matrix)
-        else:
-            raise _refuse(file, f"has no matrix {name!r}", remedy=f"save {name}, or {', '.join(parts)}")
+        raise refuse(file, "has no array 'places'", remedy="add the nodes (number of nodes, 3) in m")
+    found = {name: _matrix(file, data, name) for name in ("K", "M")}
+    if "K_spin" in data or "K_spin_data" in data:
+        found["K_spin"] = _matrix(file, data, "K_spin")
     for name, array in data.items():
         if array.dtype.kind not in "fiu":
-            raise _refuse(file, f"{name}: holds no real numbers")
-    return make_structure(pair[0], pair[1], data["places"], data.get("node"), data.get("direction"))
+            raise refuse(file, f"{name}: holds no real numbers")
+    node, direction = data.get("node"), data.get("direction")
+    return make_structure(found["K"], found["M"], data["places"], node, direction, found.get("K_spin"))
+
+
+def _matrix(file: Path, data: dict[str, Any], name: str) -> Any:
+    """One matrix of an archive, dense or of its parts."""
+    from scipy.sparse import csc_array
+
+    parts = [f"{name}_{p}" for p in ("data", "indices", "indptr")]
+    if name in data:
+        return data[name]
+    if not all(p in data for p in parts):
+        raise refuse(file, f"has no matrix {name!r}", remedy=f"save {name}, or {', '.join(parts)}")
+    n = data[parts[2]].size - 1
+    try:
+        arrays_of: Any = tuple(data[p] for p in parts)
+        matrix = csc_array(arrays_of, shape=(n, n))
+        matrix.check_format()
+    except (ValueError, TypeError) as error:
+        raise refuse(file, f"{name}: parts do not fit ({error})") from None
+    return matrix

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.multibody.joints import Z
-from pitchpoint.multibody.tree import body_axes, joint_motion
+from pitchpoint.multibody.tree import body_axes, count_spin, joint_motion
 from pitchpoint.multibody.vectors import add, cross, dot, less, times, triple
 
 
@@ -33,6 +33,10 @@ def joint_motions(body, fr, motions, guides, charts, q, v, a):
         o = body[b]
         f = fr[b]
         joint_motion(o, fr[o["parent"]], f, motions[b], guides, charts, q, v, a)
+        if o["spinner"] != 0:
+            f["base"] = o["sense"] * (fr[o["parent"]]["phi"] + fr[o["parent"]]["base"])
+            f["base_turns"] = int(o["sense"]) * (fr[o["parent"]]["turns"] + fr[o["parent"]]["base_turns"])
+            count_spin(o, body, fr, f, motions[b])
         W = motions[b]["W"]
         x, y, z = cross(_axis(W, 3), _axis(W, 4))
         s = x * W[3, 5] + y * W[4, 5] + z * W[5, 5]

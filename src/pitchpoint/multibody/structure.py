@@ -34,6 +34,9 @@ class Structure:
         Nodes (number of nodes, 3) [m].
     node, direction
         Node (row of `places`) and direction (0-2 translation, 3-5 rotation) of every displacement, (n,).
+    K_spin
+        What a spin about the third axis adds to K, per (rad/s)^2, (n, n): stress stiffness of the loads at
+        1 rad/s.
     """
 
     K: csc_array
@@ -41,6 +44,7 @@ class Structure:
     places: Array
     node: NDArray[np.int64]
     direction: NDArray[np.int64]
+    K_spin: csc_array | None = None
 
     @property
     def size(self) -> int:
@@ -67,7 +71,12 @@ class Structure:
 
 
 def make_structure(
-    K: Any, M: Any, places: ArrayLike, node: ArrayLike | None = None, direction: ArrayLike | None = None
+    K: Any,
+    M: Any,
+    places: ArrayLike,
+    node: ArrayLike | None = None,
+    direction: ArrayLike | None = None,
+    K_spin: Any = None,
 ) -> Structure:
     """Check finite-element matrices and bring them into one form.
 
@@ -79,6 +88,8 @@ def make_structure(
         Nodes (number of nodes, 3) [m].
     node, direction
         See `Structure`; without them every node has three translations, or six displacements, in order.
+    K_spin
+        See `Structure`.
 
     Raises
     ------
@@ -92,7 +103,9 @@ def make_structure(
     if spots.ndim != 2 or spots.shape[1] != 3 or not np.all(np.isfinite(spots)):
         raise CompileError(f"places: {spots.shape} is no list of finite points (nodes, 3)")
     pair = []
-    for name, given in (("K", K), ("M", M)):
+    for name, given in (("K", K), ("M", M), ("K_spin", K_spin)):
+        if given is None:
+            continue
         matrix = csc_array(given, dtype=float)
         if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1]:
             raise CompileError(f"{name}: {matrix.shape} is not square")
@@ -103,12 +116,16 @@ def make_structure(
         off = abs(matrix - matrix.T)
         if off.nnz and off.max() > 1e-8 * abs(matrix).max():
             raise CompileError(f"{name}: is not symmetric; give both triangles of the matrix")
+        if name != "K_spin" and matrix.shape[0] and matrix.diagonal().min() < 0.0:
+            wrong = int(matrix.diagonal().argmin())
+            raise CompileError(f"{name}: has {matrix.diagonal()[wrong]:.6g} on its diagonal, row {wrong + 1}")
         pair.append((0.5 * (matrix + matrix.T)).tocsc())
     n = pair[0].shape[0]
-    if pair[1].shape[0] != n:
-        raise CompileError(f"K has {n} displacements, M has {pair[1].shape[0]}")
+    for name, matrix in zip(("M", "K_spin"), pair[1:], strict=False):
+        if matrix.shape[0] != n:
+            raise CompileError(f"K has {n} displacements, {name} has {matrix.shape[0]}")
     where, how = _numbering(n, len(spots), node, direction)
-    found = Structure(pair[0], pair[1], spots, where, how)
+    found = Structure(pair[0], pair[1], spots, where, how, pair[2] if len(pair) == 3 else None)
     rest = np.abs(found.K @ found.rigid(spots.mean(axis=0)))
     if n and rest.max() > 1e-6 * abs(found.K).max() * max(1.0, float(np.ptp(spots, axis=0).max())):
         worst = int(rest.max(axis=1).argmax())
@@ -138,6 +155,49 @@ def _numbering(
     if np.unique(where * 6 + how).size != n:
         raise CompileError("a node has the same direction twice")
     return where, how
+
+
+FASTEST = 1e5
+"""Twenty times the speed of sound in steel; bodies that are all but rigid on purpose come near it [m/s]."""
+
+
+def check_mass(structure: Structure) -> None:
+    """Refuse a mass matrix that no body has: its mass is positive and the same in all directions.
+
+    Raises
+    ------
+    CompileError
+        With the masses along x, y and z.
+    """
+    rigid = structure.rigid(structure.places.mean(axis=0))[:, :3]
+    m = (rigid * np.asarray(structure.M @ rigid)).sum(axis=0)
+    shown = ", ".join(f"{v:.6g}" for v in m)
+    if not m.min() > 0.0:
+        raise CompileError(f"M: the body has the masses {shown} kg along x, y and z (limit > 0)")
+    if np.ptp(m) > 1e-3 * m.max():
+        raise CompileError(
+            f"M: the body has the masses {shown} kg along x, y and z, and a body has one; "
+            "check the directions of the displacements and scalar masses"
+        )
+
+
+def check_speed(structure: Structure, frequency: float) -> None:
+    """Refuse a body whose lowest mode [Hz] would need waves faster than sound could be.
+
+    A wave crosses a body twice in a period of its lowest longitudinal mode; other modes are slower.
+
+    Raises
+    ------
+    CompileError
+        Usually K in N/m stands beside places in mm.
+    """
+    size = float(np.linalg.norm(np.ptp(structure.places, axis=0)))
+    if 2.0 * size * frequency > FASTEST:
+        raise CompileError(
+            f"the lowest mode of {frequency:.6g} Hz in a body of {size:.6g} m needs waves of "
+            f"{2.0 * size * frequency:.3g} m/s (limit {FASTEST:g} m/s); "
+            "give K in N/m, M in kg and places in m"
+        )
 
 
 def beam_line(beams: Sequence[Beam]) -> Structure:

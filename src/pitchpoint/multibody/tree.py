@@ -248,6 +248,61 @@ def joint_motion(o, p, f, mo, guides, charts, q, v, a):
 
 
 @kernel
+def count_spin(o, body, fr, f, mo):
+    """Turn R of a body that turns with a spinner back by that spin, which becomes its own; R is S before.
+
+    Its attitude against the frame that the spinner turns in is alpha about x, beta about the turned y, and
+    the spin, as if it stood there on a joint with six coordinates; the whole turns are those of the spinner.
+    """
+    g = fr[o["spinner"]]
+    p = fr[body[o["spinner"]]["parent"]]
+    W = mo["W"]
+    R = f["R"]
+    U = o["upright"]
+    S = p["S"]
+    nx = 0.0
+    ny = 0.0
+    nz = 0.0
+    for i in range(3):
+        x = S[i, 0] * U[0, 0] + S[i, 1] * U[1, 0] + S[i, 2] * U[2, 0]
+        y = S[i, 0] * U[0, 1] + S[i, 1] * U[1, 1] + S[i, 2] * U[2, 1]
+        z = S[i, 0] * U[0, 2] + S[i, 1] * U[1, 2] + S[i, 2] * U[2, 2]
+        W[3 + i, 3] = x
+        W[3 + i, 4] = y
+        W[3 + i, 5] = z
+        nx += x * R[i, 2]
+        ny += y * R[i, 2]
+        nz += z * R[i, 2]
+    cb = math.sqrt(ny * ny + nz * nz)
+    sa = -ny / cb
+    ca = nz / cb
+    c = 0.0
+    s = 0.0
+    rate = 0.0
+    along = 0.0
+    for i in range(3):
+        x = W[3 + i, 3]
+        y = ca * W[3 + i, 4] + sa * W[3 + i, 5]
+        z = ca * W[3 + i, 5] - sa * W[3 + i, 4]  # x cross y
+        n = R[i, 2]
+        c += R[i, 0] * (cb * x - nx * z)
+        s += R[i, 0] * y
+        rate += z * (f["tw"][3 + i] - p["tw"][3 + i])
+        along += z * n
+        W[3 + i, 4] = y
+        W[3 + i, 5] = n
+        R[i, 0] = cb * x - nx * z
+        R[i, 1] = y
+    phi = math.atan2(s, c)
+    angle = f["base"] - g["base"]
+    f["turns"] = f["base_turns"] - g["base_turns"] + int(math.floor((angle - phi) / TWO_PI + 0.5))
+    f["phi"] = phi
+    f["spin"] = rate / along
+    f["base"] = g["base"]
+    f["base_turns"] = g["base_turns"]
+
+
+@kernel
 def tree_kinematics(body, path, fr, J, motions, guides, charts, q, v, a):
     """Frames and columns of all bodies that are not round, and S of those that need it; parents first."""
     for b in range(body.size):
@@ -259,6 +314,8 @@ def tree_kinematics(body, path, fr, J, motions, guides, charts, q, v, a):
             joint_motion(o, p, f, mo, guides, charts, q, v, a)
             _place(o, p, f, mo)
             _columns(body, b, path, fr, J, guides, mo)
+            if o["spinner"] != 0:
+                count_spin(o, body, fr, f, mo)
         if o["fixed_axes"] != 0:
             body_axes(f)
 

@@ -35,6 +35,7 @@ SHARES = ("contact_loss_share", "back_contact_share")
 def describe(model: Model) -> ReportModel:
     """Collect what a report says about a model."""
     from pitchpoint.core.provenance import content_hash, package_version
+    from pitchpoint.model.signal_words import signal_lines
     from pitchpoint.report.defaults import defaults
     from pitchpoint.report.flanks import flank_lines
     from pitchpoint.report.numbers import geometry_of_model
@@ -50,6 +51,7 @@ def describe(model: Model) -> ReportModel:
         flanks=flank_lines(model),
         pairs={name: (pair, *model.meshes[name].gears) for name, pair in model.pairs.items()},
         shafts={mesh: body for mesh, body in bodies.items() if body},
+        signals=signal_lines(model),
         assumptions=[f"{key}: {value}" for key, value in defaults(model)],
         sources=SOURCES if model.meshes else SOURCES[:1] if model.gears else (),
     )

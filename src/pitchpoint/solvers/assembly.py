@@ -107,6 +107,32 @@ def assemble_state(
     )
 
 
+def close_loops(system: System, state: State, keep: Collection[int] = (), *, drawn: bool = False) -> State:
+    """Close all loops near a state, its rates as they are; rows that prescribe motions are left out.
+
+    Parameters
+    ----------
+    system, state
+        The system and where to begin.
+    keep
+        Coordinates that stay.
+    drawn
+        Whether only what is kept is where it should be: loops that are open are closed as in the drawn place.
+
+    Raises
+    ------
+    SolverError
+        If a loop cannot be closed; the rows are named.
+    """
+    found = state.copy()
+    if drawn:
+        evaluate.residual(system, found)
+        if np.abs(system.workspace.g[loop_rows(system)]).max(initial=0.0) > OPEN:
+            _walk(system, found, keep)
+    _close(system, found, keep, loop_rows(system))
+    return found
+
+
 def _walk(system: System, state: State, keep: Collection[int]) -> None:
     """Bring the other coordinates near, by moving those that are kept from the drawn place in short steps.
 

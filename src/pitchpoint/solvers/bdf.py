@@ -16,12 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.core.kernel import address
+from pitchpoint.core.kernel import address, invoke
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.solvers.constrained_newton import iterate, new_iteration
 from pitchpoint.solvers.multistep import ORDER, entry, step
 from pitchpoint.solvers.multistep_control import CONSTANT, FIXED, LARGEST, LEADING, PAST, VARIABLE
+from pitchpoint.solvers.multistep_events import step_to_event
 from pitchpoint.solvers.multistep_history import DEPTH
+from pitchpoint.solvers.multistep_restart import resume
 from pitchpoint.solvers.rows import rows_agree
 from pitchpoint.solvers.sampling import Chunk, advance_into, new_harvest
 from pitchpoint.system import evaluate
@@ -90,16 +92,37 @@ class StiffRun:
     ) -> Chunk:
         """Go to a time; arguments as in `runge_kutta.ExplicitRun.advance_to`.
 
-        An event is located on the polynomial of its step and does not interrupt the method (`restart` has no
-        effect): what a jump does to the solution is left to the error of the step.
+        With `restart` steps end at events, and what comes behind begins anew: no step and no past goes over a
+        jump or a bend of the forces. Else an event is located on the polynomial of its step, and what it does
+        to the solution is left to the error of the step.
         """
         reach = min(t_end - self.t, most * self.longest)
         room = int(reach / sample) + 2 if sample > 0.0 else 0
         harvest = new_harvest(self.system.sizes["no"], rows=room, sums=statistics, events=events)
-        order = np.array([(t_end, self.t0, sample, self.past.ctypes.data, most)], ORDER)
+        order = np.array([(t_end, self.t0, sample, self.past.ctypes.data, most, restart)], ORDER)
         done = advance_into(entry, self.system.workspace.at, order, harvest)
         self.steps += done.steps
         return replace(done, status=rows_agree(self.system, self.t)) if done.status == OK else done
+
+    def watch(self, functions: NDArray[np.int64]) -> None:
+        """Let events count of functions with a flag only, shape (ne,); all count without."""
+        self.keep.append(functions)
+        self.past[0]["wanted"] = functions.ctypes.data
+
+    @property
+    def restarts(self) -> int:
+        """Steps that ended at an event, from which the method went on with a new past."""
+        return int(self.past[0]["events"])
+
+    def go_on(self) -> int:
+        """Go on from the state in the workspace after a jump of the forces; returns the status.
+
+        At order 3, by derivatives of the new side, or at order 1 where these say nothing.
+        """
+        status = evaluate.accelerations(self.system, self.t)
+        if status == OK and self.past[0]["k"] > 0:
+            invoke(resume, self.system.workspace.at, self.past.ctypes.data, 0)
+        return status
 
     def state(self) -> State:
         """Copy of the state reached."""
@@ -185,6 +208,7 @@ def start(
     past[0]["rates"] = nc == 0 or form != "I3"
     past[0]["integrals"] = nc > 0 and form == "SI1"
     past[0]["iterate"], past[0]["step"] = address(iterate), address(step)
+    past[0]["seek"], past[0]["resume"] = address(step_to_event), address(resume)
     return StiffRun(system, past, tolerances, state.t, 0, [*keep, *arrays.values()])
 
 

@@ -14,7 +14,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.multibody.bodies import GENERAL, spin_of
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.equilibrium import find_equilibrium
@@ -167,8 +167,7 @@ def _orders(system: System, rates: Array) -> dict[str, float]:
     """Mesh frequency over rotational frequency of the body with ratio 1, by mesh."""
     found = {}
     for name, record in zip(mesh_names(system), system.records.get("gear_mesh", ()), strict=True):
-        spins = system.program["body"]["spin"]
-        one, two = (int(spins[int(record[e])]) for e in ("i", "j"))
+        one, two = (spin_of(system.program["body"], int(record[e])) for e in ("i", "j"))
         teeth, ratio = record["z1"], rates[one] if one >= 0 else 0.0
         if ratio == 0.0:
             teeth, ratio = record["z2"], rates[two] if two >= 0 else 0.0

@@ -29,6 +29,7 @@ from pitchpoint.core.status import DIVERGED, NOT_FINITE, OK, SLOW
 from pitchpoint.multibody.block_lu import SOLVE
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.multibody.constraints import schur_factor, schur_solve
+from pitchpoint.solvers.newton import ASTRAY, back_to_guess, keep_guess
 from pitchpoint.system.linear import factor, solve
 from pitchpoint.system.residual import FORCES, NEWTON, residual
 from pitchpoint.system.workspace import EVALUATIONS, ITERATIONS, MACH, VALID
@@ -211,6 +212,9 @@ def iterate(at, where, spare):
     full = 0
     if not abs(n["cd"] - n["kept"]) <= DRIFT * n["cd"]:
         clock[VALID] = 0
+    aged = clock[VALID] != 0 and c["nc"] > 0
+    if aged:
+        keep_guess(at)
     for _ in range(MOST_ITERATIONS + n["patience"]):
         fresh = clock[VALID] == 0
         status = residual(at, n["t"], NEWTON if fresh else FORCES, n["cm"], n["cd"], 1.0)
@@ -252,6 +256,11 @@ def iterate(at, where, spare):
             if full >= n["patience"]:
                 return DIVERGED if size >= last else SLOW
             full += 1
+            if aged and size > ASTRAY * last:
+                back_to_guess(at)
+                for r in range(mu.size):
+                    mu[r] = 0.0
+            aged = False
         last = size
     clock[VALID] = 0
     return SLOW

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
-from pitchpoint.solvers.assembly import REDUNDANT, assemble_state, loop_rows
+from pitchpoint.solvers.assembly import REDUNDANT, close_loops, loop_rows
 from pitchpoint.solvers.still import slopes, step_on
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
@@ -27,10 +27,14 @@ Array = NDArray[np.float64]
 MOST_STEPS = 300
 FIRST = 1e2
 """Factor of the masses in the first step [1/s^2]."""
+GROWTH = 1.01
+"""Factor by which the step that would follow may grow over an accepted one: in the gap nothing gets less."""
 LONGEST = 0.3
 """Largest step of a coordinate [m, rad]."""
 ROUNDING = 1e-13
 """Share of what acts that rounding leaves over."""
+PLACES = 8 * 2.2e-16
+"""Rounding of a force that follows from a place, over the stiffness: as many are added up at a body."""
 
 
 @dataclass(frozen=True)
@@ -78,22 +82,25 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
     """
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     holds = loop_rows(system)
-    here = _closed(system, state, kept)
+    here = _closed(system, state, kept, drawn=True)
     mu = FIRST
     for count in range(MOST_STEPS):
         G, R, acting = _balanced(system, here, free, holds)
         Z = _directions(G[:, free], system.weight[free])
         left = Z.T @ R[free]
-        goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], ROUNDING * acting[free].max(initial=0.0))
+        whole = slopes(system, here, EXACT)
+        # places are rounded as about 1 m and 1 rad are: nothing below the forces of that can be asked for
+        rounded = PLACES * (np.abs(whole) @ (np.abs(here.q) + 1.0))
+        least = np.maximum(rounded[free], ROUNDING * acting[free].max(initial=0.0))
+        goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], least)
         if np.all(np.abs(left) <= goal):
             return MechanismRest(here, R, count)
-        K = Z.T @ slopes(system, here, EXACT)[np.ix_(free, free)] @ Z
+        K = Z.T @ whole[np.ix_(free, free)] @ Z
         M = Z.T @ evaluate.matrix(system, here, 1.0, 0.0, 0.0)[np.ix_(free, free)] @ Z
         inverse = np.linalg.pinv(K + mu * M)
         y = -inverse @ left
         size = float(np.abs(Z @ y).max(initial=0.0))
-        y *= min(1.0, LONGEST / size if size > 0.0 else 1.0)
-        trial = step_on(system, here, free, Z @ y)
+        trial = step_on(system, here, free, Z @ y * min(1.0, LONGEST / size if size > 0.0 else 1.0))
         try:
             trial = _closed(system, trial, kept)
             H, S, _ = _balanced(system, trial, free, holds)
@@ -103,7 +110,7 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         after = _directions(H[:, free], system.weight[free])
         next_left = _matched(after, Z).T @ S[free]
         ratio = float(np.linalg.norm(inverse @ next_left)) / max(float(np.linalg.norm(y)), 1e-300)
-        if ratio < 1.0:
+        if ratio < 1.0 or (ratio <= GROWTH and float(next_left @ y) <= 0.0):
             here = trial
             mu = max(mu * (0.1 if ratio < 0.5 else 0.5), 0.0 if mu < 1e-9 else 1e-12)
         elif mu > 1e12:
@@ -119,12 +126,12 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
     )
 
 
-def _closed(system: System, state: State, kept: tuple[int, ...]) -> State:
+def _closed(system: System, state: State, kept: tuple[int, ...], drawn: bool = False) -> State:
     """The same state with its loops closed; rates stay as they are."""
     still = state.copy()
     still.v[:] = 0.0
     still.v[system.states] = state.v[system.states]
-    found = assemble_state(system, still, keep=kept).state
+    found = close_loops(system, still, kept, drawn=drawn)
     found.v[:] = state.v
     return found
 

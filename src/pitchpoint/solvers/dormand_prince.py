@@ -181,7 +181,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
             dense = _prepare_dense(at, h, pair.D, last_stage)
         if watch:
             before = done[2]
-            done[2], share = find_events(at, t, h, dense, found, done[2])
+            done[2], share = find_events(at, t, h, dense, found, done[2], 0)
             if share < 0.0:
                 return _stop(at, NOT_FINITE)
             if restart != 0 and share <= 1.0:

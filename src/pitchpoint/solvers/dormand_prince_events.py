@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.multibody.channels import CTL, F8
+from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.explicit import DENSE, OLD, ROWS
 from pitchpoint.solvers.sampling import changes_sign
 from pitchpoint.system.residual import evaluate_events
@@ -80,20 +80,30 @@ def _locate(at, t, h, n, k, low, high):
 
 
 @kernel
-def find_events(at, t, h, dense, found, n):
-    """Find all sign changes of the step, in order of the functions; returns count and the earliest share."""
+def find_events(at, t, h, dense, found, n, wanted):
+    """Find all sign changes of the step, in order of the functions; returns count and the earliest share.
+
+    wanted: address of a flag per function, 0: it does not count; 0 if all do.
+    """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     ev0 = view(m["ev0"], c["ne"], F8)
     ev1 = view(m["ev1"], c["ne"], F8)
     first = 2.0
+    counts = view(wanted, ev0.size if wanted != 0 else 0, I8)
+    at_end = False
     for k in range(ev0.size):
-        interpolate(at, 1.0, dense)
-        if evaluate_events(at, t + h, m["ev1"]) != OK:
-            return n, -1.0
+        if wanted != 0 and counts[k] == 0:
+            continue
+        if not at_end:
+            interpolate(at, 1.0, dense)
+            if evaluate_events(at, t + h, m["ev1"]) != OK:
+                return n, -1.0
+            at_end = True
         low = ev0[k]
         high = ev1[k]
         if changes_sign(low, high):
+            at_end = False
             x = _locate(at, t, h, dense, k, low, high)
             if x < first:
                 first = x

@@ -28,9 +28,9 @@ from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
 from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
-from pitchpoint.solvers.still import inverse_of, rest_matrix, step_on
+from pitchpoint.solvers.still import inverse_of, rest_matrix, restless, step_on
 from pitchpoint.solvers.surfaces import Surface, crossed
-from pitchpoint.solvers.trains import complete, exchange, free_spins
+from pitchpoint.solvers.trains import complete, exchange, free_spins, is_independent
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
@@ -118,8 +118,10 @@ def find_equilibrium(
     kept = free_spins(system) if held is None else tuple(held)
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
+    idle = restless(system, state, free)
+    free = np.setdiff1d(free, idle)
     if is_looped(system):
-        mechanism = rest_of_mechanism(system, state, kept, tolerance)
+        mechanism = rest_of_mechanism(system, state, (*kept, *map(int, idle)), tolerance)
         reaction = mechanism.residual[list(kept)].copy()
         return Equilibrium(_wrapped(system, mechanism.state), kept, reaction, mechanism.steps)
     found, count, failure = _pseudo_time(system, state, free, tolerance)
@@ -250,12 +252,14 @@ def balance_torques(
     spins = [system.spin(system.layout.bodies[int(acting[k])]) for k in wanted]
     let_go = tuple(held)
     for spin in spins:
-        let_go = exchange(system, let_go, spin)
+        let_go = exchange(system, let_go, spin, state)
     found = find_equilibrium(system, state, let_go)
     records = system.records["torque"].copy()
     for k, spin in zip(wanted, spins, strict=True):
         records["value"][k] = found.reaction[found.held.index(spin)]
     kept = list(complete(system, driven, let_go))
+    if is_looped(system):  # a train that goes on through loops stays where its torques balance
+        kept += [s for s in spins if s not in kept and is_independent(system, state, kept, s)]
     return system.with_params({"torque": records}), tuple(spins), kept
 
 
@@ -296,5 +300,6 @@ def solve_equilibrium(
             held = exchange(system, held, spin)
     for name, speed in (speeds or {}).items():
         start.v[system.spin(name)] = speed
-    settled, _, _ = balance_torques(system, _wrapped(system, start), held)
+    settled, balanced, kept = balance_torques(system, _wrapped(system, start), held)
+    held = tuple(kept) if balanced and is_looped(settled) else held
     return point_dataset(settled, find_equilibrium(settled, _wrapped(settled, start), held))

@@ -17,8 +17,9 @@ if TYPE_CHECKING:
 FUNCTIONS = {
     "pair_entry": ("pair_entry", "back_pair_entry"),
     "pair_exit": ("pair_exit", "back_pair_exit"),
-    "contact": ("front_gap", "back_gap"),
+    "contact": ("front_gap", "back_gap", "contact"),
     "sliding_reversal": ("sliding_reversal", "back_sliding_reversal", "turning_reversal"),
+    "stick_slip": ("slip_reversal", "slip"),
 }
 
 #: A pair that passes the start of its path backwards leaves there, and enters at the end.
@@ -52,6 +53,8 @@ class EventWatch:
             self._named[:, k] = k, index[f"{falling}[{mesh}"]
             kept[k] = kind in wanted
         self._kept = kept
+        #: Per event function 1 if its sign changes count, in one direction at least: steps may end there.
+        self.functions = (kept[self._named[0]] | kept[self._named[1]]).astype(np.int64)
 
     def __bool__(self) -> bool:
         return bool(self._kept.any())

@@ -22,6 +22,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import address, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.multibody.channels import CTL, F8, I8
+from pitchpoint.solvers.alpha_start import first_slopes, shift_rates
 from pitchpoint.solvers.constrained_newton import ITERATION, constrained_step, iterate, new_iteration
 from pitchpoint.solvers.explicit import OLD, bring_state
 from pitchpoint.solvers.newton import newton_step, rows_hold
@@ -226,12 +227,44 @@ class Run:
         self.steps += done.steps
         return done
 
+    def go_on(self) -> int:
+        """Begin at the state in the workspace, whose forces may have jumped; returns the status.
+
+        The algorithmic accelerations are those of the time (alpha_m - alpha_f) h later, or the multipliers of
+        index 3 and the accelerations would be off by something of the order of h for many steps: see
+        `alpha_start`.
+        """
+        system, t = self.system, self.t
+        w = system.workspace
+        status = evaluate.accelerations(system, t)
+        w.clock[VALID] = 0
+        w.arrays["al"][:] = w.a
+        w.arrays["ap"][:] = w.a
+        w.arrays["lp"][:] = w.lam
+        if status != OK:
+            return status
+        found = first_slopes(system, t, self.h)
+        if found is not None:
+            jerk, rise = found
+            later = (self.rho_inf - 1.0) / (self.rho_inf + 1.0)  # alpha_m - alpha_f
+            w.arrays["al"] += later * self.h * jerk
+            w.arrays["ap"] -= self.h * jerk
+            w.arrays["lp"] -= self.h * rise
+            if self.iteration is None and len(w.lam):
+                beta = 0.25 * (1.0 - later) ** 2
+                shift_rates(system, (1.0 - 6.0 * beta - 3.0 * later) / 6.0 * self.h**2 * jerk)
+        return OK
+
     def change_step(self, h: float) -> None:
         """Go on with another step from here."""
+        w = self.system.workspace
+        # what is a share of a step ahead or behind moves with the step
+        for name, now in (("al", w.a), ("ap", w.a), ("lp", w.lam)):
+            w.arrays[name][:] = now + (w.arrays[name] - now) * (h / self.h)
         self.t0, self.steps, self.h = self.t, 0, h
-        self.system.workspace.arrays["ap"][:] = self.system.workspace.a
-        self.system.workspace.arrays["lp"][:] = self.system.workspace.lam
-        self.system.workspace.clock[VALID] = 0
+        w.clock[VALID] = 0
+        if self.iteration is None and len(w.lam):  # rates of index 3 are off their rows by a multiple of h^2
+            self.go_on()
 
     def state(self) -> State:
         """Copy of the state reached."""
@@ -278,16 +311,13 @@ def start(
     w.arrays["real"][:] = 0.0
     w.arrays["real"][0] = 0.1
     w.ctl[0]["bad"] = w.ctl[0]["badkind"] = -1
-    evaluate.check(system, evaluate.accelerations(system, state.t, 0.0), state)
-    w.arrays["al"][:] = w.a
-    w.arrays["ap"][:] = w.a
-    w.arrays["lp"][:] = w.lam
-    if system.sizes["ne"]:
-        evaluate.check(system, evaluate.fill_events(system, state.t, w.arrays["ev0"]), state)
     run = Run(system, h, rho_inf, tolerance, state.t)
     if form == "SI2" and system.sizes["nc"]:
         run.iteration = new_iteration(system.sizes["nd"], system.sizes["nc"], True, MOST_MATRICES)
         per_q = run.iteration[1][0]
         # no iteration goes below the rounding of angles and of the size of the machine
         per_q[:] = 1.0 / np.maximum(tolerance / w.arrays["weight"], ROUND_OFF)
+    evaluate.check(system, run.go_on(), state)
+    if system.sizes["ne"]:
+        evaluate.check(system, evaluate.fill_events(system, state.t, w.arrays["ev0"]), state)
     return run

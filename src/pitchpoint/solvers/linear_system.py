@@ -96,7 +96,7 @@ def linearise(
     if phase is not None:
         state = _at_phase(own, state, phase, point.held)
     loose = touching(own, state)
-    notes = list(point.notes)
+    notes = [*point.notes, *_of_one_position(own, state)]
     if loose:
         notes.append(
             f"no load presses the flanks of {', '.join(loose)} together: "
@@ -113,6 +113,21 @@ def linearise(
     basis = free_directions(own, state, states)
     rigid = rigid_rotations(own)
     return Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, tuple(notes))
+
+
+def _of_one_position(system: System, state: State) -> tuple[str, ...]:
+    """A note on elastic bodies whose modes turn: their matrices change as they do."""
+    body = system.program["body"]
+    frames = [int(record["i"]) for record in system.records.get("flexible_body", ())]
+    turning = [
+        system.layout.bodies[b] for b in frames if body[b]["spin"] >= 0 and state.v[body[b]["spin"]] != 0.0
+    ]
+    if not turning:
+        return ()
+    return (
+        f"the modes of {', '.join(turning)} turn with the body: what is found holds for one position of it; "
+        "elastic shafts hold for all",
+    )
 
 
 def _turning(system: System, state: State, still: State, at_rest: Parts) -> Parts:

@@ -12,8 +12,8 @@ steps, and when the step changes the past is moved to the new grid along its pol
 does (C. W. Gear, Numerical Initial Value Problems in Ordinary Differential Equations, 1971, 9.2); CONSTANT
 has a step and an order that are given, and no control of errors. Forms: `constrained_newton`.
 
-After whole turns the past of a spin is moved by them; when a body that tumbles starts its turns afresh, the
-method starts at order 1.
+After whole turns the past of a spin is moved by them; when a body that tumbles starts its turns afresh, and
+behind an event, the method goes on with a new past (`multistep_restart`).
 """
 
 from __future__ import annotations
@@ -274,6 +274,13 @@ def step(at, where, spare):
 
 
 @kernel
+def _go_on(at, where, nominal, reach):
+    """Go on from the state in the workspace with a new past, at order 1 if its derivatives say nothing."""
+    if call(view(where, 1, PAST)[0]["resume"], at, where, 0) != OK:
+        begin(at, where, nominal, reach)
+
+
+@kernel
 def _follow_turns(at, where, nominal, reach):
     """Count whole turns and move the past along; begin anew where a body starts its turns afresh."""
     c = view(at, 1, CTL)[0]
@@ -286,7 +293,7 @@ def _follow_turns(at, where, nominal, reach):
     fresh = clock[RECHARTED]
     wrap(at)
     if clock[RECHARTED] != fresh:
-        begin(at, where, nominal, reach)
+        _go_on(at, where, nominal, reach)
         return
     for e in range(spins.shape[0]):
         d = spins[e, 0]
@@ -297,8 +304,11 @@ def _follow_turns(at, where, nominal, reach):
 
 
 @kernel(inline=True)
-def advance_multistep(at, where, t_end, grid, most, harvest):
-    """Go on to t_end, at most `most` steps; grid: time of sample 0, distance of samples (0: none)."""
+def advance_multistep(at, where, t_end, grid, most, restart, harvest):
+    """Go on to t_end, at most `most` steps; grid: time of sample 0, distance of samples (0: none).
+
+    restart != 0: steps end at events, and the method goes on from there with a new past.
+    """
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     clock = view(view(c["mach"], 1, MACH)[0]["clock"], 16, I8)
@@ -309,13 +319,18 @@ def advance_multistep(at, where, t_end, grid, most, harvest):
         begin(at, where, nominal, t_end - b["t"])
     while b["t"] < t_end and done[0] < most:
         b["limit"] = t_end
-        status = call(b["step"], at, where, 0)
+        b["event"] = 0
+        seek = watch and restart != 0
+        status = call(b["seek"] if seek else b["step"], at, where, 0)
         if status != OK:
             return status
-        status = leave_behind(at, where, grid, watch, harvest)
+        status = leave_behind(at, where, grid, watch and (b["event"] != 0 or not seek), harvest)
         if status != OK:
             return status
         _follow_turns(at, where, nominal, max(t_end - b["t"], b["used"]))
+        if b["event"] != 0:
+            b["events"] += 1
+            _go_on(at, where, nominal, max(t_end - b["t"], b["used"]))
         clock[STEPS] += 1
         done[0] += 1
     return OK
@@ -323,7 +338,11 @@ def advance_multistep(at, where, t_end, grid, most, harvest):
 
 #: What `advance_multistep` is told from Python.
 ORDER = np.dtype(
-    [("t_end", "f8"), ("sample_zero", "f8"), ("sample", "f8"), ("past", "i8"), ("most", "i8")], align=True
+    [
+        *((name, "f8") for name in ("t_end", "sample_zero", "sample")),
+        *((name, "i8") for name in ("past", "most", "restart")),
+    ],
+    align=True,
 )
 
 
@@ -332,4 +351,4 @@ def entry(at, order, harvest):
     """Go on as an ORDER says; both are addresses of records."""
     o = view(order, 1, ORDER)[0]
     grid = (o["sample_zero"], o["sample"])
-    return advance_multistep(at, o["past"], o["t_end"], grid, o["most"], harvest_at(harvest))
+    return advance_multistep(at, o["past"], o["t_end"], grid, o["most"], o["restart"], harvest_at(harvest))

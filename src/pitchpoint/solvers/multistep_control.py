@@ -45,7 +45,7 @@ PAST = np.dtype(
         ("next_k", "i8"),  # order of the next step
         ("points", "i8"),  # rows of the history that are filled
         ("steady", "i8"),  # steps in a row with this step and order
-        ("rising", "i8"),  # 1: order and step still go up from the start
+        ("rising", "i8"),  # 1: order and step still go up from the start, 2: the order, after a jump
         ("failures", "i8"),  # in a row
         ("most_k", "i8"),
         ("rates", "i8"),  # 1: rates are judged too
@@ -54,8 +54,13 @@ PAST = np.dtype(
             (name, "i8")
             for name in ("rows", "times", "new", "ahead", "slope", "allowed", "W", "p", "tol", "iteration")
         ),
+        ("wanted", "i8"),  # address of a flag per event function, 0: it ends no steps; 0 if all do
         ("iterate", "i8"),  # addresses of the Newton iteration
-        ("step", "i8"),  # and of one whole step
+        ("step", "i8"),  # of one whole step,
+        ("seek", "i8"),  # of one that ends at an event,
+        ("resume", "i8"),  # and of what goes on from there
+        ("event", "i8"),  # 1: the last step ended at an event
+        ("events", "i8"),  # so many steps did
     ],
     align=True,
 )
@@ -204,6 +209,13 @@ def _next_order(at, where, h):
 
 
 @kernel
+def _growth(estimate, k):
+    """Next step over this one: twice it, the same, or less."""
+    share = (2.0 * estimate + 1e-4) ** (-1.0 / (k + 1))
+    return 2.0 if share >= 2.0 else 1.0 if share > 1.0 else max(0.5, min(0.9, share))
+
+
+@kernel
 def choose(at, where, h, cut, nominal):
     """Order and step after a step that was accepted; `cut`: it was shortened to end at a given time."""
     b = view(where, 1, PAST)[0]
@@ -221,6 +233,8 @@ def choose(at, where, h, cut, nominal):
         share = 1.0
     elif b["rising"] != 0 and b["next_k"] == k:
         share = 2.0
+        if b["rising"] == 2:  # the error of the order above is some part of it
+            share = max(0.5, min(2.0, (0.8 * b["estimate"] + 1e-4) ** (-1.0 / (k + 2))))
         if k < b["most_k"]:
             b["next_k"] = k + 1
         else:
@@ -228,8 +242,7 @@ def choose(at, where, h, cut, nominal):
     else:
         b["rising"] = 0
         _next_order(at, where, h)
-        share = (2.0 * b["estimate"] + 1e-4) ** (-1.0 / (b["next_k"] + 1))
-        share = 2.0 if share >= 2.0 else 1.0 if share > 1.0 else max(0.5, min(0.9, share))
+        share = _growth(b["estimate"], b["next_k"])
     if b["kind"] != CONSTANT and not (cut and share >= 1.0):
         b["h"] = share * h
     if b["h"] != h or b["next_k"] != k:

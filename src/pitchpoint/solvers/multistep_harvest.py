@@ -93,7 +93,7 @@ def _look_back(at, where, s, n):
 
 
 @kernel
-def _prepare_events(at, where, h, n):
+def prepare_events(at, where, h, n):
     """Coefficients of the last step where the search for events wants them."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
@@ -122,8 +122,8 @@ def leave_behind(at, where, grid, watch, harvest):
     n = min(b["points"] - 1, b["next_k"] + 1)
     keep_accelerations(at)
     if watch:
-        dense = _prepare_events(at, where, h, n)
-        done[2], share = find_events(at, t - h, h, dense, harvest.found, done[2])
+        dense = prepare_events(at, where, h, n)
+        done[2], share = find_events(at, t - h, h, dense, harvest.found, done[2], b["wanted"])
         if share < 0.0:
             return NOT_FINITE
     if grid[1] > 0.0:

@@ -34,6 +34,10 @@ ROW_TOLERANCE = 1e-7
 ROW_GOAL = 1e-13
 """Residual of a row [m, rad] that may stay: closing 1 um in a step of 10 us takes 1e4 m/s^2."""
 ROW_SHARE = 100.0
+ASTRAY = 0.75
+"""Ratio of corrections with a matrix of another place from which they are taken back."""
+GUESS = 2
+"""First of two rows of the stages that keep the prediction."""
 MOST_BISECTIONS = 60
 MOST_TRIES = 6
 """Bisections towards a jump; each leaves the share over that the kept matrix is wrong by."""
@@ -160,6 +164,50 @@ def _at_jump(at, t, cm, cd, tol, failure):
 
 
 @kernel
+def keep_guess(at):
+    """Copy the prediction to where an iteration that goes astray finds it."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    nd = c["nd"]
+    stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
+    q = view(c["q"], nd, F8)
+    v = view(c["v"], nd, F8)
+    a = view(c["a"], nd, F8)
+    lam = view(c["lam"], c["nc"], F8)
+    kept = view(m["pull"], c["nc"], F8)
+    for i in range(nd):
+        stage[GUESS, i] = q[i]
+        stage[GUESS, nd + i] = v[i]
+        stage[GUESS + 1, i] = a[i]
+    for r in range(lam.size):
+        kept[r] = lam[r]
+
+
+@kernel
+def back_to_guess(at):
+    """Bring the prediction back, for Newton's method with the matrix of there.
+
+    Where rows lose rank the kept matrix may have them on their other side: its corrections lead away, to
+    another branch of the mechanism in the end.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    nd = c["nd"]
+    stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
+    q = view(c["q"], nd, F8)
+    v = view(c["v"], nd, F8)
+    a = view(c["a"], nd, F8)
+    lam = view(c["lam"], c["nc"], F8)
+    kept = view(m["pull"], c["nc"], F8)
+    for i in range(nd):
+        q[i] = stage[GUESS, i]
+        v[i] = stage[GUESS, nd + i]
+        a[i] = stage[GUESS + 1, i]
+    for r in range(lam.size):
+        lam[r] = kept[r]
+
+
+@kernel
 def _open(at):
     """How far the rows were open before the last correction, those that repeat others left out."""
     c = view(at, 1, CTL)[0]
@@ -195,6 +243,9 @@ def newton_step(at, t, cm, cd, tol):
     count = 0
     refreshes = 0
     full = 0  # iterations of Newton's own method, with a matrix each
+    aged = clock[VALID] != 0 and nc > 0  # rows with a matrix of another place
+    if aged:
+        keep_guess(at)
     for _ in range(MOST_ITERATIONS * (2 + MOST_REFRESHES)):
         fresh = clock[VALID] == 0
         status = residual(at, t, NEWTON if fresh else FORCES, cm, cd, 1.0)
@@ -240,6 +291,9 @@ def newton_step(at, t, cm, cd, tol):
                 full += 1  # a stiff flank met within the step: the matrix of no one place serves all
             refreshes += 1
             clock[VALID] = 0
+            if aged and size > ASTRAY * last:
+                back_to_guess(at)
+            aged = False
         last = size
         before = size
     return SLOW

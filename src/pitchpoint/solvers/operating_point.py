@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
+from pitchpoint.solvers.controls import held_outputs
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.trains import held_spins
@@ -68,4 +69,4 @@ def operating_point(
     if own.model is None or start is not None:
         return OperatingPoint(own, find_equilibrium(own, start, held).state, held)
     begin = prepare_start(own, scenario or own.scenario or Scenario())
-    return OperatingPoint(begin.system, begin.state, held, begin.notes)
+    return OperatingPoint(begin.system, begin.state, held, (*begin.notes, *held_outputs(own)))

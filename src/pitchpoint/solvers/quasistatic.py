@@ -13,7 +13,8 @@ backlash.
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -21,14 +22,19 @@ import numpy as np
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
+from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, SINGULAR, sentence
+from pitchpoint.model.components.law import Balance
 from pitchpoint.model.scenario import Scenario
+from pitchpoint.multibody.bodies import GENERAL, spin_of
+from pitchpoint.solvers.assembly import close_loops
+from pitchpoint.solvers.constrained_rest import is_looped
+from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.roll_notes import load_notes
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
 from pitchpoint.solvers.touch import tangent_stiffness, touching_error
-from pitchpoint.solvers.trains import exchange, held_spins, rotations
+from pitchpoint.solvers.trains import exchange, held_spins, rotations, tied_by_teeth, turning_rates
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import State, System
 
@@ -53,18 +59,19 @@ class MeshRoll:
     share
         Share of every tooth pair in the mesh force, shape (n, n_pair).
     pitches
-        Tooth pitches it goes on per period of the rolled mesh; 0 if it stands still.
+        Tooth pitches it goes on per period of the rolled mesh; 0 if it stands still, None if it turns through
+        loops, whose ratio changes.
     """
 
     unloaded: Array
     tangent_stiffness: Array
     share: Array
-    pitches: Fraction = Fraction(1)
+    pitches: Fraction | None = Fraction(1)
 
     @property
     def repeats_after(self) -> int:
-        """Periods of the rolled mesh after which this one stands at the same phase again."""
-        return self.pitches.denominator
+        """Periods of the rolled mesh after which this one stands at the same phase again; 0 for never."""
+        return 0 if self.pitches is None else self.pitches.denominator
 
 
 @dataclass(frozen=True)
@@ -105,6 +112,11 @@ class Roll:
             return ()
         periods, found = round(float(self.position[-1])), []
         for name, mesh in self.meshes.items():
+            if mesh.pitches is None:
+                found.append(
+                    f"mesh {name} turns through a closed loop; its numbers are those of this part of it"
+                )
+                continue
             cycles = mesh.pitches * periods
             if cycles.denominator != 1:
                 what = "peak to peak is" if cycles < 1 else "mean is"
@@ -128,26 +140,27 @@ def roll_through(
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
         raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
-    point = operating_point(system, scenario)
+    refuse_rates(system, "a slow roll")
+    point = operating_point(system, _begun(system, scenario))
     own = point.system.copy()
     k = mesh_names(own).index(mesh)
     record = own.records["gear_mesh"][k]
-    body = next(int(record[e]) for e in ("i", "j") if own.program["body"][record[e]]["spin"] >= 0)
+    body = next(int(record[e]) for e in ("i", "j") if spin_of(own.program["body"], record[e]) >= 0)
     z = record["z1"] if body == record["i"] else record["z2"]
     spin = own.spin(own.layout.bodies[body])
-    held = exchange(own, held_spins(own), spin)
+    state = point.state.copy()
+    state.v[:] = 0.0
+    held = exchange(own, held_spins(own), spin, state)
     held = (spin, *(h for h in held if h != spin))
     direction = -1.0 if point.state.v[spin] < 0.0 else 1.0
     rates = rotations(own, (spin,))[:, 0]
     step = direction * 2.0 * np.pi / (abs(int(z)) * points)
-    state = point.state.copy()
-    state.v[:] = 0.0
     n = points * periods + 1
     rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
     names = mesh_names(own)
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
-    clear = _assembled(own, state)
+    clear = _assembled(own, state, held)
     done, status, text = 0, OK, sentence(OK)
     try:
         for s in range(n):
@@ -159,7 +172,7 @@ def roll_through(
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 tangent[m, s] = tangent_stiffness(own, state, m)
                 unloaded[m, s] = touching_error(own, clear, m, contact)
-            state, clear = _turn(own, state, step * rates), _turn(own, clear, step * rates)
+            state, clear = (_rolled(own, x, spin, step, rates) for x in (state, clear))
             done = s + 1
             progress(done, n, f"{mesh}: roll")
     except KeyboardInterrupt:
@@ -172,7 +185,7 @@ def roll_through(
             unloaded[m, :done],
             tangent[m, :done],
             _shares(own, rows, name, int(own.records["gear_mesh"][m]["n_pair"])),
-            _pitches(own, own.records["gear_mesh"][m], rates) / abs(int(z)),
+            _pitches(own, own.records["gear_mesh"][m], rates, spin, abs(int(z))),
         )
         for m, name in enumerate(names)
     }
@@ -213,6 +226,30 @@ def _plan(
     return chosen, mesh, points, periods
 
 
+def _begun(system: System, scenario: Scenario) -> Scenario:
+    """The scenario to begin from: what goes through loops need not rest before the rolled body is held."""
+    loads = {} if system.model is None else system.model.loads
+    if not is_looped(system) or any(isinstance(load.torque, Balance) for load in loads.values()):
+        return scenario
+    return replace(scenario, start="assembled")
+
+
+def _rolled(system: System, state: State, spin: int, step: float, rates: Array) -> State:
+    """The state with one spin turned on by a step, and what turns with it by teeth, with ratios in `rates`.
+
+    Through closed loops the ratios are those of the place, and the loops are closed again.
+    """
+    if not is_looped(system):
+        return _turn(system, state, step * rates)
+    along = turning_rates(system, state, spin)
+    if not along.any():
+        name = system.layout.coordinates[spin].rsplit(".", 1)[0]
+        raise SolverError(f"{name} cannot be turned on: closed loops hold it fast", SINGULAR, state)
+    return _turn(
+        system, close_loops(system, _turn(system, state, step * along), (spin,)), np.zeros(len(along))
+    )
+
+
 def _turn(system: System, state: State, by: Array) -> State:
     """The state with its spins moved on, remainders kept small."""
     new = state.copy()
@@ -224,21 +261,24 @@ def _turn(system: System, state: State, by: Array) -> State:
     return new
 
 
-def _assembled(system: System, state: State) -> State:
-    """The same spins with all other coordinates at zero."""
+def _assembled(system: System, state: State, held: Sequence[int]) -> State:
+    """The same spins, and places of what loops tie; the deflections of shafts in bearings are zero."""
     new = state.copy()
-    spins = system.program["spins"][:, 0]
-    new.q[:] = 0.0
-    new.q[spins] = state.q[spins]
-    return new
+    for body in system.program["body"][1:]:
+        if body["joint"] != GENERAL or not is_looped(system):
+            own = np.arange(body["dof"], body["dof"] + body["n"])
+            new.q[own[own != body["spin"]]] = 0.0
+    return close_loops(system, new, held) if is_looped(system) else new
 
 
-def _pitches(system: System, record: np.void, rates: Array) -> Fraction:
-    """Tooth pitches that a mesh goes on while the rolled body turns by 2 pi; ratios of trains are exact."""
+def _pitches(system: System, record: np.void, rates: Array, rolled: int, z: int) -> Fraction | None:
+    """Tooth pitches that a mesh goes on per period of the rolled one; exact, None if loops are on the way."""
     for body, teeth in ((record["i"], record["z1"]), (record["j"], record["z2"])):
-        spin = system.program["body"][body]["spin"]
+        spin = spin_of(system.program["body"], body)
+        if spin >= 0 and is_looped(system) and not tied_by_teeth(system, rolled, spin):
+            return None
         if spin >= 0:
-            return Fraction(abs(float(rates[spin]))).limit_denominator(LARGEST_RATIO) * abs(int(teeth))
+            return Fraction(abs(float(rates[spin]))).limit_denominator(LARGEST_RATIO) * abs(int(teeth)) / z
     return Fraction(0)
 
 

@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements import registry
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import Body
+from pitchpoint.solvers.controls import refuse_loads
 from pitchpoint.solvers.element_tangents import element_names, switched
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.reduction_choice import (
@@ -106,6 +107,7 @@ def reduce_system(
     SolverError
         If a name is not known or there is no equilibrium.
     """
+    refuse_loads(system, "a reduced system")
     point = operating_point(system, scenario, start)
     own, state = point.system, point.state
     split = split_up(own, state, keep)
@@ -194,7 +196,8 @@ def _assembled(
             banks[kind] = np.concatenate([*([banks[kind]] if kind in banks else []), *more])
     constraints = {k: b for k, b in banks.items() if registry.find(k).channel == registry.CONSTRAINT}
     others = {k: b for k, b in banks.items() if k not in constraints and b.size}
-    return assemble(bodies, others, constraints, names=names, pools=system.pools, laws=laws, keep=system.keep)
+    own = assemble(bodies, others, constraints, names=names, pools=system.pools, laws=laws, keep=system.keep)
+    return replace(own, controllers=system.controllers)
 
 
 def _state_of(system: System, state: State, found: System, kept: Sequence[int]) -> State:

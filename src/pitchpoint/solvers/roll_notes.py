@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.start import IMBALANCE
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
 from pitchpoint.solvers.trains import driven_coordinates, rotations
@@ -80,7 +81,8 @@ def _same_way(system: System, spin: int, torques: dict[str, float]) -> str:
     powers = {
         name: torque * float(np.sign(rates[system.spin(loads[name].body)]))
         for name, torque in torques.items()
-        if torque != 0.0 and system.program["body"][system.layout.bodies.index(loads[name].body)]["spin"] >= 0
+        if torque != 0.0
+        and spin_of(system.program["body"], system.layout.bodies.index(loads[name].body)) >= 0
     }
     powers = {name: power for name, power in powers.items() if power != 0.0}
     bodies = {loads[name].body for name in powers}

@@ -19,6 +19,7 @@ from pitchpoint.solvers.dormand_prince import SLOPE_AT
 from pitchpoint.solvers.step_choice import divided
 from pitchpoint.system import evaluate, signals
 from pitchpoint.system.perform import RESIDUAL, ask
+from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
 
@@ -88,6 +89,7 @@ class Sampler:
             controller = system.controllers[k]
             outputs, self.said = controller.call(t, read[k], self._states[k])
             if self.said:
+                self.said = self.said.replace(*_named(system, controller.name), 1)
                 return CONTROLLER, False
             when = self._instant(k) + controller.delay
             self._calls[k] += 1
@@ -124,14 +126,21 @@ class Sampler:
         return step, max(1, round(1.0 / (sample_rate * step))) if sample_rate else 1
 
 
+def _named(system: System, name: str) -> tuple[str, str]:
+    """What a controller is called by its sentence, and with its place in the model file if it has one."""
+    short = f"the controller {name!r}"
+    known = system.model is not None and name in system.model.controllers
+    return short, source(system, "signal", name) if known else short
+
+
 def begin_anew(run: Any) -> int:
     """Let an integration go on from where it is after a jump of the forces; returns the status."""
     w = run.system.workspace
+    if hasattr(run, "go_on"):
+        return int(run.go_on())
     status = evaluate.accelerations(run.system, run.t)
     for name, now in (("al", w.a), ("ap", w.a), ("lp", w.lam)):
         w.arrays[name][:] = now
     w.arrays["real"][SLOPE_AT] = math.nan
     w.clock[VALID] = 0
-    if hasattr(run, "past"):
-        run.past[0]["k"] = 0
     return status

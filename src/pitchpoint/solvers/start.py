@@ -17,13 +17,21 @@ from pitchpoint.model.mechanism import given
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.solvers.constrained_rest import is_looped
-from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques, find_equilibrium
-from pitchpoint.solvers.trains import driven_coordinates, free_spins, held_spins, rotations
+from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques
+from pitchpoint.solvers.states_at_start import rest_of_controls, states_of_inputs
+from pitchpoint.solvers.sticking import settle_clutches
+from pitchpoint.solvers.trains import (
+    driven_coordinates,
+    free_spins,
+    held_spins,
+    rates_through_loops,
+    rotations,
+)
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
 
     from numpy.typing import NDArray
 
@@ -105,10 +113,12 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     held = list(held_spins(system))
     if scenario.start == "assembled":
         state, notes = _closed(system, scenario, state, driven)
+        state = states_of_inputs(system, state)
         return Start(_with_damping(system, state), state, notes)
     system, balanced, held = balance_torques(system, state, held, driven)
-    found = find_equilibrium(system, state, held)
-    notes = _notes(system, found, {*driven, *balanced})
+    found, told = rest_of_controls(system, state, held, {*driven, *balanced})
+    system, found, remarks = settle_clutches(system, found, driven, balanced)
+    notes = (*told, *_notes(system, found, {*driven, *balanced}), *remarks)
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     return Start(_with_damping(system, state), state, (*notes, *more))
 
@@ -134,14 +144,23 @@ def _closed(
         return state, ()
     if rest:
         rates = {*driven, *(system.spin(body) for body in scenario.speed)}
-        return assemble_state(system, state, keep=driven, keep_rates=rates).state, ()
+        found = assemble_state(system, state, keep=driven, keep_rates=rates)
+        return _passed_on(system, found.state, driven, rates), ()
     keep, rates = (
         {*driven, *(system.layout.coordinate(c) for c in given(model.mechanism, model, key))}
         for key in ("start", "speed")
     )
     rates |= {system.spin(body) for body in scenario.speed}
     found = assemble_state(system, state, keep=keep, keep_rates=rates)
-    return found.state, found.report()
+    return _passed_on(system, found.state, keep, rates), found.report()
+
+
+def _passed_on(system: System, state: State, keep: Collection[int], rates: Collection[int]) -> State:
+    """The state whose trains beyond closed loops turn too: loops know no teeth, and teeth no loops."""
+    if "gear_mesh" not in system.records or not rates:
+        return state
+    state.v[:] = rates_through_loops(system, state, rates)
+    return assemble_state(system, state, keep=keep, keep_rates=rates).state
 
 
 def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[str, ...]:

@@ -9,12 +9,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pitchpoint.solvers.start import Start, drive_records, speeds_of
+from pitchpoint.solvers.step_modes import counted_frequency
 from pitchpoint.solvers.trains import mesh_rates
-from pitchpoint.system import evaluate
-from pitchpoint.system.residual import NEWTON
 
 if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
@@ -31,17 +29,6 @@ STEPS_PER_PERIOD = 200
 On a spur pair whose mesh excites its resonance 200 steps leave 3e-4 in the rms of the deflection, 100 steps
 1.1e-3; the error falls with the square.
 """
-
-
-def natural_frequencies(start: Start) -> NDArray[np.float64]:
-    """Undamped natural frequencies at the start [Hz], rising, shape (nd,).
-
-    From the matrices of the integrators: what turned loads and gyration change is nothing for a step.
-    """
-    M = evaluate.matrix(start.system, start.state, 1.0, 0.0, 0.0, NEWTON)
-    K = evaluate.matrix(start.system, start.state, 0.0, 0.0, 1.0, NEWTON)
-    values = np.linalg.eigvals(np.linalg.solve(M, K)).real
-    return np.sort(np.sqrt(np.maximum(values, 0.0)) / (2.0 * math.pi))
 
 
 def fastest_mesh(system: System, scenario: Scenario) -> float:
@@ -86,9 +73,12 @@ def mesh_mode(row: np.void, system: System) -> float:
 
 
 def shortest_period(start: Start, scenario: Scenario) -> float:
-    """Period of the fastest mode or mesh of a run, or a tenth of its duration if that is less [s]."""
+    """Period of the fastest mode or mesh of a run, or a tenth of its duration if that is less [s].
+
+    Of the modes of finite elements those count that something excites: see `step_modes`.
+    """
     fastest = max(
-        float(natural_frequencies(start)[-1]) if start.state.q.size else 0.0,
+        counted_frequency(start, scenario.method in ("rk4", "runge_kutta")),
         fastest_mesh(start.system, scenario),
         *(mesh_mode(row, start.system) for row in start.system.records.get("gear_mesh", ())),
         10.0 / (scenario.duration or 1.0),

@@ -162,7 +162,7 @@ class _Loop:
         from pitchpoint.solvers import bdf
 
         chosen = self.scenario
-        return bdf.start(
+        run = bdf.start(
             self.system,
             self.start.state,
             chosen.method,
@@ -171,6 +171,9 @@ class _Loop:
             order=chosen.order,
             largest_step=largest_stiff_step(self.start, chosen) if self.adaptive else self.h,
         )
+        if self.watch:
+            run.watch(self.watch.functions)
+        return run
 
     def run(self, progress: Progress) -> int:
         if self.sink is not None:

@@ -7,6 +7,7 @@ import math
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED
+from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.stiffness_parts import STIFFNESS_FIELD, mesh_names
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
@@ -21,9 +22,9 @@ def tangent_stiffness(system: System, state: State, m: int) -> float:
     """Slope of the force of mesh m over the travel of one of its gears along the base tangent."""
     record = system.records["gear_mesh"][m]
     body, radius = (record["i"], record["r_b1"])
-    if system.program["body"][body]["spin"] < 0:
+    if spin_of(system.program["body"], body) < 0:
         body, radius = record["j"], record["r_b2"]
-    spin = int(system.program["body"][body]["spin"])
+    spin = spin_of(system.program["body"], body)
     field = STIFFNESS_FIELD["gear_mesh"]
     whole = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
     kept = float(record[field])
@@ -45,9 +46,9 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
     record = system.records["gear_mesh"][m]
     flank = -1.0 if contact < 0.0 else 1.0
     which, radius = ("j", float(record["r_b2"]))
-    if system.program["body"][record["j"]]["spin"] < 0:
+    if spin_of(system.program["body"], record["j"]) < 0:
         which, radius = "i", float(record["r_b1"])
-    spin = int(system.program["body"][record[which]]["spin"])
+    spin = spin_of(system.program["body"], record[which])
     names = mesh_names(system)
     u, pushes = (system.layout.channel(f"{c}[{names[m]}]") for c in ("transmission_error", "mesh_force"))
     nowhere = SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, clear)

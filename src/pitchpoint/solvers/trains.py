@@ -9,14 +9,17 @@ is stiff in other directions only, like the bearings of a shaft in a housing tha
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
 from pitchpoint.elements.ratio import place_of
-from pitchpoint.system.system import System
+from pitchpoint.multibody.bodies import GENERAL, base_of
+from pitchpoint.solvers.assembly import loop_rows
+from pitchpoint.system import evaluate
+from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
@@ -41,17 +44,95 @@ def driven_coordinates(system: System) -> tuple[int, ...]:
     return tuple(place_of(r, "i") for r in system.records.get("drive", ()))
 
 
-def exchange(system: System, held: Sequence[int], spin: int) -> tuple[int, ...]:
-    """Hold one spin in place of the one among `held` that its train moves most; it comes last."""
+def exchange(system: System, held: Sequence[int], spin: int, state: State | None = None) -> tuple[int, ...]:
+    """Hold one spin in place of the one among `held` that its train moves most; it comes last.
+
+    With a state a train also goes on through closed loops, as they stand there.
+    """
     if spin in held:
         return (*(h for h in held if h != spin), spin)
     free, index = _free(system)
+    if state is not None and loop_rows(system):
+        free, index = _motions(system, state), {k: k for k in range(system.sizes["nd"])}
     turning = [h for h in held if h in index and np.linalg.norm(free[index[h]]) > SAME]
     if not turning or np.linalg.norm(free[index[spin]]) <= SAME:
         return (*held, spin)
     shares = np.linalg.lstsq(free[[index[h] for h in turning]].T, free[index[spin]], rcond=None)[0]
     given_up = turning[int(np.argmax(np.abs(shares)))]
     return (*(h for h in held if h != given_up), spin)
+
+
+def turning_rates(system: System, state: State, spin: int) -> Array:
+    """Rates of all coordinates as one spin turns at 1 rad/s through teeth and closed loops, as they stand.
+
+    What they leave open besides moves as little as it can.
+
+    Returns
+    -------
+    ndarray, shape (nd,)
+        Zeros if the loops hold it fast.
+    """
+    free = _motions(system, state)
+    row = free[spin]
+    return np.zeros(len(free)) if np.linalg.norm(row) <= SAME else np.asarray(free @ row / (row @ row))
+
+
+def tied_by_teeth(system: System, one: int, two: int) -> bool:
+    """Whether teeth and other ratios that never change tie two spins, whatever loops do besides."""
+    _, index = _free(system)
+    rows = [row / np.linalg.norm(row) for row in _relations(system, index, True)]
+    free = _null_space(np.array(rows).reshape(-1, len(index)))[[index[one], index[two]]]
+    return int(np.linalg.matrix_rank(free, tol=SAME)) < 2
+
+
+def is_independent(system: System, state: State, held: Sequence[int], spin: int) -> bool:
+    """Whether a spin can turn through teeth and closed loops while others are held."""
+    rows = _motions(system, state)[[*held, spin]]
+    return int(np.linalg.matrix_rank(rows, tol=SAME)) > int(np.linalg.matrix_rank(rows[:-1], tol=SAME))
+
+
+def rates_through_loops(system: System, state: State, given: Collection[int]) -> Array:
+    """Rates that fit teeth and closed loops at a state, those of some coordinates as they stand in it.
+
+    What the given ones leave open changes as little as it can; where they contradict teeth and loops, all
+    rates stay as they are.
+
+    Returns
+    -------
+    ndarray, shape (nd,)
+    """
+    free, known = _motions(system, state), sorted(given)
+    wanted = state.v[known]
+    share = free.T @ state.v
+    share = share + np.linalg.lstsq(free[known], wanted - free[known] @ share, rcond=SAME)[0]
+    off = np.abs(free[known] @ share - wanted).max(initial=0.0)
+    if off > SAME * np.abs(wanted).max(initial=0.0):
+        return state.v.copy()
+    return np.where(np.linalg.norm(free, axis=1) > SAME, free @ share, state.v)
+
+
+def _motions(system: System, state: State) -> Array:
+    """What teeth and loops let move: orthonormal columns, shape (nd, k); rates of spins count by 1 rad.
+
+    Shafts stay in their bearings, elastic bodies and states of elements as they are.
+    """
+    body, nd = system.program["body"], system.sizes["nd"]
+    _, index = _free(system)
+    rows = list(evaluate.constraint_jacobian(system, state)[loop_rows(system)])
+    for relation in _relations(system, index, True):
+        row = np.zeros(nd)
+        row[list(index)] = relation
+        rows.append(row)
+    still = {int(s) for s in system.states}
+    hidden = {int(r[n]) for r in system.records.get("flexible_body", ()) for n in "jklm"} - {0}
+    for k, b in enumerate(body):
+        if k and (b["joint"] != GENERAL or k in hidden):
+            own = range(int(b["dof"]), int(b["dof"]) + int(b["n"]))
+            still |= {c for c in own if c != int(b["spin"]) or k in hidden}
+    rows += list(np.eye(nd)[sorted(still)])
+    L = np.array(rows).reshape(-1, nd)
+    sizes = np.linalg.norm(L, axis=1, keepdims=True)
+    return _null_space(L / np.where(sizes > 0.0, sizes, 1.0))
 
 
 def complete(system: System, first: Sequence[int], others: Iterable[int]) -> tuple[int, ...]:
@@ -69,7 +150,7 @@ def mesh_rates(system: System, speeds: Mapping[str, float]) -> list[float]:
             rates[index[int(body[b]["spin"])]] = speeds.get(name, 0.0)
     found = []
     for record in system.records.get("gear_mesh", ()):
-        base = _turning(system, index, int(body[_carried(record)]["parent"]))
+        base = _base(system, index, record)
         relative = _turning(system, index, int(record["i"])) - base
         found.append(abs(float(record["z1"] * (relative @ rates))))
     return found
@@ -126,10 +207,13 @@ def _free(system: System) -> tuple[Array, dict[int, int]]:
     if not rows:
         return np.eye(len(index)), index
     L = np.array(rows)
-    L /= np.linalg.norm(L, axis=1, keepdims=True)
-    _, sizes, basis = np.linalg.svd(L)
-    rank = int(np.sum(sizes > SAME * sizes.max(initial=0.0)))
-    return np.asarray(basis[rank:].T), index
+    return _null_space(L / np.linalg.norm(L, axis=1, keepdims=True)), index
+
+
+def _null_space(rows: Array) -> Array:
+    """Orthonormal columns that rows of length one leave."""
+    _, sizes, basis = np.linalg.svd(rows)
+    return np.asarray(basis[int(np.sum(sizes > SAME * sizes.max(initial=0.0))) :].T)
 
 
 def _as_the_teeth_want(system: System, index: dict[int, int], spin: int) -> Array:
@@ -141,11 +225,10 @@ def _as_the_teeth_want(system: System, index: dict[int, int], spin: int) -> Arra
     return np.asarray(np.linalg.lstsq(A, np.array([*np.zeros(len(rows)), 1e3]), rcond=None)[0])
 
 
-def _turning(system: System, index: dict[int, int], b: int) -> Array:
-    """How a body turns in space, about its own axis, per rate of every spin."""
+def _turning(system: System, index: dict[int, int], b: int, sense: float = 1.0) -> Array:
+    """How a body turns in space per rate of every spin: about its own axis, or against it (`sense` -1)."""
     body = system.program["body"]
     found = np.zeros(len(index))
-    sense = 1.0
     while b and sense != 0.0:
         if body[b]["spin"] >= 0:
             found[index[int(body[b]["spin"])]] += sense
@@ -166,7 +249,7 @@ def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[A
                 i, j = int(record["i"]), int(record["j"])
                 one, two = (_turning(system, index, b) for b in (i, j))
                 if kind == "gear_mesh":
-                    base = _turning(system, index, int(system.program["body"][_carried(record)]["parent"]))
+                    base = _base(system, index, record)
                     row = float(record["z1"]) * (one - base) + float(record["z2"]) * (two - base)
                 elif kind == "bearing" and record["K"][5, 5] == 0.0:
                     continue
@@ -181,9 +264,15 @@ def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[A
     return found
 
 
-def _carried(record: np.void) -> int:
-    """The gear whose base carries the line of centres of a mesh."""
-    return int(record["i"] if record["carried"] == 1 else record["j"])
+def _base(system: System, index: dict[int, int], record: np.void) -> Array:
+    """How what carries the line of centres of a mesh turns about the axes of its gears, per rate of any spin.
+
+    A housing that turns about another axis takes the gears along and turns none against the other.
+    """
+    body = system.program["body"]
+    gear = int(record["i"] if record["carried"] == 1 else record["j"])
+    own = int(body[gear]["spinner"]) or gear
+    return _turning(system, index, base_of(body, gear), float(body[own]["sense"]))
 
 
 def _ratio(record: np.void, index: dict[int, int]) -> Array:

@@ -22,6 +22,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.controls import refuse_sampled
 from pitchpoint.solvers.rows import explain, row_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
@@ -247,6 +248,7 @@ def run_sweep(
     if chosen.sweep is None:
         raise SolverError("the scenario is no sweep", NOT_FINITE)
     begun = time.perf_counter()
+    refuse_sampled(system, "a speed sweep")
     plan = _plan(system, chosen, chosen.sweep)
     walk = _Walk(system, chosen, plan)
     points: list[dict[str, Any]] = []

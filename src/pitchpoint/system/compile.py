@@ -11,15 +11,16 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.model.force_check import states_of
 from pitchpoint.model.frames import axes_of
+from pitchpoint.model.signal_names import SECTIONS
 from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.beam import beam_bank, beam_stations
-from pitchpoint.system.rules.bearing import bearing_bank
+from pitchpoint.system.rules.bearing import bearing_bank, housing_seats
 from pitchpoint.system.rules.bodies import bodies, body_numbers, end_of, world_place
 from pitchpoint.system.rules.bushing import bushing_bank
 from pitchpoint.system.rules.closure import closure_bank
 from pitchpoint.system.rules.clutch import clutch_bank
-from pitchpoint.system.rules.contact import cam_banks, curve_bank, surface_banks
+from pitchpoint.system.rules.contact import cam_banks, curve_banks, surface_banks
 from pitchpoint.system.rules.damping import damping_bank
 from pitchpoint.system.rules.drive import drive_bank
 from pitchpoint.system.rules.elastic_body import elastic_bank
@@ -78,7 +79,7 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     if not model.bodies:
         raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
-    tree = bodies(model)
+    tree = [*bodies(model), *housing_seats(model)]
     states: dict[str, int] = {}
     places = Places(
         end=partial(end_of, model),
@@ -91,6 +92,8 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     elements = [n for names in states_of(model).values() for n in names]
     states |= {name: k for k, name in enumerate(elements, start=len(tree) + 1)}
     followers, held = cam_banks(model.cam_contacts, places.end)
+    curves, held_curves = curve_banks(model.curve_contacts, places.end)
+    *surfaces, held_balls = surface_banks(model.surface_contacts, places.end)
     others = [
         bearing_bank(model),
         shaft_bank(model, body_numbers(model)),
@@ -110,18 +113,28 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
         rolling_bearing_bank(model.rolling_bearings, places),
         plain_bearing_bank(model.plain_bearings, places),
         followers,
-        curve_bank(model.curve_contacts, places.end),
-        *surface_banks(model.surface_contacts, places.end),
+        curves,
+        *surfaces,
     ]
-    constraints = [closure_bank(model), ratio_bank(model), held]
+    constraints = [closure_bank(model), ratio_bank(model), held, held_curves, held_balls]
     if chosen is not None:
         constraints.append(drive_bank(model, chosen))
     used = {b.kind for b in (*others, *constraints) if b.records.size}
     trees = any(not body.is_round for body in tree)
     prepare_kernels(used | {"gear_mesh"} if model.meshes else used, trees)
     banks = [mesh_bank(model), *others]
-    system = assemble(
-        [*tree, *hidden_bodies(elements)],
+    everybody = [*tree, *hidden_bodies(elements)]
+    if any(getattr(model, section) for section in SECTIONS):
+        # only machines with signals wait for what these need
+        from pitchpoint.system.rules.signals import net_of_model
+        from pitchpoint.system.signals import assemble_controlled
+
+        net, controllers = net_of_model(model, everybody, places)
+        prepare_kernels({net.kind}, trees)
+        assembled = partial(assemble_controlled, net, controllers=controllers)
+    else:
+        assembled = partial(assemble, everybody)
+    system = assembled(
         {b.kind: b.records for b in banks if b.records.size},
         {b.kind: b.records for b in constraints if b.records.size},
         names={b.kind: b.names for b in (*banks, *constraints)},

@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import math
+import traceback
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -59,7 +61,7 @@ class SampledController:
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # noqa: BLE001 - a user's code may raise anything, SystemExit too
-            return [], self._said(t, f"raised {type(error).__name__}: {error}")
+            return [], self._said(t, f"raised {type(error).__name__}: {error}", _where(error))
         try:
             found = [float(x) for x in (answer if np.ndim(answer) else [answer])]
         except (TypeError, ValueError):
@@ -71,12 +73,18 @@ class SampledController:
         ]
         return found, self._said(t, f"returned {', '.join(bad)}") if bad else ""
 
-    def _said(self, t: float, what: str) -> str:
-        return f"the controller {self.name!r} {what} (t = {t:.6g} s)"
+    def _said(self, t: float, what: str, where: str = "") -> str:
+        return f"the controller {self.name!r} {what} (t = {t:.6g} s{where})"
+
+
+def _where(error: BaseException) -> str:
+    """File and line in which an exception was raised."""
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    return f", {Path(last.filename).name}, line {last.lineno}"
 
 
 def sampled_pid(
-    t: float, inputs: Sequence[float], state: dict[str, float], parameters: dict[str, float]
+    t: float, inputs: Sequence[float], state: dict[str, Any], parameters: dict[str, float]
 ) -> float:
     """PID in the form of a digital controller: backward differences, clamped, with conditional integration.
 
@@ -87,7 +95,7 @@ def sampled_pid(
     inputs
         The control error.
     state
-        {"integral": 0.0, "error": 0.0}.
+        {"integral": 0.0, "error": None}: the error of the call before, None at the first.
     parameters
         kp, ki, kd, period; low and high if the output has limits.
     """
@@ -95,7 +103,8 @@ def sampled_pid(
     h = parameters["period"]
     low, high = parameters.get("low", -math.inf), parameters.get("high", math.inf)
     integral = state["integral"] + parameters.get("ki", 0.0) * h * e
-    u = parameters.get("kp", 0.0) * e + integral + parameters.get("kd", 0.0) * (e - state["error"]) / h
+    before = e if state["error"] is None else state["error"]
+    u = parameters.get("kp", 0.0) * e + integral + parameters.get("kd", 0.0) * (e - before) / h
     state["error"] = e
     limited = min(max(u, low), high)
     if u == limited or (u - limited) * e < 0.0:  # integrate only where it leads back

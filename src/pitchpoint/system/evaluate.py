@@ -56,7 +56,11 @@ def explain(system: System, status: int) -> str:
     if record < 0:
         return f"{text} ({kind.replace('_', ' ')})"
     names = system.names.get(kind, ())
-    name = source(system, kind, names[record]) if record < len(names) else f"{kind} {record + 1}"
+    name = (
+        source(system, kind, names[record])
+        if record < len(names)
+        else f"{kind.replace('_', ' ')} {record + 1}"
+    )
     text = f"{name}: {text}"
     return text + law_fault(system, kind, record) if status == NOT_FINITE else text
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
+from pitchpoint.multibody.bodies import base_of
 from pitchpoint.system.layout import Channel
 
 
@@ -50,7 +51,7 @@ def _movers(records: NDArray[np.void], b: int) -> set[int]:
 
 def _carried(records: NDArray[np.void], i: int, j: int) -> int:
     """Which of two gears carries the line between them round: the one whose base moves with more joints."""
-    one, two = (_movers(records, int(records[b]["parent"])) for b in (i, j))
+    one, two = (_movers(records, base_of(records, b)) for b in (i, j))
     return 0 if one == two else 1 if len(one) > len(two) else 2
 
 
@@ -121,7 +122,7 @@ def number(
             events += _outputs(getattr(module, "EVENTS", ()), label)
             if "row" in fields:
                 record["row"] = len(rows)
-                for _ in range(module.ROWS):
+                for _ in range(getattr(module, "ROWS", 0)):
                     rows.append(f"{name} {label}")
                     row_bodies.append((int(record["i"]), int(record["j"])))
     return channels, events, rows, row_bodies

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
@@ -60,7 +61,9 @@ def assemble_controlled(
     for name, channel in net.listened.items():
         known = [c.name for c in system.layout.channels]
         if channel not in known:
-            raise CompileError(f"signal {name!r}: nothing observes {channel!r}")
+            near = get_close_matches(channel, known, 1)
+            hint = f"; did you mean {near[0]!r}?" if near else ""
+            raise CompileError(f"signal {name!r}: nothing observes {channel!r}{hint}")
         system.records[kind]["channel"][labels.index(name)] = known.index(channel)
     _check(net, controllers)
     return replace(system, controllers=tuple(controllers))

@@ -13,13 +13,16 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.system.system import System
 
+SIGNALS = ("sensors", "blocks", "controllers", "actuators")
 SECTIONS: dict[str, tuple[str, ...]] = {
+    "ball_on_surface": ("surface_contacts",),
     "beam": ("beams",),
     "bearing": ("bearings", "couplings"),
     "bushing": ("bushings",),
     "clearance_bearing": ("plain_bearings",),
     "closure": ("joints", "rods"),
     "coupling": ("torsion_springs",),
+    "curve_on_curve": ("curve_contacts",),
     "curve_curve": ("curve_contacts",),
     "flexible_body": ("elastic_bodies",),
     "force": ("loads",),
@@ -34,12 +37,16 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "ratio": ("ratios",),
     "rolling_bearing": ("rolling_bearings",),
     "shaft_beam": ("shafts",),
+    "signal": SIGNALS,
+    "signal_of_loads": SIGNALS,
     "spring_damper": ("springs",),
     "surface_surface": ("surface_contacts",),
     "torque": ("loads",),
     "torsion_maxwell": ("torsion_maxwells",),
 }
 """Sections of a model file whose components become records of a kind."""
+CONTACTS = ("ball_on_surface", "curve_on_curve", "point_on_curve")
+"""Kinds whose rows are gaps."""
 LENGTHS = ("x", "y", "z")
 """Last words of closures that are distances; the others are angles."""
 
@@ -77,7 +84,7 @@ def row_source(system: System, row: int) -> str:
 def row_unit(system: System, row: int) -> str:
     """Unit of what a constraint row is off by, with a blank before it; "" for angles and ratios."""
     kind, name = _row(system.layout.rows[row])
-    distance = kind == "point_on_curve" or (kind == "closure" and name.rpartition(".")[2] in LENGTHS)
+    distance = kind in CONTACTS or (kind == "closure" and name.rpartition(".")[2] in LENGTHS)
     rod = kind == "closure" and system.model is not None and name in system.model.rods
     return " m" if distance or rod else ""
 
@@ -97,11 +104,8 @@ def with_lines(model: Model, error: ModelError) -> ModelError:
 
 def _row(words: str) -> tuple[str, str]:
     """Kind and name of a row; both empty for rows that are no component's."""
-    for kind in SECTIONS:
-        head = kind.replace("_", " ") + " "
-        if words.startswith(head):
-            return kind, words.removeprefix(head)
-    return "", ""
+    kind, _, name = words.partition(" ")
+    return (kind, name) if kind in SECTIONS else ("", "")
 
 
 def _component(system: System, kind: str, name: str) -> tuple[str, str] | None:

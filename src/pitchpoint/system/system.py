@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
-from pitchpoint.multibody.bodies import Body, body_records
+from pitchpoint.multibody.bodies import Body, body_records, spin_of
 from pitchpoint.system.layout import Layout, body_channels, structure
 from pitchpoint.system.link import fit_signals, link, link_parts
 from pitchpoint.system.records import checked, fill, number, pairs
@@ -168,8 +168,8 @@ class System:
         return np.asarray(body["spin"][body["state"] == 1])
 
     def spin(self, body: str) -> int:
-        """Index of the spin coordinate of a body by name."""
-        found = int(self.program["body"][self.layout.bodies.index(body)]["spin"])
+        """Index of the spin coordinate of a body by name, or of that which it is fixed to."""
+        found = spin_of(self.program["body"], self.layout.bodies.index(body))
         if found < 0:
             raise CompileError(f"{body}: this body does not spin")
         return found

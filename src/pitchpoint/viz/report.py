@@ -18,7 +18,7 @@ from pitchpoint.viz import report_sections as parts
 from pitchpoint.viz.report_cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report_page import page
 from pitchpoint.viz.report_spectra import spectrum_section
-from pitchpoint.viz.report_tables import case_section, mode_section
+from pitchpoint.viz.report_tables import case_section, mode_section, signal_section
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,6 +41,8 @@ class ReportModel:
         `GearPair` and the names of its two gears, by the name of the mesh; these are drawn.
     shafts
         Body of gear 1 by the name of the mesh: orders of a mesh refer to it at first.
+    signals
+        Sensors, blocks, controllers and actuators: signal, what it is, what it is made of, who reads it.
     warnings, assumptions, sources
         Sentences for the last section.
     """
@@ -54,6 +56,7 @@ class ReportModel:
     flanks: Sequence[Sequence[str]] = ()
     pairs: Mapping[str, tuple[Any, str, str]] = field(default_factory=dict)
     shafts: Mapping[str, str] = field(default_factory=dict)
+    signals: Sequence[Sequence[str]] = ()
     warnings: Sequence[str] = ()
     assumptions: Sequence[str] = ()
     sources: Sequence[str] = ()
@@ -224,6 +227,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     sections = [
         parts.gear_section(model.gears, model.meshes, model.flanks),
         parts.drawing_section(model.pairs),
+        signal_section(model.signals),
         mesh_cycle_section(results.mesh_cycles),
         roll_section(results.rolls),
         mode_section(results.modes),

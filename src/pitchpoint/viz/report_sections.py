@@ -44,6 +44,7 @@ TIME_QUANTITIES = (
     "coupling_force",
     "torque",
     "friction_power",
+    "signal",
 )
 FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
 MOST_LINES = 8
@@ -121,7 +122,7 @@ def time_section(runs: Mapping[str, Any]) -> Section:
         section.add(_contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled))
         for quantity in TIME_QUANTITIES:
             # what is zero throughout (friction without friction) is in the table and needs no picture
-            group = [c for c in found.values() if c.quantity == quantity and np.any(c.values != 0.0)]
+            group = [c for c in found.values() if _listed(c, quantity) and np.any(c.values != 0.0)]
             for unit in dict.fromkeys(c.unit for c in group):
                 same = [c for c in group if c.unit == unit]
                 state = states.get(owner(same[0])) if len(same) == 1 and quantity == "mesh_force" else None
@@ -140,13 +141,18 @@ def time_section(runs: Mapping[str, Any]) -> Section:
     return section
 
 
+def _listed(channel: Channel, quantity: str) -> bool:
+    """Whether a channel is of a quantity, and no inner signal of a block such as `control.integral`."""
+    return channel.quantity == quantity and (quantity != "signal" or "." not in owner(channel))
+
+
 def _add_statistics(section: Section, time: Array, found: Mapping[str, Channel], settled: np.ndarray) -> None:
     """Table of the channels that are read most, and a sentence about all others."""
     listed = [
         c
         for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
         for c in found.values()
-        if c.quantity == quantity and np.all(np.isfinite(c.values))
+        if _listed(c, quantity) and np.all(np.isfinite(c.values))
     ]
     moving = [c for c in listed if np.any(c.values != 0.0)]
     rows = [(c, c.statistics or vars(signal_statistics(c.values[settled], time))) for c in moving]

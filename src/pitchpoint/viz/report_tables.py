@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sections of a report that are tables first: modes, and independent cases."""
+"""Sections of a report that are tables first: modes, signals, and independent cases."""
 
 from __future__ import annotations
 
@@ -43,6 +43,16 @@ def mode_section(modes: Any) -> Section:
     total = max(modes.total, len(body))
     if total > MOST_MODES:
         section.add(f"<p>The lowest {MOST_MODES} of {total} modes; the command modes shows the others.</p>")
+    return section
+
+
+def signal_section(lines: Sequence[Sequence[str]]) -> Section:
+    """Sensors, blocks, controllers and actuators."""
+    section = Section("signals", "Signals and control")
+    if lines:
+        rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in lines]
+        head = ("signal", "what it is", "made of", "read by")
+        section.add(plain_table(head, rows[:MOST_ROWS], numbers=False))
     return section
 
 

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.contact.curve import chain, circle, involute_piece, polygon, spline
+from pitchpoint.contact.curve import chain, circle, involute_piece, polygon, spline, vertex
 from pitchpoint.contact.curve_pair import HIT, MOST, contacts
 from pitchpoint.contact.curve_point import arc_length, nearest, point_of
 
@@ -91,11 +91,11 @@ def test_the_nearest_place_is_the_nearest(name, place):
         assert (best[2] < 0.0) == inside
 
 
-def touch(A, B, d, angle=0.0, offset=0.0):
+def touch(A, B, d, angle=0.0, offset=0.0, depth=0.01, deepest=0.01):
     c, s = math.cos(angle), math.sin(angle)
     M = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
     hits = np.zeros((MOST, HIT))
-    reach = np.array([offset, 0.01, 1.0, *B.circle()])
+    reach = np.array([offset, depth, 1.0, *B.circle(), deepest])
     return (*contacts(A.rows, B.rows, M, np.array([*d, 0.0]), reach, hits), hits)
 
 
@@ -120,6 +120,58 @@ def test_a_place_at_the_joint_of_two_pieces_counts_once():
     n, gap, hits = touch(OVAL, OVAL, (0.1199, 0.0))
     assert n == 1
     assert gap == pytest.approx(-1e-4, abs=1e-7)  # the spline is the ellipse to that accuracy
+
+
+STAR = polygon(
+    [(r * math.cos(a), r * math.sin(a)) for a, r in zip(ANGLE, [0.05, 0.02] * 12, strict=True)], 5e-4
+)
+
+
+def signed(curve, x, y):
+    """Signed distance of a point from an outline by trying places and counting turns around it."""
+    t = np.linspace(0.0, 1.0, 81)
+    line = np.array([complex(*point_of(curve.rows, k, s)[:2]) for k in range(len(curve.rows)) for s in t])
+    away = line - complex(x, y)
+    turns = np.angle(np.roll(away, -1) / away).sum() / (2.0 * np.pi)
+    return math.copysign(np.abs(away).min(), -1.0 if turns > 0.5 else 1.0)
+
+
+@pytest.mark.parametrize("name", ["oval", "rounded", "star"])
+@pytest.mark.parametrize("offset", [0.0, 0.006])
+def test_a_roller_is_never_lost_inside_an_outline(name, offset):
+    """Anywhere inside, however deep, there is a contact, and only where the roller overlaps.
+
+    The overlap of deep places is that of the nearest side; 2e-4 m is the grid of the search. The depth is
+    thinner than the points of the star: what overlaps less than it counts from both sides.
+    """
+    curve = {**CURVES, "star": STAR}[name]
+    rng = np.random.default_rng(7)
+    x, y, r = curve.circle()
+    deep = 0
+    for _ in range(60):
+        place = (x, y) + 1.2 * r * rng.uniform(-1.0, 1.0, 2)
+        distance = signed(curve, *place)
+        if abs(distance - offset) < 2e-4:
+            continue
+        n, gap, _ = touch(chain([vertex()], True), curve, place, 0.0, offset, 1e-4, np.inf)
+        assert (n > 0) == (distance < offset), (place, distance)
+        if n and gap < -1e-4:
+            deep += 1
+            assert gap == pytest.approx(distance - offset, abs=2e-4)
+        elif n == 0:
+            assert gap == pytest.approx(distance - offset, abs=2e-4)
+    assert deep > 5
+
+
+def test_two_outlines_part_the_short_way():
+    """Ovals whose middles are 20 mm apart along their short axes overlap by 60 mm there; beside it, none."""
+    n, gap, hits = touch(OVAL, OVAL, (0.0, 0.02), deepest=np.inf)
+    assert n == 1
+    assert gap == pytest.approx(-0.06, abs=1e-6)
+    n, gap, _ = touch(OVAL, OVAL, (0.0, 0.082), deepest=np.inf)
+    assert n == 0
+    assert gap == pytest.approx(0.002, abs=1e-6)
+    assert touch(OVAL, OVAL, (0.0, 0.02))[0] == 0  # a depth that was given is a limit
 
 
 def test_gaps_are_those_of_ellipses():

@@ -18,7 +18,12 @@ from pitchpoint.elements.force import RECORD as FORCE
 from pitchpoint.elements.point_curve import set_cam
 from pitchpoint.elements.point_surface import set_mesh, set_surface
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.surface_surface import set_cylinder_on_plane, set_meshes
+from pitchpoint.elements.surface_surface import (
+    set_cylinder_on_plane,
+    set_cylinders_in_line,
+    set_mesh_on_shape,
+    set_meshes,
+)
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.multibody.bodies import TORSION, Body
@@ -27,6 +32,7 @@ from pitchpoint.solvers import generalized_alpha, runge_kutta
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.contacts import ball, box, read
+from tests.support.engine import frame
 
 WEIGHT = 9.81
 
@@ -273,6 +279,95 @@ def test_triangles_on_triangles_converge_to_a_layer_of_springs():
         found.append(read(system, system.initial_state(), "contact_force[surface_surface0]") / wanted)
     assert abs(found[2] - found[1]) < abs(found[1] - found[0])
     assert found[2] == pytest.approx(1.0, abs=0.03)
+
+
+def drum(radius, length, around, along):
+    """Cylinder of triangles about its third axis, with flat ends."""
+    angle = np.linspace(0.0, 2.0 * np.pi, around, endpoint=False)
+    ring = radius * np.column_stack([np.cos(angle), np.sin(angle)])
+    z = np.linspace(-0.5 * length, 0.5 * length, along + 1)
+    found = []
+    for k in range(around):
+        a, b = ring[k], ring[(k + 1) % around]
+        found += [[(0, 0, z[-1]), (*a, z[-1]), (*b, z[-1])], [(0, 0, z[0]), (*b, z[0]), (*a, z[0])]]
+        for low, high in zip(z[:-1], z[1:], strict=True):
+            found += [[(*a, low), (*b, low), (*b, high)], [(*a, low), (*b, high), (*a, high)]]
+    return TriangleSurface.from_triangles(np.array(found))
+
+
+#: A layer of springs k under a body is a place or line of contact: shape and law per area -> its law.
+#: A ball of radius R on a plane: pi k R u^2; in a cup of radius C the same with 1/R - 1/C, to first order in
+#: u/(C - R); a drum on a plane: 4/3 k L sqrt(2 R) u^1.5.
+LAYERS = ["ball on plane", "ball in cup", "ball on ball", "drum on plane", "drum in tube"]
+
+
+@pytest.mark.parametrize("name", LAYERS)
+def test_triangles_on_simple_shapes_converge_to_the_pair_of_shapes(name):
+    """Error against the pair of exact shapes over three refinements: it falls with the square of the size.
+
+    The mean over eight places and turns, of facets up or down. What is left at the end are the terms of the
+    next order, u/(2 R) of the overlap and less than 1 %.
+    """
+    R, L, u, k = 0.05, 0.04, 2e-3, 1e11
+    rng = np.random.default_rng(6)
+    turns = [frame(rng) for _ in range(8)]
+    if name.startswith("drum"):
+        turns = []
+        for a in np.linspace(0.0, 0.4, 8):
+            c, s = np.cos(a), np.sin(a)
+            turns.append(np.array([[0, 0, 1], [c, -s, 0], [s, c, 0]]))  # axis along x
+    other = {"ball on plane": 0.0, "ball in cup": 0.2, "ball on ball": 0.1, "drum on plane": 0.0}.get(
+        name, 0.2
+    )
+
+    def system_of(kind, setup, at, axes):
+        body = Body(motion=FLOATING, position=at, mass=1.0, inertia=np.eye(3), name="a")
+        return one_contact(kind, [body], lambda r, p: (setup(r, p), set_marker(r, "i", (0, 0, 0), axes)))
+
+    hollow = name in ("ball in cup", "drum in tube")
+    height = R - u if not other else (other - R + u if hollow else other + R - u)
+    at = np.array([0.0, 0.0, -height if hollow else height])
+    across = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]  # third axis along x
+
+    def exact(record, pool):
+        if name.startswith("ball"):
+            form, size = ("sphere", (other,)) if other else ("plane", ())
+            curvature = 1.0 / R + (0.0 if not other else (-1.0 if hollow else 1.0) / other)
+            set_surface(record, form, size, R, hollow)
+            set_impact(record, math.pi * k / curvature, 2.0)
+            return
+        curvature = 1.0 / R - (1.0 / other if other else 0.0)
+        if other:
+            set_cylinders_in_line(record, (R, other), (L, 2 * L), True)
+            set_marker(record, "j", (0, 0, 0), across)
+        else:
+            set_cylinder_on_plane(record, R, L)
+        set_impact(record, 4.0 / 3.0 * k * L * math.sqrt(2.0 / curvature), 1.5)
+
+    kind = "point_surface" if name.startswith("ball") else "surface_surface"
+    system = system_of(kind, exact, at, across)
+    wanted = read(system, system.initial_state(), f"contact_force[{kind}0]")
+    error = []
+    for level in (3, 4, 5):
+        surface = ball(R, level) if name.startswith("ball") else drum(R, L, 16 * 2**level, 4)
+
+        def meshed(record, pool, surface=surface):
+            form = "plane" if not other else ("sphere" if name.startswith("ball") else "cylinder")
+            size = () if not other else ((other,) if name.startswith("ball") else (other, 2 * L))
+            set_mesh_on_shape(record, pool, surface, form, size, hollow)
+            if name == "drum in tube":
+                set_marker(record, "j", (0, 0, 0), across)
+            set_impact(record, k, 1.0)
+
+        system = system_of("surface_surface", meshed, at, np.eye(3))
+        found = []
+        for axes in turns:
+            system.records["surface_surface"]["Bi"] = axes
+            found.append(read(system, system.initial_state(), "contact_force[surface_surface0]"))
+        error.append(np.mean(found) / wanted - 1.0)
+    # differences of refinements free of what is left at the end
+    assert (error[0] - error[1]) / (error[1] - error[2]) == pytest.approx(4.0, abs=1.0)
+    assert abs(error[2]) < 0.03
 
 
 def line_force(gears, distance, at, x, k):

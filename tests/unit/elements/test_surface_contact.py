@@ -6,17 +6,20 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.contact.impact import set_impact
+from pitchpoint.contact.impact import set_friction, set_impact
 from pitchpoint.elements.point_surface import set_mesh, set_surface
 from pitchpoint.elements.surface_surface import (
     set_crossed_cylinders,
     set_cylinder_on_plane,
+    set_cylinders_in_line,
+    set_mesh_on_shape,
     set_meshes,
     set_ring_on_plane,
 )
 from pitchpoint.system import evaluate
 from tests.support.contacts import ball, box, contact, pair, read, shaken, unmoved
 from tests.support.engine import differences
+from tests.support.forces import check_balance
 
 BALL = ball(0.05, 2)
 BOX = box((0.1, 0.1, 0.1))
@@ -45,6 +48,23 @@ def rods(record, pool):
 def rod_ends(record, pool):
     set_crossed_cylinders(record, (0.01, 0.02), (0.2, 0.3))
     crossed(record)
+
+
+def line(radii, lengths, hollow=False, turn=(0.0, 0.0)):
+    """Cylinders in line, the first one turned about x and y of the second one."""
+
+    def setup(record, pool):
+        set_cylinders_in_line(record, radii, lengths, hollow)
+        (a, b), (c, d) = np.cos(turn), np.sin(turn)
+        record["Bi"] = np.array([[1, 0, 0], [0, a, -c], [0, c, a]]) @ [[b, 0, d], [0, 1, 0], [-d, 0, b]]
+
+    return setup
+
+
+def smooth(record):
+    """For parts of a line whose ends move: laws without kinks between them, which quadrature would smear."""
+    set_impact(record, 1e8, 2.0, 30.0, 1e-2)
+    set_friction(record, 3.0, 2.0, 10.0, 20.0)
 
 
 def area(record):
@@ -84,9 +104,80 @@ SHAPES = {
     "point in box": ("point_surface", lambda r, p: set_mesh(r, p, BOX, 0.0), (0.0495, 0.02, 0.01)),
     "ring": ("surface_surface", ring, (0.1, 0.2, 0.0595)),
     "cylinder on plane": ("surface_surface", cylinder, (0.1, 0.2, 0.0495)),
+    "tilted cylinder on plane": (
+        "surface_surface",
+        lambda r, p: (
+            cylinder(r, p),
+            r.__setitem__("Bi", np.array([[0.02, 0, 1], [1, 0, 0], [0, 1, -0.02]])),
+        ),
+        (0.1, 0.2, 0.0498),
+        smooth,
+    ),
+    "beside each other": ("surface_surface", line((0.01, 0.02), (0.06, 0.09)), (0.02, 0.0215, 0.01)),
+    "askew": (
+        "surface_surface",
+        line((0.01, 0.02), (0.06, 0.09), turn=(0.3, 0.1)),
+        (0.02, 0.0215, 0.01),
+        smooth,
+    ),
+    "in a bore": ("surface_surface", line((0.01, 0.0102), (0.03, 0.05), True), (0.0004, 0.0003, 0.004)),
+    "askew in a bore": (
+        "surface_surface",
+        line((0.01, 0.0102), (0.06, 0.05), True, (0.013, 0.01)),
+        (2e-5, 1e-5, 0.003),
+        smooth,
+    ),
+    "out of a bore": (
+        "surface_surface",
+        line((0.01, 0.0102), (0.03, 0.05), True),
+        (0.0004, 0.0003, 0.027),
+        smooth,
+    ),
+    "across an end": (
+        "surface_surface",
+        line((0.01, 0.02), (0.06, 0.05), turn=(1.5, 0.0)),
+        (0.0298, 0.0, 0.0255),
+        smooth,
+    ),
     "crossed cylinders": ("surface_surface", rods, (0.02, 0.0295, 0.05)),
     "ends of cylinders": ("surface_surface", rod_ends, (0.11, 0.028, 0.05)),
     "boxes": ("surface_surface", lambda r, p: set_meshes(r, p, (BOX, BOX), 2e-3), (0.04, 0.03, 0.0995), area),
+    "ball on plane": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BALL, "plane"),
+        (0.1, 0.2, 0.0485),
+        area,
+    ),
+    "box on ball": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BOX, "sphere", (0.04,)),
+        (0.01, 0.0885, 0.02),
+        area,
+    ),
+    "ball in tube": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BALL, "cylinder", (0.06, 0.1), True),
+        (0.008, 0.009, 0.045),
+        area,
+    ),
+    "ball on the edge of a cylinder": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BALL, "cylinder", (0.06, 0.1)),
+        (0.06, 0.072, 0.07),
+        area,
+    ),
+    "ball on cone": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BALL, "cone", (0.5,)),
+        (0.0, 0.0765, -0.043),
+        area,
+    ),
+    "ball on torus": (
+        "surface_surface",
+        lambda r, p: set_mesh_on_shape(r, p, BALL, "torus", (0.1, 0.03)),
+        (0.0, 0.1, 0.0765),
+        area,
+    ),
     "balls": (
         "surface_surface",
         lambda r, p: set_meshes(r, p, (BALL, BALL), 2e-3),
@@ -94,7 +185,9 @@ SHAPES = {
         area,
     ),
 }
-NEEDS_TILT = ("ring", "cylinder on plane")
+#: Parts of a line in touch: the derivative of an integral differs by the quadrature of eight points from that
+#: of its sum; with four, six and eight points the error of "across an end" is 7e-2, 9e-4, 3e-6.
+QUADRATURE = {"tilted cylinder on plane": 1e-6, "askew": 1e-6, "across an end": 1e-5}
 
 
 def build(name, where, seed=3):
@@ -114,7 +207,7 @@ def test_tangents_are_derivatives_of_the_force(name, where):
     _, D, K = evaluate.linearize(system, state)
     for found, key, step in ((D, "v", 1e-6), (K, "q", 1e-8)):
         wanted = differences(system, state, key, step)
-        np.testing.assert_allclose(found, wanted, atol=2e-7 * np.abs(wanted).max())
+        np.testing.assert_allclose(found, wanted, atol=QUADRATURE.get(name, 2e-7) * np.abs(wanted).max())
 
 
 @pytest.mark.nojit
@@ -127,14 +220,7 @@ def test_tangents_without_the_compiler(name):
 @pytest.mark.parametrize("name", SHAPES)
 def test_action_is_reaction_about_a_common_point(name, where):
     system, state, _ = build(name, where)
-    state.v[:] = 0.0
-    evaluate.residual(system, state)
-    fr = system.workspace.fr
-    scale = np.abs(fr["F"]).max()
-    assert scale > 0.0
-    np.testing.assert_allclose(fr["F"][:, :3].sum(axis=0), 0.0, atol=1e-12 * scale)
-    moments = sum(f["F"][3:] + np.cross(f["r"], f["F"][:3]) for f in fr)
-    np.testing.assert_allclose(moments, 0.0, atol=1e-12 * scale)
+    check_balance(system, state)
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -150,4 +236,5 @@ def test_power_goes_into_stored_energy_and_stated_loss(name):
     rate = (energy[0] - energy[1]) / 2e-7
     loss = read(system, state, f"contact_power_loss[{kind}0]")
     assert loss > 0.0
-    assert power + rate + loss == pytest.approx(0.0, abs=1e-5 * loss)
+    most = 1e-5 * loss if name not in QUADRATURE else 30.0 * QUADRATURE[name] * abs(rate)  # one power more
+    assert power + rate + loss == pytest.approx(0.0, abs=most)

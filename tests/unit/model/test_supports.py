@@ -71,7 +71,7 @@ def test_a_coupling_of_two_axes_is_refused(motion: str, holds: str) -> None:
     assert problem.where == "couplings.c.bodies"
     assert problem.value == "motor and two"
     assert "have axes 2 mm apart" in problem.message
-    assert "give motor and two the same x and y, or the coupling torsion only" in str(problem.remedy)
+    assert "put motor and two on one axis, or give the coupling torsion only" in str(problem.remedy)
 
 
 @pytest.mark.parametrize(

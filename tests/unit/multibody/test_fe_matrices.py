@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import gzip
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -12,7 +14,9 @@ from scipy.io import mmwrite
 from pitchpoint.core.errors import ModelError, PitchpointError
 from pitchpoint.multibody import fe_matrices
 from pitchpoint.multibody.beam_section import Beam, tube
-from pitchpoint.multibody.fe_matrices import read_dmig, read_matrix_market, read_npz, structure_from_dmig
+from pitchpoint.multibody.craig_bampton import craig_bampton
+from pitchpoint.multibody.fe_matrices import read_dmig, read_npz, structure_from_dmig
+from pitchpoint.multibody.matrix_market import read_matrix_market, read_parts, read_places
 from pitchpoint.multibody.structure import beam_line
 
 LINE = beam_line([Beam(section=tube(0.05), length=0.3, E=2.1e11, G=8.1e10, rho=7850.0)] * 2)
@@ -114,16 +118,24 @@ def test_damaged_punch_files_end_in_a_sentence(tmp_path_factory, data):
 @given(st.binary(max_size=400))
 def test_noise_ends_in_a_sentence(tmp_path_factory, noise):
     folder = tmp_path_factory.mktemp("noise")
-    for name, read in (("a.pch", read_dmig), ("a.mtx", read_matrix_market), ("a.npz", read_npz)):
+    readers = {"a.pch": read_dmig, "a.mtx": read_matrix_market, "a.npz": read_npz}
+    for name, read in readers.items():
         file = folder / name
         file.write_bytes(noise)
         with pytest.raises(PitchpointError):
             read(file)
 
 
-def test_matrix_market(tmp_path):
+@pytest.mark.parametrize("symmetry", ["symmetric", "general"])
+@pytest.mark.parametrize("dense", [True, False])
+@pytest.mark.parametrize("packed", [True, False])
+def test_matrix_market(tmp_path, symmetry, dense, packed):
+    """As SciPy writes it, an implementation of its own; it writes 16 digits."""
     file = tmp_path / "k.mtx"
-    mmwrite(file, LINE.K, symmetry="symmetric")
+    mmwrite(file, LINE.K.toarray() if dense else LINE.K, symmetry=symmetry, comment=" of a test")
+    if packed:
+        (tmp_path / "k.mtx.gz").write_bytes(gzip.compress(file.read_bytes()))
+        file = tmp_path / "k.mtx.gz"
     np.testing.assert_allclose(read_matrix_market(file).toarray(), LINE.K.toarray(), rtol=1e-14)
 
 
@@ -133,9 +145,12 @@ def test_matrix_market(tmp_path):
         ("%%MatrixMarket matrix coordinate real general\n3 2 1\n1 1 5.0\n", "limit square"),
         ("%%MatrixMarket matrix coordinate complex general\n1 1 1\n1 1 5.0 0.0\n", "complex"),
         ("%%MatrixMarket matrix coordinate real general\n9 9 100000\n1 1 5.0\n", "promises 100000 entries"),
-        ("%%MatrixMarket matrix coordinate real general\n2 2 2\n1 1 5.0\n", "cannot be read"),
-        ("%%MatrixMarket matrix coordinate real general\n2 2 1\n7 1 5.0\n", "cannot be read"),
+        ("%%MatrixMarket matrix coordinate real general\n2 2 2\n1 1 5.0\n", "promises 2 entries and has 1x3"),
+        ("%%MatrixMarket matrix coordinate real general\n2 2 1\n7 1 5.0\n", "entry 1 lies at 7, 1"),
         ("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 1 nan\n", "not finite|cannot be read"),
+        ("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 one 5.0\n", "cannot be read.*'one'"),
+        ("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 1 5.0\n1 2 5.0\n", "promises 1 entries"),
+        ("%%MatrixMarket matrix coordinate real general\n2 2\n", "no line of 3 sizes"),
         ("K\n1 1 1\n", "no Matrix Market file"),
     ],
 )
@@ -185,7 +200,87 @@ def test_numpy_archives_that_are_wrong(tmp_path, monkeypatch):
         read_npz(file)
 
 
+def parts_of(structure, folder, digits="123456"):
+    """Matrices and table of nodes of a structure as three files."""
+    mmwrite(folder / "k.mtx", structure.K, symmetry="symmetric")
+    mmwrite(folder / "m.mtx", structure.M, symmetry="symmetric")
+    lines = [f"{x:.9g}, {y:.9g} {z:.9g} {digits}  # node" for x, y, z in structure.places]
+    (folder / "places.txt").write_text("% x y z in m\n\n" + "\n".join(lines) + "\n")
+    return folder / "k.mtx", folder / "m.mtx", folder / "places.txt"
+
+
+@pytest.mark.parametrize("digits", ["", "123456"])
+def test_two_matrices_and_a_table_of_places(tmp_path, digits):
+    found = read_parts(*parts_of(LINE, tmp_path, digits))
+    np.testing.assert_allclose(found.K.toarray(), LINE.K.toarray(), rtol=1e-14)
+    np.testing.assert_allclose(found.places, LINE.places, atol=1e-12)
+    np.testing.assert_array_equal(found.direction, LINE.direction)
+
+
+def test_nodes_may_differ_in_their_displacements(tmp_path):
+    file = tmp_path / "places.txt"
+    file.write_text("0 0 0 123\n1 2 3 4561\n")
+    places, node, direction = read_places(file)
+    assert places.tolist() == [[0, 0, 0], [1, 2, 3]]
+    assert node.tolist() == [0, 0, 0, 1, 1, 1, 1]
+    assert direction.tolist() == [0, 1, 2, 3, 4, 5, 0]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("0 0 0\n1 2\n", r"line 2\).*has 2 numbers"),
+        ("0 0 0\n1 2 z\n", r"line 2\).*'z' is no number; write x y z in m"),
+        ("0 0 0 123\n1 2 3\n", "only some nodes"),
+        ("0 0 0 127\n", "no list of digits"),
+        ("0 0 0 113\n", "no list of digits"),
+        ("0 0 1e999\n", "not finite"),
+        ("# nothing\n", "has no node"),
+        ("1" * 5000, "no table of places"),
+    ],
+)
+def test_tables_of_places_that_are_wrong(tmp_path, text, message):
+    file = tmp_path / "places.txt"
+    file.write_text(text)
+    with pytest.raises(ModelError, match=message):
+        read_places(file)
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.data())
+def test_damaged_parts_end_in_a_sentence(tmp_path_factory, data):
+    """One of the three files is damaged at a few places; what still can be read is a body or told."""
+    folder = tmp_path_factory.mktemp("fuzz")
+    files = parts_of(LINE, folder)
+    damaged = data.draw(st.sampled_from(files))
+    text = list(damaged.read_text())
+    for _ in range(data.draw(st.integers(1, 6))):
+        at = data.draw(st.integers(0, len(text) - 1))
+        text[at] = data.draw(st.sampled_from("\0\n%#+-.,;9e5 Xé7"))
+    damaged.write_text("".join(text), encoding="utf-8")
+    try:
+        structure = read_parts(*files)
+        craig_bampton(structure, (0, 2), 4)
+    except PitchpointError as error:
+        assert str(error)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.data())
+def test_damaged_archives_end_in_a_sentence(tmp_path_factory, data):
+    file = tmp_path_factory.mktemp("fuzz") / "body.npz"
+    np.savez(file, K=LINE.K.toarray(), M=LINE.M.toarray(), places=LINE.places)
+    content = bytearray(file.read_bytes())
+    for _ in range(data.draw(st.integers(1, 4))):
+        content[data.draw(st.integers(0, len(content) - 1))] = data.draw(st.integers(0, 255))
+    file.write_bytes(bytes(content[: data.draw(st.integers(1, len(content)))]))
+    try:
+        read_npz(file)
+    except PitchpointError as error:
+        assert str(error)
+
+
 def test_missing_files(tmp_path):
-    for read in (read_dmig, read_matrix_market, read_npz):
+    for read in (read_dmig, read_matrix_market, read_npz, read_places):
         with pytest.raises(ModelError, match="no such file"):
             read(tmp_path / "none")

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from scipy.linalg import expm
@@ -138,11 +140,14 @@ def failing(t, inputs, state, parameters):
     return 1.0
 
 
+RAISED = f"{Path(__file__).name}, line {failing.__code__.co_firstlineno + 3}"
+
+
 @pytest.mark.parametrize("method", ["generalized_alpha", "runge_kutta", "wstiff"])
 @pytest.mark.parametrize(
     ("how", "said"),
     [
-        ("raise", "the controller 'loop' raised RuntimeError: sensor lost (t = 0.12 s)"),
+        ("raise", f"the controller 'loop' raised RuntimeError: sensor lost (t = 0.12 s, {RAISED})"),
         ("nan", "the controller 'loop' returned nan for 'u' (t = 0.12 s)"),
         ("two", "the controller 'loop' returned 2 numbers for 1 outputs (t = 0.12 s)"),
         ("text", "the controller 'loop' returned 'fast', which is no list of numbers (t = 0.12 s)"),
@@ -162,7 +167,7 @@ def test_a_controller_that_fails_at_once():
 
     done, times, _ = go(rotor(bad))
     assert done.status == CONTROLLER
-    assert "raised ValueError: no (t = 0 s)" in done.sentence
+    assert "raised ValueError: no (t = 0 s, test_sampled_control.py, line" in done.sentence
     assert times.size == 1
 
 

@@ -10,9 +10,11 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import dump_model, loads_model
+from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.kinematics import moved_to
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
+from pitchpoint.system.source import row_source, row_unit
 from tests.support.mechanism_files import accelerations
 
 CAM = """\
@@ -62,6 +64,77 @@ def test_a_follower_stays_on_its_cam():
     assert state.v[d] == pytest.approx(20.0 * slope, rel=1e-10)
 
 
+FLAT = CAM.replace(
+    """cam_contacts:
+  c:
+    ends: [lifter.foot, cam]
+    curve: {shape: circle, radius: 30 mm, x: [0 mm], y: [10 mm]}
+    radius: 10 mm
+""",
+    """curve_contacts:
+  c:
+    ends: [lifter.foot, cam]
+    first: {shape: polygon, closed: false, x: [-40 mm, 40 mm], y: [0, 0]}
+    second: {shape: circle, radius: 30 mm, x: [0 mm], y: [10 mm]}
+""",
+)
+CUP = """\
+gravity: [0, 0, -9.81 m/s^2]
+bodies:
+  ball: {mass: 0.5 kg, inertia_tensor: [2e-5, 2e-5, 2e-5, 0, 0, 0], position: [0, 0, -90 mm]}
+joints:
+  j: {type: free, bodies: [ground, ball]}
+surface_contacts:
+  c:
+    ends: [ground, ball]
+    first: {shape: sphere, radius: 100 mm, hollow: true}
+    second: {shape: sphere, radius: 10 mm}
+    permanent: true
+scenarios:
+  swing: {duration: 1 s}
+"""
+
+
+def test_a_flat_follower_stays_on_its_cam():
+    """Lift R + e sin(w t) from the top of the circle, at e cos(w t) from the middle."""
+    model = loads_model(FLAT)
+    assert loads_model(dump_model(model)) == model
+    system = compile_model(model, "run")
+    state = system.initial_state()
+    for t in (0.0, 0.01, 0.02, 0.03):
+        state = moved_to(system, state, t)
+    theta = math.pi / 2.0 + 20.0 * 0.03
+    d = system.layout.coordinate("lifter.z")
+    assert state.q[d] == pytest.approx(0.03 + 0.01 * math.sin(theta) - 0.05, abs=1e-13)
+    assert state.v[d] == pytest.approx(20.0 * 0.01 * math.cos(theta), rel=1e-10)
+    seen = dict(zip([c.name for c in system.layout.channels], evaluate.observe(system, state), strict=True))
+    assert seen["contact_path[c.i]"] == pytest.approx(0.04 + 0.01 * math.cos(theta), abs=1e-12)
+
+
+def test_rows_of_contacts_name_their_place():
+    """Messages of loops that do not close say which contact it is and by what length."""
+    for content, section, line in ((CAM, "cam_contacts", 8), (FLAT, "curve_contacts", 8)):
+        system = compile_model(loads_model(content), "run")
+        row = next(r for r, words in enumerate(system.layout.rows) if words.endswith(" c"))
+        assert row_source(system, row) == f"{section}.c (line {line})"
+        assert row_unit(system, row) == " m"
+
+
+def test_a_ball_that_never_leaves_a_cup_is_a_pendulum():
+    """Without friction it swings with sqrt(g/l), l = 90 mm, and presses with its weight."""
+    model = loads_model(CUP)
+    assert loads_model(dump_model(model)) == model
+    system = compile_model(model, "swing")
+    state = system.initial_state()
+    state.q[0] = 1e-5
+    a, _ = accelerations(system, state)
+    assert a[0] == pytest.approx(-9.81 / 0.09 * 1e-5, rel=1e-7)
+    after = evaluate.store(system, state.t)  # with the multiplier
+    seen = dict(zip([c.name for c in system.layout.channels], evaluate.observe(system, after), strict=True))
+    assert seen["contact_force[c]"] == pytest.approx(0.5 * 9.81, rel=1e-8)
+    assert seen["contact_location[c.z]"] == pytest.approx(-0.1, rel=1e-8)
+
+
 def test_a_ball_is_pressed_out_of_a_plate():
     model = loads_model(BALL)
     assert loads_model(dump_model(model)) == model
@@ -70,10 +143,41 @@ def test_a_ball_is_pressed_out_of_a_plate():
     assert a[system.layout.coordinate("ball.z")] == pytest.approx(1000.0 / 0.5, rel=1e-9)
 
 
+FACES = {
+    "open": "{shape: polygon, closed: false, x: [-40 mm, 40 mm], y: [0, 0]}",
+    "block": "{shape: polygon, x: [-40 mm, 40 mm, 40 mm, -40 mm], y: [0, 0, 30 mm, 30 mm]}",
+}
+
+
+@pytest.mark.parametrize("start", ["0 mm", "2 mm", "40 mm"])
+@pytest.mark.parametrize("face", FACES)
+def test_a_follower_is_found_at_rest_on_its_cam(face, start):
+    """The steps of the search grow in the air and land deep in the cam, from where it comes back.
+
+    At rest the overlap carries the weight: 9.81 N/kg 0.2 kg/(1e7 N/m) = 0.1962 um.
+    """
+    text = CAM.replace("position: [0, 50 mm, 0]", "position: [0, 40 mm, 0]").replace(
+        "guide: {", f"guide: {{start: {{z: {start}}}, "
+    )
+    head, tail = text.split("cam_contacts:")
+    text = f"""gravity: [0, -9.81 m/s^2, 0]
+{head}curve_contacts:
+  c:
+    ends: [lifter.foot, cam]
+    first: {FACES[face]}
+    second: {{shape: circle, radius: 30 mm, x: [0 mm], y: [10 mm]}}
+    law: {{force: 10 N, depth: 1 um, exponent: 1}}
+scenarios:{tail.split("scenarios:")[1]}"""
+    system = compile_model(loads_model(text), "run")
+    found = find_equilibrium(system)
+    d = system.layout.coordinate("lifter.z")
+    assert found.state.q[d] == pytest.approx(-0.1962e-6, rel=1e-6)
+
+
 def test_triangles_come_from_a_file(tmp_path):
     corners = np.array([[[-1, -1, 0], [1, -1, 0], [1, 1, 0]], [[-1, -1, 0], [1, 1, 0], [-1, 1, 0]]], float)
     np.save(tmp_path / "plate.npy", corners)
-    text = BALL.replace("{shape: plane}", "{shape: triangles, file: plate.npy}")
+    text = BALL.replace("{shape: plane}", "{shape: triangles, file: plate.npy, open: true}")
     model = loads_model(text, file=str(tmp_path / "m.yaml"))
     assert "file: plate.npy" in dump_model(model)
     system = compile_model(model)
@@ -87,6 +191,22 @@ def test_triangles_come_from_a_file(tmp_path):
 # (file, changes, place, words)
 CASES = {
     "no law": (CAM, [("permanent: true", "permanent: false")], "cam_contacts.c.law", "is missing"),
+    "a permanent curve with a margin": (
+        FLAT,
+        [("permanent: true", "permanent: true\n    margin: 1 mm")],
+        "curve_contacts.c.margin",
+        "what never parts has no law",
+    ),
+    "curves without law": (FLAT, [("    permanent: true\n", "")], "curve_contacts.c.law", "is missing"),
+    "a cup that never leaves a plane": (
+        CUP,
+        [
+            ("shape: sphere, radius: 10 mm", "shape: torus, radius: 10 mm, tube: 1 mm"),
+            ("shape: sphere, radius: 100 mm, hollow: true", "shape: plane"),
+        ],
+        "surface_contacts.c.permanent",
+        "is of a plane and a torus",
+    ),
     "a law of what never parts": (
         CAM,
         [("permanent: true", "permanent: true\n    law: {force: 1, depth: 1}")],

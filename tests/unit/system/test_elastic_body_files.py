@@ -7,9 +7,11 @@ import json
 
 import numpy as np
 import pytest
+from scipy.io import mmwrite
 
 from pitchpoint.cli.main import run_command
-from pitchpoint.core.errors import CompileError, ModelError
+from pitchpoint.core.errors import ModelError
+from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.write import plain
 from pitchpoint.multibody.beam_section import Beam, rectangle
@@ -18,6 +20,7 @@ from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
+from tests.support.floating import truss
 
 LENGTH, PIECES = 0.3, 6
 CRANK = """\
@@ -177,21 +180,180 @@ def test_wrong_elastic_bodies_are_told(tmp_path, old, new, words):
 
 def test_wrong_matrices_are_told_with_the_body(tmp_path):
     model = crank_with(tmp_path, CRANK.replace("300 mm", "290 mm", 1))
-    with pytest.raises(CompileError, match=r"elastic_bodies\.rod: nodes\.small: there is no node.*300\] mm"):
+    with pytest.raises(
+        ModelError, match=r"elastic_bodies\.rod\.nodes\.small \(line 8\): there is no node.*300\] mm"
+    ):
         compile_model(model)
     model = crank_with(tmp_path)
     np.savez(tmp_path / "rod.npz", K=np.eye(6), places=np.zeros((1, 3)))
-    with pytest.raises(CompileError, match=r"elastic_bodies\.rod:[\s\S]*has no matrix 'M'"):
+    with pytest.raises(ModelError, match=r"elastic_bodies\.rod\.file \(line 7\): rod.npz: has no matrix 'M'"):
         compile_model(model)
+
+
+THREE = "stiffness_file: k.mtx\n    mass_file: m.mtx\n    place_file: places.txt"
+
+
+def write_parts(tmp_path, scale=1.0):
+    """The rod as Matrix Market files and a table of its nodes."""
+    line = beam_line(rod())
+    mmwrite(tmp_path / "k.mtx", line.K, symmetry="symmetric")
+    mmwrite(tmp_path / "m.mtx", line.M, symmetry="symmetric")
+    rows = [" ".join(repr(scale * float(x)) for x in p) for p in line.places]
+    (tmp_path / "places.txt").write_text("\n".join(rows) + "\n", encoding="utf-8")
+
+
+def test_matrix_market_files_are_the_archive(tmp_path):
+    write_parts(tmp_path)
+    wanted = compile_model(crank_with(tmp_path)).records["flexible_body"]
+    model = crank_with(tmp_path, CRANK.replace("file: rod.npz", THREE))
+    found = compile_model(model).records["flexible_body"]
+    for field in ("mass", "first", "inertia", "K"):
+        np.testing.assert_allclose(found[field], wanted[field], rtol=1e-9, atol=1e-12)
+    data = plain(model)["elastic_bodies"]["rod"]
+    assert [data[k] for k in ("stiffness_file", "mass_file", "place_file")] == [
+        "k.mtx",
+        "m.mtx",
+        "places.txt",
+    ]
+
+
+def test_the_hash_of_a_model_covers_its_files(tmp_path):
+    write_parts(tmp_path)
+    text = CRANK.replace("file: rod.npz", THREE)
+    first = content_hash(crank_with(tmp_path, text))
+    assert content_hash(crank_with(tmp_path, text)) == first
+    for name in ("k.mtx", "m.mtx", "places.txt"):
+        kept = (tmp_path / name).read_text(encoding="utf-8")
+        (tmp_path / name).write_text(kept + "\n", encoding="utf-8")
+        assert content_hash(crank_with(tmp_path, text)) != first
+        (tmp_path / name).write_text(kept, encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ("modes_of_nothing: 1", "elastic_bodies.rod: has no matrices"),
+        ("file: rod.npz\n    mass_file: m.mtx", "elastic_bodies.rod.mass_file: stands beside file"),
+        ("stiffness_file: k.mtx", "lacks mass_file and place_file beside stiffness_file"),
+        ("stiffness_file: kk.mtx", "'kk.mtx' names a file that is not there"),
+    ],
+)
+def test_wrong_choices_of_files_are_told(tmp_path, given, words):
+    write_parts(tmp_path)
+    with pytest.raises(ModelError) as error:
+        crank_with(tmp_path, CRANK.replace("file: rod.npz", given))
+    told = [f"{p.where}: {p.value or ''} {p.message}".replace(":  ", ": ") for p in error.value.problems]
+    assert any(words in t for t in told), told
+    assert all(p.line for p in error.value.problems)
+
+
+def millimetres(line):
+    return {"K": line.K.toarray(), "M": line.M.toarray(), "places": 1e3 * line.places}
+
+
+def on_ground(line):
+    K = line.K.toarray()
+    K[0, 0] *= 1.5
+    return {"K": K, "M": line.M.toarray(), "places": line.places}
+
+
+def lopsided(line):
+    K = line.K.toarray()
+    K[0, 1] += 0.1 * K[0, 0]
+    return {"K": K, "M": line.M.toarray(), "places": line.places}
+
+
+def cut_through(line):
+    """Two halves that nothing joins."""
+    half = beam_line(rod()[:3])
+    n = half.size
+    K, M = np.zeros((2, 2 * n, 2 * n))
+    for k in (0, n):
+        K[k : k + n, k : k + n], M[k : k + n, k : k + n] = half.K.toarray(), half.M.toarray()
+    return {"K": K, "M": M, "places": np.vstack([half.places, half.places + np.array([0, 0, 0.15])])}
+
+
+def weightless(line):
+    return {"K": line.K.toarray(), "M": 0.0 * line.M.toarray(), "places": line.places}
+
+
+def one_way(line):
+    M = line.M.toarray()
+    M[0, 0] += 1.0
+    return {"K": line.K.toarray(), "M": M, "places": line.places}
+
+
+def negative(line):
+    return {"K": line.K.toarray(), "M": -line.M.toarray(), "places": line.places}
+
+
+def downhill(line):
+    return {"K": -line.K.toarray(), "M": line.M.toarray(), "places": line.places}
+
+
+def short(line):
+    return {"K": line.K.toarray(), "M": line.M.toarray(), "places": line.places[:-1]}
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (millimetres, "rigid motion meets a force"),
+        (on_ground, "rigid motion meets a force.*take away supports"),
+        (lopsided, "K: is not symmetric"),
+        (cut_through, "hangs on no interface node|not six rigid motions|without stiffness"),
+        (weightless, "masses 0, 0, 0 kg.*limit > 0"),
+        (one_way, "and a body has one"),
+        (negative, "M: has -.* on its diagonal"),
+        (downhill, "K: has -.* on its diagonal, row"),
+        (short, "neither 3 nor 6 each|42 displacements of 6 nodes"),
+    ],
+)
+def test_matrices_of_no_free_body_are_told(tmp_path, change, words):
+    model = crank_with(tmp_path)
+    np.savez(tmp_path / "rod.npz", **change(beam_line(rod())))
+    with pytest.raises(ModelError, match=r"elastic_bodies\.rod \(line 6\): .*(" + words + ")"):
+        compile_model(model)
+
+
+def test_places_in_millimetres_are_suspected(tmp_path):
+    """Nodes with translations alone fit any unit of length; what betrays it is the speed of waves."""
+    solid = truss(stiffness=1e8)
+    np.savez(tmp_path / "solid.npz", K=solid.K.toarray(), M=solid.M.toarray(), places=1e3 * solid.places)
+    nodes = ", ".join(
+        f"n{k}: {{position: [{', '.join(f'{1e3 * x:.12g}' for x in p)}]}}"
+        for k, p in enumerate(solid.places[:3])
+    )
+    (tmp_path / "m.yaml").write_text(
+        f"elastic_bodies: {{b: {{file: solid.npz, nodes: {{{nodes}}}, modes: 4}}}}\n", encoding="utf-8"
+    )
+    with pytest.raises(ModelError, match=r"needs waves of .*places in m"):
+        compile_model(load_model(tmp_path / "m.yaml"))
+
+
+def test_check_tells_what_is_wrong_with_the_matrices_of_all_bodies(tmp_path, capsys):
+    text = CRANK.replace("joints:", "  other: {file: rod.npz, nodes: {a: {}}, modes: 2}\njoints:", 1)
+    text = text.replace("scenarios:", "  b: {type: spherical, bodies: [other.a, ground]}\nscenarios:", 1)
+    crank_with(tmp_path, text)
+    np.savez(tmp_path / "rod.npz", **on_ground(beam_line(rod())))
+    assert run_command(["check", str(tmp_path / "crank.yaml")]) == 2
+    told = " ".join(capsys.readouterr().err.split())
+    assert (
+        "elastic_bodies.rod (line 6): K: a rigid motion meets a force at node 0; take away supports" in told
+    )
+    assert "elastic_bodies.other (line 12): K: a rigid motion" in told
+    assert "Traceback" not in told
 
 
 def test_check_tells_of_elastic_bodies(tmp_path, capsys):
     crank_with(tmp_path)
     assert run_command(["check", str(tmp_path / "crank.yaml")]) == 0
     told = " ".join(capsys.readouterr().out.split())
-    assert "in its file" in told
+    assert "rod, unsupported, swings in 6 modes of 1" in told
     assert "8 coordinates without the modes of rod - 10 constraints" in told
     assert run_command(["check", str(tmp_path / "crank.yaml"), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["elastic_bodies"] == {"rod": ["big", "small"]}
-    assert found["bodies"]["rod"]["mass"] is None
+    assert found["bodies"]["rod"]["mass"] == pytest.approx(7800.0 * 4e-4 * LENGTH)
+    assert found["bodies"]["rod"]["polar_inertia"] is None
+    assert len(found["elastic_frequencies"]["rod"]) == 6

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
-from pitchpoint.model.keys import choice, ends, key, text
+from pitchpoint.model.keys import choice, ends, text
 
 SIGNAL = "name of the signal"
 
@@ -17,8 +17,10 @@ class TorqueActuator:
 
     form: ClassVar[str] = "torque"
     signal: str = text(SIGNAL)
-    bodies: tuple[str, ...] = key(
-        "names", "the driven body, and the one that takes the reaction", length=(1, 2)
+    bodies: tuple[str, ...] = ends(
+        "the driven body, and the one that takes the reaction (ground if left out); on a shaft BODY.MARKER "
+        "is the place, else its start",
+        length=(1, 2),
     )
 
 

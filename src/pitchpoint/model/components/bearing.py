@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A linear bearing between a body and the ground."""
+"""A linear bearing between a body and the ground, or a housing."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from pitchpoint.model.components.six import Damping6, Stiffness6
-from pitchpoint.model.keys import component, quantities, text
+from pitchpoint.model.keys import component, end, quantities, text
 
 
 @dataclass(frozen=True, kw_only=True)
 class Bearing:
-    """Linear spring and damper in six directions between a body and the ground."""
+    """Linear spring and damper in six directions between a body and the ground, or a housing."""
 
     body: str = text("name of the body")
     position: tuple[float, float, float] = quantities(
@@ -21,4 +21,9 @@ class Bearing:
         length=(3, 3),
     )
     stiffness: Stiffness6 = component(Stiffness6, "stiffness against displacement and tilt", Stiffness6())
+    housing: str | None = end(
+        "what it sits in, in place of ground: BODY, or BODY.MARKER at the bearing, a node of an elastic body "
+        "say; it leaves the spin free",
+        None,
+    )
     damping: Damping6 | None = component(Damping6, "damping in the same directions, or a ratio")

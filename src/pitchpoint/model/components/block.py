@@ -1,14 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Blocks: signals made of other signals. Gains are numbers in SI units of both sides."""
+"""Blocks: signals made of other signals.
+
+Values of signals and gains are numbers in SI units of both sides. Where one stands, a unit may be written
+(`1500 rpm`, `2 N m s`): it turns the number into SI and is not compared with anything.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
-from pitchpoint.model.keys import key, positive, quantities, quantity, text
+from pitchpoint.model.components.law import PythonLaw
+from pitchpoint.model.components.sensor import UNITS
+from pitchpoint.model.keys import choice, key, positive, quantities, quantity, text
 
 INPUT = "name of the signal it is made of"
+UNIT = "unit that results give the signal"
+LEAST_AND_MOST = "least and greatest value"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -16,9 +25,9 @@ class Sum:
     """Sum of signals times gains, plus a constant."""
 
     form: ClassVar[str] = "sum"
-    inputs: tuple[str, ...] = key("names", "names of the signals", ())
-    gains: tuple[float, ...] = quantities("dimensionless", "one gain for each signal", ())
-    offset: float = quantity("dimensionless", "constant that is added", 0.0)
+    inputs: Mapping[str, float] = key("gains", "gain of every signal by its name: {speed: -1}", {})
+    offset: float = key("value", "constant that is added", 0.0)
+    unit: str = choice(UNITS, UNIT, "1")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,7 +36,7 @@ class Limits:
 
     form: ClassVar[str] = "limits"
     input: str = text(INPUT)
-    limits: tuple[float, float] = quantities("dimensionless", "least and greatest value", length=(2, 2))
+    limits: tuple[float, float] = key("values", LEAST_AND_MOST, length=(2, 2))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,8 +45,10 @@ class Curve:
 
     form: ClassVar[str] = "table"
     input: str = text(INPUT)
-    x: tuple[float, ...] = quantities("dimensionless", "values of the input, rising", length=(2, 10**6))
-    y: tuple[float, ...] = quantities("dimensionless", "values of the signal", length=(2, 10**6))
+    points: tuple[tuple[float, float], ...] = key(
+        "curve", "[input, value] of every point with rising input, or the name of a text file of two columns"
+    )
+    unit: str = choice(UNITS, UNIT, "1")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,6 +58,7 @@ class FormulaBlock:
     form: ClassVar[str] = "formula"
     formula: str = text("formula of the names of its inputs")
     inputs: tuple[str, ...] = key("names", "names of the signals that it uses, t for the time", length=(1, 3))
+    unit: str = choice(UNITS, UNIT, "1")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,8 +67,9 @@ class LawBlock:
 
     form: ClassVar[str] = "python"
     input: str = text(INPUT)
-    function: str = text("file.py:function")
+    function: PythonLaw = key("code", "FILE.py:function")
     parameters: tuple[float, ...] = quantities("dimensionless", "numbers handed to the function", ())
+    unit: str = choice(UNITS, UNIT, "1")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,7 +78,8 @@ class Integrator:
 
     form: ClassVar[str] = "integrator"
     input: str = text(INPUT)
-    start: float = quantity("dimensionless", "value at the start", 0.0)
+    start: float = key("value", "value at the start, where the state of rest does not decide about it", 0.0)
+    unit: str = choice(UNITS, UNIT, "1")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,12 +96,13 @@ class Filter:
 
 @dataclass(frozen=True, kw_only=True)
 class TransferFunction:
-    """Rational transfer function, from rest."""
+    """Rational transfer function."""
 
     form: ClassVar[str] = "transfer_function"
     input: str = text(INPUT)
-    numerator: tuple[float, ...] = quantities("dimensionless", "factors of falling powers of s")
-    denominator: tuple[float, ...] = quantities("dimensionless", "factors of falling powers of s")
+    numerator: tuple[float, ...] = key("values", "factors of falling powers of s", length=(1, 30))
+    denominator: tuple[float, ...] = key("values", "factors of falling powers of s", length=(2, 30))
+    unit: str = choice(UNITS, UNIT, "1")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,14 +111,17 @@ class Pid:
 
     form: ClassVar[str] = "pid"
     input: str = text("name of the control error")
-    proportional: float = quantity("dimensionless", "gain of the error")
-    integral: float = quantity("dimensionless", "gain of its integral", 0.0)
-    derivative: float = quantity("dimensionless", "gain of its derivative", 0.0)
-    filter_time: float = quantity("time", "time constant of the derivative", 0.0, minimum=0.0)
-    limits: tuple[float, ...] = quantities("dimensionless", "least and greatest output", ())
+    proportional: float = key("value", "gain of the error")
+    integral: float = key("value", "gain of its integral", 0.0)
+    derivative: float = key("value", "gain of its derivative", 0.0)
+    filter_time: float = quantity(
+        "time", "time constant of the derivative, which needs one", 0.0, minimum=0.0
+    )
+    limits: tuple[float, float] | None = key("values", LEAST_AND_MOST, None, length=(2, 2), display="none")
     tracking_time: float | None = positive(
         "time", "time in which the integral follows limits", None, display="from the gains"
     )
+    unit: str = choice(UNITS, UNIT, "1")
 
 
 Block: TypeAlias = (

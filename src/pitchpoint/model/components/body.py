@@ -80,11 +80,15 @@ class Body:
         display="from joints, meshes and couplings",
     )
     axes: Axes | None = component(
-        Axes, "directions of its axes in the world; without them those of the world"
+        Axes,
+        "directions of its axes in the world; without them those of a body that its gears mesh with, else "
+        "those of the world",
     )
     markers: Mapping[str, Marker] = key("components", "points with frames, by name", {}, of=Marker)
     origin: Triple | None = derived()
     """Origin of the body in the world [m]: the given position, or the one that follows from what joins it."""
+    orientation: Axes | None = derived()
+    """Axes in force: the given ones, or those of a body in mesh; None for those of the world."""
     joint: str | None = derived()
     """Name of the joint that carries it, if one does."""
     shaft: Shaft | None = derived()

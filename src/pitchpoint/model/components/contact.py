@@ -5,11 +5,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.file_digest import file_digest
 from pitchpoint.model.keys import (
     REQUIRED,
     boolean,
     choice,
     component,
+    derived,
     ends,
     integer,
     key,
@@ -93,7 +95,12 @@ class CamContact:
     permanent: bool = boolean("never parts: a constraint without law and friction", False)
     law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
     friction: ContactFriction | None = component(ContactFriction, "friction; none without")
-    depth: float | None = positive("length", "deepest overlap that counts", None, display="5 % of the size")
+    depth: float | None = positive(
+        "length",
+        "deepest overlap that counts; what overlaps more is another side",
+        None,
+        display="5 % of the size; if all overlap more, the nearest side",
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -103,10 +110,14 @@ class CurveContact:
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
     first: ContactCurve = component(ContactCurve, "the curve of the first body", REQUIRED)
     second: ContactCurve = component(ContactCurve, "the curve of the second body", REQUIRED)
-    law: ContactLaw = component(ContactLaw, "normal force", REQUIRED)
+    permanent: bool = boolean("never parts: a constraint without law and friction", False)
+    law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
     friction: ContactFriction | None = component(ContactFriction, "friction; none without")
     depth: float | None = positive(
-        "length", "deepest overlap that counts", None, display="5 % of the smaller curve"
+        "length",
+        "deepest overlap that counts; what overlaps more is another side",
+        None,
+        display="5 % of the smaller curve; if all overlap more, the nearest side",
     )
     margin: float | None = positive(
         "length", "largest gap that is looked for", None, display="half the smaller curve"
@@ -115,7 +126,11 @@ class CurveContact:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactSurface:
-    """A surface in the axes of a marker."""
+    """A surface in the axes of a marker.
+
+    Triangles come from an STL file, binary or text, or from a NumPy file with corners of shape (n, 3, 3), in
+    the axes of the marker and in the given unit. They run counter-clockwise seen from outside.
+    """
 
     shape: str = choice(
         SURFACES,
@@ -124,26 +139,50 @@ class ContactSurface:
     )
     radius: float | None = positive("length", "of sphere, cylinder or ring of the torus", None)
     tube: float | None = positive("length", "torus: radius of its tube", None)
-    length: float | None = positive("length", "cylinder against plane or cylinder: its length", None)
+    length: float | None = positive(
+        "length",
+        "cylinder: its length between flat ends, its middle at the origin; without end beside a sphere or "
+        "triangles",
+        None,
+    )
     half_angle: float | None = positive("angle", "cone: angle between axis and surface", None)
-    hollow: bool = boolean("material outside", False)
-    file: str | None = key("file", "triangles: NumPy file with corners [m], shape (n, 3, 3)", None)
+    hollow: bool = boolean("material outside; triangles are turned round", False)
+    file: str | None = key("file", "triangles: their file, .stl or .npy", None)
+    unit: float | None = positive(
+        "length", "triangles: length of one unit of the file; STL files do not tell theirs", None
+    )
+    open: bool = boolean("triangles: the surface may have borders, which nothing gets near to", False)
+    digest: str = derived("")
+    """Digest of the content of the file, so that the same model has the same triangles."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "digest", file_digest(self.file))
 
 
 @dataclass(frozen=True, kw_only=True)
 class SurfaceContact:
     """Surfaces of two bodies in space.
 
-    A sphere against anything, a cylinder or torus on a plane, two crossed cylinders, triangles on triangles.
-    The law of triangles on triangles counts for one square metre.
+    A sphere against anything, a cylinder or torus on a plane, cylinders crossed, beside each other or one in
+    the bore of the other, triangles against anything. The law counts for the whole line of cylinders along
+    their length, and of triangles against anything but a sphere for one square metre.
     """
 
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
     first: ContactSurface = component(ContactSurface, "the surface of the first body", REQUIRED)
     second: ContactSurface = component(ContactSurface, "the surface of the second body", REQUIRED)
-    law: ContactLaw = component(ContactLaw, "normal force", REQUIRED)
+    permanent: bool = boolean(
+        "a sphere that never leaves a surface other than triangles: a constraint without law and friction",
+        False,
+    )
+    law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
     friction: ContactFriction | None = component(ContactFriction, "friction; none without")
     depth: float | None = positive(
         "length", "triangles: deepest overlap that counts", None, display="a part of the size"
     )
-    stations: int = integer("cylinder on plane: Gauss points along the line", 4, minimum=1, maximum=8)
+    line: bool = boolean(
+        "two cylinders: they touch along their length, the law is that of the whole of the shorter one; "
+        "otherwise at the one place where they cross",
+        False,
+    )
+    stations: int = integer("Gauss points along every part of a line in touch", 8, minimum=1, maximum=8)

@@ -6,10 +6,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
-from pitchpoint.model.keys import key, positive, quantities, quantity, text
+from pitchpoint.model.components.law import PythonLaw
+from pitchpoint.model.components.sensor import UNITS
+from pitchpoint.model.keys import choice, key, positive, quantities, quantity, text
 
 PERIOD = "time between two calls"
 DELAY = "time from a call to the change of the outputs"
+START = "before the first change"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -17,15 +20,14 @@ class PythonController:
     """A Python function f(t, inputs, state, parameters) -> outputs; `state` is a dictionary of its own."""
 
     form: ClassVar[str] = "python"
-    function: str = text("file.py:function")
+    function: PythonLaw = key("code", "FILE.py:function")
     inputs: tuple[str, ...] = key("names", "names of the signals that it reads", ())
-    outputs: tuple[str, ...] = key("names", "names of the signals that it makes", length=(1, 10**4))
-    start: tuple[float, ...] = quantities(
-        "dimensionless", "values of the outputs before the first call", (), display="zeros"
-    )
+    outputs: tuple[str, ...] = key("names", "names of the signals that it makes", length=(1, 1000))
+    start: tuple[float, ...] = key("values", f"values of the outputs {START}", (), display="zeros")
     period: float = positive("time", PERIOD)
     delay: float = quantity("time", DELAY, 0.0, minimum=0.0)
     parameters: tuple[float, ...] = quantities("dimensionless", "numbers handed to the function", ())
+    unit: str = choice(UNITS, "unit that results give the outputs", "1")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,14 +37,28 @@ class SampledPid:
     form: ClassVar[str] = "pid"
     input: str = text("name of the control error")
     output: str = text("name of the signal that it makes")
-    proportional: float = quantity("dimensionless", "gain of the error")
-    integral: float = quantity("dimensionless", "gain of its integral", 0.0)
-    derivative: float = quantity("dimensionless", "gain of its derivative", 0.0)
-    limits: tuple[float, ...] = quantities("dimensionless", "least and greatest output", ())
+    proportional: float = key("value", "gain of the error")
+    integral: float = key("value", "gain of its integral", 0.0)
+    derivative: float = key("value", "gain of its derivative", 0.0)
+    limits: tuple[float, float] | None = key(
+        "values", "least and greatest output", None, length=(2, 2), display="none"
+    )
+    start: float = key("value", f"output {START}, and its integral at the first call", 0.0)
     period: float = positive("time", PERIOD)
     delay: float = quantity("time", DELAY, 0.0, minimum=0.0)
+    unit: str = choice(UNITS, "unit that results give the output", "1")
 
 
 Controller: TypeAlias = PythonController | SampledPid
 
 CONTROLLERS: dict[str, type] = {c.form: c for c in (PythonController, SampledPid)}
+
+
+def outputs_of(part: Controller) -> tuple[str, ...]:
+    """Names of the signals that a controller makes."""
+    return part.outputs if isinstance(part, PythonController) else (part.output,)
+
+
+def inputs_of(part: Controller) -> tuple[str, ...]:
+    """Names of the signals that a controller reads."""
+    return part.inputs if isinstance(part, PythonController) else (part.input,)

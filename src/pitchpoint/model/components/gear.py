@@ -84,7 +84,10 @@ class Gear:
     rack: Rack = component(Rack, "basic rack in modules", Rack())
     cutter: Cutter | None = component(Cutter, "pinion-type cutter of an internal gear")
     initial_angle: float | None = quantity(
-        "angle", "angle of the centre of tooth 0 from the x axis at spin 0", None, display="assembled in mesh"
+        "angle",
+        "angle of the centre of tooth 0 from the x axis of its body at spin 0",
+        None,
+        display="assembled in mesh",
     )
     rim_thickness: float | None = positive(
         "length", "thickness of the rim below the teeth", None, display="solid"

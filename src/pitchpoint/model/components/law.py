@@ -7,7 +7,10 @@ A law is data: a constant, a formula of the whitelist parser, a table, a named P
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import hashlib
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TypeAlias
 
 AXES = {"time": "time", "angle": "angle", "elongation": "length", "rate": "speed"}
@@ -56,6 +59,13 @@ class PythonLaw:
     """Name of the function in it."""
     parameters: tuple[float, ...] = ()
     """Numbers handed to the function."""
+    digest: str = field(init=False, default="", compare=False, repr=False)
+    """SHA-256 of the file as it was when the law was named: a changed function is another model."""
+
+    def __post_init__(self) -> None:
+        with suppress(OSError, ValueError):  # a file that is not there is told by the checks
+            found = hashlib.sha256(Path(self.file).read_bytes()).hexdigest()
+            object.__setattr__(self, "digest", found)
 
 
 @dataclass(frozen=True)

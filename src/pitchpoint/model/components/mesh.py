@@ -85,7 +85,7 @@ class Mesh:
     )
     direction: float | None = quantity(
         "angle",
-        "angle of the line of centres from gear 1 to gear 2",
+        "angle of the line of centres from gear 1 to gear 2, from the x axis of the body of gear 1",
         None,
         display="0, or from the positions of the bodies",
     )
@@ -118,4 +118,6 @@ class Mesh:
     b_w: float | None = derived()
     """Common face width [m]."""
     theta: float = derived(0.0)
-    """Angle of the line of centres in force, from gear 1 to gear 2 [rad]."""
+    """Angle of the line of centres in force, from gear 1 to gear 2 and from the x axis of its body [rad]."""
+    twist: float = derived(0.0)
+    """Angle of the x axis of the body of gear 2, from that of gear 1 [rad]."""

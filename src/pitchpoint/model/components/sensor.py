@@ -19,7 +19,8 @@ QUANTITIES = (
     "angular_acceleration",
 )
 AXES = ("x", "y", "z")
-UNITS = ("1", "m", "m/s", "m/s^2", "rad", "rad/s", "rad/s^2", "N", "N m")
+UNITS = ("1", "m", "m/s", "m/s^2", "rad", "rad/s", "rad/s^2", "N", "N m", "W")
+"""Units that a signal may have; its numbers are always those of SI."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,8 +44,7 @@ class JointSensor:
     """A coordinate of a joint, or its rate."""
 
     form: ClassVar[str] = "joint"
-    body: str = text("body that the joint carries")
-    coordinate: str = choice(("x", "y", "z", "spin"), "coordinate of the joint", "spin")
+    coordinate: str = text("JOINT.COORDINATE, or a body for its spin")
     derivative: int = integer("0 the coordinate, 1 its rate, 2 its acceleration", 0, minimum=0, maximum=2)
 
 
@@ -53,7 +53,7 @@ class LoadSensor:
     """What the joint of a body puts on it: a component of the force, or of the moment about a marker."""
 
     form: ClassVar[str] = "load"
-    at: str = end("BODY or BODY.MARKER: the body whose joint carries the load, and the place")
+    at: str = end("BODY or BODY.MARKER: the body that the joint carries, and the place")
     quantity: str = choice(("force", "moment"), "component that is sensed", "force")
     seen_from: str = end("ground, BODY or BODY.MARKER that gives the axes", "ground")
     axis: str = choice(AXES, "axis of the component", "z")
@@ -65,7 +65,6 @@ class Listener:
 
     form: ClassVar[str] = "observation"
     channel: str = text("name of the observation, as results have it")
-    unit: str = choice(UNITS, "unit of the observation", "1")
 
 
 Sensor: TypeAlias = FrameSensor | JointSensor | LoadSensor | Listener

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from pitchpoint.model.components.marker import Marker
-from pitchpoint.model.keys import key, positive, quantities, quantity
+from pitchpoint.model.components.marker import Axes, Marker
+from pitchpoint.model.keys import component, key, positive, quantities, quantity
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.materials import Material
@@ -28,8 +28,8 @@ class ShaftSection:
 
 @dataclass(frozen=True, kw_only=True)
 class Shaft:
-    """An elastic round shaft that bends, twists and stretches; gears, bearings and loads sit at places
-    along it."""
+    """An elastic round shaft that bends, twists and stretches; gears, bearings and loads sit at places along
+    its z axis."""
 
     sections: tuple[ShaftSection, ...] = key(
         "list",
@@ -44,10 +44,15 @@ class Shaft:
     )
     position: tuple[float, float, float] | None = quantities(
         "length",
-        "start of the shaft [x, y, z]; it lies along the z axis of the world",
+        "start of the shaft [x, y, z]; it lies along its z axis",
         None,
         length=(3, 3),
         display="from meshes and couplings",
+    )
+    axes: Axes | None = component(
+        Axes,
+        "directions of its axes in the world; without them those of a body that its gears mesh with, else "
+        "those of the world",
     )
     markers: Mapping[str, Marker] = key(
         "components",

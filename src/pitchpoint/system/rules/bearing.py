@@ -11,22 +11,24 @@ from numpy.typing import NDArray
 from pitchpoint.elements import bearing as element
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.coupling import Coupling
-from pitchpoint.model.frames import frame
+from pitchpoint.model.frames import GROUND, body_frame, place_of, split
 from pitchpoint.model.mechanism import seat_frame
+from pitchpoint.multibody.bodies import FIXED, Body
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.bodies import seat_at
+from pitchpoint.system.rules.bodies import count_of, frame_at, seat_at
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
 def bearing_bank(model: Model) -> Bank:
-    """All bearings (body to ground) and couplings (body to body).
+    """All bearings (body to ground or housing) and couplings (body to body).
 
     The markers lie on the spin axes, so that the springs do not turn with the gears; a model has no x and y
     in their positions. The springs act along the axes of the (first) body.
     """
     rows, names = [], []
+    seats = housing_numbers(model)
     parts: list[tuple[str, Bearing | Coupling, tuple[str, ...]]] = [
         *((n, b, (b.body,)) for n, b in model.bearings.items()),
         *((n, c, c.bodies) for n, c in model.couplings.items()),
@@ -34,7 +36,7 @@ def bearing_bank(model: Model) -> Bank:
     for name, part, ends in parts:
         row = np.zeros(1, element.RECORD)[0]
         origin = [np.array(model.bodies[b].origin or (0.0, 0.0, 0.0)) for b in ends]
-        axes = frame(model.bodies[ends[0]].axes)
+        axes = body_frame(model, ends[0])[1]
         marker = origin[0] + axes @ [0.0, 0.0, part.position[2]]
         row["i"], row["zi"] = seat_at(model, ends[0], part.position[2])
         row["K"] = part.stiffness.matrix6()
@@ -47,9 +49,38 @@ def bearing_bank(model: Model) -> Bank:
             row["B"] = seat_frame(model, model.mechanism.seats[ends[1]])[1].T @ axes
         else:
             row["d0"] = axes.T @ marker
+        if name in seats and isinstance(part, Bearing):
+            row["j"], row["housed"] = seats[name], 1
+            row["d0"] = 0.0
+            row["B"] = np.eye(3)
         rows.append(row)
         names.append(name)
     return pack("bearing", element.RECORD, rows, names)
+
+
+def housed(model: Model) -> list[str]:
+    """Bearings that sit in housings."""
+    return [n for n, b in model.bearings.items() if b.housing not in (None, GROUND)]
+
+
+def housing_numbers(model: Model) -> dict[str, int]:
+    """Number of the body that every housed bearing sits in: they stand behind all others."""
+    first = 1 + sum(count_of(model, name) for name in model.mechanism.seats)
+    return {name: first + k for k, name in enumerate(housed(model))}
+
+
+def housing_seats(model: Model) -> list[Body]:
+    """Bodies without mass, fixed to housings where bearings sit, along the axes of what runs in them."""
+    found = []
+    for name in housed(model):
+        part = model.bearings[name]
+        origin = np.array(model.bodies[part.body].origin or (0.0, 0.0, 0.0))
+        axes = body_frame(model, part.body)[1]
+        place = origin + axes @ [0.0, 0.0, part.position[2]]
+        body, marker = split(str(part.housing))
+        parent = frame_at(model, body, place_of(model, str(part.housing)) if marker else place)[0]
+        found.append(Body(motion=FIXED, parent=parent, position=place, axes=axes, name=f"{name}.housing"))
+    return found
 
 
 def _damping(model: Model, part: Bearing | Coupling, ends: tuple[str, ...]) -> NDArray[np.float64]:

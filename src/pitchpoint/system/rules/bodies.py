@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.model.frames import GROUND, axes_of, body_frame, joint_place, place_of, split
-from pitchpoint.model.mechanism import ONE_WAY, Seat, axial_offset, seat_frame
+from pitchpoint.model.mechanism import ONE_WAY, Seat, axial_offset, seat_frame, spinner_of
 from pitchpoint.model.shafts import nearest_station
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
@@ -100,6 +100,16 @@ def _parent(model: Model, seat: Seat) -> int:
     return frame_at(model, seat.parent, joint_place(model, model.joints[seat.joint]))[0]
 
 
+def _spinner(model: Model, seat: Seat) -> int:
+    """Number of the body whose spin counts for a fixed one: of a shaft, the station where it hangs."""
+    name = spinner_of(model, model.mechanism, seat.body)
+    if name is None:
+        return 0
+    while seat.parent != name:
+        seat = model.mechanism.seats[seat.parent]
+    return _parent(model, seat) if name in model.shafts else body_numbers(model)[name]
+
+
 def _body(model: Model, seat: Seat, parent: int) -> Body:
     inertia = model.body_inertia(seat.body)
     place, axes = seat_frame(model, seat)
@@ -120,6 +130,7 @@ def _body(model: Model, seat: Seat, parent: int) -> Body:
         guided_by=tuple((n, UNITS[d]) for n, d in joint.coordinates.items()) if joint is not None else (),
         start=start,
         rate=rate,
+        spinner=_spinner(model, seat),
     )
     if not _is_round(com, about):
         return replace(body, com=com, inertia=about)
@@ -192,8 +203,8 @@ def frame_at(model: Model, body: str, place: Array | None) -> tuple[int, Array, 
         return number + here, node, axes
     if body in model.shafts and place is not None:
         places = model.stations[body]
-        k = nearest_station(places, float(place[2] - at[2]))
-        return number + k, at + np.array([0.0, 0.0, places[k]]), axes
+        k = nearest_station(places, float(axes[:, 2] @ (place - at)))
+        return number + k, at + axes[:, 2] * places[k], axes
     return number, at, axes
 
 

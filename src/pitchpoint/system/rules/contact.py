@@ -12,10 +12,18 @@ from numpy.typing import NDArray
 from pitchpoint.contact import curve as curves
 from pitchpoint.contact import impact
 from pitchpoint.contact.triangles import TriangleSurface
-from pitchpoint.core.errors import CompileError
+from pitchpoint.core.errors import CompileError, GeometryError
 from pitchpoint.elements import contact_record as element
-from pitchpoint.elements import curve_curve, point_curve, point_on_curve, point_surface, surface_surface
+from pitchpoint.elements import (
+    curve_curve,
+    curve_on_curve,
+    point_curve,
+    point_on_curve,
+    point_surface,
+    surface_surface,
+)
 from pitchpoint.elements.signal import Pool
+from pitchpoint.geometry.triangle_file import placed_triangles, read_triangles
 from pitchpoint.model.components.contact import (
     CamContact,
     ContactCurve,
@@ -25,6 +33,7 @@ from pitchpoint.model.components.contact import (
     CurveContact,
     SurfaceContact,
 )
+from pitchpoint.model.file_digest import file_digest
 from pitchpoint.system.rules.bank import Bank, pack
 
 Array = NDArray[np.float64]
@@ -56,13 +65,9 @@ def cam_banks(contacts: Mapping[str, CamContact], end: End) -> tuple[Bank, Bank]
             held.append(row)
             held_names.append(name)
             continue
-        if part.law is None:
-            raise CompileError(
-                f"{where}: a follower that may part needs a law; add `law` or `permanent: true`"
-            )
         row = _marked(part.ends, end)
         point_curve.set_cam(row, pool, curve, part.radius, part.depth)
-        _forces(row, part.law, part.friction, where)
+        _forces(row, _law_of(part, where), part.friction, where)
         rows.append(row)
         names.append(name)
     return (
@@ -71,39 +76,55 @@ def cam_banks(contacts: Mapping[str, CamContact], end: End) -> tuple[Bank, Bank]
     )
 
 
-def curve_bank(contacts: Mapping[str, CurveContact], end: End) -> Bank:
-    """Curves against curves."""
-    pool, rows = Pool(), []
+def curve_banks(contacts: Mapping[str, CurveContact], end: End) -> tuple[Bank, Bank]:
+    """Curves against curves: those with a force, and those that never part."""
+    pools, rows, names = (Pool(), Pool()), ([], []), ([], [])  # type: ignore[var-annotated]
     for name, part in contacts.items():
         where = f"curve_contacts.{name}"
         row = _marked(part.ends, end)
         both = curve_of(part.first, f"{where}.first"), curve_of(part.second, f"{where}.second")
-        curve_curve.set_curves(row, pool, both, part.depth, part.margin)
-        _forces(row, part.law, part.friction, where)
-        rows.append(row)
-    return pack("curve_curve", element.RECORD, rows, list(contacts), pool=pool.array())
+        which = 1 if part.permanent else 0
+        if part.permanent:
+            curve_on_curve.set_held_curves(row, pools[1], both)
+        else:
+            curve_curve.set_curves(row, pools[0], both, part.depth, part.margin)
+            _forces(row, _law_of(part, where), part.friction, where)
+        rows[which].append(row)
+        names[which].append(name)
+    return (
+        pack("curve_curve", element.RECORD, rows[0], names[0], pool=pools[0].array()),
+        pack("curve_on_curve", element.RECORD, rows[1], names[1], pool=pools[1].array()),
+    )
 
 
-def surface_banks(contacts: Mapping[str, SurfaceContact], end: End) -> tuple[Bank, Bank]:
-    """Surfaces against surfaces: those with a sphere, and all others."""
-    pools, rows, names = (Pool(), Pool()), ([], []), ([], [])  # type: ignore[var-annotated]
+def _law_of(part: CamContact | CurveContact | SurfaceContact, where: str) -> ContactLaw:
+    if part.law is None:
+        raise CompileError(f"{where}: bodies that may part need a law; add `law` or `permanent: true`")
+    return part.law
+
+
+def surface_banks(contacts: Mapping[str, SurfaceContact], end: End) -> tuple[Bank, Bank, Bank]:
+    """Surfaces against surfaces: those with a sphere, all others, and spheres that never part."""
+    pools, rows, names = (Pool(), Pool()), ([], [], []), ([], [], [])  # type: ignore[var-annotated]
     for name, part in contacts.items():
         where = f"surface_contacts.{name}"
         first, second, ends = part.first, part.second, part.ends
-        if _is_ball(second) and not _is_ball(first) or (first.shape == "plane" and second.shape != "plane"):
+        if not _in_order(first, second):
             first, second, ends = second, first, (ends[1], ends[0])
         row = _marked(ends, end)
-        which = 0 if _is_ball(first) else 1
-        if which == 0:
-            _ball(row, pools[0], first, second, part, where)
-        else:
+        which = 2 if part.permanent else 0 if _is_ball(first) else 1
+        if which == 1:
             _pair(row, pools[1], first, second, part, where)
-        _forces(row, part.law, part.friction, where)
+        else:
+            _ball(row, pools[0], first, second, part, where)
+        if not part.permanent:
+            _forces(row, _law_of(part, where), part.friction, where)
         rows[which].append(row)
         names[which].append(name)
     return (
         pack("point_surface", element.RECORD, rows[0], names[0], pool=pools[0].array()),
         pack("surface_surface", element.RECORD, rows[1], names[1], pool=pools[1].array()),
+        pack("ball_on_surface", element.RECORD, rows[2], names[2]),
     )
 
 
@@ -186,30 +207,36 @@ def _forces(row: np.void, law: ContactLaw, friction: ContactFriction | None, whe
 
 def _triangles(part: ContactSurface, where: str) -> TriangleSurface:
     """Triangles of a file."""
-    file = part.file
-    if file is None:
-        raise CompileError(f"{where}.file: triangles come from a NumPy file")
+    if part.file is None:
+        raise CompileError(f"{where}.file: triangles come from a file")
+    if file_digest(part.file) != part.digest:
+        raise CompileError(f"{where}.file: has changed since the model was read; read it again")
     try:
-        return TriangleSurface.from_triangles(np.load(file, allow_pickle=False))
-    except (OSError, ValueError) as fault:
+        found = placed_triangles(read_triangles(part.file), part.unit or 1.0, part.hollow)
+        return TriangleSurface.from_triangles(found)
+    except (GeometryError, ValueError) as fault:
         raise CompileError(f"{where}.file: {fault}") from None
+
+
+def _sizes(part: ContactSurface, where: str) -> list[float]:
+    """Sizes of a simple shape; of a cylinder with its length, if it has one."""
+    names = {"plane": (), "cone": ("half_angle",), "torus": ("radius", "tube")}.get(part.shape, ("radius",))
+    sizes = [_needed(getattr(part, name), name, where) for name in names]
+    return [*sizes, part.length] if part.shape == "cylinder" and part.length is not None else sizes
 
 
 def _ball(
     row: np.void, pool: Pool, ball: ContactSurface, other: ContactSurface, part: SurfaceContact, where: str
 ) -> None:
     """A sphere against a surface."""
+    if not _is_ball(ball) or (part.permanent and other.shape == "triangles"):
+        raise CompileError(f"{where}.permanent: only a sphere stays, and only on smooth surfaces")
     radius = _needed(ball.radius, "radius", where)
     if other.shape == "triangles":
         point_surface.set_mesh(row, pool, _triangles(other, where), radius, part.depth)
         return
-    sizes = {
-        "plane": (),
-        "cone": (other.half_angle,),
-        "torus": (other.radius, other.tube),
-    }.get(other.shape, (other.radius,))
-    given = [_needed(size, other.shape, where) for size in sizes]
     try:
+        given = _sizes(other, where)[: 1 if other.shape == "cylinder" else 2]
         point_surface.set_surface(row, other.shape, given, radius, other.hollow)
     except ValueError as fault:
         raise CompileError(f"{where}: {fault}") from None
@@ -220,9 +247,9 @@ def _pair(
 ) -> None:
     """Two surfaces none of which is a sphere."""
     shapes = one.shape, two.shape
-    if one.hollow or two.hollow:
-        raise CompileError(f"{where}: only a sphere can touch a hollow surface")
-    if shapes == ("cylinder", "plane"):
+    if "triangles" in shapes:
+        _on_triangles(row, pool, one, two, part, where)
+    elif shapes == ("cylinder", "plane"):
         radius, length = _needed(one.radius, "radius", where), _needed(one.length, "length", where)
         surface_surface.set_cylinder_on_plane(row, radius, length, part.stations)
     elif shapes == ("torus", "plane"):
@@ -231,11 +258,44 @@ def _pair(
     elif shapes == ("cylinder", "cylinder"):
         radii = [_needed(s.radius, "radius", where) for s in (one, two)]
         lengths = [_needed(s.length, "length", where) for s in (one, two)]
-        surface_surface.set_crossed_cylinders(row, radii, lengths)
-    elif shapes == ("triangles", "triangles"):
-        both = [_triangles(s, where) for s in (one, two)]
-        surface_surface.set_meshes(row, pool, both, part.depth)
+        if part.line or two.hollow:
+            surface_surface.set_cylinders_in_line(row, radii, lengths, two.hollow, part.stations)
+        else:
+            surface_surface.set_crossed_cylinders(row, radii, lengths)
     else:
         raise CompileError(
             f"{where}: a {shapes[0]} against a {shapes[1]} is not known; describe both by triangles"
         )
+
+
+def _on_triangles(
+    row: np.void, pool: Pool, one: ContactSurface, two: ContactSurface, part: SurfaceContact, where: str
+) -> None:
+    """Triangles on triangles or on a simple shape."""
+    surface = _triangles(one, where)
+    if two.shape == "triangles":
+        surface_surface.set_meshes(row, pool, (surface, _triangles(two, where)), part.depth)
+        return
+    try:
+        surface_surface.set_mesh_on_shape(
+            row, pool, surface, two.shape, _sizes(two, where), two.hollow, part.depth
+        )
+    except ValueError as fault:
+        raise CompileError(f"{where}: {fault}") from None
+
+
+def _in_order(first: ContactSurface, second: ContactSurface) -> bool:
+    """Whether the kinds take the surfaces in this order.
+
+    Balls come first, planes last, triangles before simple shapes, what is in a bore before the bore, the
+    shorter of two cylinders before the longer one.
+    """
+    if _is_ball(first) or _is_ball(second):
+        return _is_ball(first)
+    if "triangles" in (first.shape, second.shape):
+        return first.shape == "triangles"
+    if first.shape == second.shape == "cylinder":
+        if first.hollow != second.hollow:
+            return second.hollow
+        return first.length is None or second.length is None or first.length <= second.length
+    return first.shape != "plane"

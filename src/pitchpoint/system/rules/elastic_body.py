@@ -5,33 +5,38 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import CompileError, ModelError
+from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, Problem
 from pitchpoint.elements.flexible_body import (
     GROUP,
     MOST,
     RECORD,
     flexible_row,
     interface_bodies,
+    interface_count,
     modal_bodies,
 )
+from pitchpoint.model.elastic_check import ALL_FILES
 from pitchpoint.model.frames import axes_of
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.craig_bampton import Modes, craig_bampton, modal_damping
 from pitchpoint.multibody.fe_matrices import read_dmig, read_npz, structure_from_dmig
-from pitchpoint.multibody.joints import FLOATING
+from pitchpoint.multibody.joints import FLOATING, FREE
 from pitchpoint.multibody.mass_invariants import mass_invariants
-from pitchpoint.multibody.structure import Structure, turned_stiffening
+from pitchpoint.multibody.matrix_market import read_parts
+from pitchpoint.multibody.structure import Structure, check_mass, check_speed, turned_stiffening
 from pitchpoint.system.rules.bank import Bank
+from pitchpoint.system.source import with_lines
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.elastic_body import ElasticBody
     from pitchpoint.model.model import Model
 
 NEAR = 1e-3
@@ -71,7 +76,7 @@ def elastic_parts(
     frame: Body | None = None,
     pose: tuple[ArrayLike, ArrayLike] | None = None,
     damping_ratio: float = 0.0,
-    stiffening: ArrayLike | None = None,
+    stiffening: Sequence[Any] | None = None,
     gravity: ArrayLike = (0.0, 0.0, 0.0),
 ) -> ElasticParts:
     """Put an elastic body into a system.
@@ -94,7 +99,8 @@ def elastic_parts(
     damping_ratio
         Of every mode [-].
     stiffening
-        Stiffness of the displacements of the structure by loads (9, size, size), see `axial_stiffening`.
+        Stiffness of the displacements of the structure by each of nine loads, sparse or dense or None, see
+        `axial_stiffening`.
     gravity
         World axes [m/s^2].
 
@@ -117,7 +123,8 @@ def elastic_parts(
     numbers = tuple(range(first + 1, first + 1 + len(hidden)))
     extra = None
     if stiffening is not None:
-        loads = [modes.shape.T @ (part @ modes.shape) for part in np.asarray(stiffening, float)]
+        nothing = np.zeros((n, n))
+        loads = [nothing if k is None else modes.shape.T @ (k @ modes.shape) for k in stiffening]
         extra = turned_stiffening(loads, Q)
     row = flexible_row(
         integrals,
@@ -158,10 +165,18 @@ def elastic_of(model: Model, name: str, first: int) -> ElasticParts:
         modes,
         dict(zip(part.nodes, nodes, strict=True)),
         first=first,
+        frame=_spinning_frame(model, name) if part.rotor else None,
         pose=(body.origin or (0.0, 0.0, 0.0), axes_of(model, name)),
         damping_ratio=part.damping_ratio,
+        stiffening=None if structure.K_spin is None else [*[None] * 5, structure.K_spin, *[None] * 3],
         gravity=model.gravity or (0.0, 0.0, 0.0),
     )
+
+
+def _spinning_frame(model: Model, name: str) -> Body:
+    """Floating frame of a rotor: its spin is a coordinate whose turns are counted."""
+    origin = model.bodies[name].origin or (0.0, 0.0, 0.0)
+    return Body(motion=FREE, position=origin, axes=axes_of(model, name), inertia=np.zeros((3, 3)), name=name)
 
 
 def elastic_bank(model: Model, numbers: Mapping[str, int]) -> Bank:
@@ -179,10 +194,9 @@ def elastic_bank(model: Model, numbers: Mapping[str, int]) -> Bank:
 
 
 def elastic_count(model: Model, name: str) -> int:
-    """How many bodies of the records an elastic body is: its frame, and one more and one per node for every
-    three modes."""
-    groups = -(-_reduced(model, name)[1].frequency.size // GROUP)
-    return 1 + groups * (1 + len(model.elastic_bodies[name].nodes))
+    """How many bodies of the records an elastic body is: its frame, one for every three modes, its nodes."""
+    modes = _reduced(model, name)[1].frequency.size
+    return 1 - (-modes // GROUP) + interface_count(modes) * len(model.elastic_bodies[name].nodes)
 
 
 def node_at(model: Model, name: str, place: NDArray[np.float64]) -> tuple[int, NDArray[np.float64]]:
@@ -192,8 +206,23 @@ def node_at(model: Model, name: str, place: NDArray[np.float64]) -> tuple[int, N
     origin, axes = np.array(body.origin or (0.0, 0.0, 0.0)), axes_of(model, name)
     places = origin + structure.places[list(nodes)] @ axes.T
     k = int(np.argmin(np.linalg.norm(places - place, axis=1)))
-    groups = -(-modes.frequency.size // GROUP)
-    return groups * (1 + k + 1), places[k]
+    n = modes.frequency.size
+    return -(-n // GROUP) + interface_count(n) * (k + 1), places[k]
+
+
+def file_nodes(model: Model, name: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Nodes of the file of an elastic body in the axes of its frame.
+
+    Returns
+    -------
+    places, shape
+        From the origin of the frame (k, 3) [m], and translations per modal coordinate, (k, 3, n).
+    """
+    structure, modes, _ = _reduced(model, name)
+    shape = np.zeros((len(structure.places), 3, modes.frequency.size))
+    rows = np.flatnonzero(structure.direction < 3)
+    shape[structure.node[rows], structure.direction[rows]] = modes.shape[rows]
+    return structure.places, shape
 
 
 def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]]:
@@ -201,35 +230,97 @@ def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]
     part = model.elastic_bodies[name]
     places = tuple((n, m.position) for n, m in part.nodes.items())
     try:
-        stamp = Path(part.file).stat().st_mtime_ns
-        return _read(part.file, stamp, places, part.modes, part.below)
-    except (CompileError, ModelError, OSError) as fault:
-        raise CompileError(f"elastic_bodies.{name}: {fault}") from None
+        stamps = tuple(Path(f).stat().st_mtime_ns for f in part.files)
+        return _read(part.files, stamps, places, part.modes, part.below, part.static_shapes)
+    except (PitchpointError, OSError, MemoryError, np.linalg.LinAlgError, RuntimeError) as fault:
+        raise ModelError([_told(name, part, fault)], model.file) from None
+
+
+def _told(name: str, part: ElasticBody, fault: Exception) -> Problem:
+    """What is wrong with the files of an elastic body, as a problem of the model that names them."""
+    at = f"elastic_bodies.{name}"
+    if isinstance(fault, ModelError):
+        found = fault.problems[0]
+        keys = [k for k in ALL_FILES if fault.file is not None and getattr(part, k) == fault.file]
+        inner = replace(found, where=found.where or Path(fault.file or at).name, remedy=None)
+        return Problem(f"{at}.{keys[0]}" if keys else at, str(inner), remedy=found.remedy)
+    if isinstance(fault, CompileError):
+        head, _, rest = str(fault).partition(": ")
+        if head.startswith("nodes."):
+            return Problem(f"{at}.{head}", rest)
+        return Problem(at, str(fault))
+    return Problem(
+        at,
+        f"has matrices without modes that can be found ({fault})",
+        remedy="K must have no negative eigenvalue, and M none that is not positive",
+    )
+
+
+def elastic_facts(model: Model) -> dict[str, tuple[float, NDArray[np.float64]]]:
+    """Mass [kg] and natural frequencies [Hz] of every elastic body, unsupported.
+
+    Raises
+    ------
+    ModelError
+        With what is wrong with the files of all of them.
+    """
+    found = {}
+    problems: list[Problem] = []
+    for name in model.elastic_bodies:
+        try:
+            structure, modes, _ = _reduced(model, name)
+        except ModelError as fault:
+            problems += fault.problems
+            continue
+        along = structure.rigid()[:, 0]
+        found[name] = float(along @ (structure.M @ along)), modes.frequency
+    if problems:
+        raise with_lines(model, ModelError(problems, model.file))
+    return found
 
 
 @functools.lru_cache(maxsize=8)
 def _read(
-    file: str,
-    stamp: int,
+    files: tuple[str, ...],
+    stamps: tuple[int, ...],
     wanted: tuple[tuple[str, tuple[float, float, float]], ...],
     count: int | None,
     below: float | None,
+    static_shapes: bool,
 ) -> tuple[Structure, Modes, tuple[int, ...]]:
-    """Read a file and reduce it; `stamp` tells when it was changed."""
-    if Path(file).suffix == ".npz":
-        structure = read_npz(file)
+    """Read files and reduce them; `stamps` tell when they were changed."""
+    if len(files) >= 3:
+        structure = read_parts(*files)
+    elif Path(files[0]).suffix == ".npz":
+        structure = read_npz(files[0])
     else:
-        structure, _ = structure_from_dmig(read_dmig(file))
+        structure, _ = structure_from_dmig(read_dmig(files[0]))
+    check_mass(structure)
     nodes = tuple(_node(structure, word, np.array(place)) for word, place in wanted)
-    if below is not None:
+    if static_shapes:
+        modes = _static(structure, nodes, count or MOST)
+    elif below is not None:
         modes = craig_bampton(structure, nodes, below=6.0 * below).select(below=below)
     else:
         modes = craig_bampton(structure, nodes, 2 * (count or MOST)).select(count=count)
-    if not 0 < modes.frequency.size <= MOST:
+    if below is not None and not 0 < modes.frequency.size <= MOST:
         raise CompileError(
             f"{modes.frequency.size} modes below {below:g} Hz (limit 1 to {MOST}); give modes instead"
         )
+    if modes.frequency.size:
+        check_speed(structure, float(modes.frequency[0]))
     return structure, modes, nodes
+
+
+def _static(structure: Structure, nodes: tuple[int, ...], count: int) -> Modes:
+    """All static shapes of the nodes, and modes with the nodes held up to a number of both."""
+    needed = int(np.isin(structure.node, nodes).sum()) - 6
+    if needed > count:
+        raise CompileError(
+            f"static_shapes: the nodes can deflect in {needed} shapes, and {count} modes are asked for "
+            f"(limit {MOST}); name fewer nodes, or leave static_shapes out"
+        )
+    return craig_bampton(structure, nodes, count - needed)
 
 
 def _node(structure: Structure, word: str, place: NDArray[np.float64]) -> int:

@@ -23,6 +23,7 @@ from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import inv
 from pitchpoint.model.components.stiffness import UserStiffness
 from pitchpoint.model.frames import GROUND
+from pitchpoint.model.gear_axes import mesh_frame
 from pitchpoint.model.mechanism import Seat, seat_frame
 from pitchpoint.model.remarks import warn_of_remarks
 from pitchpoint.multibody.channels import CTL, FRAME
@@ -52,9 +53,11 @@ class Placement:
     offset1, offset2
         Axial positions of the mid-faces in the bodies [m].
     phi1, phi2
-        Angles of the centre of tooth 0 at spin 0, from the x axis of the world [rad].
+        Angles of the centre of tooth 0 at spin 0 about the z axis of `axes`, from its x axis [rad].
     turn1, turn2
-        Angles of the frames of the bodies about the z axis of the world [rad].
+        Angles of the frames of the bodies, likewise [rad].
+    axes
+        Frame that angles count in, columns, shape (3, 3); both gears turn about its third axis.
     fixed
         Both bodies can only spin.
     widths
@@ -69,6 +72,7 @@ class Placement:
     phi2: float = 0.0
     turn1: float = 0.0
     turn2: float = 0.0
+    axes: Array = field(default_factory=lambda: np.eye(3))
     fixed: bool = False
     widths: tuple[float, float] | None = None
 
@@ -124,7 +128,7 @@ def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
     row["tan_b"] = math.tan(g1.beta_b)
     row["zc1"], row["zc2"] = place.offset1, place.offset2
     _widths(row, *(place.widths or (g1.b, g2.b)))
-    line = (place.origin2 - place.origin1)[:2] * math.copysign(1.0, pair.a_w)
+    line = place.axes.T @ (place.origin2 - place.origin1) * math.copysign(1.0, pair.a_w)
     gamma = math.atan2(line[1], line[0])
     row["cos1"], row["sin1"] = math.cos(gamma - place.turn1), math.sin(gamma - place.turn1)
     row["cos2"], row["sin2"] = math.cos(gamma - place.turn2), math.sin(gamma - place.turn2)
@@ -132,7 +136,8 @@ def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
     towards2 = gamma + (math.pi if g2.z > 0 else 0.0)
     tooth = place.phi1 - gamma
     space = place.phi2 + math.pi / g2.z - towards2
-    dz = place.origin2[2] + place.offset2 - place.origin1[2] - place.offset1
+    z1, z2 = (float(place.axes[:, 2] @ origin) for origin in (place.origin1, place.origin2))
+    dz = z2 + place.offset2 - z1 - place.offset1
     # both angles from their nearest tooth and space; the sum of what is left is the assembly offset
     n = _wrap(row["r_b1"] * tooth, p_bt)[1]
     row["t1_0"] = -n
@@ -225,15 +230,17 @@ def mesh_bank(model: Model) -> Bank:
         one, two = (str(e) for e in ends)
         gears = [model.gears[g] for g in mesh.gears]
         seats = [_seat(model, b, g) for b, g in zip((one, two), mesh.gears, strict=True)]
+        axes = mesh_frame(model, one)
         place = Placement(
+            axes=axes,
             origin1=seats[0][2],
             origin2=seats[1][2],
             offset1=seats[0][1],
             offset2=seats[1][1],
             phi1=model.phasing.tooth_angle[mesh.gears[0]],
-            phi2=model.phasing.tooth_angle[mesh.gears[1]],
-            turn1=_turn(seats[0][3]),
-            turn2=_turn(seats[1][3]),
+            phi2=model.phasing.tooth_angle[mesh.gears[1]] + mesh.twist,
+            turn1=_turn(axes.T @ seats[0][3]),
+            turn2=_turn(axes.T @ seats[1][3]),
             fixed=all(_only_spins(model.mechanism.seats[b]) for b in (one, two)),
             widths=(gears[0].face_width, gears[1].face_width),
         )
@@ -257,7 +264,7 @@ def _seat(model: Model, body: str, gear: str) -> tuple[int, float, Array, Array]
     z = model.bodies[body].gears[gear]
     number, rest = seat_at(model, body, z)
     if body in model.shafts:
-        at = at + np.array([0.0, 0.0, z - rest])
+        at = at + axes[:, 2] * (z - rest)
     return number, rest, at, axes
 
 
@@ -267,7 +274,7 @@ def _only_spins(seat: Seat) -> bool:
 
 
 def _turn(axes: Array) -> float:
-    """Angle of an upright frame about the z axis of the world [rad]."""
+    """Angle of a frame about the z axis, which is its own too [rad]."""
     return math.atan2(axes[1, 0], axes[0, 0])
 
 
@@ -332,7 +339,7 @@ def _freeze(row: Any, place: Placement) -> None:
     frames["r"] = place.origin1, place.origin2
     for k, angle in enumerate((place.turn1, place.turn2)):
         c, s = math.cos(angle), math.sin(angle)
-        frames["R"][k] = ((c, -s, 0.0), (s, c, 0.0), (0.0, 0.0, 1.0))
+        frames["R"][k] = place.axes @ ((c, -s, 0.0), (s, c, 0.0), (0.0, 0.0, 1.0))
     rows = np.zeros(1, layout.RECORD)
     rows[0] = row
     for name in ("source", "n_pair", "n_e", "n_e1", "n_e2", "n_sz", "i"):

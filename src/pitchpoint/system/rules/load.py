@@ -14,7 +14,7 @@ from pitchpoint.elements import force as force_element
 from pitchpoint.elements import signal as sig
 from pitchpoint.elements import torque as torque_element
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, Law, PythonLaw, TableLaw
-from pitchpoint.model.frames import GROUND, frame
+from pitchpoint.model.frames import GROUND, body_frame
 from pitchpoint.model.shafts import place_of_load
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import end_of, frame_at, seat_at
@@ -92,7 +92,7 @@ def _forces(model: Model) -> Bank:
 
 def _ends(model: Model, load: Load) -> tuple[int, int]:
     """Numbers of the bodies that a load and its reaction act on; on shafts, of the stations there."""
-    there = np.array([0.0, 0.0, place_of_load(model, load)])
+    there = place_of_load(model, load)
     return tuple(frame_at(model, body, there)[0] for body in (load.body, load.reaction or GROUND))  # type: ignore[return-value]
 
 
@@ -106,6 +106,6 @@ def _attack(row: Any, model: Model, load: Load, axis: int) -> None:
         return
     row["F"][axis] = 1.0
     # the arm off the spin axis: the load is applied to the housing side of the body, it does not spin
-    arm = frame(model.bodies[load.body].axes) @ np.array((*load.position[:2], 0.0))
+    arm = body_frame(model, load.body)[1] @ np.array((*load.position[:2], 0.0))
     row["F"][3:] = np.cross(arm, np.eye(3)[axis])
     row["z"] = seat_at(model, load.body, load.position[2])[1]

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements.shaft_beam import RECORD, shaft_row
+from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.inertia import gear_inertia
 from pitchpoint.model.shafts import cut, on_shaft, section_at, station_names
 from pitchpoint.multibody.beam_section import Beam, tube
@@ -83,6 +84,7 @@ def shaft_parts(
     *,
     first: int,
     origin: ArrayLike = (0.0, 0.0, 0.0),
+    axes: ArrayLike | None = None,
     gravity: ArrayLike = (0.0, 0.0, 0.0),
     angle: float = 0.0,
     stations: Sequence[float] | None = None,
@@ -100,7 +102,9 @@ def shaft_parts(
     first
         Number of its first body in the records.
     origin
-        Start of the shaft in the world [m]; its axis is parallel to z.
+        Start of the shaft in the world [m].
+    axes
+        Its frame, columns, shape (3, 3): it lies along the third; None takes that of the world.
     gravity
         On the mass of the shaft [m/s^2]; what sits on it is a matter of the bodies.
     angle
@@ -126,11 +130,11 @@ def shaft_parts(
     beams = [_beam(shaft, a, b) for a, b in zip(places[:-1], places[1:], strict=True)]
     mass = sum(b.mass for b in beams)
     polar = sum(b.rho * b.section.J * b.length for b in beams)
-    start = np.asarray(origin, float)
+    start, frame = np.asarray(origin, float), np.eye(3) if axes is None else np.asarray(axes, float)
     bodies = [
         _station(
             label,
-            np.add(start, (0.0, 0.0, place)),
+            (start + frame[:, 2] * place, frame),
             sat.get(k, []),
             BARE * mass,
             BARE * polar,
@@ -159,6 +163,7 @@ def shaft_of(model: Model, name: str, first: int) -> ShaftParts:
         riders,
         first=first,
         origin=body.origin or (0.0, 0.0, 0.0),
+        axes=body_frame(model, name)[1],
         gravity=model.gravity or (0.0, 0.0, 0.0),
         stations=model.stations[name],
     )
@@ -192,15 +197,16 @@ def _beam(shaft: Shaft, a: float, b: float) -> Beam:
 
 
 def _station(
-    name: str, position: NDArray[np.float64], sat: list[Rider], mass: float, inertia: float, angle: float
+    name: str, pose: tuple[Array, Array], sat: list[Rider], mass: float, inertia: float, angle: float
 ) -> Body:
-    """Body with the mass of all that sits on it."""
+    """Body with a place and a frame, and the mass of all that sits on it."""
     heavy = mass + sum(r.mass for r in sat)
     center = sum(r.mass * r.center for r in sat) / heavy
     central = inertia + sum(r.central + r.mass * (r.center - center) ** 2 for r in sat)
     return Body(
         motion=FREE,
-        position=position,
+        position=pose[0],
+        axes=pose[1],
         mass=heavy,
         polar_inertia=inertia + sum(r.polar for r in sat),
         transverse_inertia=central,

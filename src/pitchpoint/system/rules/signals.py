@@ -4,21 +4,34 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.core import nomenclature
 from pitchpoint.core.errors import CompileError
 from pitchpoint.core.formula import Formula
+from pitchpoint.core.user_law import load_function
 from pitchpoint.elements import signal_record as sr
+from pitchpoint.elements.signal_graph import unit_code
 from pitchpoint.elements.signal_net import SignalNet
+from pitchpoint.elements.signal_record import UNITS
+from pitchpoint.model import mechanism
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.actuator import Actuator, ForceActuator, TorqueActuator
 from pitchpoint.model.components.controller import Controller, PythonController
 from pitchpoint.model.components.sensor import AXES, FrameSensor, JointSensor, Listener, LoadSensor, Sensor
+from pitchpoint.model.signal_names import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
+from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.system.controller import SampledController, sampled_pid
+from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.system.rules.places import Places
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
 
 Function = Callable[..., Any]
 
@@ -35,40 +48,110 @@ QUANTITY = {
 SIDE = {"world": sr.WORLD, "first": sr.BODY_I, "second": sr.BODY_J}
 
 
-def signal_net(
-    bodies: Sequence[Body],
-    sensors: Mapping[str, Sensor],
-    blocks: Mapping[str, bl.Block],
-    actuators: Mapping[str, Actuator],
-    controllers: Mapping[str, Controller],
-    places: Places,
-    functions: Mapping[str, Function],
+def net_of_model(
+    model: Model, everybody: Sequence[Body], places: Places
 ) -> tuple[SignalNet, list[SampledController]]:
-    """Signals of a model and its sampled controllers, for `system.signals.assemble_controlled`.
+    """Signals and sampled controllers of a model.
+
+    Parameters
+    ----------
+    model
+        The model.
+    everybody
+        Bodies of its system, hidden ones of elements among them.
+    places
+        How ends and markers are found.
+    """
+    number = body_numbers(model)
+
+    def coordinate(name: str) -> tuple[int, int]:
+        found = mechanism.coordinate(model.mechanism, model, name)
+        if isinstance(found, str):
+            raise CompileError(f"the sensor of {name} {found}")
+        return number[found[0]], found[1]
+
+    functions = {}
+    for section, arguments in ((model.blocks, LAW_ARGUMENTS), (model.controllers, CONTROLLER_ARGUMENTS)):
+        for name, part in section.items():
+            if isinstance(part, bl.LawBlock | PythonController):
+                where = f"{'blocks' if section is model.blocks else 'controllers'}.{name}.function"
+                file = Path(part.function.file)
+                functions[where] = load_function(
+                    f"{file.name}:{part.function.function}",
+                    file.parent,
+                    arguments,
+                    allow_code=True,
+                    where=where,
+                )
+    machine = Machine(everybody, places, coordinate, functions)
+    return signal_net(machine, model.sensors, model.blocks, model.actuators, model.controllers)
+
+
+@dataclass(frozen=True)
+class Machine:
+    """How the rule finds what signals name.
 
     Parameters
     ----------
     bodies
         All bodies of the system so far, hidden ones of other elements among them.
-    sensors, blocks, actuators, controllers
-        Components by name; the names of sensors and blocks are those of their signals.
     places
         How ends and markers are found.
+    coordinate
+        Of JOINT.COORDINATE, or a body for its spin: number of the body and which of its coordinates it is.
     functions
         Python functions by the place that names them: "blocks.NAME.function", "controllers.NAME.function".
     """
-    net = SignalNet(bodies)
+
+    bodies: Sequence[Body]
+    places: Places
+    coordinate: Callable[[str], tuple[int, int]]
+    functions: Mapping[str, Function]
+
+
+def signal_net(
+    machine: Machine,
+    sensors: Mapping[str, Sensor],
+    blocks: Mapping[str, bl.Block],
+    actuators: Mapping[str, Actuator],
+    controllers: Mapping[str, Controller],
+) -> tuple[SignalNet, list[SampledController]]:
+    """Signals of a model and its sampled controllers, for `system.signals.assemble_controlled`.
+
+    Parameters
+    ----------
+    machine
+        What the signals sense and act on.
+    sensors, blocks, actuators, controllers
+        Components by name; the names of sensors and blocks are those of their signals.
+    """
+    net = SignalNet(machine.bodies)
     for name, sensor in sensors.items():
-        _sense(net, name, sensor, places)
+        _sense(net, name, sensor, machine)
     for name, block in blocks.items():
-        _compute(net, name, block, functions)
-    made = [_controller(net, name, controller, functions) for name, controller in controllers.items()]
+        _compute(net, name, block, machine.functions)
+    made = [_controller(net, name, part, machine.functions) for name, part in controllers.items()]
+    for name in blocks:
+        net.nodes[name].fields["unit"] = unit_code(_unit_of(net, name, blocks))
     for name, actuator in actuators.items():
-        _act(net, name, actuator, places)
+        _act(net, name, actuator, machine.places)
     return net, made
 
 
-def _sense(net: SignalNet, name: str, part: Sensor, places: Places) -> None:
+def _unit_of(net: SignalNet, name: str, blocks: Mapping[str, bl.Block]) -> str:
+    """Unit of a signal; what is limited or filtered keeps the unit that it had."""
+    seen: set[str] = set()
+    while name in blocks and name not in seen:
+        block = blocks[name]
+        if not isinstance(block, bl.Limits | bl.Filter):
+            return block.unit
+        seen.add(name)
+        name = block.input
+    return UNITS[net.nodes[name].fields["unit"]] if name in net.nodes else "1"
+
+
+def _sense(net: SignalNet, name: str, part: Sensor, machine: Machine) -> None:
+    places = machine.places
     if isinstance(part, FrameSensor):
         (i, p_i, _), (j, p_j, axes) = (places.end(end) for end in part.ends)
         k = AXES.index(part.axis)
@@ -78,25 +161,26 @@ def _sense(net: SignalNet, name: str, part: Sensor, places: Places) -> None:
             across = {"direction_i": own[:, (k + 1) % 3], "direction_j": axes[:, (k + 1) % 3]}
         net.sensor(name, QUANTITY[part.quantity], i, j, axis=axes[:, k], point_i=p_i, point_j=p_j, **across)
     elif isinstance(part, JointSensor):
-        net.joint_sensor(name, places.end(part.body)[0], part.coordinate, part.derivative)
+        body, place = machine.coordinate(part.coordinate)
+        moved = joints.AXES[machine.bodies[body - 1].motion][place]
+        net.joint_sensor(name, body, joints.DISPLACEMENTS[moved][0], part.derivative)
     elif isinstance(part, LoadSensor):
         body, point, _ = places.end(part.at)
         seen, _, axes = places.end(part.seen_from)
         axis = axes[:, AXES.index(part.axis)]
         net.reaction(name, body, moment=part.quantity == "moment", axis=axis, axis_on=seen, point=point)
     elif isinstance(part, Listener):
-        net.listen(name, part.channel, part.unit)
+        known = nomenclature.unit(part.channel)
+        net.listen(name, part.channel, known if known in UNITS else "1")
 
 
 def _compute(net: SignalNet, name: str, part: bl.Block, functions: Mapping[str, Function]) -> None:
     if isinstance(part, bl.Sum):
-        if len(part.inputs) != len(part.gains):
-            raise CompileError(f"blocks.{name}: {len(part.gains)} gains for {len(part.inputs)} inputs")
-        net.linear(name, dict(zip(part.inputs, part.gains, strict=True)), part.offset)
+        net.linear(name, part.inputs, part.offset)
     elif isinstance(part, bl.Limits):
         net.saturation(name, part.input, *part.limits)
     elif isinstance(part, bl.Curve):
-        net.table(name, part.input, part.x, part.y)
+        net.table(name, part.input, *zip(*part.points, strict=True))
     elif isinstance(part, bl.FormulaBlock):
         net.formula(name, Formula.parse(part.formula, part.inputs), part.inputs)
     elif isinstance(part, bl.LawBlock):
@@ -118,17 +202,9 @@ def _compute(net: SignalNet, name: str, part: bl.Block, functions: Mapping[str, 
             ki=part.integral,
             kd=part.derivative,
             filter_time=part.filter_time,
-            limits=_limits(f"blocks.{name}", part.limits),
+            limits=part.limits,
             tracking_time=part.tracking_time or 0.0,
         )
-
-
-def _limits(where: str, limits: Sequence[float]) -> tuple[float, float] | None:
-    if not limits:
-        return None
-    if len(limits) != 2:
-        raise CompileError(f"{where}.limits: {len(limits)} numbers; give the least and the greatest value")
-    return float(limits[0]), float(limits[1])
 
 
 def _act(net: SignalNet, name: str, part: Actuator, places: Places) -> None:
@@ -145,6 +221,7 @@ def _act(net: SignalNet, name: str, part: Actuator, places: Places) -> None:
     first = 3 if part.quantity == "moment" else 0
     load[first : first + 3] = axes[:, AXES.index(part.axis)]
     net.force(name, part.signal, i, j, load=load, axes=SIDE[part.along], point=p_i)
+    net.nodes[name].fields["unit"] = unit_code("N m" if first else "N")
 
 
 def _controller(
@@ -152,27 +229,22 @@ def _controller(
 ) -> SampledController:
     if isinstance(part, PythonController):
         start = part.start or (0.0,) * len(part.outputs)
-        if len(start) != len(part.outputs):
-            raise CompileError(
-                f"controllers.{name}.start: {len(start)} numbers for {len(part.outputs)} outputs"
-            )
         for output, value in zip(part.outputs, start, strict=True):
-            net.held(output, value)
+            net.held(output, value, part.unit)
         function = functions[f"controllers.{name}.function"]
         return SampledController(
             name, function, part.inputs, part.outputs, part.period, part.delay, {}, part.parameters
         )
-    net.held(part.output)
+    net.held(part.output, part.start, part.unit)
     numbers = {
         "kp": part.proportional,
         "ki": part.integral,
         "kd": part.derivative,
         "period": part.period,
     }
-    limits = _limits(f"controllers.{name}", part.limits)
-    if limits is not None:
-        numbers |= {"low": limits[0], "high": limits[1]}
-    state = {"integral": 0.0, "error": 0.0}
+    if part.limits is not None:
+        numbers |= {"low": part.limits[0], "high": part.limits[1]}
+    state = {"integral": part.start, "error": None}
     return SampledController(
         name, sampled_pid, (part.input,), (part.output,), part.period, part.delay, state, numbers
     )

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A point or a sphere of body i that never leaves a surface of body j: plane, sphere, cylinder, cone, torus.
+
+Shapes are those of `point_surface`. The place on the surface is eliminated in the curvature of the distance;
+the row and its load are those of `permanent_contact`.
+"""
+
+from __future__ import annotations
+
+from pitchpoint.contact.surface import distance
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.elements.contact_record import RECORD, RESULTS
+from pitchpoint.elements.contact_wrench import place_markers
+from pitchpoint.elements.permanent_contact import FORCE, hold
+from pitchpoint.elements.point_surface import set_surface
+from pitchpoint.elements.surface_place import curvature_in_world, point_place, rotated
+from pitchpoint.multibody.channels import constraint_args, constraint_rates, observations
+from pitchpoint.multibody.vectors import column, dot, plus, triple
+
+__all__ = ["BODY_FIXED", "OUTPUTS", "RECORD", "ROWS", "ball_on_surface", "entry", "set_surface"]
+
+BODY_FIXED = True
+ROWS = 1
+OUTPUTS = (FORCE, *(result for result in RESULTS if result[0].startswith("contact_location")))
+
+
+@kernel
+def ball_on_surface(rec, ctl, fr, q, g, G):
+    """Rows of all spheres on surfaces, their second derivatives and the forces that hold them."""
+    c = ctl[0]
+    v, gt, gtt, Gf = constraint_rates(ctl)
+    for e in range(rec.size):
+        b = rec[e]
+        f = fr[b["i"]]
+        o = fr[b["j"]]
+        place_markers(b, f, o)
+        b["side"] = 1.0
+        phi, nx, ny, nz = distance(b["form_j"], b["size_j"], b["sense"], b["d"], b["V"])
+        curvature_in_world(b["Ej"], b["V"], b["W"])
+        m = rotated(b["Ej"], (nx, ny, nz))
+        point_place(b, f, o, triple(b["oi"], 0), m, phi - b["radius"], b["radius"], 1.0)
+        lam = hold(b, c, f, o, g, gtt, Gf)
+        if c["out"] != 0:
+            out = observations(ctl)
+            out[b["out"]] = -lam
+            away = plus(plus(triple(b["oi"], 0), -b["radius"], m), -1.0, triple(b["oj"], 0))
+            for k in range(3):
+                out[b["out"] + 1 + k] = dot(away, column(b["Ej"], k))
+    return OK
+
+
+@kernel
+def entry(ctl, rec, n):
+    """Uniform entry of the kind."""
+    c, fr, q, g, G = constraint_args(ctl)
+    return ball_on_surface(view(rec, n, RECORD), c, fr, q, g, G)

@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Triangles from files, STL (binary and text) or NumPy, and everything that can be wrong with them.
+
+Binary STL: 80 bytes of anything, the number of triangles as 32-bit integer, then for each of them normal and
+three corners as 32-bit floats and two spare bytes. Text: `facet normal x y z`, three `vertex x y z`,
+`endfacet`; several solids may follow each other. A file that has the length its number of triangles asks for
+is binary, even if it begins with the word solid, as some do.
+"""
+
+from __future__ import annotations
+
+import functools
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from tokenize import TokenError
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.core.errors import GeometryError
+
+FloatArray = NDArray[np.float64]
+
+MOST_BYTES = 100_000_000
+MOST_TRIANGLES = 50_000
+"""Triangles of one surface; more of them take longer to prepare than any contact needs."""
+SMALLEST, LARGEST = 2e-4, 20.0
+"""Sizes of a body that contact is looked for on [m]; others are a wrong unit."""
+FLAT = 1e-9
+"""Height of a triangle over the size of the surface below which it has no area."""
+
+_FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("spare", "<u2")])
+_HEAD = 84
+_AGAIN = "export it again"
+_COARSER = "export it coarser, or only the part that is touched"
+_VECTOR = rb"\s+(\S+)\s+(\S+)\s+(\S+)"
+_UNREADABLE = (
+    ValueError,
+    TypeError,
+    SyntaxError,
+    LookupError,
+    ArithmeticError,
+    EOFError,
+    MemoryError,
+    TokenError,
+)
+"""What NumPy raises of a broken header, which it reads as Python."""
+_NORMAL = re.compile(rb"\bfacet\s+normal" + _VECTOR, re.IGNORECASE)
+_VERTEX = re.compile(rb"\bvertex" + _VECTOR, re.IGNORECASE)
+_END = re.compile(rb"\bendfacet\b", re.IGNORECASE)
+
+
+def join_corners(corners: ArrayLike, tolerance: float = 1e-9) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Number the corners of triangles, those in one place as one.
+
+    Parameters
+    ----------
+    corners
+        Shape (n, 3, 3).
+    tolerance
+        Distance below which corners are the same, as a part of the size of the surface.
+
+    Returns
+    -------
+    ndarray, shape (m,)
+        For every place the first corner there, counted through all triangles.
+    ndarray, shape (n, 3)
+        Number of the place of every corner.
+
+    Examples
+    --------
+    >>> join_corners(np.eye(3)[None].repeat(2, axis=0))[1].tolist()
+    [[2, 1, 0], [2, 1, 0]]
+    """
+    points = np.asarray(corners, float).reshape(-1, 3)
+    grid = max(tolerance * float(np.ptp(points, axis=0).max()), 1e-300)
+    cells = np.round((points - points.min(axis=0)) / grid).astype(np.int64)
+    _, first, which = np.unique(cells, axis=0, return_index=True, return_inverse=True)
+    return first, which.reshape(-1, 3)
+
+
+@dataclass(frozen=True)
+class Triangles:
+    """Triangles of a file, in its unit.
+
+    Parameters
+    ----------
+    corners
+        Shape (n, 3, 3).
+    normals
+        As the file gives them, zeros where it gives none, shape (n, 3).
+    """
+
+    corners: FloatArray
+    normals: FloatArray
+
+
+@dataclass(frozen=True)
+class Fault:
+    """One thing wrong with a surface: what, how much, what would do, and what to do."""
+
+    message: str
+    value: str | None = None
+    limit: str | None = None
+    remedy: str | None = None
+
+
+def _refused(name: str, message: str, limit: str | None = None, remedy: str | None = None) -> GeometryError:
+    return GeometryError(f"the file '{name}' {message}", limit=limit, remedy=remedy)
+
+
+def read_triangles(file: str | Path) -> Triangles:
+    """Read the triangles of a file.
+
+    Parameters
+    ----------
+    file
+        A NumPy array (.npy) of shape (n, 3, 3), or STL, in binary or as text.
+
+    Raises
+    ------
+    GeometryError
+        If it cannot be read or is none of these.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> text = "solid s facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet"
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder) / "one.stl"
+    ...     _ = file.write_text(text)
+    ...     read_triangles(file).corners.tolist()
+    [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]]
+    """
+    path = Path(file)
+    try:
+        status = path.stat()
+        return _read(str(path), status.st_mtime_ns, status.st_size)
+    except (OSError, ValueError) as error:
+        if isinstance(error, GeometryError):
+            raise
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise _refused(path.name, f"cannot be read: {reason}") from None
+
+
+@functools.lru_cache(maxsize=4)
+def _read(file: str, stamp: int, size: int) -> Triangles:
+    """Read a file; time of its last change and size tell whether it is the same."""
+    name = Path(file).name
+    if size > MOST_BYTES:
+        raise _refused(name, f"is too large with {size / 1e6:.0f} MB", "100 MB", _COARSER)
+    found = _numpy(file) if file.endswith(".npy") else _stl(name, Path(file).read_bytes())
+    for array in (found.corners, found.normals):
+        array.setflags(write=False)
+    return found
+
+
+def _numpy(file: str) -> Triangles:
+    try:
+        with open(file, "rb") as stream:
+            corners = np.lib.format.read_array(stream, allow_pickle=False)
+    except _UNREADABLE as error:
+        raise ValueError(f"it is no NumPy array ({type(error).__name__})") from None
+    if corners.dtype.kind not in "fiu":
+        raise ValueError("it is no array of numbers")
+    if corners.ndim != 3 or corners.shape[1:] != (3, 3):
+        raise ValueError(f"it has the shape {corners.shape}, not (n, 3, 3)")
+    return Triangles(corners.astype(float), np.zeros((len(corners), 3)))
+
+
+def _stl(name: str, data: bytes) -> Triangles:
+    count = int.from_bytes(data[80:_HEAD], "little")
+    if len(data) >= _HEAD and len(data) == _HEAD + _FACET.itemsize * count:
+        rows = np.frombuffer(data, _FACET, count, _HEAD)
+        return Triangles(rows["corners"].astype(float), rows["normal"].astype(float))
+    if data[:5].lower() != b"solid" and b"facet" not in data[:2000].lower():
+        if len(data) < _HEAD:
+            raise _refused(name, f"is no STL file: it has {len(data)} bytes", f">= {_HEAD} bytes", _AGAIN)
+        whole = _HEAD + _FACET.itemsize * count
+        message = f"has {len(data)} bytes and names {count} triangles, which is no whole STL file"
+        raise _refused(name, message, f"{whole} bytes", _AGAIN)
+    normals, corners = list(_NORMAL.finditer(data)), list(_VERTEX.finditer(data))
+    facets = len(_END.findall(data))
+    if len(normals) != facets or len(corners) != 3 * facets:
+        seen = f"{len(normals)} facets, {len(corners)} corners, {facets} ends of facets"
+        raise _refused(name, f"is no whole STL file: {seen}", "3 corners and an end for each", _AGAIN)
+    return Triangles(_numbers(name, data, corners).reshape(-1, 3, 3), _numbers(name, data, normals))
+
+
+def _numbers(name: str, data: bytes, found: list[re.Match[bytes]]) -> FloatArray:
+    """Vectors of all matches; the line of the first that is none."""
+    try:
+        return np.array([match.groups() for match in found]).astype(float).reshape(-1, 3)
+    except ValueError:
+        for match in found:
+            try:
+                [float(x) for x in match.groups()]
+            except ValueError:
+                line = data.count(b"\n", 0, match.start()) + 1
+                shown = match.group().decode("ascii", "replace")[:60]
+                raise _refused(name, f"has no vector in line {line}: {shown!r}", remedy=_AGAIN) from None
+        raise
+
+
+def triangle_faults(
+    found: Triangles, unit: float, open_edges: bool = False, hollow: bool = False
+) -> list[Fault]:
+    """What is wrong with a surface of triangles, worst first; what hides other faults comes alone.
+
+    Parameters
+    ----------
+    found
+        The triangles.
+    unit
+        Length of one unit of the file [m].
+    open_edges
+        Whether the surface may have borders.
+    hollow
+        Whether the material is meant to lie outside, so that the triangles will be turned round.
+
+    Examples
+    --------
+    >>> one = Triangles(np.eye(3)[None], np.zeros((1, 3)))
+    >>> [fault.message for fault in triangle_faults(one, 1.0)]
+    ['belong to one triangle only: the surface is open']
+    """
+    corners = found.corners
+    n = len(corners)
+    if not 1 <= n <= MOST_TRIANGLES:
+        few = Fault("has no triangles", remedy=_AGAIN)
+        return [Fault("are too many", f"{n} triangles", f"<= {MOST_TRIANGLES}", _COARSER) if n else few]
+    bad = np.asarray(~np.isfinite(corners).all(axis=(1, 2)))
+    if bad.any():
+        found_bad = f"have corners that are no finite numbers, the first is number {_first(bad)}"
+        return [Fault(found_bad, f"{int(bad.sum())} triangles", remedy=_AGAIN)]
+    size = float(np.ptp(corners.reshape(-1, 3), axis=0).max()) * unit
+    if not SMALLEST <= size <= LARGEST:
+        limit = f"{SMALLEST:g} m to {LARGEST:g} m"
+        return [Fault("is an unlikely size", f"{size:.3g} m", limit, "check unit: 1 mm, say")]
+    return [*_of_triangles(found), *_of_edges(corners, open_edges, hollow)]
+
+
+def _first(bad: NDArray[np.bool_]) -> int:
+    """Number of the first one, counted from 1 as programs do that show STL files."""
+    return int(np.argmax(bad)) + 1
+
+
+def _of_triangles(found: Triangles) -> list[Fault]:
+    """Triangles without area, and normals that look the other way."""
+    corners = found.corners
+    edges = np.roll(corners, -1, axis=1) - corners
+    across = np.cross(edges[:, 0], edges[:, 1])
+    longest = np.linalg.norm(edges, axis=2).max(axis=1)
+    size = np.linalg.norm(across, axis=1)
+    faces = join_corners(corners)[1]
+    points = (faces == np.roll(faces, 1, axis=1)).any(axis=1)  # two corners in one place: left out, no harm
+    whole = float(np.ptp(corners.reshape(-1, 3), axis=0).max())
+    looked_at = np.full(len(points), True) if points.all() else ~points
+    flat = looked_at & (size <= FLAT * whole * np.maximum(longest, 1e-300))
+    faults = []
+    if flat.any():
+        faults.append(
+            Fault(
+                f"have no area, the first is number {_first(flat)}",
+                f"{int(flat.sum())} triangles",
+                remedy="mend the surface, or export it with another tolerance",
+            )
+        )
+    against = np.einsum("ij,ij->i", found.normals, across) < 0.0
+    if against.any():
+        faults.append(
+            Fault(
+                f"run against their normals, the first is number {_first(against)}",
+                f"{int(against.sum())} of {len(corners)} triangles",
+                remedy="let the program that made it mend the normals: corners run counter-clockwise "
+                "seen from outside",
+            )
+        )
+    return faults
+
+
+def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Fault]:
+    """Edges that are walked twice the same way or only once, and the sign of the volume."""
+    faces = join_corners(corners)[1]
+    faces = faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
+    one, two = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+    many = int(faces.max(initial=0)) + 1
+    walked, counts = np.unique(one.astype(np.int64) * many + two, return_counts=True)
+    twice = int((counts > 1).sum())
+    if twice:
+        return [
+            Fault(
+                "are walked the same way by two triangles",
+                f"{twice} edges",
+                "0",
+                "turn the flipped triangles round, and let no more than two meet at an edge",
+            )
+        ]
+    back = (walked % many) * many + walked // many
+    border = int((~np.isin(back, walked)).sum())
+    if border and not open_edges:
+        return [
+            Fault(
+                "belong to one triangle only: the surface is open",
+                f"{border} edges",
+                "0",
+                "close it; if nothing gets near its border, write open: true",
+            )
+        ]
+    volume = float(np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))) / 6.0
+    if not border and volume < 0.0:
+        more = "; hollow: true turns it round a second time" if hollow else ""
+        return [Fault("is inside out", None, None, f"turn its triangles round{more}")]
+    return []
+
+
+def placed_triangles(found: Triangles, unit: float, hollow: bool = False) -> FloatArray:
+    """Corners in metres, counter-clockwise seen from where there is no material, shape (n, 3, 3).
+
+    Parameters
+    ----------
+    found
+        The triangles.
+    unit
+        Length of one unit of the file [m].
+    hollow
+        Material outside: the triangles are turned round.
+
+    Examples
+    --------
+    >>> one = Triangles(np.eye(3)[None], np.zeros((1, 3)))
+    >>> placed_triangles(one, 1e-3, True)[0].tolist()
+    [[0.0, 0.0, 0.001], [0.0, 0.001, 0.0], [0.001, 0.0, 0.0]]
+    """
+    corners = unit * np.asarray(found.corners)
+    return corners[:, ::-1] if hollow else corners

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Directions of gears: bodies in mesh share that of their z axes, which may be any of the world.
+
+Angles of a mesh count from the x axis of the body of its gear 1, angles of a tooth from that of its own body.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.model.frames import Array, Machine, body_frame
+from pitchpoint.model.keys import Place
+from pitchpoint.model.read import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.mesh import Mesh
+    from pitchpoint.model.parts import Parts
+
+PARALLEL = 1e-6
+"""Angle [rad] up to which two axes count as parallel: directions are written with some seven digits."""
+
+
+def orient(parts: Parts) -> None:
+    """Settle the axes of every body: given, or those of the bodies that its gears mesh with."""
+    for name, body in parts.bodies.items():
+        parts.bodies[name] = replace(body, orientation=body.axes)
+    mates: dict[str, list[str]] = {}
+    for mesh in parts.meshes.values():
+        one, two = ends_of(parts, mesh)
+        if one is not None and two is not None:
+            mates.setdefault(one, []).append(two)
+            mates.setdefault(two, []).append(one)
+    queue = deque(n for n, b in parts.bodies.items() if b.axes is not None)
+    while queue:
+        here = queue.popleft()
+        for there in mates.get(here, ()):
+            if parts.bodies[there].orientation is None:
+                parts.bodies[there] = replace(parts.bodies[there], orientation=parts.bodies[here].orientation)
+                queue.append(there)
+
+
+def ends_of(parts: Parts, mesh: Mesh) -> tuple[str | None, str | None]:
+    """Bodies of gear 1 and gear 2; None for gears without one."""
+    one, two = (parts.body_of(g) for g in mesh.gears)
+    return one, two
+
+
+def mesh_frame(machine: Machine, body: str | None) -> Array:
+    """Frame that a mesh is described in, columns: the axes of the body of its gear 1, or of the world."""
+    return np.eye(3) if body is None else body_frame(machine, body)[1]
+
+
+def settle_twists(parts: Parts, report: Reader) -> None:
+    """Check that axes in mesh are parallel, and settle how the x axes of their bodies stand apart."""
+    for name, mesh in parts.meshes.items():
+        one, two = ends_of(parts, mesh)
+        if one is None or two is None or one == two:
+            parts.meshes[name] = replace(mesh, twist=0.0)
+            continue
+        frames = [mesh_frame(parts, body) for body in (one, two)]
+        if any(("bodies", body, "axes") in report.tainted for body in (one, two)):
+            continue
+        z, other = (f[:, 2] for f in frames)
+        angle = math.atan2(float(np.linalg.norm(np.cross(z, other))), float(z @ other))
+        if angle > PARALLEL:
+            _skew(name, mesh.gears, (one, two), angle, report)
+            continue
+        x = frames[0].T @ frames[1][:, 0]
+        parts.meshes[name] = replace(mesh, twist=math.atan2(x[1], x[0]))
+
+
+def _skew(name: str, gears: tuple[str, str], bodies: tuple[str, str], angle: float, report: Reader) -> None:
+    at: Place = ("meshes", name, "gears")
+    one, two = bodies
+    if math.pi - angle <= PARALLEL:
+        report.problem(
+            at,
+            f"turn about z axes that point in opposite directions, those of {one} and {two}",
+            value=" and ".join(gears),
+            remedy=f"turn the z of {one} or {two} round: speeds of gears in mesh count about one direction",
+        )
+        return
+    report.problem(
+        at,
+        f"turn about axes {math.degrees(angle):.6g} deg apart, the z axes of {one} and {two}",
+        value=" and ".join(gears),
+        limit=f"parallel to {PARALLEL:g} rad",
+        remedy=f"give {one} and {two} the same axes; ratios or universal joints couple shafts that cross",
+    )

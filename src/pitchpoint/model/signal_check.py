@@ -1,0 +1,329 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of sensors, blocks, controllers and actuators: names, loops, numbers, functions, places."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.model.components import block as bl
+from pitchpoint.model.components.actuator import TorqueActuator
+from pitchpoint.model.components.controller import PythonController
+from pitchpoint.model.components.sensor import JointSensor, Listener, LoadSensor
+from pitchpoint.model.frames import GROUND, axes_of, split
+from pitchpoint.model.keys import Place
+from pitchpoint.model.mechanism import coordinate
+from pitchpoint.model.read import Reader
+from pitchpoint.model.signal_functions import check_functions
+from pitchpoint.model.signal_names import SECTIONS, TIME, at_once, made, read
+from pitchpoint.model.validate import nearest
+
+if TYPE_CHECKING:
+    from pitchpoint.model.parts import Parts
+
+SAME = math.sqrt(0.5)
+"""Cosine of the angle of two spin axes up to which a torque has an axis half-way between them."""
+PARALLEL = 1.0 - 1e-9
+NO_HOLD = ("free", "shaft")
+"""Joints that leave all six displacements free."""
+
+
+def check_signals(parts: Parts, report: Reader) -> None:
+    """Whatever does not depend on how the machine hangs together."""
+    if not any(parts.known(section) for section in SECTIONS):
+        return
+    names = _names(parts, report)
+    for name, block in parts.blocks.items():
+        _block(("blocks", name), block, report)
+    for name, part in parts.controllers.items():
+        _controller(("controllers", name), part, report)
+    check_functions(parts, report)
+    if names and not any((section,) in report.tainted for section in SECTIONS):
+        _loops(parts, report)
+
+
+# --- names --------------------------------------------------------------------------------------------------
+def _names(parts: Parts, report: Reader) -> bool:
+    """Every signal is made once, and whatever is read is made; whether all names could be followed."""
+    seen: dict[str, Place] = {}
+    for name, at in made(parts):
+        if name == TIME:
+            report.problem(at, "is the name of the time in formulas", remedy="call the signal something else")
+        elif name in seen:
+            _taken(name, at, seen[name], report)
+        elif at[0] != "controllers" or report.good_name(name, at[:2]):
+            seen[name] = at
+    for name in parts.actuators:
+        if name in seen:
+            _taken(name, ("actuators", name), seen[name], report)
+    whole = all(set(getattr(parts, s)) == parts.known(s) for s in SECTIONS)
+    unread = {n for s in ("sensors", "blocks") for n in parts.known(s)} - set(seen)
+    found = True
+    for name, at in read(parts):
+        if (
+            name in seen
+            or name in unread
+            or (not whole and parts.known("controllers") - set(parts.controllers))
+        ):
+            continue
+        found = False
+        if name in parts.actuators:
+            remedy = f"name the signal that it follows, {parts.actuators[name].signal}"
+            report.problem(at, f"names {name}, which is an actuator", remedy=remedy)
+            continue
+        have = f"there are {', '.join(seen)}" if seen else "there are none: add sensors or blocks"
+        report.problem(
+            at, f"names the signal {name[:40]!r}, which does not exist", remedy=nearest(name, seen) + have
+        )
+    return found and whole
+
+
+def _taken(name: str, at: Place, first: Place, report: Reader) -> None:
+    who = ".".join(str(step) for step in first[:2])
+    remedy = "give each signal and each actuator a name of its own"
+    report.problem(at, f"has a name that is taken: {who} makes signal[{name}]", remedy=remedy)
+
+
+def _loops(parts: Parts, report: Reader) -> None:
+    """Signals that follow themselves without a state between, with the names in the loop."""
+    follows = at_once(parts)
+    done: set[str] = set()
+    for first in follows:
+        trail: list[str] = []
+        stack: list[tuple[str, int]] = [(first, 0)]
+        while stack:
+            name, k = stack.pop()
+            del trail[len(stack) :]
+            if name in done and k == 0:
+                continue
+            trail.append(name)
+            if k == len(follows[name]):
+                done.add(name)
+                continue
+            stack.append((name, k + 1))
+            wanted = follows[name][k]
+            if wanted in trail:
+                _loop(parts, trail[trail.index(wanted) :], report)
+                done.update(trail)
+                break
+            if wanted not in done:
+                stack.append((wanted, 0))
+
+
+def _loop(parts: Parts, loop: list[str], report: Reader) -> None:
+    k = next(k for k, name in enumerate(loop) if name in parts.blocks or name in parts.actuators)
+    first = loop[k]
+    report.problem(
+        ("blocks" if first in parts.blocks else "actuators", first),
+        f"follows itself at once: {' <- '.join([*loop[k:], *loop[:k], first])}",
+        remedy="put a state between them, such as a filter",
+    )
+
+
+# --- blocks and controllers ---------------------------------------------------------------------------------
+def _block(at: Place, block: bl.Block, report: Reader) -> None:
+    """Keys of one block that belong together."""
+    if isinstance(block, bl.Limits | bl.Pid):
+        _limits(at, block.limits, report)
+    if isinstance(block, bl.FormulaBlock):
+        _formula(at, block, report)
+    elif isinstance(block, bl.TransferFunction):
+        _transfer_function(at, block, report)
+    elif isinstance(block, bl.Pid):
+        _pid(at, block, report)
+
+
+def _limits(at: Place, limits: tuple[float, float] | None, report: Reader) -> None:
+    if limits is not None and not limits[0] < limits[1]:
+        report.problem(
+            (*at, "limits"),
+            "leave no room",
+            value=f"{limits[0]:.6g} to {limits[1]:.6g}",
+            remedy="write [least, greatest]",
+        )
+
+
+def _formula(at: Place, block: bl.FormulaBlock, report: Reader) -> None:
+    from pitchpoint.core.formula import Formula, FormulaError
+
+    for i, name in enumerate(block.inputs):
+        try:
+            Formula.parse(name, (name,))
+        except FormulaError:
+            report.problem(
+                (*at, "inputs", i),
+                f"{name[:40]!r} is no name that a formula can use",
+                remedy="call the signal a word of letters, digits and '_' that is no function",
+            )
+            return
+    try:
+        formula = Formula.parse(block.formula, block.inputs)
+    except FormulaError as error:
+        remedy = error.remedy or f"a formula may use {', '.join(block.inputs)}, pi, numbers and functions"
+        report.problem((*at, "formula"), f"cannot be read as a formula: {error}", remedy=remedy)
+        return
+    for i, name in enumerate(block.inputs):
+        if not formula.uses(name):
+            report.problem((*at, "inputs", i), f"{name}, is not in the formula", remedy="use or remove it")
+
+
+def _transfer_function(at: Place, block: bl.TransferFunction, report: Reader) -> None:
+    if block.denominator[0] == 0.0:
+        report.problem((*at, "denominator", 0), "is zero", remedy="leave leading zeros out")
+    elif len(block.numerator) > len(block.denominator):
+        report.problem(
+            (*at, "numerator"),
+            "is of higher order than the denominator: it would differentiate",
+            value=f"order {len(block.numerator) - 1}",
+            limit=f"<= {len(block.denominator) - 1}",
+            remedy="add a pole to the denominator",
+        )
+
+
+def _pid(at: Place, block: bl.Pid, report: Reader) -> None:
+    if block.derivative != 0.0 and block.filter_time == 0.0:
+        report.problem(
+            (*at, "filter_time"), "is missing: a derivative needs one", remedy="add filter_time: 1 ms, say"
+        )
+    follows = block.limits is not None and block.integral != 0.0 and block.tracking_time is None
+    if follows and not block.proportional / block.integral > 0.0:
+        report.problem(
+            (*at, "tracking_time"),
+            "does not follow from these gains: proportional over integral is not positive",
+            remedy="add tracking_time: 100 ms, say",
+        )
+
+
+def _controller(at: Place, part: Any, report: Reader) -> None:
+    if not isinstance(part, PythonController):
+        _limits(at, part.limits, report)
+    elif part.start and len(part.start) != len(part.outputs):
+        report.problem(
+            (*at, "start"),
+            f"has {len(part.start)} numbers for {len(part.outputs)} outputs",
+            remedy="give one for each, or leave it out",
+        )
+
+
+# --- places -------------------------------------------------------------------------------------------------
+def check_signal_places(parts: Parts, report: Reader) -> None:
+    """Sensors and actuators fit to how the bodies move, once that is known."""
+    if report.problems:
+        return  # what is wrong before may be what they hang on
+    for name, sensor in parts.sensors.items():
+        at: Place = ("sensors", name)
+        if isinstance(sensor, JointSensor):
+            _joint_sensor(parts, at, sensor, report)
+        elif isinstance(sensor, LoadSensor):
+            _load_sensor(parts, at, sensor, report)
+        elif isinstance(sensor, Listener):
+            _listener(parts, at, sensor, report)
+    for name, actuator in parts.actuators.items():
+        if isinstance(actuator, TorqueActuator):
+            _torque(parts, ("actuators", name, "bodies"), actuator, report)
+
+
+def _joint_sensor(parts: Parts, at: Place, sensor: JointSensor, report: Reader) -> None:
+    from pitchpoint.model.mechanism_check import coordinates_listed
+
+    found = coordinate(parts.mechanism, parts, sensor.coordinate)
+    if isinstance(found, str):
+        report.problem((*at, "coordinate"), found, remedy=coordinates_listed(parts))
+        return
+    seat = parts.mechanism.seats[found[0]]
+    word = seat.coordinates[found[1]]
+    tilts = "alpha" in seat.coordinates or "beta" in seat.coordinates
+    quantity = ("angle", "angular_velocity", "angular_acceleration")[sensor.derivative]
+    remedy = f"write {{type: frames, quantity: {quantity}, ends: [{found[0]}, {seat.parent}]}}"
+    if seat.kind == "user":
+        report.problem(
+            (*at, "coordinate"),
+            f"names {sensor.coordinate}, whose joint moves by functions",
+            remedy="sense positions and angles between frames: type: frames",
+        )
+    elif tilts and word in ("alpha", "beta", "spin"):
+        report.problem(
+            (*at, "coordinate"),
+            f"names {sensor.coordinate}, a turn among others ({seat.kind}), which is no angle in a plane",
+            remedy=remedy,
+        )
+
+
+def _load_sensor(parts: Parts, at: Place, sensor: LoadSensor, report: Reader) -> None:
+    body = split(sensor.at)[0]
+    if body == GROUND:
+        report.problem((*at, "at"), "is ground, which no joint carries", remedy="name a body")
+        return
+    seat = parts.mechanism.seats[body]
+    if seat.kind in NO_HOLD:
+        how = f"the joint {seat.joint}" if seat.joint is not None else "its motion"
+        report.problem(
+            (*at, "at"),
+            f"names {body}, which nothing holds: {how} leaves all directions free",
+            remedy="sense the force of a bearing or spring: type: observation",
+        )
+
+
+def _listener(parts: Parts, at: Place, sensor: Listener, report: Reader) -> None:
+    from pitchpoint.core.nomenclature import table
+
+    where = (*at, "channel")
+    match = re.fullmatch(r"(\w+)\[([^\[\]]+)\]", sensor.channel)
+    if match is None:
+        report.problem(
+            where, f"{sensor.channel[:40]!r} is no observation", remedy="write tension[SPRING], say"
+        )
+        return
+    if match[1] == "signal":
+        report.problem(where, "is a signal", remedy="read it by its name where it is needed")
+        return
+    if match[1] not in table():
+        report.problem(
+            where,
+            f"{match[1][:40]!r} is no quantity that results have",
+            remedy=nearest(match[1], table()) + "the names are those of a result file",
+        )
+        return
+    from pitchpoint.model.model import GROUPS
+
+    known = {n for group in GROUPS for n in parts.known(group)}
+    whole, first = match[2], match[2].split(".")[0]
+    if whole not in known and first not in known:
+        report.problem(
+            where, f"names {whole[:40]!r}, which does not exist", remedy=nearest(first, known).strip() or None
+        )
+
+
+def _torque(parts: Parts, at: Place, actuator: TorqueActuator, report: Reader) -> None:
+    bodies = [split(end)[0] for end in actuator.bodies]
+    if bodies[0] == GROUND:
+        report.problem(at, "name ground first", remedy="name the driven body first")
+        return
+    driven = coordinate(parts.mechanism, parts, bodies[0])
+    if isinstance(driven, str):
+        report.problem(at, driven, remedy="write {type: force, quantity: moment, ...} instead")
+        return
+    if len(bodies) == 1 or bodies[1] == GROUND:
+        return
+    one, two = (_spin_axis(parts, body) for body in bodies)
+    along = abs(float(one @ two))
+    spins = not isinstance(coordinate(parts.mechanism, parts, bodies[1]), str)
+    # a body without a spin takes the torque whatever its axes, but for one nearly along it
+    if along < SAME if spins else SAME < along < PARALLEL:
+        report.problem(
+            at,
+            f"stand {math.degrees(math.acos(along)):.4g} deg askew: {bodies[0]} and {bodies[1]}",
+            limit="45 deg" if spins else "0 deg, or above 45 deg",
+            remedy="let the torque act back on the body that carries the driven one, or write "
+            "{type: force, quantity: moment, ...}",
+        )
+
+
+def _spin_axis(parts: Parts, body: str) -> Any:
+    from pitchpoint.model.mechanism import seat_frame
+
+    seat = parts.mechanism.seats[body]
+    if seat.kind == "fixed":
+        return axes_of(parts, body)[:, 2]
+    return seat_frame(parts, seat)[1][:, 2]

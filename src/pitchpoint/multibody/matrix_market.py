@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Matrix Market files of a finite-element body, and the table of its nodes.
+
+Boisvert, Pozo, Remington, The Matrix Market exchange formats, NISTIR 5935 (1996).
+"""
+
+from __future__ import annotations
+
+import gzip
+import os
+import re
+import warnings
+import zlib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import IO, Any, cast
+
+import numpy as np
+
+from pitchpoint.multibody.fe_matrices import MOST_ENTRIES, MOST_UNKNOWNS, checked, real, refuse
+from pitchpoint.multibody.structure import Structure, make_structure
+
+LAYOUTS = ("coordinate", "array")
+LONGEST = 4096
+"""Length of a line from which a file is none of text [byte]."""
+COLUMNS = "write x y z in m, and digits of displacements such as 123 if nodes differ"
+
+
+def read_matrix_market(path: str | os.PathLike[str]) -> Any:
+    """Read a real square matrix of a Matrix Market file as sparse matrix.
+
+    Parameters
+    ----------
+    path
+        File in coordinate or array format, general or symmetric, plain or compressed as ``.gz``.
+
+    Raises
+    ------
+    ModelError
+        If it is no such file, or too large.
+
+    Notes
+    -----
+    The reader of SciPy 1.16 ends the process on some damaged files, so files are read here.
+    """
+    from scipy.sparse import csc_array
+
+    file = checked(path)
+    try:
+        with cast(IO[bytes], gzip.open(file) if file.suffix == ".gz" else file.open("rb")) as text:
+            n, i, j, values, symmetric = _body(file, _short_lines(file, text))
+    except (ValueError, EOFError, OSError, zlib.error, MemoryError) as error:
+        raise refuse(file, f"cannot be read ({error})") from None
+    if not np.all(np.isfinite(values)):
+        raise refuse(file, "has entries that are not finite")
+    if symmetric:
+        off = i != j
+        i, j, values = (
+            np.concatenate([i, j[off]]),
+            np.concatenate([j, i[off]]),
+            np.concatenate([values, values[off]]),
+        )
+    return csc_array((values, (i, j)), shape=(n, n))
+
+
+def _short_lines(file: Path, text: IO[bytes]) -> Iterator[str]:
+    """Lines without the empty ones; remarks after the first are left out."""
+    number = 0
+    while line := text.readline(LONGEST):
+        number += 1
+        if len(line) >= LONGEST or b"\0" in line:
+            raise refuse(file, "is no text of short lines", number)
+        if line.strip() and (number == 1 or not line.startswith(b"%")):
+            yield line.decode("ascii", "replace")
+
+
+def _body(file: Path, lines: Iterator[str]) -> tuple[int, Any, Any, Any, bool]:
+    """Size, rows, columns and values of the entries that are listed, and whether each stands for two."""
+    words = next(lines, "").lower().split()
+    if len(words) != 5 or " ".join(words[:2]) != "%%matrixmarket matrix" or words[2] not in LAYOUTS:
+        raise refuse(
+            file,
+            "is no Matrix Market file",
+            1,
+            "its first line is %%MatrixMarket matrix coordinate real symmetric, or the like",
+        )
+    layout, kind, symmetry = words[2:]
+    if kind not in ("real", "integer") or symmetry not in ("general", "symmetric"):
+        raise refuse(file, f"is {kind} and {symmetry} (limit real, general or symmetric)", 1)
+    size = next(lines, "").split()
+    count = 3 if layout == "coordinate" else 2
+    if len(size) != count or not all(re.fullmatch(r"\d{1,12}", w) for w in size):
+        raise refuse(file, f"has no line of {count} sizes after its first", remedy="write rows and columns")
+    rows, columns = int(size[0]), int(size[1])
+    symmetric = symmetry == "symmetric"
+    whole = rows * (rows + 1) // 2 if symmetric else rows * columns
+    entries = int(size[2]) if layout == "coordinate" else whole
+    if rows != columns or not 0 < rows <= MOST_UNKNOWNS or entries > MOST_ENTRIES:
+        raise refuse(file, f"{rows} x {columns} with {entries} entries (limit square, {MOST_UNKNOWNS} rows)")
+    # every entry takes two characters at least; compressed files say what they promise only at the end
+    if file.suffix != ".gz" and 2 * entries > file.stat().st_size + 1:
+        raise refuse(file, f"promises {entries} entries in {file.stat().st_size} bytes")
+    found = np.zeros((0, 1))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of files without entries
+        found = np.loadtxt(lines, ndmin=2, max_rows=entries + 1, comments=None)
+    if len(found) != entries or (entries and found.shape[1] != (3 if layout == "coordinate" else 1)):
+        shown = "x".join(map(str, found.shape))
+        raise refuse(file, f"promises {entries} entries and has {shown} numbers")
+    if layout == "coordinate":
+        at = found.reshape(entries, 3)[:, :2]
+        if np.any((at < 1) | (at > rows) | (at != np.floor(at))):
+            wrong = int(np.argmax(np.any((at < 1) | (at > rows) | (at != np.floor(at)), axis=1)))
+            place = f"{at[wrong, 0]:g}, {at[wrong, 1]:g}"
+            raise refuse(file, f"entry {wrong + 1} lies at {place} (limit 1 to {rows})")
+        i, j = (at.astype(np.int64) - 1).T
+        return rows, i, j, found.reshape(entries, 3)[:, 2], symmetric
+    if symmetric:  # the lower triangle by columns
+        j, i = np.triu_indices(rows)
+    else:
+        j, i = (x.ravel() for x in np.indices((rows, rows)))
+    return rows, i, j, found[:, 0], symmetric
+
+
+def read_places(path: str | os.PathLike[str]) -> tuple[Any, Any, Any]:
+    """Read a table of nodes: x y z in m per line, and the digits of their displacements where they differ.
+
+    Parameters
+    ----------
+    path
+        Text with blanks, tabs, commas or semicolons between the numbers; what follows # or % is a remark.
+
+    Returns
+    -------
+    places, node, direction
+        Places (nodes, 3) [m]; node and direction of every displacement as in `Structure`, None without
+        digits.
+
+    Raises
+    ------
+    ModelError
+        If a line is no node, or only some lines have digits.
+    """
+    file = checked(path)
+    places, digits = [], []
+    with file.open(encoding="utf-8", errors="replace") as text:
+        number = 0
+        while line := text.readline(4096):
+            number += 1
+            if len(line) >= 4096:
+                raise refuse(file, "is no table of places", number)
+            words = re.split(r"[#%]", line)[0].replace(",", " ").replace(";", " ").split()
+            if not words:
+                continue
+            if len(words) not in (3, 4):
+                raise refuse(file, f"has {len(words)} numbers in a line", number, COLUMNS)
+            places.append([real(file, number, w, "place", COLUMNS) for w in words[:3]])
+            digits.append(_directions(file, number, words[3]) if len(words) == 4 else ())
+            if bool(digits[-1]) != bool(digits[0]):
+                raise refuse(
+                    file, "only some nodes say their displacements", number, "add digits such as 123 to all"
+                )
+            if len(places) > MOST_UNKNOWNS:
+                raise refuse(file, f"more than {MOST_UNKNOWNS} nodes", number)
+    if not places:
+        raise refuse(file, "has no node", remedy="write one line x y z in m for each")
+    if not digits[0]:
+        return np.array(places), None, None
+    node = np.repeat(np.arange(len(places)), [len(d) for d in digits])
+    return np.array(places), node, np.concatenate([np.array(d) for d in digits])
+
+
+def _directions(file: Path, number: int, text: str) -> tuple[int, ...]:
+    """Directions of the displacements of a node, in the order of its digits."""
+    if not re.fullmatch(r"[1-6]{1,6}", text) or len(set(text)) != len(text):
+        raise refuse(file, f"displacements: {text[:20]!r} is no list of digits 1 to 6", number, "write 123")
+    return tuple(int(c) - 1 for c in text)
+
+
+def read_parts(
+    stiffness: str | os.PathLike[str],
+    mass: str | os.PathLike[str],
+    places: str | os.PathLike[str],
+    spin_stiffness: str | os.PathLike[str] | None = None,
+) -> Structure:
+    """Structure of two Matrix Market files and a table of nodes.
+
+    Parameters
+    ----------
+    stiffness, mass
+        Files for `read_matrix_market`.
+    places
+        File for `read_places`.
+    spin_stiffness
+        File for `read_matrix_market` with what a spin adds, see `Structure`.
+    """
+    K, M = read_matrix_market(stiffness), read_matrix_market(mass)
+    more = None if spin_stiffness is None else read_matrix_market(spin_stiffness)
+    return make_structure(K, M, *read_places(places), K_spin=more)

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which modes a time step has to follow: those that meshes, contacts and loads excite, as far as they do.
+
+Finite elements have modes far above anything that happens to them; with steps for these a run would take
+hours. An implicit method lets them follow their forces as springs do, which is what they do. A mode whose
+share of what is excited is s may have an error 1/s times that of one which is all of it, so with an error
+that falls with the square of the step it counts with the frequency f sqrt(s). Shares: of the energy of the
+mode in meshes, contacts and whatever else is no linear spring; of the compliance of the coordinates under a
+load. Explicit methods must follow every mode, or they become unstable.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.solvers.element_tangents import switched
+from pitchpoint.system import evaluate
+from pitchpoint.system.residual import NEWTON
+
+if TYPE_CHECKING:
+    from pitchpoint.solvers.start import Start
+    from pitchpoint.system.system import System
+
+Array = NDArray[np.float64]
+
+FINE = ("beam", "flexible_body", "shaft_beam")
+"""Kinds that bring modes with them which nothing excites."""
+LINEAR = (
+    *FINE,
+    "bearing",
+    "bushing",
+    "coupling",
+    "damping",
+    "force",
+    "gravity",
+    "linear_modes",
+    "linear_part",
+)
+"""Kinds that excite nothing by themselves."""
+RIGID = 1e-3
+"""Square root over that of the stiffest mode below which a mode is a rotation [1]."""
+
+
+def counted_frequency(start: Start, explicit: bool = False) -> float:
+    """Highest frequency among the modes of a start, each by the root of its share of what is excited [Hz].
+
+    Parameters
+    ----------
+    start
+        Where a run begins.
+    explicit
+        Whether its method is explicit: all modes count in full, then.
+    """
+    system, state = start.system, start.state
+    if not state.q.size:
+        return 0.0
+    M = evaluate.matrix(system, state, 1.0, 0.0, 0.0, NEWTON)
+    K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)
+    if explicit or not any(kind in system.records for kind in FINE):
+        values = np.linalg.eigvals(np.linalg.solve(M, K)).real
+        return float(np.sqrt(max(values.max(), 0.0)) / (2.0 * np.pi))
+    root = np.linalg.inv(np.linalg.cholesky(0.5 * (M + M.T)))
+    values, shapes = np.linalg.eigh(root @ (0.5 * (K + K.T)) @ root.T)
+    shapes = root.T @ shapes
+    omega = np.sqrt(np.maximum(values, 0.0))
+    bends = omega > RIGID * omega[-1] * RIGID
+    share = np.zeros(len(omega))
+    for found in (_excited_energy(start, shapes), _loaded_compliance(system, shapes, omega, bends)):
+        share = np.maximum(share, found)
+    weight = np.sqrt(np.clip(share / np.where(bends, values, np.inf), 0.0, 1.0))
+    return float((omega * weight).max() / (2.0 * np.pi))
+
+
+def _excited_energy(start: Start, shapes: Array) -> Array:
+    """Twice the energy of every mode in what is no linear spring."""
+    system, state = start.system, start.state
+    parts = []
+    for on in ({kind: slice(None) for kind in system.records if kind not in LINEAR}, {}):
+        with switched(system, on):
+            parts.append(evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON))
+    excited = 0.5 * (parts[0] + parts[0].T) - 0.5 * (parts[1] + parts[1].T)
+    return np.asarray(np.einsum("ik,ij,jk->k", shapes, excited, shapes))
+
+
+def _ends(system: System, kind: str) -> set[int]:
+    """Numbers of the bodies, without ground, on which loads of a kind act."""
+    return {int(r[end]) for r in system.records.get(kind, ()) for end in "ij"} - {0}
+
+
+def _loaded_compliance(system: System, shapes: Array, omega: Array, bends: NDArray[np.bool_]) -> Array:
+    """Largest share of every mode in the compliance of a coordinate under a load, times its omega^2.
+
+    A torque turns the spin of its body, a force may move any coordinate.
+    """
+    ends = {kind: _ends(system, kind) for kind in ("torque", "force")}
+    spins = {int(system.program["body"][b]["spin"]) for b in ends["torque"]}
+    names = {system.layout.bodies[b] for b in ends["force"]}
+    pushed = {k for k, c in enumerate(system.layout.coordinates) if c.rsplit(".", 1)[0] in names}
+    found = np.zeros(len(omega))
+    for k in sorted({s for s in spins if s >= 0} | pushed):
+        compliance = np.where(bends, shapes[k] ** 2 / np.where(bends, omega, 1.0) ** 2, 0.0)
+        whole = float(compliance.sum())
+        if whole > 0.0:
+            found = np.maximum(found, compliance / whole * omega**2)
+    return found
