@@ -117,7 +117,7 @@ def friction_clutch(rec, ctl, fr, kk):
             over_speed = by_speed * part + capacity * part_by_speed
             torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle * part, over_speed)
             if b["sticking"] == BRISTLE:
-                state_tangent(b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed)
+                state_tangent(b, f, g, kk, ctl, m, sense, n, (by_state, rate_by_state, rate_by_speed))
         if c["ev"] != 0:
             beyond = abs(speed) - b["v_eps"]
             if b["sticking"] == BRISTLE:

@@ -37,10 +37,10 @@ table of `energy` has 129 smooth ones; without pieces its stiffness is off by 3.
 
 
 @kernel
-def node(b, ctl, watch, x, x_rate, z, xi, k, k_rate, limit, roll):
+def node(b, ctl, watch, x, x_rate, place, k, k_rate, limit, roll):
     """Add one node and return its normal force [N].
 
-    `x` penetration [m] at (z, xi) [m], `k` stiffness [N/m], changing at `x_rate` [m/s] and `k_rate`
+    `x` penetration [m] at the place (z, xi) [m], `k` stiffness [N/m], changing at `x_rate` [m/s] and `k_rate`
     [N/(m s)] where no force pushes: with the phase; `limit` force below which the pair softens [N]. `roll`:
     rate of the penetration where the contact runs over separated flanks [m/s], which damps like that of the
     bodies, and its slope over xi; None on nominal flanks.
@@ -50,6 +50,7 @@ def node(b, ctl, watch, x, x_rate, z, xi, k, k_rate, limit, roll):
         if watch is not None and k > 0.0:
             acc[NEAREST] = max(acc[NEAREST], x)
         return 0.0
+    z, xi = place
     rate = b["rate"]
     y = z + b["flank"] * b["tan_b"] * xi
     w = rate[0] + rate[1] * y
@@ -167,9 +168,9 @@ def _pair_node(b, ctl, watch, p_0, x_q, z, weight, teeth):
         x_rate = -b["kappa"] * (_drift(b, z) + b["flank"] * b["tan_b"] * xi_rate)
     limit = b["load_limit"] * weight
     if teeth is None:
-        return node(b, ctl, watch, x, x_rate, z, xi, c * scale, k_rate, limit, None)
+        return node(b, ctl, watch, x, x_rate, (z, xi), c * scale, k_rate, limit, None)
     gap, gap_rate, slope = pair_separation(b, teeth, z, xi, z_rate, xi_rate)
-    return node(b, ctl, watch, x - gap, x_rate, z, xi, c * scale, k_rate, limit, (-gap_rate, -slope))
+    return node(b, ctl, watch, x - gap, x_rate, (z, xi), c * scale, k_rate, limit, (-gap_rate, -slope))
 
 
 @kernel
@@ -342,7 +343,7 @@ def phase_flank(b, ctl, watch, x_0, ratio, slope):
     lo = b["z_lo"]
     hi = b["z_hi"]
     if b["tilt"] == 0.0 and b["fixed"] == 1:
-        node(b, ctl, watch, x_0, 0.0, 0.5 * (lo + hi), 0.0, k, k_rate, 0.0, None)
+        node(b, ctl, watch, x_0, 0.0, (0.5 * (lo + hi), 0.0), k, k_rate, 0.0, None)
         return
     if b["slices"] > 0:
         step = (hi - lo) / b["slices"]
@@ -370,4 +371,4 @@ def phase_flank(b, ctl, watch, x_0, ratio, slope):
 def _phase_node(b, ctl, watch, x_0, z, k, k_rate):
     """One node of a prescribed stiffness, at the width z and at the pitch point."""
     x_rate = -b["kappa"] * _drift(b, z) if watch is not None else 0.0
-    node(b, ctl, watch, x_0 - b["tilt"] * z, x_rate, z, 0.0, k, k_rate, 0.0, None)
+    node(b, ctl, watch, x_0 - b["tilt"] * z, x_rate, (z, 0.0), k, k_rate, 0.0, None)

@@ -62,7 +62,7 @@ def torsion_maxwell(rec, ctl, fr, kk):
             hidden["F"][3 + r] += rate * n[r]
         if c["jac"] != 0:
             torque_tangent(b, f, g, kk, ctl, m, sense, torque, 0.0, 0.0)
-            state_tangent(b, f, g, kk, ctl, m, sense, n, 1.0, -k / b["damping"], -k)
+            state_tangent(b, f, g, kk, ctl, m, sense, n, (1.0, -k / b["damping"], -k))
         if c["out"] != 0:
             observations(ctl)[b["out"]] = torque
     return OK

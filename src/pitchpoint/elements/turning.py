@@ -116,12 +116,13 @@ def torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle, by_speed):
 
 
 @kernel
-def state_tangent(b, f, g, kk, ctl, m, sense, n, by_state, rate_by_state, rate_by_speed):
+def state_tangent(b, f, g, kk, ctl, m, sense, n, slopes):
     """Add the tangents of a torque that depends on a state y, the spin rate of body k with the axis n.
 
-    `by_state` is the slope of the torque by y, the others are the slopes of y' by y and by the speed. b needs
-    the index fields of all pairs of i, j and k.
+    `slopes`: of the torque by y, of y' by y and of y' by the speed. b needs the index fields of all pairs of
+    i, j and k.
     """
+    by_state, rate_by_state, rate_by_speed = slopes
     c = ctl[0]
     exact = 1 if c["jac"] == 2 else 0
     cd = c["cd"]

@@ -365,21 +365,24 @@ def _fresh_chart(C, d, q, v, a, al, ap):
         C[i, 0] = cs * u + ss * e2
         C[i, 1] = cs * e2 - ss * u
         C[i, 2] = cb * e3 + sb * x
-    o0, o1, o2 = _seen(ca, sa, cb, sb, cs, ss, va + vs * sb, vb * ca + vs * n1, vb * sa + vs * n2)
-    _second(ca, sa, cb, sb, cs, ss, a, d, b0, b1, b2, o0, o1, o2)
-    _second(ca, sa, cb, sb, cs, ss, al, d, b0, b1, b2, o0, o1, o2)
-    _second(ca, sa, cb, sb, cs, ss, ap, d, b0, b1, b2, o0, o1, o2)
-    v[d] = o0
-    v[d + 1] = o1
-    v[d + 2] = o2
+    turn = (ca, sa, cb, sb, cs, ss)
+    bias = (b0, b1, b2)
+    rates = _seen(turn, va + vs * sb, vb * ca + vs * n1, vb * sa + vs * n2)
+    _second(turn, a, d, bias, rates)
+    _second(turn, al, d, bias, rates)
+    _second(turn, ap, d, bias, rates)
+    v[d] = rates[0]
+    v[d + 1] = rates[1]
+    v[d + 2] = rates[2]
     q[d] = 0.0
     q[d + 1] = 0.0
     q[d + 2] = 0.0
 
 
 @kernel
-def _seen(ca, sa, cb, sb, cs, ss, x, y, z):
-    """Components of a vector in axes turned by alpha, beta and spin."""
+def _seen(turn, x, y, z):
+    """Components of a vector in axes turned by alpha, beta and spin, whose cosines and sines are `turn`."""
+    ca, sa, cb, sb, cs, ss = turn
     y2 = ca * y + sa * z
     z2 = ca * z - sa * y
     x3 = cb * x - sb * z2
@@ -387,12 +390,13 @@ def _seen(ca, sa, cb, sb, cs, ss, x, y, z):
 
 
 @kernel
-def _second(ca, sa, cb, sb, cs, ss, a, d, b0, b1, b2, o0, o1, o2):
+def _second(turn, a, d, bias, rates):
     """Second rates in the new chart: the angular acceleration less what the rates make of it there."""
-    x = a[d] + a[d + 2] * sb + b0
-    y = a[d + 1] * ca - a[d + 2] * sa * cb + b1
-    z = a[d + 1] * sa + a[d + 2] * ca * cb + b2
-    x, y, z = _seen(ca, sa, cb, sb, cs, ss, x, y, z)
-    a[d] = x - o2 * o1
-    a[d + 1] = y + o2 * o0
-    a[d + 2] = z - o0 * o1
+    ca, sa, cb, sb, _, _ = turn
+    x = a[d] + a[d + 2] * sb + bias[0]
+    y = a[d + 1] * ca - a[d + 2] * sa * cb + bias[1]
+    z = a[d + 1] * sa + a[d + 2] * ca * cb + bias[2]
+    x, y, z = _seen(turn, x, y, z)
+    a[d] = x - rates[2] * rates[1]
+    a[d + 1] = y + rates[2] * rates[0]
+    a[d + 2] = z - rates[0] * rates[1]
