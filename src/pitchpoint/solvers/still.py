@@ -107,6 +107,8 @@ def _sparse_inverse(A: Any, root: Array) -> Callable[[Array], Array] | None:
 
 def signal_states(system: System) -> NDArray[np.int64]:
     """Coordinates whose rates are states of signals: those of filters, integrals, transfer functions."""
+    if "signal" not in system.records and "signal_of_loads" not in system.records:
+        return np.zeros(0, np.int64)
     found = [k for k in system.states if system.layout.coordinates[int(k)].startswith(STATE)]
     return np.array(found, np.int64)
 
