@@ -130,7 +130,13 @@ def _bodies(system: System, split: Split) -> tuple[list[Body], dict[int, int]]:
     number = {0: 0} | {b: k for k, b in enumerate(split.kept, start=1)}
     old = {b: system.bodies[b - 1] for b in split.kept}
     bodies = [
-        replace(body, parent=number[body.parent], shares=number[body.shares], name=system.layout.bodies[b])
+        replace(
+            body,
+            parent=number[body.parent],
+            shares=number[body.shares],
+            spinner=number[body.spinner],
+            name=system.layout.bodies[b],
+        )
         for b, body in old.items()
     ]
     return bodies, number
