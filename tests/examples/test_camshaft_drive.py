@@ -292,7 +292,7 @@ def test_cam_torque_makes_the_gears_hammer(step):
 def test_hammering_settles_in_the_mean():
     """What the page says of 8 s does not depend on the step.
 
-    Eight runs, with steps of 3 to 6 us and two ways to start, have medians of 54.6 to 57.3 kN, 55.7 in the mean.
+    Eight runs, steps of 3 to 6 us and two ways to start, have medians of 54.6 to 57.3 kN, 55.7 in the mean.
     """
     found = hammering(duration=8.32)
     assert len(found["stage_2"][2]) in (299, 300)
