@@ -677,6 +677,59 @@ def test_friction_acts_against_the_slip_speed() -> None:
     assert get("friction_power[n]") == pytest.approx(10.0)
 
 
+# -------------------------------------------------------------------------------------------- signals
+
+SLIDE = """\
+gravity: [0, -9.81, 0]
+bodies:
+  slide: {mass: 2 kg, inertia_tensor: [1, 1, 1, 0, 0, 0]}
+  wheel: {motion: torsion, inertia: 0.5 kg m^2, position: [0, 0, 1]}
+joints:
+  way: {type: prismatic, bodies: [ground, slide], position: [0, 0, 0], axes: {z: [1, 0, 0]}, start: {z: 0.3}}
+sensors:
+  place: {type: frames, quantity: position, ends: [slide, ground], axis: x}
+  seen: {type: frames, quantity: position, ends: [ground, slide], axis: x}
+  turning: {type: frames, quantity: angular_velocity, ends: [wheel, ground]}
+  load: {type: load, at: slide, axis: y}
+blocks:
+  one: {type: sum, offset: 1}
+"""
+
+
+def of_slide(more: str = "") -> tuple[System, Callable[[str], float]]:
+    """Observations of the slide 0.3 m along x and the wheel that turns counter-clockwise, by name."""
+    system = compile_model(loads_model(SLIDE + more))
+    state = system.initial_state()
+    state.v[system.spin("wheel")] = 2.0
+    evaluate.prepare(system)
+    evaluate.load(system, state)
+    evaluate.check(system, evaluate.ask(system.workspace, evaluate.ACCELERATE, 0.0))
+    row = evaluate.observe(system, evaluate.store(system, 0.0))
+    rates = evaluate.store(system, 0.0).a
+    names = {c.name: float(row[k]) for k, c in enumerate(system.layout.channels)}
+    names |= {f"a {c}": float(rates[k]) for k, c in enumerate(system.layout.coordinates)}
+    return system, lambda name: names[name]
+
+
+def test_sensors_say_how_the_first_is_seen_from_the_second() -> None:
+    _, get = of_slide()
+    assert get("signal[place]") == pytest.approx(0.3)
+    assert get("signal[seen]") == pytest.approx(-0.3)
+    assert get("signal[turning]") == pytest.approx(2.0)
+    assert get("signal[load]") == pytest.approx(2.0 * 9.81)
+
+
+def test_positive_signals_act_on_the_first() -> None:
+    for actuator, name, wanted in (
+        ("{type: torque, signal: one, bodies: [wheel]}", "a wheel.spin", 2.0),
+        ("{type: strut, signal: one, ends: [ground, slide]}", "a slide.z", 0.5),
+        ("{type: force, signal: one, ends: [slide, ground], axis: x}", "a slide.z", 0.5),
+        ("{type: force, signal: one, ends: [ground, slide], axis: x}", "a slide.z", -0.5),
+    ):
+        _, get = of_slide(f"actuators:\n  m: {actuator}\n")
+        assert get(name) == pytest.approx(wanted)
+
+
 # ----------------------------------------------------------------------------------------- statistics
 
 

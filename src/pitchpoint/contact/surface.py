@@ -56,17 +56,17 @@ def distance(form, size, sense, y, W):
     if form == PLANE:
         return y[2], 0.0, 0.0, 1.0
     rho = math.sqrt(y[0] * y[0] + y[1] * y[1])
-    ux = y[0] / rho if rho > LEAST else 1.0
-    uy = y[1] / rho if rho > LEAST else 0.0
-    rho = max(rho, LEAST)
+    ux = y[0] / rho if rho > 0.0 else 1.0
+    uy = y[1] / rho if rho > 0.0 else 0.0
+    around = max(rho, LEAST)
     if form == CYLINDER:
-        _around(W, sense / rho, ux, uy)
+        _around(W, sense / around, ux, uy)
         return sense * (rho - size[0]), sense * ux, sense * uy, 0.0
     if form == CONE:
         c = math.cos(size[0])
         s = math.sin(size[0])
         if sense < 0.0 or y[2] * c - rho * s < 0.0:
-            _around(W, sense * c / rho, ux, uy)
+            _around(W, sense * c / around, ux, uy)
             return sense * (rho * c + y[2] * s), sense * c * ux, sense * c * uy, sense * s
         rho_c = 0.0  # nearest to the tip: that of a point
         z = y[2]
@@ -84,7 +84,7 @@ def distance(form, size, sense, y, W):
     n = (sense * a / d * ux, sense * a / d * uy, sense * z / d)
     radial(W, n, sense, d)
     if form == TORUS:  # along the ring it is the distance from the axis that counts
-        _around(W, sense * (a / rho - 1.0) / d, ux, uy)
+        _around(W, sense * (a / around - 1.0) / d, ux, uy)
     return sense * (d - tube), n[0], n[1], n[2]
 
 
@@ -120,9 +120,9 @@ def of_length(size, sense, y, W):
         for c in range(3):
             W[r, c] = 0.0
     rho = math.sqrt(y[0] * y[0] + y[1] * y[1])
-    ux = y[0] / rho if rho > LEAST else 1.0
-    uy = y[1] / rho if rho > LEAST else 0.0
-    rho = max(rho, LEAST)
+    ux = y[0] / rho if rho > 0.0 else 1.0
+    uy = y[1] / rho if rho > 0.0 else 0.0
+    around = max(rho, LEAST)
     u = sense * (rho - size[0])
     v = abs(y[2]) - 0.5 * size[1]
     up = 1.0 if y[2] > 0.0 else -1.0
@@ -131,10 +131,10 @@ def of_length(size, sense, y, W):
         a = rho - size[0]
         n = (a / d * ux, a / d * uy, up * v / d)
         radial(W, n, 1.0, d)
-        _around(W, (a / rho - 1.0) / d, ux, uy)
+        _around(W, (a / around - 1.0) / d, ux, uy)
         return d, n[0], n[1], n[2]
     if u >= v:
-        _around(W, sense / rho, ux, uy)
+        _around(W, sense / around, ux, uy)
         return u, sense * ux, sense * uy, 0.0
     return v, 0.0, 0.0, up
 

@@ -2,7 +2,7 @@
 """Inertia and stiffness of an elastic body in its floating frame (docs/decisions/0015-floating-frame.md).
 
 Body i is the floating frame. Its modal coordinates eta are the displacements of bodies without mass that
-hang on ground and only translate, three coordinates each: j, k, l and m. Their wrenches are the modal
+hang on ground and only translate, three coordinates each: j, k, l, m and so on. Their wrenches are the modal
 forces. With the integrals of `multibody/mass_invariants.py`, everything in the axes of the frame, a its
 acceleration less gravity:
 
@@ -27,6 +27,7 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements import guide
 from pitchpoint.elements.flexible_forces import coordinates, loads, shares
 from pitchpoint.elements.flexible_tangent import tangent
+from pitchpoint.elements.registry import MODAL
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.joints import GUIDED
@@ -36,20 +37,21 @@ BODY_FIXED = True
 SPINS = "free"
 """What bends with a body turns with it."""
 
-MOST = 12
+MOST = 30
 """Most modal coordinates of one body."""
 GROUP = 3
 """Modal coordinates of one hidden body."""
 LOADS = 9
 """Loads that stiffen: a_x, a_y, a_z, then the products of omega: xx, yy, zz, xy, yz, zx."""
+PAIRED = MODAL
+"""Fields whose bodies have pair blocks with each other, which the layout writes into `pairs`."""
 
-_FIELDS = ("i", "j", "k", "l", "m")
-_PAIRS = [a + b for a in _FIELDS for b in _FIELDS]
-_FIRST = ["i", "j", "ii", "ij", "ji", "jj"]
+_PAIR = ["i", "j", "ii", "ij", "ji", "jj"]
 
 RECORD = np.dtype(
-    [(n, "i8") for n in (*_FIRST, "k", "l", "m", *(p for p in _PAIRS if p not in _FIRST))]
+    [(n, "i8") for n in (*_PAIR, *MODAL[2:])]
     + [
+        ("pairs", "i8", (len(MODAL), len(MODAL))),
         ("n", "i8"),  # modal coordinates
         ("mass", "f8"),  # [kg]
         ("first", "f8", 3),  # s0 [kg m]
@@ -79,7 +81,6 @@ RECORD = np.dtype(
         ("Q", "f8", MOST),
         ("dF", "f8", 6),
         ("dQ", "f8", MOST),
-        ("pairs", "i8", (5, 5)),
         ("out", "i8"),
     ],
     align=True,
@@ -125,7 +126,7 @@ def flexible_row(
     row = np.zeros(1, RECORD)
     r = row[0]
     r["i"], r["n"], r["mass"], r["first"] = frame, n, integrals.mass, integrals.first
-    for name, number in zip(_FIELDS[1:], hidden, strict=False):
+    for name, number in zip(MODAL[1:], hidden, strict=False):
         r[name] = number
     r["inertia"], r["gravity"] = integrals.inertia, gravity
     r["P"][:, :n], r["C0"][:, :n] = integrals.momentum, integrals.angular

@@ -14,7 +14,19 @@ def hidden(b, g):
         return b["j"]
     if g == 1:
         return b["k"]
-    return b["l"] if g == 2 else b["m"]
+    if g == 2:
+        return b["l"]
+    if g == 3:
+        return b["m"]
+    if g == 4:
+        return b["m5"]
+    if g == 5:
+        return b["m6"]
+    if g == 6:
+        return b["m7"]
+    if g == 7:
+        return b["m8"]
+    return b["m9"] if g == 8 else b["m10"]
 
 
 @kernel

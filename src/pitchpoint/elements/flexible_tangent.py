@@ -9,37 +9,6 @@ from pitchpoint.multibody.vectors import add, cross, dot, into_body, into_world,
 
 
 @kernel
-def _blocks(b):
-    """Gather the pair blocks: 0 the frame, 1 to 4 the groups of modal coordinates."""
-    t = b["pairs"]
-    t[0, 0] = b["ii"]
-    t[0, 1] = b["ij"]
-    t[0, 2] = b["ik"]
-    t[0, 3] = b["il"]
-    t[0, 4] = b["im"]
-    t[1, 0] = b["ji"]
-    t[1, 1] = b["jj"]
-    t[1, 2] = b["jk"]
-    t[1, 3] = b["jl"]
-    t[1, 4] = b["jm"]
-    t[2, 0] = b["ki"]
-    t[2, 1] = b["kj"]
-    t[2, 2] = b["kk"]
-    t[2, 3] = b["kl"]
-    t[2, 4] = b["km"]
-    t[3, 0] = b["li"]
-    t[3, 1] = b["lj"]
-    t[3, 2] = b["lk"]
-    t[3, 3] = b["ll"]
-    t[3, 4] = b["lm"]
-    t[4, 0] = b["mi"]
-    t[4, 1] = b["mj"]
-    t[4, 2] = b["mk"]
-    t[4, 3] = b["ml"]
-    t[4, 4] = b["mm"]
-
-
-@kernel
 def _swing(b):
     """Changes of inertia, of its rate and of C by the modal coordinates, as products with what they act on.
 
@@ -151,7 +120,6 @@ def _column(b, S, turn, kk, p, c):
 def tangent(b, S, kk, cm, cd, ck):
     """Add ck K + cd D + cm M of one elastic body to its pair blocks; `loads` was called before."""
     nothing = (0.0, 0.0, 0.0)
-    _blocks(b)
     for order in range(3):
         for k in range(b["n"]):
             b["d_eta"][order, k] = 0.0

@@ -60,8 +60,10 @@ class Kind:
 _HERE = "pitchpoint.elements."
 WITH_STATE = (("i", "j"), ("i", "k"), ("j", "k"))
 """Pairs of kinds whose state is the spin rate of a hidden body k."""
-WITH_MODES = tuple((a, b) for n, a in enumerate("ijklm") for b in "ijklm"[n + 1 :])
-"""Pairs of kinds that join a floating frame i and the bodies j to m that carry modal coordinates."""
+MODAL = ("i", "j", "k", "l", "m", *(f"m{n}" for n in range(5, 11)))
+"""Fields of a floating frame, and of the bodies that carry its modal coordinates, three each."""
+WITH_MODES = tuple((a, b) for n, a in enumerate(MODAL) for b in MODAL[n + 1 :])
+"""Pairs of kinds that join a floating frame and all bodies that carry its modal coordinates."""
 _KINDS: dict[str, Kind] = {
     k.name: k
     for k in (

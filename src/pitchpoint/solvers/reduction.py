@@ -44,8 +44,8 @@ from pitchpoint.system.system import State, System, assemble
 BEYOND = (4.0, 8.0, 16.0, 32.0, 64.0)
 """Multiples of the highest frequency of interest up to which fixed-interface modes are kept: for shafts the
 first is enough, heavy bodies on soft springs between stiffly held ones need more."""
-WANTED = 1e-3
-"""Error of the natural frequencies at which no more modes are kept."""
+WANTED = 1e-3, 2e-2
+"""Errors of the natural frequencies and of the compliance of the meshes at which no more modes are kept."""
 
 
 @dataclass(frozen=True)
@@ -119,7 +119,7 @@ def reduce_system(
             continue
         begun, modes = _state_of(own, state, found, split.kept), count
         reduced = found, begun, compare(own, state, found, begun, limit)
-        if reduced[2].frequency <= WANTED:
+        if reduced[2].frequency <= WANTED[0] and reduced[2].compliance <= WANTED[1]:
             break
     names = tuple(own.layout.bodies[b] for b in split.kept)
     return Reduced(reduced[0], reduced[1], own, state, reduced[2], names, (*point.notes, *split.notes))
@@ -157,7 +157,7 @@ def _linear(system: System, state: State, split: Split) -> Linear:
     own = coordinates_of(kept, range(1, len(split.kept) + 1))
     found = []
     for factors in FACTORS:
-        A = sum_over(system, split.condensed, lambda f=factors: evaluate.matrix(system, state, *f))
+        A = sum_over(system, split.condensed, lambda f=factors: evaluate.matrix(system, state, *f))  # type: ignore[misc]
         with switched(kept, {}):
             A[np.ix_(at, at)] -= evaluate.matrix(kept, near, *factors)[np.ix_(own, own)]
         found.append(A)

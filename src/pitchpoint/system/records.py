@@ -64,7 +64,11 @@ def fill(
 ) -> None:
     """Write the index fields of a bank: pair blocks, coordinate blocks, spin coordinates."""
     fields = bank.dtype.names or ()
+    paired = getattr(kind.load(), "PAIRED", ())
     for record in bank:
+        for x, a in enumerate(paired):
+            for y, b in enumerate(paired):
+                record["pairs"][x, y] = pair_index.get((int(record[a]), int(record[b])), 0)
         for a, b in kind.pairs:
             i, j = int(record[a]), int(record[b])
             for name, key in ((a + a, (i, i)), (a + b, (i, j)), (b + a, (j, i)), (b + b, (j, j))):

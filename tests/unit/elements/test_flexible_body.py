@@ -61,7 +61,7 @@ def modal_indices(system, n):
 
 
 @pytest.mark.nojit
-@pytest.mark.parametrize("n", [2, 5, 12])
+@pytest.mark.parametrize("n", [2, 5, 20])
 def test_forces_are_those_of_the_point_masses(n):
     system, body, shape, stiffness = flying(n)
     state = stirred(system)
@@ -76,11 +76,11 @@ def test_forces_are_those_of_the_point_masses(n):
     np.testing.assert_allclose(evaluate.residual(system, state)[at], -modal, atol=1e-10 * np.abs(modal).max())
 
 
-@pytest.mark.nojit
-def test_tangents_are_derivatives():
+@pytest.mark.parametrize("n", [pytest.param(5, marks=pytest.mark.nojit), 20])
+def test_tangents_are_derivatives(n):
     rng = np.random.default_rng(6)
-    root = rng.normal(size=(5, 5))
-    system, *_ = flying(damping=root @ root.T, axes=frame(rng))
+    root = rng.normal(size=(n, n))
+    system, *_ = flying(n, damping=root @ root.T, axes=frame(rng))
     state = stirred(system)
     M, D, K = evaluate.linearize(system, state)
     for found, key, step in ((M, "a", 1e-2), (D, "v", 1e-3), (K, "q", 1e-5)):
@@ -129,10 +129,9 @@ def test_energy_and_momentum_of_a_free_body_stay():
 
 def test_too_many_modes_are_refused():
     body = truss()
-    with pytest.raises(CompileError, match="13 modal coordinates"):
-        flexible_row(
-            mass_invariants(body, free_modes(body, 13).shape), np.ones(13), frame=1, hidden=(2, 3, 4, 5, 6)
-        )
+    shape = np.tile(free_modes(body, 16).shape, 2)[:, :31]
+    with pytest.raises(CompileError, match="31 modal coordinates"):
+        flexible_row(mass_invariants(body, shape), np.ones(31), frame=1, hidden=tuple(range(2, 13)))
 
 
 def held(n=6, spring=300.0):

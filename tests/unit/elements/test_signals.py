@@ -513,7 +513,7 @@ def test_a_law_that_fails_is_named(what):
     net.torque("m", "u", 1)
     system = assemble_controlled(net, {})
     said = "raised ValueError: no such speed" if what == "raise" else "returned nan"
-    with pytest.raises(SolverError, match=rf"signal 'u'\): .*law {said} \(t = 0 s, x = 0\)"):
+    with pytest.raises(SolverError, match=rf"signal 'u': .*law {said} \(t = 0 s, x = 0\)"):
         evaluate.residual(system, system.initial_state())
 
 

@@ -133,6 +133,9 @@ def test_a_ball_that_never_leaves_a_cup_is_a_pendulum():
     seen = dict(zip([c.name for c in system.layout.channels], evaluate.observe(system, after), strict=True))
     assert seen["contact_force[c]"] == pytest.approx(0.5 * 9.81, rel=1e-8)
     assert seen["contact_location[c.z]"] == pytest.approx(-0.1, rel=1e-8)
+    state.q[[0, 2]] = 0.03, 0.09 - math.sqrt(0.09**2 - 0.03**2)  # it rolls to the bottom
+    rest = find_equilibrium(system, state)
+    np.testing.assert_allclose(rest.state.q[:3], 0.0, atol=1e-10)
 
 
 def test_a_ball_is_pressed_out_of_a_plate():

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 import pytest
 
-from pitchpoint.core.errors import CompileError, ModelError
+from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.solvers.equilibrium import find_equilibrium
@@ -123,12 +125,10 @@ def test_the_hash_of_a_model_covers_the_triangles(tmp_path):
     file.write_bytes(binary(BOX))
     one = loads(PLATE, tmp_path)
     assert content_hash(loads(PLATE, tmp_path)) == content_hash(one)
-    file.write_bytes(binary(1.5 * BOX) + b"")
-    other = loads(PLATE, tmp_path)
-    assert content_hash(other) != content_hash(one)
-    with pytest.raises(CompileError, match=r"surface_contacts.c.file: has changed since the model was read"):
-        compile_model(one)
-    compile_model(other)
+    before = content_hash(one)
+    file.write_bytes(binary(1.5 * BOX))
+    os.utime(file, ns=(1, 1))  # the same size, and not the same time
+    assert content_hash(loads(PLATE, tmp_path)) != before
 
 
 @pytest.mark.parametrize(

@@ -5,13 +5,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pitchpoint.model.file_digest import file_digest
 from pitchpoint.model.keys import (
     REQUIRED,
     boolean,
     choice,
     component,
-    derived,
     ends,
     integer,
     key,
@@ -152,11 +150,6 @@ class ContactSurface:
         "length", "triangles: length of one unit of the file; STL files do not tell theirs", None
     )
     open: bool = boolean("triangles: the surface may have borders, which nothing gets near to", False)
-    digest: str = derived("")
-    """Digest of the content of the file, so that the same model has the same triangles."""
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "digest", file_digest(self.file))
 
 
 @dataclass(frozen=True, kw_only=True)

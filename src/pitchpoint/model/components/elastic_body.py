@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pitchpoint.model.components.marker import Axes, Marker, Triple
 from pitchpoint.model.keys import boolean, component, integer, key, positive, quantities, quantity
 
-MOST_MODES = 12
+MOST_MODES = 30
 """Modes that one elastic body can have."""
 
 
@@ -59,7 +59,7 @@ class ElasticBody:
     )
     modes: int | None = integer("number of modes, the lowest ones", None, minimum=1, maximum=MOST_MODES)
     below: float | None = positive(
-        "frequency", "instead of a number: all modes up to this frequency, 12 at most", None
+        "frequency", "instead of a number: all modes up to this frequency, 30 at most", None
     )
     damping_ratio: float = quantity(
         "dimensionless", "damping ratio of every mode", 0.0, minimum=0.0, maximum=1.0

@@ -33,7 +33,6 @@ from pitchpoint.model.components.contact import (
     CurveContact,
     SurfaceContact,
 )
-from pitchpoint.model.file_digest import file_digest
 from pitchpoint.system.rules.bank import Bank, pack
 
 Array = NDArray[np.float64]
@@ -209,8 +208,6 @@ def _triangles(part: ContactSurface, where: str) -> TriangleSurface:
     """Triangles of a file."""
     if part.file is None:
         raise CompileError(f"{where}.file: triangles come from a file")
-    if file_digest(part.file) != part.digest:
-        raise CompileError(f"{where}.file: has changed since the model was read; read it again")
     try:
         found = placed_triangles(read_triangles(part.file), part.unit or 1.0, part.hollow)
         return TriangleSurface.from_triangles(found)

@@ -86,7 +86,7 @@ def elastic_parts(
     name
         Name of the body; its frame has this name, too.
     structure, modes
-        Its matrices and at most twelve modes, of `craig_bampton`, or of `held_modes` if a joint holds a node.
+        Its matrices and at most thirty modes, of `craig_bampton`, or of `held_modes` if a joint holds a node.
     nodes
         Nodes for joints, forces and constraints, by name.
     first
