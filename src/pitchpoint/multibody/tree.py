@@ -371,12 +371,9 @@ def _fresh_chart(C, d, q, v, a, al, ap):
     _second(turn, a, d, bias, rates)
     _second(turn, al, d, bias, rates)
     _second(turn, ap, d, bias, rates)
-    v[d] = rates[0]
-    v[d + 1] = rates[1]
-    v[d + 2] = rates[2]
-    q[d] = 0.0
-    q[d + 1] = 0.0
-    q[d + 2] = 0.0
+    for i in range(3):
+        v[d + i] = rates[i]
+        q[d + i] = 0.0
 
 
 @kernel
