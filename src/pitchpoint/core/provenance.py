@@ -37,7 +37,8 @@ def content_hash(data: Any) -> str:
     ----------
     data
         Numbers, texts, sequences, mappings, arrays, dataclasses, nested. Of a file that a dataclass names, a
-        field with a key of kind "file", its content counts and its name does not.
+        field with a key of kind "file", its content counts and its name does not. Fields by which nobody
+        compares, such as lines in a file, do not count.
 
     Returns
     -------
@@ -88,7 +89,8 @@ def provenance(
 def _plain(data: Any) -> Any:
     """Turn nested data into what JSON knows; floats by their exact text, so NaN and -0.0 are kept apart."""
     if dataclasses.is_dataclass(data) and not isinstance(data, type):
-        fields = {f.name: _plain(_content(f, getattr(data, f.name))) for f in dataclasses.fields(data)}
+        compared = [f for f in dataclasses.fields(data) if f.compare]
+        fields = {f.name: _plain(_content(f, getattr(data, f.name))) for f in compared}
         return {"": type(data).__name__, **fields}
     if isinstance(data, Mapping):
         return {str(k): _plain(v) for k, v in data.items()}

@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.provenance import content_hash
 from pitchpoint.elements.registry import find, names
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import GROUPS, Model
@@ -71,3 +72,10 @@ def test_a_changed_model_keeps_its_lines():
     model = loads_model("bodies:\n  a: {motion: torsion, inertia: 1 kg m^2}\n")
     assert model.replace("bodies.a.inertia", 2.0).line(("bodies", "a")) == 2
     assert Model(bodies=model.bodies).line(("bodies", "a")) is None
+
+
+def test_lines_and_folders_do_not_change_the_hash_of_a_model(tmp_path):
+    text = "bodies:\n  a: {motion: torsion, inertia: 1 kg m^2}\n"
+    plain = content_hash(loads_model(text))
+    assert content_hash(loads_model(f"# a remark\n{text}", file=str(tmp_path / "m.yaml"))) == plain
+    assert content_hash(loads_model(text.replace("1 kg", "2 kg"))) != plain
