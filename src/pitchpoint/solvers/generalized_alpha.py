@@ -34,7 +34,11 @@ from pitchpoint.system.workspace import MACH, STAGE_ROWS, STEPS, VALID
 
 MOST_MATRICES = 12
 """Iterations of the stabilised form with a matrix each."""
-ROUND_OFF = 1e-14
+ROUND_OFF = 4e-15
+"""Least tolerance over the size of the machine [m], and of angles [rad]: some units of rounding."""
+JOLT = 2e-3
+"""Acceleration that the iteration may leave over where there are rows [m/s^2]: a length that is nothing in a
+position is a force in the multipliers, over the square of a short step, and adds up in the rates."""
 
 
 @kernel
@@ -178,7 +182,7 @@ class Run:
     rho_inf
         Spectral radius at infinite frequency, 0 ... 1 (1: no numerical damping).
     tolerance
-        Error left in the Newton iteration, weighted as a length [m].
+        Error left in the Newton iteration, weighted as a length [m]; with rows and short steps less is left.
     iteration
         Record and arrays of the stabilised iteration; None for index 3.
     """
@@ -220,12 +224,21 @@ class Run:
         harvest = new_harvest(
             self.system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
         )
-        order = np.array([(self.t0, self.h, self.rho_inf, self.tolerance, self.steps, n, 0, 0)], ORDER)
+        order = np.array([(self.t0, self.h, self.rho_inf, self.left(), self.steps, n, 0, 0)], ORDER)
         if self.iteration is not None:
+            per_q = self.iteration[1][0]
+            per_q[:] = 1.0 / np.maximum(self.left() / self.system.workspace.arrays["weight"], ROUND_OFF)
             order[0]["iteration"], order[0]["code"] = self.iteration[0].ctypes.data, address(iterate)
         done = advance_into(entry, self.system.workspace.at, order, harvest)
         self.steps += done.steps
         return done
+
+    def left(self) -> float:
+        """Error that the iteration may leave at this step, weighted as a length [m]."""
+        if not self.system.sizes["nc"]:
+            return self.tolerance
+        size = max(1.0, float(np.abs(self.system.workspace.fr["r"]).max(initial=0.0)))
+        return max(ROUND_OFF * size, min(self.tolerance, 0.25 * self.h**2 * JOLT))
 
     def go_on(self) -> int:
         """Begin at the state in the workspace, whose forces may have jumped; returns the status.
@@ -314,9 +327,6 @@ def start(
     run = Run(system, h, rho_inf, tolerance, state.t)
     if form == "SI2" and system.sizes["nc"]:
         run.iteration = new_iteration(system.sizes["nd"], system.sizes["nc"], True, MOST_MATRICES)
-        per_q = run.iteration[1][0]
-        # no iteration goes below the rounding of angles and of the size of the machine
-        per_q[:] = 1.0 / np.maximum(tolerance / w.arrays["weight"], ROUND_OFF)
     evaluate.check(system, run.go_on(), state)
     if system.sizes["ne"]:
         evaluate.check(system, evaluate.fill_events(system, state.t, w.arrays["ev0"]), state)

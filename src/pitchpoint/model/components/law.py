@@ -59,7 +59,7 @@ class PythonLaw:
     """Name of the function in it."""
     parameters: tuple[float, ...] = ()
     """Numbers handed to the function."""
-    digest: str = field(init=False, default="", compare=False, repr=False)
+    digest: str = field(init=False, default="", repr=False)
     """SHA-256 of the file as it was when the law was named: a changed function is another model."""
 
     def __post_init__(self) -> None:
