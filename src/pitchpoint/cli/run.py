@@ -195,15 +195,9 @@ def compute(
 
 def reduced_start(system: System, scenario: Scenario, limit: float) -> Start:
     """Where a scenario starts with the linear parts condensed for frequencies up to a limit [Hz]."""
-    from pitchpoint.core.errors import SolverError
-    from pitchpoint.core.status import INCONSISTENT
     from pitchpoint.solvers.reduction import reduce_system
     from pitchpoint.solvers.start import Start
 
-    if system.controllers:
-        raise SolverError(
-            "--reduce: the model has controllers, which a reduced system cannot feed", INCONSISTENT
-        )
     found = reduce_system(system, scenario, limit=limit)
     return Start(found.system, found.state, (found.error.report(), *found.notes))
 

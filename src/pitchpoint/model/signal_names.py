@@ -6,9 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from pitchpoint.core import nomenclature
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.controller import inputs_of, outputs_of
-from pitchpoint.model.components.sensor import FrameSensor, JointSensor, LoadSensor
+from pitchpoint.model.components.sensor import FrameSensor, JointSensor, Listener, LoadSensor
 from pitchpoint.model.keys import Place
 
 SECTIONS = ("sensors", "blocks", "controllers", "actuators")
@@ -109,4 +110,6 @@ def rates_behind(machine: Any) -> dict[str, str]:
 def _is_rate(sensor: Any) -> bool:
     if isinstance(sensor, JointSensor):
         return sensor.derivative > 0
+    if isinstance(sensor, Listener):
+        return "/s" in nomenclature.unit(sensor.channel)
     return isinstance(sensor, FrameSensor) and sensor.quantity in RATES

@@ -12,6 +12,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.stiffness import Fourier, Rectangular
+from pitchpoint.model.frames import GROUND
 from pitchpoint.model.inertia import BodyInertia, asks_gears, body_inertia, gear_inertia
 from pitchpoint.model.keys import Place
 from pitchpoint.model.pair_check import hand_on
@@ -252,7 +253,7 @@ def check_motions(parts: Parts, report: Reader) -> None:
     fixed = {n for n, b in parts.bodies.items() if b.moves == "fixed"}
     for group in ("loads", "bearings"):
         for name, part in getattr(parts, group).items():
-            if part.body in fixed:
+            if part.body in fixed and getattr(part, "housing", None) in (None, GROUND):
                 report.problem(
                     (group, name, "body"),
                     f"names {part.body}, which is fixed and feels nothing",

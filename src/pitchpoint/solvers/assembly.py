@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.elements.registry import MODAL
 from pitchpoint.system import evaluate
 from pitchpoint.system.source import row_source, row_unit
 from pitchpoint.system.system import State, System
@@ -222,7 +223,7 @@ def _reluctance(system: System) -> Array:
     found = system.weight.copy()
     body = system.program["body"]
     for record in system.records.get("flexible_body", ()):
-        for hidden in (int(record[n]) for n in "jklm"):
+        for hidden in (int(record[n]) for n in MODAL[1:]):
             first, n = int(body[hidden]["dof"]), int(body[hidden]["n"])
             if hidden:
                 found[first : first + n] *= STIFF

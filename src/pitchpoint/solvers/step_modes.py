@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.element_tangents import switched
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
@@ -70,6 +71,8 @@ def counted_frequency(start: Start, explicit: bool = False) -> float:
     share = np.zeros(len(omega))
     for found in (_excited_energy(start, shapes), _loaded_compliance(system, shapes, omega, bends)):
         share = np.maximum(share, found)
+    if not share.any():  # drives, bases, releases: what moves it is no element
+        share = values
     weight = np.sqrt(np.clip(share / np.where(bends, values, np.inf), 0.0, 1.0))
     return float((omega * weight).max() / (2.0 * np.pi))
 
@@ -95,10 +98,15 @@ def _loaded_compliance(system: System, shapes: Array, omega: Array, bends: NDArr
 
     A torque turns the spin of its body, a force may move any coordinate.
     """
+    body = system.program["body"]
     ends = {kind: _ends(system, kind) for kind in ("torque", "force")}
-    spins = {int(system.program["body"][b]["spin"]) for b in ends["torque"]}
-    names = {system.layout.bodies[b] for b in ends["force"]}
-    pushed = {k for k, c in enumerate(system.layout.coordinates) if c.rsplit(".", 1)[0] in names}
+    spins = {spin_of(body, b) for b in ends["torque"]}
+    pushed = set()
+    for b in ends["force"]:
+        while b:  # what moves it: its own coordinates or those that it shares, else those that carry it
+            owner = body[int(body[b]["shares"]) or b]
+            pushed |= set(range(int(owner["dof"]), int(owner["dof"]) + int(owner["n"])))
+            b = int(body[b]["parent"]) if body[b]["n"] == 0 else 0
     found = np.zeros(len(omega))
     for k in sorted({s for s in spins if s >= 0} | pushed):
         compliance = np.where(bends, shapes[k] ** 2 / np.where(bends, omega, 1.0) ** 2, 0.0)

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements.friction_clutch import BRISTLE
+from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.equilibrium import Equilibrium, find_equilibrium
 from pitchpoint.solvers.trains import rotations
@@ -103,7 +104,7 @@ def _place(system: System, number: int) -> int:
 
 def _spin(system: System, record: np.void) -> int:
     """Spin of the body on which a torque acts."""
-    return int(system.program["body"][int(record["i"])]["spin"])
+    return spin_of(system.program["body"], int(record["i"]))
 
 
 def _slip(system: System, state: State, record: np.void) -> float:

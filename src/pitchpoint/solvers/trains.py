@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
 from pitchpoint.elements.ratio import place_of
-from pitchpoint.multibody.bodies import GENERAL, base_of
+from pitchpoint.elements.registry import MODAL
+from pitchpoint.multibody.bodies import GENERAL, base_of, spin_of
 from pitchpoint.solvers.assembly import loop_rows
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -124,7 +125,7 @@ def _motions(system: System, state: State) -> Array:
         row[list(index)] = relation
         rows.append(row)
     still = {int(s) for s in system.states}
-    hidden = {int(r[n]) for r in system.records.get("flexible_body", ()) for n in "jklm"} - {0}
+    hidden = {int(r[n]) for r in system.records.get("flexible_body", ()) for n in MODAL[1:]} - {0}
     for k, b in enumerate(body):
         if k and (b["joint"] != GENERAL or k in hidden):
             own = range(int(b["dof"]), int(b["dof"]) + int(b["n"]))
@@ -292,12 +293,14 @@ def _resisted(system: System, index: dict[int, int]) -> list[Array]:
     body = system.program["body"]
     held = {int(s) for s in system.states}
     for kind, records in system.records.items():
-        if kind in ("gear_mesh", "bearing", "ratio"):
+        if kind in ("gear_mesh", "ratio"):
             continue
         module = registry.find(kind).load()
         if getattr(module, "SPINS", "holds") != "holds" or "i" not in (records.dtype.names or ()):
             continue
         for record in records:
+            if kind == "bearing" and record["housed"] == 0:
+                continue
             if kind == "gravity":
                 held |= _leaning(system)
                 break
@@ -307,8 +310,21 @@ def _resisted(system: System, index: dict[int, int]) -> list[Array]:
                 continue
             ends = [_movers(body, int(record[end])) for end in ("i", "j") if end in fields]
             between = set.symmetric_difference(*ends) if len(ends) == 2 else ends[0]
+            if kind == "bearing":
+                between -= _along(system, int(record["i"]))
             held |= between - (_unresisted(body, record) if kind == "bushing" else set())
     return [np.eye(len(index))[index[s]] for s in sorted(held)]
+
+
+def _along(system: System, b: int) -> set[int]:
+    """Spins of all bodies about the axis of body b, where they are drawn."""
+    place, axis = (np.asarray(x, float) for x in (system.bodies[b - 1].position, system.bodies[b - 1].axes))
+    found = set()
+    for k, other in enumerate(system.bodies, start=1):
+        z, way = np.asarray(other.axes, float)[:, 2], np.asarray(other.position, float) - place
+        if max(np.linalg.norm(np.cross(z, axis[:, 2])), np.linalg.norm(np.cross(way, axis[:, 2]))) <= SAME:
+            found.add(int(system.program["body"][k]["spin"]))
+    return found
 
 
 def _unresisted(body: NDArray[np.void], record: np.void) -> set[int]:
@@ -320,7 +336,7 @@ def _unresisted(body: NDArray[np.void], record: np.void) -> set[int]:
         A = record[f"A_{end}"]
         x = np.concatenate([A.T @ np.cross(axis, record[f"p_{end}"]), A.T @ axis])
         if np.abs(K @ x).max() <= SAME * np.abs(K).max():
-            found.add(int(body[int(record[end])]["spin"]))
+            found.add(spin_of(body, int(record[end])))
     return found
 
 
