@@ -89,7 +89,8 @@ def provenance(
 def _plain(data: Any) -> Any:
     """Turn nested data into what JSON knows; floats by their exact text, so NaN and -0.0 are kept apart."""
     if dataclasses.is_dataclass(data) and not isinstance(data, type):
-        compared = [f for f in dataclasses.fields(data) if f.compare]
+        read = bool(getattr(data, "digest", ""))  # of what it names the content counts, not the place
+        compared = [f for f in dataclasses.fields(data) if f.compare and not (read and f.name == "file")]
         fields = {f.name: _plain(_content(f, getattr(data, f.name))) for f in compared}
         return {"": type(data).__name__, **fields}
     if isinstance(data, Mapping):

@@ -22,6 +22,8 @@ def check_beams(parts: Parts, report: Reader) -> None:
     """Everything about a beam that more than one key decides, once bodies have their places."""
     for name, beam in parts.beams.items():
         at: Place = ("beams", name)
+        if name in parts.bodies and beam.pieces > 1:
+            report.problem(at, "has the name of a body", remedy="give the beam a name of its own")
         if (*at, "section") not in report.tainted:
             _section(beam.section, (*at, "section"), report)
         if (*at, "ends") not in report.tainted:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from pitchpoint.model.components.joint import FUNCTIONS
 from pitchpoint.model.components.law import Constant
 from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy
-from pitchpoint.model.frames import ALONG, body_frame
+from pitchpoint.model.frames import ALONG, GROUND, body_frame, split
 from pitchpoint.model.joint_check import ends_of
 from pitchpoint.model.keys import defaults_of
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
@@ -205,7 +205,9 @@ def _supports(model: Model) -> Iterator[str]:
     """Bearings and couplings that hold only what cannot move."""
     for name, bearing in model.bearings.items():
         motion = model.bodies[bearing.body].moves
-        if not _holds(bearing, set(MOVES[motion])):
+        house = split(bearing.housing)[0] if bearing.housing is not None else GROUND
+        moving = set(MOVES[motion]) | set(MOVES[model.bodies[house].moves] if house != GROUND else ())
+        if not _holds(bearing, moving):
             yield (
                 f"bearings.{name}: has no effect and no force at any load: it holds no direction in which "
                 f"{bearing.body} (motion: {motion}) moves"

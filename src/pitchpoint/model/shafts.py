@@ -131,6 +131,9 @@ def seats_on(machine: Any, shaft: str) -> Iterator[tuple[Place, float]]:
         for name, part in getattr(machine, group).items():
             if part.body == shaft:
                 yield (group, name, "position"), part.position[2]
+    for name, part in machine.bearings.items():
+        if part.housing is not None and split(part.housing)[0] == shaft and part.body in machine.bodies:
+            yield ("bearings", name, "housing"), along(_place_on_axis(machine, part.body, part))
     for name, coupling in machine.couplings.items():
         if shaft in coupling.bodies:
             yield (

@@ -71,12 +71,13 @@ def check_housings(parts: Parts, report: Reader) -> None:
             continue
         center = np.array(owner.origin) + body_frame(parts, part.body)[1] @ [0.0, 0.0, part.position[2]]
         apart = float(np.linalg.norm(center - there))
-        if apart > HOUSED * max(1.0, float(np.abs(center).max())):
+        limit = HOUSED * max(1.0, float(np.abs(center).max()))
+        if apart > limit:
             report.problem(
                 (*at, "housing"),
                 f"lies {apart * 1e3:.6g} mm from the bearing",
                 value=part.housing,
-                limit=f"{HOUSED * 1e3:g} mm",
+                limit=f"{limit * 1e3:.4g} mm",
                 remedy=f"correct the place of {marker}, or the position of the bearing or of {part.body}",
             )
 

@@ -34,7 +34,7 @@ def refuse_sampled(system: System, what: str) -> None:
         The analysis, for the sentence.
     """
     if system.controllers:
-        names = ", ".join(f"controllers.{c.name}" for c in system.controllers)
+        names = ", ".join(_named(system, "controllers", c.name) for c in system.controllers)
         raise SolverError(
             f"{what} cannot call sampled controllers ({names}); use blocks instead, or run a time response",
             INCONSISTENT,
@@ -52,10 +52,16 @@ def refuse_rates(system: System, what: str) -> None:
     refuse_sampled(system, what)
     for name, signal in rates_behind(system.model).items() if system.model is not None else ():
         raise SolverError(
-            f"{what} has no speeds, and actuators.{name} follows one, signal[{signal}]; give the torque as a "
-            "load instead, or run a time response",
+            f"{what} has no speeds, and {_named(system, 'actuators', name)} follows one, signal[{signal}]; "
+            "give the torque as a load instead, or run a time response",
             INCONSISTENT,
         )
+
+
+def _named(system: System, section: str, name: str) -> str:
+    """Component with its line, if the system comes from a file."""
+    line = system.model.line((section, name)) if system.model is not None else None
+    return f"{section}.{name}" + (f" (line {line})" if line is not None else "")
 
 
 def refuse_loads(system: System, what: str) -> None:

@@ -125,7 +125,7 @@ def step_to_event(at, where, spare):
         if share < 0.0:
             return NOT_FINITE
         if share > 1.0:
-            if tries == 0 or used < 0.9 * reach or extra > h:
+            if tries == 0 or tries == MOST_TRIES - 1 or used < 0.9 * reach or extra > h:
                 _pass_on(at)
                 return OK  # nothing here, or the step became too short to get there
             extra *= 8.0  # just before it

@@ -44,6 +44,8 @@ NEARER = 0.1
 """Shift of the damped modes over the lowest frequency that is not zero."""
 STILL = 1e-5
 """Eigenvalue over that shift below which a rigid mode stands still: a double zero loses half its digits."""
+MOST_SHIFT = 1e6
+"""Shift over the largest stiffness at which only a negative mass can leave anything below it."""
 OWN = 0.5
 """Share of a shape in the states of elements from which it is theirs."""
 
@@ -62,6 +64,8 @@ def lowest_modes(M: Array, K: Array, basis: Any, rigid: Array, count: int) -> tu
     lu, below = _factors(k, m, shift)
     while below:  # unstable: there are modes below the shift
         shift *= 100.0
+        if not shift <= MOST_SHIFT * float(abs(k).max()):
+            raise SolverError("inertia is negative in some direction, so there are no modes", SINGULAR)
         lu, below = _factors(k, m, shift)
     values, vectors = _complete(m, k, lu, shift, min(count + max(GUARD, count // 4), n - 1))
     omega, shapes = sorted_modes(m, k, scale, values, vectors, basis, rigid, M)

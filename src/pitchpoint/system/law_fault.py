@@ -9,6 +9,7 @@ from typing import Any
 
 from pitchpoint.core.user_law import UserLaw
 from pitchpoint.elements import signal
+from pitchpoint.elements.line import line_between
 from pitchpoint.system.system import System
 
 
@@ -43,6 +44,14 @@ def _arguments(system: System, record: Any) -> tuple[float, float, int, int]:
         kind = next(name for name in ("signal", "signal_of_loads") if name in system.pools)
         x = float(system.pools[kind][int(record["a"])])
         return t, x, int(record["start"]), int(record["n"])
+    if "free" in record.dtype.names:  # a spring along a line
+        ends = (system.workspace.fr[int(record[end])] for end in "ij")
+        return (
+            t,
+            line_between(record, *ends)[3] - float(record["free"]),
+            int(record["start"]),
+            int(record["n"]),
+        )
     frame = system.workspace.fr[int(record["i"])]
     x = float(frame["phi"]) + 2.0 * math.pi * int(frame["turns"])
     if record["over"] == signal.OVER_TIME:

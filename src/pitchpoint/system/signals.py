@@ -11,13 +11,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import CompileError
+from pitchpoint.core.errors import CompileError, ModelError, Problem
 from pitchpoint.elements import signal_record as sr
 from pitchpoint.elements.signal_net import SignalNet
 from pitchpoint.system.controller import SampledController
 from pitchpoint.system.system import System, assemble
 
 KINDS = ("signal", "signal_of_loads")
+OBSERVED = "name a channel as results have it"
 
 
 def assemble_controlled(
@@ -63,7 +64,9 @@ def assemble_controlled(
         if channel not in known:
             near = get_close_matches(channel, known, 1)
             hint = f"; did you mean {near[0]!r}?" if near else ""
-            raise CompileError(f"signal {name!r}: nothing observes {channel!r}{hint}")
+            raise ModelError(
+                [Problem(f"sensors.{name}.channel", f"nothing observes {channel!r}{hint}", remedy=OBSERVED)]
+            )
         system.records[kind]["channel"][labels.index(name)] = known.index(channel)
     _check(net, controllers)
     return replace(system, controllers=tuple(controllers))

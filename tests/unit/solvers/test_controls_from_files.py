@@ -294,11 +294,13 @@ def test_a_driven_motion_without_dynamics():
 def test_what_other_analyses_cannot_take_in():
     sampled = PAIR + ERROR + SAMPLED % ", start: 20" + DRIVE
     system = compile_model(loads_model(sampled), "up")
-    with pytest.raises(SolverError, match=r"a speed sweep cannot call sampled controllers \(controllers.c\)"):
+    with pytest.raises(
+        SolverError, match=r"a speed sweep cannot call sampled controllers \(controllers.c \(line \d+\)\)"
+    ):
         run_sweep(system)
     with pytest.raises(SolverError, match=r"a slow roll cannot call sampled controllers"):
         roll_through(compile_model(loads_model(sampled), "roll"), "roll")
-    with pytest.raises(SolverError, match=r"actuators.drive follows one, signal\[speed\]"):
+    with pytest.raises(SolverError, match=r"actuators.drive \(line \d+\) follows one, signal\[speed\]"):
         roll_through(compile_model(loads_model(PAIR + ERROR + PI % "" + DRIVE), "roll"), "roll")
     modes = find_modes(compile_model(loads_model(sampled), "run"), "run")
     assert "nothing calls the sampled controllers here (c)" in modes.notes[-1]
