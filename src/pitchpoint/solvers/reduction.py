@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements import registry
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers.controls import refuse_loads
+from pitchpoint.solvers.controls import held_outputs, refuse_loads
 from pitchpoint.solvers.element_tangents import element_names, switched
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.reduction_choice import (
@@ -122,7 +122,15 @@ def reduce_system(
         if reduced[2].frequency <= WANTED[0] and reduced[2].compliance <= WANTED[1]:
             break
     names = tuple(own.layout.bodies[b] for b in split.kept)
-    return Reduced(reduced[0], reduced[1], own, state, reduced[2], names, (*point.notes, *split.notes))
+    return Reduced(
+        reduced[0],
+        reduced[1],
+        own,
+        state,
+        reduced[2],
+        names,
+        (*(n for n in point.notes if n not in held_outputs(own)), *split.notes),
+    )
 
 
 def _bodies(system: System, split: Split) -> tuple[list[Body], dict[int, int]]:
