@@ -7,11 +7,13 @@ its whole turns. The observation is the torque, or the force, that the drive put
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from pitchpoint.core.formula_kernel import evaluate_slope
 from pitchpoint.core.kernel import invoke, kernel, view
-from pitchpoint.core.status import OK
+from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.ratio import SPIN
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.speed_pieces import SpeedPieces
@@ -139,6 +141,9 @@ def drive(rec, ctl, fr, q, g, G):
         r = b["row"]
         d = b["spin_i"] if b["q_i"] == SPIN else b["dof_i"] + b["q_i"]
         angle, speed, acceleration = target(b, c["t"])
+        if not math.isfinite(angle + speed + acceleration):
+            c["bad"] = e
+            return NOT_FINITE
         g[r] = q[d] - angle
         if d == b["spin_i"]:
             g[r] += TWO_PI * fr[b["i"]]["turns"]

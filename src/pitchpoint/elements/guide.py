@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.formula_kernel import evaluate_slope
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import OK
+from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.speed_pieces import fit_pieces
 from pitchpoint.multibody.channels import F8, I8, motion_args
@@ -170,6 +170,9 @@ def guide(rec, ctl, q, guides):
         m = b["m"]
         k = b["k"]
         value, slope, second = function(b, t if k == TIME else q[b["dof_i"] + k])
+        if not math.isfinite(value + slope + second):
+            ctl[0]["bad"] = e
+            return NOT_FINITE
         g["d"][m] += value
         if k == TIME:
             g["rate"][m] += slope

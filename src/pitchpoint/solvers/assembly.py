@@ -50,18 +50,21 @@ class Assembly:
     redundant
         Names of rows that repeat others: their reactions cannot be told apart.
     moved
-        Largest change of a coordinate that closed the loops [m or rad], and its name.
+        Largest change of a coordinate that closed the loops, and its name.
+    unit
+        Unit of this change, m or rad.
     """
 
     state: State
     freedoms: int
     redundant: tuple[str, ...]
     moved: tuple[float, str]
+    unit: str
 
     def report(self) -> tuple[str, ...]:
         """What a user should know beside the repeated rows (`rows.row_notes`), in sentences."""
         size, name = self.moved
-        return (f"loops were closed by moving {name} by {size:.4g}",) if size > 1e-6 else ()
+        return (f"loops were closed by moving {name} by {size:.4g} {self.unit}",) if size > 1e-6 else ()
 
 
 def assemble_state(
@@ -89,7 +92,7 @@ def assemble_state(
     """
     found = (system.initial_state() if state is None else state).copy()
     if system.sizes["nc"] == 0:
-        return Assembly(found, system.sizes["nd"], (), (0.0, ""))
+        return Assembly(found, system.sizes["nd"], (), (0.0, ""), "m")
     begun = found.q.copy()
     _walk(system, found, keep)
     _close(system, found, keep)
@@ -105,6 +108,7 @@ def assemble_state(
         system.sizes["nd"] - (len(G) - len(redundant)),
         tuple(system.layout.rows[r] for r in redundant),
         (float(change[largest]), system.layout.coordinates[largest]),
+        "rad" if system.weight[largest] != 1.0 else "m",
     )
 
 

@@ -143,7 +143,8 @@ def _closed(
     if model is None or not is_looped(system):
         return state, ()
     if rest:
-        rates = {*driven, *(system.spin(body) for body in scenario.speed)}
+        rates = {*driven, *(system.layout.coordinate(c) for c in given(model.mechanism, model, "speed"))}
+        rates |= {system.spin(body) for body in scenario.speed}
         found = assemble_state(system, state, keep=driven, keep_rates=rates)
         return _passed_on(system, found.state, driven, rates), ()
     keep, rates = (

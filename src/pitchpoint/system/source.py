@@ -66,12 +66,24 @@ def source(system: System, kind: str, name: str) -> str:
     str
         Without a model, or where none of its components has the name: kind and name.
     """
+    if kind == "drive" and (told := _drive(system, name)):
+        return told
     found = _component(system, kind, name)
     if found is None:
         return f"{kind.replace('_', ' ')} {name!r}"
     section, component = found
     line = system.model.line((section, component)) if system.model is not None else None
     return f"{section}.{name}" + (f" (line {line})" if line is not None else "")
+
+
+def _drive(system: System, name: str) -> str:
+    """Place of a drive in its scenario; "" without a model."""
+    if system.model is None or system.scenario is None:
+        return ""
+    scenario = next((n for n, s in system.model.scenarios.items() if s is system.scenario), "")
+    line = system.model.line(("scenarios", scenario, "drive", name))
+    place = f"scenarios.{scenario}.drive.{name}" if scenario else f"drive.{name}"
+    return place + (f" (line {line})" if line is not None else "")
 
 
 def row_source(system: System, row: int) -> str:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from pitchpoint.cli.main import run_command
-from pitchpoint.core.errors import CompileError, ModelError
+from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.system.compile import compile_model
 
@@ -336,5 +336,7 @@ def test_an_observation_that_nothing_makes(folder: Path) -> None:
     old, new = sensor("{type: observation, channel: 'slip_speed[link]'}")
     (folder / "model.yaml").write_text(DRIVE.replace(old, new), encoding="utf-8")
     model = load_model(folder / "model.yaml", allow_code=True)
-    with pytest.raises(CompileError, match=r"signal 'more': nothing observes 'slip_speed\[link\]'"):
+    with pytest.raises(
+        ModelError, match=r"sensors.more.channel \(line \d+\): nothing observes 'slip_speed\[link\]'"
+    ):
         compile_model(model)

@@ -7,10 +7,13 @@ import pytest
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.provenance import content_hash
+from pitchpoint.core.status import NOT_FINITE
 from pitchpoint.elements.registry import find, names
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import GROUPS, Model
 from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.source import SECTIONS, source
 from tests.support.mechanism_files import SLIDER_CRANK, system_of
@@ -79,3 +82,48 @@ def test_lines_and_folders_do_not_change_the_hash_of_a_model(tmp_path):
     plain = content_hash(loads_model(text))
     assert content_hash(loads_model(f"# a remark\n{text}", file=str(tmp_path / "m.yaml"))) == plain
     assert content_hash(loads_model(text.replace("1 kg", "2 kg"))) != plain
+
+
+@pytest.mark.parametrize("method", ["kinematics", "generalized_alpha", "gstiff"])
+def test_a_drive_that_ends_names_its_scenario_and_line(method):
+    law = '"1 rad * log(0.02 - t/(1 s))"'
+    text = "bodies: {a: {motion: torsion, inertia: 0.1 kg m^2}}\nscenarios:\n"
+    text += f"  go: {{method: {method}, duration: 1 s, step: 1 ms, drive: {{a: {{angle: {law}}}}}}}\n"
+    model = loads_model(text)
+    done = run_time(compile_model(model, "go"), sink=Memory())
+    assert done.status == NOT_FINITE
+    assert done.sentence.startswith("scenarios.go.drive.a (line 3): ")
+    assert 0.0 < done.t_end < 0.02
+
+
+def test_a_moved_frame_that_ends_names_its_joint_and_line():
+    text = """\
+bodies:
+  base: {mass: 1 kg}
+  arm: {mass: 1 kg, inertia_tensor: [1e-3, 1e-3, 1e-3, 0, 0, 0]}
+joints:
+  shake: {type: moved, bodies: [ground, base], motion: {x: "1 m * sqrt(0.02 - t/(1 s))"}}
+  pin: {type: revolute, bodies: [base, arm], position: [0, 0, 0]}
+scenarios: {go: {start: assembled, duration: 1 s, step: 1 ms}}
+"""
+    done = run_time(compile_model(loads_model(text), "go"), sink=Memory())
+    assert done.status == NOT_FINITE
+    assert done.sentence.startswith("joints.shake.x (line 5): ")
+
+
+@pytest.mark.parametrize("start", ["equilibrium", "assembled"])
+def test_speeds_that_joints_give_hold_in_loops_at_rest(start):
+    text = """\
+bodies:
+  crank: {mass: 1 kg, inertia: 0.01 kg m^2, position: [0, 0, 0], markers: {e: {position: [100 mm, 0, 0]}}}
+  slider: {mass: 20 kg, inertia_tensor: [0.01, 0.01, 0.01, 0, 0, 0], position: [100 mm, 300 mm, 0]}
+joints:
+  pin: {type: revolute, bodies: [ground, crank], position: [0, 0, 0], speed: {spin: 10 rad/s}}
+  guide: {type: prismatic, bodies: [ground, slider], position: [100 mm, 300 mm, 0], axes: {z: [0, 1, 0]}}
+rods: {rod: {ends: [crank.e, slider]}}
+"""
+    model = loads_model(f"{text}scenarios: {{go: {{start: {start}, duration: 1 ms}}}}\n")
+    system = compile_model(model, "go")
+    found = prepare_start(system, model.scenarios["go"]).state
+    assert found.v[system.layout.coordinate("crank.spin")] == pytest.approx(10.0, rel=1e-12)
+    assert abs(found.v[system.layout.coordinate("slider.z")]) == pytest.approx(1.0, rel=1e-9)
