@@ -20,6 +20,7 @@ from pitchpoint.solvers.assembly import REDUNDANT, close_loops, loop_rows
 from pitchpoint.solvers.still import slopes, step_on
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
+from pitchpoint.system.source import coordinate_source
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -118,9 +119,11 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         else:
             mu *= 8.0
     worst = int(free[np.argmax(np.abs(Z @ left))])
+    unit = "N m" if system.weight[worst] != 1.0 else "N"
+    where = coordinate_source(system, system.layout.coordinates[worst])
     raise SolverError(
-        f"no equilibrium found after {count} steps: {np.abs(left).max():.3g} are left over on "
-        f"{system.layout.coordinates[worst]}; check loads, springs and what holds the mechanism",
+        f"no equilibrium found after {count} steps: {np.abs(left).max():.3g} {unit} are left over on "
+        f"{where}; check loads, springs and what holds the mechanism",
         SINGULAR if mu < 1.0 else DIVERGED,
         here,
     )

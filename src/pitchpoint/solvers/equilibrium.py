@@ -33,6 +33,7 @@ from pitchpoint.solvers.surfaces import Surface, crossed
 from pitchpoint.solvers.trains import complete, exchange, free_spins, is_independent
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
+from pitchpoint.system.source import coordinate_source
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -129,11 +130,13 @@ def find_equilibrium(
         from pitchpoint.solvers.unheld import advice, unheld  # which needs this module
 
         if names := unheld(system, state, free):
-            raise SolverError(f"no equilibrium: {advice(names)}", SINGULAR, found.state)
+            where = coordinate_source(system, names[0]).removeprefix(names[0])
+            raise SolverError(f"no equilibrium: {advice(names)}{where}", SINGULAR, found.state)
         left = np.abs(found.residual / system.weight)[free]
+        worst = system.layout.coordinates[int(free[np.argmax(left)])]
         raise SolverError(
             f"no equilibrium found after {count} steps: {left.max():.3g} N are left over on "
-            f"{system.layout.coordinates[int(free[np.argmax(left)])]}; check loads and stiffness",
+            f"{coordinate_source(system, worst)}; check loads and stiffness",
             failure,
             found.state,
         )

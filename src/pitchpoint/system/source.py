@@ -76,6 +76,16 @@ def source(system: System, kind: str, name: str) -> str:
     return f"{section}.{name}" + (f" (line {line})" if line is not None else "")
 
 
+def coordinate_source(system: System, name: str) -> str:
+    """A coordinate, as results name it, with the line of its body: "rotor.z (line 4)"."""
+    body = name.rpartition(".")[0]
+    for section in ("bodies", "shafts", "elastic_bodies") if system.model is not None else ():
+        line = system.model.line((section, body.partition(".")[0])) if system.model is not None else None
+        if line is not None:
+            return f"{name} (line {line})"
+    return name
+
+
 def _drive(system: System, name: str) -> str:
     """Place of a drive in its scenario; "" without a model."""
     if system.model is None or system.scenario is None:

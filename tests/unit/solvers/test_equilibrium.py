@@ -202,7 +202,8 @@ def test_what_nothing_holds_is_named(motion, beta, driver, driven, names, kinds)
     system = compiled(pair(law, beta=beta, motion=motion, rest=f"bearings:\n{rows}"))[1]
     with pytest.raises(SolverError) as failure:
         solve_equilibrium(system)
-    assert str(failure.value) == f"no equilibrium: nothing holds {names}: add {kinds} stiffness"
+    line = system.model.line(("bodies", names.partition(".")[0]))
+    assert str(failure.value) == f"no equilibrium: nothing holds {names}: add {kinds} stiffness (line {line})"
     assert failure.value.status == SINGULAR
 
 
