@@ -38,6 +38,8 @@ from pitchpoint.elements.wrench import spin_axis
 from pitchpoint.multibody.channels import bounded, events, frame_args, observations
 
 TWO_PI = 6.283185307179586
+STILL = 1e-3
+"""Slip over `v_eps` by which what stays put may turn back without a reversal: round-off does not count."""
 REGULARISED, BRISTLE = 0, 1
 SPINS = "free"
 
@@ -69,6 +71,17 @@ OUTPUTS = (
     ("slip_speed", "rad/s", "speed of the first body against the second"),
     ("friction_power", "W", "power lost to friction"),
 )
+
+
+@kernel
+def _side(y, onset):
+    """Direction of slip that bristles remember: -1 where they have yielded backwards, else 1.
+
+    A clutch at rest keeps one sign of its event function, loaded or not; between -0.95 and -1.05 of the
+    onset it changes steadily.
+    """
+    x = y / max(onset, 1e-6)
+    return min(max(20.0 * (x + 1.0), -1.0), 1.0)
 
 
 @kernel
@@ -120,10 +133,13 @@ def friction_clutch(rec, ctl, fr, kk):
                 state_tangent(b, f, g, kk, ctl, m, sense, n, (by_state, rate_by_state, rate_by_speed))
         if c["ev"] != 0:
             beyond = abs(speed) - b["v_eps"]
+            side = 1.0
             if b["sticking"] == BRISTLE:
-                beyond = abs(hidden["spin"]) - b["onset"]
+                y = hidden["spin"]
+                beyond = abs(y) - b["onset"]
+                side = _side(y, b["onset"])
             ev = events(ctl)
-            ev[b["ev"]] = bounded(speed)
+            ev[b["ev"]] = bounded(speed + STILL * b["v_eps"] * side)
             ev[b["ev"] + 1] = bounded(beyond)
         if c["out"] != 0:
             out = observations(ctl)

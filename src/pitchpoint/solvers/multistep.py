@@ -23,7 +23,7 @@ import math
 import numpy as np
 
 from pitchpoint.core.kernel import call, kernel, view
-from pitchpoint.core.status import DIED, OK, STEP_UNDERFLOW
+from pitchpoint.core.status import DIED, DIVERGED, OK, SLOW, STEP_UNDERFLOW
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.constrained_newton import ITERATION, constrained_step
 from pitchpoint.solvers.multistep_control import (
@@ -61,6 +61,8 @@ LADDER = 1.0 / 1024.0
 """First step of the method with constant step: it starts at order 1, whose error must not be seen later."""
 SAME = 1e-9
 """Relative difference up to which two steps are equal."""
+ANEW = 1e-10
+"""Least distance of two starts at order 1 because the search for events found no step, over the time."""
 
 
 @kernel
@@ -315,6 +317,7 @@ def advance_multistep(at, where, t_end, grid, most, restart, harvest):
     nominal = view(b["tol"], LARGEST + 1, F8)[LARGEST]
     watch = c["ne"] > 0 and harvest.found.shape[0] > 0
     done = harvest.done
+    anew = b["t"]
     if b["k"] == 0:
         begin(at, where, nominal, t_end - b["t"])
     while b["t"] < t_end and done[0] < most:
@@ -322,6 +325,15 @@ def advance_multistep(at, where, t_end, grid, most, restart, harvest):
         b["event"] = 0
         seek = watch and restart != 0
         status = call(b["seek"] if seek else b["step"], at, where, 0)
+        lost = status == STEP_UNDERFLOW or status == DIVERGED or status == SLOW
+        if seek and lost and b["t"] >= anew:
+            # very short steps to events round off the past: without it, and whatever happens within the step
+            anew = b["t"] + ANEW * max(abs(b["t"]), 1e-9)
+            c["bad"] = -1
+            c["badkind"] = -1
+            begin(at, where, nominal, t_end - b["t"])
+            seek = False
+            status = call(b["step"], at, where, 0)
         if status != OK:
             return status
         status = leave_behind(at, where, grid, watch and (b["event"] != 0 or not seek), harvest)

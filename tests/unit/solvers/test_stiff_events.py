@@ -24,6 +24,16 @@ from tests.validation import test_free_gap
 
 CONTROLLED = ("gstiff", "wstiff", "dassl")
 LOAD, GAP, END = 5.0, 0.15, 1.3
+LAUNCH = """\
+bodies:
+  engine: {motion: torsion, inertia: 0.2 kg m^2, position: [0, 0, 0]}
+  load: {motion: torsion, inertia: 0.2 kg m^2, position: [0, 0, 100 mm]}
+clutches: {clutch: {bodies: [engine, load], capacity: 300 N m, slip_speed: SLIP rad/s}}
+loads: {drive: {body: engine, torque: 50 N m}}
+scenarios:
+  go: {start: assembled, speed: {engine: 1000 rpm}, duration: 1 s, method: METHOD, tolerance: TOLERANCE,
+    events: [stick_slip], sample_rate: 1 kHz}
+"""
 
 
 @pytest.fixture(scope="module")
@@ -119,6 +129,36 @@ def test_stick_and_slip_end_steps(kind):
     # one slip of 0.1 rad; how far off the moment of slip is goes with the root of what a step errs by
     assert abs(ends[0] - ends[2]) < 1e-4
     assert abs(ends[1] - ends[2]) < 3e-6
+
+
+def launch(kind, rtol, slip):
+    """Run of two discs that a clutch brings to one speed, and their speeds at the end."""
+    text = LAUNCH.replace("METHOD", kind).replace("TOLERANCE", rtol).replace("SLIP", slip)
+    system = compiled(text, "go")[1]
+    done = run_time(system)
+    assert done.status == OK, done.sentence
+    # angular momentum: half of that of the engine, and that of the torque on both
+    speed = (0.2 * 1000.0 * math.pi / 30.0 + 50.0 * 1.0) / 0.4
+    state = done.state
+    for body in ("engine", "load"):
+        assert state.v[system.spin(body)] == pytest.approx(speed, rel=max(10.0 * float(rtol), 1e-7))
+    return done
+
+
+@pytest.mark.parametrize("kind", CONTROLLED)
+@pytest.mark.parametrize("rtol", ["1e-5", "1e-6", "1e-7", "1e-8", "1e-9"])
+def test_a_clutch_that_sticks_has_no_events_of_round_off(kind, rtol):
+    """Bristles yield, slip turns back, they hold, swing back once; then nothing happens any more."""
+    done = launch(kind, rtol, "0.1")
+    np.testing.assert_array_equal(done.events[:, 1:], [[1, 1], [0, -1], [1, -1], [0, 1]])
+    # 100/3 pi rad/s of slip at (300 - 50 + 300) N m / 0.2 kg m^2, and bristles that bend before and after
+    assert done.events[1, 0] == pytest.approx(0.038, abs=0.002)
+
+
+@pytest.mark.parametrize("rtol", ["1e-7", "1e-8", "1e-9"])
+def test_events_of_round_off_end_no_run(rtol):
+    """A slip speed of nothing lets reversals within rounding count, and very short steps end at them."""
+    assert launch("gstiff", rtol, "1e-12").events.shape[0] >= 4
 
 
 def test_tooth_pairs_whose_stiffness_jumps():
