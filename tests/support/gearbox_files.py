@@ -54,3 +54,27 @@ scenarios: {run: {speed: {driver: 2000 rpm}, duration: 10 ms, step: 10 us}}
     "damping: {radial: 300, axial: 300, tilt: 3, torsion: 3}",
 ).replace("SEAT", "stiffness: {radial: 1e8 N/m, axial: 5e7 N/m}, damping: {radial: 500, axial: 500}")
 """Two gears on bushings for bearings in a housing on two feet, with a tuned absorber on a rail."""
+
+TAILS = """\
+gears:
+  a: {number_of_teeth: 25, normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0}
+  b: {number_of_teeth: 40, normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0}
+shafts:
+  input: {sections: [{length: 200 mm, diameter: 40 mm}], gears: {a: 100 mm}, position: [0, 0, 0]}
+bodies:
+  wheel: {gears: [b], inertia: 0.01 kg m^2}
+  fan: {motion: torsion, inertia: 0.05 kg m^2, position: [0, 0, 300 mm]}
+  rack:
+    {motion: free, mass: 5 kg, inertia_tensor: [0.05, 0.05, 0.05, 0, 0, 0], position: [0, 200 mm, 0]}
+  base: {motion: fixed, position: [0, 200 mm, -100 mm]}
+couplings:
+  c: {bodies: [input, fan], position: [0, 0, 200 mm], stiffness: {torsion: 2e4 N m/rad}}
+bearings:
+  b1: {body: input, position: [0, 0, 10 mm], stiffness: {radial: 2e8 N/m, axial: 1e8 N/m}}
+  b2: {body: input, position: [0, 0, 190 mm], stiffness: {radial: 2e8 N/m}}
+springs: {r: {ends: [rack, base], stiffness: 1e6 N/m}}
+meshes: {m: {gears: [a, b], stiffness: {law: din3990}}}
+loads: {t: {body: fan, torque: 100 N m}, q: {body: wheel, torque: balance}}
+scenarios: {run: {speed: {input: 1500 rpm}, duration: 20 ms, step: 2 us}}
+"""
+"""A shaft that drives a gear and a fan, which stay, and a free body on one spring: five motions are loose."""

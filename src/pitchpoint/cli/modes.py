@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 SHOWN = 20
 """Modes in the table if no number is asked for."""
 
+ROUNDING = 1e-7
+"""Frequency over the highest up to which the table says zero: squared it is rounding of eigenvalues."""
+
 
 @click.command()
 @model_file
@@ -126,12 +129,17 @@ def compute(
 
 def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> None:
     """Show frequencies and damping of the lowest modes, and say what was left out."""
+    least = ROUNDING * max((abs(row["frequency"]) for row in summary["modes"]), default=0.0)
+
+    def told(frequency: float) -> float:
+        return 0.0 if abs(frequency) <= least else frequency
+
     cells = [
         [
             row["name"],
-            shown(row["frequency"], "frequency", 6),
-            shown(row["damped_frequency"], "frequency", 6),
-            damping_text(row["damping_ratio"], row["frequency"]),
+            shown(told(row["frequency"]), "frequency", 6),
+            shown(told(row["damped_frequency"]), "frequency", 6),
+            damping_text(row["damping_ratio"], told(row["frequency"])),
         ]
         for row in summary["modes"][:count]
     ]

@@ -13,9 +13,12 @@ from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
+    from pitchpoint.system.system import System
 
 SHOWN = 20
 """Natural frequencies in the table."""
+LISTED = 40
+"""Names that are listed where one is not known."""
 
 
 @click.command()
@@ -81,7 +84,9 @@ def compute(
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
-    found = reduce_system(compile_model(model, name), name, limit=limit, keep=keep)
+    system = compile_model(model, name)
+    _check_names(system, keep)
+    found = reduce_system(system, name, limit=limit, keep=keep)
     error = found.error
     summary = {
         "status": how_a_status_ends(OK),
@@ -99,6 +104,24 @@ def compute(
         "report": error.report(),
     }
     return summary, None
+
+
+def _check_names(system: System, keep: tuple[str, ...]) -> None:
+    """Refuse names of what is to stay that nothing has."""
+    import difflib
+
+    from pitchpoint.solvers.reduction_choice import names_to_keep
+
+    known = names_to_keep(system)
+    for name in keep:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, n=1)
+            hint = f"did you mean {near[0]!r}? " if near else ""
+            more = f" and {len(known) - LISTED} more" if len(known) > LISTED else ""
+            raise click.BadParameter(
+                f"nothing to keep is called {name}; {hint}there are: {', '.join(known[:LISTED])}{more}",
+                param_hint="--keep",
+            )
 
 
 def _print(title: str, summary: dict[str, Any]) -> None:

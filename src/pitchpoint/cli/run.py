@@ -98,10 +98,12 @@ def run(
         lambda: compute(model, file, name, target, decimate=decimate or 1, reduce=reduce, quiet=quiet),
         NOT_BEGUN,
     )
+    inner = summary.pop("inner", ())
     if as_json:
         emit_json(summary)
     elif summary["steps"] or error is None:
-        statistics_table(f"{model.title or file}: {name}", summary["channels"])
+        told = {name: row for name, row in summary["channels"].items() if name not in inner}
+        statistics_table(f"{model.title or file}: {name}", told)
         if not quiet:
             size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
             show(f"{summary['steps']} steps{size} in {summary['wall_s']:.3g} s, written to {target}")
@@ -141,7 +143,10 @@ def compute(
     reduce: float | None = None,
     quiet: bool = False,
 ) -> tuple[dict[str, Any], BaseException | None]:
-    """Run a scenario into a file; gives the summary that `run --json` prints, and what stopped it early."""
+    """Run a scenario into a file; gives the summary that `run --json` prints, and what stopped it early.
+
+    Of a reduced system the summary has `inner` besides: channels of condensed parts and their modes.
+    """
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
@@ -154,9 +159,12 @@ def compute(
     chosen = model.scenarios[name]
     expect(loop_of(chosen.method))
     system, start = compile_model(model, chosen), None
+    inner: dict[str, Any] = {}
     if reduce is not None:
+        own = {c.name for c in system.layout.channels}
         start = reduced_start(system, chosen, reduce)
         system = start.system
+        inner = {"inner": {c.name for c in system.layout.channels} - own}
     channels = [Channel(c.name, c.unit, c.long_name) for c in system.layout.channels]
     events = [e.name for e in system.layout.events] if chosen.events else []
     header = header_of(model, file, name, "time", chosen.method)
@@ -189,6 +197,7 @@ def compute(
         "notes": notes,
         "events": len(done.events),
         "channels": done.channels,
+        **inner,
     }
     return summary, None if done.status == OK else SolverError(sentence, done.status, str(target))
 

@@ -66,8 +66,8 @@ class Split:
 def split_up(system: System, state: State, keep: Sequence[str]) -> Split:
     """Decide what goes; `keep` names bodies and elements ("KIND NAME") that stay."""
     names = system.layout.bodies
-    labels = [f"{kind} {name}" for kind in system.records for name in element_names(system, kind)]
-    unknown = [name for name in keep if name not in labels and name not in names]
+    known = names_to_keep(system)
+    unknown = [name for name in keep if name not in known]
     if unknown:
         raise SolverError(f"nothing to keep is called {', '.join(unknown)}", INCONSISTENT)
     eligible = _linear_records(system, keep)
@@ -95,6 +95,12 @@ def split_up(system: System, state: State, keep: Sequence[str]) -> Split:
         if loose:
             notes.append(f"kept as no spring of their part holds them: {', '.join(names[b] for b in loose)}")
         forced |= {*lone, *alone, *loose}
+
+
+def names_to_keep(system: System) -> tuple[str, ...]:
+    """What may be asked to stay: bodies, and elements as "KIND NAME"."""
+    elements = [f"{kind} {name}" for kind in system.records for name in element_names(system, kind)]
+    return (*system.layout.bodies[1:], *elements)
 
 
 def _linear_records(system: System, keep: Sequence[str]) -> Choice:

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.solvers.eigen import undamped
+from pitchpoint.solvers.eigen import symmetric, undamped
+from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.linear_system import SPARSE, free_directions, rigid_rotations
 from pitchpoint.solvers.sparse_modes import lowest_modes
 from pitchpoint.solvers.stiffness_parts import mesh_names
@@ -22,6 +23,8 @@ POINTS = 25
 """Frequencies at which compliances are compared."""
 FIRST = 50
 """Modes of a large system that are looked for first."""
+STILL = 1e-4
+"""Frequency over the limit up to which a mode counts as rigid: forces left over at rest leave a little."""
 STEP = 2e-10
 """Step of the travel of a mesh [m]."""
 
@@ -35,10 +38,12 @@ class ReductionError:
     limit
         Highest frequency of interest [Hz].
     full, reduced
-        Natural frequencies up to it [Hz], without damping and gyroscopic terms; the reduced ones belong to
-        the full ones in order.
+        Natural frequencies up to it [Hz], without damping and gyroscopic terms, with what a steady rotation
+        adds to the stiffness; the reduced ones belong to the full ones in order. 0 for rigid modes, up to
+        `STILL` of the limit.
     frequency
-        Largest relative difference of both.
+        Largest relative difference of both; of a mode that is rigid in one of them only, relative to `STILL`
+        of the limit.
     compliance
         Largest difference of the dynamic compliance of a mesh (travel of the gears per mesh force, the mesh
         in place) over the largest compliance, at frequencies up to the limit.
@@ -64,13 +69,16 @@ class ReductionError:
 
 def compare(full: System, at: State, reduced: System, near: State, limit: float) -> ReductionError:
     """Compare a reduced system with the full one about one operating point."""
-    found = [_frequencies(s, x, 1.1 * limit) for s, x in ((full, at), (reduced, near))]
+    turns = rigid_rotations(full)
+    both = (full, at, turns), (reduced, near, _restricted(turns, full, reduced))
+    least = STILL * limit
+    found = [np.where(np.abs(f) <= least, 0.0, f) for f in (_frequencies(*b, 1.1 * limit) for b in both)]
     below = found[0][found[0] <= limit]
     own = found[1][: below.size]
-    rigid = below <= 0.0
-    off = np.abs(own[~rigid] / below[~rigid] - 1.0)
     if below.size > own.size:
         off = np.array([np.inf])
+    else:
+        off = np.abs(own - below) / np.maximum(np.abs(below), least)
     one, two = (_compliances(s, x, limit) for s, x in ((full, at), (reduced, near)))
     size = np.abs(one).max(initial=0.0)
     compliance = float(np.abs(one - two).max(initial=0.0) / size) if size > 0.0 else 0.0
@@ -78,12 +86,28 @@ def compare(full: System, at: State, reduced: System, near: State, limit: float)
     return ReductionError(limit, below, own, float(off.max(initial=0.0)), compliance, sizes)
 
 
-def _frequencies(system: System, state: State, limit: float) -> Array:
-    """Natural frequencies [Hz], ascending, all up to a limit at least."""
+def _restricted(turns: Array, full: System, reduced: System) -> Array:
+    """Turns of the full system that nothing resists in the spins that are left, shape (r, nd).
+
+    The trains of a reduced system cannot tell: a condensed part ties bodies that no element joins any more.
+    """
+    found = np.zeros((len(turns), reduced.sizes["nd"]))
+    number = {name: b for b, name in enumerate(full.layout.bodies)}
+    old, new = full.program["body"], reduced.program["body"]
+    for b, name in enumerate(reduced.layout.bodies):
+        if name in number and new[b]["spin"] >= 0:
+            found[:, new[b]["spin"]] = turns[:, old[number[name]]["spin"]]
+    return found[np.abs(found).any(axis=1)]
+
+
+def _frequencies(system: System, state: State, rigid: Array, limit: float) -> Array:
+    """Natural frequencies [Hz] at the speeds of a state, ascending, all up to a limit at least."""
     still = state.copy()
     still.v[:] = 0.0
     M, K = (evaluate.matrix(system, still, *f) for f in ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))
-    basis, rigid = free_directions(system, still), rigid_rotations(system)
+    if state.v.any():
+        K = K + symmetric(inertial_stiffness(system, state, still))
+    basis = free_directions(system, still)
     if not isinstance(basis, np.ndarray):
         count = FIRST
         while count < SPARSE * basis.shape[1]:

@@ -22,6 +22,7 @@ from pitchpoint.system.rules.gear_mesh import MeshLaws, Placement, mesh_row
 from pitchpoint.system.system import assemble
 from tests.support.beams import nodes, shaft, supports
 from tests.support.engine import couplings, torques
+from tests.support.gearbox_files import TAILS
 from tests.support.machines import compiled, pair
 
 LENGTH, SPEED, TORQUE = 0.4, 200.0, 100.0
@@ -177,6 +178,20 @@ def test_bodies_that_no_linear_element_touches_stay():
     found = reduce_system(system, limit=10.0)
     assert found.system.layout.bodies == ("ground", "a", "lone", "part1.mode1")
     assert found.error.reduced == pytest.approx([0.0, 0.0, math.sqrt(50.0 * 1.5) / (2.0 * math.pi)], abs=1e-9)
+
+
+def test_turns_through_condensed_couplings_count_as_one():
+    """The fan turns with the shaft, though what ties them is condensed: its mode on the coupling is no turn.
+
+    Forces left over at rest (1e-9 of the loads) hold the free body at some mHz: that is no vibration either.
+    """
+    error = reduce_system(compiled(TAILS, "run")[1], "run", limit=500.0).error
+    assert error.coordinates[1] < error.coordinates[0] - 20
+    assert error.full[:6] == pytest.approx(np.zeros(6), abs=0.0)
+    assert error.reduced[:6] == pytest.approx(np.zeros(6), abs=0.0)
+    assert error.full[6] == pytest.approx(math.sqrt(1e6 / 5.0) / (2.0 * math.pi), rel=1e-6)
+    assert error.full.size > 7
+    assert error.frequency < 1e-3
 
 
 def test_unknown_names():
