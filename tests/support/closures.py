@@ -13,6 +13,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements import registry
 from pitchpoint.multibody.channels import constraint_args, constraint_rates
+from pitchpoint.system import evaluate
 
 ROWS = 2
 BODY_FIXED = True
@@ -72,3 +73,16 @@ def pins(rows):
     for record, (i, at_i, j, at_j) in zip(records, rows, strict=True):
         record["i"], record["at_i"], record["j"], record["at_j"] = i, at_i, j, at_j
     return records
+
+
+def row_over_time(system, state, h):
+    """First and second derivative of the first row along q + v t + a t^2/2, by differences of sixth order."""
+    found = {}
+    for k in range(-3, 4):
+        moved = state.copy()
+        moved.q = state.q + k * h * state.v + 0.5 * (k * h) ** 2 * state.a
+        evaluate.residual(system, moved)
+        found[k] = float(system.workspace.g[0])
+    rate = 45.0 * (found[1] - found[-1]) - 9.0 * (found[2] - found[-2]) + found[3] - found[-3]
+    bend = 270.0 * (found[1] + found[-1]) - 27.0 * (found[2] + found[-2]) + 2.0 * (found[3] + found[-3])
+    return rate / (60.0 * h), (bend - 490.0 * found[0]) / (180.0 * h * h)

@@ -2,13 +2,10 @@
 """A point or the centre of a roller that stays on a planar curve: a cam and follower that never part.
 
 The constraint row is g = phi(y) - r, phi being the signed distance of the point y of body i, in the plane of
-the marker of body j, from the curve. The place on the curve is eliminated: with the unit normal n, the
-direction tau, the curvature kappa and W = kappa/(1 + kappa phi) tau tau^T,
-
-    g' = n . u,    g'' = n . du/dt + n' . u,    n' = omega_j x n + W u,
-
-u being the velocity of the point against the plane. Of several places nearest to the point, the one counts at
-which |g| is smallest.
+the marker of body j, from the curve. The place on the curve is eliminated: with the direction tau, the
+curvature kappa and W = kappa/(1 + kappa phi) tau tau^T the unit normal turns by n' = omega_j x n + W u, u
+being the velocity of the point against the plane; the rest is that of `permanent_contact`. Of several places
+nearest to the point, the one counts at which |g| is smallest.
 """
 
 from __future__ import annotations
@@ -20,9 +17,10 @@ from pitchpoint.contact.curve_point import WIDTH, arc_length, nearest, point_of
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import INCONSISTENT, OK
 from pitchpoint.elements.contact_wrench import moved, turned
+from pitchpoint.elements.permanent_contact import hold
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.channels import F8, constraint_args, constraint_rates, observations
-from pitchpoint.multibody.vectors import column, cross, dot, plus, triple
+from pitchpoint.multibody.vectors import column, dot, plus, triple
 
 BODY_FIXED = True
 ROWS = 1
@@ -42,6 +40,11 @@ RECORD = np.dtype(
         ("y", "f8", 3),  # scratch: the point in axes of the marker
         ("c", "f8", 3),  # scratch: the point in the world
         ("o", "f8", 3),  # scratch: the marker in the world
+        ("h", "f8"),  # scratch: distance less the radius
+        ("n", "f8", 3),  # scratch: normal and place of the row in the world, and their changes
+        ("Q", "f8", 3),
+        ("dn", "f8", (3, 12)),
+        ("dQ", "f8", (3, 12)),
         ("out", "i8"),
     ],
     align=True,
@@ -115,26 +118,9 @@ def _search(b, rows):
 
 
 @kernel
-def _second(b, f, g, n, tau, w):
-    """Second time derivative of the distance at the accelerations in the frames; w the curvature W."""
-    ai = plus(triple(b["c"], 0), -1.0, triple(f["r"], 0))
-    aj = plus(triple(b["c"], 0), -1.0, triple(g["r"], 0))
-    wi = triple(f["tw"], 3)
-    wj = triple(g["tw"], 3)
-    vi = plus(triple(f["tw"], 0), 1.0, cross(wi, ai))
-    u = plus(vi, -1.0, plus(triple(g["tw"], 0), 1.0, cross(wj, aj)))
-    a = plus(plus(triple(f["ac"], 0), 1.0, cross(triple(f["ac"], 3), ai)), 1.0, cross(wi, cross(wi, ai)))
-    away = plus(vi, -1.0, triple(g["tw"], 0))
-    carried = plus(plus(triple(g["ac"], 0), 1.0, cross(triple(g["ac"], 3), aj)), 1.0, cross(wj, away))
-    along = dot(tau, u)
-    return dot(n, plus(a, -1.0, carried)) + dot(cross(wj, n), u) + w * along * along
-
-
-@kernel
-def _tangent(b, ctl, f, g, n, tau, w, lam):
-    """Add the change of the wrenches of the load: the normal turns along the curve and with its body."""
-    kk = view(ctl["kk"], (ctl["np"], 6, 6), F8)
-    s = ctl["ck"] * lam
+def _run(b, f, g, tau, w):
+    """How normal and place change with both bodies; the place of the row is the point of body i."""
+    n = triple(b["n"], 0)
     ai = plus(triple(b["c"], 0), -1.0, triple(f["r"], 0))
     aj = plus(triple(b["c"], 0), -1.0, triple(g["r"], 0))
     for k in range(12):
@@ -142,21 +128,11 @@ def _tangent(b, ctl, f, g, n, tau, w, lam):
         motion = moved(c, ai if k < 6 else aj)
         along = w * dot(tau, motion)
         dn = (along * tau[0], along * tau[1], along * tau[2])
-        di = turned(c, ai)
-        dj = motion
         if k >= 6:
             dn = plus(turned(c, n), -1.0, dn)
-            di = (0.0, 0.0, 0.0)
-            dj = plus(turned(c, aj), -1.0, motion)  # the origin of body j moves, the point does not
-        mi = plus(cross(di, n), 1.0, cross(ai, dn))
-        mj = plus(cross(dj, n), 1.0, cross(aj, dn))
-        ki = kk[b["ii"]] if k < 6 else kk[b["ij"]]
-        kj = kk[b["ji"]] if k < 6 else kk[b["jj"]]
         for r in range(3):
-            ki[r, c] += s * dn[r]
-            ki[3 + r, c] += s * mi[r]
-            kj[r, c] -= s * dn[r]
-            kj[3 + r, c] -= s * mj[r]
+            b["dn"][r, k] = dn[r]
+            b["dQ"][r, k] = motion[r] if k < 6 else 0.0
 
 
 @kernel
@@ -168,30 +144,22 @@ def point_on_curve(rec, ctl, fr, q, g, G):
         b = rec[e]
         f = fr[b["i"]]
         o = fr[b["j"]]
-        r = b["row"]
         _project(b, f, o)
         rows = view(b["pool"] + 8 * b["start"], (b["rows"], WIDTH), F8)
         piece, t, value = _search(b, rows)
         if piece < 0:
             c["bad"] = e
             return INCONSISTENT
-        g[r] = value
         x, y, tx, ty, speed, turn = point_of(rows, piece, t)
         E = b["E"]
         tau = plus((tx * E[0, 0], tx * E[1, 0], tx * E[2, 0]), ty, column(E, 1))
         n = plus((ty * E[0, 0], ty * E[1, 0], ty * E[2, 0]), -tx, column(E, 1))
-        mi = cross(plus(triple(b["c"], 0), -1.0, triple(f["r"], 0)), n)
-        mj = cross(plus(triple(b["c"], 0), -1.0, triple(o["r"], 0)), n)
+        b["h"] = value
         for k in range(3):
-            Gf[r, 0, k] = n[k]
-            Gf[r, 0, 3 + k] = mi[k]
-            Gf[r, 1, k] = -n[k]
-            Gf[r, 1, 3 + k] = -mj[k]
-        w = turn / (speed + turn * (value + b["radius"]))
-        gtt[r] = _second(b, f, o, n, tau, w)
-        lam = view(c["lam"], c["nc"], F8)[r]
-        if c["jac"] != 0 and c["ck"] != 0.0 and lam != 0.0:
-            _tangent(b, c, f, o, n, tau, w, lam)
+            b["n"][k] = n[k]
+            b["Q"][k] = b["c"][k]
+        _run(b, f, o, tau, turn / (speed + turn * (value + b["radius"])))
+        lam = hold(b, c, f, o, g, gtt, Gf)
         if c["out"] != 0:
             out = observations(ctl)
             out[b["out"]] = -lam

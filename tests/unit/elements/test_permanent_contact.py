@@ -23,6 +23,7 @@ from pitchpoint.multibody.joints import FLOATING, PRISMATIC
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
+from tests.support.closures import row_over_time
 from tests.support.contacts import solid
 from tests.support.engine import differences, frame
 from tests.unit.elements.test_planar_contact import BLOCK, CAM, FLANK, OPPOSITE, ROOF
@@ -103,19 +104,9 @@ def test_the_place_runs_with_the_load(name, where):
 def test_rates_are_derivatives_of_the_row(name, where):
     """G v and gtt against differences of sixth order of g along q + v t + a t^2/2."""
     system, state = build(name, where, 0.02 if PLACES[name][0] == "curve_on_curve" else 0.0)
-    w = system.workspace
     evaluate.residual(system, state)
-    first, second = float((w.G @ state.v)[0]), float(w.gtt[0])
-    found = {}
-    h = 3e-4
-    for k in range(-3, 4):
-        moved = state.copy()
-        moved.q = state.q + k * h * state.v + 0.5 * (k * h) ** 2 * state.a
-        evaluate.residual(system, moved)
-        found[k] = float(w.g[0])
-    rate = (45.0 * (found[1] - found[-1]) - 9.0 * (found[2] - found[-2]) + found[3] - found[-3]) / (60.0 * h)
-    bend = 270.0 * (found[1] + found[-1]) - 27.0 * (found[2] + found[-2]) + 2.0 * (found[3] + found[-3])
-    bend = (bend - 490.0 * found[0]) / (180.0 * h * h)
+    first, second = float((system.workspace.G @ state.v)[0]), float(system.workspace.gtt[0])
+    rate, bend = row_over_time(system, state, 3e-4)
     # rounding of places of 1 m over 3e-4 and 1e-7
     assert first == pytest.approx(rate, abs=1e-8)
     assert second == pytest.approx(bend, abs=1e-6 + 1e-6 * abs(bend))

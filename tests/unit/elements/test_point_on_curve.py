@@ -18,6 +18,7 @@ from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
+from tests.support.closures import row_over_time
 from tests.support.contacts import solid
 from tests.support.engine import differences, frame
 from tests.unit.elements.test_planar_contact import BLOCK, CAM, FLANK
@@ -75,19 +76,9 @@ def test_the_load_of_the_row_is_part_of_the_stiffness(name, tree):
 def test_rates_are_derivatives_of_the_row(name, tree):
     """G v and gtt against differences of g along q + v t + a t^2/2, bodies turning in all directions."""
     system, state = build(name, tree)
-    w = system.workspace
     evaluate.residual(system, state)
-    first, second = float((w.G @ state.v)[0]), float(w.gtt[0])
-    found = {}
-    h = 2e-3
-    for k in range(-3, 4):
-        moved = state.copy()
-        moved.q = state.q + k * h * state.v + 0.5 * (k * h) ** 2 * state.a
-        evaluate.residual(system, moved)
-        found[k] = float(w.g[0])
-    rate = (45.0 * (found[1] - found[-1]) - 9.0 * (found[2] - found[-2]) + found[3] - found[-3]) / (60.0 * h)
-    bend = 270.0 * (found[1] + found[-1]) - 27.0 * (found[2] + found[-2]) + 2.0 * (found[3] + found[-3])
-    bend = (bend - 490.0 * found[0]) / (180.0 * h * h)
+    first, second = float((system.workspace.G @ state.v)[0]), float(system.workspace.gtt[0])
+    rate, bend = row_over_time(system, state, 2e-3)
     # differences of sixth order: (0.1 m/s 2 ms/5 mm)^6 = 4e-9 on the smallest radius, and rounding over h^2
     assert first == pytest.approx(rate, abs=1e-8)
     assert second == pytest.approx(bend, abs=1e-7 + 1e-6 * abs(bend))
