@@ -13,6 +13,8 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.compiling import unhindered
+
 if TYPE_CHECKING:
     import subprocess
 
@@ -94,4 +96,4 @@ def main(entries: Sequence[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    unhindered(lambda: main(sys.argv[1:]))

@@ -23,6 +23,7 @@ import numpy as np
 
 from pitchpoint.core import machine_code
 from pitchpoint.core.companion import announce, await_entry, delegate, withdraw
+from pitchpoint.core.compiling import unhindered
 from pitchpoint.core.machine_code import cache_folder
 
 __all__ = [
@@ -150,7 +151,7 @@ def address(entry: Any) -> int:
             if where is None:
                 from pitchpoint.core import compiler
 
-                where, needed = compiler.entry_address(entry)
+                where, needed = unhindered(lambda: compiler.entry_address(entry))
                 _kept.append(needed)
             _addresses[entry] = where
         return _addresses[entry]
@@ -191,12 +192,17 @@ def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
         announce()
     if missing and here and machine_code.can_save():
         delegate([label(e) for e in missing])
+    unhindered(lambda: _compile(here, missing))
+
+
+def _compile(here: Sequence[Any], there: list[Any]) -> None:
+    """Compile what is for this process, then what the companion has not begun."""
     for entry in here:
         address(entry)
     # whoever is done first takes from the end of the list; the first one left is being compiled there
-    while len(missing) > 1:
-        last = missing.pop()
-        if not is_compiled(last) and not all(is_compiled(e) for e in missing):
+    while len(there) > 1:
+        last = there.pop()
+        if not is_compiled(last) and not all(is_compiled(e) for e in there):
             withdraw(label(last))
             address(last)
 
