@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The only module that knows Numba: compiles kernels, entries and user laws. `kernel` imports it on demand.
+"""Compiles kernels, entries and user laws with Numba. `kernel` imports it on demand.
 
 Numba's own cache looks only at the file of the function itself; the locator here stamps the *import closure*
 of that file, so an edited helper is noticed and an unrelated edit is not.
@@ -15,21 +15,16 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from llvmlite import binding, ir
-from numba import _dynfunc, cfunc, config, njit, types
+from numba import cfunc, config, njit, types
 from numba.core import cgutils
-from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
-from numba.core.codegen import JITCodeLibrary
-from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
+from numba.core.caching import CompileResultCacheImpl, _CacheLocator
 from numba.core.compiler_lock import global_compiler_lock
-from numba.core.compiler_machinery import register_pass
-from numba.core.datamodel import models
-from numba.core.imputils import lower_constant
 from numba.core.registry import CPUDispatcher, cpu_target
-from numba.core.typed_passes import NativeLowering
 from numba.extending import intrinsic
 from numba.np.arrayobj import populate_array
 
 from pitchpoint.core import machine_code
+from pitchpoint.core.compiler_parts import PartCache, PartCompiler, PartType
 
 if TYPE_CHECKING:
     from pitchpoint.core.kernel import Kernel
@@ -86,108 +81,6 @@ CompileResultCacheImpl._locator_classes = [Locator, *CompileResultCacheImpl._loc
 # --------------------------------------------------------------------------------------------------- kernels
 
 
-class PartType(types.Dispatcher):
-    """Type of a kernel inside kernels."""
-
-
-models.register_default(PartType)(models.OpaqueModel)
-
-
-@lower_constant(PartType)
-def _no_address(context: Any, builder: Any, kind: PartType, value: Any) -> Any:
-    """Nothing stands for a kernel as a value; Numba would write the address of its Python object."""
-    return context.get_dummy_value()
-
-
-class Part(JITCodeLibrary):
-    """Code of a kernel that other kernels call: with all that it calls, neither optimised nor translated.
-
-    Only what is called through an address becomes machine code, with all its parts, so each part passes the
-    optimiser once per entry and not once per level of the calls above it.
-    """
-
-    def _optimize_functions(self, ll_module: Any) -> None:
-        ll_module.data_layout = self._codegen._data_layout
-
-    def _optimize_final_module(self) -> None:
-        pass
-
-    def _finalize_final_module(self) -> None:
-        self._finalize_dynamic_globals()
-        self._finalized = True
-
-    def serialize_using_object_code(self) -> tuple[str, str, bytes]:
-        """State for the cache: there is no object code, the intermediate code serves."""
-        state: tuple[str, str, bytes] = self.serialize_using_bitcode()
-        return state
-
-
-@register_pass(mutates_CFG=True, analysis_only=False)
-class PartLowering(NativeLowering):
-    """Lowers a kernel into a `Part`."""
-
-    _name = "pitchpoint_part_lowering"
-
-    def run_pass(self, state: Any) -> bool:
-        """Lower, and make the result known to the kernels that call it."""
-        state.library = Part(state.targetctx.codegen(), state.func_id.func_qualname)
-        state.flags.no_compile = True
-        super().run_pass(state)
-        mark = _mark(state.cr.fndesc, state.cr.env, state.library)
-        state.targetctx.insert_user_function(mark, state.cr.fndesc, [state.library])
-        state.cr = state.cr._replace(cfunc=mark)
-        return True
-
-
-def _mark(described: Any, environment: Any, library: Part) -> Any:
-    """What stands for a compiled part in Numba's tables; it cannot be called."""
-    name = described.qualname.rpartition(".")[2]
-    return _dynfunc.make_function(described.lookup_module(), name, "part", 0, environment, (library,))
-
-
-class PartCompiler(CompilerBase):
-    """Numba's usual passes with `PartLowering` at their end."""
-
-    def define_pipelines(self) -> list[Any]:
-        """List the passes."""
-        passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
-        passes.passes = [(PartLowering if p is NativeLowering else p, text) for p, text in passes.passes]
-        passes.finalize()
-        return [passes]
-
-
-class _PartCacheImpl(CompileResultCacheImpl):
-    """Reads and writes parts; the code of other functions would be translated as it is read."""
-
-    def rebuild(self, target_context: Any, payload: Any) -> CompileResult:
-        """Compile result of what `reduce` wrote."""
-        (name, _, code), described, environment, signature, *_, reload_init, _ = payload
-        library = Part(target_context.codegen(), name)
-        library._final_module = binding.parse_bitcode(code)
-        library._finalize_final_module()
-        return CompileResult(
-            target_context=target_context,
-            typing_context=target_context.typing_context,
-            library=library,
-            environment=environment,
-            entry_point=_mark(described, environment, library),
-            fndesc=described,
-            type_annotation="",
-            signature=signature,
-            objectmode=False,
-            lifted=(),
-            typing_error=None,
-            call_helper=None,
-            metadata=None,
-            reload_init=reload_init,
-            referenced_envs=(),
-        )
-
-
-class _PartCache(FunctionCache):
-    _impl_class = _PartCacheImpl
-
-
 class Dispatcher(CPUDispatcher):
     """A compiled function that is cheap to compile for other kernels.
 
@@ -201,7 +94,7 @@ class Dispatcher(CPUDispatcher):
 
     def enable_caching(self) -> None:
         """Keep what is compiled on disk."""
-        self._cache = _PartCache(self.py_func)
+        self._cache = PartCache(self.py_func)
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
         """Type a call from another kernel as if no argument were a constant."""

@@ -13,6 +13,10 @@ _WORDS = 1 << 17
 """What the frame below asks for, 1 MB; the frames above it get as much."""
 
 
+_RUBBISH = 1_500_000
+"""Objects, about 500 MB, at which a collection in the midst of many kernels is worth its second."""
+
+
 def _with_room(function: Callable[[], T]) -> T:
     return function()
 
@@ -44,3 +48,5 @@ def unhindered(function: Callable[[], T]) -> T:
     finally:
         if was_on:
             gc.enable()
+        elif gc.get_count()[0] > _RUBBISH:
+            gc.collect()
