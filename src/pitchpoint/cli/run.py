@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -103,7 +104,11 @@ def run(
         emit_json(summary)
     elif summary["steps"] or error is None:
         told = {name: row for name, row in summary["channels"].items() if name not in inner}
-        statistics_table(f"{model.title or file}: {name}", told)
+        title = f"{model.title or file}: {name}"
+        if not told or any(math.isfinite(row["mean"]) for row in told.values()):
+            statistics_table(title, told)
+        else:
+            show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")
         if not quiet:
             size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
             show(f"{summary['steps']} steps{size} in {summary['wall_s']:.3g} s, written to {target}")
@@ -209,6 +214,21 @@ def reduced_start(system: System, scenario: Scenario, limit: float) -> Start:
 
     found = reduce_system(system, scenario, limit=limit)
     return Start(found.system, found.state, (found.error.report(), *found.notes))
+
+
+def no_statistics(scenario: Scenario, t_end: float) -> str:
+    """Say why a run that went on to `t_end` [s] has no statistics.
+
+    Examples
+    --------
+    >>> from pitchpoint.model.scenario import Scenario
+    >>> no_statistics(Scenario(duration=0.1), 0.003)
+    'no statistics: the run ended at 3 ms, before their window, which begins at 20 ms'
+    """
+    ended, begins = shown(t_end, "time", 4), shown(scenario.statistics_start, "time", 4)
+    if t_end > scenario.statistics_start:
+        return f"no statistics: the run ended at {ended}, before any sample of their window from {begins} on"
+    return f"no statistics: the run ended at {ended}, before their window, which begins at {begins}"
 
 
 def step_notes(scenario: Scenario, used: float) -> tuple[str, ...]:

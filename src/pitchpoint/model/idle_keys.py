@@ -17,6 +17,7 @@ from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy
 from pitchpoint.model.frames import ALONG, GROUND, body_frame, split
 from pitchpoint.model.joint_check import ends_of
 from pitchpoint.model.keys import defaults_of
+from pitchpoint.model.mechanism import coordinate
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 from pitchpoint.model.signal_words import idle_signals
 
@@ -65,6 +66,7 @@ def idle_keys(model: Model) -> tuple[str, ...]:
         *_supports(model),
         *_loads(model),
         *_scenarios(model),
+        *_driven_starts(model),
         *idle_signals(model),
     )
 
@@ -277,6 +279,25 @@ def _scenarios(model: Model) -> Iterator[str]:
                 f"scenarios.{name}.order: has no effect with method: {scenario.method}; methods with a "
                 f"choice of order are {_listed(STIFF_METHODS)}"
             )
+
+
+def _driven_starts(model: Model) -> Iterator[str]:
+    """Start values and rates of joints whose coordinate a scenario drives: the drive decides them."""
+    for name, scenario in model.scenarios.items():
+        for word, drive in scenario.drive.items():
+            found = coordinate(model.mechanism, model, word)
+            if isinstance(found, str):
+                continue
+            seat = model.mechanism.seats[found[0]]
+            own = seat.coordinates[found[1]]
+            for key in ("start", "speed") if seat.joint is not None else ():
+                idle = key == "speed" or drive.value is not None  # a speed goes on from the start
+                if idle and own in getattr(model.joints[str(seat.joint)], key):
+                    line = model.line(("joints", str(seat.joint), key))
+                    yield (
+                        f"joints.{seat.joint}.{key}{'' if line is None else f' (line {line})'}: {own} has no "
+                        f"effect in {name}, whose drive of {word} decides"
+                    )
 
 
 def _listed(names: Iterable[str]) -> str:

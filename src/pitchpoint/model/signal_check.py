@@ -1,19 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of sensors, blocks, controllers and actuators: names, loops, numbers, functions, places."""
+"""Checks of sensors, blocks, controllers and actuators: names, loops, numbers, functions."""
 
 from __future__ import annotations
 
-import math
-import re
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.components import block as bl
-from pitchpoint.model.components.actuator import TorqueActuator
 from pitchpoint.model.components.controller import PythonController
-from pitchpoint.model.components.sensor import JointSensor, Listener, LoadSensor
-from pitchpoint.model.frames import GROUND, axes_of, split
 from pitchpoint.model.keys import Place
-from pitchpoint.model.mechanism import coordinate
 from pitchpoint.model.read import Reader
 from pitchpoint.model.signal_functions import check_functions
 from pitchpoint.model.signal_names import SECTIONS, TIME, at_once, made, read
@@ -21,12 +15,6 @@ from pitchpoint.model.validate import nearest
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
-
-SAME = math.sqrt(0.5)
-"""Cosine of the angle of two spin axes up to which a torque has an axis half-way between them."""
-PARALLEL = 1.0 - 1e-9
-NO_HOLD = ("free", "shaft")
-"""Joints that leave all six displacements free."""
 
 
 def check_signals(parts: Parts, report: Reader) -> None:
@@ -204,126 +192,3 @@ def _controller(at: Place, part: Any, report: Reader) -> None:
             f"has {len(part.start)} numbers for {len(part.outputs)} outputs",
             remedy="give one for each, or leave it out",
         )
-
-
-# --- places -------------------------------------------------------------------------------------------------
-def check_signal_places(parts: Parts, report: Reader) -> None:
-    """Sensors and actuators fit to how the bodies move, once that is known."""
-    if report.problems:
-        return  # what is wrong before may be what they hang on
-    for name, sensor in parts.sensors.items():
-        at: Place = ("sensors", name)
-        if isinstance(sensor, JointSensor):
-            _joint_sensor(parts, at, sensor, report)
-        elif isinstance(sensor, LoadSensor):
-            _load_sensor(parts, at, sensor, report)
-        elif isinstance(sensor, Listener):
-            _listener(parts, at, sensor, report)
-    for name, actuator in parts.actuators.items():
-        if isinstance(actuator, TorqueActuator):
-            _torque(parts, ("actuators", name, "bodies"), actuator, report)
-
-
-def _joint_sensor(parts: Parts, at: Place, sensor: JointSensor, report: Reader) -> None:
-    from pitchpoint.model.mechanism_check import coordinates_listed
-
-    found = coordinate(parts.mechanism, parts, sensor.coordinate)
-    if isinstance(found, str):
-        report.problem((*at, "coordinate"), found, remedy=coordinates_listed(parts))
-        return
-    seat = parts.mechanism.seats[found[0]]
-    word = seat.coordinates[found[1]]
-    tilts = "alpha" in seat.coordinates or "beta" in seat.coordinates
-    quantity = ("angle", "angular_velocity", "angular_acceleration")[sensor.derivative]
-    remedy = f"write {{type: frames, quantity: {quantity}, ends: [{found[0]}, {seat.parent}]}}"
-    if seat.kind == "user":
-        report.problem(
-            (*at, "coordinate"),
-            f"names {sensor.coordinate}, whose joint moves by functions",
-            remedy="sense positions and angles between frames: type: frames",
-        )
-    elif tilts and word in ("alpha", "beta", "spin"):
-        report.problem(
-            (*at, "coordinate"),
-            f"names {sensor.coordinate}, a turn among others ({seat.kind}), which is no angle in a plane",
-            remedy=remedy,
-        )
-
-
-def _load_sensor(parts: Parts, at: Place, sensor: LoadSensor, report: Reader) -> None:
-    body = split(sensor.at)[0]
-    if body == GROUND:
-        report.problem((*at, "at"), "is ground, which no joint carries", remedy="name a body")
-        return
-    seat = parts.mechanism.seats[body]
-    if seat.kind in NO_HOLD:
-        how = f"the joint {seat.joint}" if seat.joint is not None else "its motion"
-        report.problem(
-            (*at, "at"),
-            f"names {body}, which nothing holds: {how} leaves all directions free",
-            remedy="sense the force of a bearing or spring: type: observation",
-        )
-
-
-def _listener(parts: Parts, at: Place, sensor: Listener, report: Reader) -> None:
-    from pitchpoint.core.nomenclature import table
-
-    where = (*at, "channel")
-    match = re.fullmatch(r"(\w+)\[([^\[\]]+)\]", sensor.channel)
-    if match is None:
-        report.problem(
-            where, f"{sensor.channel[:40]!r} is no observation", remedy="write tension[SPRING], say"
-        )
-        return
-    if match[1] == "signal":
-        report.problem(where, "is a signal", remedy="read it by its name where it is needed")
-        return
-    if match[1] not in table():
-        report.problem(
-            where,
-            f"{match[1][:40]!r} is no quantity that results have",
-            remedy=nearest(match[1], table()) + "the names are those of a result file",
-        )
-        return
-    from pitchpoint.model.model import GROUPS
-
-    known = {n for group in GROUPS for n in parts.known(group)}
-    whole, first = match[2], match[2].split(".")[0]
-    if whole not in known and first not in known:
-        report.problem(
-            where, f"names {whole[:40]!r}, which does not exist", remedy=nearest(first, known).strip() or None
-        )
-
-
-def _torque(parts: Parts, at: Place, actuator: TorqueActuator, report: Reader) -> None:
-    bodies = [split(end)[0] for end in actuator.bodies]
-    if bodies[0] == GROUND:
-        report.problem(at, "name ground first", remedy="name the driven body first")
-        return
-    driven = coordinate(parts.mechanism, parts, bodies[0])
-    if isinstance(driven, str):
-        report.problem(at, driven, remedy="write {type: force, quantity: moment, ...} instead")
-        return
-    if len(bodies) == 1 or bodies[1] == GROUND:
-        return
-    one, two = (_spin_axis(parts, body) for body in bodies)
-    along = abs(float(one @ two))
-    spins = not isinstance(coordinate(parts.mechanism, parts, bodies[1]), str)
-    # a body without a spin takes the torque whatever its axes, but for one nearly along it
-    if along < SAME if spins else SAME < along < PARALLEL:
-        report.problem(
-            at,
-            f"stand {math.degrees(math.acos(along)):.4g} deg askew: {bodies[0]} and {bodies[1]}",
-            limit="45 deg" if spins else "0 deg, or above 45 deg",
-            remedy="let the torque act back on the body that carries the driven one, or write "
-            "{type: force, quantity: moment, ...}",
-        )
-
-
-def _spin_axis(parts: Parts, body: str) -> Any:
-    from pitchpoint.model.mechanism import seat_frame
-
-    seat = parts.mechanism.seats[body]
-    if seat.kind == "fixed":
-        return axes_of(parts, body)[:, 2]
-    return seat_frame(parts, seat)[1][:, 2]

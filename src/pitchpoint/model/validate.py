@@ -349,7 +349,8 @@ def check(parts: Parts, report: Reader) -> None:
     from pitchpoint.model.mechanism_check import check_mechanism
     from pitchpoint.model.pair_check import check_phasing
     from pitchpoint.model.shafts import add_shafts, check_shaft_places
-    from pitchpoint.model.signal_check import check_signal_places, check_signals
+    from pitchpoint.model.signal_check import check_signals
+    from pitchpoint.model.signal_places import check_signal_places
     from pitchpoint.model.support_check import (
         check_couplings,
         check_housings,

@@ -15,9 +15,10 @@ from pitchpoint.elements.ratio import place_of
 from pitchpoint.elements.signal import set_constant
 from pitchpoint.model.mechanism import given
 from pitchpoint.model.shafts import station_names
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.assembly import assemble_state, close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques
+from pitchpoint.solvers.start_notes import start_notes
 from pitchpoint.solvers.states_at_start import rest_of_controls, states_of_inputs
 from pitchpoint.solvers.sticking import settle_clutches
 from pitchpoint.solvers.trains import (
@@ -114,12 +115,14 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     if scenario.start == "assembled":
         state, notes = _closed(system, scenario, state, driven)
         state = states_of_inputs(system, state)
-        return Start(_with_damping(system, state), state, notes)
+        return Start(_with_damping(system, state), state, (*notes, *start_notes(system, state, driven)))
+    state = _from_given(system, state, driven)
     system, balanced, held = balance_torques(system, state, held, driven)
     found, told = rest_of_controls(system, state, held, {*driven, *balanced})
     system, found, remarks = settle_clutches(system, found, driven, balanced)
     notes = (*told, *_notes(system, found, {*driven, *balanced}), *remarks)
     state, more = _closed(system, scenario, found.state, driven, rest=True)
+    more = (*more, *start_notes(system, state, driven))
     return Start(_with_damping(system, state), state, (*notes, *more))
 
 
@@ -130,6 +133,23 @@ def _turn_to(system: System, state: State, body: str, angle: float) -> None:
         number, turns = system.layout.bodies.index(name), round(angle / (2.0 * np.pi))
         state.turns[number] = turns
         state.q[system.spin(name)] = angle - 2.0 * np.pi * turns
+
+
+def _from_given(system: System, state: State, driven: Sequence[int]) -> State:
+    """The state that the search for rest begins at: loops closed where the joints say that they start.
+
+    What the loads do not move stays there. Loops that do not close so are closed by the search.
+    """
+    model = system.model
+    if model is None or not is_looped(system):
+        return state
+    places = {system.layout.coordinate(c) for c in given(model.mechanism, model, "start")}
+    if not places:
+        return state
+    try:
+        return close_loops(system, state, {*driven, *places}, drawn=True)
+    except SolverError:
+        return state
 
 
 def _closed(

@@ -182,6 +182,26 @@ def test_a_failed_run_says_so_and_keeps_its_file(tmp_path: Path, capsys: pytest.
     assert read_channel(target, "mesh_force[stage]")[0].size == pytest.approx(1000, abs=2)
 
 
+def test_a_run_that_stops_before_its_window_has_no_table(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A sentence says so in place of a table of dashes; the window begins at 20 % of the duration."""
+    (tmp_path / "law.py").write_text(
+        "def torque(t, x, p):\n    return 150.0 if t < 0.003 else float('nan')\n"
+    )
+    text = SHORT.replace(
+        "input:  {body: driver, torque: 150 N m}", "input:  {body: driver, torque: {python: 'law.py:torque'}}"
+    )
+    file, target = written(tmp_path, text), tmp_path / "out.h5"
+    assert run_command(["run", file, "-s", "steady", "-o", str(target), "--allow-code"]) == 3
+    shown = capsys.readouterr()
+    assert "no statistics: the run ended at 2.998 ms, before their window, which begins at 4 ms" in shown.out
+    assert "–" not in shown.out
+    assert "alternating rms" not in shown.out
+    assert "steps of" in shown.out
+    assert "Traceback" not in shown.err
+
+
 def test_ctrl_c_stops_within_a_second_and_keeps_the_result(tmp_path: Path) -> None:
     target = tmp_path / "out.h5"
     child = start(written(tmp_path, LONG), target)

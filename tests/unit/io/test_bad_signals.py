@@ -340,3 +340,74 @@ def test_an_observation_that_nothing_makes(folder: Path) -> None:
         ModelError, match=r"sensors.more.channel \(line \d+\): nothing observes 'slip_speed\[link\]'"
     ):
         compile_model(model)
+
+
+# faults of sensors and torques, each beside a fault elsewhere: (change elsewhere, its place)
+ELSEWHERE = {
+    "a spring between nothing": (
+        ("[motor, drum], stiffness", "[moter, drum], stiffness"),
+        "torsion_springs.link.bodies",
+    ),
+    "a joint of nothing": (
+        ("torsion_springs:\n", "joints:\n  pin: {type: revolute, bodies: [drm, shaft]}\ntorsion_springs:\n"),
+        "joints.pin.bodies[0]",
+    ),
+    "a body out of range": (("inertia: 2 kg m^2", "inertia: -2 kg m^2"), "bodies.drum.inertia"),
+    "a word in place of a body": (
+        ("  motor: {motion: torsion, inertia: 1 kg m^2, position: [0, 0, 0]}", "  motor: {motion: torsin}"),
+        "bodies.motor.motion",
+    ),
+    "a gain": (("proportional: 2", "proportional: two"), "blocks.u.proportional"),
+    "a scenario": (("duration: 20 ms", "duration: 20 mm"), "scenarios.run.duration"),
+}
+NAMED = {
+    "unknown coordinate": "coordinate",
+    "unknown observation": "channel",
+    "observation of nothing": "channel",
+    "load of ground": "at",
+}
+
+
+@pytest.mark.parametrize("sensor_fault", NAMED)
+@pytest.mark.parametrize("other", ELSEWHERE)
+def test_a_sensor_is_told_beside_other_faults(sensor_fault: str, other: str, folder: Path) -> None:
+    """What a sensor names is no less wrong because something else is: both with their lines."""
+    changes, place, words = CASES[sensor_fault]
+    change, second = ELSEWHERE[other]
+    text = faulty([change, *changes])
+    (folder / "model.yaml").write_text(text, encoding="utf-8")
+    with pytest.raises(ModelError) as error:
+        load_model(folder / "model.yaml", allow_code=True)
+    found = {p.where: p for p in error.value.problems}
+    assert place in found, [str(p) for p in found.values()]
+    assert words in str(found[place])
+    assert found[place].line == 1 + text[: text.index("  more:")].count("\n")
+    assert second in found
+
+
+@pytest.mark.parametrize("fault", ["a turn among others", "load of nothing", "askew", "ground first"])
+def test_what_the_tree_decides_is_told_beside_other_faults(fault: str, folder: Path) -> None:
+    """Wrong numbers elsewhere leave no doubt about how the bodies hang on each other."""
+    changes, place, _ = CASES[fault]
+    text = faulty([ELSEWHERE["a gain"][0], ("inertia: 2 kg m^2", "inertia: -2 kg m^2"), *changes])
+    (folder / "model.yaml").write_text(text, encoding="utf-8")
+    with pytest.raises(ModelError) as error:
+        load_model(folder / "model.yaml", allow_code=True)
+    found = sorted(p.where for p in error.value.problems)
+    assert found == sorted([place, "blocks.u.proportional", "bodies.drum.inertia"])
+
+
+def test_no_sensor_is_blamed_for_what_could_not_be_read(folder: Path) -> None:
+    """Names of a section that is spelled wrong, and joints that cannot be read, may be right."""
+    text = faulty(
+        [
+            ("torsion_springs:\n", "torsion_spring:\n"),
+            sensor("{type: observation, channel: 'torque[link]'}"),
+            ("bodies:\n", "joints:\n  pin: {type: revolut, bodies: [motor, drum]}\nbodies:\n"),
+            ("  turn: {type: joint, coordinate: motor}", "  turn: {type: joint, coordinate: pin.spin}"),
+        ]
+    )
+    (folder / "model.yaml").write_text(text, encoding="utf-8")
+    with pytest.raises(ModelError) as error:
+        load_model(folder / "model.yaml", allow_code=True)
+    assert sorted(p.where for p in error.value.problems) == ["joints.pin.type", "torsion_spring"]

@@ -41,15 +41,27 @@ def drive_bank(model: Model, scenario: Scenario) -> Bank:
         body, row["q_i"], dimension = found
         row["i"], row["linear"] = number[body], dimension == "length"
         _prescribe(row, pool, drive, scenario.duration or 1.0, f"drive.{word}")
+        if drive.rate is not None:  # says how fast, not from where
+            row["angle"] = _start(model, body, int(row["q_i"]))
         rows.append(row)
         names.append(word)
     for body in scenario.hold:
         row = np.zeros(1, element.RECORD)[0]
         row["i"], row["q_i"] = number[body], SPIN
         row["form"], row["speed"] = element.SPEED, speeds[body]
+        seat = coordinate(model.mechanism, model, body)
+        row["angle"] = _start(model, *seat[:2]) if not isinstance(seat, str) else 0.0
         rows.append(row)
         names.append(body)
     return pack("drive", element.RECORD, rows, names, pool=pool.array())
+
+
+def _start(model: Model, body: str, place: int) -> float:
+    """Value that the joint of a body gives a coordinate at the start [rad, m]."""
+    seat = model.mechanism.seats[body]
+    if seat.joint is None:
+        return 0.0
+    return float(model.joints[seat.joint].start.get(seat.coordinates[place], 0.0))
 
 
 def _prescribe(row: Any, pool: Pool, drive: Drive, duration: float, where: str) -> None:
