@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError, ValidityWarning
 from pitchpoint.core.units import format_quantity
+from pitchpoint.model.beam_remarks import ends_left_behind
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.idle_keys import idle_keys
 
@@ -110,6 +111,7 @@ def odd_shapes(model: Model) -> tuple[str, ...]:
 
 
 def warn_of_remarks(model: Model) -> None:
-    """Issue all sentences of this module and of `idle_keys` as `ValidityWarning`."""
-    for text in (*ignored_flanks(model), *negative_backlash(model), *jumping_ramps(model), *idle_keys(model)):
+    """Issue all sentences of this module, of `beam_remarks` and `idle_keys` as `ValidityWarning`."""
+    remarks = (ignored_flanks, negative_backlash, jumping_ramps, ends_left_behind, idle_keys)
+    for text in (sentence for find in remarks for sentence in find(model)):
         warnings.warn(text, ValidityWarning, stacklevel=2)
