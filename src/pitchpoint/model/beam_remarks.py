@@ -40,7 +40,7 @@ def ends_left_behind(model: Model) -> tuple[str, ...]:
             found.append(
                 f"beams.{name}{'' if line is None else f' (line {line})'}: {far} hangs on ground (motion: "
                 f"{motion}) and begins at rest while {near} moves in {', '.join(turning)}, so the beam "
-                f"begins with a jolt; write a joint {{type: free, bodies: [{near}, {far}]}} in place of motion"
+                f"begins with a jolt; write a joint {{type: free, bodies: [{near}, {far}]}} in its place"
             )
     return tuple(found)
 

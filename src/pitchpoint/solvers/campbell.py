@@ -93,8 +93,8 @@ def follow_modes(
         order = best_match(np.abs(last.conj() @ parts.M @ z.T))
         found[s], last = roots[order], z[order]
         progress(s + 1, omega.size, "speeds")
-    kinetic, potential = energy_shares(parts, shapes, values)
-    names = mode_names(own.layout, parts, values, shapes, kinetic, potential)
+    _, potential = energy_shares(parts, shapes, values)
+    names = mode_names(own.layout, parts, values, shapes, potential)
     return Campbell(body, omega, found.imag / (2.0 * np.pi), ratio_of(found), names, _orders(own, rates))
 
 

@@ -55,7 +55,8 @@ class Modes:
     damped_shape
         Complex shapes, shape (n, nd); largest component by mass real and positive, modal mass 1.
     kinetic
-        Share of each coordinate in the kinetic energy of a mode, shape (n, nd).
+        Share of each coordinate in the kinetic energy of a mode, shape (n, nd): they sum to 1, and one may be
+        negative where a joint moves bodies against each other.
     potential
         Share of each element in the strain energy, shape (n, ne); zero for rigid modes, negative where loads
         or weight weaken it.
@@ -179,7 +180,7 @@ def find_modes(
         damped_shape=complex_shapes,
         kinetic=kinetic,
         potential=potential,
-        names=mode_names(own.layout, parts, omega, shapes, kinetic, potential),
+        names=mode_names(own.layout, parts, omega, shapes, potential),
         coordinates=own.layout.coordinates,
         elements=parts.elements,
         state=linear.state,

@@ -1,5 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a mode does, in words: from the shares of bodies and elements in its energies."""
+"""What a mode does, in words: from the shares of bodies and elements in its energies.
+
+The share of a coordinate in a name is M_kk phi_k^2 over the sum of this over all coordinates: the kinetic
+energy that the coordinate would have alone. Between 0 and 1 it is, and it is the share in the kinetic energy
+where the mass matrix is diagonal. A coordinate of a joint also moves what hangs on the body, and what
+moves the other way takes energy away: phi_k (M phi)_k, the share in the energy itself, then is negative for
+one of them and above 1 for another. Elements that push away from rest, such as gravity on what stands
+upright, have negative strain energy; the share of an element is that in the sum of the magnitudes.
+"""
 
 from __future__ import annotations
 
@@ -21,9 +29,9 @@ MOTION = {
 """Words for the coordinates of a body."""
 
 TORSIONAL = 0.7
-"""Share of the spins in the kinetic energy from which a mode counts as torsional."""
+"""Share of the spins from which a mode counts as torsional."""
 ENOUGH = 0.8
-"""Share of the kinetic energy that the named motions make up."""
+"""Share that the named motions make up."""
 FORCES = ("closure", "force", "gravity", "rotation", "spring_damper", "torque")
 """Kinds of which a mode is not named: they are no shafts."""
 MOST = 3
@@ -31,7 +39,7 @@ MOST = 3
 
 
 def mode_names(
-    layout: Layout, parts: Parts, omega: Array, shapes: Array, kinetic: Array, potential: Array
+    layout: Layout, parts: Parts, omega: Array, shapes: Array, potential: Array
 ) -> tuple[str, ...]:
     """Names of all modes.
 
@@ -40,17 +48,20 @@ def mode_names(
     layout
         Names of bodies and coordinates.
     parts
-        Names of the elements and their bodies.
+        Names of the elements and their bodies, and the mass matrix.
     omega, shapes
         Undamped circular frequencies (n,), zero for rigid modes, and shapes (n, nd).
-    kinetic, potential
-        Shares of coordinates (n, nd) and elements (n, ne) in the energies.
+    potential
+        Shares of elements (n, ne) in the strain energy.
     """
+    kinetic = shapes**2 * parts.M.diagonal()
+    kinetic = kinetic / np.maximum(kinetic.sum(axis=1, keepdims=True), 1e-300)
+    potential = potential / np.maximum(np.abs(potential).sum(axis=1, keepdims=True), 1e-300)
     several = int(np.sum(omega == 0.0)) > 1
     return tuple(
         _rigid(layout, kinetic[j], several)
         if omega[j] == 0.0
-        else _elastic(layout, parts, shapes[j], kinetic[j], potential[j])
+        else _elastic(layout, parts, kinetic[j], potential[j])
         for j in range(len(omega))
     )
 
@@ -65,7 +76,7 @@ def _rigid(layout: Layout, kinetic: Array, several: bool) -> str:
     return f"rigid rotation of {', '.join(bodies)}"
 
 
-def _elastic(layout: Layout, parts: Parts, shape: Array, kinetic: Array, potential: Array) -> str:
+def _elastic(layout: Layout, parts: Parts, kinetic: Array, potential: Array) -> str:
     if _spin_share(layout, kinetic) < TORSIONAL or not potential.size:
         return _motions(layout, kinetic)
     e = int(np.argmax(potential))
@@ -79,7 +90,7 @@ def _elastic(layout: Layout, parts: Parts, shape: Array, kinetic: Array, potenti
 
 
 def _motions(layout: Layout, kinetic: Array) -> str:
-    """The motions that hold most of the kinetic energy, largest first."""
+    """The motions that have the largest shares, largest first."""
     named, total = [], 0.0
     for k in np.argsort(-kinetic, kind="stable")[:MOST]:
         body, _, motion = layout.coordinates[k].rpartition(".")
