@@ -109,10 +109,11 @@ def moved_record(record, before, after, number):
 def motion_of(system, state, order, places):
     """Centres, attitudes, twists at the centres of bodies; `places` are their axes in the assembled world."""
     evaluate.residual(system, state)
-    return _at_centres(system.workspace.fr, system.bodies, order, places)
+    return at_centres(system.workspace.fr, system.bodies, order, places)
 
 
-def _at_centres(frames, bodies, order, places):
+def at_centres(frames, bodies, order, places):
+    """The same of frames as they are."""
     rows = []
     for k, axes in zip(order, places, strict=True):
         f, body = frames[k], bodies[k - 1]
@@ -144,12 +145,16 @@ def same_state(system, wanted, order, places, hidden):
     done = least_squares(off, np.zeros(len(live)), method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
     assert np.abs(done.fun).max() < 1e-10
     state.q[live] = done.x
+    twists = np.concatenate([row[2] for row in wanted])
+    state.v[:] = 0.0
+    by_itself = np.concatenate([row[2] for row in motion_of(system, state, order, places)])  # moved joints
     columns = []
     for k in live:
         state.v[:] = 0.0
         state.v[k] = 1.0
-        columns.append(np.concatenate([row[2] for row in motion_of(system, state, order, places)]))
-    twists = np.concatenate([row[2] for row in wanted])
+        moving_one = np.concatenate([row[2] for row in motion_of(system, state, order, places)])
+        columns.append(moving_one - by_itself)
+    twists = twists - by_itself
     state.v[:] = 0.0
     state.v[live], *_ = np.linalg.lstsq(np.transpose(columns), twists, rcond=None)
     spin = system.layout.coordinate("state.spin")
@@ -180,8 +185,8 @@ def test_a_mechanism_may_hang_from_its_other_end(i, j, joint, kind):
     wanted = motion_of(one, state, (1, 2), world)
     spin = one.layout.coordinate("state.spin")
     other = same_state(two, wanted, (2, 1), world, (state.q[spin], state.v[spin]))
-    expected = _at_centres(accelerated(one, state), one.bodies, (1, 2), world)
-    found = _at_centres(accelerated(two, other), two.bodies, (2, 1), world)
+    expected = at_centres(accelerated(one, state), one.bodies, (1, 2), world)
+    found = at_centres(accelerated(two, other), two.bodies, (2, 1), world)
     for a, b in zip(found, expected, strict=True):
         np.testing.assert_allclose(a[3], b[3], atol=1e-7 * max(1.0, np.abs(b[3]).max()))
 
@@ -269,7 +274,7 @@ def test_a_loop_may_be_cut_at_its_other_end(kind):
         evaluate.residual(system, state)
         rate = float(system.workspace.fr["tw"][3][5])  # of the rocker, which is the other crank
         frames = accelerated(system, state)
-        found.append(_at_centres(frames, system.bodies, order, [np.eye(3)] * 3))
+        found.append(at_centres(frames, system.bodies, order, [np.eye(3)] * 3))
     for a, b in zip(*found, strict=True):
         np.testing.assert_allclose(b[2], a[2], atol=1e-12)
         np.testing.assert_allclose(b[3], a[3], atol=1e-9 * max(1.0, np.abs(a[3]).max()))
