@@ -68,9 +68,9 @@ def pair(rng, joint):
 def on_common_axis(kind, bodies):
     """For a clutch, the first body with the axes of the second; all else may lie anywhere.
 
-    A clutch has no axis of its own: it acts about those of its bodies, which are those of their joints. A body
-    that hangs by another joint keeps its clutch only where that joint has the same axis. Its capacity may not
-    follow the angle here: every joint counts that from an attitude of its own.
+    A clutch has no axis of its own: it acts about those of its bodies, which are those of their joints. A
+    body that hangs by another joint keeps its clutch only where that joint has the same axis. Its capacity
+    may not follow the angle here: every joint counts that from an attitude of its own.
     """
     if kind != "friction_clutch":
         return bodies
