@@ -97,9 +97,9 @@ def test_multipliers_stay_of_second_order_behind_a_change_of_the_step(form, rho_
 def test_rates_begin_off_their_rows_by_what_the_scheme_keeps_them_off(rho_inf, swing):
     """C h^2 times the third derivative along the row: the drift at the start is that of later steps, too.
 
-    Along the rod that derivative is -3 w w' = 3 g w sin(angle), w the rate of the angle. The start finds it by
-    differences at h/16 and h/8, with an error of second order: 1.8e-6 of it was seen, and a quarter of that
-    with half of h. What steps keep has a next term, too: see the last line.
+    Along the rod that derivative is -3 w w' = 3 g w sin(angle), w the rate of the angle. The start finds it
+    by differences at h/16 and h/8, with an error of second order: 1.8e-6 of it was seen, and a quarter of
+    that with half of h. What steps keep has a next term, too: see the last line.
     """
     h, times = 5e-3, 20
     alpha_m, alpha_f = (2.0 * rho_inf - 1.0) / (rho_inf + 1.0), rho_inf / (rho_inf + 1.0)
