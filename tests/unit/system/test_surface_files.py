@@ -118,7 +118,7 @@ def test_a_hollow_of_triangles_is_a_cup(tmp_path):
     state.q[:] = -11.1e-3
     # Half of what 600 mm^2 of the part press, and half of what the floor presses, a triangle as deep as its
     # centroid: of eight with 150 mm^2 those four count whose centroids are 10 mm from the middle, below the
-    # 30 mm of the part, which are 600 mm^2 again. What is left is the rounding of 20 mm, 0.1 mm of them count.
+    # 30 mm of the part, which are 600 mm^2 again. The rounding of 20 mm is left, where 0.1 mm count.
     assert read(system, state, "contact_force[c]") == pytest.approx(1e9 * 0.1 * 600e-6, rel=1e-12)
 
 
