@@ -294,8 +294,8 @@ def test_hammering_settles_in_the_mean():
 
     Eight runs, steps of 3 to 6 us and two ways to start, have medians of 54.6 to 57.3 kN, 55.7 in the mean.
     Of eleven runs, steps of 1.1 to 5 us, one period in twenty has a harder impact than 77.3 to 82.6 kN,
-    79.8 with a standard deviation of 2.1 %: as 300 independent periods with a tail of 7.5 kN have. The hardest
-    of all is 96.0 to 115.5 kN, 106.6 with 6 %. Bounds are three times and two and a half times that.
+    79.8 with a standard deviation of 2.1 %: as 300 independent periods with a tail of 7.5 kN have. The
+    hardest of all is 96.0 to 115.5 kN, 106.6 with 6 %. Bounds are three times and two and a half times that.
     """
     found = hammering(duration=8.32)
     assert len(found["stage_2"][2]) in (299, 300)
