@@ -109,11 +109,13 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
                     continue
                 at = (group, name, "body" if one else "bodies")
                 remedy = "use a bushing at {}" if group != "loads" else "give marker: NODE and a force"
+                what = "which has no axis"
                 if part_of[body].rotor:
-                    remedy = "name a body that a fixed joint carries at {} instead, such as {{mass: 0 kg}}"
+                    what = "which bends, without a place on it"
+                    remedy = "name a body {{mass: 0 kg}} here that a joint of type fixed carries at {}"
                 elif group == "bearings":
                     remedy = "name the body that runs in it, and give housing: {}"
-                _refuse(parts, body, at, "which has no axis", remedy, report)
+                _refuse(parts, body, at, what, remedy, report)
     for name, load in parts.loads.items():
         if load.reaction in elastic:
             _refuse(

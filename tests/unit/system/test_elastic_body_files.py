@@ -178,6 +178,20 @@ def test_wrong_elastic_bodies_are_told(tmp_path, old, new, words):
     assert all(p.line for p in error.value.problems)
 
 
+def test_a_torque_on_a_rotor_needs_a_place_on_it(tmp_path):
+    """Of a rotor the message says what carries the torque, and at which nodes."""
+    text = CRANK.replace("modes: 6", "modes: 6\n    rotor: true")
+    text = text.replace("scenarios:", "loads: {t: {body: rod, torque: 1 N m}}\nscenarios:")
+    with pytest.raises(ModelError) as error:
+        crank_with(tmp_path, text)
+    (told,) = [p for p in error.value.problems if p.where == "loads.t.body"]
+    assert told.line == 1 + text[: text.index("loads:")].count("\n")
+    assert told.message == "names the elastic body rod, which bends, without a place on it"
+    assert told.remedy == (
+        "name a body {mass: 0 kg} here that a joint of type fixed carries at rod.big or rod.small"
+    )
+
+
 def test_wrong_matrices_are_told_with_the_body(tmp_path):
     model = crank_with(tmp_path, CRANK.replace("300 mm", "290 mm", 1))
     with pytest.raises(
