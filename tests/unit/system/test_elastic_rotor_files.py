@@ -224,7 +224,7 @@ def test_a_turning_pair_runs_like_the_shafts(tmp_path):
     ("old", "new", "words"),
     [
         ("rotor: true", "rotor: false", "are fixed to input, which counts no turns about their axis"),
-        ("{body: journal_1, torque", "{body: input, torque", "names the elastic body input, which has no"),
+        ("{body: journal_1, torque", "{body: input, torque", "names the elastic body input, which bends"),
         ("modes: 12", "below: 1 kHz", "input.static_shapes: stands beside below"),
         ("rotor: true", "rotor: yes please", "input.rotor: "),
         ("speed: {input:", "speed: {journal_1:", "has no spin"),
