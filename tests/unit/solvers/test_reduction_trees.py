@@ -125,7 +125,7 @@ def test_elastic_rotors_stay_and_the_rest_is_condensed(rotors, scenario):
 
 
 def test_a_turning_rotor_runs_the_same_reduced(rotors):
-    """A tenth of a turn and more: the mesh force differs by what the error says of frequencies, 1e-3 of it."""
+    """A tenth of a turn and more: the mesh force differs by 1e-3 of it, as frequencies may."""
     system = compile_model(rotors[1], "turning")
     reduced = reduce_system(system, "turning", limit=3000.0)
     found = []
