@@ -76,7 +76,7 @@ def _copy_past(at, source, target):
 
 
 @kernel
-def _keep(at, where):
+def keep_past(at, where):
     """Put the past and the accelerations where a step that is taken back finds them."""
     c = view(at, 1, CTL)[0]
     _copy_past(at, where, view(where, 1, PAST)[0]["kept"])
@@ -87,8 +87,8 @@ def _keep(at, where):
 
 
 @kernel
-def _take_back(at, where):
-    """Be where `_keep` was: a step may have moved the past to a grid of its own, and dropped some of it."""
+def take_back(at, where):
+    """Be where `keep_past` was: a step may have moved the past to its own grid, and dropped some of it."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     _copy_past(at, view(where, 1, PAST)[0]["kept"], where)
@@ -114,7 +114,7 @@ def _pass_on(at):
 def step_to_event(at, where, spare):
     """One step that ends at the first event in it; `event` says whether there is one."""
     b = view(where, 1, PAST)[0]
-    _keep(at, where)
+    keep_past(at, where)
     limit = b["limit"]
     t = b["t"]
     b["event"] = 0
@@ -151,5 +151,5 @@ def step_to_event(at, where, spare):
                 b["event"] = 1
                 return OK
             reach = share * used + extra
-        _take_back(at, where)
+        take_back(at, where)
     return OK

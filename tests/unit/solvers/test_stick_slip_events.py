@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Blocks on slides with friction: what breaks loose or comes to rest is one event each, what rests is none."""
+"""Blocks on slides with friction: to break loose and to come to rest are one event each, to rest is none."""
 
 from __future__ import annotations
 
@@ -45,7 +45,9 @@ def slips(method: str, force: str = "0 N", *, speed: float = 0.0, duration: floa
     text = BLOCK.format(method=method, force=force, speed=speed, duration=duration)
     done = run_time(compiled(text, "go")[1])
     assert done.status == OK, done.sentence
-    return [(done.event_names[int(k)].partition("[")[0], t, way) for t, k, way in sorted(map(tuple, done.events))]
+    return [
+        (done.event_names[int(k)].partition("[")[0], t, way) for t, k, way in sorted(map(tuple, done.events))
+    ]
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -69,10 +71,10 @@ def test_a_block_that_is_held_has_no_events(method: str, force: str) -> None:
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_block_breaks_loose_and_turns_back(method: str) -> None:
-    """A force that swings: sliding begins where it exceeds friction and turns round where the momentum is gone.
+    """A force F that swings: slip begins where it exceeds friction and turns round when the momentum is gone.
 
-    Behind the instant at which the force F reaches friction m a >= dF/dt t/2 on average, so the slip speed is
-    reached within sqrt(2 m v/F'), which is less with a rate F' that falls by 1 % meanwhile.
+    Before F reaches friction the block creeps; from there on m a >= F' t, so it has its slip speed v within
+    sqrt(2 m v/F'). The rate F' falls by less than 1 % meanwhile.
     """
     found = slips(method, "10 N*sin(pi*t/(1 s))", duration=1.6)
     assert [(name, way) for name, _, way in found] == [
@@ -89,7 +91,7 @@ def test_a_block_breaks_loose_and_turns_back(method: str) -> None:
         swing = 10.0 / math.pi * (math.cos(math.pi * loose) - math.cos(math.pi * t))
         return swing - FRICTION * (t - loose)
 
-    # the slip speed that it has already when the force reaches friction is that of 0.02 ms of braking
+    # it may creep with the slip speed when the force reaches friction, which 12 N stop in 16 us
     for k, slip in ((1, SLIP_SPEED), (2, -SLIP_SPEED)):
         expected = brentq(lambda t, s=slip: momentum(t) - MASS * s, 1.0, 1.6)
-        assert found[k][1] == pytest.approx(expected, abs=1e-4)
+        assert found[k][1] == pytest.approx(expected, abs=3e-5)
