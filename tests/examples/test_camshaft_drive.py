@@ -293,13 +293,17 @@ def test_hammering_settles_in_the_mean():
     """What the page says of 8 s does not depend on the step.
 
     Eight runs, steps of 3 to 6 us and two ways to start, have medians of 54.6 to 57.3 kN, 55.7 in the mean.
+    Of eleven runs, steps of 1.1 to 5 us, one period in twenty has a harder impact than 77.3 to 82.6 kN,
+    79.8 with a standard deviation of 2.1 %: as 300 independent periods with a tail of 7.5 kN have. The
+    hardest of all is 96.0 to 115.5 kN, 106.6 with 6 %. Bounds are three times and two and a half times that.
     """
     found = hammering(duration=8.32)
     assert len(found["stage_2"][2]) in (299, 300)
     assert found["stage_1"][1].loss_share == pytest.approx(0.765, abs=0.015)
     assert found["stage_2"][1].loss_share == pytest.approx(0.68, abs=0.015)
     assert np.median(found["stage_2"][2]) == pytest.approx(55.7, rel=0.05)
-    assert found["stage_2"][2].max() == pytest.approx(114.0, rel=0.15)
+    assert np.quantile(found["stage_2"][2], 0.95) == pytest.approx(79.8, rel=0.065)
+    assert found["stage_2"][2].max() == pytest.approx(106.6, rel=0.15)
     model = load_model(FOLDER / "train.yaml")
     needed = max(map(abs, model.loads["cam"].torque.values)) / (0.5 * model.gears["cam"].geometry.d_b)
     assert 1e-3 * needed == pytest.approx(12.0, rel=5e-3)

@@ -28,9 +28,9 @@ from tests.support.turned_world import about, turned
 EXAMPLES = Path(__file__).parents[2] / "examples"
 REST = 1e-5
 """Share up to which what is reckoned at an equilibrium agrees."""
-MEAN = 2e-4
-"""The same of damped meshes over their cycle: one of the phases of that mean may lie on a jump of the
-damping, which round-off then puts on either side."""
+DIAGRAM = 1e-8
+"""Share of the highest frequency up to which diagrams agree: where bodies stand across the axes of the world,
+every speed has an equilibrium of its own, found to 1e-9 of the loads (seen: 1e-10)."""
 NOTHING = 1e-12
 """What is less in SI units is round-off of zero."""
 ALONG_X = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
@@ -259,7 +259,16 @@ def test_campbell_diagrams(name):
     body = FIRST.get(name, "driver")
     speeds = np.array([0.0, 100.0, 600.0])
     one, two = (follow_modes(s, speeds, body) for s in both(name, TILTED))
-    same(np.sort(two.frequency, axis=1), np.sort(one.frequency, axis=1), share=MEAN)
+    same(np.sort(two.frequency, axis=1), np.sort(one.frequency, axis=1), share=DIAGRAM)
+
+
+@pytest.mark.parametrize("R", ["original", "tilted"])
+def test_a_diagram_passes_through_the_modes_of_its_scenario(R):
+    """With friction: it presses the flanks at rest elsewhere than the matrices of other speeds know."""
+    system = both("spur", TILTED)[R == "tilted"]
+    speed = 1500.0 * np.pi / 30.0
+    at_speed = follow_modes(system, [speed], "driver").frequency[0]
+    same(np.sort(at_speed), np.sort(find_modes(system).damped_frequency), share=DIAGRAM)
 
 
 @pytest.mark.parametrize("name", STEADY)
@@ -269,4 +278,5 @@ def test_frequency_responses(name):
     inputs, outputs = [f"transmission_error[{mesh}]", f"{body}.spin"], [f"mesh_force[{mesh}]", f"{body}.spin"]
     one, two = (find_response(s, inputs, outputs, [50.0, 700.0]) for s in both(name, TILTED))
     for k in range(2):
-        same(two.response[:, k], one.response[:, k], share=MEAN)
+        # slopes of channels are differences over 2e-10 m of places that are rounded to 1e-16 m (seen: 5e-6)
+        same(two.response[:, k], one.response[:, k])

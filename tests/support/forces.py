@@ -81,7 +81,8 @@ def wrenches(system, state):
     """Wrenches of the elements alone on all bodies, ground first, about their origins; shape (nb, 6)."""
     evaluate.residual(system, state)
     with_elements = system.workspace.fr["F"].copy()
-    bare = assemble(system.bodies, {})
+    guides = {kind: system.records[kind] for kind in ("guide",) if kind in system.records}
+    bare = assemble(system.bodies, guides, pools={kind: system.pools[kind] for kind in guides})
     order = [system.layout.coordinate(name) for name in bare.layout.coordinates]  # it may be another one
     q, v, a = (x[order] for x in (state.q, state.v, state.a))
     evaluate.residual(bare, replace(state, q=q, v=v, a=a))

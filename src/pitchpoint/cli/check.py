@@ -224,6 +224,33 @@ def _print(model: Model, file: str) -> None:
     """Show the same to people."""
     found = summary(model)
     show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
+    _show_bodies(found)
+    for name, frequencies in found["elastic_frequencies"].items():
+        listed = ", ".join(f"{f:.4g}" for f in frequencies)
+        show(f"{name}, unsupported, swings in {len(frequencies)} modes of {listed} Hz")
+    rows = [
+        [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
+        for stations in found["shafts"].values()
+        for name, station in stations.items()
+    ]
+    if rows:
+        table("Stations of shafts", ["station", "from the start [mm]", "what sits there"], rows)
+    _show_joints(found)
+    _show_meshes(found)
+    for group in ("bearings", "couplings", *FORCES, "loads"):
+        if found[group]:
+            show(f"{group}: {', '.join(found[group])}")
+    if found["signals"]:
+        table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
+    if found["scenarios"]:
+        show("scenarios: " + ", ".join(f"{name} ({kind})" for name, kind in found["scenarios"].items()))
+    assumed = found["defaults"]
+    if assumed:
+        rows = [[entry["key"], entry["value"]] for entry in assumed]
+        table("Defaults that apply", ["key", "value"], rows)
+
+
+def _show_bodies(found: dict[str, Any]) -> None:
     upright = all(body["axis"] == [0.0, 0.0, 1.0] for body in found["bodies"].values())
     rows = [
         [
@@ -252,17 +279,9 @@ def _print(model: Model, file: str) -> None:
             ],
             rows,
         )
-    for name, frequencies in found["elastic_frequencies"].items():
-        listed = ", ".join(f"{f:.4g}" for f in frequencies)
-        show(f"{name}, unsupported, swings in {len(frequencies)} modes of {listed} Hz")
-    rows = [
-        [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
-        for stations in found["shafts"].values()
-        for name, station in stations.items()
-    ]
-    if rows:
-        table("Stations of shafts", ["station", "from the start [mm]", "what sits there"], rows)
-    _show_joints(found)
+
+
+def _show_meshes(found: dict[str, Any]) -> None:
     rows = [
         [
             name,
@@ -276,14 +295,3 @@ def _print(model: Model, file: str) -> None:
     ]
     if rows:
         table("Meshes", ["mesh", "gears", "centre distance", "direction", "common width", "stiffness"], rows)
-    for group in ("bearings", "couplings", *FORCES, "loads"):
-        if found[group]:
-            show(f"{group}: {', '.join(found[group])}")
-    if found["signals"]:
-        table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
-    if found["scenarios"]:
-        show("scenarios: " + ", ".join(f"{name} ({kind})" for name, kind in found["scenarios"].items()))
-    assumed = found["defaults"]
-    if assumed:
-        rows = [[entry["key"], entry["value"]] for entry in assumed]
-        table("Defaults that apply", ["key", "value"], rows)

@@ -177,15 +177,33 @@ def _standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
     compiled = compiler.compile(_ENTRY.args, _ENTRY.return_type)
     library, described = compiled.library, compiled.fndesc
     library.add_ir_module(_c_function(name, described))
+    library._optimize_final_module = _thorough(library)
     library.enable_object_caching()
     library.get_pointer_to_function(name)
     _, _, (code, bitcode) = library.serialize_using_object_code()
     final = binding.parse_bitcode(bitcode)
     needs = [f.name for f in final.functions if f.is_declaration and not f.name.startswith("llvm.")]
     needs += [g.name for g in final.global_variables if g.is_declaration]
-    raises = any(".picklebuf" in g.name for g in final.global_variables)
+    raises = _raises(final)
     foreign = any(n.startswith(("NRT_", "numba_", "_Py", "Py")) for n in {*needs} - {machine_code.UNREACHED})
     return (b"", []) if raises or foreign or library.has_dynamic_globals else (code, needs)
+
+
+def _raises(module: Any) -> bool:
+    """Whether code holds exceptions."""
+    return any(".picklebuf" in g.name for g in module.global_variables)
+
+
+def _thorough(library: Any) -> Callable[[], None]:
+    """Optimise again if exceptions are left: those that never happen can need a second look."""
+    optimise = library._optimize_final_module
+
+    def optimise_twice() -> None:
+        optimise()
+        if _raises(library._final_module):
+            optimise()
+
+    return optimise_twice
 
 
 def _c_function(name: str, described: Any) -> ir.Module:

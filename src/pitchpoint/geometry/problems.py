@@ -81,67 +81,20 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
     ('gears.pinion.profile_shift_coefficient', '0.2 m_n', 'use at most 0.94 or set tip_diameter')
     """
     found: list[Problem] = []
-    sign = gear.sign
 
     def add(key: str, message: str, value: str, limit: str, remedy: str) -> None:
         found.append(Problem(_at(where, key), message, value, limit, remedy))
 
     if gear.rack.rho_fP_star_max(gear.alpha_n) < 0.0 and not gear.is_internal:
-        deepest = 0.25 * math.pi / math.tan(gear.alpha_n)
-        remedy = "use a smaller dedendum"
-        add(
-            "rack.dedendum",
-            "modules end beyond the point of the tool",
-            f"{gear.rack.h_fP_star:g}",
-            f"{deepest:.4g}",
-            remedy,
-        )
-    if not gear.s_n > 0.0 or not gear.e_n > 0.0:
-        part = "tooth" if gear.s_n <= 0.0 else "space"
-        remedy = "change the profile shift or the thickness allowance"
-        message = f"leaves no {part} on the reference circle"
-        add(
-            "profile_shift_coefficient",
-            message,
-            f"{gear.x:g}",
-            f"tooth thickness 0 to {_mm(gear.p_n)}",
-            remedy,
-        )
-        return found
+        deepest = f"{0.25 * math.pi / math.tan(gear.alpha_n):.4g}"
+        message = "modules end beyond the point of the tool"
+        add("rack.dedendum", message, f"{gear.rack.h_fP_star:g}", deepest, "use a smaller dedendum")
     try:
-        d_f, d_Ff = gear.d_f, gear.d_Ff
+        missing = _no_tooth(gear)
     except GeometryError as error:
-        found.append(_from_error(where, error))
-        return found
-    if d_f * sign <= 0.0:
-        add(
-            "root_diameter",
-            "leaves no gear body",
-            f"{1e3 * d_f:.4f} mm",
-            "above 0",
-            "use more teeth or a smaller dedendum",
-        )
-        return found
-    if not gear.d_a > d_f:
-        limit = f"{'below' if gear.is_internal else 'above'} the root diameter {_mm(d_f)}"
-        add(
-            "tip_diameter",
-            "leaves no tooth height",
-            _mm(gear.d_a),
-            limit,
-            "set tip_diameter or tip_alteration",
-        )
-        return found
-    if abs(gear.d_a) < abs(gear.d_b):
-        message = "lies inside the base circle"
-        remedy = "set tip_diameter or tip_alteration, or change the profile shift"
-        add("tip_diameter", message, _mm(gear.d_a), f"above {_mm(gear.d_b)}", remedy)
-        return found
-    if not gear.d_Fa > d_Ff:
-        message = "leaves no involute between root fillet and tip"
-        limit = f"the tip diameter {_mm(gear.d_Fa)}"
-        remedy = "use a larger profile shift, more teeth or a smaller dedendum"
-        add("number_of_teeth", message, f"{abs(gear.z)} (root form diameter {_mm(d_Ff)})", limit, remedy)
+        return [*found, _from_error(where, error)]
+    if missing is not None:
+        add(*missing)
         return found
     thickness = tip_thickness(gear) / gear.m_n
     if thickness < TIP_THICKNESS_LIMIT:
@@ -149,6 +102,34 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
         remedy = _largest_shift(gear)
         add("profile_shift_coefficient", message, f"{gear.x:g}", f"{TIP_THICKNESS_LIMIT:g} m_n", remedy)
     return found
+
+
+def _no_tooth(gear: CylindricalGear) -> tuple[str, str, str, str, str] | None:
+    """Why a gear has no tooth or no flank: key, message, value, limit, remedy; what else is wrong follows."""
+    if not gear.s_n > 0.0 or not gear.e_n > 0.0:
+        message = f"leaves no {'tooth' if gear.s_n <= 0.0 else 'space'} on the reference circle"
+        limit = f"tooth thickness 0 to {_mm(gear.p_n)}"
+        remedy = "change the profile shift or the thickness allowance"
+        return "profile_shift_coefficient", message, f"{gear.x:g}", limit, remedy
+    d_f, d_Ff = gear.d_f, gear.d_Ff
+    if d_f * gear.sign <= 0.0:
+        remedy = "use more teeth or a smaller dedendum"
+        return "root_diameter", "leaves no gear body", f"{1e3 * d_f:.4f} mm", "above 0", remedy
+    if not gear.d_a > d_f:
+        limit = f"{'below' if gear.is_internal else 'above'} the root diameter {_mm(d_f)}"
+        remedy = "set tip_diameter or tip_alteration"
+        return "tip_diameter", "leaves no tooth height", _mm(gear.d_a), limit, remedy
+    if abs(gear.d_a) < abs(gear.d_b):
+        remedy = "set tip_diameter or tip_alteration, or change the profile shift"
+        limit = f"above {_mm(gear.d_b)}"
+        return "tip_diameter", "lies inside the base circle", _mm(gear.d_a), limit, remedy
+    if not gear.d_Fa > d_Ff:
+        message = "leaves no involute between root fillet and tip"
+        value = f"{abs(gear.z)} (root form diameter {_mm(d_Ff)})"
+        limit = f"the tip diameter {_mm(gear.d_Fa)}"
+        remedy = "use a larger profile shift, more teeth or a smaller dedendum"
+        return "number_of_teeth", message, value, limit, remedy
+    return None
 
 
 def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: bool = True) -> list[Problem]:

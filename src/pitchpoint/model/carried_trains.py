@@ -15,8 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.model.frames import GROUND
-from pitchpoint.model.mechanism import base_of as spin_base
-from pitchpoint.model.mechanism import seat_frame, spinner_of
+from pitchpoint.model.mechanism import base_of, seat_frame, spinner_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
@@ -28,12 +27,12 @@ SAME = 1e-9
 """Singular value over the largest, and part of a row over one, that count as zero."""
 
 
-def base_of(parts: Parts, one: str, two: str) -> str:
+def line_carrier(parts: Parts, one: str, two: str) -> str:
     """The body that carries the line between two gears round; ground where both stand on ground.
 
     It is what the gear hangs on whose base moves with more joints.
     """
-    bases = [spin_base(parts, parts.mechanism, body) for body in (one, two)]
+    bases = [base_of(parts, parts.mechanism, body) for body in (one, two)]
     chains = [_movers(parts, base) for base in bases]
     return bases[0] if len(chains[0]) > len(chains[1]) else bases[1]
 
@@ -126,7 +125,7 @@ def _relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
     w_1, w_2 = (_in_space(parts, place, body) for body in (one, two))
     base = np.zeros(len(place))
     if where[0] == "meshes":
-        base = _in_space(parts, place, base_of(parts, one, two), about=one)
+        base = _in_space(parts, place, line_carrier(parts, one, two), about=one)
     return np.asarray((w_2 - base) - ratio * (w_1 - base))
 
 

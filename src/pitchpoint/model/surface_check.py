@@ -32,8 +32,6 @@ PAIRS: dict[tuple[str, str], tuple[tuple[str, ...], tuple[str, ...]]] = {
 PARALLEL = 0.02
 """Sine between two axes below which cylinders do not cross."""
 
-Side = tuple["ContactSurface", str]
-
 
 def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Reader) -> None:
     """A contact of two surfaces.

@@ -17,16 +17,14 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK
+from pitchpoint.solvers.taylor import APART, DISAGREEMENT, forward_derivatives
 from pitchpoint.system.linear import solve_entry
 from pitchpoint.system.perform import ACCELERATE, ask
 from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
 
-APART = 1.0 / 16.0
-"""Distance of the points of the differences, over the step."""
-DISAGREEMENT = 0.1
-"""Change of the jerk between both distances, over its size, from which it says nothing."""
+_derivatives = getattr(forward_derivatives, "py_func", forward_derivatives)  # of whole arrays
 
 
 def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | None:
@@ -46,27 +44,29 @@ def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | No
     w = system.workspace
     q, v, a, lam = w.q.copy(), w.v.copy(), w.a.copy(), w.lam.copy()
     bad, kind = w.ctl[0]["bad"], w.ctl[0]["badkind"]
+    d = APART * h
     found: list[tuple[Array, Array]] = []
-    for s in (APART * h, 2.0 * APART * h):
+    for s in (d, 2.0 * d):
         w.q[:], w.v[:] = q + s * v + 0.5 * s * s * a, v + s * a
         w.a[:], w.lam[:] = a, lam
         if ask(w, ACCELERATE, t + s) == OK:
-            with np.errstate(over="ignore"):  # what grows without bound ends as a status, not here
-                found.append(((w.a - a) / s, (w.lam - lam) / s))
+            found.append((w.a.copy(), w.lam.copy()))
     w.q[:], w.v[:] = q, v
     status = ask(w, ACCELERATE, t)
     w.a[:], w.lam[:] = a, lam
     w.ctl[0]["bad"], w.ctl[0]["badkind"] = bad, kind
     if status != OK or len(found) < 2:
         return None
-    (near, near_rise), (far, far_rise) = found
+    (soon, soon_lam), (later, later_lam) = found
     weight = w.arrays["weight"]
-    with np.errstate(over="ignore", invalid="ignore"):
-        size = float(np.linalg.norm(weight * near))
-        apart = float(np.linalg.norm(weight * (far - near)))
-    if not apart <= DISAGREEMENT * size < np.inf:
-        return None
-    return 2.0 * near - far, 2.0 * near_rise - far_rise
+    with np.errstate(over="ignore", invalid="ignore"):  # what grows without bound ends as a status, not here
+        jerk, snap = _derivatives(a, soon, later, d)
+        size = float(np.linalg.norm(weight * (soon - a))) / d
+        change = float(np.linalg.norm(weight * snap)) * 0.5 * d  # of the jerk between both distances
+        if not change <= DISAGREEMENT * size < np.inf:
+            return None
+        rise, _ = _derivatives(lam, soon_lam, later_lam, d)
+    return jerk, rise
 
 
 def shift_rates(system: System, change: Array) -> None:

@@ -29,15 +29,12 @@ from pitchpoint.core.status import DIVERGED, NOT_FINITE, OK, SLOW
 from pitchpoint.multibody.block_lu import SOLVE
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.multibody.constraints import schur_factor, schur_solve
-from pitchpoint.solvers.newton import ASTRAY, back_to_guess, keep_guess
+from pitchpoint.solvers.newton import ASTRAY, FADING, SLOW_RATE, back_to_guess, keep_guess
 from pitchpoint.system.linear import factor, solve
 from pitchpoint.system.residual import FORCES, NEWTON, residual
 from pitchpoint.system.workspace import EVALUATIONS, ITERATIONS, MACH, VALID
 
 MOST_ITERATIONS = 8
-SLOW_RATE = 0.5
-FADING = 1.2
-"""Growth of the contraction rate from step to step while it is not measured: the matrix ages meanwhile."""
 DRIFT = 0.1
 """Relative change of cd up to which a matrix is kept."""
 AGED = 0.25

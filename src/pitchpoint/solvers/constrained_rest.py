@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.solvers.assembly import REDUNDANT, close_loops, loop_rows
-from pitchpoint.solvers.still import slopes, step_on
+from pitchpoint.solvers.still import GROWTH, ROUNDING, slopes, step_on
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.source import coordinate_source
@@ -28,14 +28,10 @@ Array = NDArray[np.float64]
 MOST_STEPS = 300
 FIRST = 1e2
 """Factor of the masses in the first step [1/s^2]."""
-GROWTH = 1.01
-"""Factor by which the step that would follow may grow over an accepted one: in the gap nothing gets less."""
 LONGEST = 0.3
 """Largest step of a coordinate [m, rad]."""
-ROUNDING = 1e-13
+LEFT_OVER = 1e-13
 """Share of what acts that rounding leaves over."""
-PLACES = 8 * 2.2e-16
-"""Rounding of a force that follows from a place, over the stiffness: as many are added up at a body."""
 
 
 @dataclass(frozen=True)
@@ -91,8 +87,8 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         left = Z.T @ R[free]
         whole = slopes(system, here, EXACT)
         # places are rounded as about 1 m and 1 rad are: nothing below the forces of that can be asked for
-        rounded = PLACES * (np.abs(whole) @ (np.abs(here.q) + 1.0))
-        least = np.maximum(rounded[free], ROUNDING * acting[free].max(initial=0.0))
+        rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + 1.0))
+        least = np.maximum(rounded[free], LEFT_OVER * acting[free].max(initial=0.0))
         goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], least)
         if np.all(np.abs(left) <= goal):
             return MechanismRest(here, R, count)

@@ -44,10 +44,6 @@ class Share:
         x = shapes[:, self.places]
         return np.asarray(((x @ self.matrix) * x).sum(axis=1))
 
-    def add_to(self, whole: Array) -> None:
-        """Add the entries to a dense matrix (nd, nd)."""
-        whole[np.ix_(self.places, self.places)] += self.matrix
-
 
 def share_of(whole: Array) -> Share:
     """Cut a dense matrix (nd, nd) down to the coordinates that it has entries for."""

@@ -28,7 +28,7 @@ from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
 from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
-from pitchpoint.solvers.still import inverse_of, rest_matrix, restless, step_on
+from pitchpoint.solvers.still import GROWTH, ROUNDING, inverse_of, rest_matrix, restless, step_on
 from pitchpoint.solvers.surfaces import Surface, crossed
 from pitchpoint.solvers.trains import complete, exchange, free_spins, is_independent
 from pitchpoint.system import evaluate
@@ -48,10 +48,6 @@ TINY = 1e-9
 """Step [m] over which a force that is no jump keeps its value."""
 SHORT = 1e-6
 """Step [m] below which one that makes no progress is searched for the jump of a force."""
-ROUNDING = 8 * 2.2e-16
-"""Rounding of a force beside its terms: as many are added up at a body."""
-GROWTH = 1.01
-"""Factor by which the step that would follow may grow over an accepted one: in the gap nothing gets less."""
 
 
 @dataclass(frozen=True)

@@ -72,13 +72,20 @@ class Linearised:
     notes: tuple[str, ...]
 
 
-def _without_friction(point: OperatingPoint) -> OperatingPoint:
-    """The same point with frictionless flanks, and a note if that changes something."""
-    smooth = without_friction(point.system)
-    if smooth is point.system:
+def _frictionless_point(
+    system: System, scenario: Scenario | str | None, start: State | None
+) -> OperatingPoint:
+    """The operating point with frictionless flanks, and a note if that changes something.
+
+    The machine has to rest there without friction too: every other position or speed that the matrices are
+    taken at (phases of a mesh, the speeds of a diagram) is an equilibrium of the frictionless machine.
+    """
+    smooth = without_friction(system)
+    point = operating_point(smooth, scenario, start)
+    if smooth is system:
         return point
     note = "friction of the flanks is left out of the modes; it belongs to the motion, not to a state"
-    return replace(point, system=smooth, notes=(*point.notes, note))
+    return replace(point, notes=(*point.notes, note))
 
 
 def linearise(
@@ -91,7 +98,7 @@ def linearise(
     progress: Progress = silent,
 ) -> Linearised:
     """Matrices about the loaded state of a scenario; arguments as in `modal.find_modes`."""
-    point = _without_friction(operating_point(system, scenario, start))
+    point = _frictionless_point(system, scenario, start)
     own, state = point.system.copy(), point.state
     if phase is not None:
         state = _at_phase(own, state, phase, point.held)

@@ -5,8 +5,9 @@ M x'' + D x' + K x = 0 with the derivatives of the residual at the loaded state,
 the meshes, which is held: they count with the mean of their stiffness over the mesh cycle, or with the value
 at one phase. Undamped modes are those at rest, with the symmetric part of K; damped ones carry dampers, the
 gyroscopic terms of the speeds and the whole K. A torque that follows its tilting body makes K unsymmetric
-and can feed energy into modes that nothing damps. Friction of the flanks is left out of both. Rayleigh and
-modal damping are made at the phase where the scenario starts.
+and can feed energy into modes that nothing damps. Friction of the flanks is left out of both and of the
+operating point: sliding turns round within every mesh cycle. Rayleigh and modal damping are made at the phase
+where the scenario starts.
 
 Mechanisms vibrate in the directions that their loops leave free, with the reactions of the loops in K. Where
 bodies hang in trees, what a steady rotation adds by inertia (centrifugal forces) belongs to the stiffness of

@@ -17,15 +17,12 @@ from pitchpoint.core.status import OK
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.multistep_control import CONSTANT, PAST, set_allowed
 from pitchpoint.solvers.multistep_harvest import view_past
+from pitchpoint.solvers.taylor import APART, DISAGREEMENT, forward_derivatives, integral_on, position_on
 from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.workspace import MACH, VALID
 
 ORDER_AFTER = 3
 """Order of the first step: as many derivatives of the rates are known."""
-APART = 1.0 / 16.0
-"""Distance of the points of the differences, over the step."""
-DISAGREEMENT = 0.1
-"""Change of the third derivative between both passes, over what it adds to, from which it says nothing."""
 MOST_TRIES = 3
 """Distances tried, each an eighth of the one before: the new side may be faster than the old one."""
 FIRST_SHARE = 0.25
@@ -50,8 +47,8 @@ def _look(at, where, s, row):
         now = rows[NOW, i]
         jerk = rows[SERIES, i]
         snap = rows[SERIES, nd + i]
-        v[i] = rows[0, nd + i] + s * (now + s * (jerk / 2.0 + s * snap / 6.0))
-        q[i] = rows[0, i] + s * (rows[0, nd + i] + s * (now / 2.0 + s * (jerk / 6.0 + s * snap / 24.0)))
+        v[i] = integral_on(rows[0, nd + i], s, now, jerk, snap)
+        q[i] = position_on(rows[0, i], rows[0, nd + i], s, now, jerk, snap)
     status = solve_acceleration(at, b["t"] + s, 0.0)
     for i in range(nd):
         rows[row, i] = a[i]
@@ -70,16 +67,14 @@ def _differences(at, where, d):
     allowed = view(view(where, 1, PAST)[0]["allowed"], 2 * nd, F8)
     changed = 0.0
     for i in range(nd):
-        one = rows[SOON, i] - rows[NOW, i]
-        two = (rows[LATER, i] - rows[SOON, i] - one) / (d * d)
+        one, two = forward_derivatives(rows[NOW, i], rows[SOON, i], rows[LATER, i], d)
         changed += ((two - rows[SERIES, nd + i]) / allowed[nd + i]) ** 2
-        rows[SERIES, i] = one / d - 0.5 * d * two
+        rows[SERIES, i] = one
         rows[SERIES, nd + i] = two
     for r in range(nc):
         k = 2 * nd + r
-        one = rows[SOON, k] - rows[NOW, k]
-        two = (rows[LATER, k] - rows[SOON, k] - one) / (d * d)
-        rows[SERIES, k] = one / d - 0.5 * d * two
+        one, two = forward_derivatives(rows[NOW, k], rows[SOON, k], rows[LATER, k], d)
+        rows[SERIES, k] = one
         rows[SERIES, k + nc] = two
     return math.sqrt(changed)
 
@@ -192,17 +187,15 @@ def resume(at, where, spare):
             now = rows[NOW, i]
             jerk = rows[SERIES, i]
             snap = rows[SERIES, nd + i]
-            rows[j, nd + i] = rows[0, nd + i] + s * (now + s * (jerk / 2.0 + s * snap / 6.0))
-            rows[j, i] = rows[0, i] + s * (
-                rows[0, nd + i] + s * (now / 2.0 + s * (jerk / 6.0 + s * snap / 24.0))
-            )
+            rows[j, nd + i] = integral_on(rows[0, nd + i], s, now, jerk, snap)
+            rows[j, i] = position_on(rows[0, i], rows[0, nd + i], s, now, jerk, snap)
         for r in range(nc):
             e = 2 * nd + r
             value = rows[NOW, e]
             one = rows[SERIES, e]
             two = rows[SERIES, e + nc]
-            rows[j, e] = value + s * (one + s * two / 2.0)
-            rows[j, e + nc] = s * (value + s * (one / 2.0 + s * two / 6.0))
+            rows[j, e] = integral_on(value, s, one, two, 0.0)
+            rows[j, e + nc] = integral_on(0.0, s, value, one, two)
             rows[j, e + 2 * nc] = 0.0
     times[0] = 0.0
     b["h"] = h

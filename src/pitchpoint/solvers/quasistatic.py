@@ -13,7 +13,6 @@ backlash.
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -22,21 +21,21 @@ import numpy as np
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, SINGULAR, sentence
+from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.model.components.law import Balance
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.multibody.bodies import GENERAL, spin_of
-from pitchpoint.solvers.assembly import close_loops
+from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.roll_notes import load_notes
+from pitchpoint.solvers.roll_path import rolled_on, turned_gear, without_deflections
 from pitchpoint.solvers.stiffness_parts import Array, mesh_names
 from pitchpoint.solvers.touch import tangent_stiffness, touching_error
-from pitchpoint.solvers.trains import exchange, held_spins, rotations, tied_by_teeth, turning_rates
+from pitchpoint.solvers.trains import exchange, held_spins, rotations, tied_by_teeth
 from pitchpoint.system.remarks import deep_contacts
-from pitchpoint.system.system import State, System
+from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -144,23 +143,20 @@ def roll_through(
     point = operating_point(system, _begun(system, scenario))
     own = point.system.copy()
     k = mesh_names(own).index(mesh)
-    record = own.records["gear_mesh"][k]
-    body = next(int(record[e]) for e in ("i", "j") if spin_of(own.program["body"], record[e]) >= 0)
-    z = record["z1"] if body == record["i"] else record["z2"]
-    spin = own.spin(own.layout.bodies[body])
+    spin, z = turned_gear(own, k)
     state = point.state.copy()
     state.v[:] = 0.0
     held = exchange(own, held_spins(own), spin, state)
     held = (spin, *(h for h in held if h != spin))
     direction = -1.0 if point.state.v[spin] < 0.0 else 1.0
     rates = rotations(own, (spin,))[:, 0]
-    step = direction * 2.0 * np.pi / (abs(int(z)) * points)
+    step = direction * 2.0 * np.pi / (z * points)
     n = points * periods + 1
     rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
     names = mesh_names(own)
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
-    clear = _assembled(own, state, held)
+    clear = without_deflections(own, state, held)
     done, status, text = 0, OK, sentence(OK)
     try:
         for s in range(n):
@@ -172,7 +168,7 @@ def roll_through(
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 tangent[m, s] = tangent_stiffness(own, state, m)
                 unloaded[m, s] = touching_error(own, clear, m, contact)
-            state, clear = (_rolled(own, x, spin, step, rates) for x in (state, clear))
+            state, clear = (rolled_on(own, x, spin, step, rates) for x in (state, clear))
             done = s + 1
             progress(done, n, f"{mesh}: roll")
     except KeyboardInterrupt:
@@ -180,15 +176,7 @@ def roll_through(
     except SolverError as error:
         status, text = error.status, f"{error} (after {done} of {n} points)"
     rows = rows[:done]
-    meshes = {
-        name: MeshRoll(
-            unloaded[m, :done],
-            tangent[m, :done],
-            _shares(own, rows, name, int(own.records["gear_mesh"][m]["n_pair"])),
-            _pitches(own, own.records["gear_mesh"][m], rates, spin, abs(int(z))),
-        )
-        for m, name in enumerate(names)
-    }
+    meshes = _mesh_rolls(own, rows, (unloaded[:, :done], tangent[:, :done]), rates, (spin, z))
     position = np.arange(done) / points
     spans = {
         c.name: {"min": column.min(initial=np.inf), "max": column.max(initial=-np.inf)}
@@ -196,6 +184,22 @@ def roll_through(
     }
     notes = (*load_notes(own, held, reaction[:done], rows), *deep_contacts(own.model, [spans]))
     return Roll(mesh, position, rows, meshes, reaction[:done, 0], notes, status, text)
+
+
+def _mesh_rolls(
+    system: System, rows: Array, curves: tuple[Array, Array], rates: Array, rolled: tuple[int, int]
+) -> dict[str, MeshRoll]:
+    """Every mesh over the points done; `rolled` is the spin that was turned and the number of its teeth."""
+    unloaded, tangent = curves
+    return {
+        name: MeshRoll(
+            unloaded[m],
+            tangent[m],
+            _shares(system, rows, name, int(system.records["gear_mesh"][m]["n_pair"])),
+            _pitches(system, system.records["gear_mesh"][m], rates, *rolled),
+        )
+        for m, name in enumerate(mesh_names(system))
+    }
 
 
 def _plan(
@@ -232,43 +236,6 @@ def _begun(system: System, scenario: Scenario) -> Scenario:
     if not is_looped(system) or any(isinstance(load.torque, Balance) for load in loads.values()):
         return scenario
     return replace(scenario, start="assembled")
-
-
-def _rolled(system: System, state: State, spin: int, step: float, rates: Array) -> State:
-    """The state with one spin turned on by a step, and what turns with it by teeth, with ratios in `rates`.
-
-    Through closed loops the ratios are those of the place, and the loops are closed again.
-    """
-    if not is_looped(system):
-        return _turn(system, state, step * rates)
-    along = turning_rates(system, state, spin)
-    if not along.any():
-        name = system.layout.coordinates[spin].rsplit(".", 1)[0]
-        raise SolverError(f"{name} cannot be turned on: closed loops hold it fast", SINGULAR, state)
-    return _turn(
-        system, close_loops(system, _turn(system, state, step * along), (spin,)), np.zeros(len(along))
-    )
-
-
-def _turn(system: System, state: State, by: Array) -> State:
-    """The state with its spins moved on, remainders kept small."""
-    new = state.copy()
-    new.q += by
-    for spin, body in system.program["spins"]:
-        turns = round(new.q[spin] / (2.0 * np.pi))
-        new.q[spin] -= 2.0 * np.pi * turns
-        new.turns[body] += turns
-    return new
-
-
-def _assembled(system: System, state: State, held: Sequence[int]) -> State:
-    """The same spins, and places of what loops tie; the deflections of shafts in bearings are zero."""
-    new = state.copy()
-    for body in system.program["body"][1:]:
-        if body["joint"] != GENERAL or not is_looped(system):
-            own = np.arange(body["dof"], body["dof"] + body["n"])
-            new.q[own[own != body["spin"]]] = 0.0
-    return close_loops(system, new, held) if is_looped(system) else new
 
 
 def _pitches(system: System, record: np.void, rates: Array, rolled: int, z: int) -> Fraction | None:

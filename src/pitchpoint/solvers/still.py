@@ -24,7 +24,10 @@ STATE = "state."
 SLIGHT = 1e-3
 """Influence of a place on the rate of a state, over that of the speeds, up to which it is none: the axis of a
 shaft that bends is sensed a little askew."""
-
+ROUNDING = 8 * 2.2e-16
+"""Rounding of a force beside its terms, also of one that a place makes: as many are added up at a body."""
+GROWTH = 1.01
+"""Factor by which the step that would follow may grow over an accepted one: in the gap nothing gets less."""
 LARGE = 300
 """Coordinates from which matrices are sparse (SciPy, which takes a fifth of a second to import)."""
 REGULAR = 1e13

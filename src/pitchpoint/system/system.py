@@ -207,12 +207,59 @@ def assemble(
         If a body cannot be computed or a record names something that does not exist; all faults at once.
     """
     named = [body.name or f"body{k}" for k, body in enumerate(bodies, start=1)]
+    _check_bodies(bodies, named)
+    records = body_records(bodies)
+    ordered = _ordered({**banks, **(constraints or {})}, records)
+    program, pair_index, parts = structure(
+        records,
+        set().union(*(pairs(ordered, c) for c in (registry.FRAME, registry.FRICTION, registry.CONSTRAINT))),
+        pairs(ordered, registry.COORDINATE),
+    )
+    for name, bank in ordered.items():
+        fill(registry.find(name), bank, records, pair_index, parts)
+    channels, events, rows, row_bodies = number(ordered, names or {})
+    of_bodies, program["body_out"] = body_channels(bodies, named, records, len(channels))
+    program["rows"] = np.array(row_bodies, np.int64).reshape(-1, 2)
+    coordinates = _coordinates(bodies, named, records)
+    layout = Layout(
+        bodies=("ground", *named),
+        coordinates=tuple(name for name, _ in coordinates),
+        channels=(*channels, *of_bodies),
+        events=tuple(events),
+        rows=tuple(rows),
+        **parts,
+    )
+    sizes = {
+        "nb": records.size,
+        "nd": len(layout.coordinates),
+        "np": len(pair_index) + 1,
+        "na": len(parts["blocks"]) + 1,
+        "nc": len(layout.rows),
+        "no": len(layout.channels),
+        "ne": len(layout.events),
+    }
+    return System(
+        bodies=tuple(bodies),
+        layout=layout,
+        records=ordered,
+        program=program,
+        sizes=sizes,
+        pools=dict(pools or {}),
+        laws=dict(laws or {}),
+        weight=np.array([weight_radius if unit == "rad" else 1.0 for _, unit in coordinates]),
+        names=dict(names or {}),
+        keep=keep,
+    )
+
+
+def _check_bodies(bodies: Sequence[Body], named: Sequence[str]) -> None:
+    """Refuse bodies that cannot be computed; all faults of one sort at once."""
     faults = [f"{n}: {fault}" for n, body in zip(named, bodies, strict=True) for fault in body.faults()]
     if len(set(named)) != len(named):
         faults.append("names of bodies must differ")
     if faults:
         raise CompileError("; ".join(faults))
-    faults += [
+    faults = [
         f"{n}: hangs on body {body.parent}, which is not among the {k} before it"
         for k, (n, body) in enumerate(zip(named, bodies, strict=True))
         if not 0 <= body.parent <= k
@@ -224,66 +271,26 @@ def assemble(
     ]
     if faults:
         raise CompileError("; ".join(faults))
-    records = body_records(bodies)
-    given = {**banks, **(constraints or {})}
-    ordered = {n: checked(registry.find(n), given[n], records.size) for n in sorted(given)}
-    ordered = {n: bank for n, bank in ordered.items() if bank.size}
-    for name, bank in ordered.items():
-        if getattr(registry.find(name).load(), "BODY_FIXED", False):
-            for field in {f for pair in registry.find(name).pairs for f in pair}:
-                records["fixed_axes"][bank[field]] = 1
-    program, pair_index, parts = structure(
-        records,
-        set().union(*(pairs(ordered, c) for c in (registry.FRAME, registry.FRICTION, registry.CONSTRAINT))),
-        pairs(ordered, registry.COORDINATE),
-    )
-    for name, bank in ordered.items():
-        fill(registry.find(name), bank, records, pair_index, parts)
-    channels, events, rows, row_bodies = number(ordered, names or {})
-    of_bodies, program["body_out"] = body_channels(bodies, named, records, len(channels))
-    program["rows"] = np.array(row_bodies, np.int64).reshape(-1, 2)
-    channels += of_bodies
-    coordinates = _coordinate_names(bodies, named, records)
-    sizes = {
-        "nb": records.size,
-        "nd": len(coordinates),
-        "np": len(pair_index) + 1,
-        "na": len(parts["blocks"]) + 1,
-        "nc": len(rows),
-        "no": len(channels),
-        "ne": len(events),
-    }
-    layout = Layout(
-        bodies=("ground", *named),
-        coordinates=tuple(coordinates),
-        channels=tuple(channels),
-        events=tuple(events),
-        rows=tuple(rows),
-        **parts,
-    )
-    units = {
-        f"{name}.{word}": unit
-        for body, name in zip(bodies, named, strict=True)
-        for word, unit in body.coordinates
-    }
-    weight = np.array([weight_radius if units[c] == "rad" else 1.0 for c in coordinates])
-    return System(
-        bodies=tuple(bodies),
-        layout=layout,
-        records=ordered,
-        program=program,
-        sizes=sizes,
-        pools=dict(pools or {}),
-        laws=dict(laws or {}),
-        weight=weight,
-        names=dict(names or {}),
-        keep=keep,
-    )
 
 
-def _coordinate_names(bodies: Sequence[Body], named: Sequence[str], records: NDArray[np.void]) -> list[str]:
-    found: dict[int, str] = {}
+def _ordered(given: Mapping[str, NDArray[np.void]], records: NDArray[np.void]) -> dict[str, NDArray[np.void]]:
+    """Checked banks that have elements, by name; bodies whose turned axes they need are marked."""
+    banks = {n: checked(registry.find(n), given[n], records.size) for n in sorted(given)}
+    banks = {n: bank for n, bank in banks.items() if bank.size}
+    for name, bank in banks.items():
+        kind = registry.find(name)
+        if getattr(kind.load(), "BODY_FIXED", False):
+            for end in {f for pair in kind.pairs for f in pair}:
+                records["fixed_axes"][bank[end]] = 1
+    return banks
+
+
+def _coordinates(
+    bodies: Sequence[Body], named: Sequence[str], records: NDArray[np.void]
+) -> list[tuple[str, str]]:
+    """Names and units of all coordinates in the order of their numbers."""
+    found: dict[int, tuple[str, str]] = {}
     for b, (body, name) in enumerate(zip(bodies, named, strict=True), start=1):
-        for k, (coordinate, _) in enumerate(body.coordinates):
-            found[int(records[b]["dof"]) + k] = f"{name}.{coordinate}"
+        for k, (coordinate, unit) in enumerate(body.coordinates):
+            found[int(records[b]["dof"]) + k] = f"{name}.{coordinate}", unit
     return [found[d] for d in sorted(found)]

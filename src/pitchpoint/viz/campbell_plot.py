@@ -78,6 +78,22 @@ def plot_campbell(
         )
     # names stand beside and above the picture, where no circle and no line can be
     room = _beside(figure, names, modes[-1] * pitch.factor, top * pitch.factor) if crowded else 0
+    leaving = _draw_orders(figure, omega, orders, top)
+    room = _beside(figure, list(leaving), np.array([*leaving.values()]), top * pitch.factor, room)
+    figure.update_layout(margin={"r": 16 + room})
+    if modes.size and orders:
+        _mark_crossings(figure, omega, modes, orders, top)
+    figure.update_yaxes(range=[0.0, top * pitch.factor])
+    figure.update_xaxes(range=[float(omega[0]) * revolutions.factor, float(omega[-1]) * revolutions.factor])
+    figure.update_layout(showlegend=True)
+    return figure
+
+
+def _draw_orders(
+    figure: go.Figure, omega: Array, orders: Mapping[str, float], top: float
+) -> dict[str, float]:
+    """Lines of the orders; those that leave at the right have their names still to come, with their ends."""
+    revolutions, pitch = scale("rad/s"), scale("Hz", [top])
     leaving: dict[str, float] = {}
     for row, (name, order) in enumerate(_distinct(orders)):
         figure.add_scatter(
@@ -93,25 +109,24 @@ def plot_campbell(
             _above(figure, name, end * revolutions.factor, row)
         else:
             leaving[name] = order * float(omega[-1]) / (2.0 * np.pi) * pitch.factor
-    room = _beside(figure, list(leaving), np.array([*leaving.values()]), top * pitch.factor, room)
-    figure.update_layout(margin={"r": 16 + room})
-    crossings = (
-        campbell_crossings(omega, modes, [order for _, order in _distinct(orders)])
-        if modes.size and orders
-        else ()
+    return leaving
+
+
+def _mark_crossings(
+    figure: go.Figure, omega: Array, modes: Array, orders: Mapping[str, float], top: float
+) -> None:
+    """Circles where orders meet modes."""
+    crossings = campbell_crossings(omega, modes, [order for _, order in _distinct(orders)])
+    if not crossings:
+        return
+    revolutions, pitch = scale("rad/s"), scale("Hz", [top])
+    figure.add_scatter(
+        x=[c.speed * revolutions.factor for c in crossings],
+        y=[c.frequency * pitch.factor for c in crossings],
+        mode="markers",
+        name="crossings",
+        marker={"color": theme.RED, "size": 9, "symbol": "circle-open", "line": {"width": 2}},
     )
-    if crossings:
-        figure.add_scatter(
-            x=[c.speed * revolutions.factor for c in crossings],
-            y=[c.frequency * pitch.factor for c in crossings],
-            mode="markers",
-            name="crossings",
-            marker={"color": theme.RED, "size": 9, "symbol": "circle-open", "line": {"width": 2}},
-        )
-    figure.update_yaxes(range=[0.0, top * pitch.factor])
-    figure.update_xaxes(range=[float(omega[0]) * revolutions.factor, float(omega[-1]) * revolutions.factor])
-    figure.update_layout(showlegend=True)
-    return figure
 
 
 def _above(figure: go.Figure, name: str, at: float, row: int) -> None:

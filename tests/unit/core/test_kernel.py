@@ -184,7 +184,7 @@ START = """
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not COMPILING, reason="needs the compiler")
+@pytest.mark.skipif(not COMPILING, reason="a start is warm where the machine code is kept from before")
 @pytest.mark.parametrize("command", [["modes"], ["run", "-s", "steady"], ["sweep", "-s", "sweep"]])
 def test_a_warm_start_imports_neither_the_compiler_nor_other_heavy_packages(tmp_path, command):
     (tmp_path / "model.yaml").write_text(
@@ -198,7 +198,6 @@ def test_a_warm_start_imports_neither_the_compiler_nor_other_heavy_packages(tmp_
     assert done.stdout.split() == ["0"], done.stdout + done.stderr
 
 
-@pytest.mark.skipif(not COMPILING, reason="needs the compiler")
 def test_code_whose_symbols_are_missing_is_not_linked():
     assert machine_code.link("nothing", b"", ["sin", "no_such_function_anywhere"]) is None
 
@@ -227,7 +226,7 @@ def test_user_laws_compiled_or_plain_give_the_same_call():
     assert ask(law_address(plain_law), 1.0, 2.0, p.ctypes.data) == 6.0
 
 
-@pytest.mark.skipif(not COMPILING, reason="without the compiler the exception itself arrives")
+@pytest.mark.nojit
 def test_an_exception_in_a_plain_law_becomes_nan():
     assert np.isnan(ask(law_address(failing_law), 0.0, 0.0, np.zeros(1).ctypes.data))
 

@@ -27,7 +27,7 @@ from pitchpoint.io.writing import Channel, ResultWriter
 
 pytestmark = pytest.mark.skipif(
     claim.fcntl is None or "HDF5_USE_FILE_LOCKING" in os.environ,
-    reason="other locks than usual",
+    reason="Windows has no advisory locks; with HDF5_USE_FILE_LOCKING those of HDF5 are not the usual ones",
 )
 
 CHANNEL = Channel("mesh_force[stage]", "N")

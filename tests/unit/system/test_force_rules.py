@@ -17,7 +17,7 @@ from pitchpoint.model.components.spring import Maxwell, Spring
 from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system.rules.bushing import bushing_bank
-from pitchpoint.system.rules.clutch import clutch_bank, with_states
+from pitchpoint.system.rules.clutch import clutch_bank
 from pitchpoint.system.rules.places import Places, hidden_bodies
 from pitchpoint.system.rules.rolling_bearing import plain_bearing_bank, rolling_bearing_bank
 from pitchpoint.system.rules.spring import (
@@ -146,12 +146,11 @@ def test_plain_bearings():
     assert moved(system, a__x=3e-3)[0] == pytest.approx(-2000.0)
 
 
-def test_clutches_and_what_has_a_state():
+def test_clutches():
     clutches = {
         "m": Clutch(bodies=("a", "b"), capacity=TableLaw((0.0, 1.0), (5.0, 9.0)), wind_up=1e-2),
         "n": Clutch(bodies=("a",), capacity=Constant(3.0), law="smooth", slip_speed=0.5),
     }
-    assert with_states(clutches) == ["m"]
     bank = clutch_bank(clutches, PLACES)
     assert bank.records["k"].tolist() == [3, 0]
     assert bank.records["stiffness"][0] == pytest.approx(100.0)

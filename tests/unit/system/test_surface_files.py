@@ -116,8 +116,10 @@ def test_a_hollow_of_triangles_is_a_cup(tmp_path):
     state.q[:] = -1.1e-3  # the room reaches from -20 to 20 mm along z, the part from -9 - 1.1 mm on
     assert read(system, state, "contact_force[c]") == 0.0
     state.q[:] = -11.1e-3
-    # half of 600 mm^2 of the part and half of what its floor below the part presses
-    assert read(system, state, "contact_force[c]") == pytest.approx(1e9 * 0.1 * 600e-6, rel=0.2)
+    # Half of what 600 mm^2 of the part press, and half of what the floor presses, a triangle as deep as its
+    # centroid: of eight with 150 mm^2 those four count whose centroids are 10 mm from the middle, below the
+    # 30 mm of the part, which are 600 mm^2 again. The rounding of 20 mm is left, where 0.1 mm count.
+    assert read(system, state, "contact_force[c]") == pytest.approx(1e9 * 0.1 * 600e-6, rel=1e-12)
 
 
 def test_the_hash_of_a_model_covers_the_triangles(tmp_path):

@@ -15,11 +15,6 @@ from pitchpoint.system.rules.load import set_signal
 from pitchpoint.system.rules.places import Places
 
 
-def with_states(clutches: Mapping[str, Clutch]) -> list[str]:
-    """Names of the clutches that have a state."""
-    return [name for name, part in clutches.items() if part.law == "bristles"]
-
-
 def clutch_bank(clutches: Mapping[str, Clutch], places: Places) -> Bank:
     """All clutches and brakes."""
     pool, rows, laws = sig.Pool(), [], []

@@ -113,26 +113,21 @@ def elastic_parts(
     if not 0 < n <= MOST:
         raise CompileError(f"{name}: {n} modes (limit 1 to {MOST}); choose some with Modes.select")
     place, world = (np.asarray(x, float) for x in pose or (np.zeros(3), np.eye(3)))
-    base = frame or Body(motion=FLOATING, position=place, axes=world, inertia=np.zeros((3, 3)), name=name)
-    if base.mass or base.polar_inertia or np.any(base.tensor()):
-        raise CompileError(f"{name}: its frame has a mass; that of the elastic body is in its matrices")
+    base = _massless(
+        frame or Body(motion=FLOATING, position=place, axes=world, inertia=np.zeros((3, 3)), name=name), name
+    )
     own, at = np.asarray(base.axes, float), np.asarray(base.position, float)
     Q = world.T @ own  # axes of the frame in those of the structure
     integrals = mass_invariants(structure, modes.shape, world.T @ (at - place)).turned(Q)
     hidden, guides = modal_bodies(name, n, first + 1)
     numbers = tuple(range(first + 1, first + 1 + len(hidden)))
-    extra = None
-    if stiffening is not None:
-        nothing = np.zeros((n, n))
-        loads = [nothing if k is None else modes.shape.T @ (k @ modes.shape) for k in stiffening]
-        extra = turned_stiffening(loads, Q)
     row = flexible_row(
         integrals,
         (2.0 * math.pi * modes.frequency) ** 2,
         frame=first,
         hidden=numbers,
         damping=modal_damping(modes, damping_ratio),
-        stiffening=extra,
+        stiffening=None if stiffening is None else _modal_stiffening(modes, stiffening, Q),
         gravity=gravity,
     )
     bodies, rows, found = [base, *hidden], [guides], {}
@@ -152,6 +147,20 @@ def elastic_parts(
         found[word] = first + len(bodies) - 1
     names = tuple(f"{name}.{k // GROUP + 1}.eta{k + 1}" for k in range(n))
     return ElasticParts(tuple(bodies), row, np.concatenate(rows), found, names)
+
+
+def _massless(frame: Body, name: str) -> Body:
+    """The frame, if it has no mass of its own."""
+    if frame.mass or frame.polar_inertia or np.any(frame.tensor()):
+        raise CompileError(f"{name}: its frame has a mass; that of the elastic body is in its matrices")
+    return frame
+
+
+def _modal_stiffening(modes: Modes, stiffening: Sequence[Any], Q: NDArray[np.float64]) -> Any:
+    """Stiffness of the modal coordinates by nine loads along the axes of the frame, the columns of Q."""
+    nothing = np.zeros((modes.frequency.size, modes.frequency.size))
+    loads = [nothing if k is None else modes.shape.T @ (k @ modes.shape) for k in stiffening]
+    return turned_stiffening(loads, Q)
 
 
 # --- of a model ---------------------------------------------------------------------------------------------
