@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 SHOWN = 20
 """Natural frequencies in the table."""
+ELASTIC = "elastic body "
+"""How the reason begins why an elastic body stays."""
 LISTED = 40
 """Names that are listed where one is not known."""
 
@@ -60,7 +62,7 @@ def reduce(
         )
     model = read_model(file, allow_code, quiet)
     name = known_scenario(model, scenario) if scenario is not None else None
-    nothing: dict[str, Any] = {"coordinates": [], "kept": [], "full": [], "reduced": []}
+    nothing: dict[str, Any] = {"coordinates": [], "kept": [], "reasons": [], "full": [], "reduced": []}
     summary, error = unless_it_cannot_begin(lambda: compute(model, name, limit, keep), nothing)
     if as_json:
         emit_json(summary)
@@ -97,6 +99,7 @@ def compute(
         "limit": limit,
         "coordinates": list(error.coordinates),
         "kept": list(found.kept),
+        "reasons": list(found.reasons),
         "frequency_error": error.frequency,
         "compliance_error": error.compliance,
         "full": error.full.tolist(),
@@ -134,4 +137,15 @@ def _print(title: str, summary: dict[str, Any]) -> None:
     if len(cells) > SHOWN:
         show(f"{SHOWN} of {len(cells)} modes up to the limit; --json prints all of them")
     show(summary["report"])
-    show(f"bodies that stay: {', '.join(summary['kept'])}")
+    show(f"bodies that stay: {', '.join(_alone(summary))}")
+    for why in dict.fromkeys(summary["reasons"]):
+        which = [name for name, own in _alone(summary).items() if own == why]
+        show(f"  {', '.join(which)}: {why}")
+
+
+def _alone(summary: dict[str, Any]) -> dict[str, str]:
+    """Reasons by the bodies that stay; what an elastic body consists of goes by its name."""
+    found: dict[str, str] = {}
+    for name, why in zip(summary["kept"], summary["reasons"], strict=True):
+        found[why.removeprefix(ELASTIC) if why.startswith(ELASTIC) else name] = why
+    return found

@@ -17,7 +17,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.contact.pair_shape import RECTANGULAR, phase_stiffness
+from pitchpoint.contact.pair_shape import FOURIER, RECTANGULAR, phase_stiffness
 from pitchpoint.core.kernel import call, call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.gear_mesh_record import (
@@ -82,6 +82,21 @@ def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
     """Observations of one record: those of every mesh and the forces of its tooth pairs."""
     pairs = range(int(record["n_pair"]))
     return (*OUTPUTS, *((f"pair_force[{{}}.{k}]", "N", f"force of tooth pair {k}") for k in pairs))
+
+
+def bends(record: np.void) -> tuple[str, ...]:
+    """Event functions of one record at whose zeros forces jump or bend.
+
+    Those of contact always; those of pairs unless the stiffness is a sum of harmonics; where sliding turns
+    round only if there is friction, which turns with it.
+    """
+    names = tuple(name for name, _ in EVENTS)
+    if record["mu"] > 0.0:
+        return names
+    harmonic = record["source"] == PHASE and record["form"] == FOURIER
+    return tuple(
+        name for name in names if not name.endswith("reversal") and not (harmonic and "pair" in name)
+    )
 
 
 @kernel

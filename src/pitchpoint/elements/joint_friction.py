@@ -60,9 +60,11 @@ RECORD = np.dtype(
     align=True,
 )
 
+#: One function per direction, zero where friction has grown up. At rest both are far from zero, whatever
+#: rounding or a load below friction make of the slip there; a reversal within one step changes both.
 EVENTS = (
-    ("slip_reversal", "the slip of a joint with friction changes its sign"),
-    ("slip", "friction of a joint has grown up, or falls below that"),
+    ("forward_slip", "a joint with friction begins to slip forwards, or stops to"),
+    ("backward_slip", "a joint with friction begins to slip backwards, or stops to"),
 )
 
 OUTPUTS = (
@@ -183,8 +185,8 @@ def joint_friction(rec, ctl, fr, kk):
             _put(kk[b["jj"]], s, l_i, m_j, l_i, m_j)
         if c["ev"] != 0:
             ev = events(ctl)
-            ev[b["ev"]] = bounded(v)
-            ev[b["ev"] + 1] = bounded(abs(v) - b["v_eps"])
+            ev[b["ev"]] = bounded(v - b["v_eps"])
+            ev[b["ev"] + 1] = bounded(-v - b["v_eps"])
         if c["out"] != 0:
             out = observations(ctl)
             out[b["out"]] = friction

@@ -12,6 +12,8 @@ jj
 * optionally ``SPINS``: "free" if it keeps no body from turning about its axis, "together" if both its bodies
   turn together; otherwise it counts as holding them (see `solvers.trains`),
 * optionally ``BODY_FIXED = True``, if it reads the frames S of its bodies,
+* optionally ``bends(record)``, names of the event functions at whose zeros forces jump or bend; without it
+  all count (see `solvers.event_watch`),
 * optionally ``EXACT``, entries that only exact tangents call, by the record field of their address, and
 * optionally ``EVENTS`` (the same for event functions, first index in the field event), ``ROWS`` (constraint
 rows

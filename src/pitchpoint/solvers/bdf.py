@@ -201,15 +201,18 @@ def start(
         "tol": tolerances,
         "iteration": iteration,
     }
-    past = np.zeros(1, PAST)
+    past, kept = np.zeros(1, PAST), np.zeros(1, PAST)
+    saved = {"rows": np.zeros((DEPTH, size)), "times": np.zeros(DEPTH)}
     for name, array in arrays.items():
         past[0][name] = array.ctypes.data
+        kept[0][name] = saved.get(name, array).ctypes.data
+    past[0]["kept"] = kept.ctypes.data
     past[0]["t"], past[0]["kind"], past[0]["most_k"] = state.t, KINDS[kind], order
     past[0]["rates"] = nc == 0 or form != "I3"
     past[0]["integrals"] = nc > 0 and form == "SI1"
     past[0]["iterate"], past[0]["step"] = address(iterate), address(step)
     past[0]["seek"], past[0]["resume"] = address(step_to_event), address(resume)
-    return StiffRun(system, past, tolerances, state.t, 0, [*keep, *arrays.values()])
+    return StiffRun(system, past, tolerances, state.t, 0, [*keep, *arrays.values(), kept, *saved.values()])
 
 
 def _check(kind: str, form: str, order: int, largest_step: float) -> None:

@@ -116,12 +116,13 @@ def _stop(at, status):
 
 
 @kernel(inline=True)
-def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
+def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, harvest):
     """Go from t to t_end with step control; `pair` holds the coefficients (`dormand_prince_pairs.Pair`).
 
     tol: see the places above. grid: time of sample 0, distance of samples (0: none); rows are stored and
-    statistics fed at grid times. restart != 0: begin anew at every event. The time reached and the next step
-    size stay in `real`.
+    statistics fed at grid times. ends: whether to begin anew at every event (0: no), and the address of a
+    flag per event function, 0: it does not count; 0 if all do. The time reached and the next step size stay
+    in `real`.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -138,6 +139,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
     rate = tol[RATE]
     measure = 1 if harvest.sums.shape[0] > 0 else 0
     watch = ne > 0 and found.shape[0] > 0
+    restart = ends[0]
     real[TIME] = t
     if real[SLOPE_AT] != t:  # else it is still there: a run cut into chunks has the same bits
         status = slope(at, t, 0, rate)
@@ -181,7 +183,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
             dense = _prepare_dense(at, h, pair.D, last_stage)
         if watch:
             before = done[2]
-            done[2], share = find_events(at, t, h, dense, found, done[2], 0)
+            done[2], share = find_events(at, t, h, dense, found, done[2], ends[1])
             if share < 0.0:
                 return _stop(at, NOT_FINITE)
             if restart != 0 and share <= 1.0:
@@ -234,7 +236,8 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, restart, harvest):
 ORDER = np.dtype(
     [
         *((name, "f8") for name in ("t", "t_end", "sample_zero", "sample", "order")),
-        *((name, "i8") for name in ("A", "C", "E", "D", "stages", "last", "dense", "tol", "most", "restart")),
+        *((name, "i8") for name in ("A", "C", "E", "D", "stages", "last", "dense", "tol", "most")),
+        *((name, "i8") for name in ("restart", "wanted")),
     ],
     align=True,
 )
@@ -254,9 +257,8 @@ def entry(at, order, harvest):
     )
     grid = (o["sample_zero"], o["sample"])
     tol = view(o["tol"], LARGEST + 1, F8)
-    return advance_adaptive(
-        at, o["t"], o["t_end"], pair, tol, grid, o["most"], o["restart"], harvest_at(harvest)
-    )
+    ends = (o["restart"], o["wanted"])
+    return advance_adaptive(at, o["t"], o["t_end"], pair, tol, grid, o["most"], ends, harvest_at(harvest))
 
 
 def adaptive_order(
@@ -264,7 +266,7 @@ def adaptive_order(
     pair: Pair,
     tolerances: NDArray[np.float64],
     most: int,
-    restart: bool,
+    ends: tuple[bool, int],
 ) -> NDArray[np.void]:
     """ORDER record, shape (1,); it holds addresses of the arrays given here.
 
@@ -272,9 +274,9 @@ def adaptive_order(
     ----------
     times
         Present time, end, time of sample 0, distance of samples [s].
-    pair, tolerances, most, restart
+    pair, tolerances, most, ends
         As in `advance_adaptive`.
     """
     arrays = (a.ctypes.data for a in pair[:4])
     sizes = (pair.A.shape[0], pair.E.shape[1], pair.D.shape[0])
-    return np.array([(*times, pair.order, *arrays, *sizes, tolerances.ctypes.data, most, restart)], ORDER)
+    return np.array([(*times, pair.order, *arrays, *sizes, tolerances.ctypes.data, most, *ends)], ORDER)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.elements import registry
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ FUNCTIONS = {
     "pair_exit": ("pair_exit", "back_pair_exit"),
     "contact": ("front_gap", "back_gap", "contact"),
     "sliding_reversal": ("sliding_reversal", "back_sliding_reversal", "turning_reversal"),
-    "stick_slip": ("slip_reversal", "slip"),
+    "stick_slip": ("slip_reversal", "slip", "forward_slip", "backward_slip"),
 }
 
 #: A pair that passes the start of its path backwards leaves there, and enters at the end.
@@ -29,6 +30,19 @@ BACKWARDS = {
     "back_pair_entry": "back_pair_exit",
     "back_pair_exit": "back_pair_entry",
 }
+
+
+def bending(system: System) -> NDArray[np.int64]:
+    """Per event function 1 if forces jump or bend at its zeros, shape (ne,)."""
+    flags = np.zeros(len(system.layout.events), np.int64)
+    for name, bank in system.records.items():
+        module = registry.find(name).load()
+        names = [event[0] for event in getattr(module, "EVENTS", ())]
+        for record in bank if names else ():
+            bends = module.bends(record) if hasattr(module, "bends") else names
+            first = int(record["ev"])
+            flags[first : first + len(names)] = [event in bends for event in names]
+    return flags
 
 
 class EventWatch:
@@ -55,6 +69,8 @@ class EventWatch:
         self._kept = kept
         #: Per event function 1 if its sign changes count, in one direction at least: steps may end there.
         self.functions = (kept[self._named[0]] | kept[self._named[1]]).astype(np.int64)
+        #: The same, or forces jump or bend there: explicit methods have nothing else that tells them.
+        self.ends = self.functions | bending(system) if kept.any() else self.functions
 
     def __bool__(self) -> bool:
         return bool(self._kept.any())

@@ -14,12 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.progress import Progress, silent
+from pitchpoint.elements.registry import MODAL
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.assembly import REDUNDANT
 from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, undamped
 from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
+from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.start import without_friction
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, mesh_names, shift, split, touching
@@ -123,18 +125,24 @@ def linearise(
 
 
 def _of_one_position(system: System, state: State) -> tuple[str, ...]:
-    """A note on elastic bodies whose modes turn: their matrices change as they do."""
-    body = system.program["body"]
-    frames = [int(record["i"]) for record in system.records.get("flexible_body", ())]
-    turning = [
-        system.layout.bodies[b] for b in frames if body[b]["spin"] >= 0 and state.v[body[b]["spin"]] != 0.0
-    ]
-    if not turning:
-        return ()
-    return (
-        f"the modes of {', '.join(turning)} turn with the body: what is found holds for one position of it; "
-        "elastic shafts hold for all",
-    )
+    """Notes on elastic bodies whose modes turn, and on other bodies whose inertia changes as they turn."""
+    body, names = system.program["body"], system.layout.bodies
+    elastic = {int(record[m]) for record in system.records.get("flexible_body", ()) for m in MODAL} - {0}
+    turning = [names[b] for b in sorted(elastic) if body[b]["spin"] >= 0 and state.v[body[b]["spin"]] != 0.0]
+    notes = []
+    if turning:
+        notes.append(
+            f"the modes of {', '.join(turning)} turn with the body: what is found holds for one position of "
+            "it; elastic shafts hold for all"
+        )
+    elif state.v.any() and not elastic:
+        moving = changing(system, state, {}, state.v / np.abs(state.v).max())[1]
+        if moving:
+            notes.append(
+                f"the inertia of {', '.join(names[b] for b in moving)} changes as it turns: what is found "
+                "holds for one position of it"
+            )
+    return tuple(notes)
 
 
 def _turning(system: System, state: State, still: State, at_rest: Parts) -> Parts:

@@ -59,6 +59,7 @@ PAST = np.dtype(
         ("step", "i8"),  # of one whole step,
         ("seek", "i8"),  # of one that ends at an event,
         ("resume", "i8"),  # and of what goes on from there
+        ("kept", "i8"),  # address of another such record: what was before a step that may be taken back
         ("event", "i8"),  # 1: the last step ended at an event
         ("events", "i8"),  # so many steps did
     ],

@@ -14,7 +14,6 @@ from pitchpoint.multibody.channels import CTL, F8
 from pitchpoint.solvers.dormand_prince_events import find_events
 from pitchpoint.solvers.multistep_control import LARGEST, PAST
 from pitchpoint.solvers.multistep_harvest import go_back, keep_accelerations, prepare_events, view_past
-from pitchpoint.solvers.multistep_history import DEPTH
 from pitchpoint.system.workspace import MACH
 
 LOCATED = 1e-5
@@ -51,21 +50,48 @@ def _guess(at, where, h):
 
 
 @kernel
-def _take_back(at, where, t):
-    """Undo the last step, which was the only one since the time t."""
+def _copy_past(at, source, target):
+    """Copy a past: its rows, their times, and what decides on the next step."""
+    a = view(source, 1, PAST)[0]
+    b = view(target, 1, PAST)[0]
+    rows, times, _, _ = view_past(at, source)
+    other_rows, other_times, _, _ = view_past(at, target)
+    for j in range(a["points"]):
+        other_times[j] = times[j]
+        for i in range(rows.shape[1]):
+            other_rows[j, i] = rows[j, i]
+    b["t"] = a["t"]
+    b["h"] = a["h"]
+    b["gridded"] = a["gridded"]
+    b["used"] = a["used"]
+    b["origin"] = a["origin"]
+    b["error"] = a["error"]
+    b["estimate"] = a["estimate"]
+    b["k"] = a["k"]
+    b["next_k"] = a["next_k"]
+    b["points"] = a["points"]
+    b["steady"] = a["steady"]
+    b["rising"] = a["rising"]
+    b["failures"] = a["failures"]
+
+
+@kernel
+def keep_past(at, where):
+    """Put the past and the accelerations where a step that is taken back finds them."""
+    c = view(at, 1, CTL)[0]
+    _copy_past(at, where, view(where, 1, PAST)[0]["kept"])
+    a = view(c["a"], c["nd"], F8)
+    al = view(view(c["mach"], 1, MACH)[0]["al"], c["nd"], F8)
+    for i in range(a.size):
+        al[i] = a[i]
+
+
+@kernel
+def take_back(at, where):
+    """Be where `keep_past` was: a step may have moved the past to its own grid, and dropped some of it."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
-    b = view(where, 1, PAST)[0]
-    rows, times, _, _ = view_past(at, where)
-    n = min(b["points"], DEPTH) - 1
-    h = -times[1]
-    for j in range(n):
-        for i in range(rows.shape[1]):
-            rows[j, i] = rows[j + 1, i]
-        times[j] = times[j + 1] + h
-    times[0] = 0.0
-    b["points"] = n
-    b["t"] = t
+    _copy_past(at, view(where, 1, PAST)[0]["kept"], where)
     ap = view(m["ap"], c["nd"], F8)
     al = view(m["al"], c["nd"], F8)
     for i in range(ap.size):
@@ -87,20 +113,10 @@ def _pass_on(at):
 @kernel
 def step_to_event(at, where, spare):
     """One step that ends at the first event in it; `event` says whether there is one."""
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
     b = view(where, 1, PAST)[0]
-    before = view(m["al"], c["nd"], F8)
-    a = view(c["a"], c["nd"], F8)
-    for i in range(a.size):
-        before[i] = a[i]
+    keep_past(at, where)
     limit = b["limit"]
     t = b["t"]
-    k = b["k"]
-    planned = b["h"]
-    steady = b["steady"]
-    rising = b["rising"]
-    origin = b["origin"]
     b["event"] = 0
     h = min(b["h"], view(b["tol"], LARGEST + 1, F8)[LARGEST])
     h = min(h, limit - t)
@@ -135,10 +151,5 @@ def step_to_event(at, where, spare):
                 b["event"] = 1
                 return OK
             reach = share * used + extra
-        _take_back(at, where, t)
-        b["k"] = k
-        b["h"] = planned
-        b["steady"] = steady
-        b["rising"] = rising
-        b["origin"] = origin
+        take_back(at, where)
     return OK

@@ -28,8 +28,8 @@ from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.controls import held_outputs, refuse_loads
 from pitchpoint.solvers.element_tangents import element_names, switched
 from pitchpoint.solvers.operating_point import operating_point
+from pitchpoint.solvers.position_dependence import FACTORS
 from pitchpoint.solvers.reduction_choice import (
-    FACTORS,
     Choice,
     Split,
     coordinates_of,
@@ -64,6 +64,8 @@ class Reduced:
         How far it is off, up to the highest frequency of interest.
     kept
         Names of the bodies that stay.
+    reasons
+        Why each of them does.
     notes
         What stays though it might have gone, in sentences.
     """
@@ -74,6 +76,7 @@ class Reduced:
     full_state: State
     error: ReductionError
     kept: tuple[str, ...] = ()
+    reasons: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
 
 
@@ -129,6 +132,7 @@ def reduce_system(
         state,
         reduced[2],
         names,
+        split.reasons,
         (*(n for n in point.notes if n not in held_outputs(own)), *split.notes),
     )
 

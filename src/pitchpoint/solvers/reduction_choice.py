@@ -18,10 +18,12 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.elements import registry
+from pitchpoint.elements.registry import MODAL
 from pitchpoint.elements.signal import CONSTANT
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.solvers.eigen import symmetric
 from pitchpoint.solvers.element_tangents import element_names, switched
+from pitchpoint.solvers.position_dependence import changing, ways_to_turn
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -30,11 +32,6 @@ Choice = dict[str, NDArray[np.int64]]
 
 LINEAR = ("beam", "bearing", "bushing", "coupling", "damping", "gravity", "shaft_beam", "spring_damper")
 """Kinds that are condensed if nothing else acts on one of their bodies."""
-FACTORS = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-LATER = (1.0, 2.3)
-"""Angles [rad] by which the fastest spin has gone on when matrices are compared with those of now."""
-SAME = 1e-8
-"""Relative change of a matrix in the scale of the masses that counts as rounding."""
 LOOSE = 1e-9
 """Eigenvalue of a stiffness with ones on its diagonal below which a motion is not held."""
 LEAD = 1e-3
@@ -55,12 +52,15 @@ class Split:
         Bodies of every condensed part, those that stay among them.
     notes
         What stays though it might have gone, in sentences.
+    reasons
+        Why each of the kept bodies stays.
     """
 
     condensed: Choice
     kept: list[int]
     parts: list[list[int]]
     notes: tuple[str, ...]
+    reasons: tuple[str, ...]
 
 
 def split_up(system: System, state: State, keep: Sequence[str]) -> Split:
@@ -71,30 +71,36 @@ def split_up(system: System, state: State, keep: Sequence[str]) -> Split:
     if unknown:
         raise SolverError(f"nothing to keep is called {', '.join(unknown)}", INCONSISTENT)
     eligible = _linear_records(system, keep)
-    forced = {names.index(n) for n in keep if n in names} | _never(system)
-    notes: list[str] = []
-    if state.v.any():
-        changing, moving = _changing(system, state, eligible)
-        for kind, rows in changing.items():
+    notes = _rotor_notes(system, eligible)
+    forced = {names.index(n): "asked for" for n in keep if n in names} | _never(system)
+    stays = _kept(system, eligible, forced)
+    rates = ways_to_turn(system, state, stays)
+    if rates.any():
+        elements, moving = changing(system, state, eligible, rates)
+        for kind, rows in elements.items():
             eligible[kind] = np.setdiff1d(eligible[kind], rows)
             which = ", ".join(element_names(system, kind)[k] for k in rows)
             notes.append(f"{kind.replace('_', ' ')} {which} is kept: it does not act alike at all times")
-        moving = sorted(set(moving) - forced - _kept(system, eligible, forced))
+        moving = sorted(set(moving) - set(_kept(system, eligible, forced)))
         if moving:
             notes.append(f"kept as their inertia changes over time: {', '.join(names[b] for b in moving)}")
-        forced |= set(moving)
+        forced |= dict.fromkeys(moving, "inertia that changes over time")
     while True:
-        kept = _kept(system, eligible, forced)
+        why = _kept(system, eligible, forced)
+        kept = set(why)
         condensed = _used(system, eligible, kept)
         parts = _parts(system, condensed, kept)
         lone = [b for b in range(1, len(names)) if b not in kept and not any(b in part for part in parts)]
         alone = [part[0] for part in parts if not kept & set(part)]
         loose = [] if lone or alone else _loose(system, state, condensed, parts, kept)
         if not (lone or alone or loose):
-            return Split(condensed, sorted(kept), parts, tuple(notes))
+            order = sorted(kept)
+            return Split(condensed, order, parts, tuple(notes), tuple(why[b] for b in order))
         if loose:
             notes.append(f"kept as no spring of their part holds them: {', '.join(names[b] for b in loose)}")
-        forced |= {*lone, *alone, *loose}
+        forced |= dict.fromkeys(lone, "nothing to be condensed with")
+        forced |= dict.fromkeys(alone, "first of a part that nothing else keeps")
+        forced |= dict.fromkeys(loose, "no spring of its part holds it")
 
 
 def names_to_keep(system: System) -> tuple[str, ...]:
@@ -125,16 +131,68 @@ def _linear_records(system: System, keep: Sequence[str]) -> Choice:
     return found
 
 
-def _never(system: System) -> set[int]:
-    """Bodies that functions move, what hangs on them, and states of elements."""
-    body, found = system.program["body"], set()
+def _never(system: System) -> dict[int, str]:
+    """Bodies that functions move, what hangs on them, and states of elements, with the reason."""
+    body = system.program["body"]
+    found: dict[int, str] = {}
+    for name, record in zip(
+        element_names(system, "flexible_body") if "flexible_body" in system.records else (),
+        system.records.get("flexible_body", ()),
+        strict=True,
+    ):
+        modes = {int(record[field]) for field in MODAL} - {0}
+        for b in range(1, body.size):
+            if {b, int(body[b]["shares"])} & modes:
+                found[b] = f"elastic body {name}"
     for b in range(1, body.size):
         path = [b, *_ancestors(body, b)]
-        if any(body[c]["guide"] >= 0 or body[c]["state"] == 1 or body[c]["shares"] for c in path):
-            found.add(b)
+        elastic = [found[c] for c in path if found.get(c, "").startswith("elastic body")]
+        if b in found:
+            continue
+        if elastic:
+            found[b] = f"hangs on {elastic[0]}"
+        elif body[b]["state"] == 1:
+            found[b] = "state of an element"
+        elif any(body[c]["guide"] >= 0 or body[c]["shares"] for c in path):
+            found[b] = "moved by functions"
+    for b in range(1, body.size):
         if body[b]["shares"]:
-            found.add(int(body[b]["shares"]))
+            found.setdefault(int(body[b]["shares"]), "moved by functions")
     return found
+
+
+def _rotors(system: System) -> dict[int, str]:
+    """Elastic bodies with a spin: number of the frame and name."""
+    if "flexible_body" not in system.records:
+        return {}
+    body, names = system.program["body"], element_names(system, "flexible_body")
+    frames = [int(record["i"]) for record in system.records["flexible_body"]]
+    return {b: name for b, name in zip(frames, names, strict=True) if body[b]["spin"] >= 0}
+
+
+def _rotor_notes(system: System, eligible: Choice) -> list[str]:
+    """Take out the elements on elastic rotors, whose coordinates turn with them, and say so."""
+    body, rotors = system.program["body"], _rotors(system)
+    if not rotors:
+        return []
+    kept = []
+    for kind, rows in eligible.items():
+        if kind in ("gravity", "damping"):
+            continue
+        on = [
+            int(k)
+            for k in rows
+            if any(
+                rotors.keys() & {b, *_ancestors(body, b)}
+                for b in (int(system.records[kind][k][end]) for end in ("i", "j"))
+            )
+        ]
+        eligible[kind] = np.setdiff1d(rows, on)
+        kept += [f"{kind.replace('_', ' ')} {element_names(system, kind)[k]}" for k in on]
+    which = f", so do what hangs on them and {', '.join(kept)}" if kept else ", so does what hangs on them"
+    return [
+        f"elastic rotors stay as they are, as their modes turn with them: {', '.join(rotors.values())}{which}"
+    ]
 
 
 def _ancestors(body: NDArray[np.void], b: int) -> list[int]:
@@ -147,18 +205,22 @@ def _ancestors(body: NDArray[np.void], b: int) -> list[int]:
     return found
 
 
-def _kept(system: System, eligible: Choice, forced: set[int]) -> set[int]:
-    """Bodies that anything but a linear element acts on, those forced to stay, and what carries them."""
-    body, kept = system.program["body"], set(forced)
+def _kept(system: System, eligible: Choice, forced: dict[int, str]) -> dict[int, str]:
+    """Bodies that anything but a linear element acts on, those forced to stay, and what carries them: why."""
+    body, kept = system.program["body"], dict(forced)
     for kind, bank in system.records.items():
         if kind == "gravity":
             continue
         rest = np.setdiff1d(np.arange(bank.size), eligible.get(kind, np.zeros(0, np.int64)))
+        names = element_names(system, kind)
         for field in {f for pair in registry.find(kind).pairs for f in pair}:
-            kept |= {int(b) for b in bank[field][rest]}
-    for b in sorted(kept - {0}):
-        kept |= set(_ancestors(body, b))
-    return kept - {0}
+            for k in rest:
+                kept.setdefault(int(bank[field][k]), f"{kind.replace('_', ' ')} {names[k]} acts on it")
+    kept.pop(0, None)
+    for b in sorted(kept):
+        for c in _ancestors(body, b):
+            kept.setdefault(c, f"carries {system.layout.bodies[b]}")
+    return kept
 
 
 def _used(system: System, eligible: Choice, kept: set[int]) -> Choice:
@@ -190,8 +252,16 @@ def _used(system: System, eligible: Choice, kept: set[int]) -> Choice:
     return found
 
 
+def _movers(body: NDArray[np.void], b: int) -> list[int]:
+    """Bodies whose coordinates move a body, its own first; the owner stands for shared ones."""
+    return [int(body[c]["shares"]) or c for c in (b, *_ancestors(body, b))]
+
+
 def _parts(system: System, condensed: Choice, kept: set[int]) -> list[list[int]]:
-    """Bodies that condensed elements join, or joints with a body that goes; ground apart."""
+    """Bodies that condensed elements join, or joints with a body that goes; ground apart.
+
+    What carries the end of an element, or gives it its coordinates, moves that end: it is one of the part.
+    """
     body = system.program["body"]
     group = {b: {b} for b in range(1, system.sizes["nb"])}
     used: set[int] = set()
@@ -211,71 +281,12 @@ def _parts(system: System, condensed: Choice, kept: set[int]) -> list[list[int]]
         if kind in ("gravity", "damping"):
             continue
         for record in system.records[kind][chosen]:
-            ends = [int(record[e]) for e in ("i", "j") if int(record[e])]
+            ends = [c for e in ("i", "j") if int(record[e]) for c in _movers(body, int(record[e]))]
             used |= set(ends)
-            if len(ends) == 2 and ends[0] != ends[1]:
-                join(ends[0], ends[1])
+            for end in ends[1:]:
+                join(ends[0], end)
     found = {min(group[b]): sorted(group[b]) for b in used}
     return [found[b] for b in sorted(found)]
-
-
-def _later(system: System, state: State) -> list[State]:
-    """The operating point a while on: all that turns steadily has turned."""
-    top = float(np.abs(state.v).max())
-    found = []
-    for angle in LATER:
-        moved = state.copy()
-        moved.q = state.q + state.v * angle / top
-        found.append(moved)
-    return found
-
-
-def _changing(system: System, state: State, eligible: Choice) -> tuple[Choice, list[int]]:
-    """Elements, and bodies, whose matrices change along a steady rotation."""
-    states = [state, *_later(system, state)]
-    rows, columns, places = system.layout.entries
-    scale = np.sqrt(np.diag(evaluate.matrix(system, state, 1.0, 0.0, 0.0)))
-    size = scale[rows] * scale[columns]
-    rate = float(np.abs(state.v).max())
-
-    def ask() -> list[Array]:
-        """Entries of M, D and K at all moments, in the scale of the masses and of the fastest spin."""
-        return [
-            np.array(
-                [evaluate.blocks(system, s, *f).reshape(-1)[places] / (size * rate**power) for s in states]
-            )
-            for power, f in enumerate(FACTORS)
-        ]
-
-    with switched(system, {}):
-        bare = ask()
-    changing: Choice = {}
-    for kind in [k for k in eligible if k not in ("gravity", "damping") and eligible[k].size]:
-        found = []
-        for k in eligible[kind]:
-            with switched(system, {kind: slice(int(k), int(k) + 1)}):
-                own = [a - b for a, b in zip(ask(), bare, strict=True)]
-            if any(_varies(a).any() for a in own):
-                found.append(int(k))
-        if found:
-            changing[kind] = np.array(found, np.int64)
-    if "gravity" in eligible:
-        with switched(system, {"gravity": slice(None)}):
-            bare = [np.where(_varies(a - b), a, b) for a, b in zip(ask(), bare, strict=True)]
-    varies = np.any([_varies(a) for a in bare], axis=0)
-    own_rows = np.unique(rows[varies])
-    body = system.program["body"]
-    moving = [
-        b
-        for b in range(1, body.size)
-        if np.any((own_rows >= body[b]["dof"]) & (own_rows < body[b]["dof"] + body[b]["n"]))
-    ]
-    return changing, [b for b in moving if body[b]["joint"] == GENERAL]
-
-
-def _varies(entries: Array) -> NDArray[np.bool_]:
-    """Entries that are not the same at all moments (first axis)."""
-    return np.asarray(np.ptp(entries, axis=0) > SAME * np.abs(entries).max(initial=1.0))
 
 
 def _loose(

@@ -7,7 +7,7 @@ Constraint rows are kept on the level of accelerations; their drift is pulled ba
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -109,6 +109,8 @@ class ExplicitRun:
         [s].
     pair
         Coefficients of the adaptive method.
+    counts
+        Flags of `watch`; none: all events count.
     """
 
     system: System
@@ -118,6 +120,7 @@ class ExplicitRun:
     steps: int = 0
     t: float = 0.0
     pair: Pair = FIFTH
+    counts: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
 
     @property
     def longest(self) -> float:
@@ -148,6 +151,13 @@ class ExplicitRun:
         """Go on with another step of the classical method from here."""
         self.t0, self.steps, self.h = self.t, 0, h
 
+    def watch(self, functions: NDArray[np.int64]) -> None:
+        """Let events of the adaptive method count of functions with a flag only, shape (ne,).
+
+        All count without it.
+        """
+        self.counts = functions
+
     def advance_to(
         self,
         t_end: float,
@@ -177,7 +187,8 @@ class ExplicitRun:
         w = self.system.workspace
         w.clock[VALID] = 0
         times = (self.t, float(t_end), self.t0, sample)
-        order = adaptive_order(times, self.pair, self.tolerances, most, restart)
+        ends = (restart, self.counts.ctypes.data if len(self.counts) else 0)
+        order = adaptive_order(times, self.pair, self.tolerances, most, ends)
         done = advance_into(adaptive_entry, w.at, order, harvest)
         self.t = float(w.arrays["real"][TIME])
         self.steps += done.steps

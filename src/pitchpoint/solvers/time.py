@@ -151,6 +151,7 @@ class _Loop:
                 atol_rate=rtol,
                 largest_step=largest_step(start, scenario),
             )
+            self.run_.watch(self.watch.ends)
         elif scenario.method == "rk4":
             self.run_ = runge_kutta.start_classical(self.system, start.state, self.h)
         else:

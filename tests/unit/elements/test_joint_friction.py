@@ -69,6 +69,19 @@ def test_a_block_on_an_incline(direction):
     assert power == pytest.approx(mu * 3.0 * G * np.cos(t) * 2.0, rel=1e-9)
 
 
+@pytest.mark.nojit
+def test_event_functions_are_far_from_zero_at_rest_and_tell_the_direction():
+    """Signs by slip over slip speed: round-off at rest, creeping, slipping; a reversal changes both."""
+    system = pendulum(0.3, 0.08)
+    state = system.initial_state()
+    held = [(slip, [-1, -1]) for slip in (0.0, 1e-18, -1e-18, 0.9, -0.9)]
+    for slip, signs in (*held, (1.1, [1, -1]), (-1.1, [-1, 1]), (2000.0, [1, -1])):
+        state.v[0] = slip * 1e-3
+        found = evaluate.event_values(system, state)
+        np.testing.assert_array_equal(np.sign(found), signs)
+        assert np.abs(found).min() > 2e-5  # a quarter of a tenth of the slip speed, 1e-3
+
+
 def pendulum(mu, radius, cut=False, **numbers):
     """Pendulum of 0.7 m on a pin, in the tree or held by a cut joint."""
     along = np.column_stack([[0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0]])
