@@ -7,10 +7,13 @@ import math
 import warnings
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from pitchpoint.core.errors import GeometryError, ValidityWarning
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.beam_remarks import ends_left_behind
 from pitchpoint.model.components.stiffness import OF_PAIRS
+from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.idle_keys import idle_keys
 
 if TYPE_CHECKING:
@@ -22,6 +25,10 @@ INTERFERENCE = 1e-7
 
 NEAR_WHOLE = 0.05
 """Distance of eps_alpha from a whole number up to which a small change of the centre distance passes it."""
+
+
+DRAWN_APART = 1e-6
+"""Distance of the ends of a bushing as drawn [m] that comes from rounded places."""
 
 
 def follows_flanks(model: Model, mesh: str) -> bool:
@@ -40,6 +47,23 @@ def ignored_flanks(model: Model) -> tuple[str, ...]:
                 f"meshes.{name}: the law {mesh.stiffness.law} prescribes the stiffness of the whole mesh, so "
                 f"modifications, deviations and profiles of {' and '.join(gears)} have no effect; "
                 f"{', '.join(OF_PAIRS[:-1])} and {OF_PAIRS[-1]} follow them"
+            )
+    return tuple(found)
+
+
+def bushings_apart(model: Model) -> tuple[str, ...]:
+    """A sentence for every bushing whose ends have different places as drawn, and which is loaded by that."""
+    found = []
+    for name, bushing in model.bushings.items():
+        one, two = (place_of(model, end) for end in bushing.ends)
+        apart = 0.0 if one is None or two is None else float(np.linalg.norm(one - two))
+        if apart > DRAWN_APART:
+            line = model.line(("bushings", name))
+            remedy = "; a place of ground is a marker of a body with motion: fixed"
+            found.append(
+                f"bushings.{name}{'' if line is None else f' (line {line})'}: {bushing.ends[0]} and "
+                f"{bushing.ends[1]} lie {format_quantity(apart, 'length', 3)} apart as drawn, "
+                f"and the bushing pulls them together{remedy if GROUND in bushing.ends else ''}"
             )
     return tuple(found)
 
@@ -112,6 +136,13 @@ def odd_shapes(model: Model) -> tuple[str, ...]:
 
 def warn_of_remarks(model: Model) -> None:
     """Issue all sentences of this module, of `beam_remarks` and `idle_keys` as `ValidityWarning`."""
-    remarks = (ignored_flanks, negative_backlash, jumping_ramps, ends_left_behind, idle_keys)
+    remarks = (
+        ignored_flanks,
+        negative_backlash,
+        jumping_ramps,
+        bushings_apart,
+        ends_left_behind,
+        idle_keys,
+    )
     for text in (sentence for find in remarks for sentence in find(model)):
         warnings.warn(text, ValidityWarning, stacklevel=2)

@@ -8,7 +8,7 @@ import pytest
 
 from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.remarks import ignored_flanks, negative_backlash, odd_shapes
+from pitchpoint.model.remarks import bushings_apart, ignored_flanks, negative_backlash, odd_shapes
 from pitchpoint.system.compile import compile_model
 
 RELIEF = ", modifications: {both: {tip_relief: {amount: 20 um, length: 2 mm}}}"
@@ -89,3 +89,22 @@ def test_odd_shapes_are_told_with_the_gear_and_the_mesh():
     assert "(limit 0.4719)" in radius
     assert gap.startswith("meshes.s.gears: total contact ratio 0.")
     assert odd_shapes(loads_model(PAIR.format(more="", mesh="center_distance: 120 mm"))) == ()
+
+
+APART = """
+bodies:
+  wall: {motion: fixed, position: [0.3, 0.4, 0], markers: {here: {position: [0, 0, 0]}}}
+  casing: {motion: free, mass: 5 kg, inertia_tensor: [0.1, 0.1, 0.1, 0, 0, 0], position: [0.3, 0, 0],
+           markers: {foot: {position: [0, 0.4, 0]}}}
+bushings:
+  mount: {ends: [casing.foot, END], stiffness: {x: 1e6, y: 1e6, axial: 1e6, tilt: 1e4, torsion: 1e4}}
+"""
+
+
+def test_a_bushing_whose_ends_are_drawn_apart_is_named():
+    """0.3 m and 0.4 m at right angles: 500 mm."""
+    (told,) = bushings_apart(loads_model(APART.replace("END", "ground")))
+    words = "bushings.mount (line 7): casing.foot and ground lie 500 mm apart as drawn"
+    assert told.startswith(words)
+    assert told.endswith("a place of ground is a marker of a body with motion: fixed")
+    assert bushings_apart(loads_model(APART.replace("END", "wall.here"))) == ()
