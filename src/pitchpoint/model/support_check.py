@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.model.force_check import TURNING
 from pitchpoint.model.frames import GROUND, axes_of, body_frame, place_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
@@ -91,16 +92,9 @@ def check_couplings(parts: Parts, report: Reader) -> None:
         places = [b.origin for b in bodies if b is not None and b.origin is not None]
         if len(places) < 2 or not _holds_sideways(coupling):
             continue
-        z, other = (body_frame(parts, b)[1][:, 2] for b in coupling.bodies)
-        cosine = float(z @ other)
-        if cosine < 1.0 - COAXIAL**2:
-            report.problem(
-                ("couplings", name, "bodies"),
-                f"have axes {math.degrees(math.acos(max(-1.0, cosine))):.6g} deg apart",
-                value=" and ".join(coupling.bodies),
-                remedy="give both bodies the same z axis, or join them by a universal joint",
-            )
+        if _askew(parts, "couplings", name, coupling.bodies, report):
             continue
+        z = body_frame(parts, coupling.bodies[0])[1][:, 2]
         apart = float(np.linalg.norm(np.cross(z, np.subtract(places[1], places[0]))))
         if apart > COAXIAL:
             first, second = coupling.bodies
@@ -111,6 +105,29 @@ def check_couplings(parts: Parts, report: Reader) -> None:
                 limit=f"{COAXIAL * 1e3:g} mm",
                 remedy=f"put {first} and {second} on one axis, or give the coupling torsion only",
             )
+
+
+def check_turning(parts: Parts, report: Reader) -> None:
+    """The angle between two bodies is one about an axis of both: about others it depends on the way there."""
+    for group in TURNING:
+        for name, part in getattr(parts, group).items():
+            if len(part.bodies) == 2 and all(b in parts.bodies for b in part.bodies):
+                _askew(parts, group, name, part.bodies, report)
+
+
+def _askew(parts: Parts, group: str, name: str, bodies: tuple[str, ...], report: Reader) -> bool:
+    """Whether two bodies have different z axes as drawn, which is told."""
+    z, other = (body_frame(parts, b)[1][:, 2] for b in bodies)
+    cosine = float(z @ other)
+    if cosine < 1.0 - COAXIAL**2:
+        report.problem(
+            (group, name, "bodies"),
+            f"have axes {math.degrees(math.acos(max(-1.0, cosine))):.6g} deg apart",
+            value=" and ".join(bodies),
+            remedy="give both bodies the same z axis, or join them by a universal joint",
+        )
+        return True
+    return False
 
 
 def check_rings(parts: Parts, report: Reader) -> None:

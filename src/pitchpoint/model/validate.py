@@ -356,6 +356,7 @@ def check(parts: Parts, report: Reader) -> None:
         check_housings,
         check_positions,
         check_rings,
+        check_turning,
     )
 
     add_shafts(parts, report)
@@ -380,6 +381,7 @@ def check(parts: Parts, report: Reader) -> None:
     check_couplings(parts, report)
     check_housings(parts, report)
     check_rings(parts, report)
+    check_turning(parts, report)
     check_motions(parts, report)
     check_unbalances(parts, report)
     check_loads(parts, report)

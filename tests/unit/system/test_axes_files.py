@@ -286,3 +286,27 @@ def test_turned_frames_agree_with_turned_places():
     model = loads_model(GEARS + SPUR.replace("{z: [3, 0, 0]}", f"{{z: {z}, x: {x}}}"))
     expected = np.array([1.0, 2.0, 3.0]) + R @ [0.0, 0.09, 0.0]
     np.testing.assert_allclose(model.bodies["two"].origin, expected, atol=1e-15)
+
+
+TURNING = """\
+bodies:
+  one: {motion: torsion, inertia: 0.1, position: [0, 0, 0]}
+  two: {motion: torsion, inertia: 0.1, position: [0, 0, 0], axes: {z: AXIS}}
+torsion_springs: {spring: {bodies: [one, two], stiffness: 10}}
+torsion_maxwells: {oil: {bodies: [one, two], stiffness: 10, damping: 1}}
+clutches: {disc: {bodies: [one, two], capacity: 5}}
+"""
+
+
+@pytest.mark.parametrize(("axis", "angle"), [("[1, 0, 1]", "45"), ("[0, 0, -1]", "180")])
+def test_turning_elements_act_about_one_axis(axis, angle):
+    """The angle between two bodies about crossed axes is no function of where they are."""
+    with pytest.raises(ModelError) as caught:
+        loads_model(TURNING.replace("AXIS", axis))
+    assert [(p.where, p.line) for p in caught.value.problems] == [
+        ("torsion_springs.spring.bodies", 4),
+        ("torsion_maxwells.oil.bodies", 5),
+        ("clutches.disc.bodies", 6),
+    ]
+    assert all(f"{angle} deg apart" in p.message for p in caught.value.problems)
+    loads_model(TURNING.replace("AXIS", "[0, 0, 1]"))
