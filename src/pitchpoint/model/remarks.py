@@ -56,14 +56,15 @@ def bushings_apart(model: Model) -> tuple[str, ...]:
     found = []
     for name, bushing in model.bushings.items():
         one, two = (place_of(model, end) for end in bushing.ends)
-        apart = 0.0 if one is None or two is None else float(np.linalg.norm(one - two))
+        if GROUND in bushing.ends or one is None or two is None:
+            continue
+        apart = float(np.linalg.norm(one - two))
         if apart > DRAWN_APART:
             line = model.line(("bushings", name))
-            remedy = "; a place of ground is a marker of a body with motion: fixed"
             found.append(
-                f"bushings.{name}{'' if line is None else f' (line {line})'}: {bushing.ends[0]} and "
-                f"{bushing.ends[1]} lie {format_quantity(apart, 'length', 3)} apart as drawn, "
-                f"and the bushing pulls them together{remedy if GROUND in bushing.ends else ''}"
+                f"bushings.{name}{'' if line is None else f' (line {line})'}: {' and '.join(bushing.ends)} "
+                f"lie {format_quantity(apart, 'length', 3)} apart as drawn, "
+                "and the bushing pulls them together"
             )
     return tuple(found)
 

@@ -9,6 +9,7 @@ import pytest
 from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.remarks import bushings_apart, ignored_flanks, negative_backlash, odd_shapes
+from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 
 RELIEF = ", modifications: {both: {tip_relief: {amount: 20 um, length: 2 mm}}}"
@@ -93,18 +94,37 @@ def test_odd_shapes_are_told_with_the_gear_and_the_mesh():
 
 APART = """
 bodies:
-  wall: {motion: fixed, position: [0.3, 0.4, 0], markers: {here: {position: [0, 0, 0]}}}
+  wall: {motion: fixed, position: [0.3, 0.4, 0], markers: {here: {axes: {z: [0, 0, 1], x: [0, 1, 0]}}}}
+  far: {motion: fixed, position: [0, 0, 0]}
   casing: {motion: free, mass: 5 kg, inertia_tensor: [0.1, 0.1, 0.1, 0, 0, 0], position: [0.3, 0, 0],
-           markers: {foot: {position: [0, 0.4, 0]}}}
+           markers: {foot: {position: [0, 0.4, 0], axes: {z: [0, 0, 1], x: [0, 1, 0]}}}}
 bushings:
   mount: {ends: [casing.foot, END], stiffness: {x: 1e6, y: 1e6, axial: 1e6, tilt: 1e4, torsion: 1e4}}
 """
 
 
 def test_a_bushing_whose_ends_are_drawn_apart_is_named():
-    """0.3 m and 0.4 m at right angles: 500 mm."""
-    (told,) = bushings_apart(loads_model(APART.replace("END", "ground")))
-    words = "bushings.mount (line 7): casing.foot and ground lie 500 mm apart as drawn"
-    assert told.startswith(words)
-    assert told.endswith("a place of ground is a marker of a body with motion: fixed")
-    assert bushings_apart(loads_model(APART.replace("END", "wall.here"))) == ()
+    """0.3 m and 0.4 m at right angles: 500 mm. On ground it ends where the other end is drawn."""
+    (told,) = bushings_apart(loads_model(APART.replace("END", "far")))
+    assert told == (
+        "bushings.mount (line 8): casing.foot and far lie 500 mm apart as drawn, "
+        "and the bushing pulls them together"
+    )
+    for end in ("wall.here", "ground"):
+        assert bushings_apart(loads_model(APART.replace("END", end))) == ()
+
+
+@pytest.mark.parametrize(
+    "ends", ["[casing.foot, ground]", "[ground, casing.foot]", "[casing.foot, wall.here]"]
+)
+def test_a_bushing_on_ground_has_no_force_as_drawn_and_the_directions_of_its_end(ends):
+    """1 mm along x of the marker, which is y of the world: 1e6 N/m make 1 kN."""
+    text = APART.replace("[casing.foot, END]", ends).replace("y: 1e6", "y: 3e6")
+    if "wall" not in ends:
+        text = text.replace("here:", "").replace("{ {axes: {z: [0, 0, 1], x: [0, 1, 0]}}}", "{}")
+    system = compile_model(loads_model(text))
+    state = system.initial_state()
+    assert np.abs(evaluate.residual(system, state)).max() < 1e-6
+    state.q[1] = 1e-3
+    found = evaluate.residual(system, state)
+    assert np.abs(found[:3]) == pytest.approx([0.0, 1000.0, 0.0], abs=1e-6)

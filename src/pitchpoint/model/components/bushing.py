@@ -15,8 +15,8 @@ class Bushing:
 
     ends: tuple[str, str] = key(
         "ends",
-        "its two ends, each of them ground, a body or BODY.MARKER; directions are those of the second, and "
-        "without force both have the same place and directions",
+        "its two ends, bodies or BODY.MARKER, or one of them and ground, which is where the other is drawn; "
+        "directions are those of the second, and without force both have the same place and directions",
         length=(2, 2),
     )
     stiffness: Stiffness6 = component(Stiffness6, "stiffness along and about the axes", Stiffness6())
