@@ -142,7 +142,7 @@ def test_equal_steps_pass_at_the_default_tolerance(h, form):
 def test_steps_that_are_too_short_pass_or_say_that_they_do_not(form):
     """Nothing may go on along another branch unnoticed: another branch is off by 4 and more.
 
-    On the right one, six steps between 0.19 and 0.21 ms are off by 0.0056 to 0.0105, because without
+    On the right one, five steps between 0.19 and 0.21 ms are off by 0.0056 to 0.0105, because without
     numerical damping what round-off adds at a singular position stays; 0.1 lies far from both.
     """
     status, reached, found = place_after(True, 2e-4, form=form, rho_inf=1.0)
