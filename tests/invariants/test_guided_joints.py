@@ -34,7 +34,7 @@ from tests.invariants.test_mechanisms import (
 )
 from tests.invariants.test_mechanisms import at_centres as centres_of
 from tests.support.engine import frame
-from tests.support.forces import check_balance, check_matrices, moved_world, moving
+from tests.support.forces import check_balance, check_matrices, moved_world, moving, swapped
 from tests.support.trees import accelerated
 from tests.unit.elements.test_all_joints import ELEMENTS
 
@@ -154,12 +154,7 @@ def test_the_bodies_of_an_element_may_be_swapped(joint, kind):
     record = ELEMENTS[kind](1, 2, bodies, 0.2 * rng.normal(size=3), frame(rng))
     if kind == "bushing":  # alike in all directions, so that it does not matter in whose axes
         record["K"], record["D"] = np.diag([9.0] * 3 + [4.0] * 3), 0.0
-    swapped = record.copy()
-    swapped["i"], swapped["j"] = 2, 1
-    for name in ("p", "A"):
-        if f"{name}_i" in record.dtype.names:
-            swapped[f"{name}_i"], swapped[f"{name}_j"] = record[f"{name}_j"], record[f"{name}_i"]
-    one, two = (built(bodies, {kind: r}, joint) for r in (record, swapped))
+    one, two = (built(bodies, {kind: r}, joint) for r in (record, swapped(record)))
     state = moving(one, rng, 0.2)
     state.v *= 0.3
     expected, found = (accelerated(s, state)["ac"] for s in (one, two))

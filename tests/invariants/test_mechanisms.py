@@ -24,7 +24,7 @@ from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings, couplings, frame, gear_rows, torques
-from tests.support.forces import check_matrices, moved_world, moving, shafts
+from tests.support.forces import check_matrices, moved_world, moving, shafts, swapped
 from tests.support.mechanisms import four_bar
 from tests.support.trees import accelerated, positive_inertia
 from tests.unit.elements.test_all_joints import ELEMENTS, JOINTS
@@ -213,12 +213,7 @@ def test_the_bodies_of_an_element_may_be_swapped(joint, kind):
     record = ELEMENTS[kind](1, 2, bodies, 0.2 * rng.normal(size=3), frame(rng))
     if kind == "bushing":
         record["K"], record["D"] = np.diag([9.0] * 3 + [4.0] * 3), 0.0
-    swapped = record.copy()
-    swapped["i"], swapped["j"] = 2, 1
-    for name in ("p", "A"):
-        if f"{name}_i" in record.dtype.names:
-            swapped[f"{name}_i"], swapped[f"{name}_j"] = record[f"{name}_j"], record[f"{name}_i"]
-    one, two = (assemble(bodies, {kind: r}) for r in (record, swapped))
+    one, two = (assemble(bodies, {kind: r}) for r in (record, swapped(record)))
     state = moving(one, rng, 0.2)
     state.v *= 0.3
     expected, found = (accelerated(s, state)["ac"] for s in (one, two))

@@ -17,6 +17,16 @@ from tests.support.engine import differences, frame, positive
 ENDS = [(1, 0), (2, 0), (1, 2), (2, 3), (4, 3), (3, 0)]
 
 
+def swapped(record):
+    """The same element with its two bodies in the other order."""
+    other = record.copy()
+    other["i"], other["j"] = record["j"], record["i"]
+    for name in ("p", "A"):
+        if f"{name}_i" in record.dtype.names:
+            other[f"{name}_i"], other[f"{name}_j"] = record[f"{name}_j"], record[f"{name}_i"]
+    return other
+
+
 def mechanism(rng, states=0, places=None):
     """A round body, a tumbling one, and two that hang on the latter; then hidden bodies for states."""
     places = 0.3 * rng.normal(size=(4, 3)) if places is None else places

@@ -30,7 +30,7 @@ from pitchpoint.multibody.joints import (
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import frame, positive
-from tests.support.forces import check_balance, check_matrices, moved_world, moving, wrenches
+from tests.support.forces import check_balance, check_matrices, moved_world, moving, swapped, wrenches
 
 JOINTS = {
     "fixed": FIXED,
@@ -148,12 +148,7 @@ def test_bodies_may_be_swapped(kind):
     record = ELEMENTS[kind](1, 2, bodies, place, axes)
     if kind == "bushing":  # alike in all directions, so that it does not matter in whose axes
         record["K"], record["D"] = np.diag([9.0] * 3 + [4.0] * 3), 0.0
-    swapped = record.copy()
-    swapped["i"], swapped["j"] = 2, 1
-    for name in ("p", "A"):
-        if f"{name}_i" in record.dtype.names:
-            swapped[f"{name}_i"], swapped[f"{name}_j"] = record[f"{name}_j"], record[f"{name}_i"]
-    one, two = (assemble(bodies, {kind: r}) for r in (record, swapped))
+    one, two = (assemble(bodies, {kind: r}) for r in (record, swapped(record)))
     state = moving(one, rng, 0.2)
     if kind == "clearance_bearing":  # the plane of the forces is that of the bore
         state.q[:] = 0.0
