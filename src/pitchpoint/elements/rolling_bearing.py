@@ -148,8 +148,11 @@ def _approach(b, c, s):
     x = b["x"]
     radial = x[0] * c + x[1] * s - b["gap"]
     axial = x[2] - 0.5 * b["pitch"] * (x[3] * c + x[4] * s)
-    ca = math.cos(b["angle"])
-    sa = math.sin(b["angle"])
+    ca = 1.0
+    sa = 0.0
+    if b["angle"] != 0.0:  # most have none, and this runs for every element
+        ca = math.cos(b["angle"])
+        sa = math.sin(b["angle"])
     A = b["grooves"]
     if A > 0.0:
         p = A * ca + radial
@@ -174,7 +177,7 @@ def _element(b, c, s, share, jac):
     damped = 1.0 + b["chi"] * rate
     if damped <= 0.0:
         return
-    elastic = b["stiffness"] * d ** b["exponent"]
+    elastic = b["stiffness"] * (d * math.sqrt(d) if b["exponent"] == 1.5 else d ** b["exponent"])
     for r in range(6):
         b["f"][r] -= elastic * damped * G[2, r]
     if jac != 0:
