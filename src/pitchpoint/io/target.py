@@ -65,12 +65,17 @@ DXF_MARK = "999\npitchpoint\n"
 """How pages and drawings say who wrote them; in DXF the group 999 is a comment."""
 
 
+INDEX_HEAD = "case,file,status,status_code,sentence"
+"""First columns of the table of the cases of a data set."""
+
+
 KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "result": ("a readable result file of pitchpoint", _is_result),
     "page": ("an HTML page of pitchpoint", _marked(b"<!DOCTYPE html>", PAGE_MARK)),
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
+    "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint gear")),
 }
 """Words for a kind of file and how it is recognised, by name."""
