@@ -36,6 +36,7 @@ from pitchpoint.elements.ring import (
     ring_tangents,
     whole_turns,
 )
+from pitchpoint.elements.rolling_push import push_elements
 from pitchpoint.multibody.channels import frame_args, observations
 
 BODY_FIXED = True
@@ -208,7 +209,10 @@ def rolling_bearing(rec, ctl, fr, kk):
         s = math.sin(b["azimuth"] + cage)
         step_c = math.cos(TWO_PI / b["n"])
         step_s = math.sin(TWO_PI / b["n"])
-        for _k in range(b["n"]):
+        forces_only = jac == 0
+        if forces_only:
+            push_elements(b, c, s, step_c, step_s, share)
+        for _k in range(0 if forces_only else b["n"]):
             _element(b, c, s, share, jac)
             turned = c * step_c - s * step_s
             s = s * step_c + c * step_s

@@ -80,6 +80,33 @@ def plan(
 
 
 @kernel
+def _clear_column(B, k, d):
+    """One step of the elimination of a full block; its row k is held in registers."""
+    r0 = B[k, 0] * d
+    r1 = B[k, 1] * d
+    r2 = B[k, 2] * d
+    r3 = B[k, 3] * d
+    r4 = B[k, 4] * d
+    r5 = B[k, 5] * d
+    for i in range(6):
+        x = B[i, k]
+        if i != k:
+            B[i, k] = 0.0
+            B[i, 0] -= x * r0
+            B[i, 1] -= x * r1
+            B[i, 2] -= x * r2
+            B[i, 3] -= x * r3
+            B[i, 4] -= x * r4
+            B[i, 5] -= x * r5
+    B[k, 0] = r0
+    B[k, 1] = r1
+    B[k, 2] = r2
+    B[k, 3] = r3
+    B[k, 4] = r4
+    B[k, 5] = r5
+
+
+@kernel
 def invert(B, n, order):
     """Invert an n x n block in place by Gauss-Jordan steps with row exchange; order is scratch of n
     integers."""
@@ -105,6 +132,9 @@ def invert(B, n, order):
                 B[best, c] = x
         d = 1.0 / B[k, k]
         B[k, k] = 1.0
+        if n == 6:
+            _clear_column(B, k, d)
+            continue
         for c in range(n):
             B[k, c] *= d
         for i in range(n):
