@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.core.status import NOT_FINITE, OK, SINGULAR
+from pitchpoint.multibody.block_mass import invert_mass
 
-INVERT, SCALE, SUBTRACT = 0, 1, 2
+INVERT, SCALE, SUBTRACT, INVERT_MASS = 0, 1, 2, 3
 SWEEP, FINISH = 0, 1
 
 FACTOR = np.dtype([(n, "i8") for n in ("op", "a", "b", "c", "na", "nb", "nc")], align=True)
@@ -80,33 +81,6 @@ def plan(
 
 
 @kernel
-def _clear_column(B, k, d):
-    """One step of the elimination of a full block; its row k is held in registers."""
-    r0 = B[k, 0] * d
-    r1 = B[k, 1] * d
-    r2 = B[k, 2] * d
-    r3 = B[k, 3] * d
-    r4 = B[k, 4] * d
-    r5 = B[k, 5] * d
-    for i in range(6):
-        x = B[i, k]
-        if i != k:
-            B[i, k] = 0.0
-            B[i, 0] -= x * r0
-            B[i, 1] -= x * r1
-            B[i, 2] -= x * r2
-            B[i, 3] -= x * r3
-            B[i, 4] -= x * r4
-            B[i, 5] -= x * r5
-    B[k, 0] = r0
-    B[k, 1] = r1
-    B[k, 2] = r2
-    B[k, 3] = r3
-    B[k, 4] = r4
-    B[k, 5] = r5
-
-
-@kernel
 def invert(B, n, order):
     """Invert an n x n block in place by Gauss-Jordan steps with row exchange; order is scratch of n
     integers."""
@@ -132,9 +106,6 @@ def invert(B, n, order):
                 B[best, c] = x
         d = 1.0 / B[k, k]
         B[k, k] = 1.0
-        if n == 6:
-            _clear_column(B, k, d)
-            continue
         for c in range(n):
             B[k, c] *= d
         for i in range(n):
@@ -202,7 +173,10 @@ def factorise(programme, A, T, order):
     """Run the factor programme on the blocks A in place."""
     for row in range(programme.size):
         w = programme[row]
-        if w["op"] == INVERT:
+        if w["op"] == INVERT_MASS:
+            if invert_mass(A[w["a"]]) != OK:
+                return SINGULAR
+        elif w["op"] == INVERT:
             status = invert(A[w["a"]], w["na"], order)
             if status != OK:
                 return status
