@@ -41,9 +41,7 @@ def pulse_train(angle: NDArray[np.float64], per_turn: int) -> NDArray[np.int8]:
     return np.asarray(share - np.floor(share) < 0.5, np.int8)
 
 
-def pulse_times(
-    t: NDArray[np.float64], angle: NDArray[np.float64], per_turn: int
-) -> NDArray[np.float64]:
+def pulse_times(t: NDArray[np.float64], angle: NDArray[np.float64], per_turn: int) -> NDArray[np.float64]:
     """Times at which pulses begin, by straight lines between the samples.
 
     Parameters

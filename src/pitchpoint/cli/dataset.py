@@ -46,7 +46,9 @@ def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int
     metavar="FOLDER",
     help="Folder of the data set; PLAN-data in this folder if left out.",
 )
-@click.option("-j", "--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; one per core if left out.")
+@click.option(
+    "-j", "--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; one per core if left out."
+)
 @click.option(
     "--shard",
     callback=_shard,
@@ -118,7 +120,9 @@ def checked(plan: DatasetPlan, allow_code: bool, quiet: bool) -> tuple[DatasetPl
     path = Path(str(plan.file)).parent / plan.model
     if not path.is_file():
         line = plan.lines.get(("model",))
-        problem = Problem("model", "there is no such file", str(path), None, "name it from the plan's folder", line)
+        problem = Problem(
+            "model", "there is no such file", str(path), None, "name it from the plan's folder", line
+        )
         raise ModelError([problem], plan.file)
     model = read_model(str(path), allow_code, quiet)
     over_time = [name for name, s in model.scenarios.items() if s.kind == "time"]
@@ -222,7 +226,9 @@ class Table:
             self._of.setdefault(key, []).append(case.index)
         for key, header in known.items():
             numbers = header["options"].get("numbers", {})
-            self._fill(key, int(header["status_code"]), str(header["sentence"]), int(header["steps"]), numbers)
+            self._fill(
+                key, int(header["status_code"]), str(header["sentence"]), int(header["steps"]), numbers
+            )
         self._written = time.monotonic()
 
     def put(self, record: CaseRecord) -> None:

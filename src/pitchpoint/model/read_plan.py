@@ -60,11 +60,18 @@ def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan
     values["jitter"] = _jitter(data.get("jitter"), reader)
     for name, channel in values.get("channels", {}).items():
         _noise(name, channel, reader)
-    if not values.get("channels") and ("channels",) not in reader.tainted and data.get("channels") is not None:
+    if (
+        not values.get("channels")
+        and ("channels",) not in reader.tainted
+        and data.get("channels") is not None
+    ):
         reader.problem(("channels",), "is empty: nothing would be recorded", remedy="name a channel")
     if "length" in values and "sample_rate" in values and values["length"] * values["sample_rate"] < 2.0:
         reader.problem(
-            ("length",), "holds less than two samples", remedy="lengthen it, or raise sample_rate", taint=False
+            ("length",),
+            "holds less than two samples",
+            remedy="lengthen it, or raise sample_rate",
+            taint=False,
         )
     if reader.problems:
         raise ModelError(in_order(reader.problems), file)
@@ -194,7 +201,9 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
         listed = ", ".join(over_time) or "none"
         report.problem(("scenario",), "is missing", remedy=f"name one over time; there are: {listed}")
     elif scenario not in over_time:
-        report.problem(("scenario",), f"is no scenario over time: {scenario}", remedy=_near(scenario, over_time))
+        report.problem(
+            ("scenario",), f"is no scenario over time: {scenario}", remedy=_near(scenario, over_time)
+        )
     for name, levels in plan.factors.items():
         for level in levels:
             _check_level(name, level, model, report)
@@ -233,9 +242,7 @@ def _check_level(name: str, level: Level, model: Model, report: Reader) -> None:
             )
 
 
-def _check_channel(
-    name: str, channel: Any, model: Model, channels: tuple[str, ...], report: Reader
-) -> None:
+def _check_channel(name: str, channel: Any, model: Model, channels: tuple[str, ...], report: Reader) -> None:
     """Names of observations and bodies."""
     at = ("channels", name)
     if isinstance(channel, ObservedChannel) and channels and channel.channel not in channels:
@@ -244,7 +251,9 @@ def _check_channel(
         )
     elif isinstance(channel, TachoChannel) and channel.body not in model.bodies:
         report.problem(
-            (*at, "body"), f"there is no body {channel.body!r}", remedy=_near(channel.body, tuple(model.bodies))
+            (*at, "body"),
+            f"there is no body {channel.body!r}",
+            remedy=_near(channel.body, tuple(model.bodies)),
         )
     elif isinstance(channel, TachoChannel) and channels and f"angle[{channel.body}]" not in channels:
         report.problem((*at, "body"), f"{channel.body} does not spin", remedy="name a body that does")
@@ -257,4 +266,3 @@ def _near(name: str, known: Any) -> str:
         return f"did you mean {', '.join(near)}?"
     listed = ", ".join(list(known)[:12])
     return f"there are {listed}{', ...' if len(known) > 12 else ''}" if listed else "there are none"
-

@@ -264,7 +264,9 @@ def _noise(
     else:
         level = float(clean.std())
         if level <= CONSTANT * float(np.abs(clean).max()):
-            raise SignalError(f"channels.{name}: is constant, so snr means nothing; give the rms of the noise")
+            raise SignalError(
+                f"channels.{name}: is constant, so snr means nothing; give the rms of the noise"
+            )
         rms = level * 10.0 ** (-float(channel.noise.snr or 0.0) / 20.0)
     return rms * _generator(seed, key, name).standard_normal(clean.size), rms
 
