@@ -140,29 +140,29 @@ def planetary_frequencies(
     )
 
 
-def planet_phases(z_sun: int, z_ring: int, angles: ArrayLike) -> tuple[Array, Array]:
-    """Phases of the meshes of all planets with sun and ring against those of a planet at the angle zero.
+def planet_phases(z: int, angles: ArrayLike) -> Array:
+    """Phases of the meshes of planets with a central gear against that of a planet at the angle zero.
 
     Parameters
     ----------
-    z_sun, z_ring
-        Numbers of teeth, both counted positive [-].
+    z
+        Number of teeth of the central gear, negative for a ring [-].
     angles
         Angles of the planets on the carrier [rad], shape (N,), counter-clockwise.
 
     Returns
     -------
-    tuple of NDArray
-        Phases at the sun and at the ring [parts of a mesh cycle, 0 to 1], shape (N,) each.
+    NDArray
+        Phases [parts of a mesh cycle, 0 to 1], shape (N,).
 
     Raises
     ------
     SignalError
-        If a number of teeth is no whole number, or an angle is not finite.
+        If the number of teeth is no whole number, or an angle is not finite.
 
     Notes
     -----
-    frac(z_s ψ/2π) and frac(-z_r ψ/2π) [1]_. Valid for planets that are alike.
+    frac(z ψ/2π), z negative for a ring [1]_. Valid for planets that are alike.
 
     References
     ----------
@@ -171,17 +171,17 @@ def planet_phases(z_sun: int, z_ring: int, angles: ArrayLike) -> tuple[Array, Ar
 
     Examples
     --------
-    Four planets between 51 and 85 teeth follow each other:
+    Four planets between 51 and 85 teeth follow each other, at the sun and at the ring:
 
-    >>> sun, ring = planet_phases(51, 85, np.arange(4) * np.pi / 2)
-    >>> sun.tolist(), ring.tolist()
-    ([0.0, 0.75, 0.5, 0.25], [0.0, 0.75, 0.5, 0.25])
+    >>> planet_phases(51, np.arange(4) * np.pi / 2).tolist()
+    [0.0, 0.75, 0.5, 0.25]
+    >>> planet_phases(-85, np.arange(4) * np.pi / 2).tolist()
+    [0.0, 0.75, 0.5, 0.25]
     """
-    place = as_signal(angles, "angles", 1) / math.tau
-    phases = (whole(z_sun, "z_sun") * place, -whole(abs(z_ring), "z_ring") * place)
+    whole(abs(z), "z")
+    turned = z * as_signal(angles, "angles", 1) / math.tau
     # angles carry round-off, and just below one is zero
-    first, second = (np.round(p - np.floor(p), 12) % 1.0 + 0.0 for p in phases)
-    return first, second
+    return np.asarray(np.round(turned - np.floor(turned), 12) % 1.0 + 0.0)
 
 
 def excited_motion(z_sun: int, planets: int, harmonics: int = 3) -> tuple[str, ...]:
