@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.analysis.sampled import Array, SignalError, as_signal
+from pitchpoint.analysis.sampled import Array, SignalError, as_signal, whole
 
 FEWEST_TEETH = 4
 
@@ -183,13 +183,11 @@ def tooth_counts(teeth: int | Sequence[int], samples: int) -> tuple[int, ...]:
     >>> tooth_counts([20, 31], 256)
     (20, 31)
     """
-    counts = tuple(np.atleast_1d(np.asarray(teeth)).tolist())
+    counts = [whole(z, "teeth", FEWEST_TEETH) for z in np.atleast_1d(np.asarray(teeth)).tolist()]
     for z in counts:
-        if z != int(z) or z < FEWEST_TEETH:
-            raise SignalError(f"teeth: {z} (limit a whole number from {FEWEST_TEETH} on)")
         if 2 * z >= samples:
             raise SignalError(
                 f"teeth: {samples} samples per turn lose every harmonic of {z} teeth (limit above {2 * z}); "
                 "raise the sample rate or the samples per turn"
             )
-    return tuple(int(z) for z in counts)
+    return tuple(counts)

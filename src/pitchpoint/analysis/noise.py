@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.indicators import alternating_part
-from pitchpoint.analysis.sampled import Array, SignalError, as_signal
+from pitchpoint.analysis.sampled import Array, SignalError, as_signal, finite
 
 
 @dataclass(frozen=True)
@@ -79,14 +79,13 @@ def with_white_noise(values: ArrayLike, *, signal_to_noise: float, seed: int | S
     (1.0, 0.1, 0.1)
     """
     x = as_signal(values)
-    if not np.isfinite(signal_to_noise):
-        raise SignalError(f"signal_to_noise: {signal_to_noise} dB (limit a finite number)")
+    ratio = finite(signal_to_noise, "signal_to_noise")
     seeds = np.atleast_1d(np.asarray(seed, dtype=object)).tolist()
     for one in seeds:
         if isinstance(one, bool) or not isinstance(one, (int, np.integer)) or one < 0:
             raise SignalError(f"seed: {one!r} (limit a whole number from 0 on)")
     rms = float(np.sqrt(np.mean(alternating_part(x, "values") ** 2)))
-    deviation = rms * float(10.0 ** (-signal_to_noise / 20.0))
+    deviation = rms * float(10.0 ** (-ratio / 20.0))
     generator = np.random.Generator(np.random.PCG64([int(one) for one in seeds]))
     noise = deviation * generator.standard_normal(x.size)
     return NoisySignal(x + noise, noise, rms, deviation)

@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.orders import highest_resolved_order, one_way
-from pitchpoint.analysis.sampled import Array, SignalError, as_signal, same_length
+from pitchpoint.analysis.sampled import Array, SignalError, as_signal, same_length, whole
 
 
 @dataclass(frozen=True)
@@ -89,10 +89,7 @@ def shaft_ratio(*stages: tuple[int, int]) -> Fraction:
     """
     ratio = Fraction(1)
     for z1, z2 in stages:
-        for z in (z1, z2):
-            if z != int(z) or z < 1:
-                raise SignalError(f"tooth count: {z} (limit a whole number from 1 on)")
-        ratio *= Fraction(int(z1), int(z2))
+        ratio *= Fraction(whole(z1, "tooth count"), whole(z2, "tooth count"))
     return ratio
 
 
@@ -225,9 +222,7 @@ def _exact(ratio: Fraction | int) -> Fraction:
 def _samples(wanted: int | None, highest: float) -> int:
     if wanted is None:
         return int(2 ** np.ceil(np.log2(max(2.0 * highest * (1.0 - 1e-9), 8.0))))
-    if wanted != int(wanted) or wanted < 8:
-        raise SignalError(f"samples_per_turn: {wanted} (limit a whole number from 8 on)")
-    return int(wanted)
+    return whole(wanted, "samples_per_turn", 8)
 
 
 def _band_limited(period: Array, n: int) -> Array:

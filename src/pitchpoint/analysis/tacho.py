@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_signal, same_length
+from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_signal, same_length, whole
 
 HYSTERESIS = 0.25
 """How far a tacho must fall below the middle of its range before it can rise again, by its range."""
@@ -166,7 +166,7 @@ def tacho_angle(
     >>> bool(np.abs(shaft.speed - 20 * np.pi).max() < 1e-6)
     True
     """
-    ppr = _whole(pulses_per_revolution, "pulses_per_revolution")
+    ppr = whole(pulses_per_revolution, "pulses_per_revolution")
     edges = rising_edges(values, time, hysteresis=hysteresis)
     if edges.size < FEWEST_PULSES:
         raise SignalError(
@@ -280,7 +280,7 @@ def pulse_train(angle: ArrayLike, *, pulses_per_revolution: int) -> Array:
     array([0.5, 1. , 1. , 1. , 0.5, 0. , 0. , 0. , 0.5])
     """
     phi = as_signal(angle, "angle", 3)
-    ppr = _whole(pulses_per_revolution, "pulses_per_revolution")
+    ppr = whole(pulses_per_revolution, "pulses_per_revolution")
     steps = np.diff(phi)
     if np.any(steps * np.sign(phi[-1] - phi[0]) <= 0.0):
         raise SignalError("angle: the shaft stops or turns back; cut the record there, or unwrap the angle")
@@ -291,17 +291,11 @@ def pulse_train(angle: ArrayLike, *, pulses_per_revolution: int) -> Array:
         )
     half = 0.5 * steps
     ends = np.concatenate(([phi[0] - half[0]], phi[:-1] + half, [phi[-1] + half[-1]])) * ppr / (2.0 * np.pi)
-    whole = np.floor(ends)
+    pitches = np.floor(ends)
     # integral of a pulse train of pitch 1 that is high over the first half
-    integral = 0.5 * whole + np.minimum(ends - whole, 0.5)
+    integral = 0.5 * pitches + np.minimum(ends - pitches, 0.5)
     signal: Array = np.diff(integral) / np.diff(ends)
     return signal
-
-
-def _whole(value: int, name: str) -> int:
-    if value != int(value) or value < 1:
-        raise SignalError(f"{name}: {value} (limit a whole number from 1 on)")
-    return int(value)
 
 
 def _pulses_in(edges: Array) -> Array:
