@@ -174,12 +174,13 @@ def tacho_angle(
             "use a longer record or check the channel"
         )
     pulses, doubled = _without_doubles(edges)
-    pulses, counts = _counted(pulses)
-    _refuse_no_train(pulses, counts, edges.size, doubled.size)
-    number = np.concatenate(([0.0], np.cumsum(np.rint(counts))))
+    pulses, share = _without_bad_ends(pulses)
+    _refuse_no_train(pulses, share, edges.size)
+    # an interval that is short without being a double still is one pulse
+    counts = np.maximum(np.rint(share), 1.0)
+    number = np.concatenate(([0.0], np.cumsum(counts)))
     gaps = [
-        np.linspace(pulses[i], pulses[i + 1], round(counts[i]) + 1)[1:-1]
-        for i in np.flatnonzero(counts > LONG)
+        np.linspace(pulses[i], pulses[i + 1], int(counts[i]) + 1)[1:-1] for i in np.flatnonzero(counts > 1.0)
     ]
     pulse_angle = 2.0 * np.pi / ppr * number
     clock = as_increasing(time, "time")
@@ -348,28 +349,28 @@ def _misfit(share: float) -> float:
     return abs(share - max(1.0, round(share)))
 
 
-def _counted(pulses: Array) -> tuple[Array, Array]:
+def _without_bad_ends(pulses: Array) -> tuple[Array, Array]:
     """Pulses without the intervals at either end that do not fit, and how many pulses each interval holds."""
     share = _pulses_in(pulses)
     good = np.flatnonzero((share >= SHORT) & (share <= LONG))
     if good.size:
         pulses, share = pulses[good[0] : good[-1] + 2], share[good[0] : good[-1] + 1]
-    # what is short without being a double still is one pulse
-    return pulses, np.maximum(share, 1.0 - LARGEST_MISFIT)
+    return pulses, share
 
 
-def _refuse_no_train(pulses: Array, counts: Array, edges: int, doubled: int) -> None:
+def _refuse_no_train(pulses: Array, share: Array, edges: int) -> None:
     """Refuse long gaps, and channels whose edges are no even train of pulses."""
-    wrong = doubled + int(np.count_nonzero(np.abs(counts - 1.0) > 1.0 - SHORT))
-    if wrong > LARGEST_MISFIT * edges or pulses.size < FEWEST_PULSES:
+    # left out, cut off at the ends, or in an interval that is too long or too short
+    wrong = edges - pulses.size + int(np.count_nonzero(np.abs(share - 1.0) > 1.0 - SHORT))
+    if wrong > max(1.0, LARGEST_MISFIT * edges) or pulses.size < FEWEST_PULSES - 1:
         raise SignalError(
             f"tacho: {wrong} of {edges} pulses are missing, doubled or out of place "
             f"(limit {LARGEST_MISFIT:.0%}): this is no even train of pulses; check channel and threshold"
         )
-    gap = int(np.argmax(counts))
-    if counts[gap] > LONGEST_GAP + 0.5:
+    gap = int(np.argmax(share))
+    if share[gap] > LONGEST_GAP + 0.5:
         raise SignalError(
-            f"tacho: no pulse from {pulses[gap]:.6g} s to {pulses[gap + 1]:.6g} s, where {counts[gap]:.3g} "
+            f"tacho: no pulse from {pulses[gap]:.6g} s to {pulses[gap + 1]:.6g} s, where {share[gap]:.3g} "
             f"were expected (limit {LONGEST_GAP}): the shaft stood still or the sensor failed; "
             "cut the record there"
         )

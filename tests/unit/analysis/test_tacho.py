@@ -151,6 +151,14 @@ def test_channels_without_a_pulse_train(signal: np.ndarray, message: str | None)
         tacho_angle(signal, TIME, pulses_per_revolution=1)
 
 
+def test_a_bouncing_contact_is_no_train() -> None:
+    """Every pulse has a second edge a tenth of a pitch behind the first: which one is it?"""
+    turns = 30.0 * TIME
+    bouncing = ((np.mod(turns, 1.0) < 0.06) | (np.abs(np.mod(turns, 1.0) - 0.13) < 0.03)).astype(float)
+    with pytest.raises(SignalError, match="no even train of pulses"):
+        tacho_angle(bouncing, TIME, pulses_per_revolution=1)
+
+
 def test_wrong_settings_are_refused() -> None:
     sine = np.sin(TURN * 30.0 * TIME)
     with pytest.raises(SignalError, match="pulses_per_revolution: 0"):
