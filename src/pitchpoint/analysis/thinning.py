@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Thinning out of samples behind a low-pass filter of linear phase, so that nothing shows at wrong frequencies.
+"""Thinning out of samples behind a low-pass filter of linear phase: nothing shows at wrong frequencies.
 
 The filter is a sinc under a Kaiser window, symmetric about its middle: it delays nothing. Up to 0.4 of the
 new rate signals pass unchanged, from 0.5 of it on they are stopped by 80 dB.
@@ -43,7 +43,8 @@ def thinning_filter(factor: int) -> NDArray[np.float64]:
     Notes
     -----
     J. F. Kaiser's formulas give length and window for a damping A: n = (A - 7.95)/(2.285 dw),
-    beta = 0.1102 (A - 8.7) (A. V. Oppenheim, R. W. Schafer, *Discrete-Time Signal Processing*, section 7.5.3).
+    beta = 0.1102 (A - 8.7) (A. V. Oppenheim, R. W. Schafer, *Discrete-Time Signal Processing*, section
+    7.5.3).
 
     Examples
     --------

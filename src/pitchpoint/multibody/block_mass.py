@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Inverse of the mass matrix of one body with six coordinates, by blocks of 3 x 3 and without exchange of rows.
+"""Inverse of the mass matrix of one body with six coordinates, by blocks of 3 x 3, no row exchanged.
 
 With P for translations, B the coupling, D for rotations and S = D - B^T P^-1 B,
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The classical method: no bit depends on how its steps are cut into chunks, and samples are of their state."""
+"""The classical method: no bit depends on how steps are cut into chunks, samples are of their state."""
 
 from __future__ import annotations
 
