@@ -29,7 +29,9 @@ def rows() -> list[Row]:
     key_of = key_maker(plan, model)
     cases = [(case, key_of(case)) for case in plan.cases()]
     share = cases[::EVERY][: len(cases) // EVERY // CORES * CORES]
-    compute_case(dataclasses.replace(plan, length=0.01, settle_time=0.0), model, *share[0])  # loads the kernels
+    compute_case(
+        dataclasses.replace(plan, length=0.01, settle_time=0.0), model, *share[0]
+    )  # loads the kernels
     done: list[CaseRecord] = []
     with tempfile.TemporaryDirectory() as name:
         folder = DatasetFolder(Path(name) / "set")
