@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The example `phm-2009-rig` and the page on data sets: frequencies, what faults do, that the step is small enough."""
+"""The example `phm-2009-rig` and the page on data sets: frequencies, what faults do, the step."""
 
 from __future__ import annotations
 

@@ -19,8 +19,8 @@ from typing import Any
 
 from pitchpoint.core.status import OK
 from pitchpoint.io.claim import is_held
-from pitchpoint.io.container import FAILED, FINISHED, Container, Header, ResultError
-from pitchpoint.io.reading import read_header
+from pitchpoint.io.container import FAILED, FINISHED, Container, Header
+from pitchpoint.io.reading import header_in
 from pitchpoint.io.target import INDEX_HEAD, OutputError, cannot_be_written, check_target
 
 CASES = "cases"
@@ -75,12 +75,18 @@ class DatasetFolder:
 
     def known(self, keys: Iterable[str]) -> dict[str, dict[str, Any]]:
         """What the files of some cases say of themselves: status, sentence, options; only of whole files."""
+        import h5py
+
         there = {p.stem for p in self.cases.glob("*.h5")} if self.cases.is_dir() else set()
         found = {}
         for key in keys:
+            # a file that somebody has cut short is no case; with swmr HDF5 would wait for the rest of it
             if key in there:
-                with contextlib.suppress(ResultError, OSError, ValueError):
-                    found[key] = read_header(self.file_of(key))
+                with (
+                    contextlib.suppress(OSError, KeyError, RuntimeError, ValueError),
+                    h5py.File(self.file_of(key), "r") as file,
+                ):
+                    found[key] = header_in(file)
         return found
 
     def others(self, keys: Iterable[str]) -> int:

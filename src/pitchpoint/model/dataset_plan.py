@@ -127,10 +127,12 @@ class DatasetPlan:
 
     def cases(self) -> Iterator[PlannedCase]:
         """All cases, seeds varying fastest, then the last factor."""
-        seeds = range(1, self.seeds + 1)
-        for index, (*levels, seed) in enumerate(itertools.product(*self.factors.values(), seeds)):
+        index = 0
+        for levels in itertools.product(*self.factors.values()):
             labels = {name: level.label for name, level in zip(self.factors, levels, strict=True)}
             changes: dict[str, Any] = {}
             for level in levels:
                 changes |= level.changes
-            yield PlannedCase(index, labels, changes, seed)
+            for seed in range(1, self.seeds + 1):
+                yield PlannedCase(index, labels, changes, seed)
+                index += 1
