@@ -12,7 +12,7 @@ from pitchpoint.system.compile import compile_model
 
 MODEL = """\
 bodies:
-  shaft: {mass: 2 kg, inertia: 1e-3 kg m^2, transverse_inertia: 5e-3 kg m^2, motion: free, position: [0, 0, 0]}
+  shaft: {mass: 2 kg, inertia: 1e-3 kg m^2, transverse_inertia: 5e-3 kg m^2, motion: free}
 rolling_bearings:
   one: {ends: [shaft, ground], elements: 9, element_diameter: 8 mm, pitch_diameter: 40 mm, damping: 0.7, KIND}
 """
@@ -27,7 +27,7 @@ KINDS = {
 @pytest.mark.nojit
 @pytest.mark.parametrize("kind", KINDS)
 def test_with_and_without_slopes(kind: str) -> None:
-    """Ten states with displacements of 10 um, tilts of 1 mrad and all azimuths; rounding is all that differs."""
+    """Ten states, displacements of 10 um, tilts of 1 mrad, all azimuths; rounding is all that differs."""
     system = compile_model(loads_model(MODEL.replace("KIND", KINDS[kind])))
     state = system.initial_state()
     rng = np.random.default_rng(7)
