@@ -88,6 +88,15 @@ def _ring(kind, rng, **numbers):
     return records
 
 
+def _rolling_bearing(rng):
+    """A healthy bearing and one with a spall on each race and on an element, in an uneven cage."""
+    numbers = {"n": 9, "pitch": 0.1, "element": 0.02, "angle": 0.4, "gap": -0.05}
+    spalls = [(0, -1, 0.1, 0.5, 0.3, 0.01), (1, -1, 0.2, 0.5, 0.4, 0.01), (2, 3, -0.3, 0.9, 0.9, 0.01)]
+    records = np.concatenate([_ring(rolling_bearing, rng, **numbers) for _ in range(2)])
+    records["n_faults"][1], records["uneven"][1], records["spacing"][1] = len(spalls), 1, np.size(spalls)
+    return records, np.append(spalls, 0.05 * rng.normal(size=9))
+
+
 def _friction_clutch(rng):
     records = np.zeros(2, friction_clutch.RECORD)
     records["i"], records["j"], records["k"] = 1, 2, (0, 3)
@@ -166,9 +175,7 @@ SAMPLES = {
     "gravity": _gravity,
     "maxwell": _maxwell,
     "ratio": lambda rng: gear_rows([(1, 2, 20, 41)]),
-    "rolling_bearing": lambda rng: _ring(
-        rolling_bearing, rng, n=9, pitch=0.1, element=0.02, angle=0.4, gap=-0.05
-    ),
+    "rolling_bearing": _rolling_bearing,
     "spring_damper": _spring_damper,
     "shaft_beam": _shaft_beam,
     "torque": _torque,
@@ -185,9 +192,10 @@ def build(name, tilt=1e-3):
         for n, p in (("a", (0.0, 0.0, 0.0)), ("b", (0.0, 0.0, 0.03)))
     ]
     records = SAMPLES[name](rng)
+    records, pool = records if isinstance(records, tuple) else (records, None)
     if "k" in records.dtype.names and "kk" in records.dtype.names:  # a state, as the spin rate of a body
         bodies.append(Body(polar_inertia=1.0, name="hidden", state=True))
-    system = assemble(bodies, {name: records})
+    system = assemble(bodies, {name: records}, pools={} if pool is None else {name: pool})
     state = system.initial_state()
     n = system.sizes["nd"]
     state.q, state.v = tilt * rng.normal(size=n), rng.normal(size=n)

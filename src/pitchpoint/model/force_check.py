@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.model.bearing_fault_check import check_bearing_faults
 from pitchpoint.model.components.law import Balance, Constant, TableLaw
 from pitchpoint.model.frames import GROUND
 from pitchpoint.model.keys import Place
@@ -40,6 +41,7 @@ def check_forces(parts: Parts, report: Reader) -> None:
         _capacity(name, clutch, report)
     for name, bearing in parts.rolling_bearings.items():
         _rolling(name, bearing, report)
+        check_bearing_faults(name, bearing, report)
     _states(parts, report)
 
 

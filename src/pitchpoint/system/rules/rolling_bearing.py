@@ -12,15 +12,18 @@ from pitchpoint.contact.hertz import plane_strain_compliance
 from pitchpoint.contact.rolling import LINE, POINT, ball_bearing_stiffness, in_series, roller_stiffness
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import clearance_bearing, rolling_bearing
+from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.materials import Material, material
 from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
 from pitchpoint.system.rules.bank import Bank, pack
+from pitchpoint.system.rules.bearing_fault import put_faults
 from pitchpoint.system.rules.places import Array, Places
 
 
 def rolling_bearing_bank(bearings: Mapping[str, RollingBearing], places: Places) -> Bank:
     """All rolling bearings; the first end is the inner ring."""
     rows = []
+    pool = Pool()
     for name, part in bearings.items():
         row = np.zeros(1, rolling_bearing.RECORD)[0]
         places.mark(row, part.ends)
@@ -31,8 +34,10 @@ def rolling_bearing_bank(bearings: Mapping[str, RollingBearing], places: Places)
         row["stiffness"], row["chi"] = _stiffness(name, part), part.damping
         if part.grooves is not None:
             row["grooves"] = (sum(part.grooves) - 1.0) * part.element_diameter
+        if part.faults:
+            put_faults(row, part, pool)
         rows.append(row)
-    return pack("rolling_bearing", rolling_bearing.RECORD, rows, list(bearings))
+    return pack("rolling_bearing", rolling_bearing.RECORD, rows, list(bearings), pool=pool.array())
 
 
 def _untwisted(inner: Array, outer: Array) -> Array:
