@@ -9,9 +9,9 @@ Mech. Syst. Signal Process. 25, 2011):
     FTF = f/2 (1 - g) with the inner ring turning, f/2 (1 + g) with the outer one
 
 A rotor without weight in a preloaded bearing sees the same stiffness from all sides. What a fault does to it
-is then periodic in the frame that carries the fault: its force x + i y has lines at f_0 + k f_1 alone, f_0 the
-speed of that frame and f_1 the frequency of the fault. Frames turn with the outer ring, the inner ring or the
-cage.
+is then periodic in the frame that carries the fault: its force x + i y has lines at f_0 + k f_1 alone, f_0
+the speed of that frame and f_1 the frequency of the fault. Frames turn with the outer ring, the inner ring
+or the cage.
 """
 
 from __future__ import annotations

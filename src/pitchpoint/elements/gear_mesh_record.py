@@ -34,6 +34,8 @@ _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 _GEOMETRY = [
     ("fixed", "i8"),  # 1: both bodies only spin, the line of action never moves
     ("carried", "i8"),  # gear whose base carries the line of centres round, 0: both stand on one base
+    ("displaced", "i8"),  # 1: a gear sits beside the axis of its body or askew on it
+    ("askew", "i8"),  # where they sit, offset in the pool; see `mesh_eccentric`
     ("z1", "i8"),
     ("z2", "i8"),  # signed numbers of teeth
     ("r_b1", "f8"),

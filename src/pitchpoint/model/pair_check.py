@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError, PitchpointError, Problem
+from pitchpoint.model.components.gear_faults import Eccentricity
 from pitchpoint.model.keys import Place
 from pitchpoint.model.phasing import assemble
 from pitchpoint.model.read import Reader
@@ -43,6 +44,7 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
     if not problems:
         _check_modifications(parts.gears[name], ("gears", name, "modifications"), report)
         _check_deviations(parts.gears[name], ("gears", name, "deviations"), report)
+        _check_seat(parts.gears[name], ("gears", name, "faults"), report)
         _check_wheel_body(parts.gears[name], ("gears", name), report)
 
 
@@ -116,6 +118,19 @@ def _check_modifications(gear: Gear, at: Place, report: Reader) -> None:
             problems = [error.problem]
         for problem in problems:
             hand_on(report, (*at, side), problem, taint=False)
+
+
+def _check_seat(gear: Gear, at: Place, report: Reader) -> None:
+    """Report gears that sit farther from their axis than a tooth is thick."""
+    for label, fault in gear.faults.items():
+        if isinstance(fault, Eccentricity) and fault.amount > gear.normal_module:
+            report.problem(
+                (*at, label, "amount"),
+                "is more than the module",
+                value=f"{fault.amount * 1e3:.6g} mm",
+                limit=f"<= {gear.normal_module * 1e3:.6g} mm",
+                remedy="give it with a unit, such as 20 um",
+            )
 
 
 def _check_deviations(gear: Gear, at: Place, report: Reader) -> None:

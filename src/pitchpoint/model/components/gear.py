@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.components.gear_faults import SEAT_FAULTS, SeatFault
 from pitchpoint.model.components.modifications import Deviations, Modifications
 from pitchpoint.model.components.tooth_profile import ToothProfile
 from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantity
@@ -114,6 +116,7 @@ class Gear:
     drawing_resolution: int = integer("points per flank in drawings", 20, minimum=5, maximum=10000)
     modifications: Modifications | None = component(Modifications, "flank modifications by side")
     deviations: Deviations | None = component(Deviations, "deviations of single teeth")
+    faults: Mapping[str, SeatFault] = key("components", "faults of the gear, by label", {}, of=SEAT_FAULTS)
     tooth_profile: ToothProfile | None = key(
         "tooth_profile", "points of the real tooth, from a file", None, of=ToothProfile
     )

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gears that sit beside or askew on the axis of their body, as the places that the mesh element reads."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.elements.mesh_eccentric import displaced
+from pitchpoint.model.components.gear_faults import Eccentricity, Wobble
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.gear import Gear
+
+
+def sits_off(gear: Gear) -> bool:
+    """Whether a gear has a fault of its seat, of any severity."""
+    return any(isinstance(fault, Eccentricity | Wobble) for fault in gear.faults.values())
+
+
+def put_seats(
+    row: Any, gears: Sequence[Gear], tooth_0: Sequence[float], keep: Callable[[NDArray[np.float64]], int]
+) -> None:
+    """Fill the fields of displaced gears of a mesh record; nothing to do for gears that sit well.
+
+    `tooth_0`: angles of the centres of their teeth 0 at spin 0, from the x axes of their bodies [rad].
+    """
+    if any(sits_off(gear) for gear in gears):
+        places = np.array([_place(g, angle) for g, angle in zip(gears, tooth_0, strict=True)])
+        row["displaced"], row["askew"] = 1, keep(displaced(places))
+
+
+def _place(gear: Gear, tooth_0: float) -> NDArray[np.float64]:
+    """Displacement x, y [m] of the centre of a gear and lean of its axis as its x, y, axes of the body."""
+    shift, lean = 0j, 0j
+    for fault in gear.faults.values():
+        angle = tooth_0 + fault.phase
+        towards = complex(math.cos(angle), math.sin(angle)) * fault.severity
+        if isinstance(fault, Eccentricity):
+            shift += fault.amount * towards
+        elif isinstance(fault, Wobble):
+            lean += fault.amount * towards
+    if lean:
+        lean *= math.sin(abs(lean)) / abs(lean)
+    return np.array([shift.real, shift.imag, lean.real, lean.imag])
