@@ -12,6 +12,7 @@ from pitchpoint.elements import (
     drive,
     friction_clutch,
     gravity,
+    loose_bearing,
     maxwell,
     registry,
     rolling_bearing,
@@ -82,7 +83,8 @@ def _ring(kind, rng, **numbers):
     records = np.zeros(1, kind.RECORD)
     records["i"], records["j"], records["A_i"], records["A_j"] = 1, 2, np.eye(3), np.eye(3)
     records["p_i"], records["p_j"] = (0.02, 0.0, 0.04), (0.0, 0.01, 0.0)
-    records["stiffness"], records["exponent"], records["chi"] = 1e3, 1.5, 0.1
+    if kind is not loose_bearing:
+        records["stiffness"], records["exponent"], records["chi"] = 1e3, 1.5, 0.1
     for name, value in numbers.items():
         records[name] = value
     return records
@@ -95,6 +97,11 @@ def _rolling_bearing(rng):
     records = np.concatenate([_ring(rolling_bearing, rng, **numbers) for _ in range(2)])
     records["n_faults"][1], records["uneven"][1], records["spacing"][1] = len(spalls), 1, np.size(spalls)
     return records, np.append(spalls, 0.05 * rng.normal(size=9))
+
+
+def _loose_bearing(rng):
+    Kt, Dt = positive(rng, 3), 0.1 * positive(rng, 3)
+    return _ring(loose_bearing, rng, gap=0.01, seat=0.004, k=1e3, d=10.0, Kt=Kt, Dt=Dt)
 
 
 def _friction_clutch(rng):
@@ -173,6 +180,7 @@ SAMPLES = {
     "force": _force,
     "friction_clutch": _friction_clutch,
     "gravity": _gravity,
+    "loose_bearing": _loose_bearing,
     "maxwell": _maxwell,
     "ratio": lambda rng: gear_rows([(1, 2, 20, 41)]),
     "rolling_bearing": _rolling_bearing,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the faults of rolling bearings, and where their elements and tracks are."""
+"""Checks of the faults of bearings, and where the elements and tracks of rolling ones are."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.model.components.bearing_fault import CageFault, ElementFault
+from pitchpoint.model.components.bearing_fault import CageFault, ElementFault, LooseBearing
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.bearing import Bearing
     from pitchpoint.model.components.bearing_fault import SpallFault
     from pitchpoint.model.components.rolling_bearing import RollingBearing
 
@@ -53,11 +54,37 @@ def check_bearing_faults(name: str, bearing: RollingBearing, report: Reader) -> 
                 limit=f"0 to {bearing.elements - 1}",
                 remedy="elements count from 0",
             )
-        if not isinstance(fault, CageFault):
+        if not isinstance(fault, CageFault | LooseBearing):
             _spall(bearing, fault, at, report)
     cages = [label for label, fault in bearing.faults.items() if isinstance(fault, CageFault)]
     if cages and numbered:
         _room(bearing, ("rolling_bearings", name, "faults", cages[-1], "widening"), report)
+
+
+def check_seat(name: str, bearing: Bearing, report: Reader) -> None:
+    """The ring of a loose bearing turns and travels in its seat: springs are alike all round, and apart."""
+    at: Place = ("bearings", name)
+    if not bearing.faults or at in report.tainted:
+        return
+    label = next(iter(bearing.faults))
+    if bearing.stiffness.matrix6()[5][5] != 0.0:
+        report.problem(
+            (*at, "faults", label),
+            f"lets the ring turn in its seat, and the bearing holds the spin of {bearing.body}",
+            limit="torsion: 0",
+            remedy="leave torsion out",
+        )
+    matrices = {"stiffness": bearing.stiffness.matrix6()}
+    if bearing.damping is not None:
+        matrices["damping"] = bearing.damping.matrix6()
+    for key, matrix in matrices.items():
+        crossed = any(matrix[i][j] != 0.0 for i in (0, 1) for j in range(6) if i != j)
+        if matrix[0][0] != matrix[1][1] or crossed:
+            report.problem(
+                (*at, key),
+                "is not the same in all radial directions and apart from the others, and the bearing is loose",
+                remedy="give radial, axial and tilt",
+            )
 
 
 def _spall(bearing: RollingBearing, fault: SpallFault, at: Place, report: Reader) -> None:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Faults of rolling bearings: spalls on races and elements, elements that are not spaced evenly."""
+"""Faults of bearings: spalls on races and elements, elements that are not spaced evenly, too much play."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
@@ -59,9 +60,28 @@ class CageFault:
     severity: float = quantity("dimensionless", SEVERITY, 1.0, minimum=0.0, maximum=1.0)
 
 
+@dataclass(frozen=True, kw_only=True)
+class LooseBearing:
+    """Radial clearance that should not be there: inside a rolling bearing, or of its ring in the seat."""
+
+    form: ClassVar[str] = "loose"
+    clearance: float = positive(
+        "length",
+        "in diameter: added to that of a rolling bearing; of the ring of a linear bearing in its seat; "
+        "severity scales it",
+    )
+    severity: float = quantity("dimensionless", SEVERITY, 1.0, minimum=0.0, maximum=1.0)
+
+
 SpallFault: TypeAlias = InnerRaceFault | OuterRaceFault | ElementFault
-BearingFault: TypeAlias = SpallFault | CageFault
+BearingFault: TypeAlias = SpallFault | CageFault | LooseBearing
 
 BEARING_FAULTS: dict[str, type] = {
-    c.form: c for c in (InnerRaceFault, OuterRaceFault, ElementFault, CageFault)
+    c.form: c for c in (InnerRaceFault, OuterRaceFault, ElementFault, CageFault, LooseBearing)
 }
+SEAT_FAULTS: dict[str, type] = {LooseBearing.form: LooseBearing}
+
+
+def play(faults: Iterable[BearingFault]) -> float:
+    """Radial clearance that all faults together add, in diameter [m]."""
+    return sum(fault.severity * fault.clearance for fault in faults if isinstance(fault, LooseBearing))

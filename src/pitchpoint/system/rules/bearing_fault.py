@@ -12,17 +12,17 @@ from pitchpoint.contact.spall import spall_drop
 from pitchpoint.elements.bearing_fault import ELEMENT, INNER, OUTER
 from pitchpoint.elements.signal import Pool
 from pitchpoint.model.bearing_fault_check import element_angles, track_radius
-from pitchpoint.model.components.bearing_fault import CageFault, ElementFault, SpallFault
+from pitchpoint.model.components.bearing_fault import CageFault, ElementFault, LooseBearing, SpallFault
 from pitchpoint.model.components.rolling_bearing import RollingBearing
 
 
 def put_faults(row: Any, part: RollingBearing, pool: Pool) -> None:
     """Fill the fault fields of the record of one bearing; healthy ones take no notice of this."""
-    spalls = [fault for fault in part.faults.values() if not isinstance(fault, CageFault)]
+    spalls = [fault for fault in part.faults.values() if not isinstance(fault, CageFault | LooseBearing)]
     rows = [one for fault in spalls for one in _spall(part, fault)]
     if rows:
         row["n_faults"], row["faults"] = len(rows), pool.add(rows)
-    if len(spalls) < len(part.faults):
+    if any(isinstance(fault, CageFault) for fault in part.faults.values()):
         even = 2.0 * math.pi / part.elements * np.arange(part.elements)
         row["uneven"], row["spacing"] = 1, pool.add(element_angles(part) - even)
 

@@ -14,6 +14,7 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import clearance_bearing, rolling_bearing
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.materials import Material, material
+from pitchpoint.model.components.bearing_fault import play
 from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bearing_fault import put_faults
@@ -30,6 +31,7 @@ def rolling_bearing_bank(bearings: Mapping[str, RollingBearing], places: Places)
         row["A_i"] = row["A_i"] @ _untwisted(*(places.axes(end) for end in part.ends))
         row["n"], row["pitch"], row["element"] = part.elements, part.pitch_diameter, part.element_diameter
         row["angle"], row["gap"] = part.contact_angle, 0.5 * part.clearance
+        row["gap"] += 0.5 * play(part.faults.values())
         row["exponent"] = POINT if part.type == "ball" else LINE
         row["stiffness"], row["chi"] = _stiffness(name, part), part.damping
         if part.grooves is not None:
