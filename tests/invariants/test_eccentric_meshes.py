@@ -104,10 +104,13 @@ def test_balance_and_power_of_displaced_gears(kind, law, flank):
 @pytest.mark.parametrize("motion", ["torsion", "free"])
 @pytest.mark.parametrize("law", [CONSTANT, PAIR])
 def test_no_severity_and_whole_turns_change_nothing(motion, law):
-    """Gears that only spin leave their short cut for the general path: round-off of it is left."""
-    none = {k: {**fault, "severity": 0.0} for k, fault in ONE.items()}
+    """Gears that only spin leave their short cut for the general path, with next to no fault: 1e-9 of it."""
+    none, little = ({k: {**f, "severity": s} for k, f in ONE.items()} for s in (0.0, 1e-12))
     healthy = machine("external", 20, motion, LOSSES["damping"], law, {}, {})
-    faulty = machine("external", 20, motion, LOSSES["damping"], law, none, {})
+    same = machine("external", 20, motion, LOSSES["damping"], law, none, {})
+    assert same.records["gear_mesh"][0] == healthy.records["gear_mesh"][0]
+    faulty = machine("external", 20, motion, LOSSES["damping"], law, little, {})
+    assert faulty.records["gear_mesh"]["displaced"] == 1
     assert healthy.layout.channels == faulty.layout.channels
     state = pressed(healthy, np.random.default_rng(2), 100.0, 1, 1e-4)
     for a, b in zip(evaluate.linearize(healthy, state), evaluate.linearize(faulty, state), strict=True):

@@ -196,7 +196,8 @@ def _slack(b):
     xi_A = b["xi_A"]
     xi_E = xi_A + b["eps"] * b["p_bt"]
     lever = 0.5 * (b["b1"] + b["b2"]) + abs(b["tan_b"]) * (abs(xi_A) + abs(xi_E) + b["b1"] + b["b2"])
-    return lever * (abs(dn[0]) + abs(dn[1]) + abs(dn[2]))
+    skew = b["skew"]
+    return lever * (abs(dn[0]) + abs(dn[1]) + abs(dn[2]) + abs(skew[0]) + abs(skew[1]))
 
 
 @kernel

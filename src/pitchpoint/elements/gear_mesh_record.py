@@ -52,6 +52,7 @@ _GEOMETRY = [
     ("sin1", "f8"),  # nominal direction from gear 1 to the pitch point, in the frame of body i
     ("cos2", "f8"),
     ("sin2", "f8"),  # the same direction in the frame of body j
+    ("skew", "f8", 2),  # lean of axis 2 against axis 1 by the housing: along t, along e [rad]
     ("u0", "f8"),  # base-tangent travel left over from the assembly, 0 = teeth centred in the backlash
     ("inv_w0", "f8"),  # involute of the working angle without backlash (allowances included)
     (

@@ -82,7 +82,7 @@ def check_seat(name: str, bearing: Bearing, report: Reader) -> None:
         if matrix[0][0] != matrix[1][1] or crossed:
             report.problem(
                 (*at, key),
-                "is not the same in all radial directions and apart from the others, and the bearing is loose",
+                "is not the same in all radial directions and apart from the others; the bearing is loose",
                 remedy="give radial, axial and tilt",
             )
 

@@ -203,6 +203,7 @@ def mesh_bank(model: Model) -> Bank:
         gears = [model.gears[g] for g in mesh.gears]
         seats = [_seat(model, b, g) for b, g in zip((one, two), mesh.gears, strict=True)]
         axes = mesh_frame(model, one)
+        skew = (0.0, 0.0) if mesh.misalignment is None else mesh.misalignment.skew
         place = Placement(
             axes=axes,
             origin1=seats[0][2],
@@ -214,12 +215,13 @@ def mesh_bank(model: Model) -> Bank:
             turn1=_turn(axes.T @ seats[0][3]),
             turn2=_turn(axes.T @ seats[1][3]),
             fixed=all(_only_spins(model.mechanism.seats[b]) for b in (one, two))
-            and not any(sits_off(g) for g in gears),
+            and not any(sits_off(g) for g in gears)
+            and skew == (0.0, 0.0),
             widths=(gears[0].face_width, gears[1].face_width),
         )
         pair = model.pairs[name]
         row = mesh_row(pair, place, mesh_laws(model, name), pool.add, model.backlash(name))
-        row["i"], row["j"] = seats[0][0], seats[1][0]
+        row["i"], row["j"], row["skew"] = seats[0][0], seats[1][0], skew
         if row["source"] == layout.PROFILE:  # a prescribed total stiffness knows no tooth pairs
             row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
             separation_grids(row, gears, pool.add)

@@ -18,8 +18,9 @@ if TYPE_CHECKING:
 
 
 def sits_off(gear: Gear) -> bool:
-    """Whether a gear has a fault of its seat, of any severity."""
-    return any(isinstance(fault, Eccentricity | Wobble) for fault in gear.faults.values())
+    """Whether a gear has a fault of its seat that is there at all."""
+    seats = (fault for fault in gear.faults.values() if isinstance(fault, Eccentricity | Wobble))
+    return any(fault.severity * fault.amount > 0.0 for fault in seats)
 
 
 def put_seats(

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 SEAT = 0.1
 """Share of the radial play over which the seat gives way before its ring is firm."""
 TILTS = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-"""Axial displacement and turns about x and y, over axial displacement and x and y of the axis of the shaft."""
+"""Axial displacement and turns about x and y, over axial displacement and x, y of the axis of the shaft."""
 
 
 def loose_bearing_bank(model: Model) -> Bank:
