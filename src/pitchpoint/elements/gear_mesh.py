@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Gear mesh: force of two toothed bodies on each other, from their frames alone.
 
-Frame channel. `mesh_line` finds where the flanks are, `mesh_nodes` sums what they do along their contact
+Frame channel. `mesh_line` finds where the flanks are, `mesh_pairs` sums what they do along their contact
 lines, this file turns the sums into wrenches, tangents and observations. Forces act along the normal in the
 transverse plane of each flank plus their axial share: N_f = n_f - f tan(beta_b) m per unit of base-tangent
 force.
@@ -40,7 +40,8 @@ from pitchpoint.elements.mesh_line import (
     pooled,
 )
 from pitchpoint.elements.mesh_motion import motion, spin_motion
-from pitchpoint.elements.mesh_nodes import phase_flank, profile_flank
+from pitchpoint.elements.mesh_nodes import phase_flank
+from pitchpoint.elements.mesh_pairs import profile_flank
 from pitchpoint.elements.mesh_separation import (
     add_roll_tangent,
     begin_separation,
@@ -170,7 +171,7 @@ def _sum(b, ctl, watch, x_0):
     else:
         b["tilt"] = b["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
         b["growth"] = (b["hi_rate"] - b["lo_rate"]) / (b["z_hi"] - b["z_lo"])
-        if b["n_sz"] > 0:
+        if b["n_sep"] > 0:
             begin_separation(b)
         profile_flank(b, ctl, watch, x_0)
     return OK

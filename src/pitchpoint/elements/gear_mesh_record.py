@@ -29,6 +29,10 @@ N_ACC = 31
 ROLL = 25
 NEAREST = 30
 
+#: What the table of a gear holds for a tooth: row of its gap, of its added compliance and of its level, -1
+#: where it has none; first and last station between which gap and compliance, and the level, change over z.
+N_ROW = 7
+
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
 _GEOMETRY = [
@@ -108,17 +112,13 @@ _EXCITATION = [
     ("e2", "i8"),
     ("t1_0", "i8"),
     ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
-    ("n_t1", "i8"),  # separation grids: teeth, stations over the width, stations over the path
-    ("n_t2", "i8"),
-    ("n_sz", "i8"),
-    ("n_sx", "i8"),
-    ("sep1", "i8"),
-    (
-        "sep2",
-        "i8",
-    ),  # offsets: grids [flank, tooth, width, roll] of gap along the base tangent [m]
-    ("roll1", "f8", 2),
-    ("roll2", "f8", 2),  # lengths of roll that the grids span [m]
+    ("n_sep", "i8"),  # 1: some teeth have grids of their own, see `mesh_separation`
+    ("n_t", "i8", 2),  # teeth that the tables of both gears tell apart
+    ("teeth", "i8", 2),  # offsets of these tables [flank, tooth, N_ROW]
+    ("n_sz", "i8", 4),
+    ("n_sx", "i8", 4),  # stations over width and roll: gaps of gear 1, of gear 2, levels of gear 1, of gear 2
+    ("sep", "i8", 4),  # offsets of the stacks of grids [row, width, roll], likewise
+    ("roll", "f8", (2, 2)),  # lengths of roll that the grids of both gears span [m]
     ("sep_min", "f8"),  # smallest sum of both separations
 ]
 
@@ -168,8 +168,9 @@ _SCRATCH = [
     ("tilt", "f8"),  # loss of penetration per width along a contact line
     ("tan_a", "f8"),
     ("tan_rate", "f8"),  # tan alpha and its rate, where flanks have separations
-    ("per_z", "f8", 2),
-    ("per_roll", "f8", 2),  # steps of the grids of both gears per metre
+    ("per_z", "f8", 4),
+    ("per_roll", "f8", 4),  # steps of the grids per metre
+    ("rows", "i8", (2, N_ROW)),  # rows of the two teeth that make a pair
     ("growth", "f8"),  # rate of the shared width over itself, where the stiffness grows with it
     ("z_lo", "f8"),
     ("z_hi", "f8"),  # shared face width

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError, PitchpointError, Problem
-from pitchpoint.model.components.gear_faults import Eccentricity
+from pitchpoint.model.fault_check import check_faults, hand_on
 from pitchpoint.model.keys import Place
 from pitchpoint.model.phasing import assemble
 from pitchpoint.model.read import Reader
@@ -24,14 +24,6 @@ OFFSET_TOLERANCE = 1e-4
 """Base pitches by which an assembly may stand beyond its backlash: what elastic teeth take up."""
 
 
-def hand_on(report: Reader, base: Place, problem: Problem, taint: bool = True) -> None:
-    """Report a problem of the geometry at the key that it names."""
-    place: Place = (*base, *(problem.where.split(".") if problem.where else ()))
-    report.problem(
-        place, problem.message, value=problem.value, limit=problem.limit, remedy=problem.remedy, taint=taint
-    )
-
-
 def check_gear(parts: Parts, name: str, report: Reader) -> None:
     """Report everything that makes one gear impossible; hands and modules of its pairs are still checked."""
     try:
@@ -44,7 +36,7 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
     if not problems:
         _check_modifications(parts.gears[name], ("gears", name, "modifications"), report)
         _check_deviations(parts.gears[name], ("gears", name, "deviations"), report)
-        _check_seat(parts.gears[name], ("gears", name, "faults"), report)
+        check_faults(parts.gears[name], ("gears", name, "faults"), report)
         _check_wheel_body(parts.gears[name], ("gears", name), report)
 
 
@@ -118,19 +110,6 @@ def _check_modifications(gear: Gear, at: Place, report: Reader) -> None:
             problems = [error.problem]
         for problem in problems:
             hand_on(report, (*at, side), problem, taint=False)
-
-
-def _check_seat(gear: Gear, at: Place, report: Reader) -> None:
-    """Report gears that sit farther from their axis than a tooth is thick."""
-    for label, fault in gear.faults.items():
-        if isinstance(fault, Eccentricity) and fault.amount > gear.normal_module:
-            report.problem(
-                (*at, label, "amount"),
-                "is more than the module",
-                value=f"{fault.amount * 1e3:.6g} mm",
-                limit=f"<= {gear.normal_module * 1e3:.6g} mm",
-                remedy="give it with a unit, such as 20 um",
-            )
 
 
 def _check_deviations(gear: Gear, at: Place, report: Reader) -> None:

@@ -11,11 +11,11 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.choices import exactly_one
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.modifications import FlankPitch
+from pitchpoint.model.fault_check import hand_on
 from pitchpoint.model.frames import GROUND
 from pitchpoint.model.inertia import BodyInertia, asks_gears, body_inertia, gear_inertia
 from pitchpoint.model.keys import Place
 from pitchpoint.model.mesh_check import check_meshes
-from pitchpoint.model.pair_check import hand_on
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.read import Reader
 from pitchpoint.model.scenario_check import check_scenarios, links_of
@@ -296,6 +296,7 @@ def check(parts: Parts, report: Reader) -> None:
     from pitchpoint.model.beam_check import check_beams
     from pitchpoint.model.contact_check import check_contacts
     from pitchpoint.model.elastic_check import add_elastic_bodies, check_elastic_bodies
+    from pitchpoint.model.fault_check import check_fault_laws
     from pitchpoint.model.force_check import check_forces, check_loads, check_unbalances
     from pitchpoint.model.joint_check import check_directions, check_joints, check_masses, check_places
     from pitchpoint.model.mechanism_check import check_mechanism
@@ -326,6 +327,7 @@ def check(parts: Parts, report: Reader) -> None:
     check_signals(parts, report)
     check_positions(parts, report)
     resolve(parts, report)
+    check_fault_laws(parts, report)
     check_shaft_places(parts, report)
     check_mechanism(parts, report)
     check_signal_places(parts, report)

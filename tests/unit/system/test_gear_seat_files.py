@@ -60,7 +60,7 @@ def test_files_are_written_and_values_replaced():
 WRONG = {
     "another type": ("{type: eccentric, amount: 1 um}", "type", "did you mean eccentricity?"),
     "no amount": ("{type: eccentricity}", "amount", "is missing"),
-    "no unit": ("{type: eccentricity, amount: 20}", "amount", "is more than the module (limit <= 3 mm)"),
+    "no unit": ("{type: eccentricity, amount: 20}", "amount", "is larger than the module (limit 3 mm)"),
     "negative": ("{type: wobble, amount: -1 mrad}", "amount", "out of range"),
     "too askew": ("{type: wobble, amount: 20 deg}", "amount", "out of range"),
     "too severe": ("{type: wobble, amount: 1 mrad, severity: 2}", "severity", "out of range"),

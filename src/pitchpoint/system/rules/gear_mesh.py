@@ -263,7 +263,7 @@ def _freeze(row: Any, place: Placement) -> None:
         frames["R"][k] = place.axes @ ((c, -s, 0.0), (s, c, 0.0), (0.0, 0.0, 1.0))
     rows = np.zeros(1, layout.RECORD)
     rows[0] = row
-    for name in ("source", "n_pair", "n_e", "n_e1", "n_e2", "n_sz", "i"):
+    for name in ("source", "n_pair", "n_e", "n_e1", "n_e2", "n_sep", "i"):
         rows[name] = 0  # geometry alone
     rows["j"] = 1
     # a gap so wide that no flank is looked at, for internal gears too

@@ -39,12 +39,14 @@ def _place(gear: Gear, tooth_0: float) -> NDArray[np.float64]:
     """Displacement x, y [m] of the centre of a gear and lean of its axis as its x, y, axes of the body."""
     shift, lean = 0j, 0j
     for fault in gear.faults.values():
+        if not isinstance(fault, Eccentricity | Wobble):
+            continue
         angle = tooth_0 + fault.phase
-        towards = complex(math.cos(angle), math.sin(angle)) * fault.severity
+        towards = complex(math.cos(angle), math.sin(angle)) * fault.severity * fault.amount
         if isinstance(fault, Eccentricity):
-            shift += fault.amount * towards
-        elif isinstance(fault, Wobble):
-            lean += fault.amount * towards
+            shift += towards
+        else:
+            lean += towards
     if lean:
         lean *= math.sin(abs(lean)) / abs(lean)
     return np.array([shift.real, shift.imag, lean.real, lean.imag])
