@@ -62,6 +62,7 @@ def _marked(word: bytes, mark: str) -> Callable[[Path, bytes], bool]:
 PAGE_MARK = '<meta name="generator" content="pitchpoint">'
 SVG_MARK = "<!-- generator: pitchpoint -->"
 DXF_MARK = "999\npitchpoint\n"
+STEP_MARK = "pitchpoint"
 """How pages and drawings say who wrote them; in DXF the group 999 is a comment."""
 
 
@@ -71,7 +72,8 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
-    "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint gear")),
+    "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
+    "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),
 }
 """Words for a kind of file and how it is recognised, by name."""
 
