@@ -3,6 +3,12 @@
 
 from __future__ import annotations
 
+import importlib.util
+import json
+import os
+import re
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +23,9 @@ if TYPE_CHECKING:
 _MM = 1e-3
 _BEGIN, _END = b"ISO-10303-21;", b"END-ISO-10303-21;"
 _AGAIN = "export it again"
+_QUOTED = re.compile(rb"'[^']*'|/\*.*?\*/", re.DOTALL)
+_REFERENCE = re.compile(rb"#(\d+)")
+_ENTITY = re.compile(rb"#(\d+)\s*=")
 
 
 def need_occ() -> None:
@@ -30,15 +39,21 @@ def need_occ() -> None:
     try:
         from OCP.Message import Message, Message_Printer
     except ImportError:
-        raise MissingDependencyError(
-            "STEP files need OCC, which is not installed; install it with pip install 'pitchpoint[cad]', or "
-            "use STL files"
-        ) from None
+        raise _missing() from None
     Message.DefaultMessenger_s().RemovePrinters(Message_Printer.get_type_descriptor_s())
+
+
+def _missing() -> MissingDependencyError:
+    return MissingDependencyError(
+        "STEP files need OCC, which is not installed; install it with pip install 'pitchpoint[cad]', or use "
+        "STL files"
+    )
 
 
 def read_step(file: str | Path) -> SolidFile:
     """Read all solids of a STEP file.
+
+    A process of its own reads it: damaged files can make OCC end its process.
 
     Parameters
     ----------
@@ -52,13 +67,48 @@ def read_step(file: str | Path) -> SolidFile:
     MissingDependencyError
         If OCC is not installed.
     """
-    from pitchpoint.geometry.solid_file import SolidFile, solid_of
+    from pitchpoint.geometry.solid_file import Solid, SolidFile
 
     name = Path(file).name
     _check_whole(name, Path(file))
+    if importlib.util.find_spec("OCP") is None:
+        raise _missing()
+    command = [sys.executable, "-m", "pitchpoint.geometry.step_file", str(Path(file).absolute())]
+    paths = os.pathsep.join(p for p in sys.path if p)
+    run = subprocess.run(
+        command, capture_output=True, check=False, env={**os.environ, "PYTHONPATH": paths, "PYTHONUTF8": "1"}
+    )
+    try:
+        found = json.loads(run.stdout)
+    except ValueError:
+        raise _refused(name, "cannot be read: its contents are damaged") from None
+    if "problem" in found:
+        raise GeometryError(found["problem"].pop("message"), **found["problem"])
+    solids = (Solid(n, v, tuple(c), tuple(m)) for n, v, c, m in found["solids"])
+    return SolidFile(tuple(solids), found["unit"])
+
+
+def _answer(file: str) -> dict[str, Any]:
+    """What the process that reads a file says of it."""
+    try:
+        unit, solids = _read(file)
+    except GeometryError as error:
+        p = error.problem
+        told = {"where": p.where, "value": p.value, "limit": p.limit, "remedy": p.remedy}
+        return {"problem": {"message": p.message, **told}}
+    return {"unit": unit, "solids": solids}
+
+
+def _read(file: str) -> tuple[str, list[Any]]:
+    """Unit, and name, volume, centre and moments of every solid."""
+    from pitchpoint.geometry.solid_file import solid_of
+
+    name = Path(file).name
+    _check_references(name, Path(file).read_bytes())
     need_occ()
-    document, unit = _document(name, str(file))
-    solids, seen = [], {}
+    document, unit = _document(name, file)
+    solids: list[Any] = []
+    seen: dict[str, int] = {}
     for product, shape in _solids(document):
         count = seen[product] = seen.get(product, 0) + 1
         label = product if count == 1 else f"{product} ({count})"
@@ -66,10 +116,11 @@ def read_step(file: str | Path) -> SolidFile:
         volume, center, inertia = solid_integrals(shape)
         if not volume > 0.0:
             raise _refused(name, f"holds the solid '{label}' inside out", f"volume {volume:.6g} m^3")
-        solids.append(solid_of(label, volume, center, inertia))
+        one = solid_of(label, volume, center, inertia)
+        solids.append((one.name, one.volume, one.center, one.moments))
     if not solids:
         raise _refused(name, "holds no solid", remedy="export a solid body, not surfaces or a drawing")
-    return SolidFile(tuple(solids), unit)
+    return unit, solids
 
 
 def solid_integrals(shape: Any) -> tuple[float, np.ndarray, np.ndarray]:
@@ -113,6 +164,15 @@ def _check_whole(name: str, path: Path) -> None:
         raise _refused(name, "is no STEP file: it does not begin with ISO-10303-21;")
     if _END not in tail:
         raise _refused(name, "is cut short: it does not end with END-ISO-10303-21;")
+
+
+def _check_references(name: str, data: bytes) -> None:
+    """Every entity that is named exists: OCC would leave out what needs it, or end its process."""
+    bare = _QUOTED.sub(b"", data)
+    lost = set(_REFERENCE.findall(bare)) - set(_ENTITY.findall(bare))
+    if lost:
+        first = min(lost, key=int).decode()
+        raise _refused(name, f"is damaged: it names entities that it does not hold, such as #{first}")
 
 
 def _document(name: str, file: str) -> tuple[Any, str]:
@@ -192,3 +252,7 @@ def _check_closed(name: str, label: str, shape: Any) -> None:
         if not BRep_Tool.IsClosed_s(explorer.Current()):
             raise _refused(name, f"holds the solid '{label}', whose surface is open")
         explorer.Next()
+
+
+if __name__ == "__main__":
+    sys.stdout.write(json.dumps(_answer(sys.argv[1])))
