@@ -81,10 +81,11 @@ def _chosen(model: Model, name: str | None) -> str:
 
 
 def _profiles(model: Model, file: str) -> list[Path]:
-    """Files with measured teeth that the model file names."""
+    """Files with measured teeth and solids that the model file names."""
     profiles = [gear.tooth_profile for gear in model.gears.values() if gear.tooth_profile is not None]
     names = [getattr(profile, part).file for profile in profiles for part in profile.given]
-    return [Path(file).parent / name for name in names if name]
+    solids = [gear.solid.file for gear in model.gears.values() if gear.solid is not None]
+    return [*(Path(file).parent / name for name in names if name), *map(Path, solids)]
 
 
 def _export(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Volume, centre of mass and inertia of solids from files of CAD programs: STL by itself, STEP through OCC."""
+"""Volume, centre of mass and inertia of solids from files of CAD programs: STL, and STEP through OCC."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ STL = (".stl", ".npy")
 MOST_TRIANGLES = 2_000_000
 """Triangles of one solid whose volume is taken."""
 UNEVEN = 0.02
-"""Difference of the moments of inertia across an axis, per largest one, up to which a solid is round about it:
+"""Difference of the moments of inertia across an axis, per largest one, up to which a solid is round:
 keyways and holes are below, a lever is far above."""
 APART = 1e-3
 """Least difference of the moment about the axis from those across it that tells the axis, likewise."""
@@ -249,9 +249,7 @@ def _read(file: str, unit: float | None, stamp: int, size: int) -> SolidFile:
     found = read_triangles(file)
     for wrong in triangle_faults(found, unit, most=MOST_TRIANGLES):
         remedy = "close it" if wrong.message.endswith("the surface is open") else wrong.remedy
-        raise GeometryError(
-            wrong.message, where="file", value=wrong.value, limit=wrong.limit, remedy=remedy
-        )
+        raise GeometryError(wrong.message, where="file", value=wrong.value, limit=wrong.limit, remedy=remedy)
     millimetres = round(1e3 * unit, 9)
     words = f"{unit:g} m" if unit >= 1.0 else f"{millimetres:g} mm"
     return SolidFile((solid_of_triangles(unit * found.corners),), words)

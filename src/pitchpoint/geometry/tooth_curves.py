@@ -85,7 +85,7 @@ def bezier_curves(curve: Curve, tolerance: float) -> list[ComplexArray]:
         poles[[0, -1]] = curve(np.array([0.0, 1.0]))
         check = np.linspace(0.0, 1.0, 8 * degree + 1)
         if float(np.abs(bernstein(degree, check) @ poles - curve(check)).max()) <= tolerance:
-            return [poles]
+            return [np.asarray(poles, dtype=np.complex128)]
     first = bezier_curves(lambda t: curve(0.5 * t), tolerance)
     second = bezier_curves(lambda t: curve(0.5 + 0.5 * t), tolerance)
     second[0][0] = first[-1][-1]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears and shafts as STEP files (ISO 10303-214) with smooth faces, made by OCC, which the extra `cad` brings.
+"""Gears and shafts as STEP files (ISO 10303-214) with smooth faces, made by OCC (the extra `cad`).
 
 The flanks are Bezier surfaces: the curves of the exact tooth, swept along the helix by a polynomial that
 follows the circle as closely.

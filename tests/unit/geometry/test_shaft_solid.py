@@ -19,7 +19,7 @@ SHAFTS = {"stepped": STEPPED, "cavity": CLOSED_CAVITY, "rod": [(0.3, 0.02, 0.0)]
 
 @pytest.mark.parametrize("sections", SHAFTS.values(), ids=SHAFTS)
 def test_mass_is_the_integral_over_thin_discs(sections):
-    """Discs of thickness dz: dm, z dm and the two moments, integrated section by section with Gauss points."""
+    """Discs of thickness dz: dm, z dm and the two moments, integrated with Gauss points."""
     nodes, weights = np.polynomial.legendre.leggauss(4)
     total, start = np.zeros(4), 0.0
     for length, outer, bore in sections:
@@ -49,9 +49,7 @@ def test_triangles_lack_what_the_polygon_lacks(sections):
     assert solid.center == pytest.approx((0.0, 0.0, exact.center), abs=1e-15)
     assert found.polar == pytest.approx(polar * exact.polar_inertia, rel=1e-12)
     along = exact.transverse_inertia - 0.5 * exact.polar_inertia
-    assert found.transverse == pytest.approx(
-        0.5 * polar * exact.polar_inertia + area * along, rel=1e-11
-    )
+    assert found.transverse == pytest.approx(0.5 * polar * exact.polar_inertia + area * along, rel=1e-11)
 
 
 def test_outline_goes_once_round_without_needless_corners():

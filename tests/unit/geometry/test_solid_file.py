@@ -146,7 +146,12 @@ GOOD = stl.binary(box(30.0, 20.0, 10.0))
         ("a.stl", stl.binary(box(30, 20, 10)[:-1]), 1e-3, "3 edges .*surface is open.*; close it$"),
         ("a.stl", stl.binary(box(30, 20, 10)[:, ::-1]), 1e-3, "is inside out"),
         ("a.stl", stl.binary(np.full((2, 3, 3), np.nan)), 1e-3, "no finite numbers"),
-        ("a.step", b"ISO-10303-21;\nHEADER;", 1e-3, "unit: 0.001 m has no effect: a STEP file tells its unit"),
+        (
+            "a.step",
+            b"ISO-10303-21;\nHEADER;",
+            1e-3,
+            "unit: 0.001 m has no effect: a STEP file tells its unit",
+        ),
         ("a.step", b"ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1 = CARTES", None, "is cut short"),
         ("a.step", GOOD, None, "is no STEP file"),
         ("a.step", b"", None, "is no STEP file"),
