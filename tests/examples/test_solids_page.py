@@ -4,18 +4,16 @@
 from __future__ import annotations
 
 import importlib.util
-import math
 import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pitchpoint.geometry.mass_properties import gear_mass_properties
 from pitchpoint.geometry.shaft_solid import shaft_solid
-from pitchpoint.geometry.solid_file import read_solids, round_inertia
 from pitchpoint.io.gear_export import export_gear, export_shaft
 from pitchpoint.io.yaml_model import load_model
+from pitchpoint.model.inertia import gear_inertia
 from pitchpoint.report.masses import masses
 from tests.support import stl
 
@@ -59,35 +57,32 @@ def test_the_file_of_the_page_is_read_and_compared(tmp_path: Path) -> None:
     assert moments[2, 2] == pytest.approx(across, rel=1e-4)
 
 
-def test_gears_of_the_shovel_fit_their_centre_distances_without_undercut() -> None:
-    gears = script().gears()
-    assert list(gears) == ["Z1", "Z2", "Z3", "Z4", "Z5", "Z6"]
-    sums = {1: 0.495790, 2: 0.706365, 3: 1.101642}
-    for stage, x_sum in sums.items():
-        pinion, wheel = gears[f"Z{2 * stage - 1}"], gears[f"Z{2 * stage}"]
-        assert pinion.x + wheel.x == pytest.approx(x_sum, abs=5e-7)
-        assert pinion.beta == -wheel.beta
-        for gear in (pinion, wheel):
-            assert not gear.undercut
-            assert gear.problems() == []
-
-
-@pytest.mark.parametrize("name", ["Z5", "Z6"])
-def test_solids_of_the_shovel_have_the_mass_of_the_closed_form(name: str, tmp_path: Path) -> None:
-    gear = script().gears()[name]
-    solid = read_solids(export_gear(gear, tmp_path / "g.stl", n_flank=12, n_slices=12), 1e-3).part()
-    exact, found = gear_mass_properties(gear, 1.0), round_inertia(solid)
-    assert solid.volume == pytest.approx(exact.mass, rel=2e-3)  # 12 points a flank, slices of 1.7 deg
-    assert found.polar == pytest.approx(exact.polar_inertia, rel=4e-3)
-    assert found.transverse == pytest.approx(exact.transverse_inertia, rel=4e-3)
-    assert abs(found.axis[2]) == pytest.approx(1.0, abs=1e-9)
-    assert math.hypot(*solid.center) < 1e-6
+def test_the_shovel_gearbox_takes_its_masses_from_solids(tmp_path: Path, monkeypatch) -> None:
+    """The pinion with the broken tooth and its shaft as STL: the model moves with what the solids weigh."""
+    example = script()
+    monkeypatch.setattr(example, "GEARS", ("Z5",))
+    monkeypatch.setattr(example, "SHAFTS", ("third",))
+    model = load_model(ROOT / "examples" / "shovel-gearbox" / "model.yaml")
+    drawn = example.write(model, tmp_path, "stl")
+    (pinion, *of_pinion), (shaft, *of_shaft) = example.compared(drawn)
+    assert (pinion, shaft) == ("Z5", "third")
+    mass, in_mass, in_inertia = of_pinion
+    # 40 points a flank, slices of half a degree; circles of 180 corners
+    assert mass == pytest.approx(gear_inertia(model.gears["Z5"])[0], rel=1e-12)
+    assert abs(in_mass) < 2e-4
+    assert abs(in_inertia) < 4e-4
+    assert of_shaft[1:] == pytest.approx([-2.03e-4, -4.06e-4], rel=1e-2)
+    assert gear_inertia(drawn.gears["Z5"])[0] == pytest.approx(mass * (1.0 + in_mass), rel=1e-12)
 
 
 @pytest.mark.skipif(importlib.util.find_spec("OCP") is None, reason="OCC (the extra cad) is not installed")
 @pytest.mark.slow
 def test_step_files_of_the_shovel_agree_to_eight_digits(tmp_path: Path) -> None:
-    for _, mass, in_mass, in_inertia in script().write(tmp_path):
-        assert mass > 10.0
-        assert abs(in_mass) < 1e-8
-        assert abs(in_inertia) < 1e-8
+    example = script()
+    model = load_model(ROOT / "examples" / "shovel-gearbox" / "model.yaml")
+    rows = example.compared(example.write(model, tmp_path))
+    assert [row[0] for row in rows] == [*example.GEARS, *example.SHAFTS]
+    for name, _, in_mass, in_inertia in rows:
+        most = 1e-8 if name in example.GEARS else 1e-12
+        assert abs(in_mass) < most
+        assert abs(in_inertia) < most

@@ -24,6 +24,7 @@ COMMANDS = {
     "gears": "Geometry of gears and pairs; drawings.",
     "mass": "Mass and inertia: geometry, solids, given values.",
     "mesh": "Mesh stiffness over the mesh cycle.",
+    "frequencies": "Frequencies of shafts, teeth, planets, bearings.",
     "modes": "Natural frequencies and mode shapes.",
     "frf": "Frequency response about an operating point.",
     "reduce": "Condense linear parts; what is left and its error.",
