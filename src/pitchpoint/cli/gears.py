@@ -53,7 +53,7 @@ def gears(
             "is for --export" if target is None else "stands beside --gear", param_hint="--shaft"
         )
     if target is not None:
-        inputs = [file, *_profiles(model, file)]
+        inputs: list[str | Path] = [file, *_profiles(model, file)]
         if shaft is not None:
             name = _export_shaft(model, shaft, Path(target), inputs)
         else:
@@ -101,9 +101,13 @@ def _profiles(model: Model, file: str) -> list[Path]:
     """Files with measured teeth and solids that the model file names."""
     profiles = [gear.tooth_profile for gear in model.gears.values() if gear.tooth_profile is not None]
     names = [getattr(profile, part).file for profile in profiles for part in profile.given]
-    parts = (*model.gears.values(), *model.shafts.values(), *model.bodies.values())
-    solids = [part.solid.file for part in parts if part.solid is not None]
-    return [*(Path(file).parent / name for name in names if name), *map(Path, solids)]
+    solids = [part.solid for part in model.gears.values()]
+    solids += [part.solid for part in model.shafts.values()]
+    solids += [part.solid for part in model.bodies.values()]
+    return [
+        *(Path(file).parent / name for name in names if name),
+        *(Path(s.file) for s in solids if s is not None),
+    ]
 
 
 def _export(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> None:
