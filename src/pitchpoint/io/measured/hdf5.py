@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: Apache-2.0
+"""HDF5 files: those of pitchpoint, MAT files of version 7.3, netCDF-4, and any other with vectors in it."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.io.container import FORMAT
+from pitchpoint.io.measured.arrays import Arrays, Found, stated_rate
+from pitchpoint.io.measured.record import (RATE_NAMES, STEP_NAMES, Column, MeasuredError, Record, Wanted, key_of, refused)
+
+if TYPE_CHECKING:
+    import h5py
+
+DAMAGE = (
+    OSError,
+    RuntimeError,
+    KeyError,
+    ValueError,
+    TypeError,
+    AttributeError,
+    OverflowError,
+    UnicodeDecodeError,
+)
+"""What HDF5 and its Python layer raise where a file contradicts itself."""
+_MOST_OBJECTS = 20_000
+_PACKED = 1100
+"""How many times smaller than its contents a packed array can be (deflate packs 1032 to 1 at most)."""
+_SMALL = 1 << 24
+_UNIT_NAMES, _WORD_NAMES = ("units", "unit"), ("long_name", "description", "title")
+
+
+def is_own(path: Path) -> bool:
+    """Whether this is a result file of pitchpoint."""
+    import h5py
+
+    try:
+        with h5py.File(path, "r") as file:
+            return bool(file.attrs.get("format") == FORMAT)
+    except DAMAGE:
+        return False
+
+
+def read_hdf5(path: Path, wanted: Wanted) -> Record:
+    """Read vectors, matrices and attributes of a foreign HDF5 file."""
+    import h5py
+
+    try:
+        with h5py.File(path, "r") as file:
+            matlab = file.userblock_size > 0
+            found = Arrays(path, "MAT 7.3" if matlab else "HDF5")
+            for name, value in _attributes(file).items():
+                _take_attribute(found, name, value)
+            for name, dataset in _datasets(path, file):
+                _take(path, found, name, dataset)
+            return found.record(wanted)
+    except MeasuredError:
+        raise
+    except MemoryError:
+        remedy = "choose fewer channels="
+        raise refused(path, "", "", "asks for more memory than there is", None, remedy) from None
+    except DAMAGE as error:
+        reason = str(error).partition("(")[0].strip().rstrip(":") or type(error).__name__
+        remedy = "copy it again from where it was recorded"
+        raise refused(path, "", "", f"is damaged or cut off ({reason[:120]})", None, remedy) from error
+
+
+def _datasets(path: Path, file: h5py.File) -> Iterator[tuple[str, h5py.Dataset]]:
+    """Arrays of a file in the order of their names, without those that only describe others."""
+    import h5py
+
+    stack: list[tuple[str, Any]] = [("", file)]
+    seen: set[Any] = set()
+    while stack:
+        prefix, group = stack.pop(0)
+        for key in group:
+            if len(seen) > _MOST_OBJECTS:
+                raise refused(
+                    path,
+                    "",
+                    f"{len(seen)} objects",
+                    "are too many",
+                    f"{_MOST_OBJECTS}",
+                    "export the channels",
+                )
+            if key.startswith("#") or not isinstance(group.get(key, getlink=True), h5py.HardLink):
+                continue
+            item = group[key]
+            address = h5py.h5o.get_info(item.id).addr
+            if address in seen:
+                continue
+            seen.add(address)
+            name = f"{prefix}/{key}" if prefix else key
+            if isinstance(item, h5py.Group):
+                stack.append((name, item))
+            elif isinstance(item, h5py.Dataset):
+                yield name, item
+
+
+def _attributes(item: Any) -> dict[str, Any]:
+    """Attributes that can be read as a text or a number."""
+    found: dict[str, Any] = {}
+    for name in list(item.attrs)[:200]:
+        with contextlib.suppress(*DAMAGE):
+            value = item.attrs[name]
+            if isinstance(value, bytes | np.bytes_):
+                value = value.decode("utf-8", "replace")
+            if isinstance(value, np.ndarray):
+                if value.size != 1:
+                    continue
+                value = value.reshape(-1)[0]
+                value = value.decode("utf-8", "replace") if isinstance(value, bytes) else value
+            if isinstance(value, str):
+                found[name] = value
+            elif isinstance(value, int | float | np.integer | np.floating):
+                found[name] = float(value)
+    return found
+
+
+def _take_attribute(found: Arrays, name: str, value: Any) -> None:
+    if isinstance(value, str):
+        found.text(name, value)
+    else:
+        found.number(name, value)
+
+
+def _take(path: Path, found: Arrays, name: str, dataset: h5py.Dataset) -> None:
+    """Take one array with its unit, its words and its own sample rate."""
+    attributes = _attributes(dataset)
+    kind = dataset.dtype.kind
+    if attributes.get("MATLAB_class") == "char" and dataset.size <= 1000:
+        found.text(
+            name, "".join(chr(c) for c in np.asarray(dataset[()], dtype=np.int64).ravel() if 0 < c < 0x110000)
+        )
+        return None
+    if kind == "V" and dataset.dtype.names and set(dataset.dtype.names) == {"real", "imag"}:
+        return found.skip(name, "complex numbers")
+    if (
+        kind not in "fiub"
+        or attributes.get("MATLAB_class") in ("cell", "struct")
+        or "MATLAB_empty" in attributes
+    ):
+        return None if kind == "O" or "MATLAB_empty" in attributes else found.skip(name, "no numbers")
+    if dataset.shape is None or dataset.attrs.get("CLASS") == b"DIMENSION_SCALE" and _bare(dataset):
+        return None
+    unit = next((str(attributes[k]) for k in _UNIT_NAMES if isinstance(attributes.get(k), str)), "")
+    words = next((str(attributes[k]) for k in _WORD_NAMES if isinstance(attributes.get(k), str)), "")
+    rate = None
+    for key, value in attributes.items():
+        if key_of(key) in (*RATE_NAMES, *STEP_NAMES) and isinstance(value, float):
+            rate = stated_rate(path, key, value)
+    start = next(
+        (v for k, v in attributes.items() if key_of(k) in ("t0", "wf_start_offset") and isinstance(v, float)),
+        0.0,
+    )
+    gain, shift = (attributes.get(k, d) for k, d in (("scale_factor", 1.0), ("add_offset", 0.0)))
+    scaled = isinstance(gain, float) and isinstance(shift, float) and (gain, shift) != (1.0, 0.0)
+    found.add(
+        Found(
+            name,
+            partial(_numbers, path, name, dataset, (gain, shift) if scaled else None),
+            dataset.shape,
+            unit,
+            words,
+            f"{gain:g} times the number stored, plus {shift:g}" if scaled else "",
+            rate,
+            start,
+        )
+    )
+    return None
+
+
+def _bare(dataset: h5py.Dataset) -> bool:
+    """Whether this is a dimension of netCDF without a variable."""
+    return str(dataset.attrs.get("NAME", b"")).find("not a netCDF variable") >= 0
+
+
+def _numbers(path: Path, name: str, dataset: h5py.Dataset, scale: tuple[float, float] | None) -> np.ndarray:
+    """Numbers of an array that does not promise more than the file can hold."""
+    promised, stored = dataset.size * dataset.dtype.itemsize, int(dataset.id.get_storage_size())
+    if promised > _SMALL and promised > _PACKED * min(stored, path.stat().st_size):
+        raise refused(
+            path,
+            name,
+            f"{promised} bytes",
+            f"are promised where {stored} are stored",
+            f"{_PACKED} times what is stored",
+            "the array was not written to its end; shorten it, or record again",
+        )
+    values = np.asarray(dataset[()])
+    return values if scale is None else values * scale[0] + scale[1]
+
+
+def read_own(path: Path, wanted: Wanted) -> Record:
+    """Read the time signals of a result file of pitchpoint."""
+    from pitchpoint.io.reading import open_result
+
+    with open_result(path) as data:
+        if "time" not in data.dims:
+            kind = str(data.attrs.get("kind", "other"))
+            raise refused(
+                path, "", f"{kind} results", "hold no time signals", "a result of run", "name such a file"
+            )
+        names = [str(n) for n, v in data.data_vars.items() if v.dims == ("time",) and wanted.takes(str(n))]
+        try:
+            columns = tuple(_own_column(data[name]) for name in names)
+            time = Column("time", np.asarray(data["time"].values, dtype=np.float64), "s")
+        except DAMAGE as error:
+            raise refused(path, "", "", "is damaged or cut off", None, "run the model again") from error
+        kept = ("title", "scenario", "solver", "model_hash", "status", "notes", "kind")
+        attributes = {key: str(data.attrs[key]) for key in kept if data.attrs.get(key) not in (None, "")}
+    note = attributes.pop("notes", "")
+    return Record("pitchpoint result", columns, time, attributes=attributes, notes=(note,) if note else ())
+
+
+def _own_column(variable: Any) -> Column:
+    values = np.asarray(variable.values, dtype=np.float64)
+    attributes = variable.attrs
+    return Column(
+        str(variable.name), values, str(attributes.get("units", "")), str(attributes.get("long_name", ""))
+    )
