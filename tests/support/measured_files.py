@@ -20,7 +20,10 @@ SPEED = np.linspace(10.0, 20.0, TIME.size)
 def csv_text(separator: str = ",", decimal: str = ".", header: str = "", stamp: str = "%.6f") -> str:
     """Time, force and speed as text."""
     head = header or separator.join(("time [s]", "force [kN]", "speed [rpm]"))
-    rows = (separator.join((stamp % t, repr(float(f)), repr(float(v)))) for t, f, v in zip(TIME, FORCE, SPEED, strict=True))
+    rows = (
+        separator.join((stamp % t, repr(float(f)), repr(float(v))))
+        for t, f, v in zip(TIME, FORCE, SPEED, strict=True)
+    )
     body = "\n".join(rows)
     return f"{head}\n{body if decimal == '.' else body.replace('.', decimal)}\n"
 
@@ -32,7 +35,9 @@ def write_csv(path: Path) -> None:
 
 def write_mat(path: Path) -> None:
     """A packed MAT file of version 7 with a structure."""
-    savemat(path, {"time": TIME, "force": FORCE, "rig": {"speed": SPEED, "name": "north"}}, do_compression=True)
+    savemat(
+        path, {"time": TIME, "force": FORCE, "rig": {"speed": SPEED, "name": "north"}}, do_compression=True
+    )
 
 
 def write_plain_mat(path: Path) -> None:
@@ -46,7 +51,9 @@ def write_mat73(path: Path) -> None:
     with h5py.File(raw, "w", userblock_size=512) as file:
         for name, values in (("time", TIME), ("force", FORCE), ("speed", SPEED)):
             file.create_dataset(name, data=values[None, :]).attrs["MATLAB_class"] = np.bytes_("double")
-    head = b"MATLAB 7.3 MAT-file, Platform: GLNXA64, Created on: Mon Jan 01 00:00:00 2024".ljust(124) + b"\0\2IM"
+    head = (
+        b"MATLAB 7.3 MAT-file, Platform: GLNXA64, Created on: Mon Jan 01 00:00:00 2024".ljust(124) + b"\0\2IM"
+    )
     path.write_bytes(head.ljust(512, b"\0") + raw.getvalue()[512:])
 
 

@@ -26,7 +26,14 @@ def file_of(tmp_path, name, text):
 
 @pytest.mark.parametrize(
     "separator, decimal, name",
-    [(",", ".", "a.csv"), (";", ",", "a.csv"), ("\t", ",", "a.tsv"), (";", ".", "a.txt"), (" ", ".", "a.dat"), (" ", ",", "a.asc")],
+    [
+        (",", ".", "a.csv"),
+        (";", ",", "a.csv"),
+        ("\t", ",", "a.tsv"),
+        (";", ".", "a.txt"),
+        (" ", ".", "a.dat"),
+        (" ", ",", "a.asc"),
+    ],
 )
 def test_text_files_say_how_they_are_written(tmp_path, separator, decimal, name):
     data = read_measured(file_of(tmp_path, name, files.csv_text(separator, decimal)))
@@ -112,19 +119,36 @@ def test_every_number_type_of_mat_files(tmp_path, kind):
 def test_mat_matrices_cells_and_what_is_left_out(tmp_path):
     cell = np.empty(2, dtype=object)
     cell[:] = [np.arange(5.0), np.arange(5.0) ** 2]
-    content = {"m": np.arange(10.0).reshape(2, 5), "c": cell, "z": np.ones(5) * 1j, "e": np.zeros((0, 0)), "RPM": 1797.0}
+    content = {
+        "m": np.arange(10.0).reshape(2, 5),
+        "c": cell,
+        "z": np.ones(5) * 1j,
+        "e": np.zeros((0, 0)),
+        "RPM": 1797.0,
+    }
     savemat(tmp_path / "a.mat", content)
     data = read_measured(tmp_path / "a.mat", sample_rate=10.0)
     assert sorted(data.data_vars) == ["c[0]", "c[1]", "m[0]", "m[1]"]
-    assert data["m[1]"].values.tolist() == [5, 6, 7, 8, 9] and data["c[1]"].values.tolist() == [0, 1, 4, 9, 16]
+    assert data["m[1]"].values.tolist() == [5, 6, 7, 8, 9] and data["c[1]"].values.tolist() == [
+        0,
+        1,
+        4,
+        9,
+        16,
+    ]
     assert data.attrs["RPM"] == 1797.0
     assert "complex numbers: z" in data.notes and "2 channels of 5 samples" in data.notes
-    assert list(read_measured(tmp_path / "a.mat", sample_rate=10.0, channels="m").data_vars) == ["m[0]", "m[1]"]
+    assert list(read_measured(tmp_path / "a.mat", sample_rate=10.0, channels="m").data_vars) == [
+        "m[0]",
+        "m[1]",
+    ]
 
 
 def test_a_name_that_ends_in_time_is_no_time_axis(tmp_path):
     """Files of a well-known bearing rig call the signal of the drive end X097_DE_time."""
-    savemat(tmp_path / "97.mat", {"X097_DE_time": files.FORCE, "X097_FE_time": files.SPEED, "X097RPM": 1796.0})
+    savemat(
+        tmp_path / "97.mat", {"X097_DE_time": files.FORCE, "X097_FE_time": files.SPEED, "X097RPM": 1796.0}
+    )
     with pytest.raises(MeasuredError, match="neither a time axis nor a sample rate.*sample_rate="):
         read_measured(tmp_path / "97.mat")
     assert read_measured(tmp_path / "97.mat", sample_rate=12000).sample_rate == 12000.0
@@ -157,6 +181,7 @@ def test_other_widths_of_wav(tmp_path):
     assert data["channel 1"].units == "" and "floating point" in data["channel 1"].attrs["scale"]
 
 
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # pyuff leaves a file open
 @pytest.mark.parametrize("binary", [0, 1])
 def test_universal_files(tmp_path, binary):
     pytest.importorskip("pyuff", reason="extra uff")
@@ -181,7 +206,9 @@ def test_our_results_go_through_the_same_door(tmp_path):
     data = read_measured(path, channels=["mesh_force[stage]"])
     assert list(data.data_vars) == ["mesh_force[stage]"] and data["mesh_force[stage]"].units == "N"
     assert data.attrs["format"] == "pitchpoint result" and data.attrs["title"] == "pair"
-    np.testing.assert_allclose(data["mesh_force[stage]"], files.FORCE, rtol=1e-7)  # stored in single precision
+    np.testing.assert_allclose(
+        data["mesh_force[stage]"], files.FORCE, rtol=1e-7
+    )  # stored in single precision
 
 
 def test_constant_channels_are_named_and_kept(tmp_path):

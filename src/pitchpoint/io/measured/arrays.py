@@ -23,6 +23,7 @@ from pitchpoint.io.measured.record import (
     Column,
     Record,
     Wanted,
+    as_floats,
     key_of,
     refused,
 )
@@ -92,7 +93,7 @@ class Arrays:
     def add(self, found: Found) -> None:
         """Take an array; single numbers are kept as sample rate or attribute."""
         if not found.extent:
-            self.number(found.name, float(np.asarray(found.read(), dtype=np.float64).reshape(())), found.unit)
+            self.number(found.name, float(as_floats(found.read()).reshape(())), found.unit)
         elif 0 in found.extent:
             self.skip(found.name, "empty")
         elif len(found.extent) > 2:
@@ -139,7 +140,7 @@ class Arrays:
                     None,
                     "store each channel as a vector, or a vector time beside it",
                 )
-            values = np.asarray(f.read(), dtype=np.float64)
+            values = as_floats(f.read())
             for name, place in _split(f, length):
                 if wanted.takes(name):
                     part = values[place]
@@ -165,7 +166,7 @@ class Arrays:
         return Record(
             form=self._form,
             columns=tuple(columns),
-            time=None if axis is None else Column(axis.name, np.asarray(axis.read(), np.float64), axis.unit),
+            time=None if axis is None else Column(axis.name, as_floats(axis.read()), axis.unit),
             resolution=_resolution(axis),
             rate=next(iter(rates), self._rate),
             start=starts.pop() if len(starts) == 1 else 0.0,
@@ -223,4 +224,4 @@ def _resolution(axis: Found | None) -> float:
     values = axis.read()
     if values.dtype.kind != "f" or values.dtype.itemsize >= 8:
         return 0.0
-    return float(np.finfo(values.dtype).eps * np.abs(values.astype(np.float64)).max())
+    return float(np.finfo(values.dtype).eps * np.abs(as_floats(values)).max())

@@ -175,8 +175,9 @@ def _finite(path: Path, columns: Sequence[Column]) -> None:
     for c in columns:
         bad = np.flatnonzero(~np.isfinite(c.values))
         if bad.size:
+            k = int(bad[0])
             problems.append(
-                f"{c.name}: {bad.size} of {c.values.size} samples, first {c.values[bad[0]]} at sample {bad[0]}"
+                f"{c.name}: {bad.size} of {c.values.size} samples, first {c.values[k]} at sample {k}"
             )
     if problems:
         raise refused(

@@ -4,6 +4,9 @@
 from __future__ import annotations
 
 import contextlib
+import os
+import subprocess
+import sys
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -13,7 +16,17 @@ import numpy as np
 
 from pitchpoint.io.container import FORMAT
 from pitchpoint.io.measured.arrays import Arrays, Found, stated_rate
-from pitchpoint.io.measured.record import (RATE_NAMES, STEP_NAMES, Column, MeasuredError, Record, Wanted, key_of, refused)
+from pitchpoint.io.measured.record import (
+    RATE_NAMES,
+    STEP_NAMES,
+    Column,
+    MeasuredError,
+    Record,
+    Wanted,
+    as_floats,
+    key_of,
+    refused,
+)
 
 if TYPE_CHECKING:
     import h5py
@@ -33,18 +46,52 @@ _MOST_OBJECTS = 20_000
 _PACKED = 1100
 """How many times smaller than its contents a packed array can be (deflate packs 1032 to 1 at most)."""
 _SMALL = 1 << 24
+_HEAD = 1 << 16
+_SLOWEST = 1e7
+"""Bytes per second that even a slow disk reads."""
+_HEAP = b"GCOL\1\0\0\0"
+_KEPT = ("title", "scenario", "solver", "model_hash", "status", "notes", "kind")
 _UNIT_NAMES, _WORD_NAMES = ("units", "unit"), ("long_name", "description", "title")
 
 
-def is_own(path: Path) -> bool:
-    """Whether this is a result file of pitchpoint."""
-    import h5py
+def is_own(path: Path, data: bytes) -> bool:
+    """Whether this is a result file of pitchpoint; refuses files on which HDF5 would not end, or crash.
 
+    Our files carry check sums wherever HDF5 knows them; what it does with other damaged files is tried in a
+    process of its own.
+    """
+    remedy = "copy it again from where it was recorded"
+    if not _heaps_end(data):
+        raise refused(path, "", "", "is damaged: its texts do not fit where they are stored", None, remedy)
+    if data[8] == 3 and FORMAT.encode() in data[:_HEAD]:
+        return True
+    if not _survives(path, len(data)):
+        raise refused(path, "", "", "is damaged so badly that HDF5 cannot read it", None, remedy)
+    return False
+
+
+def _survives(path: Path, size: int) -> bool:
+    """Whether a process that reads this file lives on; what it finds does not matter."""
+    code = (
+        "import sys, pathlib\nfrom pitchpoint.io.measured.hdf5 import read_hdf5\n"
+        "from pitchpoint.io.measured.record import Wanted\nread_hdf5(pathlib.Path(sys.argv[1]), Wanted())"
+    )
+    if not sys.executable:
+        return True
     try:
-        with h5py.File(path, "r") as file:
-            return bool(file.attrs.get("format") == FORMAT)
-    except DAMAGE:
+        trial = subprocess.run(
+            [sys.executable, "-c", code, str(path.resolve())],
+            env=os.environ | {"PYTHONPATH": os.pathsep.join(p for p in sys.path if p)},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=20.0 + size / _SLOWEST,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
         return False
+    except OSError:
+        return True  # where no process can be started, HDF5 is trusted
+    return trial.returncode in (0, 1)
 
 
 def read_hdf5(path: Path, wanted: Wanted) -> Record:
@@ -66,9 +113,29 @@ def read_hdf5(path: Path, wanted: Wanted) -> Record:
         remedy = "choose fewer channels="
         raise refused(path, "", "", "asks for more memory than there is", None, remedy) from None
     except DAMAGE as error:
-        reason = str(error).partition("(")[0].strip().rstrip(":") or type(error).__name__
-        remedy = "copy it again from where it was recorded"
-        raise refused(path, "", "", f"is damaged or cut off ({reason[:120]})", None, remedy) from error
+        raise _damaged(path, error, "copy it again from where it was recorded") from error
+
+
+def _heaps_end(data: bytes) -> bool:
+    """Whether the texts of a file lie one behind the other up to the end of their heaps.
+
+    A heap is a chain of (index, length); HDF5 follows it without looking whether it leads on (HDF5 File
+    Format Specification 3.0, III.E).
+    """
+    heap = data.find(_HEAP)
+    while heap >= 0:
+        at, end = heap + 16, heap + int.from_bytes(data[heap + 8 : heap + 16], "little")
+        if end > len(data):
+            return False
+        while at + 16 <= end:
+            index, size = data[at : at + 2], int.from_bytes(data[at + 8 : at + 16], "little")
+            free = index == b"\0\0"
+            step = size if free else 16 + size + -size % 8
+            if step < 16 or at + step > end or (free and at + step != end):
+                return False
+            at += step
+        heap = data.find(_HEAP, heap + 8)
+    return True
 
 
 def _datasets(path: Path, file: h5py.File) -> Iterator[tuple[str, h5py.Dataset]]:
@@ -194,34 +261,55 @@ def _numbers(path: Path, name: str, dataset: h5py.Dataset, scale: tuple[float, f
             "the array was not written to its end; shorten it, or record again",
         )
     values = np.asarray(dataset[()])
-    return values if scale is None else values * scale[0] + scale[1]
+    return values if scale is None else as_floats(values) * scale[0] + scale[1]
 
 
 def read_own(path: Path, wanted: Wanted) -> Record:
-    """Read the time signals of a result file of pitchpoint."""
-    from pitchpoint.io.reading import open_result
+    """Read the time signals of a result file of pitchpoint, as far as it is written.
 
-    with open_result(path) as data:
-        if "time" not in data.dims:
-            kind = str(data.attrs.get("kind", "other"))
-            raise refused(
-                path, "", f"{kind} results", "hold no time signals", "a result of run", "name such a file"
-            )
-        names = [str(n) for n, v in data.data_vars.items() if v.dims == ("time",) and wanted.takes(str(n))]
-        try:
-            columns = tuple(_own_column(data[name]) for name in names)
-            time = Column("time", np.asarray(data["time"].values, dtype=np.float64), "s")
-        except DAMAGE as error:
-            raise refused(path, "", "", "is damaged or cut off", None, "run the model again") from error
-        kept = ("title", "scenario", "solver", "model_hash", "status", "notes", "kind")
-        attributes = {key: str(data.attrs[key]) for key in kept if data.attrs.get(key) not in (None, "")}
-    note = attributes.pop("notes", "")
-    return Record("pitchpoint result", columns, time, attributes=attributes, notes=(note,) if note else ())
+    Opened without the mode for files that grow: in it HDF5 waits a long time for a damaged file to become
+    whole.
+    """
+    import h5py
+
+    try:
+        with h5py.File(path, "r") as file:
+            about = {key: value for key, value in _attributes(file).items() if key in _KEPT and value != ""}
+            if "time" not in file:
+                kind = str(file.attrs["kind"])
+                remedy = "name a result of run"
+                raise refused(
+                    path, "", f"{kind} results", "hold no time signals", "signals over time", remedy
+                )
+            found = [n for n in file if isinstance(file[n], h5py.Dataset) and _over_time(file[n])]
+            count = min(file[n].shape[0] for n in ("time", *found))
+            columns = tuple(_own_column(path, file, n, count) for n in found if wanted.takes(n))
+            time = Column("time", _numbers(path, "time", file["time"], None)[:count], "s")
+    except MeasuredError:
+        raise
+    except DAMAGE as error:
+        raise _damaged(path, error, "run the model again") from error
+    notes = [str(about.pop("notes"))] if "notes" in about else []
+    if about.get("status") not in (None, "finished"):
+        notes.append(f"the run has not finished: {about['status']}")
+    return Record("pitchpoint result", columns, time, attributes=about, notes=tuple(notes))
 
 
-def _own_column(variable: Any) -> Column:
-    values = np.asarray(variable.values, dtype=np.float64)
-    attributes = variable.attrs
-    return Column(
-        str(variable.name), values, str(attributes.get("units", "")), str(attributes.get("long_name", ""))
-    )
+def _over_time(dataset: h5py.Dataset) -> bool:
+    if dataset.is_scale or len(dataset.shape) != 1 or not len(dataset.dims[0]):
+        return False
+    return bool(dataset.dims[0][0].name == "/time")
+
+
+def _own_column(path: Path, file: h5py.File, name: str, count: int) -> Column:
+    values, about = _numbers(path, name, file[name], None)[:count], _attributes(file[name])
+    return Column(name, as_floats(values), str(about.get("units", "")), str(about.get("long_name", "")))
+
+
+def _damaged(path: Path, error: Exception, remedy: str) -> MeasuredError:
+    """Make the error of a file that contradicts itself; what the library says of it is repeated."""
+    reason = ""
+    if isinstance(error, OSError | RuntimeError):
+        reason = str(error).partition("(")[0].strip().rstrip(":")[:120]
+    words = "is damaged or cut off" + (f" ({reason.lower()})" if reason else "")
+    return refused(path, "", "", words, None, remedy)

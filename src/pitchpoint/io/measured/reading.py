@@ -163,7 +163,7 @@ def _reader(path: Path, data: bytes, form: str) -> Callable[[Wanted], Record]:
     if form == "HDF5":
         from pitchpoint.io.measured.hdf5 import is_own, read_hdf5, read_own
 
-        read = read_own if is_own(path) else read_hdf5
+        read = read_own if is_own(path, data) else read_hdf5
         return lambda wanted: read(path, wanted)
     if form == "WAV":
         from pitchpoint.io.measured.wav import read_wav as decode

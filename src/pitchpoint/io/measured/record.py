@@ -7,6 +7,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -117,6 +118,12 @@ def truncated(path: Path, promised: int, there: int, what: str = "bytes") -> Mea
         f"{promised} {what}",
         "copy it again from where it was recorded",
     )
+
+
+def as_floats(values: NDArray[Any]) -> NDArray[np.float64]:
+    """Numbers in double precision; bit patterns that are none become NaN without a warning."""
+    with np.errstate(all="ignore"):
+        return np.ascontiguousarray(values, np.float64)
 
 
 def key_of(name: str) -> str:

@@ -39,6 +39,7 @@ _REMARK = ("#", "%", "//")
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eEdD][+-]?\d+)?|[+-]?(?:nan|inf(?:inity)?)", re.I)
 _WORDS = re.compile(r"[^\s\[]+(?:\s*\[[^\]]*\])?")
 _KEY_VALUE = re.compile(r"\s*([\w .\-]{1,40}?)\s*[:=]\s*(.{1,100})")
+_CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 _PROBE = 20
 """Rows by which numbers are told from texts."""
 
@@ -109,33 +110,17 @@ def read_text(path: Path, data: bytes, wanted: Wanted) -> Record:
 
 def _decoded(path: Path, data: bytes) -> tuple[str, list[str]]:
     """Text of a file in UTF-8, UTF-16 with its mark, or Windows-1252."""
-    try:
-        if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
-            return data.decode("utf-16"), []
-        if b"\0" not in data:
-            return data.decode("utf-8-sig"), []
-    except UnicodeDecodeError:
-        pass
-    try:
-        if b"\0" in data or sum(byte < 32 and byte not in b"\t\n\r\f" for byte in data[:4096]):
-            raise refused(
-                path,
-                "",
-                "",
-                "holds neither text nor a known measured format",
-                "CSV, TSV, MAT, HDF5, WAV or UFF",
-                "export it as one of these",
-            )
-        return data.decode("cp1252"), ["letters were read as Windows-1252"]
-    except UnicodeDecodeError as error:
-        raise refused(
-            path,
-            f"byte {error.start}",
-            "",
-            "is no letter of UTF-8 or Windows-1252",
-            None,
-            "save the file as UTF-8",
-        ) from error
+    codes = ("utf-16",) if data[:2] in (b"\xff\xfe", b"\xfe\xff") else ("utf-8-sig", "cp1252")
+    for code in codes:
+        try:
+            text = data.decode(code)
+        except UnicodeDecodeError:
+            continue
+        if not _CONTROL.search(text):
+            return text, ["letters were read as Windows-1252"] if code == "cp1252" else []
+        break
+    what, limit = "holds neither text nor a known measured format", "CSV, TSV, MAT, HDF5, WAV or UFF"
+    raise refused(path, "", "", what, limit, "export it as one of these, texts as UTF-8")
 
 
 def _layout(path: Path, lines: Sequence[str], rows: Sequence[int]) -> _Layout:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -10,10 +11,12 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.core.errors import MissingDependencyError
-from pitchpoint.io.measured.record import Column, MeasuredError, Record, Wanted, refused, truncated
+from pitchpoint.io.measured.record import Column, MeasuredError, Record, Wanted, as_floats, refused, truncated
 
 _TIME_RESPONSE = 1
 _TIME, _EVEN = 17, 1
+_MARK = re.compile(rb"    -1(?=[\r\n]| {74}|\Z)")
+"""Begins and ends every data set; behind binary numbers it follows without a new line."""
 _DIRECTIONS = {
     sign * (k + 1): f"{'+' if sign > 0 else '-'}{axis}"
     for k, axis in enumerate(("x", "y", "z", "rx", "ry", "rz"))
@@ -23,7 +26,7 @@ _DIRECTIONS = {
 
 def read_uff(path: Path, data: bytes, wanted: Wanted) -> Record:
     """Read the time responses of a universal file; other data sets are left out."""
-    if sum(line.strip() == b"-1" and line.startswith(b"    -1") for line in data.splitlines()) % 2:
+    if len(_MARK.findall(data)) % 2:
         raise refused(
             path, "", "", "begins a data set that does not end", "-1", "copy it again; it was cut off"
         )
@@ -31,7 +34,9 @@ def read_uff(path: Path, data: bytes, wanted: Wanted) -> Record:
     sets = [s for s in found if s.get("func_type") == _TIME_RESPONSE]
     if not sets:
         others = (
-            f"functions of type {sorted({str(s.get('func_type')) for s in found})}" if found else "no data set 58"
+            f"functions of type {sorted({str(s.get('func_type')) for s in found})}"
+            if found
+            else "no data set 58"
         )
         raise refused(path, "", others, "hold no time response", "data set 58, type 1", "export time signals")
     names = _names(sets)
@@ -46,7 +51,7 @@ def read_uff(path: Path, data: bytes, wanted: Wanted) -> Record:
             rates.add(1.0 / step)
             starts.add(float(s["abscissa_min"]))
         else:
-            axes.append(np.asarray(s["x"], dtype=np.float64))
+            axes.append(as_floats(s["x"]))
     if (
         len(rates) + bool(axes) > 1
         or len(starts) > 1
@@ -109,7 +114,7 @@ def _column(path: Path, name: str, s: dict[str, Any]) -> Column:
     words = ", ".join(
         t for t in (str(s.get(k, "")).strip() for k in ("id1", "ordinate_axis_lab")) if t and t != "NONE"
     )
-    return Column(name, values[:promised].astype(np.float64), "" if unit.upper() == "NONE" else unit, words)
+    return Column(name, as_floats(values[:promised]), "" if unit.upper() == "NONE" else unit, words)
 
 
 def _short(path: Path, name: str, promised: int, there: int) -> MeasuredError:

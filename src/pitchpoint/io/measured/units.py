@@ -10,11 +10,10 @@ from pitchpoint.core.errors import UnitError
 from pitchpoint.core.unit_table import DIMENSIONS, Unit
 from pitchpoint.core.units import TWO_PI, parse_unit
 
-_PREFERRED = (
-    "length", "angle", "mass", "time", "angular_speed", "angular_acceleration", "speed", "acceleration",
-    "force", "torque", "power", "pressure", "stiffness", "torsional_stiffness", "damping", "torsional_damping",
-    "density", "inertia", "temperature_difference",
-)  # fmt: skip
+_PREFERRED = """
+    length angle mass time angular_speed angular_acceleration speed acceleration force torque power pressure
+    stiffness torsional_stiffness damping torsional_damping density inertia temperature_difference
+""".split()
 _PLAIN = ("", "1", "-", "–", "none", "dimensionless")
 _AMBIGUOUS = ("g", "G", "C", "F", "U", "r", "h", "t")
 """Texts that mean one thing in a table of units, another beside a sensor: g is mostly 9.80665 m/s^2."""

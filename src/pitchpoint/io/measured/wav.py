@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.io.measured.record import Column, Record, Wanted, refused, truncated
+from pitchpoint.io.measured.record import Column, Record, Wanted, as_floats, refused, truncated
 
 _PCM, _FLOAT, _EXTENSIBLE = 1, 3, 0xFFFE
 _MAX_CHANNELS = 4096
@@ -45,7 +45,7 @@ def read_wav(path: Path, data: bytes, wanted: Wanted) -> Record:
     table = values.reshape(-1, channels)
     names = [f"channel {k + 1}" for k in range(channels)]
     columns = [
-        Column(name, np.ascontiguousarray(table[:, k], np.float64), "1" if code == _PCM else "", scale=scale)
+        Column(name, as_floats(table[:, k]), "1" if code == _PCM else "", scale=scale)
         for k, name in enumerate(names)
         if wanted.takes(name)
     ]
@@ -83,7 +83,7 @@ def _chunks(path: Path, data: bytes, order: str) -> tuple[bytes, bytes]:
 def _decoded(path: Path, samples: bytes, code: int, bits: int, order: str) -> tuple[NDArray[Any], str]:
     """Numbers of all channels one after the other, and how they came about."""
     if code == _FLOAT and bits in (32, 64):
-        return np.frombuffer(samples, f"{order}f{bits // 8}").astype(np.float64), "as stored, floating point"
+        return np.frombuffer(samples, f"{order}f{bits // 8}"), "as stored, floating point"
     if code == _PCM and bits in (8, 16, 24, 32):
         full = float(2 ** (bits - 1))
         scale = f"1 is full scale, {full:.0f} counts of {bits} bits"
