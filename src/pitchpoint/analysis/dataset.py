@@ -10,12 +10,14 @@ import difflib
 import inspect
 import json
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pitchpoint.analysis.sampled import Array, SignalError, sample_rate_of
+from pitchpoint.analysis.tacho import angle_channel
 from pitchpoint.analysis.tools import SOURCES, TOOLS, Output, Tool
 
 if TYPE_CHECKING:
@@ -23,6 +25,19 @@ if TYPE_CHECKING:
 
 KEPT = ("source_file", "format", "sha256", "title", "model_hash", "scenario", "solver", "status")
 """Attributes that go from a record to what is made of it."""
+_WORDS = {
+    "bool": "true or false",
+    "float": "a number",
+    "int": "a whole number",
+    "str": "a text",
+    "Fraction": "a fraction",
+    "tuple": "two numbers",
+    "Sequence": "several whole numbers",
+}
+_MAKERS = {
+    "samples_per_revolution": "resample_over_angle, or use tracked_spectrum",
+    "average": "synchronous_average",
+}
 
 
 def analyse(
@@ -88,7 +103,7 @@ def analyse(
         "tool": tool,
         "channel": ", ".join(several),
         **shaft,
-        "options": json.dumps(checked),
+        "options": json.dumps(checked, default=str),
         **about,
     }
     return made
@@ -165,12 +180,29 @@ def _option(tool: str, name: str, kind: str, value: Any) -> Any:
         return int(value)
     if "str" in kinds and isinstance(value, str):
         return value
-    plain = kinds & {"bool", "float", "int", "str", "None"}
-    if plain == kinds:
-        words = {"bool": "true or false", "float": "a number", "int": "a whole number", "str": "a text"}
-        expected = " or ".join(words[k] for k in ("bool", "float", "int", "str") if k in kinds)
-        raise SignalError(f"{tool}: option {name} is {value!r} (limit {expected}); correct it")
-    return value
+    if "Fraction" in kinds and isinstance(value, Fraction):
+        return value
+    for part in kinds:
+        found = _numbers(part, value)
+        if found is not None:
+            return found
+    expected = " or ".join(words for k, words in _WORDS.items() if any(p.startswith(k) for p in kinds))
+    raise SignalError(f"{tool}: option {name} is {value!r} (limit {expected}); correct it")
+
+
+def _numbers(kind: str, value: Any) -> tuple[float, ...] | list[int] | None:
+    """Several numbers as `tuple[float, float]` or `Sequence[int]` ask for; None if they are others."""
+    if not kind.startswith(("tuple[", "Sequence[")) or isinstance(value, str):
+        return None
+    try:
+        items = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        return None
+    if items.ndim != 1 or not np.all(np.isfinite(items)):
+        return None
+    if kind.startswith("tuple["):
+        return tuple(map(float, items)) if items.size == kind.count(",") + 1 else None
+    return [int(v) for v in items] if "int" in kind and np.array_equal(items, np.round(items)) else None
 
 
 def _applied(
@@ -183,7 +215,7 @@ def _applied(
         result = function(**given, **options)
     except SignalError as error:
         raise SignalError(f"{tool} of {channel}: {error}") from error
-    return _dataset_of(result, row, str(dataset[channel].attrs.get("units", "")))
+    return _dataset_of(result, row, dataset[channel], squared=options.get("squared") is True)
 
 
 def _source(dataset: xr.Dataset, name: str, channel: str, angle: str | None) -> Any:
@@ -195,11 +227,11 @@ def _source(dataset: xr.Dataset, name: str, channel: str, angle: str | None) -> 
     axis = np.asarray(dataset[variable.dims[0]].values, dtype=np.float64)
     if axis.size < 2:
         raise SignalError(f"{variable.dims[0]}: {axis.size} samples (limit 2 or more); use a longer record")
-    if name == "samples_per_revolution":
+    if name in ("samples_per_revolution", "average"):
         if variable.dims != ("angle",):
-            raise SignalError(
-                "runs over time and not over an angle; use tracked_spectrum, or resample_over_angle first"
-            )
+            raise SignalError(f"runs over time and not over an angle; make it with {_MAKERS[name]}")
+        if name == "average":
+            return np.asarray(variable.values, dtype=np.float64)
         return 2.0 * np.pi * sample_rate_of(np.sign(axis[-1] - axis[0]) * axis)
     if variable.dims != ("time",):
         raise SignalError("runs over an angle and not over time; use a tool for signals over an angle")
@@ -220,35 +252,41 @@ def _angle(dataset: xr.Dataset, time: Array, name: str | None) -> Array:
     _known(name, names, "angle")
     values, unit = np.asarray(dataset[name].values, dtype=np.float64), dataset[name].attrs.get("units", "")
     if unit == "rad":
-        return values
+        return angle_channel(values, time).angle
     if unit == "rad/s":
         steps = 0.5 * (values[1:] + values[:-1]) * np.diff(time)
         return np.concatenate(([0.0], np.cumsum(steps)))
     raise SignalError(f"angle: {name} is in {unit or 'no unit'} (limit rad or rad/s); state its unit")
 
 
-def _dataset_of(result: Any, row: Tool, unit: str) -> xr.Dataset:
-    """Dataset of a result; a dimension has the field of its name as coordinate."""
+def _dataset_of(result: Any, row: Tool, channel: xr.DataArray, *, squared: bool) -> xr.Dataset:
+    """Dataset of a result; a dimension has the field of its name as coordinate, or that of the channel."""
     import xarray as xr
 
+    unit = str(channel.attrs.get("units", ""))
     variables: dict[str, Any] = {}
     for output in row.outputs:
         value = getattr(result, output.field)
         if value is None:
             continue
-        attributes = {"units": _unit(output, unit), "long_name": output.variable.replace("_", " ")}
+        attributes = {"units": _unit(output, unit, squared), "long_name": output.variable.replace("_", " ")}
         variables[output.variable] = (tuple(output.dims.split()), np.asarray(value), attributes)
     dims = {d for output in row.outputs for d in output.dims.split()}
     coords = {name: variables.pop(name) for name in [n for n in variables if n in dims]}
+    for dim in (dims - set(coords)) & set(channel.coords):
+        coords[dim] = channel[dim].variable
     return xr.Dataset(variables, coords=coords)
 
 
-def _unit(output: Output, unit: str) -> str:
+def _unit(output: Output, unit: str, squared: bool) -> str:
     """Unit of a field, that of the channel put in."""
-    if unit in ("", "1"):
-        return output.unit.replace("{u2}", "1").replace("{u}", unit or "1")
-    square = f"({unit})^2" if any(sign in unit for sign in " /^") else f"{unit}^2"
-    return output.unit.replace("{u2}", square).replace("{u}", unit)
+    own = square = unit or "1"
+    if own != "1":
+        square = f"({unit})^2" if any(sign in unit for sign in " /^") else f"{unit}^2"
+    text = output.unit
+    for mark, put in {"{squared}": square if squared else own, "{u2}": square, "{u}": own}.items():
+        text = text.replace(mark, put)
+    return text
 
 
 def _joined(results: Sequence[xr.Dataset], names: Sequence[str], tool: str) -> xr.Dataset:

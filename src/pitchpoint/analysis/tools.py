@@ -3,7 +3,7 @@
 
 A row says which function it is, what of its arguments comes from the dataset, and what the fields of its
 result are: dimensions (those with a field of their own name have coordinates) and units, where `{u}` is the
-unit of the channel.
+unit of the channel. What takes the result of another function, or several records, is no tool of this table.
 """
 
 from __future__ import annotations
@@ -13,9 +13,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-SOURCES = ("values", "sample_rate", "time", "start", "angle", "samples_per_revolution")
+SOURCES = ("values", "sample_rate", "time", "start", "angle", "samples_per_revolution", "average")
 """What a dataset can give: samples of the channel, sample rate [Hz], times [s], the first time [s], angle of
-a shaft at the same samples [rad], samples per revolution of a signal over an angle [-]."""
+a shaft at the same samples [rad]; of a signal over an angle its samples per revolution [-] and, as `average`,
+its samples."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,8 @@ class Output:
     dims
         Dimensions, separated by spaces; empty for a number.
     unit
-        SI unit; `{u}` is that of the channel, `{u2}` its square.
+        SI unit; `{u}` is that of the channel, `{u2}` its square, `{squared}` its square if the option
+        `squared` is set.
     name
         Name in the dataset, if it is another one.
     """
@@ -76,16 +78,18 @@ class Tool:
         return found
 
 
-def _spectrum(axis: str, unit: str) -> tuple[Output, ...]:
+def _spectrum(axis: str, unit: str, of: str = "{u}") -> tuple[Output, ...]:
     """Fields of `spectra.Spectrum` over frequency or order."""
     return (
         Output("frequency", axis, unit, axis),
-        Output("amplitude", axis, "{u}"),
-        Output("mean", "", "{u}"),
+        Output("amplitude", axis, of),
+        Output("mean", "", of),
         Output("resolution", "", unit),
         Output("noise_bandwidth", "", unit),
     )
 
+
+_CEPSTRUM = (Output("quefrency", "quefrency", "s"), Output("cepstrum", "quefrency"))
 
 TOOLS: dict[str, Tool] = {
     "signal_statistics": Tool(
@@ -158,5 +162,131 @@ TOOLS: dict[str, Tool] = {
             Output("amplitude", "time order", "{u}"),
         ),
         "order_map",
+    ),
+    "signal_indicators": Tool(
+        "indicators.signal_indicators",
+        "Rms, peak, kurtosis, crest, shape and impulse factor.",
+        ("values",),
+        (
+            Output("rms", "", "{u}"),
+            Output("peak", "", "{u}"),
+            Output("peak_to_peak", "", "{u}"),
+            Output("kurtosis"),
+            Output("crest_factor"),
+            Output("shape_factor"),
+            Output("impulse_factor"),
+        ),
+    ),
+    "harmonic_table": Tool(
+        "harmonics.harmonic_table",
+        "Frequencies and amplitudes of the harmonics of one frequency.",
+        ("values", "sample_rate"),
+        (
+            Output("harmonic", "harmonic"),
+            Output("frequency", "harmonic", "Hz"),
+            Output("amplitude", "harmonic", "{u}"),
+            Output("background", "harmonic", "{u}"),
+            Output("fundamental", "", "Hz"),
+            Output("lost"),
+        ),
+    ),
+    "sideband_table": Tool(
+        "sidebands.sideband_table",
+        "Sidebands of a mesh frequency at distances of a shaft's.",
+        ("values", "sample_rate"),
+        (
+            Output("harmonic", "harmonic"),
+            Output("order", "sideband", name="sideband"),
+            Output("frequency", "harmonic sideband", "Hz"),
+            Output("amplitude", "harmonic sideband", "{u}"),
+            Output("level", "harmonic sideband", "dB"),
+            Output("background", "harmonic sideband", "{u}"),
+            Output("ratio", "harmonic"),
+            Output("index", "harmonic", "{u}"),
+            Output("asymmetry", "harmonic distance"),
+            Output("lost"),
+        ),
+    ),
+    "envelope": Tool(
+        "envelope.band_envelope",
+        "Amplitude of a band over time.",
+        ("values", "sample_rate"),
+        (Output("envelope", "time", "{u}"), Output("low", "", "Hz"), Output("high", "", "Hz")),
+    ),
+    "envelope_spectrum": Tool(
+        "envelope.envelope_spectrum",
+        "Amplitudes of the envelope of a band over frequency.",
+        ("values", "sample_rate"),
+        _spectrum("frequency", "Hz", "{squared}"),
+        "spectrum",
+    ),
+    "kurtogram": Tool(
+        "kurtogram.kurtogram",
+        "Kurtosis of the envelopes of all bands: where impacts ring.",
+        ("values", "sample_rate"),
+        (
+            Output("level", "band"),
+            Output("low", "band", "Hz"),
+            Output("high", "band", "Hz"),
+            Output("kurtosis", "band"),
+            Output("spread", "band"),
+            Output("best_low", "", "Hz"),
+            Output("best_high", "", "Hz"),
+            Output("best_kurtosis"),
+            Output("best_spread"),
+        ),
+    ),
+    "real_cepstrum": Tool(
+        "cepstrum.real_cepstrum", "Families of lines over their period.", ("values", "sample_rate"), _CEPSTRUM
+    ),
+    "power_cepstrum": Tool(
+        "cepstrum.power_cepstrum", "Echoes and families of lines.", ("values", "sample_rate"), _CEPSTRUM
+    ),
+    "synchronous_average": Tool(
+        "synchronous_average.synchronous_average",
+        "One mean turn of a shaft.",
+        ("values", "angle"),
+        (
+            Output("angle", "angle", "rad"),
+            Output("values", "angle", "{u}"),
+            Output("averages"),
+            Output("scatter", "", "{u}"),
+            Output("highest_order"),
+        ),
+    ),
+    "gear_signals": Tool(
+        "gear_signals.gear_signals",
+        "Regular, residual and difference signal of a mean turn.",
+        ("average",),
+        (
+            Output("regular", "angle", "{u}"),
+            Output("residual", "angle", "{u}"),
+            Output("difference", "angle", "{u}"),
+            Output("mesh_orders", "harmonic"),
+        ),
+    ),
+    "gear_indicators": Tool(
+        "gear_indicators.gear_indicators",
+        "FM0, FM4, M6A, M8A and others of a mean turn.",
+        ("average",),
+        (
+            Output("fm0"),
+            Output("fm4"),
+            Output("m6a"),
+            Output("m8a"),
+            Output("energy_operator"),
+            Output("sideband_level_factor"),
+        ),
+    ),
+    "white_noise": Tool(
+        "noise.with_white_noise",
+        "The signal with noise of a stated ratio.",
+        ("values",),
+        (
+            Output("values", "time", "{u}"),
+            Output("noise", "time", "{u}"),
+            Output("signal_rms", "", "{u}"),
+            Output("noise_deviation", "", "{u}"),
+        ),
     ),
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -31,6 +32,13 @@ def _tools() -> str:
 @click.option(
     "--angle", metavar="NAME", help="Channel with angle [rad] or speed [rad/s] of the shaft of the orders."
 )
+@click.option("--tacho", metavar="NAME", help="Channel with tacho pulses of that shaft, instead of --angle.")
+@click.option(
+    "--pulses-per-revolution",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Pulses of the tacho in one turn.",
+)
 @quantity("--sample-rate", "frequency", "Sample rate, where the file does not say it.")
 @click.option(
     "--unit", "units", multiple=True, metavar="NAME=UNIT", help="Unit of a channel, such as acc='50 m/s^2'."
@@ -54,6 +62,7 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
     Without TOOL the channels of FILE are listed, without FILE the tools.
     """
     from pitchpoint.analysis.dataset import analyse as apply
+    from pitchpoint.analysis.shaft_channel import with_shaft_angle
     from pitchpoint.io.measured.reading import read_measured
     from pitchpoint.io.target import check_target
 
@@ -62,10 +71,15 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
     targets = {
         kind: check_target(options[key], kind, [file]) for key, kind in _TARGETS.items() if options[key]
     }
-    chosen = list(dict.fromkeys([*options["channels"], *([options["angle"]] if options["angle"] else [])]))
+    tacho, angle = options["tacho"], options["angle"]
+    _one_shaft(tacho, angle, options["pulses_per_revolution"])
+    chosen = list(dict.fromkeys([*options["channels"], *(n for n in (angle, tacho) if n)]))
     wanted = chosen if options["channels"] else None
     units = _pairs(options["units"], "--unit")
     record = read_measured(file, sample_rate=options["sample_rate"], channels=wanted, units=units)
+    if tacho is not None:
+        record = with_shaft_angle(record, tacho, pulses_per_revolution=options["pulses_per_revolution"])
+        angle = f"angle[{tacho}]"
     notes = [note for note in str(record.attrs.get("notes", "")).split("; ") if note]
     lost = _lost(record, options["lines"])
     notes += [lost] if lost else []
@@ -73,7 +87,7 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
         return _list_channels(file, record, notes, as_json)
     names = options["channels"][0] if len(options["channels"]) == 1 else list(options["channels"]) or None
     settings = {name: value_of(text) for name, text in _pairs(options["settings"], "--option").items()}
-    result = apply(record, tool, channel=names, angle=options["angle"], **settings)
+    result = apply(record, tool, channel=names, angle=angle, **settings)
     _write(targets, record, result, notes)
     if as_json:
         return emit_json(_plain(result, notes))
@@ -87,6 +101,14 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
 
 
 _TARGETS = {"csv": "analysis", "html": "page"}
+
+
+def _one_shaft(tacho: str | None, angle: str | None, pulses: int | None) -> None:
+    """Refuse what does not say one shaft."""
+    if tacho is not None and angle is not None:
+        raise click.UsageError("--tacho and --angle both name the shaft; give one of them")
+    if (tacho is None) != (pulses is None):
+        raise click.UsageError("--tacho and --pulses-per-revolution belong together; give both")
 
 
 def value_of(text: str) -> Any:
@@ -109,6 +131,8 @@ def value_of(text: str) -> Any:
             return kind(text)
         except ValueError:
             pass
+    if re.fullmatch(r"\d+/[1-9]\d*", text):
+        return Fraction(text)
     if "," in text:
         return tuple(value_of(part) for part in text.split(","))
     if _QUANTITY.fullmatch(text):

@@ -109,6 +109,29 @@ def test_orders_of_a_simulated_run(tmp_path, capsys):
     assert "peak 1" in capsys.readouterr().out
 
 
+def test_orders_by_a_tacho(tmp_path, capsys):
+    time = np.arange(20_000) / 5000.0
+    turned = 2 * np.pi * (10.0 * time + 2.0 * time**2)
+    pulses = 5.0 * (np.mod(turned, 2 * np.pi) < 0.5)
+    path = tmp_path / "run.csv"
+    table = np.column_stack((pulses, 3.0 * np.cos(21 * turned)))
+    np.savetxt(path, table, delimiter=";", header="tacho [V];acc [m/s^2]", comments="", fmt="%.6f")
+    arguments = ["analyse", str(path), "tracked_spectrum", "-c", "acc", "--sample-rate", "5 kHz"]
+    arguments += ["-O", "highest_order=30"]
+    found = json_of([*arguments, "--tacho", "tacho", "--pulses-per-revolution", "1"], capsys)
+    amplitude, order = (np.array(found["variables"][n]["values"]) for n in ("amplitude", "order"))
+    # edges fall between samples: at 26 turns/s one sample is 0.033 rad, a ninth of a period of order 21
+    assert order[2 + np.argmax(amplitude[2:])] == 21.0 and amplitude.max() == pytest.approx(3.0, rel=0.05)
+    assert found["angle"] == "angle[tacho]"
+    assert "belong together" in refusal([*arguments, "--tacho", "tacho"], capsys)
+    both = ["--tacho", "tacho", "--pulses-per-revolution", "1", "--angle", "acc"]
+    assert "both name the shaft" in refusal([*arguments, *both], capsys)
+    assert "angle: is not named" in refusal(arguments, capsys)
+    assert "did you mean tacho?" in refusal(
+        [*arguments, "--tacho", "tach", "--pulses-per-revolution", "1"], capsys
+    )
+
+
 def test_several_channels_in_one_go(tmp_path, capsys):
     path = tmp_path / "a.wav"
     files.write_wav(path)
