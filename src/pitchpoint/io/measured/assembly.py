@@ -74,7 +74,10 @@ def assemble(
         if any(scale):
             attributes["scale"] = "; ".join(text for text in scale if text)
         if not known:
-            notes.append(f"{column.name}: unit {unit!r} is not converted to SI")
+            gravity = f" (if it is an acceleration, say units={{{column.name!r}: '9.80665 m/s^2'}})"
+            notes.append(
+                f"{column.name}: unit {unit!r} is not converted to SI{gravity if unit == 'g' else ''}"
+            )
         if np.ptp(values) == 0.0:
             notes.append(f"{column.name}: is constant ({values[0]:g} {unit}".rstrip() + ")")
         variables[column.name] = ("time", values, attributes)

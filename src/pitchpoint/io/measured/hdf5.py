@@ -109,9 +109,6 @@ def read_hdf5(path: Path, wanted: Wanted) -> Record:
             return found.record(wanted)
     except MeasuredError:
         raise
-    except MemoryError:
-        remedy = "choose fewer channels="
-        raise refused(path, "", "", "asks for more memory than there is", None, remedy) from None
     except DAMAGE as error:
         raise _damaged(path, error, "copy it again from where it was recorded") from error
 

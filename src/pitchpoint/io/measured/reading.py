@@ -81,16 +81,15 @@ def read_measured(
     >>> data["force"].values.tolist(), data["force"].units, data.sample_rate
     ([1500.0, 2500.0], 'N', 2000.0)
     """
-    from pitchpoint.io.measured.assembly import assemble, unknown_channels
+    from pitchpoint.io.measured.assembly import assemble
 
     place = Path(path)
     data = _contents(place)
-    form = _form(place, data)
-    reader = _reader(place, data, form)
-    asked = (channels,) if isinstance(channels, str) else None if channels is None else tuple(channels)
-    record = reader(Wanted(asked))
-    if asked is not None and len(record.columns) < len(asked):
-        unknown_channels(place, asked, [c.name for c in reader(Wanted()).columns])
+    try:
+        record, asked = _record(place, data, channels)
+    except MemoryError:
+        remedy = "choose fewer channels=, or cut it into shorter records"
+        raise refused(place, "", "", "asks for more memory than there is", None, remedy) from None
     return assemble(
         place,
         record,
@@ -99,6 +98,20 @@ def read_measured(
         units=dict(units or {}),
         digest=hashlib.sha256(data).hexdigest(),
     )
+
+
+def _record(
+    path: Path, data: bytes, channels: Sequence[str] | str | None
+) -> tuple[Record, tuple[str, ...] | None]:
+    """What the file says, and the channels that are asked for."""
+    from pitchpoint.io.measured.assembly import unknown_channels
+
+    reader = _reader(path, data, _form(path, data))
+    asked = (channels,) if isinstance(channels, str) else None if channels is None else tuple(channels)
+    record = reader(Wanted(asked))
+    if asked is not None and len(record.columns) < len(asked):
+        unknown_channels(path, asked, [c.name for c in reader(Wanted()).columns])
+    return record, asked
 
 
 def _contents(path: Path) -> bytes:
