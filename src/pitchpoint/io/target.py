@@ -70,7 +70,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "result": ("a readable result file of pitchpoint", _is_result),
     "page": ("an HTML page of pitchpoint", _marked(b"<!DOCTYPE html>", PAGE_MARK)),
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
-    "analysis": ("a table of an analysis by pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),
+    "analysis": ("a table of an analysis of pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint gear")),
