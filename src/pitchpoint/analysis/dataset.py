@@ -33,6 +33,7 @@ _WORDS = {
     "Fraction": "a fraction",
     "tuple": "two numbers",
     "Sequence": "several whole numbers",
+    "ArrayLike": "one or more numbers",
 }
 _MAKERS = {
     "samples_per_revolution": "resample_over_angle, or use tracked_spectrum",
@@ -190,16 +191,20 @@ def _option(tool: str, name: str, kind: str, value: Any) -> Any:
     raise SignalError(f"{tool}: option {name} is {value!r} (limit {expected}); correct it")
 
 
-def _numbers(kind: str, value: Any) -> tuple[float, ...] | list[int] | None:
-    """Several numbers as `tuple[float, float]` or `Sequence[int]` ask for; None if they are others."""
-    if not kind.startswith(("tuple[", "Sequence[")) or isinstance(value, str):
+def _numbers(kind: str, value: Any) -> tuple[float, ...] | list[int] | list[float] | None:
+    """Several numbers as `tuple[float, float]`, `Sequence[int]` or `ArrayLike` ask for."""
+    if not kind.startswith(("tuple[", "Sequence[", "ArrayLike")) or isinstance(value, str):
         return None
     try:
         items = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
         return None
+    if kind == "ArrayLike":
+        items = np.atleast_1d(items)
     if items.ndim != 1 or not np.all(np.isfinite(items)):
         return None
+    if kind == "ArrayLike":
+        return [float(v) for v in items]
     if kind.startswith("tuple["):
         return tuple(map(float, items)) if items.size == kind.count(",") + 1 else None
     return [int(v) for v in items] if "int" in kind and np.array_equal(items, np.round(items)) else None

@@ -63,6 +63,8 @@ class Tool:
         Fields of the result.
     picture
         How it is drawn: `spectrum`, `order_spectrum`, `order_map`, `time_frequency`, or `lines`.
+    without
+        Fields that have no place in a dataset: lists of arrays of different lengths, records of other kinds.
     """
 
     home: str
@@ -70,6 +72,7 @@ class Tool:
     takes: tuple[str, ...]
     outputs: tuple[Output, ...]
     picture: str = "lines"
+    without: tuple[str, ...] = ()
 
     def load(self) -> Callable[..., Any]:
         """The function."""

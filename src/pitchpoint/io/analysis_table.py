@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+_FEW = 200
+
+
 def table_text(result: xr.Dataset) -> str:
     """Text of the file: columns `name [unit]`; maps have a row for each of their points.
 
@@ -31,6 +34,10 @@ def table_text(result: xr.Dataset) -> str:
     # one grid per file, or readers would not know where the next begins: the finest one, with all on it
     for dims in sorted(grids, key=len)[-1:]:
         names = [name for name, v in result.data_vars.items() if v.dims and set(v.dims) <= set(dims)]
+        for name, v in result.data_vars.items():
+            if v.dims and name not in names:
+                values = v.values.tolist() if v.size <= _FEW else "not in this table"
+                lines.append(f"# {_head(result, name)} over {', '.join(map(str, v.dims))}: {values}")
         heads = [str(dim) if dim not in result.coords else _head(result, dim) for dim in dims]
         lines.append(",".join(_quoted(head) for head in (*heads, *(_head(result, name) for name in names))))
         shape = tuple(result.sizes[dim] for dim in dims)

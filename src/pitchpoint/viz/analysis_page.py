@@ -15,7 +15,7 @@ from pitchpoint.analysis.time_frequency import TimeFrequencyMap
 from pitchpoint.analysis.tools import TOOLS
 from pitchpoint.viz import spectrum_plots, theme
 from pitchpoint.viz.decimation import kept_samples
-from pitchpoint.viz.quantities import channels, pretty, scale
+from pitchpoint.viz.quantities import channels, scale
 from pitchpoint.viz.report_page import Section, page
 from pitchpoint.viz.signals_plot import plot_signals
 
@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
     import xarray as xr
 
-_POINTS = 8000
+_POINTS, _ROWS = 8000, 12
+"""Points of a curve, and rows of a table that get a picture each."""
 _LOGARITHMIC = 1e3
 """Ratio of largest to median value from which positive numbers are drawn over a logarithmic axis."""
 
@@ -98,8 +99,20 @@ def plot_analysis(result: xr.Dataset, channel: str) -> list[go.Figure]:
         if kind == "order_map":
             return [spectrum_plots.plot_order_map(OrderMap(**arrays), unit=unit, quantity=channel)]
         return [spectrum_plots.plot_time_frequency(TimeFrequencyMap(**arrays), unit=unit, quantity=channel)]
-    curves = [str(n) for n, v in result.data_vars.items() if len(v.dims) == 1 and v.dtype.kind in "fiu"]
-    return [_curve(result, name, channel) for name in curves if result[name].dims[0] in result.coords]
+    figures = []
+    for name, variable in result.data_vars.items():
+        if not variable.dims or variable.dtype.kind not in "fiu" or variable.dims[-1] not in result.coords:
+            continue
+        if variable.ndim == 1:
+            figures.append(_curve(result, variable, f"{_words(name)}, {channel}"))
+        elif variable.ndim == 2 and variable.shape[0] <= _ROWS:
+            first = str(variable.dims[0])
+            labels = result[first].values if first in result.coords else range(variable.shape[0])
+            figures += [
+                _curve(result, variable[k], f"{_words(name)}, {_words(first)} {_label(label)}, {channel}")
+                for k, label in enumerate(labels)
+            ]
+    return figures
 
 
 def spectrum_of(result: xr.Dataset, axis: str) -> Spectrum:
@@ -124,27 +137,33 @@ def _signals(record: xr.Dataset, names: Sequence[str]) -> Section:
     return section
 
 
-def _curve(result: xr.Dataset, name: str, channel: str) -> go.Figure:
-    """One variable over its dimension."""
+def _curve(result: xr.Dataset, variable: xr.DataArray, words: str) -> go.Figure:
+    """One row of numbers over its dimension."""
     import plotly.graph_objects as go
 
-    axis = str(result[name].dims[0])
-    x, y = (np.asarray(result[n].values, dtype=np.float64) for n in (axis, name))
-    across, unit = scale(str(result[axis].attrs["units"]), x), str(result[name].attrs["units"])
-    words = f"{name.replace('_', ' ')}, {channel}"
-    shown = pretty("" if unit == "1" else unit)
-    title = f"{words} [{shown}]" if shown else words
-    figure = go.Figure(layout=theme.layout(across.title(axis.replace("_", " ")), title, height=340))
+    axis = str(variable.dims[0])
+    x, y = (np.asarray(v.values, dtype=np.float64) for v in (result[axis], variable))
+    across, unit = scale(str(result[axis].attrs.get("units", "")), x), str(variable.attrs["units"])
+    best = scale(unit, y)
+    figure = go.Figure(layout=theme.layout(across.title(_words(axis)), best.title(words), height=340))
     kept = kept_samples(y, _POINTS)
     figure.add_scatter(
         x=(x[kept] * across.factor).astype(np.float32),
-        y=y[kept].astype(np.float32),
+        y=(y[kept] * best.factor).astype(np.float32),
         mode="lines",
-        name=name,
-        line={"color": theme.colour_of(name, 0), "width": 1.3, "simplify": False},
+        name=words,
+        line={"color": theme.colour_of(str(variable.name), 0), "width": 1.3, "simplify": False},
     )
     positive = y[y > 0.0]
     if y.size and y.min() >= 0.0 and positive.size and y.max() > _LOGARITHMIC * np.median(positive):
         figure.update_yaxes(type="log", exponentformat="power")
     figure.update_layout(showlegend=False)
     return figure
+
+
+def _words(name: object) -> str:
+    return str(name).replace("_", " ")
+
+
+def _label(value: object) -> str:
+    return f"{value:g}" if isinstance(value, int | float | np.number) else str(value)
