@@ -279,7 +279,8 @@ def _dataset_of(result: Any, row: Tool, channel: xr.DataArray, *, squared: bool)
     dims = {d for output in row.outputs for d in output.dims.split()}
     coords = {name: variables.pop(name) for name in [n for n in variables if n in dims]}
     for dim in (dims - set(coords)) & set(channel.coords):
-        coords[dim] = channel[dim].variable
+        words = {"units": {"time": "s", "angle": "rad"}.get(dim, ""), "long_name": dim}
+        coords[dim] = (dim, channel[dim].values, words)
     return xr.Dataset(variables, coords=coords)
 
 
