@@ -43,6 +43,8 @@ STEPS_PER_LINE = 2.0
 """Trial frequencies per width 1/record of a line, counted at the fastest line of the comb."""
 EXAMINED, IMPROVED = 12, 3
 """How many of the highest peaks of the coarse score are tested, and how many of these are improved."""
+HIGHEST_SHARE = 0.45
+"""Highest line by the sample rate, below what filters before the sampling take away."""
 CLEAR_LINE = 0.1
 """Chance below which a fast line helps to fit the period."""
 MOST_TRIALS = 200_000
@@ -134,7 +136,7 @@ def period_evidence(
     harmonics
         Highest multiple K of 1/T [-].
     highest_frequency
-        Lines above are left out [Hz]; default K over the shortest period.
+        Lines above are left out [Hz]; default K over the shortest period, at most 0.45 f_s.
     tolerance
         Relative uncertainty of the periods [-].
 
@@ -146,7 +148,7 @@ def period_evidence(
     Raises
     ------
     SignalError
-        If a number is not positive, or the sample rate is too low for the lines.
+        If a number is not positive or a highest frequency is not below f_s/2.
 
     Notes
     -----
@@ -170,8 +172,9 @@ def period_evidence(
     """
     wanted = as_signal(periods, "periods", 1)
     harmonics = _whole(harmonics)
-    top = harmonics / min(positive(float(T), "period") for T in wanted)
-    record = record_for_combs(values, sample_rate, _top(highest_frequency, top), known)
+    shortest = min(positive(float(T), "period") for T in wanted)
+    top = _top(highest_frequency, harmonics, shortest, sample_rate)
+    record = record_for_combs(values, sample_rate, top, known)
     found = np.array(wanted)
     p_values = np.full(wanted.size, np.nan)
     lines = np.zeros(wanted.size, dtype=np.int64)
@@ -223,7 +226,7 @@ def find_period(
     harmonics
         Highest multiple K of 1/T [-].
     highest_frequency
-        Lines above are left out [Hz]; default K over the shortest period.
+        Lines above are left out [Hz]; default K over the shortest period, at most 0.45 f_s.
     false_alarm
         Chance of finding something in noise that is allowed [-], for the whole search.
 
@@ -235,7 +238,7 @@ def find_period(
     Raises
     ------
     SignalError
-        If the limits are out of order or longer than half the record, or the sample rate is too low.
+        If the limits are out of order or longer than half the record, or allow too many trials.
 
     Notes
     -----
@@ -265,7 +268,8 @@ def find_period(
     low, high = positive(shortest, "shortest"), positive(longest, "longest")
     allowed = positive(false_alarm, "false_alarm")
     harmonics = _whole(harmonics)
-    record = record_for_combs(values, sample_rate, _top(highest_frequency, harmonics / low), known)
+    top = _top(highest_frequency, harmonics, low, sample_rate)
+    record = record_for_combs(values, sample_rate, top, known)
     if not low < high <= 0.5 * record.duration * (1.0 + 1e-9):
         raise SignalError(
             f"shortest, longest: {low:.6g} and {high:.6g} s (limits 0 to {0.5 * record.duration:.6g} s, half "
@@ -297,11 +301,10 @@ def _whole(harmonics: int) -> int:
     return int(harmonics)
 
 
-def _top(highest_frequency: float | None, default: float) -> float:
-    """Highest frequency of a line; what the caller says may only lower it."""
-    if highest_frequency is None:
-        return default
-    return min(default, positive(highest_frequency, "highest_frequency"))
+def _top(highest_frequency: float | None, harmonics: int, shortest: float, sample_rate: float) -> float:
+    """Highest frequency of a line: what K, the sample rate and the caller leave."""
+    top = min(harmonics / shortest, HIGHEST_SHARE * positive(sample_rate, "sample_rate"))
+    return top if highest_frequency is None else min(top, positive(highest_frequency, "highest_frequency"))
 
 
 def _coarse(record: Record, low: float, high: float, harmonics: int) -> tuple[Array, Array]:
