@@ -13,7 +13,8 @@ from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.elements.gear_mesh import gear_mesh
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.channels import CTL, FRAME
-from pitchpoint.system.rules.gear_mesh import MeshLaws, Placement, mesh_row
+from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
+from pitchpoint.system.rules.mesh_laws import MeshLaws
 
 OUT = {name: k for k, (name, _, _) in enumerate(layout.OUTPUTS)}
 
@@ -79,11 +80,33 @@ class OneMesh:
 
     def separate(self, grid1, grid2):
         """Give both gears grids of gaps [flank, tooth, width, roll] over their whole flanks."""
-        for k, grid in enumerate((grid1, grid2), start=1):
-            self.rec[f"n_t{k}"], self.rec[f"sep{k}"] = grid.shape[1], self._keep(grid)
-            reach = abs(float(self.row[f"rho_a{k}"]))
-            self.rec[f"roll{k}"] = 0.3 * reach, 1.1 * reach
-        self.rec["n_sz"], self.rec["n_sx"] = grid1.shape[2:]
+        self.own(gap=(grid1, grid2))
+
+    def own(self, **layers):
+        """Give teeth of both gears grids of their own, over their whole flanks.
+
+        `gap`, `soft` and `level` are pairs of arrays [flank, tooth, width, roll], None for a gear without;
+        gap and soft share their stations.
+        """
+        for gear in range(2):
+            grids = {k: v[gear] for k, v in layers.items() if v[gear] is not None}
+            n_t = next((g.shape[1] for g in grids.values()), 1)
+            table = np.full((2, n_t, layout.N_ROW), -1.0)
+            for stack, names in enumerate((("gap", "soft"), ("level",))):
+                rows = []
+                for layer, name in enumerate(names, start=2 * stack):
+                    if name in grids:
+                        table[:, :, layer] = len(rows) + np.arange(2 * n_t).reshape(2, n_t)
+                        rows += list(grids[name].reshape(-1, *grids[name].shape[2:]))
+                if rows:
+                    self.rec["sep"][0, 2 * stack + gear] = self._keep(np.array(rows))
+                    self.rec["n_sz"][0, 2 * stack + gear] = rows[0].shape[0]
+                    self.rec["n_sx"][0, 2 * stack + gear] = rows[0].shape[1]
+                    table[:, :, 3 + 2 * stack : 5 + 2 * stack] = 0, rows[0].shape[0] - 1
+            self.rec["n_t"][0, gear], self.rec["teeth"][0, gear] = n_t, self._keep(table)
+            reach = abs(float(self.row[f"rho_a{gear + 1}"]))
+            self.rec["roll"][0, gear] = 0.3 * reach, 1.1 * reach
+        self.rec["n_sep"] = 1
         self.pool = np.concatenate([*self.kept, np.zeros(1)])
         self.rec["pool"] = self.pool.ctypes.data
 

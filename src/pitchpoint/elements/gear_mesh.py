@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Gear mesh: force of two toothed bodies on each other, from their frames alone.
 
-Frame channel. `mesh_line` finds where the flanks are, `mesh_nodes` sums what they do along their contact
+Frame channel. `mesh_line` finds where the flanks are, `mesh_pairs` sums what they do along their contact
 lines, this file turns the sums into wrenches, tangents and observations. Forces act along the normal in the
 transverse plane of each flank plus their axial share: N_f = n_f - f tan(beta_b) m per unit of base-tangent
 force.
@@ -39,7 +39,8 @@ from pitchpoint.elements.mesh_line import (
     pooled,
 )
 from pitchpoint.elements.mesh_motion import motion, spin_motion
-from pitchpoint.elements.mesh_nodes import phase_flank, profile_flank
+from pitchpoint.elements.mesh_nodes import phase_flank
+from pitchpoint.elements.mesh_pairs import profile_flank
 from pitchpoint.elements.mesh_separation import (
     add_roll_tangent,
     begin_separation,
@@ -169,7 +170,7 @@ def _sum(b, ctl, watch, x_0):
     else:
         b["tilt"] = b["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
         b["growth"] = (b["hi_rate"] - b["lo_rate"]) / (b["z_hi"] - b["z_lo"])
-        if b["n_sz"] > 0:
+        if b["n_sep"] > 0:
             begin_separation(b)
         profile_flank(b, ctl, watch, x_0)
     return OK
@@ -208,6 +209,7 @@ def _write(b, out, psi, damper, rate):
     out[k + 4] = psi
     out[k + 11] += damper * rate
     out[k + 12] -= damper * b["e_rate"]
+    out[k + 14] = (abs(b["u"] - b["e_t"]) - 0.5 * b["gap"]) / math.sqrt(1.0 + b["tan_b"] * b["tan_b"])
 
 
 @kernel

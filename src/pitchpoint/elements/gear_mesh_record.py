@@ -29,6 +29,10 @@ N_ACC = 31
 ROLL = 25
 NEAREST = 30
 
+#: What the table of a gear holds for a tooth: row of its gap, of its added compliance and of its level, -1
+#: where it has none; first and last station between which gap and compliance, and the level, change over z.
+N_ROW = 7
+
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
 _GEOMETRY = [
@@ -64,7 +68,8 @@ _GEOMETRY = [
 _STIFFNESS = [
     ("source", "i8"),
     ("slices", "i8"),  # 0: exact width integral
-    ("c_prime", "f8"),  # PROFILE: stiffness of one pair per face width [N/m^2]; PHASE: mean total [N/m]
+    ("c_prime", "f8"),  # PROFILE: of one pair per face width [N/m^(power + 1)]; PHASE: mean total [N/m]
+    ("power", "f8"),  # PROFILE: exponent of the elastic force over the penetration; 1 is linear
     ("S_R", "f8"),
     ("T_R", "f8"),
     ("n_table", "i8"),
@@ -77,7 +82,8 @@ _STIFFNESS = [
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
-    ("k_ref", "f8"),  # mean mesh stiffness, the reference of the damping shares [N/m]
+    ("k_ref", "f8"),  # mean mesh stiffness, the reference of the damping shares [N/m^power]
+    ("k_step", "f8"),  # usual slope of the force, from which time steps are guessed [N/m]
 ]
 
 _LOSSES = [
@@ -85,9 +91,12 @@ _LOSSES = [
     ("d_out", "f8"),  # contact damping at k_ref [N s/m]
     ("s_0", "f8"),  # penetration of full damping
     ("smooth", "i8"),  # 0: the damping grows in proportion up to s_0, 1: by a smooth cubic
+    ("chi", "f8"),  # instead: share of the elastic force per speed of approach [s/m], 0: none
     ("d_gap", "f8"),  # mesh damper, acts inside the gap too [N s/m]
     ("mu", "f8"),
-    ("v_eps", "f8"),  # friction
+    ("v_eps", "f8"),  # dynamic coefficient of friction and the sliding velocity from which on it holds [m/s]
+    ("mu_s", "f8"),
+    ("v_s", "f8"),  # static coefficient and its sliding velocity, 0 < v_s < v_eps [m/s]
 ]
 
 _EXCITATION = [
@@ -100,17 +109,13 @@ _EXCITATION = [
     ("e2", "i8"),
     ("t1_0", "i8"),
     ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
-    ("n_t1", "i8"),  # separation grids: teeth, stations over the width, stations over the path
-    ("n_t2", "i8"),
-    ("n_sz", "i8"),
-    ("n_sx", "i8"),
-    ("sep1", "i8"),
-    (
-        "sep2",
-        "i8",
-    ),  # offsets: grids [flank, tooth, width, roll] of gap along the base tangent [m]
-    ("roll1", "f8", 2),
-    ("roll2", "f8", 2),  # lengths of roll that the grids span [m]
+    ("n_sep", "i8"),  # 1: some teeth have grids of their own, see `mesh_separation`
+    ("n_t", "i8", 2),  # teeth that the tables of both gears tell apart
+    ("teeth", "i8", 2),  # offsets of these tables [flank, tooth, N_ROW]
+    ("n_sz", "i8", 4),
+    ("n_sx", "i8", 4),  # stations over width and roll: gaps of gear 1, of gear 2, levels of gear 1, of gear 2
+    ("sep", "i8", 4),  # offsets of the stacks of grids [row, width, roll], likewise
+    ("roll", "f8", (2, 2)),  # lengths of roll that the grids of both gears span [m]
     ("sep_min", "f8"),  # smallest sum of both separations
 ]
 
@@ -160,8 +165,9 @@ _SCRATCH = [
     ("tilt", "f8"),  # loss of penetration per width along a contact line
     ("tan_a", "f8"),
     ("tan_rate", "f8"),  # tan alpha and its rate, where flanks have separations
-    ("per_z", "f8", 2),
-    ("per_roll", "f8", 2),  # steps of the grids of both gears per metre
+    ("per_z", "f8", 4),
+    ("per_roll", "f8", 4),  # steps of the grids per metre
+    ("rows", "i8", (2, N_ROW)),  # rows of the two teeth that make a pair
     ("growth", "f8"),  # rate of the shared width over itself, where the stiffness grows with it
     ("z_lo", "f8"),
     ("z_hi", "f8"),  # shared face width
@@ -210,6 +216,7 @@ OUTPUTS = (
     ("damping_power", "W", "power lost to contact damping and mesh damper"),
     ("parametric_power", "W", "power fed in by what moves with the mesh phase: stiffness and excitation"),
     ("elastic_energy", "J", "energy stored in the flanks"),
+    ("penetration", "m", "overlap of the flanks normal to them at the pitch point, below 0 their distance"),
 )
 N_OUT = len(OUTPUTS)
 

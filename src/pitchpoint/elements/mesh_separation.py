@@ -1,12 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gap between two modified flanks: grids of both gears, read at the point of contact."""
+"""What flanks have of their own besides the involute: grids of both gears, read at the point of contact.
+
+Of every gear there are two stacks of grids over its width and its length of roll. The first holds gaps along
+the base tangent and added compliances, both from station to station; the second, finer where it has to be,
+levels: what is broken or worn out of the flank is the positive part of a level, whose zero line is the edge.
+A table per gear says for every flank and tooth which rows of the stacks are its own, and between which
+stations they change over the width; a tooth without rows is nominal.
+"""
 
 from __future__ import annotations
 
+import math
+
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.elements.gear_mesh_record import ROLL
+from pitchpoint.elements.gear_mesh_record import N_ROW, ROLL
 from pitchpoint.elements.mesh_line import pooled
 from pitchpoint.multibody.channels import F8
+
+_NEAR = 1e-9
+"""Part of a cell that a station may lie before the end of a piece without making one of its own."""
 
 
 @kernel
@@ -14,47 +26,139 @@ def begin_separation(b):
     """What all nodes of a flank need to read the grids, into the scratch."""
     b["tan_a"] = b["sin_a"] / b["cos_a"]
     b["tan_rate"] = b["xi_A_rate"] / b["r_b2"]
-    b["per_z"][0] = (b["n_sz"] - 1) / b["b1"]
-    b["per_z"][1] = (b["n_sz"] - 1) / b["b2"]
-    b["per_roll"][0] = (b["n_sx"] - 1) / (b["roll1"][1] - b["roll1"][0])
-    b["per_roll"][1] = (b["n_sx"] - 1) / (b["roll2"][1] - b["roll2"][0])
+    for s in range(4):
+        gear = s % 2
+        b["per_z"][s] = (b["n_sz"][s] - 1) / (b["b1"] if gear == 0 else b["b2"])
+        b["per_roll"][s] = (b["n_sx"][s] - 1) / (b["roll"][gear, 1] - b["roll"][gear, 0])
 
 
 @kernel
 def runs_damped(b):
     """Whether contact damping feels how fast contacts run over separated flanks."""
-    return b["n_sz"] > 0 and (b["d_in"] > 0.0 or b["d_out"] > 0.0)
+    return b["n_sep"] > 0 and (b["d_in"] > 0.0 or b["d_out"] > 0.0 or b["chi"] > 0.0)
 
 
-@kernel(inline=True)
-def pair_separation(b, teeth, z, xi, z_rate, xi_rate):
-    """Material missing at width z and path position xi [m] on both of two teeth, along the base tangent.
-
-    Also its rate where the place moves at z_rate and xi_rate [m/s], and its slope over xi.
-    """
-    tan_a = b["tan_a"]
+@kernel
+def find_rows(b, teeth):
+    """Whether one of two teeth has rows of its own; they go into the scratch."""
     flank = 0 if b["flank"] > 0 else 1
-    nz = b["n_sz"]
-    nx = b["n_sx"]
-    # z counts from the plane of the pitch point; each grid has its own mid-face
+    found = False
+    for gear in range(2):
+        n = b["n_t"][gear]
+        table = view(pooled(b, b["teeth"][gear]), (2, n, N_ROW), F8)
+        tooth = (teeth[0] if gear == 0 else teeth[1]) % n
+        for k in range(N_ROW):
+            b["rows"][gear, k] = int(table[flank, tooth, k])
+        if b["rows"][gear, 0] >= 0 or b["rows"][gear, 1] >= 0 or b["rows"][gear, 2] >= 0:
+            found = True
+    return found
+
+
+@kernel
+def _place_on(b, gear, z, xi):
+    """Place on the flank of a gear: width from its mid-face and length of roll [m].
+
+    z counts from the plane of the pitch point; each grid has its own mid-face.
+    """
     z1 = z + b["w1"] * b["dz"]
-    grid1 = view(pooled(b, b["sep1"]), (2, b["n_t1"], nz, nx), F8)
-    grid2 = view(pooled(b, b["sep2"]), (2, b["n_t2"], nz, nx), F8)
-    roll1 = xi + b["r_b1"] * tan_a
-    roll2 = b["r_b2"] * tan_a - xi
-    per_z = b["per_z"]
-    per_roll = b["per_roll"]
-    gap1, over_z1, over_roll1 = _gap(
-        grid1, flank, teeth[0] % b["n_t1"], z1, per_z[0], roll1, b["roll1"][0], per_roll[0]
-    )
-    gap2, over_z2, over_roll2 = _gap(
-        grid2, flank, teeth[1] % b["n_t2"], z1 - b["dz"], per_z[1], roll2, b["roll2"][0], per_roll[1]
-    )
-    slope = over_roll1 - over_roll2
-    z1_rate = z_rate + b["w1"] * b["dz_rate"]
-    rate = slope * xi_rate + (over_roll1 * b["r_b1"] + over_roll2 * b["r_b2"]) * b["tan_rate"]
-    rate += over_z1 * z1_rate + over_z2 * (z1_rate - b["dz_rate"])
-    return gap1 + gap2, rate, slope
+    if gear == 0:
+        return z1, xi + b["r_b1"] * b["tan_a"]
+    return z1 - b["dz"], b["r_b2"] * b["tan_a"] - xi
+
+
+@kernel
+def pair_separation(b, z, xi, z_rate, xi_rate):
+    """What the two teeth of `find_rows` have of their own at width z and path position xi [m].
+
+    Gap along the base tangent [m], its rate where the place moves at z_rate and xi_rate [m/s], its slope over
+    xi; what is broken out [m] and its rate; added compliance per face width [m^2/N] and its rate.
+    """
+    gap = gap_rate = slope = level = level_rate = soft = soft_rate = 0.0
+    z_rate += b["w1"] * b["dz_rate"]
+    for gear in range(2):
+        at, roll = _place_on(b, gear, z, xi)
+        way = 1.0 if gear == 0 else -1.0
+        along = way * xi_rate + (b["r_b1"] if gear == 0 else b["r_b2"]) * b["tan_rate"]
+        across = z_rate if gear == 0 else z_rate - b["dz_rate"]
+        row = b["rows"][gear, 0]
+        if row >= 0:
+            value, over_z, over_roll = _read(b, gear, row, at, roll)
+            gap += value
+            gap_rate += over_z * across + over_roll * along
+            slope += way * over_roll
+        row = b["rows"][gear, 1]
+        if row >= 0:
+            value, over_z, over_roll = _read(b, gear, row, at, roll)
+            soft += value
+            soft_rate += over_z * across + over_roll * along
+        row = b["rows"][gear, 2]
+        if row >= 0:
+            value, over_z, over_roll = _read(b, 2 + gear, row, at, roll)
+            if value > 0.0:
+                level += value
+                level_rate += over_z * across + over_roll * along
+    return gap, gap_rate, slope, level, level_rate, soft, soft_rate
+
+
+@kernel
+def has_level(b, gear):
+    """Whether something may be broken out of the tooth of gear 1 or 2 (0 or 1)."""
+    return b["rows"][gear, 2] >= 0
+
+
+@kernel
+def level_at(b, gear, z, xi):
+    """Level of the tooth of gear 1 or 2 (0 or 1) at a place of a contact line [m]; below 0: whole."""
+    at, roll = _place_on(b, gear, z, xi)
+    return _read(b, 2 + gear, b["rows"][gear, 2], at, roll)[0]
+
+
+@kernel
+def gap_at(b, z, xi):
+    """All that both teeth lack at a place of a contact line [m]."""
+    gap = 0.0
+    for gear in range(2):
+        at, roll = _place_on(b, gear, z, xi)
+        row = b["rows"][gear, 0]
+        if row >= 0:
+            gap += _read(b, gear, row, at, roll)[0]
+        row = b["rows"][gear, 2]
+        if row >= 0:
+            gap += max(0.0, _read(b, 2 + gear, row, at, roll)[0])
+    return gap
+
+
+@kernel
+def softening_at(b, z, xi):
+    """Compliance that both teeth add at a place of a contact line [m^2/N]."""
+    soft = 0.0
+    for gear in range(2):
+        row = b["rows"][gear, 1]
+        if row >= 0:
+            at, roll = _place_on(b, gear, z, xi)
+            soft += _read(b, gear, row, at, roll)[0]
+    return soft
+
+
+@kernel
+def next_station(b, a, end):
+    """Where behind `a` a contact line crosses the next station over the width at which rows change."""
+    for s in range(4):
+        gear = s % 2
+        first = b["rows"][gear, 3 + 2 * (s // 2)]
+        last = b["rows"][gear, 4 + 2 * (s // 2)]
+        if last <= first:
+            continue
+        zero = 0.5 * (b["n_sz"][s] - 1) / b["per_z"][s]
+        shift = b["w1"] * b["dz"]
+        if gear == 1:
+            shift -= b["dz"]
+        i = max(first, int(math.floor((a + shift + zero) * b["per_z"][s] + _NEAR)) + 1)
+        if i <= last:
+            stop = i / b["per_z"][s] - zero - shift
+            if stop > a and stop < end:
+                end = stop
+    return end
 
 
 @kernel
@@ -89,18 +193,21 @@ def add_roll_tangent(b, kk, rows):
                 kk[b["jj"], k, 3 + n] += Bj * c2 * m[n]
 
 
-@kernel(inline=True)
-def _gap(grid, flank, tooth, z, per_z, roll, start, per_roll):
-    """Gap of one gear at width z from mid-face and length of roll |roll| [m], its slopes over z and roll.
+@kernel
+def _read(b, stack, row, z, roll):
+    """Value of a row at width z from mid-face and length of roll |roll| [m], its slopes over z and roll.
 
-    Bilinear between the points of grid[flank, tooth], constant beyond its edges; per_z and per_roll steps to
-    the metre, the first length of roll is `start`.
+    `stack` 0 and 1: gaps and compliances of gear 1 and 2; 2 and 3: levels. Bilinear between the stations,
+    constant beyond the edges.
     """
-    nz = grid.shape[2]
-    nx = grid.shape[3]
+    nz = b["n_sz"][stack]
+    nx = b["n_sx"][stack]
+    grid = view(pooled(b, b["sep"][stack] + row * nz * nx), (nz, nx), F8)
+    per_z = b["per_z"][stack]
+    per_roll = b["per_roll"][stack]
     sign = 1.0 if roll > 0.0 else -1.0
     z = z * per_z + 0.5 * (nz - 1)
-    x = (sign * roll - start) * per_roll
+    x = (sign * roll - b["roll"][stack % 2, 0]) * per_roll
     inside_z = per_z if z > 0.0 and z < nz - 1 else 0.0
     inside_x = sign * per_roll if x > 0.0 and x < nx - 1 else 0.0
     z = min(max(z, 0.0), nz - 1.0)
@@ -110,10 +217,10 @@ def _gap(grid, flank, tooth, z, per_z, roll, start, per_roll):
     i1 = min(i + 1, nz - 1)
     z -= i
     x -= j
-    a0 = grid[flank, tooth, i, j]
-    a1 = grid[flank, tooth, i1, j]
-    d0 = grid[flank, tooth, i, j + 1] - a0
-    d1 = grid[flank, tooth, i1, j + 1] - a1
+    a0 = grid[i, j]
+    a1 = grid[i1, j]
+    d0 = grid[i, j + 1] - a0
+    d1 = grid[i1, j + 1] - a1
     g0 = a0 + d0 * x
     g1 = a1 + d1 * x
     return g0 + (g1 - g0) * z, (g1 - g0) * inside_z, (d0 + (d1 - d0) * z) * inside_x

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError, PitchpointError, Problem
+from pitchpoint.model.fault_check import check_faults, hand_on
 from pitchpoint.model.keys import Place
 from pitchpoint.model.phasing import assemble
 from pitchpoint.model.read import Reader
@@ -23,14 +24,6 @@ OFFSET_TOLERANCE = 1e-4
 """Base pitches by which an assembly may stand beyond its backlash: what elastic teeth take up."""
 
 
-def hand_on(report: Reader, base: Place, problem: Problem, taint: bool = True) -> None:
-    """Report a problem of the geometry at the key that it names."""
-    place: Place = (*base, *(problem.where.split(".") if problem.where else ()))
-    report.problem(
-        place, problem.message, value=problem.value, limit=problem.limit, remedy=problem.remedy, taint=taint
-    )
-
-
 def check_gear(parts: Parts, name: str, report: Reader) -> None:
     """Report everything that makes one gear impossible; hands and modules of its pairs are still checked."""
     try:
@@ -43,6 +36,7 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
     if not problems:
         _check_modifications(parts.gears[name], ("gears", name, "modifications"), report)
         _check_deviations(parts.gears[name], ("gears", name, "deviations"), report)
+        check_faults(parts.gears[name], ("gears", name, "faults"), report)
         _check_wheel_body(parts.gears[name], ("gears", name), report)
 
 

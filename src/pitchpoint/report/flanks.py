@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.modifications import Deviations
+    from pitchpoint.model.components.tooth_faults import ToothFault
     from pitchpoint.model.model import Model
 
 HEIGHTS = ("profile_crowning", "lead_crowning", "profile_slope", "helix_slope")
@@ -36,6 +37,7 @@ def _lines(gear: Gear) -> list[tuple[str, str, str, str]]:
         ]
     if gear.deviations is not None:
         found += _deviations(gear.deviations)
+    found += [_fault(label, fault) for label, fault in gear.faults.items()]
     if gear.tooth_profile is not None:
         parts = ", ".join(gear.tooth_profile.given)
         found.append((parts.replace("both", "left and right"), "profile given as points", "–", ""))
@@ -76,6 +78,14 @@ def _deviations(real: Deviations) -> list[tuple[str, str, str, str]]:
         values = [value for row in one.values for value in row]
         found.append((one.flank, "measured flank", _span(values), f"tooth {one.tooth}"))
     return found
+
+
+def _fault(label: str, fault: ToothFault) -> tuple[str, str, str, str]:
+    """A fault of the teeth: flanks, what, severity, tooth."""
+    tooth = getattr(fault, "tooth", None)
+    flanks = getattr(fault, "flank", "both").replace("both", "left and right")
+    where = "all teeth" if tooth is None else f"tooth {tooth}"
+    return flanks, f"{label}: {fault.form.replace('_', ' ')}", f"severity {fault.severity:g}", where
 
 
 def _span(values: Sequence[float]) -> str:

@@ -41,7 +41,7 @@ def periods_until_repeat(model: Model, mesh: str) -> int:
         return 1
     rates = [_order_of(model, name, turning) for name in model.meshes]
     for name, body in ((g, model.body_of(g)) for g in model.gears):
-        if model.gears[name].deviations is not None and body is not None:
+        if model.gears[name].teeth_differ and body is not None:
             rates.append(abs(turning.get(body, 0.0)))
     return math.lcm(*(_denominator(rate / order) for rate in rates))
 
@@ -163,7 +163,7 @@ def _cycles(model: Model, mesh: str, curves: list[Array], points: int) -> tuple[
 
 def _single_teeth(model: Model) -> bool:
     """Whether some teeth differ from others of their gear."""
-    return any(gear.deviations is not None for gear in model.gears.values())
+    return any(gear.teeth_differ for gear in model.gears.values())
 
 
 def force_title(force: Array) -> str:

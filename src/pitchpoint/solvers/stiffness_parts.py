@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements import gear_mesh_record as mesh
 from pitchpoint.elements import registry
-from pitchpoint.elements.mesh_nodes import MOST_SPLIT
+from pitchpoint.elements.mesh_pairs import MOST_SPLIT
 from pitchpoint.solvers.element_tangents import (
     Share,
     bare_blocks,
@@ -125,7 +125,7 @@ def cycle_nodes(record: np.void, flank: int, pool: Array, both: bool = False) ->
             return _equal(n if n >= 32 else n * (32 // n + 1))
         if record["form"] == mesh.USER:
             return _equal(128)
-    elif record["slices"] > 0 or record["n_sz"] > 0:
+    elif record["slices"] > 0:
         return _equal(128)
     kinks = _kinks(record, flank, pool)
     if both:

@@ -12,10 +12,18 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.deviations import index_deviations
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
-from pitchpoint.system.rules.separation import flank_grid
+from pitchpoint.system.rules.separation import GAP, own_teeth
 from tests.support.model_files import gear
 
 FLANKS = {"left": 0, "right": 1}
+
+
+def flank_grid(part, mate):
+    """Gaps of all teeth of a gear, [flank, tooth, width, roll], and the lengths of roll they span."""
+    own = own_teeth(part, mate=mate)
+    none = np.zeros_like(own.smooth[0])
+    rows = own.rows[:, :, GAP]
+    return np.array([[own.smooth[k] if k >= 0 else none for k in flank] for flank in rows]), own.span
 
 
 @pytest.mark.parametrize(

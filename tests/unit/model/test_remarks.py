@@ -30,14 +30,14 @@ def test_a_prescribed_stiffness_takes_no_notice_of_the_flanks():
     with pytest.warns(ValidityWarning, match=r"meshes\.s: the law constant .* of a have no effect"):
         modified = compile_model(loads_model(TEXT.format(more=RELIEF, law=law)))
     plain = compile_model(loads_model(TEXT.format(more="", law=law)))
-    for name in ("sep_min", "n_sz", "slices"):
+    for name in ("sep_min", "n_sep", "slices"):
         assert modified.records["gear_mesh"][name][0] == plain.records["gear_mesh"][name][0] == 0.0
 
 
 def test_laws_of_a_tooth_pair_follow_the_flanks():
     model = loads_model(TEXT.format(more=RELIEF, law="{law: din3990}"))
     assert ignored_flanks(model) == ()
-    assert compile_model(model).records["gear_mesh"]["n_sz"][0] > 0
+    assert compile_model(model).records["gear_mesh"]["n_sep"][0] > 0
     assert np.isfinite(compile_model(model).records["gear_mesh"]["sep_min"][0])
 
 

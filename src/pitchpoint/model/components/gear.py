@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.components.modifications import Deviations, Modifications
+from pitchpoint.model.components.tooth_faults import FAULTS, ToothFault
 from pitchpoint.model.components.tooth_profile import ToothProfile
 from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantity
 
@@ -114,6 +116,7 @@ class Gear:
     drawing_resolution: int = integer("points per flank in drawings", 20, minimum=5, maximum=10000)
     modifications: Modifications | None = component(Modifications, "flank modifications by side")
     deviations: Deviations | None = component(Deviations, "deviations of single teeth")
+    faults: Mapping[str, ToothFault] = key("components", "faults of teeth, by label", {}, of=FAULTS)
     tooth_profile: ToothProfile | None = key(
         "tooth_profile", "points of the real tooth, from a file", None, of=ToothProfile
     )
@@ -134,6 +137,11 @@ class Gear:
     def is_modified(self) -> bool:
         """Whether any flank differs from the nominal involute."""
         return any(v is not None for v in (self.modifications, self.deviations, self.tooth_profile))
+
+    @property
+    def teeth_differ(self) -> bool:
+        """Whether some teeth may differ from others."""
+        return self.deviations is not None or bool(self.faults)
 
     @cached_property
     def geometry(self) -> CylindricalGear:

@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the nodes of single tooth pairs lie: on the contact lines of all pairs of one flank.
+
+A contact line is straight in path and width: p(z) = p_0 + lam z. Along it the stiffness of a pair is a
+piecewise cubic, the penetration of tilted gears is linear, and the lever arms are linear, so three Gauss
+points on every piece between kinks (start and end of contact, ends of the relief ramp, lift-off line, pitch
+point where sliding turns, points of a table) integrate force, moments and tangent exactly. Pairs with a tooth
+that has grids of its own (`mesh_separation`) get more pieces: between the stations of the grids, at the edge
+of what is broken out, and where the flanks lift off. Slices are the same sum with one node in the middle of
+each slice; gears with modified flanks are computed so.
+
+`apart` is 1 for a pair with such a tooth, None for a nominal pair, whose kernels are compiled without it.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.contact.elastic import stored_energy
+from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.gear_mesh_record import NEAREST
+from pitchpoint.elements.mesh_line import pooled
+from pitchpoint.elements.mesh_nodes import GAUSS, drift, nearer, node, width_rate
+from pitchpoint.elements.mesh_separation import (
+    find_rows,
+    gap_at,
+    has_level,
+    level_at,
+    next_station,
+    pair_separation,
+    runs_damped,
+    softening_at,
+)
+from pitchpoint.multibody.channels import F8
+
+MOST_SPLIT = 64
+"""Most points of a table that make pieces of their own: three nodes for every point on a contact line. The
+table of `energy` has 129 smooth ones; without pieces its stiffness is off by 3.4e-5 of the mean at most."""
+
+_TRIES = 60
+"""Most steps of the search for an edge; some six are taken."""
+
+
+@kernel
+def _pair_node(b, ctl, watch, p_0, x_q, z, weight, apart):
+    """One node of the pair whose contact line is p_0 + lam z; `x_q` is its penetration at z = 0 [m]."""
+    p = p_0 + b["lam"] * z
+    if b["n_table"] > 0:
+        c = pair_table(p, b["eps"], b["n_table"], view(pooled(b, b["table"]), b["n_table"], F8), b["L"])
+    else:
+        c = pair_shape(p, b["eps"], b["S_R"], b["L"])
+    x = x_q - b["tilt"] * z
+    xi = b["xi_A"] + p * b["p_bt"]
+    scale = b["c_prime"] * weight
+    k_rate = 0.0
+    x_rate = 0.0
+    z_rate = 0.0
+    xi_rate = 0.0
+    if watch is not None or (apart is not None and runs_damped(b)):
+        z_rate = b["lo_rate"] + (z - b["z_lo"]) * b["growth"]  # as `width_rate`
+        p_rate = b["phase_rate"][0 if b["flank"] > 0 else 1] + b["lam"] * z_rate
+        xi_rate = b["xi_A_rate"] + p_rate * b["p_bt"]
+    if watch is not None:
+        k_rate = scale * _shape_rate(b, p, p_rate)
+        x_rate = -b["kappa"] * (drift(b, z) + b["flank"] * b["tan_b"] * xi_rate)
+    limit = b["load_limit"] * weight
+    if apart is None:
+        return node(b, ctl, watch, x, x_rate, (z, xi), c * scale, k_rate, limit, None)
+    gap, gap_rate, slope, level, level_rate, q, q_rate = pair_separation(b, z, xi, z_rate, xi_rate)
+    k = c * scale
+    if q > 0.0:  # in series with the pair, per face width: c/(1 + c q)
+        share = 1.0 / (1.0 + c * b["c_prime"] * q)
+        k_rate = (k_rate - k * c * b["c_prime"] * q_rate) * share * share
+        k *= share
+    # an edge that travels under the contact takes its energy along, but does not damp
+    x_rate -= level_rate
+    return node(b, ctl, watch, x - gap - level, x_rate, (z, xi), k, k_rate, limit, (-gap_rate, -slope))
+
+
+@kernel
+def _shape_rate(b, p, p_rate):
+    """Rate of the ratio c/c' of a pair."""
+    L_rate = b["T_R"] * b["eps_rate"]
+    if b["n_table"] > 0:
+        table = view(pooled(b, b["table"]), b["n_table"], F8)
+        return pair_table_rate(p, p_rate, b["eps"], b["eps_rate"], b["n_table"], table, b["L"], L_rate)
+    return pair_shape_rate(p, p_rate, b["eps"], b["eps_rate"], b["S_R"], b["L"], L_rate)
+
+
+@kernel
+def line_rate(b, z):
+    """Rate of the path position of the contact lines [base pitches/s] at a place on the shared width."""
+    return b["phase_rate"][0 if b["flank"] > 0 else 1] + b["lam"] * width_rate(b, z)
+
+
+@kernel
+def _gauss(b, ctl, watch, p_0, x_q, z_a, z_c, apart):
+    """Three Gauss points on the piece from z_a to z_c of a contact line."""
+    z = 0.5 * (z_a + z_c)
+    half = 0.5 * (z_c - z_a)
+    r = GAUSS * half
+    f = _pair_node(b, ctl, watch, p_0, x_q, z - r, half * (5.0 / 9.0), apart)
+    f += _pair_node(b, ctl, watch, p_0, x_q, z, half * (8.0 / 9.0), apart)
+    return f + _pair_node(b, ctl, watch, p_0, x_q, z + r, half * (5.0 / 9.0), apart)
+
+
+@kernel
+def _over(b, what, p_0, x_q, z):
+    """Level of the teeth of gear 1 or 2 (`what` 0 or 1) at a place of a contact line, or the penetration (2).
+
+    Pieces end where these change their signs [m].
+    """
+    xi = b["xi_A"] + (p_0 + b["lam"] * z) * b["p_bt"]
+    if what < 2:
+        return level_at(b, what, z, xi)
+    return x_q - b["tilt"] * z - gap_at(b, z, xi)
+
+
+@kernel
+def _edge(b, what, p_0, x_q, a, c, f_a, f_c):
+    """Where between a and c, at which it has different signs, `_over` is zero: regula falsi (Illinois)."""
+    z = c
+    small = 1e-14 * (abs(f_a) + abs(f_c))
+    side = 0
+    for _ in range(_TRIES):
+        z = (a * f_c - c * f_a) / (f_c - f_a)
+        f = _over(b, what, p_0, x_q, z)
+        if abs(f) <= small:
+            break
+        if (f > 0.0) == (f_c > 0.0):
+            c = z
+            f_c = f
+            if side == 1:
+                f_a *= 0.5
+            side = 1
+        else:
+            a = z
+            f_a = f
+            if side == -1:
+                f_c *= 0.5
+            side = -1
+    return z
+
+
+@kernel
+def _split(b, gear, p_0, a, c):
+    """Where the edge of what is broken out of a tooth crosses the piece from a to c; c if it does not."""
+    if not has_level(b, gear):
+        return c
+    f_a = _over(b, gear, p_0, 0.0, a)
+    f_c = _over(b, gear, p_0, 0.0, c)
+    if (f_a > 0.0) == (f_c > 0.0):
+        return c
+    return _edge(b, gear, p_0, 0.0, a, c, f_a, f_c)
+
+
+@kernel
+def _carried(b, ctl, watch, p_0, x_q, a, c):
+    """The part of a smooth piece on which the flanks touch; one that is open at both ends carries nothing."""
+    if not c > a:
+        return 0.0
+    f_a = _over(b, 2, p_0, x_q, a)
+    f_c = _over(b, 2, p_0, x_q, c)
+    if f_a <= 0.0 and f_c <= 0.0:
+        if watch is not None:
+            b["acc"][NEAREST] = max(b["acc"][NEAREST], max(f_a, f_c))
+        return 0.0
+    if f_a > 0.0 and f_c > 0.0:
+        return _gauss(b, ctl, watch, p_0, x_q, a, c, 1)
+    m = _edge(b, 2, p_0, x_q, a, c, f_a, f_c)
+    if f_a > 0.0:
+        return _gauss(b, ctl, watch, p_0, x_q, a, m, 1)
+    return _gauss(b, ctl, watch, p_0, x_q, m, c, 1)
+
+
+@kernel
+def _torn(b, ctl, watch, p_0, x_q, a, c):
+    """The piece from a to c of a pair with a tooth of its own, split at its edges."""
+    m_1 = _split(b, 0, p_0, a, c)
+    m_2 = _split(b, 1, p_0, a, c)
+    first = min(m_1, m_2)
+    second = max(m_1, m_2)
+    f = _carried(b, ctl, watch, p_0, x_q, a, first)
+    f += _carried(b, ctl, watch, p_0, x_q, first, second)
+    return f + _carried(b, ctl, watch, p_0, x_q, second, c)
+
+
+@kernel
+def _next_point(b, p_0, a, end):
+    """Where behind `a` a contact line crosses the next point of the table, at most `end`."""
+    lam = b["lam"]
+    step = b["eps"] / (b["n_table"] - 1)
+    way = 1.0 if lam > 0.0 else -1.0
+    i = way * (math.floor(way * (p_0 + lam * a) / step) + 1.0)
+    stop = (i * step - p_0) / lam
+    if stop <= a:  # the point where the last piece ended, a rounding before it
+        stop = ((i + way) * step - p_0) / lam
+    return min(stop, end)
+
+
+@kernel
+def exact_line(b, ctl, watch, p_0, x_q, apart):
+    """Sum over one contact line, split at its kinks."""
+    lam = b["lam"]
+    eps = b["eps"]
+    L = min(b["L"], 0.5 * eps)  # the ramps of a path below one base pitch may meet
+    a = b["z_lo"]
+    end = b["z_hi"]
+    z_1 = z_2 = z_3 = z_4 = end
+    split = False
+    if lam != 0.0:
+        u = -p_0 / lam
+        v = (eps - p_0) / lam
+        if watch is not None and b["L"] == 0.0:
+            _moving_ends(b, x_q, u, v, apart)
+        z_1 = (L - p_0) / lam
+        z_2 = (eps - L - p_0) / lam
+        if b["mu"] > 0.0:
+            z_4 = (-b["xi_A"] / b["p_bt"] - p_0) / lam
+        a = max(a, min(u, v))
+        end = min(end, max(u, v))
+        split = b["n_table"] > 2 and b["n_table"] <= MOST_SPLIT
+    elif p_0 < 0.0 or p_0 > eps:
+        return 0.0
+    if b["tilt"] != 0.0:
+        z_3 = x_q / b["tilt"]
+    f = 0.0
+    while a < end:
+        c = nearer(a, nearer(a, nearer(a, nearer(a, end, z_1), z_2), z_3), z_4)
+        if split:
+            c = _next_point(b, p_0, a, c)
+        if apart is None:
+            f += _gauss(b, ctl, watch, p_0, x_q, a, c, None)
+        else:
+            c = next_station(b, a, c)
+            f += _torn(b, ctl, watch, p_0, x_q, a, c)
+        a = c
+    return f
+
+
+@kernel
+def _moving_ends(b, x_q, u, v, apart):
+    """Energy fed in where a contact line without relief ramp grows at A and shrinks at E.
+
+    The stiffness per length jumps at both ends, u and v, which travel at 1/lam per base pitch.
+    """
+    first = b["S_R"]
+    last = b["S_R"]
+    if b["n_table"] > 0:
+        table = view(pooled(b, b["table"]), b["n_table"], F8)
+        first = table[0]
+        last = table[b["n_table"] - 1]
+    if u > b["z_lo"] and u < b["z_hi"]:
+        energy = _line_energy(b, x_q, u, b["xi_A"], first, apart)
+        b["acc"][23] += energy * line_rate(b, u) / abs(b["lam"])
+    if v > b["z_lo"] and v < b["z_hi"]:
+        leaves = line_rate(b, v) - b["eps_rate"]
+        energy = _line_energy(b, x_q, v, b["xi_A"] + b["eps"] * b["p_bt"], last, apart)
+        b["acc"][23] -= energy * leaves / abs(b["lam"])
+
+
+@kernel
+def _line_energy(b, x_q, z, xi, c, apart):
+    """Energy per length of a contact line [J/m] at its end (z, xi), with the stiffness ratio `c`."""
+    x = x_q - b["tilt"] * z
+    k = b["c_prime"] * c
+    if apart is not None:
+        x -= gap_at(b, z, xi)
+        k /= 1.0 + k * softening_at(b, z, xi)
+    return stored_energy(x, k, b["power"], b["load_limit"])[0] if x > 0.0 and c > 0.0 else 0.0
+
+
+@kernel
+def _teeth(b, q):
+    """Tooth of gear 1 and space of gear 2 that make the pair q; internal gears count the other way round."""
+    flank = b["flank"]
+    side = 1 if b["z2"] > 0 else -1
+    pair = flank * (int(q) - b["tooth"])
+    return b["t1_0"] + pair, b["t2_0"] - side * pair + (side if flank < 0 else 0)
+
+
+@kernel
+def sliced_line(b, ctl, watch, p_0, x_q, apart):
+    """Sum over one contact line with one node in the middle of each slice."""
+    n = b["slices"]
+    step = (b["z_hi"] - b["z_lo"]) / n
+    f = 0.0
+    for s in range(n):
+        f += _pair_node(b, ctl, watch, p_0, x_q, b["z_lo"] + (s + 0.5) * step, step, apart)
+    return f
+
+
+@kernel
+def _line(b, ctl, watch, p_0, x_q, apart):
+    """Sum over one contact line."""
+    if b["slices"] == 0:
+        return exact_line(b, ctl, watch, p_0, x_q, apart)
+    return sliced_line(b, ctl, watch, p_0, x_q, apart)
+
+
+@kernel
+def profile_flank(b, ctl, watch, x_0):
+    """All pairs of the current flank; `x_0` penetration at the pitch point."""
+    fh = b["flank"] * b["tan_b"]
+    middle = b["psi"] + 0.5 * b["lam"] * (b["z_lo"] + b["z_hi"])
+    reach = 0.5 * abs(b["lam"]) * (b["z_hi"] - b["z_lo"])
+    q = float(math.ceil(-middle - reach))
+    last = math.floor(b["eps"] - middle + reach)
+    while q <= last:
+        p_0 = b["psi"] + q
+        x_q = x_0 - b["kappa"] * fh * (b["xi_A"] + p_0 * b["p_bt"])
+        if b["n_sep"] > 0 and find_rows(b, _teeth(b, q)):
+            f = _line(b, ctl, watch, p_0, x_q, 1)
+        else:
+            f = _line(b, ctl, watch, p_0, x_q, None)
+        if watch is not None and b["n_pair"] > 0:
+            b["pair"][(b["tooth"] - int(q)) % b["n_pair"]] += b["flank"] * f
+        q += 1.0

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is missing of a damaged tooth, as levels over its flank: nothing where they are negative.
+
+Where a level is positive it is the gap that the damage leaves along the base tangent; its zero line is the
+edge of the damage. Places on the flank are z along the face width, −b/2 to b/2, and roll lengths as in
+`geometry.modifications`; heights count radially.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.geometry.tooth_form import root_radius
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+
+FloatArray = NDArray[np.float64]
+
+FRACTURE_SLOPE = 1.0
+"""Gap along the base tangent over the distance from the edge of a fracture: its surface goes into the tooth
+under 45 degrees. Elastic teeth reach some 20 µm beyond the edge before they part."""
+
+_FIT = 1e-9
+
+
+def tooth_height(gear: CylindricalGear) -> float:
+    """Radial height of a tooth from its root circle to its tip circle [m].
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> round(tooth_height(CylindricalGear(z=50, m_n=3e-3)), 9)
+    0.00675
+    """
+    return abs(0.5 * abs(gear.d_a) - root_radius(gear))
+
+
+def break_problems(width: float, height: float, gear: CylindricalGear, where: str = "") -> list[Problem]:
+    """Sizes of a break that are larger than the tooth.
+
+    Parameters
+    ----------
+    width, height
+        Missing part [m].
+    gear
+        External or internal gear.
+    where
+        Place of the sizes in their description, put before the name of the offending key.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=50, m_n=3e-3, b=0.02)
+    >>> print(break_problems(0.03, 0.002, gear)[0])
+    width: 30 mm is wider than the face (limit 20 mm); leave it out for the whole face
+    """
+    place = f"{where}." if where else ""
+    found = []
+    for key, value, most, message, remedy in (
+        ("width", width, gear.b, "is wider than the face", "leave it out for the whole face"),
+        (
+            "height",
+            height,
+            tooth_height(gear),
+            "is higher than the tooth",
+            "leave it out for the whole tooth",
+        ),
+    ):
+        if value > most * (1.0 + _FIT):
+            found.append(
+                Problem(f"{place}{key}", message, f"{1e3 * value:.6g} mm", f"{1e3 * most:.6g} mm", remedy)
+            )
+    return found
+
+
+def break_level(
+    gear: CylindricalGear,
+    z: ArrayLike,
+    roll: ArrayLike,
+    *,
+    width: float,
+    height: float,
+    at: str = "start",
+    corner: bool = False,
+) -> FloatArray:
+    """Level of a break: distance from its straight edges times `FRACTURE_SLOPE`, positive where it is gone.
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+    z
+        Places along the face width [m], shape (n_z,).
+    roll
+        Roll lengths [m], shape (n_roll,).
+    width, height
+        Missing part at the tip and at the end of the face [m]; 0 breaks nothing out.
+    at
+        "start" (z = −b/2) or "end".
+    corner
+        Only the triangle between the tip and the end of the face is missing, not the whole rectangle.
+
+    Returns
+    -------
+    ndarray, shape (n_z, n_roll)
+        Level [m].
+
+    Raises
+    ------
+    GeometryError
+        If the break is larger than the tooth.
+
+    Notes
+    -----
+    With ζ from the end of the face and η from the tip: corner 1 − ζ/width − η/height over
+    √(1/width² + 1/height²), rectangle min(width − ζ, height − η); a width of the whole face has no edge
+    across.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.modifications import roll_length
+    >>> gear = CylindricalGear(z=50, m_n=3e-3, b=0.02)
+    >>> d = gear.d_a - 2 * np.array([0.0, 0.5e-3, 2e-3])
+    >>> level = break_level(gear, [-0.01, 0.01], roll_length(gear, d), width=0.02, height=1e-3)
+    >>> (1e3 * level).round(6).tolist()
+    [[1.0, 0.5, -1.0], [1.0, 0.5, -1.0]]
+    """
+    for problem in break_problems(width, height, gear):
+        raise GeometryError(
+            problem.message,
+            where=problem.where,
+            value=problem.value,
+            limit=problem.limit,
+            remedy=problem.remedy,
+        )
+    z = np.atleast_1d(np.asarray(z, dtype=float))
+    radius = np.hypot(np.atleast_1d(np.asarray(roll, dtype=float)), 0.5 * gear.d_b)
+    eta = gear.sign * (0.5 * abs(gear.d_a) - radius)
+    zeta = 0.5 * gear.b + (z if at == "start" else -z)
+    if not (width > 0.0 and height > 0.0):
+        return np.full((z.size, eta.size), -gear.m_n)
+    if corner:
+        steep = np.hypot(1.0 / width, 1.0 / height)
+        level = (1.0 - zeta[:, None] / width - eta[None, :] / height) / steep
+    else:
+        level = np.broadcast_to(height - eta[None, :], (z.size, eta.size))
+        if width < gear.b * (1.0 - _FIT):
+            level = np.minimum(level, (width - zeta)[:, None])
+    return np.asarray(FRACTURE_SLOPE * level)
+
+
+def displaced_gap(gear: CylindricalGear, flank: str, amount: float) -> float:
+    """Gap along the base tangent of a flank whose tooth is displaced on the reference circle [m].
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+    flank
+        "left" or "right".
+    amount
+        Displacement [m], counter-clockwise positive.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> gear = CylindricalGear(z=50, m_n=3e-3)
+    >>> [round(1e6 * displaced_gap(gear, flank, 10e-6), 6) for flank in ("left", "right")]
+    [-9.396926, 9.396926]
+    """
+    outwards = 1.0 if flank == "left" else -1.0
+    return -outwards * amount * float(np.cos(gear.alpha_t))

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Faults of teeth in model files: what is read, what is refused and at which line."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pitchpoint.core.errors import ModelError
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.write import plain
+from pitchpoint.system.compile import compile_model
+
+TEXT = """\
+gears:
+  a:
+    number_of_teeth: 20
+    normal_module: 3 mm
+    face_width: 20 mm
+    profile_shift_coefficient: 0
+    faults:
+      one: {{{fault}}}
+  b: {{number_of_teeth: 60, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}}
+bodies:
+  shaft: {{gears: [a]}}
+  wheel: {{gears: [b]}}
+meshes:
+  s: {{gears: [a, b], stiffness: {{{law}}}}}
+"""
+PAIRS = "law: din3990"
+
+
+def model(fault, law=PAIRS):
+    return loads_model(TEXT.format(fault=fault, law=law))
+
+
+WRONG = {
+    "type: broken_tooth, tooth: 20": ("gears.a.faults.one.tooth", "limit <= 19"),
+    "type: broken_tooth": ("gears.a.faults.one.tooth", "is missing"),
+    "type: broken, tooth: 1": ("gears.a.faults.one.type", "did you mean broken_tooth"),
+    "type: broken_tooth, tooth: 1, width: 21 mm": ("gears.a.faults.one.width", "limit 20 mm"),
+    "type: broken_tooth, tooth: 1, height: 7 mm": ("gears.a.faults.one.height", "limit 6.75 mm"),
+    "type: broken_tooth, tooth: 1, severity: 1.2": ("gears.a.faults.one.severity", "out of range"),
+    "type: pitch_error, tooth: 1, amount: 5": ("gears.a.faults.one.amount", "larger than the module"),
+}
+
+
+@pytest.mark.parametrize("fault", WRONG)
+def test_wrong_faults_are_told_with_their_line(fault):
+    where, words = WRONG[fault]
+    with pytest.raises(ModelError) as caught:
+        model(fault)
+    problem = caught.value.problems[0]
+    assert problem.where == where
+    assert words in str(problem)
+    assert problem.line == 8
+
+
+def test_a_law_of_the_whole_mesh_knows_no_teeth():
+    with pytest.raises(
+        ModelError, match=r"gears\.a\.faults\.one \(line 8\): has no effect in the mesh s, whose law"
+    ):
+        model("type: broken_tooth, tooth: 1", "law: constant, value: 4e8 N/m")
+
+
+def test_faults_are_written_as_they_are_read():
+    fault = "type: broken_tooth, tooth: 3, at: end, width: 5 mm, height: 2 mm, shape: corner, severity: 0.5"
+    found = plain(model(fault))["gears"]["a"]["faults"]
+    pairs = (pair.split(": ") for pair in fault.split(", "))
+    assert found["one"] | {"tooth": "3", "severity": "0.5"} == dict(pairs)
+
+
+def test_severity_can_be_swept():
+    """The records keep their layout, so that `with_params` takes those of another severity."""
+    healthy = model("type: broken_tooth, tooth: 3, severity: 0")
+    worse = healthy.replace("gears.a.faults.one.severity", 0.4)
+    assert worse.gears["a"].faults["one"].severity == 0.4
+    systems = [compile_model(m) for m in (healthy, worse)]
+    records = [s.records["gear_mesh"] for s in systems]
+    assert records[0].dtype == records[1].dtype
+    # a table for 20 teeth, one row for both flanks each of the one that is broken
+    assert records[1]["n_t"][0].tolist() == [20, 1]
+
+
+def test_only_faulty_teeth_have_grids():
+    found = compile_model(model("type: broken_tooth, tooth: 3")).records["gear_mesh"][0]
+    assert found["n_sep"] == 1
+    assert found["slices"] == 0
+    assert np.array_equal(found["n_sz"], [33, 33, 33, 33])

@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Faults of teeth against hand calculation: which tooth, which flank, how much of the force.
+
+The teeth in contact are found from the angles of the teeth alone (`teeth_in_contact` of the flank
+deviations); even pairs carry c' b x each.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.quasistatic import solve_quasistatic
+from pitchpoint.system import evaluate
+from pitchpoint.system.compile import compile_model
+from tests.validation.test_flank_deviations import C_PRIME, WIDTH, machine, teeth_in_contact
+
+DEPTH = 12e-6
+
+
+def faults(text):
+    return f", faults: {{{text}}}"
+
+
+def pressed(system, model, angle1, depth=DEPTH, flank=1):
+    """Results with flanks pressed by a depth; its middle lies where gear 1 has its flank at the angle."""
+    pair = model.pairs["stage"]
+    state = system.initial_state()
+    travel = flank * (0.5 * model.backlash("stage") + depth)
+    r1, r2 = 0.5 * pair.gear1.d_b, 0.5 * pair.gear2.d_b
+    angle1 -= 0.25 * flank * model.backlash("stage") / r1
+    for body, angle in (
+        ("driver", angle1 + 0.5 * travel / r1),
+        ("driven", -angle1 * r1 / r2 + 0.5 * travel / r2),
+    ):
+        k = system.spin(body)
+        turns = round(angle / (2 * math.pi))
+        state.q[k] = angle - 2 * math.pi * turns
+        state.turns[system.layout.bodies.index(body)] = turns
+    values = evaluate.observe(system, state)
+    return {c.name: v for c, v in zip(system.layout.channels, values, strict=True)}
+
+
+CASES = {
+    "external": (24, False),
+    "internal": (60, True),
+}
+every_case = pytest.mark.parametrize(("z2", "internal"), CASES.values(), ids=CASES)
+
+
+@every_case
+@pytest.mark.parametrize("gear", [0, 1])
+def test_a_missing_tooth_carries_nothing_and_the_others_all_they_did(z2, internal, gear):
+    """Spur gears with eps_alpha < 2, over a whole turn and more: where only the broken tooth would carry,
+    contact is lost, elsewhere the other pair carries what it carried before."""
+    text = faults("b: {type: broken_tooth, tooth: 4}")
+    model = machine(21, z2, *((text, "") if gear == 0 else ("", text)), internal=internal)
+    system = compile_model(model)
+    assert 1.0 < model.pairs["stage"].eps_alpha < 2.0
+    lost = kept = 0
+    for angle in np.linspace(0.013, 2 * math.pi * (1.0 if gear == 0 else z2 / 21), 1000):
+        pairs = teeth_in_contact(model, angle)
+        carrying = [p for p in pairs if p[gear] != 4]
+        found = pressed(system, model, angle)
+        force = len(carrying) * C_PRIME * WIDTH * DEPTH
+        assert found["mesh_force[stage]"] == pytest.approx(force, rel=1e-9), angle
+        assert (found["contact_state[stage]"] == 0.0) == (not carrying)
+        lost += not carrying
+        kept += len(carrying) < len(pairs) and bool(carrying)
+    assert lost >= 1 and kept >= 2
+
+
+@every_case
+@pytest.mark.parametrize("flank", [1, -1])
+@pytest.mark.parametrize("beta", [0.0, 20.0])
+def test_both_flanks_of_a_broken_tooth_are_gone(z2, internal, flank, beta):
+    """On the back flank the same share of the mesh cycles is touched."""
+    hands = (
+        ", helix_angle: 20 deg, hand: right",
+        f", helix_angle: 20 deg, hand: {'right' if internal else 'left'}",
+    )
+    more = hands if beta else ("", "")
+    text = faults("b: {type: broken_tooth, tooth: 4}")
+    systems = [
+        (m, compile_model(m))
+        for m in (machine(21, z2, more[0] + t, more[1], internal=internal, beta=beta) for t in ("", text))
+    ]
+    force = np.array(
+        [
+            [pressed(s, m, angle, flank=flank)["mesh_force[stage]"] for m, s in systems]
+            for angle in np.arange(420) * 2 * math.pi / 420
+        ]
+    )
+    # a tooth is in contact over eps_alpha + eps_beta pitches and takes away one pitch of 21 in the mean
+    assert force[:, 1].mean() == pytest.approx(force[:, 0].mean() * 20 / 21, rel=2e-3)
+    pair = systems[0][0].pairs["stage"]
+    touched = np.mean(abs(force[:, 1] - force[:, 0]) > 1e-9 * abs(force).max())
+    assert touched * 21 == pytest.approx(pair.eps_gamma, abs=0.11)
+
+
+@pytest.mark.parametrize("at", ["start", "end"])
+def test_a_broken_corner_is_missing_where_it_says(at):
+    """A triangle of the face at the driver's tip: at a path position of height η from the tip the width
+    w (1 - η/h) is missing, less the strip DEPTH/2 over the slope across the face."""
+    text = faults(f"b: {{type: broken_tooth, tooth: 4, at: {at}, width: 12 mm, height: 4 mm, shape: corner}}")
+    model = machine(21, 24, text)
+    system = compile_model(model)
+    pair = model.pairs["stage"]
+    r_b, r_a = 0.5 * pair.gear1.d_b, 0.5 * pair.gear1.d_a
+    seen = 0
+    for angle in np.linspace(0.0, 2 * math.pi, 400):
+        force = 0.0
+        for tooth, _, xi in teeth_in_contact(model, angle):
+            eta = r_a - math.hypot(r_b, pair.T1C + xi)
+            across = math.hypot(1.0, 12e-3 / 4e-3)  # way along the face over distance from the edge
+            missing = 12e-3 * (1.0 - eta / 4e-3) if tooth == 4 else 0.0
+            if tooth == 4 and DEPTH * across < missing < WIDTH:
+                missing -= 0.5 * DEPTH * across
+                seen += 1
+            elif tooth == 4 and missing > -DEPTH * across:
+                break
+            force += C_PRIME * DEPTH * (WIDTH - max(0.0, missing))
+        else:
+            # edges between stations of the grid are straight over the roll, not over the radius
+            assert pressed(system, model, angle)["mesh_force[stage]"] == pytest.approx(force, rel=2e-5)
+    assert seen > 5
+
+
+LAWS = {
+    "din3990": "law: din3990, tip_relief_factor: 0.5",
+    "low load": "law: din3990, low_load: true",
+    "energy": "law: energy",
+    "pair_table": "law: pair_table, single_stiffness: 14 N/(mm um), values: [0.6, 1, 0.9, 0.7]",
+}
+GEAR = "normal_module: 3 mm, face_width: 20 mm, helix_angle: 15 deg"
+TEXT = """
+gears:
+  g1: {{number_of_teeth: 31, hand: right, bore_diameter: 30 mm, profile_shift_coefficient: 0, {gear}{one}}}
+  g2: {{number_of_teeth: 42, hand: left, bore_diameter: 50 mm, {gear}{two}}}
+bodies: {{driver: {{gears: [g1]}}, driven: {{gears: [g2]}}}}
+meshes:
+  stage: {{gears: [g1, g2], center_distance: 113.35 mm, stiffness: {{{law}}}}}
+loads:
+  input: {{body: driver, torque: balance}}
+  brake: {{body: driven, torque: 200 N m}}
+"""
+MODEL_FAULTS = {
+    "broken": "type: broken_tooth, tooth: 3",
+    "corner": "type: broken_tooth, tooth: 3, width: 9 mm, height: 3 mm, shape: corner",
+    "end": "type: broken_tooth, tooth: 3, width: 9 mm",
+    "pitch": "type: pitch_error, tooth: 3, amount: 6 um",
+}
+
+
+def error(one, law="din3990", two=""):
+    model = loads_model(TEXT.format(gear=GEAR, one=one, two=two, law=LAWS[law]))
+    data = solve_quasistatic(compile_model(model), "stage", 16, 31)
+    return data["deflection[stage]"].values, model
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("fault", MODEL_FAULTS)
+def test_severity_0_is_a_healthy_gear(law, fault):
+    """To the last bit; half of the severity makes a difference."""
+    healthy, _ = error("", law)
+    found, model = error(faults(f"b: {{{MODEL_FAULTS[fault]}, severity: 0}}"), law)
+    assert np.array_equal(found, healthy)
+    half = compile_model(model.replace("gears.g1.faults.b.severity", 0.5))
+    bad = solve_quasistatic(half, "stage", 16, 31)["deflection[stage]"].values
+    assert abs(bad - healthy).max() > 1e-8
+
+
+@pytest.mark.parametrize("fault", ["end", "pitch"])
+def test_little_damage_does_little(fault):
+    """Twice the severity does twice as much, up to terms of the next order."""
+    base = f"b: {{{MODEL_FAULTS[fault]}, severity: "
+    healthy, _ = error("")
+    change = []
+    for severity in (0.02, 0.04):
+        found, _ = error(faults(base + f"{severity}}}"))
+        change.append(np.abs(found - healthy).sum())
+    assert change[1] / change[0] == pytest.approx(2.0, rel=0.15)
