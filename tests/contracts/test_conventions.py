@@ -583,7 +583,7 @@ def test_eccentric_teeth_are_displaced_towards_their_phase() -> None:
 
 
 def test_misalignment_is_the_lean_of_axis_2() -> None:
-    """A spur gear 2 that is tilted by the same lean is pushed askew alike, within 5 %: the force leans too."""
+    """A spur gear 2 that is tilted by the same lean is pushed askew alike: the force leans too, 5 %."""
     for k, name in enumerate("te"):
         moments = []
         for tilted in (False, True):
