@@ -28,8 +28,9 @@ from pitchpoint.elements.gear_mesh_record import N_OUT
 from pitchpoint.elements.shaft_beam import shaft_row
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.geometry.deviations import Deviations, Runout, separation
+from pitchpoint.geometry.shaft_solid import shaft_solid
 from pitchpoint.geometry.tooth_form import gear_outline
-from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.phasing import tooth_twist
 from pitchpoint.multibody import bodies as joints
@@ -200,6 +201,26 @@ def test_products_of_inertia_are_the_entries_of_the_matrix() -> None:
     body = f"mass: 4, inertia_tensor: [{about[0, 0]}, {about[1, 1]}, {about[2, 2]}, -2, 0, 0]"
     system, _ = jointed("type: spherical, bodies: [ground, b]", body=body)
     assert np.allclose(system.bodies[0].inertia, about)
+
+
+def test_a_solid_lies_in_its_file_as_in_its_body(tmp_path: Path) -> None:
+    # a rod of 20 mm along z of the file, from 0 to 0.2 m
+    np.save(tmp_path / "rod.npy", shaft_solid([(0.2, 0.02, 0.0)], 90))
+    text = "bodies: {rod: {motion: free, position: [1, 0, 0], solid: {file: rod.npy, unit: 1 m%s}%s}}"
+
+    def inertia(solid: str = "", body: str = ""):
+        (tmp_path / "model.yaml").write_text(text % (solid, body))
+        return load_model(tmp_path / "model.yaml").body_inertia("rod")
+
+    own = inertia()
+    assert own.place == pytest.approx((0.0, 0.0, 0.1), abs=1e-12)
+    assert own.polar < 0.1 * own.central
+    # x of the body along z of the file, its origin at 0.05 m along the rod
+    turned = inertia(", axes: {z: [1, 0, 0], x: [0, 0, 1]}, origin: [0, 0, 50 mm]")
+    assert turned.place == pytest.approx((0.05, 0.0, 0.0), abs=1e-12)
+    assert turned.about_center()[0, 0] == pytest.approx(own.polar, rel=1e-12)
+    assert inertia("", ", mass: 3 kg").mass == 3.0
+    assert inertia("", ", mass: 3 kg").polar == own.polar
 
 
 def test_positive_torque_turns_counter_clockwise_seen_from_plus_z() -> None:

@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.components.modifications import Deviations, Modifications
+from pitchpoint.model.components.solid import SolidReference
 from pitchpoint.model.components.tooth_faults import FAULTS, ToothFault
 from pitchpoint.model.components.tooth_profile import ToothProfile
 from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantity
@@ -112,6 +113,9 @@ class Gear:
         None,
         minimum=0.0,
         display="from geometry",
+    )
+    solid: SolidReference | None = component(
+        SolidReference, "solid whose mass and inertia take the place of those from geometry"
     )
     drawing_resolution: int = integer("points per flank in drawings", 20, minimum=5, maximum=10000)
     modifications: Modifications | None = component(Modifications, "flank modifications by side")
