@@ -9,9 +9,12 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+import xarray as xr
 
+from pitchpoint.analysis.dataset import analyse
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+from pitchpoint.io.analysis_table import table_text
 from pitchpoint.io.container import Container, Header
 from pitchpoint.io.dataset_store import DatasetFolder
 from pitchpoint.io.gear_export import FORMATS, export_gear
@@ -33,6 +36,9 @@ def own_file(kind: str, path: Path) -> Path:
         folder = DatasetFolder(path.with_name(f"{path.name}-data"))
         folder.begin("", "")
         folder.write_index("index.csv", ["seed"], [{"case": 0, "seed": 1}]).rename(path)
+    elif kind == "analysis":
+        record = xr.Dataset({"force": ("time", np.ones(8), {"units": "N"})}, {"time": np.arange(8.0)})
+        path.write_text(table_text(analyse(record, "signal_statistics")), encoding="utf-8")
     else:
         export_gear(GEAR, path, kind, n_flank=5)
     return path
@@ -64,6 +70,7 @@ FOREIGN = {
     "svg": b"<svg xmlns='http://www.w3.org/2000/svg'></svg>",
     "csv": b"x,y\n1,2\n",
     "index": b"case,file\n1,a\n",
+    "analysis": b"# analysis\nx,y\n1,2\n",
     "stl": b"solid mine\nendsolid mine\n",
 }
 
