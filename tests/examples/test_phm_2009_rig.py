@@ -60,7 +60,7 @@ def test_the_plan_is_a_thousand_cases_of_a_second() -> None:
     plan, _ = checked(load_plan(FOLDER / "plan.yaml"), False, True)
     assert len(plan) == 1000
     assert plan.samples == 25600
-    assert len({(c.seed, *c.labels.values(), *c.changes.values()) for c in plan.cases()}) == 1000
+    assert len({(c.seed, repr(c.changes)) for c in plan.cases()}) == 1000
 
 
 def test_speeds_and_mesh_frequencies(rig: tuple[DatasetPlan, Model], healthy: CaseRecord) -> None:
