@@ -186,7 +186,8 @@ def stages(n: int) -> Any:
     from pitchpoint.geometry import CylindricalGear, GearPair
     from pitchpoint.multibody.beam_section import Beam, tube
     from pitchpoint.multibody.bodies import FREE, Body
-    from pitchpoint.system.rules.gear_mesh import MeshLaws, Placement, mesh_row
+    from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
+    from pitchpoint.system.rules.mesh_laws import MeshLaws
     from pitchpoint.system.system import assemble
     from tests.support.engine import bearings
 

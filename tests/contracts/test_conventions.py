@@ -40,7 +40,7 @@ from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
-from pitchpoint.system.rules.gear_mesh import MeshLaws
+from pitchpoint.system.rules.mesh_laws import MeshLaws
 from pitchpoint.system.system import System, assemble
 from tests.support.model_files import TORSIONAL_PAIR, gear, pair
 from tests.support.one_mesh import OneMesh, make_pair, moved

@@ -255,7 +255,7 @@ def test_natural_frequencies_of_the_train():
 
 
 def mean_stiffness(model, name):
-    from pitchpoint.system.rules.gear_mesh import mean_stiffness as of_pair
+    from pitchpoint.system.rules.mesh_laws import mean_stiffness as of_pair
     from pitchpoint.system.rules.stiffness import describe_stiffness
 
     return of_pair(model.pairs[name], describe_stiffness(model, name))

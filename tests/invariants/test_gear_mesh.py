@@ -11,7 +11,7 @@ from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.contact.width_integral import width_moments
 from pitchpoint.contact.width_table import table_width_moments
 from pitchpoint.geometry import CylindricalGear, GearPair
-from pitchpoint.system.rules.gear_mesh import MeshLaws
+from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.one_mesh import OneMesh, make_pair, moved, rotation
 
 PAIRS = {
@@ -27,6 +27,7 @@ SHAPES = {
     "parabola": PairShape(c_prime=14e9, S_R=0.8, T_R=0.3),
     "table": PairShape(c_prime=14e9, table=1 - 0.3 * np.linspace(-1, 0.8, 41) ** 2, T_R=0.4),
     "low load": PairShape(c_prime=14e9, S_R=0.8, T_R=0.3, load_limit=1e5),
+    "hertz": PairShape(c_prime=4e12, S_R=1.0, T_R=0.3, power=1.5),
 }
 every_pair = pytest.mark.parametrize("pair", PAIRS)
 every_shape = pytest.mark.parametrize("shape", SHAPES)

@@ -20,6 +20,11 @@ from pitchpoint.geometry.gear_pair import GearPair
 OPTIONS = {
     "din3990": [{}, {"T_R": 0.3}, {"S_R": 1.0}, {"c_prime": 14e9, "low_load": True}],
     "energy": [{}, {"T_R": 0.2, "body": "rigid"}, {"line_load": 2e5, "points": 33}],
+    "hertz": [
+        {"moduli": (206e9, 175e9), "poisson": (0.3, 0.29)},
+        {"moduli": (206e9, 175e9), "poisson": (0.3, 0.29), "diameter": "operating", "T_R": 0.3},
+        {"moduli": (206e9, 206e9), "poisson": (0.3, 0.3), "constant": 2e10, "exponent": 1.2},
+    ],
     "constant": [{"mean": 3e8}],
     "rectangular": [{"high": 3e8, "low": 2e8}, {"high": 2e8, "low": 2e8, "duty": 0.4}],
     "fourier": [{"mean": 4e8, "cosine": [-0.2, -0.1, -0.05]}, {"mean": 4e8, "sine": [0.0, 0.3]}],

@@ -13,7 +13,8 @@ from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.elements.gear_mesh import gear_mesh
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.channels import CTL, FRAME
-from pitchpoint.system.rules.gear_mesh import MeshLaws, Placement, mesh_row
+from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
+from pitchpoint.system.rules.mesh_laws import MeshLaws
 
 OUT = {name: k for k, (name, _, _) in enumerate(layout.OUTPUTS)}
 

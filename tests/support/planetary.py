@@ -13,7 +13,8 @@ from pitchpoint.elements.markers import set_markers
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.bodies import PLANAR, TORSION, Body
-from pitchpoint.system.rules.gear_mesh import MeshLaws, Placement, mesh_row
+from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
+from pitchpoint.system.rules.mesh_laws import MeshLaws
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings
 

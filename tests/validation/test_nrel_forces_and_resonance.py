@@ -20,7 +20,7 @@ from pitchpoint.geometry import CylindricalGear, GearPair, missing_profile_shift
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
-from pitchpoint.system.rules.gear_mesh import MeshLaws
+from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.one_mesh import OneMesh
 
 

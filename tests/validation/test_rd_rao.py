@@ -21,7 +21,8 @@ from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system import evaluate
-from pitchpoint.system.rules.gear_mesh import MeshLaws, Placement, mesh_row
+from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
+from pitchpoint.system.rules.mesh_laws import MeshLaws
 from pitchpoint.system.system import assemble
 from tests.support.beams import damped_frequencies, nodes, shaft, supports
 

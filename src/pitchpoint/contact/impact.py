@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.contact.damping import ramp
+from pitchpoint.contact.elastic import power_energy, power_force
 from pitchpoint.core.kernel import kernel
 
 IMPACT, HUNT_CROSSLEY, HYSTERESIS = 0, 1, 2
@@ -209,10 +210,7 @@ def elastic_force(b, delta):
     >>> tuple(round(float(x), 6) for x in elastic_force(record[()], 1e-4))
     (1000.0, 15000000.0)
     """
-    if b["power"] == 1.0:
-        return b["k"] * delta, b["k"]
-    slope = b["k"] * delta ** (b["power"] - 1.0)
-    return slope * delta, b["power"] * slope
+    return power_force(delta, b["k"], b["power"])
 
 
 @kernel
@@ -224,7 +222,7 @@ def elastic_energy(b, delta):
     >>> round(float(elastic_energy(record[()], 1e-4)), 9)
     0.04
     """
-    return b["k"] * delta ** (b["power"] + 1.0) / (b["power"] + 1.0)
+    return power_energy(delta, b["k"], b["power"])
 
 
 @kernel

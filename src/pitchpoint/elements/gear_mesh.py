@@ -209,6 +209,7 @@ def _write(b, out, psi, damper, rate):
     out[k + 4] = psi
     out[k + 11] += damper * rate
     out[k + 12] -= damper * b["e_rate"]
+    out[k + 14] = (abs(b["u"] - b["e_t"]) - 0.5 * b["gap"]) / math.sqrt(1.0 + b["tan_b"] * b["tan_b"])
 
 
 @kernel

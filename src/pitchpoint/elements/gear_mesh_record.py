@@ -68,7 +68,8 @@ _GEOMETRY = [
 _STIFFNESS = [
     ("source", "i8"),
     ("slices", "i8"),  # 0: exact width integral
-    ("c_prime", "f8"),  # PROFILE: stiffness of one pair per face width [N/m^2]; PHASE: mean total [N/m]
+    ("c_prime", "f8"),  # PROFILE: of one pair per face width [N/m^(power + 1)]; PHASE: mean total [N/m]
+    ("power", "f8"),  # PROFILE: exponent of the elastic force over the penetration; 1 is linear
     ("S_R", "f8"),
     ("T_R", "f8"),
     ("n_table", "i8"),
@@ -81,7 +82,8 @@ _STIFFNESS = [
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
-    ("k_ref", "f8"),  # mean mesh stiffness, the reference of the damping shares [N/m]
+    ("k_ref", "f8"),  # mean mesh stiffness, the reference of the damping shares [N/m^power]
+    ("k_step", "f8"),  # usual slope of the force, from which time steps are guessed [N/m]
 ]
 
 _LOSSES = [
@@ -89,9 +91,12 @@ _LOSSES = [
     ("d_out", "f8"),  # contact damping at k_ref [N s/m]
     ("s_0", "f8"),  # penetration of full damping
     ("smooth", "i8"),  # 0: the damping grows in proportion up to s_0, 1: by a smooth cubic
+    ("chi", "f8"),  # instead: share of the elastic force per speed of approach [s/m], 0: none
     ("d_gap", "f8"),  # mesh damper, acts inside the gap too [N s/m]
     ("mu", "f8"),
-    ("v_eps", "f8"),  # friction
+    ("v_eps", "f8"),  # dynamic coefficient of friction and the sliding velocity from which on it holds [m/s]
+    ("mu_s", "f8"),
+    ("v_s", "f8"),  # static coefficient and its sliding velocity, 0 < v_s < v_eps [m/s]
 ]
 
 _EXCITATION = [
@@ -211,6 +216,7 @@ OUTPUTS = (
     ("damping_power", "W", "power lost to contact damping and mesh damper"),
     ("parametric_power", "W", "power fed in by what moves with the mesh phase: stiffness and excitation"),
     ("elastic_energy", "J", "energy stored in the flanks"),
+    ("penetration", "m", "overlap of the flanks normal to them at the pitch point, below 0 their distance"),
 )
 N_OUT = len(OUTPUTS)
 

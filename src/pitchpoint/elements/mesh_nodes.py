@@ -16,8 +16,8 @@ from __future__ import annotations
 import math
 
 from pitchpoint.contact.damping import linear_ramp, ramp
-from pitchpoint.contact.friction import coulomb
-from pitchpoint.contact.load_correction import low_load, stored_energy
+from pitchpoint.contact.elastic import low_load, power_force, stored_energy
+from pitchpoint.contact.friction import static_dynamic
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.gear_mesh_record import NEAREST, ROLL
 
@@ -29,10 +29,10 @@ GAUSS = math.sqrt(0.6)
 def node(b, ctl, watch, x, x_rate, place, k, k_rate, limit, roll):
     """Add one node and return its normal force [N].
 
-    `x` penetration [m] at the place (z, xi) [m], `k` stiffness [N/m], changing at `x_rate` [m/s] and `k_rate`
-    [N/(m s)] where no force pushes: with the phase; `limit` force below which the pair softens [N]. `roll`:
-    rate of the penetration where the contact runs over separated flanks [m/s], which damps like that of the
-    bodies, and its slope over xi; None on nominal flanks.
+    `x` penetration [m] at the place (z, xi) [m], `k` stiffness [N/m^power], changing at `x_rate` [m/s] and
+    `k_rate` per second where no force pushes: with the phase; `limit` force below which the pair softens [N].
+    `roll`: rate of the penetration where the contact runs over separated flanks [m/s], which damps like that
+    of the bodies, and its slope over xi; None on nominal flanks.
     """
     acc = b["acc"]
     if x <= 0.0 or k <= 0.0:
@@ -45,8 +45,8 @@ def node(b, ctl, watch, x, x_rate, place, k, k_rate, limit, roll):
     w = rate[0] + rate[1] * y
     if roll is not None:
         w += roll[0]
-    f = k * x
-    kt = k
+    f, kt = power_force(x, k, b["power"])
+    secant = f / x
     if limit > 0.0:
         force, tangent = low_load(f, limit)
         f *= force
@@ -54,18 +54,22 @@ def node(b, ctl, watch, x, x_rate, place, k, k_rate, limit, roll):
     elastic = f
     stiffness = kt
     d = (b["d_in"] if w > 0.0 else b["d_out"]) * k / b["k_ref"]
-    if d > 0.0:
+    if b["chi"] > 0.0:
+        d = b["chi"] * f
+        f += d * w
+        kt *= 1.0 + b["chi"] * w
+    elif d > 0.0:
         share, slope = ramp(x, b["s_0"]) if b["smooth"] == 1 else linear_ramp(x, b["s_0"])
         full = d
         d *= share
         f += d * w
         kt += full * w * slope
     if watch is not None:
-        acc[NEAREST] = max(acc[NEAREST], f / k)
+        acc[NEAREST] = max(acc[NEAREST], f / secant)
     # a flank that would have to pull lets go, and the work of its elastic force is lost
     f = max(f, 0.0)
     if watch is not None:
-        energy, feed = stored_energy(x, k, limit)
+        energy, feed = stored_energy(x, k, b["power"], limit)
         acc[22] += (f - elastic) * w
         acc[23] += feed * k_rate + elastic * x_rate + energy * b["growth"]
         if roll is not None:
@@ -94,15 +98,15 @@ def node(b, ctl, watch, x, x_rate, place, k, k_rate, limit, roll):
 
 @kernel
 def _friction(b, ctl, watch, f, c, c_roll, y, z, xi):
-    """Coulomb friction of a node with normal force `f`, against its local sliding.
+    """Friction of a node with normal force `f`, against its local sliding.
 
     `c` normal tangent, `c_roll` that over the rate of the path position.
     """
     acc = b["acc"]
     rate = b["rate"]
     v = rate[2] + rate[3] * z + rate[4] * xi
-    s, ds = coulomb(v, b["v_eps"])
-    mu = b["mu"] * math.sqrt(1.0 + b["tan_b"] * b["tan_b"])
+    s, ds = static_dynamic(v, b["mu_s"], b["mu"], b["v_s"], b["v_eps"])
+    mu = math.sqrt(1.0 + b["tan_b"] * b["tan_b"])  # per force normal to the flanks
     q = mu * f * s
     acc[2] += q
     acc[3] += q * z

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 
-from pitchpoint.contact.load_correction import stored_energy
+from pitchpoint.contact.elastic import stored_energy
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.gear_mesh_record import NEAREST
@@ -268,7 +268,7 @@ def _line_energy(b, x_q, z, xi, c, apart):
     if apart is not None:
         x -= gap_at(b, z, xi)
         k /= 1.0 + k * softening_at(b, z, xi)
-    return stored_energy(x, k, b["load_limit"])[0] if x > 0.0 and c > 0.0 else 0.0
+    return stored_energy(x, k, b["power"], b["load_limit"])[0] if x > 0.0 and c > 0.0 else 0.0
 
 
 @kernel

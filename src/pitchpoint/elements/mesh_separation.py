@@ -35,7 +35,7 @@ def begin_separation(b):
 @kernel
 def runs_damped(b):
     """Whether contact damping feels how fast contacts run over separated flanks."""
-    return b["n_sep"] > 0 and (b["d_in"] > 0.0 or b["d_out"] > 0.0)
+    return b["n_sep"] > 0 and (b["d_in"] > 0.0 or b["d_out"] > 0.0 or b["chi"] > 0.0)
 
 
 @kernel

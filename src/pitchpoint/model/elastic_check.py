@@ -37,7 +37,7 @@ def stand_in(part: ElasticBody) -> Body:
 
 def add_elastic_bodies(parts: Parts, report: Reader) -> None:
     """Check the elastic bodies by themselves and put a body in the place of each."""
-    from pitchpoint.model.validate import exactly_one
+    from pitchpoint.model.choices import exactly_one
 
     group = "elastic_bodies"
     for path in [p for p in report.tainted if p[0] == group]:

@@ -155,7 +155,8 @@ def check_scenarios(parts: Parts, report: Reader) -> None:
 
 
 def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
-    from pitchpoint.model.validate import exactly_one, known
+    from pitchpoint.model.choices import exactly_one
+    from pitchpoint.model.validate import known
 
     for key in ("speed", "drive", "hold"):
         for body in getattr(scenario, key):
@@ -308,7 +309,7 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
 
 
 def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
-    from pitchpoint.model.validate import exactly_one
+    from pitchpoint.model.choices import exactly_one
 
     sweep = scenario.sweep
     if sweep is None:

@@ -4,18 +4,18 @@
 from __future__ import annotations
 
 import difflib
-import math
 from collections.abc import Iterable
 from typing import Any
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.model.choices import exactly_one
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.modifications import FlankPitch
-from pitchpoint.model.components.stiffness import Fourier, Rectangular
 from pitchpoint.model.fault_check import hand_on
 from pitchpoint.model.frames import GROUND
 from pitchpoint.model.inertia import BodyInertia, asks_gears, body_inertia, gear_inertia
 from pitchpoint.model.keys import Place
+from pitchpoint.model.mesh_check import check_meshes
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.read import Reader
 from pitchpoint.model.scenario_check import check_scenarios, links_of
@@ -118,19 +118,7 @@ def check_carriers(parts: Parts, report: Reader) -> None:
 
 def check_choices(parts: Parts, report: Reader) -> None:
     """Keys of which exactly one or at most one is allowed."""
-    for name, mesh in parts.meshes.items():
-        at: Place = ("meshes", name)
-        if mesh.backlash is not None:
-            exactly_one(
-                mesh.backlash, ("normal", "base_tangent", "circumferential"), (*at, "backlash"), report
-            )
-        if mesh.damper is not None:
-            exactly_one(mesh.damper, ("ratio", "value"), (*at, "damper"), report)
-        if mesh.damping is not None:
-            exactly_one(mesh.damping, ("d_in", "ratio"), (*at, "damping"), report)
-            if mesh.damping.d_out is not None and mesh.damping.d_in is None:
-                report.problem((*at, "damping", "d_out"), "stands without d_in", remedy="give d_in")
-        _stiffness(mesh.stiffness, (*at, "stiffness"), report)
+    check_meshes(parts, report)
     for group in ("bearings", "couplings", "bushings"):
         for name, part in getattr(parts, group).items():
             for key in ("stiffness", "damping"):
@@ -138,42 +126,6 @@ def check_choices(parts: Parts, report: Reader) -> None:
                     _six(getattr(part, key), (group, name, key), report)
     for name, gear in parts.gears.items():
         _gear_choices(name, gear, report)
-
-
-def exactly_one(part: Any, keys: Iterable[str], at: Place, report: Reader) -> None:
-    """Report a component that gives none or several of some keys."""
-    given = [k for k in keys if getattr(part, k) is not None]
-    if len(given) != 1 and at not in report.tainted:
-        message = "gives none of its keys" if not given else f"gives {' and '.join(given)} at once"
-        report.problem(at, message, remedy=f"give exactly one of {', '.join(keys)}")
-
-
-def _stiffness(law: Any, at: Place, report: Reader) -> None:
-    if isinstance(law, Fourier):
-        depth = math.fsum(
-            math.hypot(c, s)
-            for c, s in zip(
-                [*law.cosine, *[0.0] * len(law.sine)], [*law.sine, *[0.0] * len(law.cosine)], strict=True
-            )
-        )
-        if depth >= 1.0 and _fourier_minimum(law) <= 0.0:
-            report.problem(
-                at, "becomes zero or negative in the mesh cycle", limit="> 0", remedy="reduce the amplitudes"
-            )
-    elif isinstance(law, Rectangular) and law.low > law.high:
-        report.problem((*at, "low"), "is larger than high", remedy="exchange low and high")
-
-
-def _fourier_minimum(law: Fourier) -> float:
-    """Smallest relative stiffness over one period, from 32 points per harmonic."""
-    count = max(len(law.cosine), len(law.sine))
-    steps = 32 * count
-    return min(
-        1.0
-        + math.fsum(c * math.cos(math.tau * (n + 1) * i / steps) for n, c in enumerate(law.cosine))
-        + math.fsum(s * math.sin(math.tau * (n + 1) * i / steps) for n, s in enumerate(law.sine))
-        for i in range(steps)
-    )
 
 
 def _six(part: Any, at: Place, report: Reader) -> None:

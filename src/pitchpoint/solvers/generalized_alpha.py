@@ -20,17 +20,16 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import address, kernel, view
-from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.multibody.channels import CTL, F8, I8
+from pitchpoint.core.status import DIVERGED, NOT_FINITE, OK, SLOW
+from pitchpoint.multibody.channels import CTL, I8
 from pitchpoint.solvers.alpha_start import first_slopes, shift_rates
-from pitchpoint.solvers.constrained_newton import ITERATION, constrained_step, iterate, new_iteration
-from pitchpoint.solvers.explicit import OLD, bring_state
-from pitchpoint.solvers.newton import newton_step, rows_hold
+from pitchpoint.solvers.alpha_step import alpha_step, bring_step, divided_step, keep_step
+from pitchpoint.solvers.constrained_newton import iterate, new_iteration
 from pitchpoint.solvers.sampling import Chunk, advance_into, harvest_at, new_harvest, record_step
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
-from pitchpoint.system.workspace import MACH, STAGE_ROWS, STEPS, VALID
+from pitchpoint.system.workspace import MACH, STEPS, VALID
 
 MOST_MATRICES = 12
 """Iterations of the stabilised form with a matrix each."""
@@ -41,97 +40,25 @@ JOLT = 2e-3
 position is a force in the multipliers, over the square of a short step, and adds up in the rates."""
 
 
-@kernel
-def _predict(q, v, a, al, ap, old, h, method):
-    """First guess of a step: the acceleration goes on along a straight line. `old` keeps q and v.
-
-    A guess that merely kept the last acceleration would leave an error of first order in h behind whenever
-    one iteration is enough.
-    """
-    beta, gamma, alpha_m, alpha_f = method
-    for i in range(q.size):
-        old[i] = q[i]
-        old[q.size + i] = v[i]
-        last = al[i]
-        guess = 2.0 * a[i] - ap[i]
-        new = ((1.0 - alpha_f) * guess + alpha_f * a[i] - alpha_m * last) / (1.0 - alpha_m)
-        q[i] += h * v[i] + h * h * ((0.5 - beta) * last + beta * new)
-        v[i] += h * ((1.0 - gamma) * last + gamma * new)
-        al[i] = new
-        ap[i] = a[i]
-        a[i] = guess
-
-
-@kernel
-def _predict_multipliers(at):
-    """Let the multipliers go on along a straight line, where friction depends on them.
-
-    One iteration makes a step, so friction works with the guess; the last one would leave an error of first
-    order behind.
-    """
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    lam = view(c["lam"], c["nc"], F8)
-    last = view(m["lp"], c["nc"], F8)
-    for r in range(lam.size):
-        before = last[r]
-        last[r] = lam[r]
-        lam[r] += lam[r] - before
-
-
-@kernel
-def _stabilised_step(at, t, cm, cd, iteration, code):
-    """One step with the rows on positions and rates."""
-    n = view(iteration, 1, ITERATION)[0]
-    n["t"] = t
-    n["cm"] = cm
-    n["cd"] = cd
-    return constrained_step(at, iteration, code)
-
-
 @kernel(inline=True)
 def advance(at, t0, first, n, h, rho, tol, iteration, code, harvest):
     """Take n steps; t of step k is t0 + (first + k) h; a step that fails leaves the state before it.
 
+    Where Newton's iteration fails the step is divided; nothing is recorded in between.
+
     iteration, code: record and address of the iteration of the stabilised form, 0 for index 3.
     """
     c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    nd = c["nd"]
-    q = view(c["q"], nd, F8)
-    v = view(c["v"], nd, F8)
-    a = view(c["a"], nd, F8)
-    al = view(m["al"], nd, F8)
-    ap = view(m["ap"], nd, F8)
-    old = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)[OLD]
-    clock = view(m["clock"], 16, I8)
-    alpha_m = (2.0 * rho - 1.0) / (rho + 1.0)
-    alpha_f = rho / (rho + 1.0)
-    gamma = 0.5 - alpha_m + alpha_f
-    beta = 0.25 * (gamma + 0.5) * (gamma + 0.5)
-    cm = (1.0 - alpha_m) / (h * h * beta * (1.0 - alpha_f))
-    cd = gamma / (h * beta)
-    share = (1.0 - alpha_f) / (1.0 - alpha_m)
+    clock = view(view(c["mach"], 1, MACH)[0]["clock"], 16, I8)
     for k in range(1, n + 1):
         t = t0 + (first + k) * h
-        _predict(q, v, a, al, ap, old, h, (beta, gamma, alpha_m, alpha_f))
-        for i in range(nd):
-            al[i] -= share * a[i]  # completed below with the solved acceleration
-        if m["nfrictions"] > 0:
-            _predict_multipliers(at)
-        if iteration != 0:
-            status = _stabilised_step(at, t, cm, cd, iteration, code)
-        else:
-            status = newton_step(at, t, cm, cd, tol)
-        if status == OK and c["nc"] > 0:
-            status = rows_hold(at, t)
+        keep_step(at)
+        status = alpha_step(at, t, h, rho, tol, iteration, code)
+        if status == SLOW or status == DIVERGED or status == NOT_FINITE:
+            status = divided_step(at, t, h, rho, tol, iteration, code)
         if status != OK:
-            bring_state(at, OLD)
-            for i in range(nd):
-                a[i] = ap[i]  # where the prediction has put the acceleration before the step
+            bring_step(at)
             return status
-        for i in range(nd):
-            al[i] += share * a[i]
         wrap(at)
         clock[STEPS] += 1
         harvest.done[0] = k

@@ -60,7 +60,7 @@ def _mesh_frequency(system: System, speeds: dict[str, float]) -> float:
 
 
 def mesh_mode(row: np.void, system: System) -> float:
-    """Natural frequency of the mean stiffness of a mesh between the spins of its two bodies [Hz].
+    """Natural frequency of the usual stiffness of a mesh between the spins of its two bodies [Hz].
 
     Counts for a mesh that is not in contact yet, too.
     """
@@ -69,7 +69,7 @@ def mesh_mode(row: np.void, system: System) -> float:
         polar = float(system.program["body"][body]["i_p"])
         if system.program["body"][body]["joint"] and polar > 0.0:
             inverse += float(r_b) ** 2 / polar
-    return math.sqrt(float(row["k_ref"]) * inverse) / (2.0 * math.pi)
+    return math.sqrt(float(row["k_step"]) * inverse) / (2.0 * math.pi)
 
 
 def shortest_period(start: Start, scenario: Scenario) -> float:

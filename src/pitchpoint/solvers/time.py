@@ -24,6 +24,7 @@ from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
 from pitchpoint.system import evaluate
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
+from pitchpoint.system.workspace import REJECTED
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -267,6 +268,9 @@ class _Loop:
         remarks = deep_contacts(self.system.model, [channels])
         if status == OK and found.count == 0:  # methods with samples within steps measure at them
             remarks = ("no sample lies in the window of the statistics; raise sample_rate",)
+        divided = int(self.system.workspace.clock[REJECTED])
+        if isinstance(self.run_, generalized_alpha.Run) and divided:
+            remarks = (*remarks, f"{divided} of {self.steps} steps were divided where Newton's method failed")
         t = float(self.run_.t)
         return TimeSummary(
             status=status,

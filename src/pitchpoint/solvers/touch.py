@@ -52,7 +52,7 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
     names = mesh_names(system)
     u, pushes = (system.layout.channel(f"{c}[{names[m]}]") for c in ("transmission_error", "mesh_force"))
     nowhere = SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, clear)
-    aim = DEPTH * float(record["k_ref"])
+    aim = DEPTH ** float(record["power"]) * float(record["k_ref"])
     state = clear.copy()
     evaluate.residual(system, state)
     span = abs(float(record["gap"])) + 1e-6

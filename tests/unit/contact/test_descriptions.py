@@ -107,7 +107,16 @@ def test_sine_and_cosine_of_unequal_length():
 
 
 def test_registry_is_complete_and_lazy():
-    assert set(REGISTRY) == {"din3990", "energy", "constant", "rectangular", "fourier", "table", "user"}
+    assert set(REGISTRY) == {
+        "din3990",
+        "energy",
+        "hertz",
+        "constant",
+        "rectangular",
+        "fourier",
+        "table",
+        "user",
+    }
     for name, source in REGISTRY.items():
         assert source.function.__name__ == name
         assert source.returns == source.function.__annotations__["return"]

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pitchpoint.contact.damping import damping_force, ramp
+from pitchpoint.contact.elastic import low_load
 from pitchpoint.contact.friction import coulomb
-from pitchpoint.contact.load_correction import low_load
 from pitchpoint.contact.pair_shape import (
     FOURIER,
     RECTANGULAR,

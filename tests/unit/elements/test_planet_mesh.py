@@ -10,7 +10,7 @@ from pitchpoint.contact.stiffness.din3990 import din3990
 from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.system import evaluate
-from pitchpoint.system.rules.gear_mesh import MeshLaws
+from pitchpoint.system.rules.mesh_laws import MeshLaws
 from pitchpoint.system.system import assemble
 from tests.support.engine import differences
 from tests.support.one_mesh import OneMesh, make_pair

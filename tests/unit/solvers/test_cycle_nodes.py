@@ -8,7 +8,7 @@ import math
 import pytest
 
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.system.rules.gear_mesh import mean_stiffness, mesh_laws
+from pitchpoint.system.rules.mesh_laws import mean_stiffness, mesh_laws
 from tests.support.machines import compiled, pair
 
 pytestmark = pytest.mark.filterwarnings(

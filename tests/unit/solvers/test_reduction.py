@@ -18,7 +18,8 @@ from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.reduction import reduce_system
 from pitchpoint.system import evaluate
-from pitchpoint.system.rules.gear_mesh import MeshLaws, Placement, mesh_row
+from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
+from pitchpoint.system.rules.mesh_laws import MeshLaws
 from pitchpoint.system.system import assemble
 from tests.support.beams import nodes, shaft, supports
 from tests.support.engine import couplings, torques

@@ -25,7 +25,8 @@ from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.evaluate import observe
-from pitchpoint.system.rules.gear_mesh import Placement, mesh_laws, mesh_row
+from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
+from pitchpoint.system.rules.mesh_laws import mesh_laws
 from pitchpoint.system.rules.shaft import Rider, shaft_parts
 from pitchpoint.system.system import assemble
 

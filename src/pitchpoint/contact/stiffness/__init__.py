@@ -47,6 +47,7 @@ REGISTRY: dict[str, Source] = {
     for source in (
         Source("din3990", "PairShape", "single stiffness c' by DIN 3990 / ISO 6336-1 with parabola"),
         Source("energy", "PairShape", "teeth as cantilevers, Hertz contact, gear bodies"),
+        Source("hertz", "PairShape", "pair as two rounded bodies, force ~ penetration^1.5"),
         Source("constant", "PhaseStiffness", "one value"),
         Source("rectangular", "PhaseStiffness", "two values in turn"),
         Source("fourier", "PhaseStiffness", "Fourier series over the mesh phase"),

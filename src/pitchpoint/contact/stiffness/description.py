@@ -118,8 +118,8 @@ class PairShape:
     Parameters
     ----------
     c_prime
-        Stiffness of one pair per unit face width in the transverse plane along the base tangent, c' [N/m^2],
-        at its highest point (parabola) or where `table` is one.
+        Stiffness of one pair per unit face width in the transverse plane along the base tangent, c'
+        [N/m^(power + 1)], at its highest point (parabola) or where `table` is one.
     S_R
         Lowest over highest stiffness of the parabola, in [0, 1].
     T_R
@@ -130,6 +130,8 @@ class PairShape:
     load_limit
         Line load along the base tangent below which the stiffness falls (ISO 6336-1, low specific load)
         [N/m]; 0 switches this off.
+    power
+        Exponent of the force over the penetration, >= 1; 1 is a linear spring.
     """
 
     c_prime: float
@@ -137,6 +139,7 @@ class PairShape:
     T_R: float = 0.0
     table: Array | None = None
     load_limit: float = 0.0
+    power: float = 1.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "c_prime", positive("stiffness.c_prime", self.c_prime, "N/m^2"))
@@ -147,6 +150,8 @@ class PairShape:
             if table.min() < 0.0:
                 raise refuse("stiffness.table", "is no stiffness", table.min(), ">= 0", "check the table")
             object.__setattr__(self, "table", table)
+        if not 1.0 <= self.power <= 5.0:
+            raise refuse("stiffness.exponent", "is no exponent", self.power, "1 to 5", "1.5 is that of Hertz")
 
     def ramp_length(self, eps_alpha: float) -> float:
         """Length of the ramp at both ends, L = T_R frac(eps_alpha) [base pitches]; 0 if below 1e-12.
@@ -166,6 +171,14 @@ class PairShape:
         if self.table is None:
             return self.S_R, self.S_R
         return float(self.table[0]), float(self.table[-1])
+
+    def slope(self, penetration: float) -> float:
+        """Slope of the force per unit face width at a penetration [N/m^2]; of a linear law c' everywhere.
+
+        >>> PairShape(c_prime=2e9, power=1.5).slope(1e-4)
+        30000000.0
+        """
+        return float(self.power * self.c_prime * penetration ** (self.power - 1.0))
 
     def jumps(self, eps_alpha: float, eps_beta: float = 0.0) -> tuple[float, ...]:
         """Mesh phases in [0, 1) at which the mesh stiffness is discontinuous.

@@ -26,13 +26,28 @@ class Backlash:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactDamping:
-    """Damping of the flanks while they touch; either d_in (and d_out) or ratio."""
+    """Damping of the flanks while they touch; one of d_in (with d_out), ratio, pair, restitution."""
 
     d_in: float | None = quantity("damping", "damping while the flanks approach", None, minimum=0.0)
     d_out: float | None = quantity(
         "damping", "damping while they move apart", None, minimum=0.0, display="d_in"
     )
     ratio: float | None = quantity("dimensionless", CRITICAL, None, minimum=0.0, maximum=10.0)
+    pair: float | None = quantity(
+        "damping",
+        "damping of one tooth pair normal to its flanks, as of an impact force",
+        None,
+        minimum=0.0,
+    )
+    restitution: float | None = quantity(
+        "dimensionless",
+        "share of the speed that an impact gives back",
+        None,
+        minimum=0.0,
+        above=True,
+        maximum=1.0,
+    )
+    speed: float = positive("speed", "speed of the impact at which the restitution holds", 1.0)
     s_0: float = quantity("length", "penetration at which the damping is fully there", 1e-6, minimum=0.0)
     law: str = choice(("linear", "smooth"), "growth of the damping from 0 to s_0", "linear")
 
@@ -47,10 +62,16 @@ class Damper:
 
 @dataclass(frozen=True, kw_only=True)
 class Friction:
-    """Coulomb friction of the flanks, smoothed around zero sliding velocity."""
+    """Friction of the flanks, smoothed around zero sliding velocity, with a static coefficient or without."""
 
     mu: float = quantity("dimensionless", "coefficient of friction", minimum=0.0, maximum=2.0)
-    v_eps: float = positive("speed", "sliding velocity below which the friction is smoothed", 0.01)
+    v_eps: float = positive("speed", "sliding velocity from which on mu holds", 0.01)
+    static: float | None = quantity(
+        "dimensionless", "static coefficient, at static_speed", None, minimum=0.0, maximum=2.0, display="mu"
+    )
+    static_speed: float | None = positive(
+        "speed", "sliding velocity of the static coefficient, below v_eps", None, display="v_eps"
+    )
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -123,6 +123,30 @@ class Energy:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Hertz:
+    """One tooth pair as an impact force K u^e over the overlap u, the same all along its path.
+
+    K by Hertz from the curvatures at the pitch point, or from a force at a depth.
+    """
+
+    law: ClassVar[str] = "hertz"
+    diameter: str = choice(
+        ("reference", "operating"),
+        "diameter of gear 1 in the formula of its curvature; reference is exact, operating too large by "
+        "cos(alpha_t)/cos(alpha_wt)",
+        "reference",
+    )
+    exponent: float = quantity(
+        "dimensionless", "exponent e of the force over the overlap", 1.5, minimum=1.0, maximum=5.0
+    )
+    force: float | None = positive(
+        "force", "elastic force normal to the flanks at the overlap `depth`", None, display="by Hertz"
+    )
+    depth: float | None = positive("length", "overlap normal to the flanks at which it is `force`", None)
+    tip_relief_factor: float = _relief()
+
+
+@dataclass(frozen=True, kw_only=True)
 class UserStiffness:
     """Total mesh stiffness k(psi) by a user's Python function; needs --allow-code."""
 
@@ -133,7 +157,7 @@ class UserStiffness:
 
 
 StiffnessLaw: TypeAlias = (
-    Din3990 | ConstantStiffness | Rectangular | Fourier | Table | PairTable | Energy | UserStiffness
+    Din3990 | ConstantStiffness | Rectangular | Fourier | Table | PairTable | Energy | Hertz | UserStiffness
 )
 LAWS: dict[str, type] = {
     c.law: c
@@ -145,9 +169,10 @@ LAWS: dict[str, type] = {
         Table,
         PairTable,
         Energy,
+        Hertz,
         UserStiffness,
     )
 }
 
 #: Laws that describe one tooth pair; all others prescribe the stiffness of the whole mesh.
-OF_PAIRS = ("din3990", "energy", "pair_table")
+OF_PAIRS = ("din3990", "energy", "hertz", "pair_table")

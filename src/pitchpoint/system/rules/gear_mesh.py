@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.contact.mesh_cycle import pair_cycle
-from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
+from pitchpoint.contact.stiffness.description import Description, PairShape
 from pitchpoint.core.errors import CompileError
 from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK, sentence
@@ -29,15 +28,15 @@ from pitchpoint.model.remarks import warn_of_remarks
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
+from pitchpoint.system.rules.mesh_laws import MeshLaws, mean_stiffness, mesh_laws, usual_slope
 from pitchpoint.system.rules.separation import separation_grids
-from pitchpoint.system.rules.stiffness import describe_stiffness, user_law
-from pitchpoint.system.rules.turning_inertia import turning_inertia
+from pitchpoint.system.rules.stiffness import user_law
 
 if TYPE_CHECKING:
-    from pitchpoint.model.components.mesh import TransmissionError
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
+
 #: Puts an array into the pool of the kind and gives its offset there.
 Keep = Callable[[Array], int]
 
@@ -75,37 +74,6 @@ class Placement:
     axes: Array = field(default_factory=lambda: np.eye(3))
     fixed: bool = False
     widths: tuple[float, float] | None = None
-
-
-@dataclass(frozen=True, kw_only=True)
-class MeshLaws:
-    """Everything of a mesh that is not geometry; damping in N s/m along the base tangent.
-
-    `user` holds the parameters of a user's stiffness law; the law itself is linked by the system.
-    """
-
-    stiffness: Description
-    slices: int = 0
-    k_ref: float = 0.0
-    d_in: float = 0.0
-    d_out: float = 0.0
-    s_0: float = 1e-6
-    smooth: bool = False
-    d_gap: float = 0.0
-    mu: float = 0.0
-    v_eps: float = 0.01
-    e_cos: Array = field(default_factory=lambda: np.zeros(0))
-    e_sin: Array = field(default_factory=lambda: np.zeros(0))
-    orders1: Array = field(default_factory=lambda: np.zeros((0, 3)))
-    orders2: Array = field(default_factory=lambda: np.zeros((0, 3)))
-    user: Array | None = None
-
-
-def mean_stiffness(pair: GearPair, stiffness: Description) -> float:
-    """Mean total stiffness of a mesh along the base tangent [N/m], over one mesh cycle."""
-    if isinstance(stiffness, PhaseStiffness):
-        return stiffness.mean
-    return pair_cycle(stiffness, pair.eps_alpha, n=2).mean * stiffness.c_prime * pair.b_w
 
 
 def _wrap(value: float, period: float) -> tuple[float, int]:
@@ -161,12 +129,12 @@ def _stiffness(row: Any, stiffness: Description, keep: Keep) -> None:
     if isinstance(stiffness, PairShape):
         row["source"] = layout.PROFILE
         row["c_prime"], row["S_R"], row["T_R"] = stiffness.c_prime, stiffness.S_R, stiffness.T_R
-        row["load_limit"] = stiffness.load_limit
+        row["load_limit"], row["power"] = stiffness.load_limit, stiffness.power
         if stiffness.table is not None:
             row["n_table"], row["table"] = stiffness.table.size, keep(stiffness.table)
         return
     row["source"] = layout.PHASE
-    row["c_prime"] = stiffness.mean
+    row["c_prime"], row["power"] = stiffness.mean, 1.0
     row["form"] = stiffness.form
     row["n_k"], first, second = stiffness.arrays()
     row["cosine"], row["sine"] = keep(first), keep(second)
@@ -204,8 +172,11 @@ def mesh_row(
     _stiffness(row, laws.stiffness, keep)
     row["slices"] = laws.slices
     row["k_ref"] = laws.k_ref or mean_stiffness(pair, laws.stiffness)
-    for name in ("d_in", "d_out", "s_0", "smooth", "d_gap", "mu", "v_eps"):
+    row["k_step"] = usual_slope(pair, laws.stiffness)
+    for name in ("d_in", "d_out", "s_0", "smooth", "chi", "d_gap", "mu", "v_eps"):
         row[name] = getattr(laws, name)
+    row["mu_s"] = laws.mu if laws.mu_s is None else laws.mu_s
+    row["v_s"] = laws.v_eps if laws.v_s is None else laws.v_s
     if laws.user is not None:
         row["form"], row["params"] = layout.USER, keep(laws.user)
     if laws.e_cos.size:
@@ -276,61 +247,6 @@ def _only_spins(seat: Seat) -> bool:
 def _turn(axes: Array) -> float:
     """Angle of a frame about the z axis, which is its own too [rad]."""
     return math.atan2(axes[1, 0], axes[0, 0])
-
-
-def mesh_laws(model: Model, name: str) -> MeshLaws:
-    """Stiffness, damping, friction and excitation of one mesh; ratios become damping rates."""
-    mesh = model.meshes[name]
-    stiffness = describe_stiffness(model, name)
-    k = mean_stiffness(model.pairs[name], stiffness)
-    critical = 2.0 * math.sqrt(k * _reduced_mass(model, name))
-    found: dict[str, Any] = {"stiffness": stiffness, "k_ref": k}
-    modified = any(model.gears[g].is_modified for g in mesh.gears)
-    grids = modified and isinstance(stiffness, PairShape)
-    found["slices"] = mesh.slices if mesh.width == "slices" or grids else 0
-    if mesh.damping is not None:
-        d_in = mesh.damping.d_in if mesh.damping.ratio is None else mesh.damping.ratio * critical
-        d_out = d_in if mesh.damping.d_out is None else mesh.damping.d_out
-        found |= {"d_in": d_in or 0.0, "d_out": d_out or 0.0, "s_0": mesh.damping.s_0}
-        found["smooth"] = mesh.damping.law == "smooth"
-    if mesh.damper is not None:
-        value = mesh.damper.value if mesh.damper.ratio is None else mesh.damper.ratio * critical
-        found["d_gap"] = value or 0.0
-    if mesh.friction is not None:
-        found |= {"mu": mesh.friction.mu, "v_eps": mesh.friction.v_eps}
-    if isinstance(mesh.stiffness, UserStiffness):
-        found["user"] = np.array(mesh.stiffness.python.parameters or (0.0,))
-    if mesh.transmission_error is not None:
-        found |= _excitation(mesh.transmission_error)
-    return MeshLaws(**found)
-
-
-def _excitation(error: TransmissionError) -> dict[str, Array]:
-    """Coefficient arrays of a static transmission error."""
-    n = max(len(error.cosine), len(error.sine))
-    cosine, sine = np.zeros(n), np.zeros(n)
-    cosine[: len(error.cosine)] = error.cosine
-    sine[: len(error.sine)] = error.sine
-    return {
-        "e_cos": cosine,
-        "e_sin": sine,
-        "orders1": np.array(error.shaft1, dtype=float).reshape(-1, 3),
-        "orders2": np.array(error.shaft2, dtype=float).reshape(-1, 3),
-    }
-
-
-def _reduced_mass(model: Model, name: str) -> float:
-    """Mass that both bodies of a mesh, and what hangs on them, put on its line of action, spins only [kg].
-
-    Zero without bodies.
-    """
-    inverse = 0.0
-    for gear in model.meshes[name].gears:
-        body = model.body_of(gear)
-        if body is not None and model.bodies[body].moves != "fixed":
-            polar = turning_inertia(model, body)
-            inverse += (0.5 * model.gears[gear].geometry.d_b) ** 2 / polar if polar > 0.0 else 0.0
-    return 1.0 / inverse if inverse > 0.0 else 0.0
 
 
 def _freeze(row: Any, place: Placement) -> None:

@@ -67,6 +67,8 @@ def describe_stiffness(model: Model, mesh: str) -> Description:
         return source(pair, S_R=law.stiffness_ratio, T_R=law.tip_relief_factor, **options)
     if isinstance(law, laws.Energy):
         return source(pair, T_R=law.tip_relief_factor, **_energy_options(model, mesh, law))
+    if isinstance(law, laws.Hertz):
+        return source(pair, **_hertz_options(model, mesh, law))
     if isinstance(law, laws.ConstantStiffness):
         return source(pair, mean=law.value)
     if isinstance(law, laws.Rectangular):
@@ -95,6 +97,19 @@ def _try(law: UserLaw) -> None:
                 f"{law.source} gives {value:.6g} N/m (mesh phase {k / N_TRIES:.4f}); a stiffness is > 0",
                 REFUSED,
             )
+
+
+def _hertz_options(model: Model, mesh: str, law: laws.Hertz) -> dict[str, Any]:
+    materials = [model.gears[g].material_data for g in model.meshes[mesh].gears]
+    given = law.force is not None and law.depth is not None
+    return {
+        "moduli": tuple(m.youngs_modulus for m in materials),
+        "poisson": tuple(m.poisson_ratio for m in materials),
+        "diameter": law.diameter,
+        "constant": law.force / law.depth**law.exponent if given else None,  # type: ignore[operator]
+        "exponent": law.exponent,
+        "T_R": law.tip_relief_factor,
+    }
 
 
 def _energy_options(model: Model, mesh: str, law: laws.Energy) -> dict[str, Any]:

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Elastic force over the deflection: power law, softer teeth at low load, and the energy of both."""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.core.kernel import kernel
+
+
+@kernel
+def power_force(x, k, power):
+    """Force k x^power and its derivative by x, for x > 0; power 1.5 is that of Hertz for rounded bodies.
+
+    >>> force, tangent = power_force(4.0, 2.0, 1.5)
+    >>> float(force), float(tangent)
+    (16.0, 6.0)
+    """
+    if power == 1.0:
+        return k * x, k
+    if power == 1.5:  # several times quicker than a power
+        slope = k * math.sqrt(x)
+    else:
+        slope = k * x ** (power - 1.0)
+    return slope * x, power * slope
+
+
+@kernel
+def power_energy(x, k, power):
+    """Energy of `power_force` at x > 0, k x^(power + 1)/(power + 1) [J].
+
+    >>> round(float(power_energy(4.0, 2.0, 1.5)), 12)
+    25.6
+    """
+    return power_force(x, k, power)[0] * x / (power + 1.0)
+
+
+@kernel
+def low_load(load, limit):
+    """Factors on the force and on its tangent for a line load that c' alone would give.
+
+    ISO 6336-1 lets the stiffness fall as c' (w/w_0)^0.25 where the specific load w is below w_0. Solved for
+    the deflection, w = q^(4/3) w_0^(-1/3) with q = c' delta: the force is q times (q/w_0)^(1/3), its
+    derivative by the deflection c' times 4/3 of that. load = q and limit = w_0 in N/m; limit 0 or
+    q >= limit: (1, 1).
+
+    >>> force, tangent = low_load(0.125e5, 1.0e5)
+    >>> round(float(force), 12), round(float(tangent), 12)
+    (0.5, 0.666666666667)
+    """
+    if load >= limit:
+        return 1.0, 1.0
+    if load <= 0.0:
+        return 0.0, 0.0
+    factor = (load / limit) ** (1.0 / 3.0)
+    return factor, 4.0 / 3.0 * factor
+
+
+@kernel
+def stored_energy(x, k, power, limit):
+    """Energy of a spring k x^power [N] pressed by x [m], and its derivative by k at the same x.
+
+    Below the force `limit` [N] a linear spring softens as `low_load` says (force proportional to x^(4/3));
+    limit 0 is none.
+
+    >>> energy, slope = stored_energy(2.0, 3.0, 1.0, 0.0)
+    >>> float(energy), float(slope)
+    (6.0, 2.0)
+    """
+    if power != 1.0:
+        slope = power_energy(x, 1.0, power)
+        return k * slope, slope
+    q = k * x
+    if limit <= 0.0:
+        return 0.5 * q * x, 0.5 * x * x
+    if q < limit:
+        energy = low_load(q, limit)[0] * q * x * (3.0 / 7.0)
+        return energy, 4.0 / 3.0 * energy / k
+    return 0.5 * q * x - limit * limit / (14.0 * k), 0.5 * x * x + limit * limit / (14.0 * k * k)

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Everything of a mesh that is not geometry: stiffness, damping, friction, excitation."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.contact.impact import restitution_factor
+from pitchpoint.contact.mesh_cycle import pair_cycle
+from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
+from pitchpoint.geometry.gear_pair import GearPair
+from pitchpoint.model.components.stiffness import UserStiffness
+from pitchpoint.system.rules.stiffness import describe_stiffness
+from pitchpoint.system.rules.turning_inertia import turning_inertia
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.mesh import ContactDamping, TransmissionError
+    from pitchpoint.model.model import Model
+
+Array = NDArray[np.float64]
+
+HEAVY_LOAD = 0.01
+"""Penetration over module of heavily loaded teeth, at which a nonlinear law has its usual slope."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeshLaws:
+    """Everything of a mesh that is not geometry; damping in N s/m along the base tangent.
+
+    `user` holds the parameters of a user's stiffness law; the law itself is linked by the system.
+    """
+
+    stiffness: Description
+    slices: int = 0
+    k_ref: float = 0.0
+    d_in: float = 0.0
+    d_out: float = 0.0
+    s_0: float = 1e-6
+    smooth: bool = False
+    chi: float = 0.0
+    d_gap: float = 0.0
+    mu: float = 0.0
+    v_eps: float = 0.01
+    mu_s: float | None = None
+    v_s: float | None = None
+    e_cos: Array = field(default_factory=lambda: np.zeros(0))
+    e_sin: Array = field(default_factory=lambda: np.zeros(0))
+    orders1: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    orders2: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    user: Array | None = None
+
+
+def mean_stiffness(pair: GearPair, stiffness: Description) -> float:
+    """Mean total stiffness of a mesh along the base tangent [N/m^power], over one mesh cycle."""
+    if isinstance(stiffness, PhaseStiffness):
+        return stiffness.mean
+    return pair_cycle(stiffness, pair.eps_alpha, n=2).mean * stiffness.c_prime * pair.b_w
+
+
+def usual_slope(pair: GearPair, stiffness: Description) -> float:
+    """Slope of the force of a heavily loaded mesh along the base tangent [N/m], mean over a cycle."""
+    if isinstance(stiffness, PhaseStiffness):
+        return stiffness.mean
+    return mean_stiffness(pair, stiffness) / stiffness.c_prime * stiffness.slope(HEAVY_LOAD * pair.gear1.m_n)
+
+
+def mesh_laws(model: Model, name: str) -> MeshLaws:
+    """Stiffness, damping, friction and excitation of one mesh; ratios become damping rates."""
+    mesh = model.meshes[name]
+    stiffness = describe_stiffness(model, name)
+    k = mean_stiffness(model.pairs[name], stiffness)
+    critical = 2.0 * math.sqrt(k * _reduced_mass(model, name))
+    found: dict[str, Any] = {"stiffness": stiffness, "k_ref": k}
+    modified = any(model.gears[g].is_modified for g in mesh.gears)
+    grids = modified and isinstance(stiffness, PairShape)
+    found["slices"] = mesh.slices if mesh.width == "slices" or grids else 0
+    if mesh.damping is not None:
+        found |= contact_damping(mesh.damping, model.pairs[name], stiffness, k, critical)
+    if mesh.damper is not None:
+        value = mesh.damper.value if mesh.damper.ratio is None else mesh.damper.ratio * critical
+        found["d_gap"] = value or 0.0
+    if mesh.friction is not None:
+        found |= {"mu": mesh.friction.mu, "v_eps": mesh.friction.v_eps}
+        found |= {"mu_s": mesh.friction.static, "v_s": mesh.friction.static_speed}
+    if isinstance(mesh.stiffness, UserStiffness):
+        found["user"] = np.array(mesh.stiffness.python.parameters or (0.0,))
+    if mesh.transmission_error is not None:
+        found |= _excitation(mesh.transmission_error)
+    return MeshLaws(**found)
+
+
+def contact_damping(
+    damping: ContactDamping, pair: GearPair, stiffness: Description, k: float, critical: float
+) -> dict[str, Any]:
+    """Damping of touching flanks along the base tangent, at the mean stiffness k.
+
+    Along the base tangent a force is cos(beta_b) of that normal to the flanks and an overlap 1/cos(beta_b).
+    """
+    cos_b = math.cos(pair.gear1.beta_b)
+    if damping.restitution is not None:
+        return {"chi": restitution_factor(damping.restitution) / damping.speed * cos_b}
+    if damping.pair is not None:
+        assert isinstance(stiffness, PairShape)  # the model layer asks for a law of one pair
+        d_in = damping.pair * cos_b**2 * k / (stiffness.c_prime * pair.b_w)
+    else:
+        d_in = (damping.d_in if damping.ratio is None else damping.ratio * critical) or 0.0
+    d_out = d_in if damping.d_out is None else damping.d_out
+    s_0 = damping.s_0 if damping.pair is None else damping.s_0 / cos_b
+    return {"d_in": d_in, "d_out": d_out, "s_0": s_0, "smooth": damping.law == "smooth"}
+
+
+def _excitation(error: TransmissionError) -> dict[str, Array]:
+    """Coefficient arrays of a static transmission error."""
+    n = max(len(error.cosine), len(error.sine))
+    cosine, sine = np.zeros(n), np.zeros(n)
+    cosine[: len(error.cosine)] = error.cosine
+    sine[: len(error.sine)] = error.sine
+    return {
+        "e_cos": cosine,
+        "e_sin": sine,
+        "orders1": np.array(error.shaft1, dtype=float).reshape(-1, 3),
+        "orders2": np.array(error.shaft2, dtype=float).reshape(-1, 3),
+    }
+
+
+def _reduced_mass(model: Model, name: str) -> float:
+    """Mass that both bodies of a mesh, and what hangs on them, put on its line of action, spins only [kg].
+
+    Zero without bodies.
+    """
+    inverse = 0.0
+    for gear in model.meshes[name].gears:
+        body = model.body_of(gear)
+        if body is not None and model.bodies[body].moves != "fixed":
+            polar = turning_inertia(model, body)
+            inverse += (0.5 * model.gears[gear].geometry.d_b) ** 2 / polar if polar > 0.0 else 0.0
+    return 1.0 / inverse if inverse > 0.0 else 0.0
