@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Problem
 from pitchpoint.model.components.stiffness import OF_PAIRS
-from pitchpoint.model.components.tooth_faults import BrokenTooth, PitchError
+from pitchpoint.model.components.tooth_faults import BrokenTooth, PitchError, RootCrack
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.mesh import Mesh
     from pitchpoint.model.parts import Parts
 
 
@@ -48,14 +49,47 @@ def _problems(gear: Gear, fault: object) -> list[Problem]:
 
     if isinstance(fault, BrokenTooth):
         return break_problems(fault.width or 0.0, fault.height or 0.0, gear.geometry)
+    if isinstance(fault, RootCrack):
+        return _crack_problems(gear, fault)
     if isinstance(fault, PitchError):
         return size_problems({"amount": fault.amount}, gear.geometry)
     return []
 
 
+def _crack_problems(gear: Gear, crack: RootCrack) -> list[Problem]:
+    from pitchpoint.contact.stiffness.root_crack import largest_crack
+    from pitchpoint.geometry.tooth_form import tooth_form
+
+    most = largest_crack(tooth_form(gear.geometry), crack.angle)
+    found = []
+    if crack.depth > most:
+        found.append(
+            Problem(
+                "depth",
+                "goes beyond the centre line of the tooth",
+                f"{1e3 * crack.depth:.6g} mm",
+                f"{1e3 * most:.6g} mm",
+                "reduce it, or take broken_tooth for a tooth that is gone",
+            )
+        )
+    if crack.length is not None and crack.length > gear.face_width:
+        found.append(
+            Problem(
+                "length",
+                "is longer than the face is wide",
+                f"{1e3 * crack.length:.6g} mm",
+                f"{1e3 * gear.face_width:.6g} mm",
+                "leave it out for the whole face",
+            )
+        )
+    return found
+
+
 def check_fault_laws(parts: Parts, report: Reader) -> None:
     """Report faulty gears in meshes whose stiffness knows no single teeth."""
     for name, mesh in parts.meshes.items():
+        if mesh.stiffness.law in OF_PAIRS:
+            _check_cracks(parts, name, mesh, report)
         if mesh.stiffness.law in OF_PAIRS or ("meshes", name, "stiffness") in report.tainted:
             continue
         for gear in mesh.gears:
@@ -65,5 +99,21 @@ def check_fault_laws(parts: Parts, report: Reader) -> None:
                     f"has no effect in the mesh {name}, whose law {mesh.stiffness.law} is that of the whole "
                     "mesh and knows no single teeth",
                     remedy=f"use one of {', '.join(OF_PAIRS)} there",
+                    taint=False,
+                )
+
+
+def _check_cracks(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
+    """Report cracks in meshes whose force is a power of the overlap: there is no compliance to add to."""
+    if getattr(mesh.stiffness, "exponent", 1.0) == 1.0:
+        return
+    for gear in mesh.gears:
+        for label, fault in parts.gears[gear].faults.items() if gear in parts.gears else ():
+            if isinstance(fault, RootCrack):
+                report.problem(
+                    ("gears", gear, "faults", label),
+                    f"adds to the compliance of a tooth, and the law {mesh.stiffness.law} of the mesh {name} "
+                    "has none: its force is a power of the overlap",
+                    remedy="use din3990, energy or pair_table there, or exponent: 1",
                     taint=False,
                 )

@@ -41,6 +41,19 @@ WRONG = {
     "type: broken_tooth, tooth: 1, width: 21 mm": ("gears.a.faults.one.width", "limit 20 mm"),
     "type: broken_tooth, tooth: 1, height: 7 mm": ("gears.a.faults.one.height", "limit 6.75 mm"),
     "type: broken_tooth, tooth: 1, severity: 1.2": ("gears.a.faults.one.severity", "out of range"),
+    "type: root_crack, tooth: 1, depth: 1 mm": ("gears.a.faults.one.flank", "is missing"),
+    "type: root_crack, tooth: 1, flank: left, depth: 5 mm": (
+        "gears.a.faults.one.depth",
+        "beyond the centre line",
+    ),
+    "type: root_crack, tooth: 1, flank: left, depth: 1 mm, length: 30 mm": (
+        "gears.a.faults.one.length",
+        "20 mm",
+    ),
+    "type: root_crack, tooth: 1, flank: left, depth: 1 mm, angle: 0 deg": (
+        "gears.a.faults.one.angle",
+        "range",
+    ),
     "type: pitch_error, tooth: 1, amount: 5": ("gears.a.faults.one.amount", "larger than the module"),
 }
 
@@ -61,6 +74,15 @@ def test_a_law_of_the_whole_mesh_knows_no_teeth():
         ModelError, match=r"gears\.a\.faults\.one \(line 8\): has no effect in the mesh s, whose law"
     ):
         model("type: broken_tooth, tooth: 1", "law: constant, value: 4e8 N/m")
+
+
+def test_a_force_that_is_a_power_has_no_compliance_to_add_to():
+    crack = "type: root_crack, tooth: 1, flank: left, depth: 1 mm"
+    with pytest.raises(
+        ModelError, match=r"one \(line 8\): adds to the compliance .* law hertz .* exponent: 1"
+    ):
+        model(crack, "law: hertz")
+    model(crack, "law: hertz, exponent: 1, force: 1 kN, depth: 1 um")
 
 
 def test_faults_are_written_as_they_are_read():

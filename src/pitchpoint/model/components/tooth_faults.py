@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -14,6 +15,10 @@ SHAPES = ("straight", "corner")
 
 def _tooth() -> Any:
     return integer("number of the tooth, counter-clockwise from tooth 0", minimum=0)
+
+
+def _flank(meaning: str) -> Any:
+    return choice(("left", "right", "both"), meaning)
 
 
 def _severity(meaning: str) -> Any:
@@ -72,7 +77,33 @@ class PitchError:
     severity: float = _severity("scales the amount")
 
 
-ToothFault = BrokenTooth | PitchError
+@dataclass(frozen=True, kw_only=True)
+class RootCrack:
+    """A crack at the root of a tooth, which makes it softer under loads that open it."""
 
-FAULTS: dict[str, type[ToothFault]] = {cls.form: cls for cls in (BrokenTooth, PitchError)}
+    form: ClassVar[str] = "root_crack"
+    tooth: int = _tooth()
+    flank: str = _flank("side of the root where it starts: loads on this flank open it, others close it")
+    depth: float = positive("length", "length of the crack in the transverse section, where it is deepest")
+    angle: float = quantity(
+        "angle",
+        "angle between the crack and the centre line of the tooth",
+        math.radians(70.0),
+        minimum=math.radians(10.0),
+        maximum=math.radians(90.0),
+        display="70 deg",
+    )
+    length: float | None = positive(
+        "length",
+        "length along the face, over which the depth falls to nothing; without it the same depth everywhere",
+        None,
+        display="the whole face, at even depth",
+    )
+    at: str = choice(ENDS, "end of the face width where a crack with a length is deepest", "start")
+    severity: float = _severity("scales the depth")
+
+
+ToothFault = BrokenTooth | RootCrack | PitchError
+
+FAULTS: dict[str, type[ToothFault]] = {cls.form: cls for cls in (BrokenTooth, RootCrack, PitchError)}
 """Classes of faults by the word of their key `type`."""

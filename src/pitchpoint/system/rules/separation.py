@@ -130,6 +130,8 @@ def own_teeth(gear: Gear, mate: bool) -> OwnTeeth:
         gaps = _gaps(gear, flank, z, roll)
         for tooth, grid in gaps.items():
             own.rows[k, tooth, GAP] = own.add(GAP, grid)
+        for tooth, grid in _softenings(gear, flank, z, roll).items():
+            own.rows[k, tooth, SOFT] = own.add(SOFT, grid)
         for tooth, grid in _levels(gear, z, roll).items():
             own.rows[k, tooth, LEVEL] = own.add(LEVEL, grid)
     return own
@@ -159,6 +161,31 @@ def _gaps(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
         if isinstance(fault, PitchError):
             moved = displaced_gap(gear.geometry, flank, fault.severity * fault.amount)
             found[fault.tooth] = found.get(fault.tooth, np.zeros((z.size, roll.size))) + moved
+    return found
+
+
+def _softenings(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
+    """Compliance that cracks add to teeth [m^2/N], shape (n_z, n_roll) each."""
+    from pitchpoint.contact.stiffness.root_crack import crack_compliance, crack_depth
+    from pitchpoint.geometry.tooth_form import tooth_form
+    from pitchpoint.model.components.tooth_faults import RootCrack
+
+    found: dict[int, Array] = {}
+    for fault in gear.faults.values():
+        if not isinstance(fault, RootCrack) or fault.flank not in (flank, "both"):
+            continue
+        depth = crack_depth(z, fault.severity * fault.depth, fault.length, gear.face_width, fault.at)
+        steel = gear.material_data
+        added = crack_compliance(
+            tooth_form(gear.geometry),
+            roll,
+            depth,
+            angle=fault.angle,
+            beta=gear.geometry.beta,
+            E=steel.youngs_modulus,
+            nu=steel.poisson_ratio,
+        )
+        found[fault.tooth] = found.get(fault.tooth, 0.0) + added
     return found
 
 
