@@ -169,6 +169,36 @@ LAWS = {
     "energy": "law: energy",
     "pair_table": "law: pair_table, single_stiffness: 14 N/(mm um), values: [0.6, 1, 0.9, 0.7]",
 }
+
+
+@every_case
+@pytest.mark.parametrize("severity", [1.0, 0.6])
+def test_a_spall_takes_the_pressure_where_it_is(z2, internal, severity):
+    """Integral over the face of what the penetration is above an elliptic bowl. The grid has straight lines
+    between eight cells across: up to 3 % of what the widest chord takes."""
+    pit = "position: 8 mm, diameter: 63 mm, length: 5 mm, height: 1.2 mm, depth: 60 um"
+    text = faults(f"b: {{type: pitting, tooth: 4, flank: left, patches: [{{{pit}}}], severity: {severity}}}")
+    model = machine(21, z2, text, internal=internal)
+    system = compile_model(model)
+    pair = model.pairs["stage"]
+    z = np.linspace(0.0, WIDTH, 200001)
+    seen = 0
+    for angle in np.linspace(0.013, 2 * math.pi, 500):
+        force = lost = 0.0
+        for tooth, _, xi in teeth_in_contact(model, angle):
+            left = np.full(z.size, DEPTH)
+            if tooth == 4:
+                along = (math.hypot(0.5 * pair.gear1.d_b, pair.T1C + xi) - 31.5e-3) / 0.6e-3
+                bowl = 60e-6 * (severity**2 - ((z - 8e-3) / 2.5e-3) ** 2 - along**2)
+                left = np.maximum(0.0, DEPTH - np.maximum(0.0, bowl))
+            force += C_PRIME * WIDTH * left.mean()
+            lost += C_PRIME * WIDTH * (DEPTH - left.mean())
+        found = pressed(system, model, angle)["mesh_force[stage]"]
+        assert found == pytest.approx(force, abs=0.03 * C_PRIME * DEPTH * 5e-3), angle
+        seen += lost > 0.04 * force
+    assert seen >= 3
+
+
 GEAR = "normal_module: 3 mm, face_width: 20 mm, helix_angle: 15 deg"
 TEXT = """
 gears:
@@ -181,11 +211,13 @@ loads:
   input: {{body: driver, torque: balance}}
   brake: {{body: driven, torque: 200 N m}}
 """
+PITS = "{number: 9, length: 4 mm, height: 2 mm, depth: 60 um}"
 MODEL_FAULTS = {
     "broken": "type: broken_tooth, tooth: 3",
     "corner": "type: broken_tooth, tooth: 3, width: 9 mm, height: 3 mm, shape: corner",
     "end": "type: broken_tooth, tooth: 3, width: 9 mm",
     "crack": "type: root_crack, tooth: 3, flank: both, depth: 2 mm, length: 15 mm",
+    "pits": f"type: pitting, tooth: 3, flank: both, pattern: {PITS}",
     "pitch": "type: pitch_error, tooth: 3, amount: 6 um",
 }
 

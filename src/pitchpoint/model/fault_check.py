@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Problem
 from pitchpoint.model.components.stiffness import OF_PAIRS
-from pitchpoint.model.components.tooth_faults import BrokenTooth, PitchError, RootCrack
+from pitchpoint.model.components.tooth_faults import BrokenTooth, PitchError, Pitting, RootCrack
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
@@ -19,7 +20,8 @@ if TYPE_CHECKING:
 
 def hand_on(report: Reader, base: Place, problem: Problem, taint: bool = True) -> None:
     """Report a problem of the geometry at the key that it names."""
-    place: Place = (*base, *(problem.where.split(".") if problem.where else ()))
+    steps = problem.where.split(".") if problem.where else []
+    place: Place = (*base, *(int(step) if step.isdigit() else step for step in steps))
     report.problem(
         place, problem.message, value=problem.value, limit=problem.limit, remedy=problem.remedy, taint=taint
     )
@@ -51,6 +53,8 @@ def _problems(gear: Gear, fault: object) -> list[Problem]:
         return break_problems(fault.width or 0.0, fault.height or 0.0, gear.geometry)
     if isinstance(fault, RootCrack):
         return _crack_problems(gear, fault)
+    if isinstance(fault, Pitting):
+        return _pit_problems(gear, fault)
     if isinstance(fault, PitchError):
         return size_problems({"amount": fault.amount}, gear.geometry)
     return []
@@ -83,6 +87,29 @@ def _crack_problems(gear: Gear, crack: RootCrack) -> list[Problem]:
             )
         )
     return found
+
+
+def _pit_problems(gear: Gear, fault: Pitting) -> list[Problem]:
+    from pitchpoint.geometry.pits import Patch, patch_problems
+
+    if bool(fault.patches) == (fault.pattern is not None):
+        both = "patches and pattern are given" if fault.patches else "neither patches nor pattern is given"
+        return [Problem("patches", f"cannot be: {both}", remedy="give one of them")]
+    shape = gear.geometry
+    if fault.pattern is not None:
+        # of the smallest pits that may come out, at the diameter where they cover the least roll
+        size = {name: 0.5 * getattr(fault.pattern, name) for name in ("length", "height", "depth")}
+        outer = max(abs(shape.d_Ff), abs(shape.d_Fa))
+        least = Patch(position=0.0, diameter=outer, **size)
+        return [_doubled(problem) for problem in patch_problems(least, shape, "pattern")]
+    found = []
+    for k, patch in enumerate(fault.on(shape)):
+        found += patch_problems(patch, shape, f"patches.{k}")
+    return found
+
+
+def _doubled(problem: Problem) -> Problem:
+    return replace(problem, message=f"is the least that may come out, which {problem.message}")
 
 
 def check_fault_laws(parts: Parts, report: Reader) -> None:

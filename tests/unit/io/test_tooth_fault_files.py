@@ -34,6 +34,10 @@ def model(fault, law=PAIRS):
     return loads_model(TEXT.format(fault=fault, law=law))
 
 
+PATCH = "gears.a.faults.one.patches[0]."
+PITS = (
+    "type: pitting, tooth: 1, flank: left, patches: [{{{}, {}, length: {} mm, height: 1 mm, depth: 0.1 mm}}]"
+)
 WRONG = {
     "type: broken_tooth, tooth: 20": ("gears.a.faults.one.tooth", "limit <= 19"),
     "type: broken_tooth": ("gears.a.faults.one.tooth", "is missing"),
@@ -53,6 +57,20 @@ WRONG = {
     "type: root_crack, tooth: 1, flank: left, depth: 1 mm, angle: 0 deg": (
         "gears.a.faults.one.angle",
         "range",
+    ),
+    "type: pitting, tooth: 1, flank: left": ("gears.a.faults.one.patches", "neither patches nor pattern"),
+    PITS.format("position: 21 mm", "diameter: 60 mm", 2): (PATCH + "position", "lies outside the face width"),
+    PITS.format("position: 1 mm", "diameter: 50 mm", 2): (
+        PATCH + "diameter",
+        "lies outside the usable flank",
+    ),
+    PITS.format("position: 1 mm", "diameter: 60 mm", 0.3): (
+        PATCH + "length",
+        "limit 0.3125 mm, 1/64 of the face",
+    ),
+    "type: pitting, tooth: 1, flank: left, pattern: {number: 3, length: 2 mm, height: 0.1 mm, depth: 1 um}": (
+        "gears.a.faults.one.pattern.height",
+        "is the least that may come out",
     ),
     "type: pitch_error, tooth: 1, amount: 5": ("gears.a.faults.one.amount", "larger than the module"),
 }

@@ -5,9 +5,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from pitchpoint.model.keys import choice, integer, positive, quantity
+from pitchpoint.model.keys import choice, component, integer, key, positive, quantity
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry import pits
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 ENDS = ("start", "end")
 SHAPES = ("straight", "corner")
@@ -103,7 +107,49 @@ class RootCrack:
     severity: float = _severity("scales the depth")
 
 
-ToothFault = BrokenTooth | RootCrack | PitchError
+@dataclass(frozen=True, kw_only=True)
+class Patch:
+    """A pit or spall: a hollow with an elliptic edge, deepest in its middle."""
 
-FAULTS: dict[str, type[ToothFault]] = {cls.form: cls for cls in (BrokenTooth, RootCrack, PitchError)}
+    position: float = quantity("length", "middle along the face width, from its start", minimum=0.0)
+    diameter: float = positive("length", "diameter of its middle on the flank")
+    length: float = positive("length", "axis of the ellipse along the face")
+    height: float = positive("length", "axis of the ellipse along the profile, radially")
+    depth: float = positive("length", "depth in the middle, normal to the flank")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pattern:
+    """Pits scattered evenly over a flank, of half to all of the given sizes."""
+
+    number: int = integer("number of pits", minimum=1, maximum=10000)
+    seed: int = integer("start of the random numbers; the same seed gives the same pits", 0, minimum=0)
+    length: float = positive("length", "largest axis along the face")
+    height: float = positive("length", "largest axis along the profile, radially")
+    depth: float = positive("length", "largest depth, normal to the flank")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pitting:
+    """Pits and spalls on a flank: `patches` one by one, or a random `pattern`."""
+
+    form: ClassVar[str] = "pitting"
+    tooth: int = _tooth()
+    flank: str = _flank("flank they are on")
+    patches: tuple[Patch, ...] = key("list", "pits and spalls one by one", (), of=Patch)
+    pattern: Pattern | None = component(Pattern, "random pits instead")
+    severity: float = _severity("scales the axes of all ellipses, and with its square the depths")
+
+    def on(self, gear: CylindricalGear) -> tuple[pits.Patch, ...]:
+        """All patches in the terms of the geometry layer."""
+        from pitchpoint.geometry import pits
+
+        if self.pattern is not None:
+            return pits.random_patches(gear, **vars(self.pattern))
+        return tuple(pits.Patch(**vars(patch)) for patch in self.patches)
+
+
+ToothFault = BrokenTooth | RootCrack | Pitting | PitchError
+
+FAULTS: dict[str, type[ToothFault]] = {cls.form: cls for cls in (BrokenTooth, RootCrack, Pitting, PitchError)}
 """Classes of faults by the word of their key `type`."""

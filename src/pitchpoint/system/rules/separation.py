@@ -124,15 +124,17 @@ def own_teeth(gear: Gear, mate: bool) -> OwnTeeth:
     single = gear.deviations is not None or bool(gear.faults)
     own = OwnTeeth(gear.number_of_teeth if single else 1, flank_range(gear.geometry))
     order = ("right", "left") if mate and gear.geometry.z < 0 else ("left", "right")
-    z = np.linspace(-0.5, 0.5, N_WIDTH) * gear.face_width
-    roll = np.linspace(*own.span, N_ROLL)
+    own.stations[1] = _level_stations(gear)
+    (z, roll), (z_fine, roll_fine) = (
+        (np.linspace(-0.5, 0.5, n) * gear.face_width, np.linspace(*own.span, m)) for n, m in own.stations
+    )
     for k, flank in enumerate(order):
         gaps = _gaps(gear, flank, z, roll)
         for tooth, grid in gaps.items():
             own.rows[k, tooth, GAP] = own.add(GAP, grid)
         for tooth, grid in _softenings(gear, flank, z, roll).items():
             own.rows[k, tooth, SOFT] = own.add(SOFT, grid)
-        for tooth, grid in _levels(gear, z, roll).items():
+        for tooth, grid in _levels(gear, flank, z_fine, roll_fine).items():
             own.rows[k, tooth, LEVEL] = own.add(LEVEL, grid)
     return own
 
@@ -189,10 +191,20 @@ def _softenings(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Arra
     return found
 
 
-def _levels(gear: Gear, z: Array, roll: Array) -> dict[int, Array]:
+def _level_stations(gear: Gear) -> tuple[int, int]:
+    """Stations over width and roll that resolve the smallest pit; those of all grids without any."""
+    from pitchpoint.geometry.pits import stations
+    from pitchpoint.model.components.tooth_faults import Pitting
+
+    patches = [p for f in gear.faults.values() if isinstance(f, Pitting) for p in f.on(gear.geometry)]
+    return stations(patches, gear.geometry, (N_WIDTH, N_ROLL))
+
+
+def _levels(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
     """Levels [m] of the teeth that miss something, shape (n_z, n_roll) each."""
+    from pitchpoint.geometry.pits import pit_level
     from pitchpoint.geometry.tooth_faults import break_level, tooth_height
-    from pitchpoint.model.components.tooth_faults import BrokenTooth
+    from pitchpoint.model.components.tooth_faults import BrokenTooth, Pitting
 
     found: dict[int, Array] = {}
     shape = gear.geometry
@@ -201,5 +213,9 @@ def _levels(gear: Gear, z: Array, roll: Array) -> dict[int, Array]:
             width, height = fault.sizes(gear.face_width, tooth_height(shape))
             corner = fault.shape == "corner"
             level = break_level(shape, z, roll, width=width, height=height, at=fault.at, corner=corner)
-            found[fault.tooth] = np.maximum(found.get(fault.tooth, level), level)
+        elif isinstance(fault, Pitting) and fault.flank in (flank, "both"):
+            level = pit_level(shape, z, roll, fault.on(shape), fault.severity)
+        else:
+            continue
+        found[fault.tooth] = np.maximum(found.get(fault.tooth, level), level)
     return found
