@@ -11,7 +11,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pitchpoint.analysis.gear_signals import gear_signals
+from pitchpoint.analysis.indicators import signal_indicators, standardised_moment
+from pitchpoint.analysis.noise import with_white_noise
 from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
+from pitchpoint.analysis.synchronous_average import synchronous_average
 from pitchpoint.cli.main import run_command
 from pitchpoint.cli.output import NOTHING, plain, shown
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
@@ -795,6 +799,39 @@ def test_shares_count_separation_and_the_back_flank_alone() -> None:
     # of a stored signal both flanks at once count for front and back
     both = contact_statistics(np.arange(4.0), [2, 2, 2, 2])
     assert (both.front_contact_share, both.back_contact_share, both.loss_share) == (1.0, 1.0, 0.0)
+
+
+# ------------------------------------------------------------------------------------------- diagnosis
+
+
+def test_average_begins_where_the_reference_angle_is_zero() -> None:
+    angle = 1.0 + 2.0 * np.pi * np.arange(5000) / 500
+    mean = synchronous_average(np.cos(angle - 0.7), angle)
+    assert mean.angle[0] == 0.0
+    np.testing.assert_allclose(mean.values, np.cos(mean.angle - 0.7), atol=1e-6)
+    # a gear that turns the other way counts its own turns forward
+    np.testing.assert_allclose(
+        synchronous_average(np.cos(angle - 0.7), -angle).values, mean.values, atol=1e-12
+    )
+
+
+def test_residual_keeps_first_order_sidebands_and_difference_does_not() -> None:
+    angle = 2.0 * np.pi * np.arange(256) / 256
+    parts = gear_signals(5.0 + sum(np.cos(k * angle) for k in (1, 2, 3, 19, 20, 21, 22, 40)), teeth=20)
+    for signal, orders in ((parts.residual, {3, 19, 21, 22}), (parts.difference, {3, 22})):
+        assert set(np.flatnonzero(np.abs(np.fft.rfft(signal)) > 1.0)) == orders
+
+
+def test_kurtosis_of_gaussian_noise_is_three() -> None:
+    noise = np.random.default_rng(1).standard_normal(100_000)
+    assert standardised_moment(noise, 4) == pytest.approx(3.0, abs=3.0 * math.sqrt(24.0 / noise.size))
+    sine = signal_indicators(7.0 + np.sin(2.0 * np.pi * np.arange(1000) / 1000))
+    assert (sine.kurtosis, sine.crest_factor) == pytest.approx((1.5, math.sqrt(2.0)))
+
+
+def test_signal_to_noise_ratio_is_that_of_the_alternating_part() -> None:
+    square = 100.0 + np.tile([2.0, -2.0], 500)
+    assert with_white_noise(square, signal_to_noise=20.0, seed=0).noise_deviation == pytest.approx(0.2)
 
 
 # -------------------------------------------------------------------------------------------- statuses

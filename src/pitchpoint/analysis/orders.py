@@ -121,7 +121,7 @@ def resample_over_angle(
     from scipy.interpolate import CubicSpline
 
     x = as_signal(values, "values", 8)
-    phi = _one_way(as_signal(angle, "angle", 8))
+    phi = one_way(as_signal(angle, "angle", 8))
     same_length(x, phi, "values, angle")
     steps = np.diff(phi)
     if samples_per_revolution is None:
@@ -305,11 +305,40 @@ def order_map(
         lines = one_sided(np.fft.rfft(w * (frame - frame.mean())), length, float(w.sum()))
         lines[0] = abs(frame.mean())
         amplitude[row] = lines[:n_order]
-    phi = _one_way(as_signal(angle, "angle"))
+    phi = one_way(angle)
     step = 2.0 * np.pi / signal.samples_per_revolution
     begin, end = (np.interp(phi[0] + (starts + k) * step, phi, clock) for k in (0, length - 1))
     speed = (length - 1) * step / (end - begin)
     return OrderMap(0.5 * (begin + end), speed, np.arange(n_order) / revolutions, amplitude)
+
+
+def one_way(angle: ArrayLike) -> Array:
+    """The angle as an increasing function [rad]; a shaft that turns clockwise counts backwards.
+
+    Parameters
+    ----------
+    angle
+        Unwrapped angle [rad], shape (n,).
+
+    Raises
+    ------
+    SignalError
+        If the shaft stops or turns back.
+
+    Examples
+    --------
+    >>> one_way([0.0, -1.0, -3.0])
+    array([0., 1., 3.])
+    """
+    phi = as_signal(angle, "angle")
+    phi = phi if _turns_forward(phi) else 0.0 - phi
+    stop = np.flatnonzero(np.diff(phi) <= 0.0)
+    if stop.size:
+        raise SignalError(
+            f"angle: the shaft stops or turns back after sample {stop[0]}; "
+            "cut the record there, or unwrap the angle"
+        )
+    return phi
 
 
 def _oversampling(steps: Array, rate: float) -> int:
@@ -327,26 +356,14 @@ def _thinned_out(data: Array, factor: int) -> Array:
     """Every factor-th sample after a low-pass filter at half the new rate."""
     from scipy.signal import firwin, upfirdn
 
-    taps = firwin(2 * FILTER_HALF_LENGTH * factor + 1, 1.0 / factor, window=("kaiser", FILTER_BETA))
-    # a filter that starts and ends with zero sees no step where the line through both ends is taken out
-    line = np.linspace(float(data[0]), float(data[-1]), data.size)
-    filtered = upfirdn(taps, data - line, 1, factor)[FILTER_HALF_LENGTH:]
-    ends: Array = line[::factor]
-    return ends + filtered[: ends.size]
+    reach = FILTER_HALF_LENGTH * factor
+    taps = firwin(2 * reach + 1, 1.0 / factor, window=("kaiser", FILTER_BETA))
+    # beyond its ends the record goes on turned about them: no step, no kink, and a straight line stays one
+    longer = np.pad(data, reach, mode="reflect", reflect_type="odd")
+    filtered: Array = upfirdn(taps, longer, 1, factor)[2 * FILTER_HALF_LENGTH :]
+    return filtered[: -(-data.size // factor)]
 
 
 def _turns_forward(angle: ArrayLike) -> bool:
     data = np.asarray(angle, dtype=np.float64)
     return bool(data[-1] > data[0])
-
-
-def _one_way(angle: Array) -> Array:
-    """The angle as an increasing function; a shaft that turns clockwise counts backwards."""
-    phi = angle if _turns_forward(angle) else -angle
-    stop = np.flatnonzero(np.diff(phi) <= 0.0)
-    if stop.size:
-        raise SignalError(
-            f"angle: the shaft stops or turns back after sample {stop[0]}; "
-            "cut the record there, or unwrap the angle"
-        )
-    return phi

@@ -159,3 +159,35 @@ def positive(value: float, name: str) -> float:
     if not np.isfinite(value) or value <= 0.0:
         raise SignalError(f"{name}: {value} (limit > 0)")
     return float(value)
+
+
+def whole(value: float, name: str, minimum: int = 1) -> int:
+    """Return `value` if it is a whole number that is large enough, else refuse it.
+
+    Parameters
+    ----------
+    value
+        Number [-].
+    name
+        What to call it in an error message.
+    minimum
+        Smallest number allowed [-].
+    """
+    if isinstance(value, bool | np.bool_) or not np.isfinite(value) or value != int(value) or value < minimum:
+        raise SignalError(f"{name}: {value} (limit: a whole number >= {minimum})")
+    return int(value)
+
+
+def finite(value: float, name: str) -> float:
+    """Return `value` if it is a finite number, else refuse it.
+
+    Parameters
+    ----------
+    value
+        Number, any unit.
+    name
+        What to call it in an error message.
+    """
+    if not np.isfinite(value):
+        raise SignalError(f"{name}: {value} (limit: a finite number)")
+    return float(value)

@@ -39,6 +39,30 @@ def vary_option(function: Any) -> Any:
     return vary(jobs(function))
 
 
+def set_option(function: Any) -> Any:
+    """Add `--set` to a command."""
+    return click.option(
+        "--set",
+        "settings",
+        multiple=True,
+        metavar="PATH=VALUE",
+        help="Another value of a key than that of FILE, as in --set gears.pinion.faults.chip.severity=0.5.",
+    )(function)
+
+
+def with_settings(model: Model, settings: Sequence[str]) -> Model:
+    """The model with the values of `--set`."""
+    changes: dict[str, Any] = {}
+    for text in settings:
+        path, sign, value = (part.strip() for part in text.partition("="))
+        if not sign or not path or not value:
+            raise click.BadParameter(f"{text!r} is not of the form PATH=VALUE", param_hint="--set")
+        if path in changes:
+            raise click.BadParameter(f"{path} is set twice", param_hint="--set")
+        changes[path] = _scalar(value, "--set")
+    return model.replace_all(changes) if changes else model
+
+
 def values_of(text: str) -> tuple[str, list[Any]]:
     """Read one `PATH=V1,V2`; commas inside brackets belong to a value.
 
@@ -62,7 +86,7 @@ def values_of(text: str) -> tuple[str, list[Any]]:
     return path.strip(), [_scalar(part.strip()) for part in parts]
 
 
-def _scalar(text: str) -> Any:
+def _scalar(text: str, option: str = "--vary") -> Any:
     """Read a value as a model file would: number, list, mapping or text."""
     from pitchpoint.core.errors import PitchpointError
     from pitchpoint.io.yaml_tree import value_of
@@ -70,7 +94,7 @@ def _scalar(text: str) -> Any:
     try:
         return value_of(text)
     except PitchpointError as error:
-        raise click.BadParameter(f"{text!r}: {error}", param_hint="--vary") from None
+        raise click.BadParameter(f"{text!r}: {error}", param_hint=option) from None
 
 
 def run_varied(

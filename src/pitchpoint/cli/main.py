@@ -23,6 +23,7 @@ COMMANDS = {
     "check": "Read a model file and say what will be simulated.",
     "gears": "Geometry of gears and pairs; drawings.",
     "mesh": "Mesh stiffness over the mesh cycle.",
+    "frequencies": "Frequencies of shafts, teeth, planets, bearings.",
     "modes": "Natural frequencies and mode shapes.",
     "frf": "Frequency response about an operating point.",
     "reduce": "Condense linear parts; what is left and its error.",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.cases import vary_option
+from pitchpoint.cli.cases import set_option, vary_option, with_settings
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quantity, quiet, scenario
 from pitchpoint.cli.output import emit_json, show, shown
 
@@ -45,6 +45,7 @@ NOT_BEGUN: dict[str, Any] = {
 @quantity(
     "--reduce", "frequency", "Condense the linear parts for frequencies up to this, see the command reduce."
 )
+@set_option
 @vary_option
 @as_json
 @allow_code
@@ -75,7 +76,7 @@ def run(
         unless_it_cannot_begin,
     )
 
-    model = read_model(file, allow_code, quiet)
+    model = with_settings(read_model(file, allow_code, quiet), how["settings"])
     step, decimate, reduce = how["step"], how["decimate"], how["reduce"]
     name = choose_scenario(model, scenario, "time", "quasi_static")
     rolls = model.scenarios[name].kind == "quasi_static"

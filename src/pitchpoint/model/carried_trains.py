@@ -76,6 +76,25 @@ def carried_speeds(
     return {n: speeds.get(n, 0.0) for n in parts.bodies}, wrong
 
 
+def speed_in_space(parts: Parts, spins: Mapping[str, float], body: str, about: str | None = None) -> float:
+    """Speed of a body about its own axis in space [rad/s], or about that of another body.
+
+    Parameters
+    ----------
+    parts
+        A model or the parts of one.
+    spins
+        Speeds of bodies as a file counts them, against what they hang on [rad/s].
+    body
+        Name of the body; ground stands still.
+    about
+        Body whose axis counts.
+    """
+    turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
+    row = _in_space(parts, {name: k for k, name in enumerate(turning)}, body, about)
+    return float(row @ np.array([spins.get(name, 0.0) for name in turning]))
+
+
 def _movers(parts: Parts, body: str) -> list[str]:
     """Bodies on the way from ground whose joints move."""
     found = []

@@ -189,7 +189,7 @@ def divided_step(at, t, h, rho, tol, iteration, code):
             if status != OK:
                 break
         if status == OK:
-            _other_step(at, parts)
+            _other_step(at, 1.0 * parts)
             return OK
         parts *= DIVISION
     return status

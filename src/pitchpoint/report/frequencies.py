@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Frequencies of everything that turns in a model: shafts, meshes, bad teeth, planet sets, rolling bearings.
+
+Frequencies are in Hz, speeds in rad/s and in space; `analysis` has the formulas.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.model.frames import GROUND
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Drive
+
+EQUAL = 1e-6
+"""Angle by which planets at equal angles may stand elsewhere [rad]."""
+
+
+def scenario_speeds(model: Model, name: str) -> tuple[dict[str, float], list[str]]:
+    """Speeds that a scenario gives bodies [rad/s], and remarks: driven ones have that of the end of the run.
+
+    Raises
+    ------
+    ModelError
+        If a drive is a Python function.
+    """
+    from pitchpoint.model.components.law import Constant
+
+    scenario = model.scenarios[name]
+    speeds, remarks = dict(scenario.speed), []
+    for body, drive in scenario.drive.items():
+        end = scenario.duration or 0.0
+        if isinstance(drive.speed, Constant):
+            speeds[body] = drive.speed.value
+            continue
+        speed = _at_end(drive, end)
+        if speed is None:
+            where = f"scenarios.{name}.drive.{body}"
+            remedy = f"give --speed {body}=QUANTITY"
+            raise ModelError(
+                [Problem(where, "is a Python function, whose speed is not known", remedy=remedy)]
+            )
+        speeds[body] = speed
+        remarks.append(f"{body} has the speed that it is driven at when the run ends, at {end:g} s")
+    return speeds, remarks
+
+
+def _at_end(drive: Drive, end: float) -> float | None:
+    """Speed of a drive at the end of a run [rad/s]; None if only running it would tell."""
+    from pitchpoint.core.formula import Formula
+    from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
+
+    law = drive.speed if drive.speed is not None else drive.angle
+    if isinstance(law, FormulaLaw):
+        formula = Formula.parse(law.text, ("t",))
+        if drive.speed is not None:
+            return float(formula(end))
+        h = 1e-4 * end  # exact for angles of the second degree; the third costs (h/end)^2 of it
+        return float((3.0 * formula(end) - 4.0 * formula(end - h) + formula(end - 2.0 * h)) / (2.0 * h))
+    if isinstance(law, TableLaw):
+        if drive.speed is not None:
+            return float(np.interp(end, law.abscissa, law.values))
+        last = max(int(np.searchsorted(law.abscissa, end)) - 1, 0)
+        last = min(last, len(law.abscissa) - 2)
+        step = law.abscissa[last + 1] - law.abscissa[last]
+        return float((law.values[last + 1] - law.values[last]) / step)
+    return 0.0 if isinstance(law, Constant) else None
+
+
+def turning_speeds(
+    model: Model, given: Mapping[str, float], *, driven: Collection[str] = ()
+) -> dict[str, float]:
+    """Speeds of all bodies as a file counts them, from given ones through teeth and couplings [rad/s].
+
+    Parameters
+    ----------
+    model
+        The model.
+    given
+        Speeds by body [rad/s].
+    driven
+        Bodies whose given speed need not fit that of the others: the teeth ask for another one.
+
+    Raises
+    ------
+    ModelError
+        If a body is unknown or cannot turn, or given speeds contradict each other.
+    """
+    from difflib import get_close_matches
+
+    from pitchpoint.model.scenario_check import locked_links, start_speeds
+
+    machine: Any = model
+    problems = []
+    for body in given:
+        seat = model.mechanism.seats.get(body)
+        if body not in model.bodies:
+            near = get_close_matches(body, model.bodies, n=1)
+            there = ", ".join(model.bodies) or "none"
+            remedy = f"did you mean {near[0]!r}?" if near else f"there are: {there}"
+            problems.append(Problem(f"speed.{body}", "is no body of the model", remedy=remedy))
+        elif seat is None or "spin" not in seat.coordinates:
+            problems.append(Problem(f"speed.{body}", "is the speed of a body that cannot turn by itself"))
+        else:
+            problems += [
+                Problem(
+                    f"speed.{body}", f"cannot be: {'.'.join(map(str, link[0]))} locks {link[1]} and {link[2]}"
+                )
+                for link in locked_links(machine, body)
+            ]
+    if problems:
+        raise ModelError(problems)
+    spins, found = start_speeds(machine, given)
+    wrong = [(body, fitting) for body, fitting in found if body not in driven]
+    if wrong:
+        raise ModelError(
+            [
+                Problem(
+                    f"speed.{body}",
+                    "does not fit the ratio to the other given speeds",
+                    value=f"{given[body]:.6g} rad/s",
+                    limit=f"{fitting:.6g} rad/s",
+                    remedy="correct it or leave it out; the other speeds follow from the ratios",
+                )
+                for body, fitting in wrong
+            ]
+        )
+    return spins
+
+
+def frequencies_of(model: Model, spins: Mapping[str, float]) -> dict[str, Any]:
+    """Collect what `frequencies --json` prints.
+
+    Parameters
+    ----------
+    model
+        The model.
+    spins
+        Speeds of all bodies as the file counts them, against what they hang on [rad/s].
+    """
+    from pitchpoint.model.carried_trains import speed_in_space
+
+    machine: Any = model
+    speeds = {body: speed_in_space(machine, spins, body) for body in model.bodies}
+    meshes = _meshes(model, spins)
+    return {
+        "shafts": {
+            body: {
+                "gears": list(part.gears),
+                "speed": speeds[body],
+                "frequency": abs(speeds[body]) / math.tau,
+            }
+            for body, part in model.bodies.items()
+        },
+        "meshes": meshes,
+        "gears": _gears(model, meshes),
+        "planet_sets": _planet_sets(model, meshes, speeds),
+        "rolling_bearings": _rolling_bearings(model, spins),
+    }
+
+
+def _meshes(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any]]:
+    """Frequencies of every mesh, and the body that carries its line of centres; None if that is still."""
+    from pitchpoint.analysis.fault_frequencies import gear_pair_frequencies
+    from pitchpoint.model.carried_trains import line_carrier, speed_in_space
+
+    machine: Any = model
+    found = {}
+    for name, mesh in model.meshes.items():
+        bodies = [model.body_of(gear) for gear in mesh.gears]
+        if None in bodies:  # gears without bodies do not turn
+            continue
+        one, two = (str(body) for body in bodies)
+        carrier = line_carrier(machine, one, two)
+        turning = speed_in_space(machine, spins, one) - speed_in_space(machine, spins, carrier, about=one)
+        z_1, z_2 = (model.gears[g].sign * model.gears[g].number_of_teeth for g in mesh.gears)
+        pair = gear_pair_frequencies(z_1, z_2, turning)
+        found[name] = {
+            "gears": list(mesh.gears),
+            "teeth": [abs(z_1), abs(z_2)],
+            "carrier": None if carrier == GROUND or model.bodies[carrier].moves == "fixed" else carrier,
+            "frequency": pair.mesh,
+            "assembly_phase": pair.assembly_phase,
+            "hunting_tooth": pair.hunting_tooth,
+            "common_factor": pair.common_factor,
+            "rotation": [pair.rotation_1, pair.rotation_2],
+        }
+    return found
+
+
+def _gears(model: Model, meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
+    """How often one tooth of each gear meets each of its mates, and all of them."""
+    found = {}
+    for name, gear in model.gears.items():
+        meets = {
+            mesh: row["rotation"][row["gears"].index(name)]
+            for mesh, row in meshes.items()
+            if name in row["gears"]
+        }
+        if meets:
+            found[name] = {
+                "body": model.body_of(name),
+                "teeth": gear.number_of_teeth,
+                "type": gear.type,
+                "tooth_meets": meets,
+                "tooth_meets_all": sum(meets.values()),
+            }
+    return found
+
+
+def _planet_sets(
+    model: Model, meshes: Mapping[str, Mapping[str, Any]], speeds: Mapping[str, float]
+) -> dict[str, dict[str, Any]]:
+    """Carriers with the planets that they take round, and the phases of the meshes with each central gear."""
+    from pitchpoint.analysis.planet_frequencies import excited_motion, planet_phases
+    from pitchpoint.model.mechanism import base_of
+
+    found: dict[str, dict[str, Any]] = {}
+    for name, row in meshes.items():
+        bodies = [str(model.body_of(gear)) for gear in row["gears"]]
+        rides = [base_of(model, model.mechanism, body) == row["carrier"] for body in bodies]
+        if row["carrier"] is None or rides[0] == rides[1]:
+            continue
+        planet, central = bodies[rides.index(True)], row["gears"][rides.index(False)]
+        entry = found.setdefault(row["carrier"], {"planets": [], "central": {}})
+        if planet not in entry["planets"]:
+            entry["planets"].append(planet)
+        entry["central"].setdefault(central, []).append((name, planet))
+    for carrier, entry in found.items():
+        turns = abs(speeds[carrier]) / math.tau
+        entry |= {"frequency": turns, "planet_pass": len(entry["planets"]) * turns}
+        for gear, pairs in entry["central"].items():
+            angles = _angles(model, carrier, [planet for _, planet in pairs])
+            z, n = model.gears[gear].sign * model.gears[gear].number_of_teeth, len(pairs)
+            even = np.abs((angles * n / math.tau + 0.5) % 1.0 - 0.5).max() * math.tau / n < EQUAL
+            apart = len(set((angles * n / math.tau).round().astype(int) % n)) == n
+            entry["central"][gear] = {
+                "phases": dict(
+                    zip((mesh for mesh, _ in pairs), planet_phases(z, angles).tolist(), strict=True)
+                ),
+                "excites": list(excited_motion(abs(z), n)) if even and apart and n > 2 else None,
+            }
+    return found
+
+
+def _angles(model: Model, carrier: str, planets: list[str]) -> np.ndarray:
+    """Angles of planets about the axis of their carrier, from the first one on [rad]."""
+    from pitchpoint.model.frames import body_frame
+
+    origin, axes = body_frame(model, carrier)
+    places = [body_frame(model, planet)[0] for planet in planets]
+    start = np.zeros(3) if origin is None else origin
+    way = np.array([axes.T @ ((start if p is None else p) - start) for p in places])
+    angles = np.arctan2(way[:, 1], way[:, 0])
+    return np.asarray(angles - angles[0])
+
+
+def _rolling_bearings(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any]]:
+    """Frequencies of every rolling bearing, seen from what carries its inner ring and its load round."""
+    from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
+    from pitchpoint.model.carried_trains import line_carrier, speed_in_space
+    from pitchpoint.model.frames import split
+
+    machine: Any = model
+    found = {}
+    for name, part in model.rolling_bearings.items():
+        inner, outer = (split(end)[0] for end in part.ends)
+        axis = inner if inner != GROUND else outer
+        base = speed_in_space(machine, spins, line_carrier(machine, inner, outer), about=axis)
+        rings = [speed_in_space(machine, spins, body, about=axis) - base for body in (inner, outer)]
+        rates = bearing_frequencies(
+            elements=part.elements,
+            element_diameter=part.element_diameter,
+            pitch_diameter=part.pitch_diameter,
+            contact_angle=part.contact_angle,
+            speed_inner=rings[0],
+            speed_outer=rings[1],
+        )
+        found[name] = {"speed_inner": rings[0], "speed_outer": rings[1], **asdict(rates)}
+    return found

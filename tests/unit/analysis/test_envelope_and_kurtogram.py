@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Envelopes against closed forms and SciPy; kurtograms of noise, tones and impacts in a known band."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pitchpoint.analysis.envelope import band_envelope, envelope_spectrum
+from pitchpoint.analysis.kurtogram import kurtogram
+from pitchpoint.analysis.sampled import SignalError
+
+TAU = 2.0 * np.pi
+RATE = 20_000.0
+
+
+def impacts(middle: float, decay: float, period: float, seconds: float = 4.0, seed: int = 0) -> np.ndarray:
+    """Impacts that ring at a frequency, 20 dB of amplitude above noise at their peak, and a strong low
+    tone."""
+    t = np.arange(int(seconds * RATE)) / RATE
+    since = t % period
+    noise = np.random.default_rng(seed).normal(size=t.size)
+    return 10.0 * np.exp(-decay * since) * np.sin(TAU * middle * since) + noise + 3.0 * np.sin(TAU * 80.0 * t)
+
+
+@pytest.mark.parametrize("n", [1000, 1001])
+def test_the_envelope_of_the_whole_signal_is_that_of_scipy(n: int) -> None:
+    from scipy.signal import hilbert
+
+    x = np.random.default_rng(n).normal(size=n)
+    expected = np.abs(hilbert(x - x.mean()))
+    np.testing.assert_allclose(band_envelope(x, 100.0).envelope, expected, atol=1e-12)
+
+
+def test_squared_envelope_spectrum_of_impacts_shows_their_rate() -> None:
+    """Impacts every 20 ms: lines at 50 Hz and multiples stand out of everything between them."""
+    x = impacts(4200.0, 700.0, 0.02)
+    s = envelope_spectrum(x, RATE, band=(3700.0, 4700.0), squared=True)
+    step = round(50.0 / s.resolution)
+    for k in (1, 2, 3):
+        between = s.amplitude[k * step + 5 : (k + 1) * step - 5]
+        assert s.amplitude[k * step] > 10.0 * between.max()
+    # |x_a|^2 of one impact is 100 exp(-2 d t): harmonics 2 a^2/T |1/(2 d + i k W)| (1 - exp(-2 d T))
+    w = TAU * 50.0
+    share = 2.0 * 100.0 / 0.02 * (1.0 - np.exp(-28.0)) / np.abs(2.0 * 700.0 + 1j * w)
+    # the band of +-500 Hz holds 1 - d/(pi^2 500) of an impact's energy: 14 % is outside
+    assert s.amplitude[step] == pytest.approx(share, rel=0.2)
+
+
+def test_the_kurtogram_finds_the_band_of_the_impacts() -> None:
+    for middle in (1800.0, 4200.0, 8100.0):
+        k = kurtogram(impacts(middle, 700.0, 0.025), RATE)
+        assert k.best_low <= middle <= k.best_high
+        assert k.best_high - k.best_low <= 3400.0
+        assert k.best_kurtosis > 30.0 * k.best_spread
+
+
+def test_gaussian_noise_has_no_kurtosis_and_scatters_as_stated() -> None:
+    """z-scores of all bands over seeds: mean 0, standard deviation 1, for bands of 200 samples and more."""
+    scores = []
+    for seed in range(10):
+        k = kurtogram(np.random.default_rng(seed).normal(size=2**15), RATE)
+        wide = k.spread < 2.0 / np.sqrt(200.0)
+        scores.append((k.kurtosis / k.spread)[wide])
+    z = np.concatenate(scores)
+    assert abs(z.mean()) < 0.15
+    assert z.std() == pytest.approx(1.0, abs=0.12)
+
+
+@pytest.mark.parametrize("f", [80.3, 777.7, 1234.56, 1249.0, 1251.0, 9000.1])
+def test_a_steady_tone_has_kurtosis_minus_one(f: float) -> None:
+    """Also where it does not fit into the record, and near edges of bands: its ends make no impact."""
+    t = np.arange(2**15) / RATE
+    k = kurtogram(np.sin(TAU * f * t) + 0.01 * np.random.default_rng(0).normal(size=t.size), RATE)
+    inside = 0.25 * (k.high - k.low)
+    holds = (k.low + inside < f) & (k.high - inside > f)
+    # noise of 40 dB less: K = -1 + 4 times its share in the power
+    assert k.kurtosis[holds] == pytest.approx(-1.0, abs=0.002)
+    assert k.best_kurtosis < 5.0 * k.best_spread
+
+
+def test_bands_tile_the_spectrum_at_every_level() -> None:
+    k = kurtogram(np.random.default_rng(0).normal(size=5000), 1000.0, levels=4)
+    levels = sorted(set(k.level.round(9).tolist()))
+    third = np.log2(3.0)
+    assert levels == pytest.approx([0.0, 1.0, third, 2.0, 1.0 + third, 3.0, 2.0 + third, 4.0], abs=1e-8)
+    for level in levels:
+        rows = np.isclose(k.level, level)
+        low, high = k.low[rows], k.high[rows]
+        assert (low[0], high[-1]) == (0.0, 500.0)
+        np.testing.assert_array_equal(low[1:], high[:-1])
+        np.testing.assert_allclose(high - low, 500.0 / 2.0**level, atol=0.4)  # two lines
+
+
+@pytest.mark.parametrize("share", [0.05, 0.2, 0.5])
+def test_noise_that_comes_and_goes(share: float) -> None:
+    """Gaussian noise that is on for a share q of the time: mean |c|^4 = 2 q, mean |c|^2 = q, K = 2/q - 2.
+
+    K scatters by about 2/q/sqrt(q n) here, 1 % to 4 % of 2/q; three times that is allowed.
+    """
+    n = 200_000
+    on = (np.arange(n) % 2000) < 2000 * share
+    x = np.random.default_rng(2).normal(size=n) * on
+    k = kurtogram(x, 1000.0, levels=1)
+    assert k.kurtosis == pytest.approx(2.0 / share - 2.0, abs=6.0 / share / np.sqrt(0.25 * share * n))
+
+
+def test_only_bands_inside_the_edges_are_candidates() -> None:
+    x = impacts(4200.0, 700.0, 0.02)
+    k = kurtogram(x, RATE, band=(5000.0, 10_000.0))
+    assert k.best_low >= 4999.0
+
+
+def test_what_cannot_be_is_refused_in_words() -> None:
+    x = np.random.default_rng(0).normal(size=1000)
+    for call, words in (
+        (lambda: band_envelope(x, 100.0, band=(40.0, 60.0)), r"band: 40 to 60 Hz \(limit 0 to 50 Hz"),
+        (lambda: band_envelope(x, 100.0, band=(10.01, 10.02)), "holds no line"),
+        (lambda: kurtogram(x, 100.0, levels=9), "levels: 9"),
+        (lambda: kurtogram(x[:200], 100.0), r"has 200 samples \(limit 256\)"),
+        (lambda: kurtogram(np.ones(1000), 100.0), "constant"),
+        (lambda: kurtogram(x, 100.0, band=(1.0, 2.0)), "holds no band"),
+    ):
+        with pytest.raises(SignalError, match=words):
+            call()

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Noise: level, seed, whiteness."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pitchpoint.analysis.noise import with_white_noise
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.spectra import power_spectral_density
+
+SIGNAL = 40.0 + 3.0 * np.sin(2.0 * np.pi * np.arange(200_000) / 80.0)
+
+
+@pytest.mark.parametrize(("decibel", "ratio"), [(0.0, 1.0), (-5.0, 1.7782794), (20.0, 0.1), (-20.0, 10.0)])
+def test_level_belongs_to_the_alternating_part(decibel: float, ratio: float) -> None:
+    """rms of the sine 3/√2; the mean of 40 does not count. The estimate scatters by 1/√(2n) = 0.16 %."""
+    noisy = with_white_noise(SIGNAL, signal_to_noise=decibel, seed=3)
+    assert noisy.noise_deviation == pytest.approx(ratio * 3.0 / np.sqrt(2.0), rel=1e-7)
+    assert noisy.noise.std() == pytest.approx(noisy.noise_deviation, rel=0.007)
+    np.testing.assert_array_equal(noisy.values, SIGNAL + noisy.noise)
+
+
+def test_noise_is_white_and_gaussian() -> None:
+    noise = with_white_noise(SIGNAL, signal_to_noise=0.0, seed=3).noise
+    density = power_spectral_density(noise, 1000.0, segment=1000).density[1:-1]
+    # 399 half-overlapping segments: each line scatters by about 6 %
+    np.testing.assert_allclose(density, 4.5 / 500.0, rtol=0.35)
+    assert abs(np.mean(noise)) < 4.0 * 2.12 / np.sqrt(noise.size)
+    assert np.mean(noise**4) / np.mean(noise**2) ** 2 == pytest.approx(
+        3.0, abs=4.0 * np.sqrt(24 / noise.size)
+    )
+
+
+@settings(max_examples=25)
+@given(st.integers(0, 2**64), st.integers(0, 2**64), st.floats(-40.0, 40.0))
+def test_seed_decides_everything(seed: int, other: int, decibel: float) -> None:
+    x = SIGNAL[:500]
+    first = with_white_noise(x, signal_to_noise=decibel, seed=seed)
+    np.testing.assert_array_equal(
+        with_white_noise(x, signal_to_noise=decibel, seed=seed).values, first.values
+    )
+    pair = with_white_noise(x, signal_to_noise=decibel, seed=[seed, 1])
+    assert not np.array_equal(pair.noise, first.noise)
+    if other != seed:
+        assert not np.array_equal(with_white_noise(x, signal_to_noise=decibel, seed=other).noise, first.noise)
+    # another level scales the same noise; a longer record goes on where the shorter one ends
+    louder = with_white_noise(x, signal_to_noise=decibel - 20.0, seed=seed)
+    np.testing.assert_allclose(louder.noise, 10.0 * first.noise, rtol=1e-12)
+
+
+def test_noise_is_that_of_the_named_generator() -> None:
+    noisy = with_white_noise(SIGNAL, signal_to_noise=0.0, seed=11)
+    numbers = np.random.Generator(np.random.PCG64(11)).standard_normal(SIGNAL.size)
+    np.testing.assert_allclose(noisy.noise / noisy.noise_deviation, numbers, rtol=1e-12)
+
+
+def test_what_has_no_level_or_no_seed_is_refused() -> None:
+    with pytest.raises(SignalError, match="constant at 2"):
+        with_white_noise(np.full(100, 2.0), signal_to_noise=0.0, seed=1)
+    with pytest.raises(SignalError, match="signal_to_noise: inf"):
+        with_white_noise(SIGNAL, signal_to_noise=float("inf"), seed=1)
+    for seed in (-1, 0.5, None, True, [1, "a"]):
+        with pytest.raises(SignalError, match="seed"):
+            with_white_noise(SIGNAL, signal_to_noise=0.0, seed=seed)  # type: ignore[arg-type]

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`run --set`: another value of a key than that of the file."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from pitchpoint.cli.main import run_command
+
+MODEL = """
+title: pair
+gears:
+  pinion: {number_of_teeth: 20, normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0}
+  wheel: {number_of_teeth: 40, normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0}
+bodies: {motor: {gears: [pinion]}, drum: {gears: [wheel]}}
+meshes: {stage: {gears: [pinion, wheel], stiffness: {law: constant, value: 4e8 N/m}, damper: {ratio: 0.1}}}
+loads: {motor: {body: motor, torque: balance}, drum: {body: drum, torque: 100 N m}}
+scenarios: {steady: {speed: {motor: 600 rpm}, duration: 2 ms, step: 10 us}}
+"""
+
+
+@pytest.fixture
+def run(tmp_path, capsys):
+    def call(*options):
+        file = tmp_path / "model.yaml"
+        file.write_text(MODEL)
+        code = run_command(["run", str(file), "-o", str(tmp_path / "out.h5"), *options])
+        return code, *capsys.readouterr()
+
+    return call
+
+
+def mean_force(stdout):
+    return json.loads(stdout)["channels"]["mesh_force[stage]"]["mean"]
+
+
+def test_a_value_of_the_file_is_replaced(run):
+    plain, doubled = (run("--json", *more)[1] for more in ((), ("--set", "loads.drum.torque=200 N m")))
+    assert mean_force(doubled) == pytest.approx(2.0 * mean_force(plain), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "setting, said",
+    [
+        ("loads.drum.torque", "is not of the form PATH=VALUE"),
+        ("loads.drum.tork=3 N m", "loads.drum.tork"),
+        ("loads.drum.torque=3 kg", "loads.drum.torque"),
+    ],
+)
+def test_wrong_settings_say_what_is_wrong(run, setting, said):
+    code, _, told = run("--set", setting)
+    assert code == 2 and said in told
+
+
+def test_a_path_is_set_once(run):
+    code, _, told = run("--set", "loads.drum.torque=1 N m", "--set", "loads.drum.torque=2 N m")
+    assert code == 2 and "is set twice" in told
