@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.stiffness.root_crack import crack_compliance
+from pitchpoint.geometry.sliding import specific_sliding_at
 from pitchpoint.geometry.tooth_form import tooth_form
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.quasistatic import solve_quasistatic
@@ -211,6 +212,36 @@ loads:
   input: {{body: driver, torque: balance}}
   brake: {{body: driven, torque: 200 N m}}
 """
+
+
+@every_case
+@pytest.mark.parametrize("gear", [0, 1])
+def test_worn_flanks_lack_what_archard_takes(z2, internal, gear):
+    """All teeth, by load share times specific sliding, worked out here; coefficient, cycles and torque give
+    the scale. Near the jumps of the load share the grid has a slope of one station instead."""
+    turns = dict(coefficient=4e-16, cycles=4e4, torque=60.0)
+    text = "w: {type: wear, flank: both, coefficient: 4e-7 mm^3/(N m), cycles: 4e4, torque: 60 N m}"
+    model = machine(21, z2, *((faults(text), "") if gear == 0 else ("", faults(text))), internal=internal)
+    system = compile_model(model)
+    pair = model.pairs["stage"]
+    r_b = 0.5 * abs((pair.gear1, pair.gear2)[gear].d_b)
+    scale = math.prod(turns.values()) / (r_b * WIDTH)
+    eps, errors, worn = pair.eps_alpha, [], 0.0
+    for angle in np.linspace(0.013, 1.0, 150):
+        force = 0.0
+        for *_, xi in teeth_in_contact(model, angle):
+            p = (pair.T1C + xi - pair.T1A) / pair.p_et
+            share = 1.0 / sum(0.0 <= p + q <= eps for q in (-2, -1, 0, 1, 2))
+            depth = scale * share * abs(specific_sliding_at(pair, pair.T1C + xi)[gear])
+            force += C_PRIME * WIDTH * max(0.0, DEPTH - depth)
+            worn = max(worn, depth)
+        errors.append(pressed(system, model, angle)["mesh_force[stage]"] / force - 1.0)
+    assert 1e-7 < worn < DEPTH
+    # a pinion in a ring touches near its base circle, where sliding over rolling is steep
+    assert np.quantile(np.abs(errors), 0.7) < 1e-3
+    assert np.abs(errors).max() < 0.1
+
+
 PITS = "{number: 9, length: 4 mm, height: 2 mm, depth: 60 um}"
 MODEL_FAULTS = {
     "broken": "type: broken_tooth, tooth: 3",
@@ -218,6 +249,7 @@ MODEL_FAULTS = {
     "end": "type: broken_tooth, tooth: 3, width: 9 mm",
     "crack": "type: root_crack, tooth: 3, flank: both, depth: 2 mm, length: 15 mm",
     "pits": f"type: pitting, tooth: 3, flank: both, pattern: {PITS}",
+    "wear": "type: wear, flank: both, depth: 8 um",
     "pitch": "type: pitch_error, tooth: 3, amount: 6 um",
 }
 
@@ -242,7 +274,7 @@ def test_severity_0_is_a_healthy_gear(law, fault):
     assert abs(bad - healthy).max() > 1e-9
 
 
-@pytest.mark.parametrize("fault", ["end", "pitch"])
+@pytest.mark.parametrize("fault", ["end", "pitch", "wear"])
 def test_little_damage_does_little(fault):
     """Twice the severity does twice as much, up to terms of the next order."""
     base = f"b: {{{MODEL_FAULTS[fault]}, severity: "

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Problem
 from pitchpoint.model.components.stiffness import OF_PAIRS
-from pitchpoint.model.components.tooth_faults import BrokenTooth, PitchError, Pitting, RootCrack
+from pitchpoint.model.components.tooth_faults import BrokenTooth, PitchError, Pitting, RootCrack, Wear
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
@@ -55,6 +55,8 @@ def _problems(gear: Gear, fault: object) -> list[Problem]:
         return _crack_problems(gear, fault)
     if isinstance(fault, Pitting):
         return _pit_problems(gear, fault)
+    if isinstance(fault, Wear):
+        return _wear_problems(gear, fault)
     if isinstance(fault, PitchError):
         return size_problems({"amount": fault.amount}, gear.geometry)
     return []
@@ -110,6 +112,18 @@ def _pit_problems(gear: Gear, fault: Pitting) -> list[Problem]:
 
 def _doubled(problem: Problem) -> Problem:
     return replace(problem, message=f"is the least that may come out, which {problem.message}")
+
+
+def _wear_problems(gear: Gear, wear: Wear) -> list[Problem]:
+    from pitchpoint.geometry.modifications import size_problems
+
+    work = [getattr(wear, name) for name in ("coefficient", "cycles", "torque")]
+    if wear.depth is not None and work == [None] * 3:
+        return size_problems({"depth": wear.depth}, gear.geometry)
+    if wear.depth is None and None not in work:
+        return []
+    remedy = "give either depth, or all of coefficient, cycles and torque"
+    return [Problem("depth", "is not the one way in which the size of the wear is given", remedy=remedy)]
 
 
 def check_fault_laws(parts: Parts, report: Reader) -> None:

@@ -72,6 +72,9 @@ WRONG = {
         "gears.a.faults.one.pattern.height",
         "is the least that may come out",
     ),
+    "type: wear, flank: left": ("gears.a.faults.one.depth", "is not the one way"),
+    "type: wear, flank: left, depth: 9 um, cycles: 1e6": ("gears.a.faults.one.depth", "is not the one way"),
+    "type: wear, flank: left, depth: 9": ("gears.a.faults.one.depth", "larger than the module"),
     "type: pitch_error, tooth: 1, amount: 5": ("gears.a.faults.one.amount", "larger than the module"),
 }
 

@@ -149,7 +149,27 @@ class Pitting:
         return tuple(pits.Patch(**vars(patch)) for patch in self.patches)
 
 
-ToothFault = BrokenTooth | RootCrack | Pitting | PitchError
+@dataclass(frozen=True, kw_only=True)
+class Wear:
+    """Wear of all teeth of a gear after Archard: pressure times sliding, nothing at the pitch point.
 
-FAULTS: dict[str, type[ToothFault]] = {cls.form: cls for cls in (BrokenTooth, RootCrack, Pitting, PitchError)}
+    Its size is either the largest `depth`, or follows from `coefficient`, `cycles` and `torque`.
+    """
+
+    form: ClassVar[str] = "wear"
+    flank: str = _flank("flanks that are worn")
+    depth: float | None = positive("length", "largest depth, normal to the flank", None)
+    coefficient: float | None = positive(
+        "wear_coefficient", "volume worn off per force and sliding distance", None
+    )
+    cycles: float | None = positive("dimensionless", "turns of the gear under load", None)
+    torque: float | None = positive("torque", "torque on the gear under which its flanks wear", None)
+    severity: float = _severity("scales the depth")
+
+
+ToothFault = BrokenTooth | RootCrack | Pitting | Wear | PitchError
+
+FAULTS: dict[str, type[ToothFault]] = {
+    cls.form: cls for cls in (BrokenTooth, RootCrack, Pitting, Wear, PitchError)
+}
 """Classes of faults by the word of their key `type`."""

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,18 +19,26 @@ Array = NDArray[np.float64]
 #: Stations of a grid over the face width and over the length of roll.
 N_WIDTH, N_ROLL = 33, 129
 
+#: Gap that wear leaves [m], of (front 0 or back 1, "left" or "right", z, roll), shape (n_z, n_roll).
+Worn: TypeAlias = Callable[[int, str, Array, Array], Array] | None
+
 GAP, SOFT, LEVEL = 0, 1, 2
 """Layers, in the order of their columns in the table of a gear; gap and soft share a stack of grids."""
 
 
-def separation_grids(row: Any, gears: Sequence[Gear], keep: Callable[[Array], int]) -> None:
-    """Fill the separation fields of a mesh record; nothing to do for two perfect gears."""
+def separation_grids(
+    row: Any, gears: Sequence[Gear], keep: Callable[[Array], int], worn: Sequence[Worn] = (None, None)
+) -> None:
+    """Fill the separation fields of a mesh record; nothing to do for two perfect gears.
+
+    `worn` says for both gears what wear takes off their flanks in this mesh.
+    """
     if not any(g.is_modified or g.faults for g in gears):
         return
     row["n_sep"] = 1
     least = 0.0
     for k, gear in enumerate(gears):
-        own = own_teeth(gear, mate=k == 1)
+        own = own_teeth(gear, mate=k == 1, worn=worn[k])
         row["roll"][k] = own.span
         row["n_t"][k] = own.teeth
         row["teeth"][k] = keep(own.table(bool(row["tan_b"] != 0.0)))
@@ -65,7 +73,10 @@ class OwnTeeth:
         if not (np.any(grid > 0.0) if layer == LEVEL else np.any(grid)):
             return -1
         stack = self.levels if layer == LEVEL else self.smooth
-        stack.append(np.ascontiguousarray(grid, dtype=np.float64))
+        for k in range(len(stack) - 1, -1, -1):
+            if stack[k] is grid:
+                return k
+        stack.append(grid)
         return len(stack) - 1
 
     def table(self, helical: bool) -> Array:
@@ -112,7 +123,7 @@ def changing(grid: Array, helical: bool, level: bool) -> tuple[int, int]:
     return (int(cells[0]), int(cells[-1]) + 1) if cells.size else (0, 0)
 
 
-def own_teeth(gear: Gear, mate: bool) -> OwnTeeth:
+def own_teeth(gear: Gear, mate: bool, worn: Worn = None) -> OwnTeeth:
     """Grids of one gear.
 
     The first index of its rows is 0 for the flanks that touch at the front (gear 1 pushing counter-
@@ -129,7 +140,7 @@ def own_teeth(gear: Gear, mate: bool) -> OwnTeeth:
         (np.linspace(-0.5, 0.5, n) * gear.face_width, np.linspace(*own.span, m)) for n, m in own.stations
     )
     for k, flank in enumerate(order):
-        gaps = _gaps(gear, flank, z, roll)
+        gaps = _gaps(gear, flank, z, roll, None if worn is None else worn(k, flank, z, roll))
         for tooth, grid in gaps.items():
             own.rows[k, tooth, GAP] = own.add(GAP, grid)
         for tooth, grid in _softenings(gear, flank, z, roll).items():
@@ -139,8 +150,11 @@ def own_teeth(gear: Gear, mate: bool) -> OwnTeeth:
     return own
 
 
-def _gaps(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
-    """Gaps [m] of the teeth that are out of their nominal shape or place, shape (n_z, n_roll) each."""
+def _gaps(gear: Gear, flank: str, z: Array, roll: Array, wear: Array | None) -> dict[int, Array]:
+    """Gaps [m] of the teeth that are out of their nominal shape or place, shape (n_z, n_roll) each.
+
+    What only wear has changed is one and the same array for all teeth.
+    """
     from pitchpoint.geometry.deviations import separation
     from pitchpoint.geometry.tooth_faults import displaced_gap
     from pitchpoint.model.components.tooth_faults import PitchError
@@ -159,6 +173,9 @@ def _gaps(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
         )
         single = deviations is not None or gear.faults
         found = dict(enumerate(grid if single else grid[:1]))
+    if wear is not None:
+        teeth = range(gear.number_of_teeth)
+        found = {t: wear + found[t] if t in found else wear for t in teeth}
     for fault in gear.faults.values():
         if isinstance(fault, PitchError):
             moved = displaced_gap(gear.geometry, flank, fault.severity * fault.amount)
