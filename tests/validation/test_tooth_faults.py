@@ -372,3 +372,18 @@ def test_a_tooth_of_an_idler_is_met_by_both_mates_where_it_stands(internal):
         assert 10 < meets.sum() < 30
         assert abs(away.mean()) < math.pi / 30, mesh
         assert abs(away).max() < 3.0 * math.pi / 30, mesh
+
+
+def test_start_is_the_end_of_lowest_z():
+    """A mate that stands 10 mm higher only meets the upper half of the face."""
+    found = []
+    for part in ("severity: 0", "at: start, width: 9 mm", "at: end, width: 9 mm"):
+        text = TEXT.format(
+            gear=GEAR, one=faults(f"b: {{type: broken_tooth, tooth: 3, {part}}}"), two="", law="law: din3990"
+        )
+        text = text.replace("gears: [g1]}", "gears: [g1], position: [0, 0, 0]}")
+        text = text.replace("gears: [g2]}", "gears: {g2: 10 mm}, position: [113.35 mm, 0, 0]}")
+        data = solve_quasistatic(compile_model(loads_model(text)), "stage", 4, 31)
+        found.append(data["deflection[stage]"].values)
+    assert found[1] == pytest.approx(found[0], rel=1e-9)
+    assert abs(found[2] - found[0]).max() > 1e-7

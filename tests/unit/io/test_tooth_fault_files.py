@@ -9,6 +9,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.write import plain
+from pitchpoint.report.flanks import flank_lines
 from pitchpoint.system.compile import compile_model
 
 TEXT = """\
@@ -130,3 +131,12 @@ def test_only_faulty_teeth_have_grids():
     assert found["n_sep"] == 1
     assert found["slices"] == 0
     assert np.array_equal(found["n_sz"], [9, 9, 33, 33])
+
+
+def test_reports_list_faults():
+    lines = flank_lines(model("type: root_crack, tooth: 3, flank: left, depth: 1 mm, severity: 0.5"))
+    assert lines == [("a", "left", "one: root crack", "severity 0.5", "tooth 3")]
+    assert flank_lines(model("type: wear, flank: both, depth: 9 um"))[0][1::3] == (
+        "left and right",
+        "all teeth",
+    )
