@@ -36,7 +36,7 @@ def separation_grids(
 
     `worn` says for both gears what wear takes off their flanks in this mesh.
     """
-    if not any(g.is_modified or g.faults for g in gears):
+    if not any(g.is_modified or g.tooth_faults for g in gears):
         return
     row["n_sep"] = 1
     least = 0.0
@@ -135,7 +135,7 @@ def own_teeth(gear: Gear, mate: bool, worn: Worn = None) -> OwnTeeth:
     """
     from pitchpoint.geometry.modifications import flank_range
 
-    single = gear.deviations is not None or bool(gear.faults)
+    single = gear.deviations is not None or bool(gear.tooth_faults)
     own = OwnTeeth(gear.number_of_teeth if single else 1, flank_range(gear.geometry))
     order = ("right", "left") if mate and gear.geometry.z < 0 else ("left", "right")
     own.stations = [(N_WIDTH if gear.is_modified else N_SMOOTH, N_ROLL), _level_stations(gear)]
@@ -174,7 +174,7 @@ def _gaps(gear: Gear, flank: str, z: Array, roll: Array, wear: Array | None) -> 
             modifications=None if side is None else side.of_geometry(),
             deviations=deviations,
         )
-        single = deviations is not None or gear.faults
+        single = deviations is not None or gear.tooth_faults
         found = dict(enumerate(grid if single else grid[:1]))
     if wear is not None:
         teeth = range(gear.number_of_teeth)
