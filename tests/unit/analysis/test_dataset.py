@@ -31,6 +31,9 @@ OPTIONS = {
     "gear_indicators": {"teeth": 17},
     "white_noise": {"signal_to_noise": 3.0, "seed": [1, 2]},
     "synchronous_average": {"samples_per_turn": 128},
+    "scalogram": {"frequencies": [20.0, 100.0]},
+    "find_period": {"shortest": 0.2, "longest": 1.0, "known": [60.0]},
+    "period_evidence": {"periods": [0.3, 0.5], "tolerance": 0.01},
 }
 
 
