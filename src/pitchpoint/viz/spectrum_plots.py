@@ -117,7 +117,7 @@ def plot_order_map(
     vertical = (data.speed if steady else data.time) * axis.factor
     speed = f"speed of {shafts.chosen}" if shafts else "speed"
     # order 0 is the mean: it would set the scale of the whole map
-    figure = _map(
+    figure = amplitude_map(
         data.order[1:],
         vertical,
         data.amplitude[:, 1:],
@@ -144,7 +144,7 @@ def _offer(figure: go.Figure, shafts: Shafts | None, *, over_speed: bool = False
 def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "amplitude") -> go.Figure:
     """Amplitude over time and frequency, in decibels below the largest one."""
     clock, pitch = scale("s", data.time), scale("Hz", data.frequency)
-    return _map(
+    return amplitude_map(
         data.time * clock.factor,
         data.frequency * pitch.factor,
         data.amplitude.T,
@@ -155,9 +155,24 @@ def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "a
     )
 
 
-def _map(
+def amplitude_map(
     x: Array, y: Array, amplitude: Array, x_title: str, y_title: str, unit: str, quantity: str
 ) -> go.Figure:
+    """A map in decibels below its largest amplitude.
+
+    Parameters
+    ----------
+    x, y
+        Axes as drawn, shapes (n,) and (m,).
+    amplitude
+        Shape (m, n), in SI.
+    x_title, y_title
+        Titles with units.
+    unit
+        SI unit of the amplitude.
+    quantity
+        What the title calls it.
+    """
     import plotly.graph_objects as go
 
     x, y, z = _thinned(x, y, amplitude)
