@@ -16,7 +16,7 @@ NUMBERED = {"cmor": "cmor1.5-1.0", "shan": "shan1.5-1.0", "fbsp": "fbsp2-1-1.5"}
 """Continuous families whose names carry numbers, and how they are written."""
 
 PER_OCTAVE = 12
-"""Rows to an octave where no frequencies are named; the complex Morlet wavelet falls to half 0.28 octaves away."""
+"""Rows to an octave where none are named; the complex Morlet wavelet falls to half 0.28 octaves away."""
 MOST_AMPLITUDES = 30_000_000
 """Most numbers of one map: 0.24 GB."""
 
@@ -66,8 +66,8 @@ def scalogram(
     sample_rate
         Sample rate f_s [Hz].
     frequencies
-        Frequencies of the rows [Hz], shape (n_line,), above 1/record and below f_s/2; default 12 to the octave
-        from 4/record on, below which the extension is all over the record.
+        Frequencies of the rows [Hz], shape (n_line,), above 1/record and below f_s/2; default 12 to the
+        octave from 4/record on, below which the extension is all over the record.
     wavelet
         Name of a continuous wavelet, such as `cmor1.5-1.0` (complex Morlet, bandwidth 1.5, centre 1),
         `mexh`, `gaus4`, `shan1.5-1.0`. A complex one gives a smooth amplitude; a real one its ups and downs.
@@ -121,8 +121,8 @@ def scalogram(
         )
     if lines.size * x.size > MOST_AMPLITUDES:
         raise SignalError(
-            f"frequencies: {lines.size} rows of {x.size} samples (limit {MOST_AMPLITUDES // x.size} rows); ask "
-            "for fewer frequencies, or use a shorter or slower record"
+            f"frequencies: {lines.size} rows of {x.size} samples (limit {MOST_AMPLITUDES // x.size} rows); "
+            "ask for fewer frequencies, or use a shorter or slower record"
         )
     family = _continuous(wavelet)
     check_extension(extension)

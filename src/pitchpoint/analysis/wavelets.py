@@ -66,8 +66,8 @@ class WaveletPackets:
     band
         Shape (n_band, 2). Nominal bands [Hz], from low to high.
     time
-        Shape (n_coefficient,). Nominal time of each coefficient [s], by the clock of `start`; a lopsided wavelet such as `db5` is off
-        by part of its length, (filter length - 1)·(2^levels - 1)/f_s.
+        Shape (n_coefficient,). Nominal time of each coefficient [s], by the clock of `start`; a lopsided
+        wavelet such as `db5` is off by part of its length, (filter length - 1)·(2^levels - 1)/f_s.
     coefficients
         Shape (n_band, n_coefficient). Coefficients, in the unit of the signal.
     energy_share
@@ -281,8 +281,8 @@ def _discrete(wavelet: str, levels: int, samples: int, extension: str) -> tuple[
     most = pywt.dwt_max_level(samples, family)
     if most < 1:
         raise SignalError(
-            f"values: has {samples} samples (limit {2 * (family.dec_len - 1)} for one level of {wavelet}); use "
-            "a longer record or a shorter wavelet"
+            f"values: has {samples} samples (limit {2 * (family.dec_len - 1)} for one level of {wavelet}); "
+            "use a longer record or a shorter wavelet"
         )
     if isinstance(levels, bool) or int(levels) != levels or not 1 <= levels <= most:
         raise SignalError(

@@ -61,9 +61,9 @@ def _gear_signals(result: xr.Dataset, channel: str) -> list[go.Figure]:
     }
     parts = [Channel(name, values, unit) for name, values in rows.items()]
     figure = plot_signals(result["angle"].values, parts, rows=[[k] for k in range(len(parts))], over="angle")
-    # a healthy residual drawn as large as the average would look like damage: all on one scale
-    largest = 1.05 * max(float(np.abs(trace.y).max()) for trace in figure.data)
-    figure.update_yaxes(range=[-largest, largest])
+    # on one scale: the difference drawn as large as the residual would look like damage
+    limit = 1.05 * max(float(np.abs(trace.y).max()) for trace in figure.data[1:])
+    figure.update_layout({axis: {"range": [-limit, limit]} for axis in ("yaxis2", "yaxis3")})
     figure.update_xaxes(range=[0.0, 360.0], dtick=45)
     return [figure]
 

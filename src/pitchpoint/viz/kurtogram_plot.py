@@ -61,9 +61,10 @@ def plot_kurtogram(result: xr.Dataset, channel: str) -> list[go.Figure]:
         y1=row + 0.5,
         line={"color": theme.RED, "width": 2},
     )
+    where = span(best[0], best[1])
     figure.update_layout(
         title={
-            "text": f"kurtosis of the envelope, {channel}; largest {number(best[2], 3)} in {span(*best[:2])}",
+            "text": f"kurtosis of the envelope, {channel}; largest {number(best[2], 3)} in {where}",
             "font": {"size": 13},
             "x": 0,
             "xref": "paper",

@@ -20,7 +20,7 @@ _WIDE = 8.0
 """Ratio of highest to lowest frequency from which a scalogram has a logarithmic axis."""
 _POINTS = 4000
 _RANGE_DB = 40.0
-"""Range of a scalogram, whose wide lines leave little that is darker."""
+"""Range of maps whose wide lines leave little that is darker."""
 
 
 def plot_levels(result: xr.Dataset, channel: str) -> list[go.Figure]:
@@ -85,6 +85,7 @@ def plot_packets(result: xr.Dataset, channel: str) -> list[go.Figure]:
         unit,
         f"coefficients without the mean, {channel}",
     )
+    times.data[0].zmin = -_RANGE_DB
     return [bars, times]
 
 
