@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint analyse` with wavelets and periods: case FD-WAVELET on a file, and sentences for wrong input."""
+"""`pitchpoint analyse` with wavelets and periods: FD-WAVELET on a file, and sentences for wrong input."""
 
 from __future__ import annotations
 
