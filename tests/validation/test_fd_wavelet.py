@@ -48,7 +48,8 @@ def test_lengths_of_the_levels() -> None:
 
 def test_bands_of_the_levels() -> None:
     """Powers of two below half the sample rate, exact."""
-    band = dict(zip(*(lambda f: (f.names, f.band))(wavelet_levels(T, RATE)), strict=True))
+    found = wavelet_levels(T, RATE)
+    band = dict(zip(found.names, found.band, strict=True))
     assert band["a5"][1] == pytest.approx(6.725, rel=1e-12)
     assert band["d5"][1] == pytest.approx(13.45, rel=1e-12)
     assert band["d4"][1] == pytest.approx(26.9, rel=1e-12)

@@ -302,7 +302,7 @@ TOOLS: dict[str, Tool] = {
         ("values", "sample_rate"),
         (
             Output("names", "level", "", "level"),
-            Output("signals", "level time", "{u}", "part"),
+            Output("signals", "level time", "{u}"),
             Output("lengths", "level", name="coefficients"),
             Output("band", "level edge", "Hz"),
             Output("energy_share", "level"),

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.model.bearing_fault_check import check_bearing_faults, check_seat
 from pitchpoint.model.components.law import Balance, Constant, TableLaw
 from pitchpoint.model.frames import GROUND
 from pitchpoint.model.keys import Place
@@ -40,6 +41,9 @@ def check_forces(parts: Parts, report: Reader) -> None:
         _capacity(name, clutch, report)
     for name, bearing in parts.rolling_bearings.items():
         _rolling(name, bearing, report)
+        check_bearing_faults(name, bearing, report)
+    for name, support in parts.bearings.items():
+        check_seat(name, support, report)
     _states(parts, report)
 
 

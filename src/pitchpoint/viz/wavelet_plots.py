@@ -33,11 +33,11 @@ def plot_levels(result: xr.Dataset, channel: str) -> list[go.Figure]:
     channel
         Its name; the page says it above the picture.
     """
-    unit = str(result["part"].attrs["units"])
+    unit = str(result["signals"].attrs["units"])
     parts = [
         Channel(f"{name}:  {span(*band)},  {number(round(100.0 * share, 1), 4)} % of the energy", row, unit)
         for name, band, share, row in zip(
-            *(result[n].values for n in ("level", "band", "energy_share", "part")), strict=True
+            *(result[n].values for n in ("level", "band", "energy_share", "signals")), strict=True
         )
     ]
     rows = [[k] for k in range(len(parts))]

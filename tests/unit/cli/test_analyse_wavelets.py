@@ -53,8 +53,8 @@ def test_lengths_and_bands_of_five_levels(rig: str, capsys: pytest.CaptureFixtur
     assert found["band"]["unit"] == "Hz"
     # nine digits in the file
     np.testing.assert_allclose(found["band"]["values"], np.column_stack((edges[:-1], edges[1:])), rtol=1e-7)
-    parts = np.array(found["part"]["values"])
-    assert parts.shape == (6, SAMPLES) and found["part"]["unit"] == "N"
+    parts = np.array(found["signals"]["values"])
+    assert parts.shape == (6, SAMPLES) and found["signals"]["unit"] == "N"
     np.testing.assert_allclose(parts.sum(axis=0), np.cos(2 * np.pi * TONES["middle"] * TIME), atol=1e-8)
     assert run_command(arguments) == 0
     shown = capsys.readouterr().out
