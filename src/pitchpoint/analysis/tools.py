@@ -192,6 +192,7 @@ TOOLS: dict[str, Tool] = {
             Output("is_peak", "expected"),
             Output("resolution", "", "Hz"),
         ),
+        "tones",
     ),
     "harmonic_table": Tool(
         "harmonics.harmonic_table",

@@ -110,7 +110,22 @@ def _evidence(result: xr.Dataset) -> list[list[str]]:
     ]
 
 
+def _tones(result: xr.Dataset) -> list[list[str]]:
+    """Amplitude and frequency of each tone."""
+    unit = str(result["amplitude"].attrs["units"])
+    columns = (result[n].values for n in ("expected", "amplitude", "frequency", "is_peak"))
+    return [
+        [
+            f"near {shown(float(expected), 'Hz')}",
+            shown(float(amplitude), unit),
+            f"{number(float(frequency), 6)} Hz" + ("" if peak else ", no peak"),
+        ]
+        for expected, amplitude, frequency, peak in zip(*columns, strict=True)
+    ]
+
+
 _OWN = {
+    "tones": _tones,
     "wavelet_levels": _levels,
     "wavelet_packets": _packets,
     "scalogram": _scalogram,

@@ -50,6 +50,11 @@ def _time_frequency(result: xr.Dataset, channel: str) -> list[go.Figure]:
     return [spectrum_plots.plot_time_frequency(data, unit=_unit(result), quantity=channel)]
 
 
+def _tones(result: xr.Dataset, channel: str) -> list[go.Figure]:
+    parts = (result[name].values for name in ("frequency", "amplitude", "background"))
+    return [spectrum_plots.plot_tones(*parts, unit=_unit(result), quantity=f"amplitude, {channel}")]
+
+
 def _gear_signals(result: xr.Dataset, channel: str) -> list[go.Figure]:
     """Mean turn and what is left of it, on one axis of angle; the difference is that of FM4."""
     unit = str(result["residual"].attrs["units"])
@@ -77,6 +82,7 @@ PICTURES: dict[str, Callable[[xr.Dataset, str], list[go.Figure]]] = {
     "order_spectrum": _order_spectrum,
     "order_map": _order_map,
     "time_frequency": _time_frequency,
+    "tones": _tones,
     "gear_signals": _gear_signals,
     "wavelet_levels": wavelet_plots.plot_levels,
     "wavelet_packets": wavelet_plots.plot_packets,

@@ -265,3 +265,47 @@ def known_part(frequency: float, resolution: float) -> float:
     (50.0, 700.0, 0.7)
     """
     return round(frequency, -int(np.ceil(np.log10(0.1 * resolution))))
+
+
+def plot_tones(
+    frequency: Array, amplitude: Array, background: Array, *, unit: str, quantity: str
+) -> go.Figure:
+    """Tones as bars at their frequencies, and the amplitudes around them.
+
+    Parameters
+    ----------
+    frequency
+        Frequencies [Hz], shape (n,).
+    amplitude, background
+        Amplitudes of the tones and of what is around, in SI, shape (n,).
+    unit
+        SI unit of the amplitudes.
+    quantity
+        Name of the vertical axis.
+    """
+    import plotly.graph_objects as go
+
+    across, shown = scale("Hz", frequency), scale(unit, amplitude)
+    figure = go.Figure(layout=theme.layout(across.title("frequency"), shown.title(quantity), height=340))
+    x = frequency * across.factor
+    figure.add_scatter(
+        x=np.repeat(x, 3),
+        y=[value for a in amplitude * shown.factor for value in (0.0, float(a), None)],
+        mode="lines",
+        name="tone",
+        line={"color": theme.BLUE, "width": 2.5},
+    )
+    figure.add_scatter(
+        x=x,
+        y=background * shown.factor,
+        mode="markers",
+        name="around it",
+        marker={"color": theme.ORANGE, "size": 7, "symbol": "line-ew-open", "line": {"width": 2}},
+    )
+    for place, height in zip(x, amplitude * shown.factor, strict=True):
+        look = {"showarrow": False, "yshift": 9, "font": {"size": 11}}
+        anchor = "left" if place < 0.05 * x.max() else "center"
+        figure.add_annotation(x=place, y=height, text=number(place, 6), xanchor=anchor, **look)
+    figure.update_xaxes(rangemode="tozero")
+    figure.update_yaxes(range=[0.0, 1.15 * float(max(amplitude.max(), background.max())) * shown.factor])
+    return figure

@@ -132,6 +132,15 @@ def test_a_period_is_found_or_not(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert "4 turns, 20 lines" in shown and "unknown" in shown
 
 
+def test_tones_are_told_with_their_frequencies(rig: str, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["analyse", rig, "tones", "-c", "middle", "-O", "expected=20,22", "-O", "reach=1"]
+    assert run_command(arguments) == 0
+    first, second = (line for line in capsys.readouterr().out.splitlines() if "near" in line)
+    assert "near 20 Hz" in first and "20.0988 Hz" in first and "1 N" in first
+    # 2 Hz beside the tone the spectrum of a sine only falls
+    assert "near 22 Hz" in second and second.rstrip().endswith("no peak")
+
+
 def test_noise_is_written_as_a_record(rig: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = str(tmp_path / "noisy.csv")
     arguments = ["white_noise", "-c", "middle", "-O", "signal_to_noise=0", "-O", "seed=1"]

@@ -54,7 +54,7 @@ def record():
         ("period_evidence", 1, "period, travel", "−log₁₀ of the chance"),
         ("kurtogram", 1, "frequency [Hz]", "width of the bands"),
         ("gear_signals", 1, "angle [°]", "[µm]"),
-        ("tones", 3, "expected [Hz]", "frequency, travel [Hz]"),
+        ("tones", 1, "frequency [Hz]", "amplitude, travel [µm]"),
     ],
 )
 def test_pictures_have_axes_with_units(record, tool, count, across, up):
