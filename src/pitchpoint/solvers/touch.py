@@ -40,8 +40,8 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
     """Transmission error of mesh m alone where its flank just touches, gear 1 turned as in `clear`.
 
     Where the same teeth stay in mesh the force is a power of the depth: Newton's method on its root goes down
-    to the edge at once, whatever the exponent. Where they change on the way, bisection between the last places with and
-    without force finds the edge.
+    to the edge at once, whatever the exponent. Where they change on the way, bisection between the
+    last places with and without force finds the edge.
     """
     record = system.records["gear_mesh"][m]
     flank = -1.0 if contact < 0.0 else 1.0
