@@ -19,7 +19,7 @@ ANGLE = math.radians(15.0)
 
 #: Mean radial load of the more loaded bearing [N], number of rollers, length of a roller [m], by shaft.
 BEARINGS = {
-    "input": (26e3, 16, 34e-3),
+    "input": (27e3, 16, 34e-3),
     "second": (194e3, 19, 66e-3),
     "third": (672e3, 21, 110e-3),
     "output": (638e3, 28, 120e-3),
