@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A table that sets computed numbers beside published ones and says of each where it comes from."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+
+from pitchpoint.viz.quantities import number
+from pitchpoint.viz.tables import plain_table
+
+
+@dataclass(frozen=True)
+class Compared:
+    """One number of a study.
+
+    Attributes
+    ----------
+    what
+        Words for the number.
+    value
+        The number, in `unit`, or words.
+    source
+        Where it comes from: run, channel, function.
+    unit
+        Unit for both numbers.
+    published
+        What somebody else gives, in `unit`, or words; None if there is nothing to compare with.
+    digits
+        Significant digits shown.
+    """
+
+    what: str
+    value: float | str
+    source: str
+    unit: str = ""
+    published: float | str | None = None
+    digits: int = 6
+
+    @property
+    def difference(self) -> float:
+        """Relative difference to the published number [-]; not a number without one.
+
+        Examples
+        --------
+        >>> round(Compared("frequency", 101.0, "run", published=100.0).difference, 9)
+        0.01
+        """
+        both = (self.value, self.published)
+        if any(isinstance(v, str) or v is None for v in both) or not self.published:
+            return math.nan
+        return float(self.value) / float(self.published) - 1.0
+
+
+def compared_table(rows: Sequence[Compared], *, published: str = "published") -> str:
+    """Quantity, unit, value, published value, difference and source, as HTML.
+
+    Parameters
+    ----------
+    rows
+        The numbers, in order.
+    published
+        Heading of the column with the numbers of others; without any there is no such column.
+    """
+    others = any(row.published is not None for row in rows)
+    body = []
+    for row in rows:
+        more = ""
+        if others:
+            told = math.isfinite(row.difference)
+            off = f"{number(100.0 * row.difference, 2)} %" if told else ""
+            more = f'<td class="num">{_cell(row.published, row.digits)}</td><td class="num">{off}</td>'
+        body.append(
+            f'<tr><th scope="row">{escape(row.what)}</th><td class="unit">{escape(row.unit)}</td>'
+            f'<td class="num">{_cell(row.value, row.digits)}</td>{more}'
+            f'<td class="from">{escape(row.source)}</td></tr>'
+        )
+    head = ["quantity", "unit", "here", *((published, "difference") if others else ())]
+    table = plain_table(head, body)
+    # the last column is text: its heading stands on the left
+    return table.replace("</tr></thead>", '<th scope="col" class="from">from</th></tr></thead>', 1)
+
+
+def _cell(value: float | str | None, digits: int) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, str):
+        return escape(value)
+    return number(value, digits) if math.isfinite(value) else "–"
