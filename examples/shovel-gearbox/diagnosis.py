@@ -31,8 +31,8 @@ MESHES, TURN = TRAIN.mesh, 1.0 / TRAIN.shaft[2]
 SHORTEST, LONGEST = 1.0, 7.4
 """Limits between which a period is searched [s]: half of the record is the longest that can be read."""
 RATIOS = (10.0, 5.0, 0.0, -5.0, -10.0, -15.0, -20.0, -25.0)
-ENVELOPE_BAND = (10.0, 30.0)
-"""Band about the mesh of the second stage [Hz], whose amplitude the third shaft modulates."""
+ENVELOPE_BAND = (1.6, 4.9)
+"""Band about the mesh of the third stage [Hz]: the broken tooth hardly modulates the faster meshes."""
 Detector = Callable[[np.ndarray], float]
 
 

@@ -7,6 +7,7 @@ that needs nothing else.
 
 from __future__ import annotations
 
+import json
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -60,7 +61,9 @@ class Story:
     curves: DetectionCurves
 
 
-def tell(*, law_seconds: float = 15.0, seeds: int = 20, healthy_seeds: int = 100, elastic: bool = True) -> Story:
+def tell(
+    *, law_seconds: float = 15.0, seeds: int = 20, healthy_seeds: int = 100, elastic: bool = True
+) -> Story:
     """Compute everything.
 
     Parameters
@@ -98,31 +101,39 @@ def origin(story: Story) -> Section:
         if run is None:
             continue
         attrs = run.data.attrs
-        changes = ", ".join(f"{path} = {value}" for path, value in run.changes.items()) or "none"
-        if len(run.changes) > 3:
-            changes = f"{next(iter(run.changes))} and {len(run.changes) - 1} more to {next(iter(run.changes.values()))}"
+        changes = [f"{path} = {value}" for path, value in run.changes.items()] or ["none"]
+        if len(changes) > 3:
+            changes = [changes[0], f"and {len(changes) - 1} more"]
+        options = [f"{key} {number(value, 4)}" for key, value in json.loads(attrs["options"]).items()]
         cells = (
+            run.label,
             f"{run.file}: {run.scenario}",
-            escape(changes),
+            ", ".join(changes),
             attrs["model_hash"],
-            f"{attrs['solver']} {escape(attrs['options'])}",
+            " ".join((attrs["solver"], *options)),
             str(attrs["steps"]),
             f"{float(run.data.time[-1]):g} s",
-            f"{number(attrs['wall_s'], 3)} s",
+            f"{number(run.processor_s, 3)} s",
             number(run.real_time_factor, 3),
         )
-        rows.append(
-            f'<tr><th scope="row">{escape(run.label)}</th>'
-            + "".join(f"<td>{cell}</td>" for cell in cells)
-            + "</tr>"
-        )
-    head = ("run", "file: scenario", "changes", "model hash", "solver", "steps", "simulated", "computed in", "times real time")
+        rows.append(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in cells)}</tr>")
+    head = (
+        "run",
+        "scenario",
+        "changes",
+        "model hash",
+        "solver, SI",
+        "steps",
+        "simulated",
+        "processor",
+        "real time ×",
+    )
     section.add(plain_table(head, rows, numbers=False))
     attrs = story.healthy.data.attrs
     section.add(
-        f"<p>pitchpoint {escape(attrs['pitchpoint_version'])}, Python {attrs['python']}, NumPy {attrs['numpy']}; "
-        "one core. Every table above names in its last column the run, the channel and the function a number "
-        "comes from. The hashes are those of the models with the changes listed; "
+        f"<p>pitchpoint {escape(attrs['pitchpoint_version'])}, Python {attrs['python']}, NumPy "
+        f"{attrs['numpy']}; one core. Every table above names in its last column the run, the channel and "
+        "the function a number comes from. The hashes are those of the models with the changes listed; "
         "<code>pitchpoint run FILE --set PATH=VALUE</code> computes any of these runs again.</p>"
         f"<p>Numbers of others: {escape(SOURCE)}. Its figures were not at hand, only its text.</p>"
     )
@@ -142,7 +153,11 @@ def html(story: Story) -> str:
         detection(story.curves, story.readings),
         origin(story),
     ]
-    facts = (("version", __version__), ("model", story.healthy.data.attrs["model_hash"]), ("bearing force", CHANNEL))
+    facts = (
+        ("version", __version__),
+        ("model", story.healthy.data.attrs["model_hash"]),
+        ("bearing force", CHANNEL),
+    )
     return page(TITLE, facts, sections, f"Made by pitchpoint {__version__}.")
 
 

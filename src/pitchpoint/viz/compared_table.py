@@ -67,25 +67,39 @@ def compared_table(rows: Sequence[Compared], *, published: str = "published") ->
     others = any(row.published is not None for row in rows)
     body = []
     for row in rows:
-        more = ""
+        cells = [row.unit, _cell(row.value, row.digits)]
         if others:
-            told = math.isfinite(row.difference)
-            off = f"{number(100.0 * row.difference, 2)} %" if told else ""
-            more = f'<td class="num">{_cell(row.published, row.digits)}</td><td class="num">{off}</td>'
+            off = f"{number(100.0 * row.difference, 2)} %" if math.isfinite(row.difference) else ""
+            cells += [_cell(row.published, row.digits), off]
+        body.append((row.what, *cells, row.source))
+    return sourced_table(("quantity", "unit", "here", *((published, "difference") if others else ())), body)
+
+
+def sourced_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Table with words, unit, numbers, and last the source of each row, as HTML.
+
+    Parameters
+    ----------
+    head
+        Names of all columns but the last.
+    rows
+        Texts, one more than names; the third to the last but one are numbers.
+    """
+    body = []
+    for what, unit, *cells, source in rows:
+        middle = "".join(f'<td class="num">{escape(cell)}</td>' for cell in cells)
         body.append(
-            f'<tr><th scope="row">{escape(row.what)}</th><td class="unit">{escape(row.unit)}</td>'
-            f'<td class="num">{_cell(row.value, row.digits)}</td>{more}'
-            f'<td class="from">{escape(row.source)}</td></tr>'
+            f'<tr><th scope="row">{escape(what)}</th><td class="unit">{escape(unit)}</td>{middle}'
+            f'<td class="from">{escape(source)}</td></tr>'
         )
-    head = ["quantity", "unit", "here", *((published, "difference") if others else ())]
-    table = plain_table(head, body)
     # the last column is text: its heading stands on the left
-    return table.replace("</tr></thead>", '<th scope="col" class="from">from</th></tr></thead>', 1)
+    last = '<th scope="col" class="from">from</th></tr></thead>'
+    return plain_table(head, body).replace("</tr></thead>", last, 1)
 
 
 def _cell(value: float | str | None, digits: int) -> str:
     if value is None:
         return ""
     if isinstance(value, str):
-        return escape(value)
+        return value
     return number(value, digits) if math.isfinite(value) else "–"

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
 FAINT = 0.35
 """Opacity of the lines of harmonics above the first."""
+CLOSE, LIFT = 0.09, 13
+"""Share of the axis below which two names would overlap, and how far one of them is then lifted [pixels]."""
 
 
 def mark_frequencies(
@@ -32,6 +34,7 @@ def mark_frequencies(
         From hertz to the unit of the axis.
     """
     end = figure.layout.xaxis.range[1]
+    named: list[tuple[float, int]] = []
     for index, (name, frequency) in enumerate(frequencies.items()):
         colour = theme.SERIES[(index + 1) % len(theme.SERIES)]
         for k in range(1, harmonics + 1):
@@ -45,11 +48,15 @@ def mark_frequencies(
                 layer="below",
             )
             if k == 1:
+                taken = {level for other, level in named if abs(at - other) < CLOSE * end}
+                lift = next(n for n in range(len(named) + 1) if n not in taken)
+                named.append((at, lift))
                 figure.add_annotation(
                     x=at,
                     y=1.0,
                     yref="paper",
                     yanchor="bottom",
+                    yshift=LIFT * lift,
                     text=name,
                     showarrow=False,
                     xanchor="left" if at < 0.03 * end else "center",

@@ -14,7 +14,9 @@ if TYPE_CHECKING:
     from pitchpoint.analysis.wavelets import WaveletLevels
 
 
-def plot_levels(time: Array, values: Array, levels: WaveletLevels, *, unit: str, name: str = "S") -> go.Figure:
+def plot_levels(
+    time: Array, values: Array, levels: WaveletLevels, *, unit: str, name: str = "S"
+) -> go.Figure:
     """The signal, its approximation and its details from slow to fast.
 
     Parameters
