@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from pitchpoint.analysis.noise import with_white_noise
+
 RATE = 430.4
 SAMPLES = 6456
 MESHES = (3.251271, 20.098765, 135.666667)
@@ -44,8 +46,6 @@ def bearing_force(
     return force + impact * depth * ring
 
 
-def noisy(force: np.ndarray, snr: float, seed: int, alternating: float | None = None) -> np.ndarray:
-    """With white noise `snr` decibels below the alternating rms, its own or one that is given."""
-    rms = np.std(force) if alternating is None else alternating
-    noise = np.random.default_rng(seed).normal(size=force.size)
-    return force + rms * 10 ** (-snr / 20) * noise
+def noisy(force: np.ndarray, ratio: float, seed: int) -> np.ndarray:
+    """With white noise, `ratio` decibels below the alternating rms of the force."""
+    return with_white_noise(force, signal_to_noise=ratio, seed=seed).values

@@ -66,7 +66,7 @@ def fitted_period(record: Record, period: float, orders: NDArray[np.int64], reac
         both = (1.0 + change) * np.concatenate([nu, -nu])
         across = overlap(both, fixed, n)
         gram = overlap(both, both, n) - across @ inner @ across.T
-        return -float(np.real(np.conj(right) @ np.linalg.lstsq(gram, right, rcond=1e-10)[0]))
+        return -float(np.real(np.conj(right) @ np.linalg.solve(gram, right)))
 
     trial: Array = np.linspace(-reach, reach, 33)
     around = float(trial[int(np.argmin([misfit(c) for c in trial]))])

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
-from pitchpoint.analysis.tones import fourier, multiples, without_tones
+from pitchpoint.analysis.tones import multiples, without_tones
 
 NEIGHBOURS = 8
 """Lines on either side that measure the noise at a line of the comb, where there are so many."""
@@ -157,6 +157,8 @@ def comb_lines(record: Record, period: float, harmonics: int) -> CombLines:
     .. [1] D. J. Thomson, Spectrum estimation and harmonic analysis, Proceedings of the IEEE 70(9), 1982,
        1055-1096, section XIII.
     """
+    from scipy.signal import czt
+
     turns = turns_in(record, period) if period > 0.0 else 0
     orders = np.arange(1, min(harmonics, int(record.top * period * (1.0 + 1e-9))) + 1)
     if turns < 2 or not orders.size:
@@ -167,8 +169,11 @@ def comb_lines(record: Record, period: float, harmonics: int) -> CombLines:
     offsets = [0, *range(-half, 0), *range(1, half + 1)]
     # between an even number of turns one line lies half-way; it goes to the comb line below it
     offsets += [half + 1] if turns % 2 == 0 and half < NEIGHBOURS else []
-    frequency = (orders[:, None] * turns + np.array(offsets)) / (turns * period)
-    power = np.abs(fourier(record.values[:n], frequency.ravel() / record.rate).reshape(frequency.shape)) ** 2
+    line = orders[:, None] * turns + np.array(offsets)
+    frequency = line / (turns * period)
+    # the lines lie as closely as the record allows: one chirp transform has them all
+    turning = np.exp(-2j * np.pi / (turns * period * record.rate))
+    power = np.abs(czt(record.values[:n], int(line.max()) + 1, turning)[line]) ** 2
     clear = is_clear(frequency, record.tones, CLEARANCE / (turns * period))
     group: NDArray[np.int64] = (orders - 1) // min(LARGEST_GROUP, -(-NOISE_LINES // (len(offsets) - 1)))
     count = np.bincount(group, clear[:, 1:].sum(axis=1))[group].astype(np.int64)

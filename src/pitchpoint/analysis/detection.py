@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pitchpoint.analysis.noise import with_white_noise
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, same_length
 
 Detector = Callable[[Array], float]
@@ -109,8 +110,8 @@ def detection_curves(
 
     Notes
     -----
-    White Gaussian noise of the rms σ = (alternating rms of the faulty signal)·10^(-snr/20) is added, the same
-    σ to the healthy signal: a detector must not live on different noise. The threshold is the k-th largest
+    `noise.with_white_noise` sets the noise by the alternating rms of the faulty signal; the healthy one gets
+    noise of the same strength: a detector must not live on different noise. The threshold is the k-th largest
     of m healthy values, k = ⌊false_alarm (m + 1)⌋: a further healthy value exceeds it with the chance k/(m +
     1) whatever their distribution is [1]_. Intervals are those of Wilson.
 
@@ -133,15 +134,12 @@ def detection_curves(
     ratios = as_signal(snr, "snr", 1)
     count = _checked(detectors, seeds, false_alarm, confidence)
     names = tuple(detectors)
-    rms = float(np.std(ill))
-    if rms == 0.0:
-        raise SignalError("faulty: is constant, so no signal-to-noise ratio belongs to it")
     values = np.empty((3, len(names), ratios.size, seeds))
     for seed in range(seeds):
         for stream, signal in ((CALIBRATION, well), (CHECK, well), (TRIAL, ill)):
-            noise = np.random.default_rng([first_seed + seed, stream]).normal(size=signal.size)
             for j, ratio in enumerate(ratios):
-                noisy = signal + rms * 10.0 ** (-ratio / 20.0) * noise
+                drawn = with_white_noise(ill, signal_to_noise=float(ratio), seed=[first_seed + seed, stream])
+                noisy = signal + drawn.noise
                 for i, name in enumerate(names):
                     values[stream, i, j, seed] = detectors[name](noisy)
     values[~np.isfinite(values)] = -np.inf

@@ -78,12 +78,11 @@ def without_tones(values: ArrayLike, sample_rate: float, frequencies: ArrayLike)
     f = f[np.diff(f, prepend=-np.inf) >= 0.25 * rate / x.size]
     nu = np.concatenate([[0.0], f]) / rate
     right = fourier(x, nu)
-    both = np.concatenate([nu, -nu[1:]])
-    found = np.linalg.lstsq(
-        overlap(both, both, x.size), np.concatenate([right, np.conj(right[1:])]), rcond=None
-    )[0][: nu.size]
-    found[1:] *= 2.0  # the other half of each sine is at minus its frequency
-    return x - _sines(found, nu, x.size)
+    # time is counted from the middle: cosines and sines have nothing in common, and all is real
+    apart, together = overlap(nu, nu, x.size), overlap(nu, -nu, x.size)
+    cosines = np.linalg.lstsq(0.5 * (apart + together), right.real, rcond=None)[0]
+    sines = np.linalg.lstsq(0.5 * (apart - together), -right.imag, rcond=None)[0]
+    return x - _sines(cosines - 1j * sines, nu, x.size)
 
 
 def fourier(x: Array, nu: Array) -> Lines:
