@@ -11,11 +11,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from study import RATE, RATED, Run
+from study import HERE, RATE, Run, frequencies
 
+from pitchpoint import load_model
 from pitchpoint.analysis.detection import DetectionCurves, detection_curves
 from pitchpoint.analysis.envelope import envelope_spectrum
-from pitchpoint.analysis.fault_frequencies import train_frequencies
 from pitchpoint.analysis.gear_indicators import gear_indicators
 from pitchpoint.analysis.harmonics import read_tones
 from pitchpoint.analysis.indicators import signal_indicators
@@ -25,7 +25,7 @@ from pitchpoint.analysis.wavelets import WaveletLevels, wavelet_levels
 
 CHANNEL = "signal[third_a_y]"
 """Vertical force of the first bearing of the third shaft, which carries Z5."""
-TRAIN = train_frequencies([(11, 81), (12, 68), (11, 36)], RATED / 60.0 * 2.0 * np.pi)
+TRAIN = frequencies(load_model(HERE / "paper.yaml"))
 MESHES, TURN = TRAIN.mesh, 1.0 / TRAIN.shaft[2]
 """Mesh frequencies [Hz] and period of the third shaft [s]."""
 SHORTEST, LONGEST = 1.0, 7.4
@@ -149,7 +149,7 @@ def detectors(angle: np.ndarray) -> dict[str, Detector]:
     def envelope(x: np.ndarray) -> float:
         spectrum = envelope_spectrum(x, RATE, band=ENVELOPE_BAND)
         lines = np.interp(shaft * np.arange(1, 6), spectrum.frequency, spectrum.amplitude)
-        return float(lines.sum() / np.median(spectrum.amplitude[1 : spectrum.amplitude.size // 8]))
+        return float(lines.sum())
 
     def line(x: np.ndarray) -> float:
         return float(read_tones(x, RATE, [shaft], reach=0.02 * shaft).amplitude[0])

@@ -101,9 +101,10 @@ def origin(story: Story) -> Section:
         if run is None:
             continue
         attrs = run.data.attrs
-        changes = [f"{path} = {value}" for path, value in run.changes.items()] or ["none"]
+        where = f"scenarios.{run.scenario}."
+        changes = [f"{path.removeprefix(where)} = {value}" for path, value in run.changes.items()]
         if len(changes) > 3:
-            changes = [changes[0], f"and {len(changes) - 1} more"]
+            changes = [*changes[:3], f"{len(changes) - 3} more like it"]
         options = [f"{key} {number(value, 4)}" for key, value in json.loads(attrs["options"]).items()]
         cells = (
             run.label,

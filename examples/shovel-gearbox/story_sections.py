@@ -270,7 +270,8 @@ def add_run_up(section: Section, run_up: Run) -> None:
     section.add_figure(
         plot_time_frequency(data, unit="N", quantity=channel),
         f"Run {run_up.label}: {channel} from standstill to {RATED:g} 1/min in {time[-1]:g} s. Mesh orders "
-        "rise with the speed; where they cross a natural frequency they swell.",
+        "rise with the speed; what stands still is a natural frequency; "
+        "falling lines are orders beyond half the sample rate, folded back.",
     )
     moving = time > 1.0
     angle = run_up.data["angle[input]"].values[moving]

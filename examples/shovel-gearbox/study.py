@@ -123,12 +123,13 @@ def simulate(
         Other values by path.
     """
     given = {path.replace("__", "."): value for path, value in changes.items()}
-    times = {f"scenarios.{scenario}.duration": settle + record, f"scenarios.{scenario}.settle_time": settle}
+    where = f"scenarios.{scenario}"
+    times = {f"{where}.duration": settle + record, f"{where}.settle_time": settle}
     model = load_model(HERE / file).replace_all({**times, **given})
     system = compile_model(model, scenario)
     begun = time.process_time()
     data = solve_time(system)
-    return Run(label, file, scenario, given, data, settle, time.process_time() - begun)
+    return Run(label, file, scenario, times | given, data, settle, time.process_time() - begun)
 
 
 def healthy_and_faulty(record: float = RECORD) -> tuple[Run, Run]:
