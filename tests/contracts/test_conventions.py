@@ -28,7 +28,9 @@ from pitchpoint.elements.gear_mesh_record import N_OUT
 from pitchpoint.elements.shaft_beam import shaft_row
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.geometry.deviations import Deviations, Runout, separation
+from pitchpoint.geometry.modifications import roll_length
 from pitchpoint.geometry.shaft_solid import shaft_solid
+from pitchpoint.geometry.tooth_faults import break_level, displaced_gap
 from pitchpoint.geometry.tooth_form import gear_outline
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.frames import body_frame
@@ -399,6 +401,16 @@ def test_left_flank_is_on_the_counter_clockwise_side() -> None:
     late = Deviations(pitch=[0.0] * 10 + [5e-6, -5e-6] + [0.0] * 8)
     left, right = (separation(wheel, f, [0.0], [0.02], deviations=late)[:, 0, 0] for f in ("left", "right"))
     assert left[10] - left[9] < 0.0 < right[10] - right[9]
+
+
+def test_faults_begin_at_the_lowest_z_and_displace_counter_clockwise() -> None:
+    gear = CylindricalGear(z=30, m_n=3e-3, b=0.02)
+    level = break_level(
+        gear, [-0.01, 0.01], [roll_length(gear, gear.d_a)], width=5e-3, height=2e-3, at="start"
+    )
+    assert level[0, 0] > 0.0 > level[1, 0]
+    # the left flank is on the counter-clockwise side: it comes nearer to its mate
+    assert displaced_gap(gear, "left", 1e-6) < 0.0 < displaced_gap(gear, "right", 1e-6)
 
 
 def test_gear_1_of_the_first_mesh_stands_with_tooth_0_at_angle_0() -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.geometry import GearPair
+from pitchpoint.system import evaluate
 from pitchpoint.system.rules.gear_mesh import MeshLaws
 from tests.invariants.test_gear_mesh import (
     PAIRS,
@@ -19,6 +20,8 @@ from tests.invariants.test_gear_mesh import (
     rotation,
     shaken,
 )
+from tests.invariants.test_tangents import gears, pressed, scaled
+from tests.support.machines import compiled
 from tests.support.one_mesh import OneMesh, make_pair
 
 KINDS = ["level", "gap", "soft", "all"]
@@ -249,3 +252,36 @@ def test_added_compliance_is_in_series():
         m.evaluate()
         total = 2e-11 * sum(g is not None for g in grids_)
         assert m.get("mesh_force") == pytest.approx(F / (1.0 + 14e9 * total), rel=1e-12)
+
+
+FAULTS = {
+    "corner": "type: broken_tooth, tooth: {}, width: 25 mm, height: 6 mm, shape: corner",
+    "band": "type: broken_tooth, tooth: {}, height: 2.5 mm",
+    "crack": "type: root_crack, tooth: {}, flank: both, depth: 2 mm, length: 20 mm",
+    "pits": "type: pitting, tooth: {}, flank: both, "
+    "pattern: {{number: 20, length: 5 mm, height: 3 mm, depth: 100 um}}",
+    "wear": "type: wear, flank: both, depth: 10 um",
+    "pitch": "type: pitch_error, tooth: {}, amount: 4 um",
+}
+
+
+@pytest.mark.parametrize("kind", ["external", "internal"])
+@pytest.mark.parametrize("fault", FAULTS)
+@both_flanks
+def test_exact_matrices_of_faulty_teeth(kind, fault, flank):
+    """Free helical bodies, every tooth with a fault. At rest, at frozen phase, the forces have a potential: K
+    is symmetric. It is not that of healthy teeth."""
+    law = "law: din3990, stiffness_ratio: 0.7, tip_relief_factor: 0.4"
+    text = gears(kind, 20, "free", "", law)
+    found = []
+    for severity in (1, 0):
+        teeth = range(1 if fault == "wear" else 23)
+        listed = ", ".join(f"f{k}: {{{FAULTS[fault].format(k)}, severity: {severity}}}" for k in teeth)
+        system = compiled(text.replace("g1: {", f"g1: {{faults: {{{listed}}}, ", 1))[1]
+        state = pressed(system, np.random.default_rng(3), 0.0, flank, 1e-4)
+        state.v[:] = 0.0
+        K = scaled(evaluate.linearize(system, state)[2], system)
+        assert np.abs(K - K.T).max() < 1e-10 * np.abs(K).max()
+        found.append(K)
+    # displaced alike, all teeth only turn the gear: on one flank more overlap, on the other less
+    assert np.abs(found[0] - found[1]).max() > 1e-7 * np.abs(found[1]).max()

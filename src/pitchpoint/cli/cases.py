@@ -184,7 +184,8 @@ def compute(
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import INTERRUPTED, OK, sentence
     from pitchpoint.io.case_store import CaseWriter
-    from pitchpoint.sweep.cases import number_at, run_cases
+    from pitchpoint.model.numbers import number_at
+    from pitchpoint.sweep.cases import run_cases
 
     chosen = model.scenarios[name]
     header = header_of(model, file, name, "cases", chosen.method)

@@ -30,6 +30,7 @@ COMMANDS = {
     "reduce": "Condense linear parts; what is left and its error.",
     "run": "Time response or slow roll of a scenario.",
     "sweep": "Speed sweep up and down, with jumps.",
+    "dataset": "Labelled data of many cases, as a plan says.",
     "compare-solvers": "Accuracy against time of all integrators on one model.",
     "analyse": "Spectra, orders, indicators of any record.",
     "report": "One HTML file with drawings and curves.",

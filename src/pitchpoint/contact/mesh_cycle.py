@@ -96,15 +96,7 @@ class _Line:
     eps_alpha: float
 
     def law(self, p: Array) -> Array:
-        eps = self.eps_alpha
-        table, L = self.shape.table, self.shape.ramp_length(eps)
-        if table is None:
-            c = 1.0 - (1.0 - self.shape.S_R) * (2.0 * p / eps - 1.0) ** 2
-        else:
-            c = np.interp(p, np.linspace(0.0, eps, table.size), table)
-        if L > 0.0:
-            c = c * (np.clip(np.minimum(p, eps - p), 0.0, L) / L)
-        return np.asarray(c)
+        return self.shape.along(p, self.eps_alpha)
 
     def integral(self) -> float:
         """Integral over the whole path: the mean of the total stiffness."""

@@ -156,34 +156,37 @@ def _split(b, gear, p_0, a, c):
 
 
 @kernel
-def _carried(b, ctl, watch, p_0, x_q, a, c):
-    """The part of a smooth piece on which the flanks touch; one that is open at both ends carries nothing."""
-    if not c > a:
-        return 0.0
-    f_a = _over(b, 2, p_0, x_q, a)
-    f_c = _over(b, 2, p_0, x_q, c)
-    if f_a <= 0.0 and f_c <= 0.0:
+def _carried(b, ctl, watch, p_0, x_q, a, c, x_a, x_c):
+    """The part of a smooth piece on which the flanks touch; one that is open at both ends carries nothing.
+
+    `x_a` and `x_c` are the penetrations at its ends.
+    """
+    if x_a <= 0.0 and x_c <= 0.0:
         if watch is not None:
-            b["acc"][NEAREST] = max(b["acc"][NEAREST], max(f_a, f_c))
+            b["acc"][NEAREST] = max(b["acc"][NEAREST], max(x_a, x_c))
         return 0.0
-    if f_a > 0.0 and f_c > 0.0:
-        return _gauss(b, ctl, watch, p_0, x_q, a, c, 1)
-    m = _edge(b, 2, p_0, x_q, a, c, f_a, f_c)
-    if f_a > 0.0:
-        return _gauss(b, ctl, watch, p_0, x_q, a, m, 1)
-    return _gauss(b, ctl, watch, p_0, x_q, m, c, 1)
+    if x_a <= 0.0:
+        a = _edge(b, 2, p_0, x_q, a, c, x_a, x_c)
+    elif x_c <= 0.0:
+        c = _edge(b, 2, p_0, x_q, a, c, x_a, x_c)
+    return _gauss(b, ctl, watch, p_0, x_q, a, c, 1)
 
 
 @kernel
-def _torn(b, ctl, watch, p_0, x_q, a, c):
-    """The piece from a to c of a pair with a tooth of its own, split at its edges."""
-    m_1 = _split(b, 0, p_0, a, c)
-    m_2 = _split(b, 1, p_0, a, c)
-    first = min(m_1, m_2)
-    second = max(m_1, m_2)
-    f = _carried(b, ctl, watch, p_0, x_q, a, first)
-    f += _carried(b, ctl, watch, p_0, x_q, first, second)
-    return f + _carried(b, ctl, watch, p_0, x_q, second, c)
+def _torn(b, ctl, watch, p_0, x_q, a, c, x_a):
+    """The piece from a to c of a pair with a tooth of its own, split at its edges; and x at c."""
+    x_c = _over(b, 2, p_0, x_q, c)
+    f = 0.0
+    if has_level(b, 0) or has_level(b, 1):
+        m_1 = _split(b, 0, p_0, a, c)
+        m_2 = _split(b, 1, p_0, a, c)
+        for m in (min(m_1, m_2), max(m_1, m_2)):
+            if m > a and m < c:
+                x_m = _over(b, 2, p_0, x_q, m)
+                f += _carried(b, ctl, watch, p_0, x_q, a, m, x_a, x_m)
+                a = m
+                x_a = x_m
+    return f + _carried(b, ctl, watch, p_0, x_q, a, c, x_a, x_c), x_c
 
 
 @kernel
@@ -226,6 +229,7 @@ def exact_line(b, ctl, watch, p_0, x_q, apart):
     if b["tilt"] != 0.0:
         z_3 = x_q / b["tilt"]
     f = 0.0
+    x_a = _over(b, 2, p_0, x_q, a) if apart is not None and a < end else 0.0
     while a < end:
         c = nearer(a, nearer(a, nearer(a, nearer(a, end, z_1), z_2), z_3), z_4)
         if split:
@@ -234,7 +238,8 @@ def exact_line(b, ctl, watch, p_0, x_q, apart):
             f += _gauss(b, ctl, watch, p_0, x_q, a, c, None)
         else:
             c = next_station(b, a, c)
-            f += _torn(b, ctl, watch, p_0, x_q, a, c)
+            part, x_a = _torn(b, ctl, watch, p_0, x_q, a, c, x_a)
+            f += part
         a = c
     return f
 

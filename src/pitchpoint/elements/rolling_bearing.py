@@ -40,6 +40,7 @@ from pitchpoint.elements.ring import (
     ring_tangents,
     whole_turns,
 )
+from pitchpoint.elements.rolling_push import push_elements
 from pitchpoint.multibody.channels import frame_args, observations
 
 BODY_FIXED = True
@@ -164,8 +165,11 @@ def _approach(b, c, s):
     x = b["x"]
     radial = x[0] * c + x[1] * s - b["gap"]
     axial = x[2] - 0.5 * b["pitch"] * (x[3] * c + x[4] * s)
-    ca = math.cos(b["angle"])
-    sa = math.sin(b["angle"])
+    ca = 1.0
+    sa = 0.0
+    if b["angle"] != 0.0:  # most have none, and this runs for every element
+        ca = math.cos(b["angle"])
+        sa = math.sin(b["angle"])
     A = b["grooves"]
     if A > 0.0:
         p = A * ca + radial
@@ -197,7 +201,7 @@ def _element(b, c, s, share, jac, loss):
     damped = 1.0 + b["chi"] * rate
     if damped <= 0.0:
         return
-    elastic = b["stiffness"] * d ** b["exponent"]
+    elastic = b["stiffness"] * (d * math.sqrt(d) if b["exponent"] == 1.5 else d ** b["exponent"])
     for r in range(6):
         b["f"][r] -= elastic * damped * G[2, r]
     if jac != 0:
@@ -255,14 +259,18 @@ def rolling_bearing(rec, ctl, fr, kk):
         s = math.sin(b["azimuth"] + cage)
         step_c = math.cos(TWO_PI / b["n"])
         step_s = math.sin(TWO_PI / b["n"])
+        whole = b["n_faults"] == 0 and b["uneven"] == 0
+        forces_only = jac == 0 and whole
+        if forces_only:
+            push_elements(b, c, s, step_c, step_s, share)
         spun = (0.0, 0.0)
         if b["n_faults"] > 0:
             spun = _spun(b, turns)
-        for k in range(b["n"]):
-            if b["n_faults"] > 0 or b["uneven"] == 1:
-                _faulty_element(b, k, (c, s), (share, cage), spun, jac)
-            else:
+        for k in range(0 if forces_only else b["n"]):
+            if whole:
                 _element(b, c, s, share, jac, (0.0, 0.0, 0.0))
+            else:
+                _faulty_element(b, k, (c, s), (share, cage), spun, jac)
             turned = c * step_c - s * step_s
             s = s * step_c + c * step_s
             c = turned

@@ -46,6 +46,7 @@ class Header:
     """What a result file says about itself, so that it can be traced years later.
 
     `options` holds the solver's options as plain numbers and texts; `model_text` the model file as read.
+    Without `stamped` the time of making is left out, so that equal results are equal files.
     """
 
     kind: str
@@ -55,6 +56,7 @@ class Header:
     model_hash: str = ""
     model_text: str = ""
     options: Mapping[str, Any] = field(default_factory=dict)
+    stamped: bool = True
 
 
 class Container:
@@ -84,7 +86,8 @@ class Container:
         attributes["title"] = header.title
         attributes["source"] = f"pitchpoint {package_version()}"
         attributes["package_version"] = package_version()
-        attributes["created"] = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+        now = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+        attributes["created"] = now if header.stamped else ""
         attributes["model_hash"] = header.model_hash
         attributes["scenario"] = header.scenario
         attributes["solver"] = header.solver

@@ -65,11 +65,16 @@ def _open_beside_a_writer(name: str) -> h5py.File:
 def read_header(path: str | os.PathLike[str]) -> dict[str, Any]:
     """Read the attributes of a result file: title, status, sentence, solver, options, ..."""
     with _open(path) as file:
-        header: dict[str, Any] = {}
-        for key, value in file.attrs.items():
-            if isinstance(value, bytes):
-                value = value.decode("utf-8")
-            header[key] = value.item() if hasattr(value, "item") and not isinstance(value, str) else value
+        return header_in(file)
+
+
+def header_in(file: h5py.File) -> dict[str, Any]:
+    """Attributes of an open result file."""
+    header: dict[str, Any] = {}
+    for key, value in file.attrs.items():
+        if isinstance(value, bytes):
+            value = value.decode("utf-8")
+        header[key] = value.item() if hasattr(value, "item") and not isinstance(value, str) else value
     header["options"] = json.loads(header.get("options", "{}"))
     return header
 
@@ -149,7 +154,7 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
     with _open(path) as file:
         where = file[group] if group else file
         lengths = [v.shape[0] for v in where.values() if hasattr(v, "maxshape") and v.maxshape[:1] == (None,)]
-        growing = "time" if "time" in where else ""
+        growing = "time" if "time" in where and lengths else ""
         events = None if group else _events(file)
     file = _open(path)
     try:

@@ -67,6 +67,10 @@ ANALYSIS_MARK = "# pitchpoint analysis\n"
 """How pages, drawings and tables say who wrote them; in DXF the group 999 is a comment."""
 
 
+INDEX_HEAD = "case,file,status,status_code,sentence"
+"""First columns of the table of the cases of a data set."""
+
+
 KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "result": ("a readable result file of pitchpoint", _is_result),
     "page": ("an HTML page of pitchpoint", _marked(b"<!DOCTYPE html>", PAGE_MARK)),
@@ -74,6 +78,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "analysis": ("a table of an analysis of pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
+    "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
     "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),
 }

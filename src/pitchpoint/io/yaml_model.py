@@ -38,6 +38,12 @@ def load_model(path: str | Path, allow_code: bool = False, progress: Progress = 
     ModelError
         With every problem of the file.
     """
+    text = text_of(path)
+    return loads_model(text, allow_code=allow_code, file=str(path), progress=progress)
+
+
+def text_of(path: str | Path) -> str:
+    """Text of a YAML file; a `ModelError` says why it cannot be read."""
     file = Path(path)
     try:
         data = file.read_bytes()
@@ -53,7 +59,7 @@ def load_model(path: str | Path, allow_code: bool = False, progress: Progress = 
             line, remedy = None, "name the model file; this one holds no text at all"
         problem = Problem("YAML syntax", "is no UTF-8 text", remedy=remedy, line=line)
         raise ModelError([problem], str(path)) from None
-    return loads_model(text, allow_code=allow_code, file=str(path), progress=progress)
+    return text
 
 
 def loads_model(

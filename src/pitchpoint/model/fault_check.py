@@ -3,23 +3,26 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Problem
 from pitchpoint.model.components.gear_faults import Eccentricity
 from pitchpoint.model.components.stiffness import OF_PAIRS
-from pitchpoint.model.components.tooth_faults import BrokenTooth, PitchError
+from pitchpoint.model.components.tooth_faults import BrokenTooth, PitchError, Pitting, RootCrack, Wear
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.mesh import Mesh
     from pitchpoint.model.parts import Parts
 
 
 def hand_on(report: Reader, base: Place, problem: Problem, taint: bool = True) -> None:
     """Report a problem of the geometry at the key that it names."""
-    place: Place = (*base, *(problem.where.split(".") if problem.where else ()))
+    steps = problem.where.split(".") if problem.where else []
+    place: Place = (*base, *(int(step) if step.isdigit() else step for step in steps))
     report.problem(
         place, problem.message, value=problem.value, limit=problem.limit, remedy=problem.remedy, taint=taint
     )
@@ -49,6 +52,12 @@ def _problems(gear: Gear, fault: object) -> list[Problem]:
 
     if isinstance(fault, BrokenTooth):
         return break_problems(fault.width or 0.0, fault.height or 0.0, gear.geometry)
+    if isinstance(fault, RootCrack):
+        return _crack_problems(gear, fault)
+    if isinstance(fault, Pitting):
+        return _pit_problems(gear, fault)
+    if isinstance(fault, Wear):
+        return _wear_problems(gear, fault)
     if isinstance(fault, PitchError):
         return size_problems({"amount": fault.amount}, gear.geometry)
     if isinstance(fault, Eccentricity):
@@ -56,9 +65,75 @@ def _problems(gear: Gear, fault: object) -> list[Problem]:
     return []
 
 
+def _crack_problems(gear: Gear, crack: RootCrack) -> list[Problem]:
+    from pitchpoint.contact.stiffness.root_crack import largest_crack
+    from pitchpoint.geometry.tooth_form import tooth_form
+
+    most = largest_crack(tooth_form(gear.geometry), crack.angle)
+    found = []
+    if crack.depth > most:
+        found.append(
+            Problem(
+                "depth",
+                "goes beyond the centre line of the tooth",
+                f"{1e3 * crack.depth:.6g} mm",
+                f"{1e3 * most:.6g} mm",
+                "reduce it, or take broken_tooth for a tooth that is gone",
+            )
+        )
+    if crack.length is not None and crack.length > gear.face_width:
+        found.append(
+            Problem(
+                "length",
+                "is longer than the face is wide",
+                f"{1e3 * crack.length:.6g} mm",
+                f"{1e3 * gear.face_width:.6g} mm",
+                "leave it out for the whole face",
+            )
+        )
+    return found
+
+
+def _pit_problems(gear: Gear, fault: Pitting) -> list[Problem]:
+    from pitchpoint.geometry.pits import Patch, patch_problems
+
+    if bool(fault.patches) == (fault.pattern is not None):
+        both = "patches and pattern are given" if fault.patches else "neither patches nor pattern is given"
+        return [Problem("patches", f"cannot be: {both}", remedy="give one of them")]
+    shape = gear.geometry
+    if fault.pattern is not None:
+        # of the smallest pits that may come out, at the diameter where they cover the least roll
+        size = {name: 0.5 * getattr(fault.pattern, name) for name in ("length", "height", "depth")}
+        outer = max(abs(shape.d_Ff), abs(shape.d_Fa))
+        least = Patch(position=0.0, diameter=outer, **size)
+        return [_doubled(problem) for problem in patch_problems(least, shape, "pattern")]
+    found = []
+    for k, patch in enumerate(fault.on(shape)):
+        found += patch_problems(patch, shape, f"patches.{k}")
+    return found
+
+
+def _doubled(problem: Problem) -> Problem:
+    return replace(problem, message=f"is the least that may come out, which {problem.message}")
+
+
+def _wear_problems(gear: Gear, wear: Wear) -> list[Problem]:
+    from pitchpoint.geometry.modifications import size_problems
+
+    work = [getattr(wear, name) for name in ("coefficient", "cycles", "torque")]
+    if wear.depth is not None and work == [None] * 3:
+        return size_problems({"depth": wear.depth}, gear.geometry)
+    if wear.depth is None and None not in work:
+        return []
+    remedy = "give either depth, or all of coefficient, cycles and torque"
+    return [Problem("depth", "is not the one way in which the size of the wear is given", remedy=remedy)]
+
+
 def check_fault_laws(parts: Parts, report: Reader) -> None:
     """Report faulty gears in meshes whose stiffness knows no single teeth."""
     for name, mesh in parts.meshes.items():
+        if mesh.stiffness.law in OF_PAIRS:
+            _check_cracks(parts, name, mesh, report)
         if mesh.stiffness.law in OF_PAIRS or ("meshes", name, "stiffness") in report.tainted:
             continue
         for gear in mesh.gears:
@@ -68,5 +143,21 @@ def check_fault_laws(parts: Parts, report: Reader) -> None:
                     f"has no effect in the mesh {name}, whose law {mesh.stiffness.law} is that of the whole "
                     "mesh and knows no single teeth",
                     remedy=f"use one of {', '.join(OF_PAIRS)} there",
+                    taint=False,
+                )
+
+
+def _check_cracks(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
+    """Report cracks in meshes whose force is a power of the overlap: there is no compliance to add to."""
+    if getattr(mesh.stiffness, "exponent", 1.0) == 1.0:
+        return
+    for gear in mesh.gears:
+        for label, fault in parts.gears[gear].faults.items() if gear in parts.gears else ():
+            if isinstance(fault, RootCrack):
+                report.problem(
+                    ("gears", gear, "faults", label),
+                    f"adds to the compliance of a tooth, and the law {mesh.stiffness.law} of the mesh {name} "
+                    "has none: its force is a power of the overlap",
+                    remedy="use din3990, energy or pair_table there, or exponent: 1",
                     taint=False,
                 )

@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.core.status import NOT_FINITE, OK, SINGULAR
+from pitchpoint.multibody.block_mass import invert_mass
 
-INVERT, SCALE, SUBTRACT = 0, 1, 2
+INVERT, SCALE, SUBTRACT, INVERT_MASS = 0, 1, 2, 3
 SWEEP, FINISH = 0, 1
 
 FACTOR = np.dtype([(n, "i8") for n in ("op", "a", "b", "c", "na", "nb", "nc")], align=True)
@@ -172,7 +173,10 @@ def factorise(programme, A, T, order):
     """Run the factor programme on the blocks A in place."""
     for row in range(programme.size):
         w = programme[row]
-        if w["op"] == INVERT:
+        if w["op"] == INVERT_MASS:
+            if invert_mass(A[w["a"]]) != OK:
+                return SINGULAR
+        elif w["op"] == INVERT:
             status = invert(A[w["a"]], w["na"], order)
             if status != OK:
                 return status

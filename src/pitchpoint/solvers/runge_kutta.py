@@ -37,15 +37,18 @@ from pitchpoint.system.workspace import MACH, STEPS, VALID
 
 
 @kernel
-def _classical(at, t, h, rate):
-    """One step of the classical method; the state in the workspace becomes that at t + h."""
+def _classical(at, t, h, rate, known):
+    """One step of the classical method; the state in the workspace becomes that at t + h.
+
+    With `known` the first slope is there already.
+    """
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
     q = view(c["q"], nd, F8)
     v = view(c["v"], nd, F8)
     keep_state(at, OLD)
-    for k in range(4):
+    for k in range(known, 4):
         share = 0.0 if k == 0 else 1.0 if k == 3 else 0.5
         if k > 0:
             for i in range(nd):
@@ -70,13 +73,17 @@ def advance_classical(at, t0, first, n, h, rate, harvest):
     clock = view(m["clock"], 16, I8)
     for k in range(1, n + 1):
         t = t0 + (first + k) * h
-        status = _classical(at, t - h, h, rate)
+        status = _classical(at, t0 + (first + k - 1) * h, h, rate, 0 if k == 1 else 1)
         if status != OK:
             bring_state(at, OLD)
             return status
         wrap(at)
         clock[STEPS] += 1
         harvest.done[0] = k
+        # the first slope of the next step: what is observed are the accelerations of this state
+        status = slope(at, t, 0, rate)
+        if status != OK:
+            return status
         status = record_step(at, t, h, first + k, harvest)
         if status != OK:
             return status

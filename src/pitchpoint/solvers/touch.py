@@ -68,16 +68,22 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
         raise nowhere
     reach = span
     inside, outside = state.q[spin], math.nan
+    above, below = math.nan, math.nan
     for _ in range(NEWTON_STEPS):
         values = evaluate.observe(system, state)
         force = flank * float(values[pushes])
         if force > 0.0:
             inside = state.q[spin]
             change = (force - aim) / abs(tangent_stiffness(system, state, m))
-            if abs(change) < DEPTH:
+            if abs(change) < DEPTH or abs(above - below) * radius < DEPTH:
                 return float(values[u])
             reach = 0.01 * abs(change)
             state.q[spin] -= flank * change / radius
+            # flanks with hollows begin to touch in one spot, where the force of few nodes is not quite convex
+            above, below = (inside, below) if force > aim else (above, inside)
+            kept = min(above, below) < state.q[spin] < max(above, below)
+            if not (kept or math.isnan(above - below)):
+                state.q[spin] = 0.5 * (above + below)
         else:
             # the edge moves a little with the phase: a small step back in
             outside = state.q[spin]

@@ -9,12 +9,10 @@ status and a sentence; it never stops the others.
 from __future__ import annotations
 
 import itertools
-import os
-import queue
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, is_dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,6 +20,8 @@ import numpy as np
 from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import DIED, INCONSISTENT, INTERRUPTED, OK, REFUSED, sentence
+from pitchpoint.model.numbers import number_at
+from pitchpoint.sweep.threads import on_all_cores
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,10 +32,6 @@ if TYPE_CHECKING:
 STATISTICS = ("mean", "rms", "min", "max")
 QUANTITIES = ("transmission_error", "deflection", "mesh_force")
 SHARES = ("contact_loss_share", "back_contact_share")
-LOOK = 0.05
-"""How often the waiting thread looks at the keyboard [s]."""
-GRACE = 0.7
-"""How long cases under way may take to stop after an interruption [s]."""
 
 
 @dataclass(frozen=True)
@@ -128,18 +124,6 @@ def run_cases(
         )
     todo = list(enumerate(cases))
     done: dict[int, CaseResult] = {}
-    finished: queue.SimpleQueue[CaseResult] = queue.SimpleQueue()
-    stop = threading.Event()
-    waiting = iter(todo)
-    turn = threading.Lock()
-
-    def work() -> None:
-        while not stop.is_set():
-            with turn:
-                index, values = next(waiting, (-1, {}))
-            if index < 0:
-                return
-            finished.put(run_case(model, values, scenario, index, stop))
 
     def take(result: CaseResult) -> None:
         done[result.index] = result
@@ -148,26 +132,10 @@ def run_cases(
         ended = {OK: "", INTERRUPTED: f"case {result.index}: interrupted"}
         progress(len(done), len(todo), ended.get(result.status, f"case {result.index}: failed"))
 
-    count = max(1, min(jobs or os.cpu_count() or 1, len(todo)))
-    # daemons: a case that does not listen must not keep the interpreter from leaving
-    threads = [threading.Thread(target=work, daemon=True, name=f"case-{k}") for k in range(count)]
-    try:
-        for thread in threads:
-            thread.start()
-        while len(done) < len(todo):
-            try:
-                take(finished.get(timeout=LOOK))
-            except queue.Empty:
-                continue
-    except KeyboardInterrupt:
-        stop.set()
-        until = time.monotonic() + GRACE
-        for thread in threads:
-            thread.join(max(0.0, until - time.monotonic()))
-        while not finished.empty():
-            take(finished.get())
-    finally:
-        stop.set()
+    def work(case: tuple[int, Mapping[str, Any]], stop: threading.Event) -> CaseResult:
+        return run_case(model, case[1], scenario, case[0], stop)
+
+    on_all_cores(work, todo, take, jobs)
     left = sentence(INTERRUPTED)
     return [done.get(k, CaseResult(k, dict(values), INTERRUPTED, left)) for k, values in todo]
 
@@ -193,9 +161,9 @@ def run_case(
     begun = time.perf_counter()
     numbers: dict[str, tuple[float, str]] = {}
 
-    def failed(status: int, words: object) -> CaseResult:
+    def failed(status: int, words: str) -> CaseResult:
         wall_s = time.perf_counter() - begun
-        return CaseResult(index, dict(values), status, str(words), numbers, wall_s=wall_s)
+        return CaseResult(index, dict(values), status, words, numbers, wall_s=wall_s)
 
     def listen(done: float, total: float, note: str = "") -> None:
         if stop is not None and stop.is_set():
@@ -206,18 +174,23 @@ def run_case(
         numbers |= {path: n for path in values if (n := number_at(changed, path)) is not None}
         result = _run(changed, changed.scenarios[scenario], values, index, listen)
         return replace(result, numbers=numbers)
-    except SolverError as error:
-        return failed(error.status, error)
-    except CompileError as error:
-        return failed(INCONSISTENT, error)
-    except ModelError as error:
-        return failed(REFUSED, "; ".join(map(str, error.problems)))
-    except PitchpointError as error:
-        return failed(REFUSED, error)
-    except KeyboardInterrupt:
-        return failed(INTERRUPTED, sentence(INTERRUPTED))
-    except Exception as error:  # noqa: BLE001 - one bad case among many must not take the others with it
-        return failed(DIED, f"{type(error).__name__}: {error}")
+    except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001 - one bad case must not take the others with it
+        return failed(*how_it_failed(error))
+
+
+def how_it_failed(error: BaseException) -> tuple[int, str]:
+    """Status and sentence of what ended a case."""
+    if isinstance(error, SolverError):
+        return error.status, str(error)
+    if isinstance(error, CompileError):
+        return INCONSISTENT, str(error)
+    if isinstance(error, ModelError):
+        return REFUSED, "; ".join(map(str, error.problems))
+    if isinstance(error, PitchpointError):
+        return REFUSED, str(error)
+    if isinstance(error, KeyboardInterrupt):
+        return INTERRUPTED, sentence(INTERRUPTED)
+    return DIED, f"{type(error).__name__}: {error}"
 
 
 def _run(
@@ -341,28 +314,3 @@ def column(results: Sequence[CaseResult], path: str) -> tuple[list[Any], str]:
     if any(known) and all(n is not None or r.status != OK for n, r in zip(known, results, strict=True)):
         return [np.nan if n is None else n[0] for n in known], next(n[1] for n in known if n is not None)
     return [str(r.values.get(path, "")) for r in results], ""
-
-
-def number_at(model: Model, path: str) -> tuple[float, str] | None:
-    """Number that stands at a path of a model and its SI unit; None if it is none."""
-    from pitchpoint.core.unit_table import DIMENSIONS
-    from pitchpoint.model.components.law import Constant
-    from pitchpoint.model.keys import keys_of
-
-    part: Any = model
-    unit = ""
-    for name in path.split("."):
-        if isinstance(part, Mapping):
-            part = part.get(name)
-            continue
-        if not is_dataclass(part):
-            return None
-        key = keys_of(type(part)).get(name)
-        if key is None:
-            return None
-        unit = DIMENSIONS[key.dimension].si if key.dimension else ""
-        part = getattr(part, name)
-    if isinstance(part, Constant):
-        part = part.value
-    known = isinstance(part, int | float) and not isinstance(part, bool)
-    return (float(part), unit or "1") if known else None

@@ -19,16 +19,21 @@ SETTLED = 1e-13
 
 
 @kernel
-def factor_entry(at, spare, other):
-    """Factor the matrix in the workspace and, with constraints, their Schur complement."""
+def factor_entry(at, mass, other):
+    """Factor the matrix in the workspace and, with constraints, their Schur complement.
+
+    With `mass` it is the mass matrix alone, whose programmes may be shorter; the solution then takes theirs.
+    """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     A = view(c["A"], (c["na"], 6, 6), F8)
     clock = view(m["clock"], 16, I8)
     clock[FACTORISATIONS] += 1
-    status = factorise(
-        view(m["factor"], m["nfactor"], FACTOR), A, view(m["T"], (6, 6), F8), view(m["order6"], 6, I8)
-    )
+    m["solve_now"] = m["mass_solve"] if mass != 0 else m["solve"]
+    m["nsolve_now"] = m["nmass_solve"] if mass != 0 else m["nsolve"]
+    which = m["mass_factor"] if mass != 0 else m["factor"]
+    rows = m["nmass_factor"] if mass != 0 else m["nfactor"]
+    status = factorise(view(which, rows, FACTOR), A, view(m["T"], (6, 6), F8), view(m["order6"], 6, I8))
     if status != OK:
         return status
     nc = c["nc"]
@@ -36,7 +41,7 @@ def factor_entry(at, spare, other):
         clock[REDUNDANT] = schur_factor(
             view(c["G"], (nc, c["nd"]), F8),
             A,
-            view(m["solve"], m["nsolve"], SOLVE),
+            view(m["solve_now"], m["nsolve_now"], SOLVE),
             view(m["Y"], (nc, c["nd"]), F8),
             view(m["S"], (nc, nc), F8),
             view(m["diag"], nc, F8),
@@ -54,6 +59,12 @@ def factor(at):
 
 
 @kernel
+def factor_mass(at):
+    """Factor the mass matrix in the workspace, see `factor_entry`."""
+    return call(view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["factor_entry"], at, 1, 0)
+
+
+@kernel
 def solve_entry(at, spare, other):
     """Solve A x + G^T y = -R, G x = -g with the factors in the workspace; x and y stay in the workspace."""
     c = view(at, 1, CTL)[0]
@@ -64,7 +75,10 @@ def solve_entry(at, spare, other):
     for i in range(nd):
         x[i] = -R[i]
     substitute(
-        view(m["solve"], m["nsolve"], SOLVE), view(c["A"], (c["na"], 6, 6), F8), x, view(m["y6"], 6, F8)
+        view(m["solve_now"], m["nsolve_now"], SOLVE),
+        view(c["A"], (c["na"], 6, 6), F8),
+        x,
+        view(m["y6"], 6, F8),
     )
     nc = c["nc"]
     if nc > 0:
@@ -109,7 +123,7 @@ def solve_acceleration(at, t, rate):
     status = residual(at, t, MASS, 1.0, 0.0, 0.0)
     if status != OK:
         return status
-    status = factor(at)
+    status = factor_mass(at)
     if status != OK:
         return status
     pull_back(at, rate)

@@ -12,14 +12,29 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import address, law_address, prepare
 from pitchpoint.elements import registry
-from pitchpoint.elements.signal_record import ACCELERATION, ANGULAR_ACCELERATION, CHANNEL
+from pitchpoint.elements.signal_record import (
+    ACCELERATION,
+    ANGULAR_ACCELERATION,
+    CHANNEL,
+    FORCE,
+    HELD,
+    LINK,
+    RATE,
+    STATE,
+    STRUT,
+    TORQUE,
+)
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
+from pitchpoint.system.residual import OBSERVER_CHANNEL
 
 if TYPE_CHECKING:
     from pitchpoint.system.workspace import Workspace
 
+SIGNALS = ("signal", "signal_of_loads")
+ACTING = (STATE, HELD, TORQUE, STRUT, FORCE, RATE, LINK)
+"""Signals that act on the machine, or are written and read between steps."""
 NO_MATTER = 1e30
 """Share of a coordinate that an error may have if nothing depends on it."""
 _CHANNEL = {
@@ -57,7 +72,8 @@ def link(
         for k, law in enumerate(laws.get(name, ())):
             if law is not None:
                 bank[k]["law"] = law_address(law)
-        row = (address(kind.load().entry), bank.ctypes.data, bank.size, _CHANNEL[kind.channel])
+        channel = OBSERVER_CHANNEL if only_observes(name, bank) else _CHANNEL[kind.channel]
+        row = (address(kind.load().entry), bank.ctypes.data, bank.size, channel)
         tables[_TABLE.get(kind.channel, "forces")].append(row)
     return {name: np.array(rows, np.int64).reshape(-1, 4) for name, rows in tables.items()}
 
@@ -96,7 +112,12 @@ def link_parts(body: NDArray[np.void]) -> dict[str, int]:
 
 def signal_banks(records: Mapping[str, NDArray[np.void]]) -> list[NDArray[np.void]]:
     """Records of signals; there is one bank at most."""
-    return [records[name] for name in ("signal", "signal_of_loads") if name in records]
+    return [records[name] for name in SIGNALS if name in records]
+
+
+def only_observes(name: str, bank: NDArray[np.void]) -> bool:
+    """Whether the records of a kind are signals that nothing but results reads."""
+    return name in SIGNALS and not np.any(np.isin(bank["op"], ACTING))
 
 
 def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -> None:
@@ -104,7 +125,9 @@ def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -
     mach = workspace.mach[0]
     body = workspace.program["body"]
     workspace.arrays["relative"][body["spin"][body["state"] == 1]] = NO_MATTER
-    for bank in signal_banks(records):
+    for name, bank in ((n, records[n]) for n in SIGNALS if n in records):
+        if only_observes(name, bank):
+            continue
         if np.any(bank["op"] == CHANNEL):  # other elements say what they observe at every evaluation
             mach["watch"] = workspace.arrays["heard"].ctypes.data
         if np.any(np.isin(bank["op"], (ACCELERATION, ANGULAR_ACCELERATION))):

@@ -22,6 +22,8 @@ from pitchpoint.system.workspace import MACH
 
 FORCES, NEWTON, EXACT, MASS = 0, 1, 2, 3
 FRAME_CHANNEL, COORDINATE_CHANNEL = 0, 1
+OBSERVER_CHANNEL = 4
+"""Channel of signals that nothing but results reads: they run only where somebody looks."""
 TWO_PI = 6.283185307179586
 MOST_TURN = 1e12  # largest turn in one step that is counted [rad]
 
@@ -45,11 +47,15 @@ def zero_blocks(x):
 @kernel
 def run_kinds(at, table, frames_only):
     """Call the entries of a table of kinds; stop at the first that does not return OK and note its row."""
+    c = view(at, 1, CTL)[0]
+    unseen = c["jac"] == FORCES and c["out"] == 0 and c["ev"] == 0
     for e in range(table.shape[0]):
+        if unseen and table[e, 3] == OBSERVER_CHANNEL:
+            continue
         if frames_only == 0 or table[e, 3] == FRAME_CHANNEL:
             status = call(table[e, 0], at, table[e, 1], table[e, 2])
             if status != OK:
-                view(at, 1, CTL)[0]["badkind"] = e
+                c["badkind"] = e
                 return status
     return OK
 
@@ -132,7 +138,9 @@ def entry(at, jac, spare):
             c["badkind"] += m["nforces"] + m["ncons"] + m["nguiding"]
             return status
     project_force(view(m["path"], n, PATH), fr, J, R)
-    if jac != FORCES:
+    if jac == MASS:
+        project_tangent(view(m["mass_proj"], m["nmass_proj"], PROJ), J, kk, J, A, view(m["T"], (6, 6), F8))
+    elif jac != FORCES:
         project_tangent(view(m["proj"], m["nproj"], PROJ), J, kk, J, A, view(m["T"], (6, 6), F8))
     return OK
 

@@ -16,6 +16,7 @@ from pitchpoint.elements import registry
 from pitchpoint.multibody.bodies import Body, body_records, spin_of
 from pitchpoint.system.layout import Layout, body_channels, structure
 from pitchpoint.system.link import fit_signals, link, link_parts
+from pitchpoint.system.mass_programmes import mass_programmes
 from pitchpoint.system.records import checked, fill, number, pairs
 from pitchpoint.system.workspace import Workspace
 
@@ -110,7 +111,8 @@ class System:
         """Memory and addresses, made at first use in this process."""
         tables = link(self.records, self.pools, self.laws)
         parts = link_parts(self.program["body"])
-        made = Workspace(dict(self.program), dict(self.sizes), tables, parts, self.weight)
+        program = {**self.program, **mass_programmes(self.program, self.records)}
+        made = Workspace(program, dict(self.sizes), tables, parts, self.weight)
         fit_signals(made, self.records)
         return made
 

@@ -32,6 +32,9 @@ from pitchpoint.multibody.tree import MOTION
 #: Rows of the array of stages: 16 stages, two states, 7 coefficients of the dense output.
 STAGE_ROWS = 25
 
+#: Programmes of which the mass matrix has its own.
+PROGRAMMES = ("proj", "factor", "solve")
+
 #: Private arrays of the drivers: (name, dtype, shape in terms of the sizes). Address and sizes go to MACH.
 _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("J", "f8", ("npath", "6", "6")),  # joint columns
@@ -72,9 +75,12 @@ MACH = np.dtype(
         (name, "i8")
         for name in (
             *("body", "path", "path_of", "proj", "factor", "solve", "spins", "body_out", "rows"),
+            *("mass_proj", "mass_factor", "mass_solve"),  # of the mass matrix alone
+            *("solve_now", "nsolve_now"),  # programme that belongs to the factors at hand
             *("forces", "cons", "guiding", "frictions"),
             *(name for name, _, _ in _ARRAYS),
             *("npath", "nproj", "nfactor", "nsolve", "nspins", "nbody_out", "nforces", "ncons"),
+            *("nmass_proj", "nmass_factor", "nmass_solve"),
             *("nguiding", "nfrictions", "ncharts"),
             *("residual", "factor_entry", "solve_entry"),  # addresses of the parts that all drivers share
             *("tree", "tumble"),  # and of those that only trees need, 0 without
@@ -92,7 +98,8 @@ class Workspace:
     Parameters
     ----------
     program
-        Structure arrays made by the layout: body, path, path_of, proj, factor, solve, spins, body_out, rows.
+        Structure arrays made by the layout: body, path, path_of, proj, factor, solve, spins, body_out, rows;
+        mass_proj, mass_factor, mass_solve likewise of the mass matrix alone.
     sizes
         nb, nd, np, na, nc, no, ne.
     tables
@@ -143,8 +150,9 @@ class Workspace:
             ctl[name] = getattr(self, name).ctypes.data
         for name, array in {**program, **self.arrays, **self.tables}.items():
             mach[name] = array.ctypes.data
-        for name in ("path", "proj", "factor", "solve", "spins", "body_out"):
+        for name in (*("path", "spins", "body_out"), *PROGRAMMES, *(f"mass_{name}" for name in PROGRAMMES)):
             mach[f"n{name}"] = len(program[name])
+        mach["solve_now"], mach["nsolve_now"] = mach["solve"], mach["nsolve"]
         for name, table in self.tables.items():
             mach[f"n{name}"] = len(table)
         mach["ncharts"] = len(self.arrays["charts"])

@@ -9,6 +9,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.write import plain
+from pitchpoint.report.flanks import flank_lines
 from pitchpoint.system.compile import compile_model
 
 TEXT = """\
@@ -34,6 +35,10 @@ def model(fault, law=PAIRS):
     return loads_model(TEXT.format(fault=fault, law=law))
 
 
+PATCH = "gears.a.faults.one.patches[0]."
+PITS = (
+    "type: pitting, tooth: 1, flank: left, patches: [{{{}, {}, length: {} mm, height: 1 mm, depth: 0.1 mm}}]"
+)
 WRONG = {
     "type: broken_tooth, tooth: 20": ("gears.a.faults.one.tooth", "limit <= 19"),
     "type: broken_tooth": ("gears.a.faults.one.tooth", "is missing"),
@@ -41,6 +46,36 @@ WRONG = {
     "type: broken_tooth, tooth: 1, width: 21 mm": ("gears.a.faults.one.width", "limit 20 mm"),
     "type: broken_tooth, tooth: 1, height: 7 mm": ("gears.a.faults.one.height", "limit 6.75 mm"),
     "type: broken_tooth, tooth: 1, severity: 1.2": ("gears.a.faults.one.severity", "out of range"),
+    "type: root_crack, tooth: 1, depth: 1 mm": ("gears.a.faults.one.flank", "is missing"),
+    "type: root_crack, tooth: 1, flank: left, depth: 5 mm": (
+        "gears.a.faults.one.depth",
+        "beyond the centre line",
+    ),
+    "type: root_crack, tooth: 1, flank: left, depth: 1 mm, length: 30 mm": (
+        "gears.a.faults.one.length",
+        "20 mm",
+    ),
+    "type: root_crack, tooth: 1, flank: left, depth: 1 mm, angle: 0 deg": (
+        "gears.a.faults.one.angle",
+        "range",
+    ),
+    "type: pitting, tooth: 1, flank: left": ("gears.a.faults.one.patches", "neither patches nor pattern"),
+    PITS.format("position: 21 mm", "diameter: 60 mm", 2): (PATCH + "position", "lies outside the face width"),
+    PITS.format("position: 1 mm", "diameter: 50 mm", 2): (
+        PATCH + "diameter",
+        "lies outside the usable flank",
+    ),
+    PITS.format("position: 1 mm", "diameter: 60 mm", 0.3): (
+        PATCH + "length",
+        "limit 0.3125 mm, 1/64 of the face",
+    ),
+    "type: pitting, tooth: 1, flank: left, pattern: {number: 3, length: 2 mm, height: 0.1 mm, depth: 1 um}": (
+        "gears.a.faults.one.pattern.height",
+        "is the least that may come out",
+    ),
+    "type: wear, flank: left": ("gears.a.faults.one.depth", "is not the one way"),
+    "type: wear, flank: left, depth: 9 um, cycles: 1e6": ("gears.a.faults.one.depth", "is not the one way"),
+    "type: wear, flank: left, depth: 9": ("gears.a.faults.one.depth", "larger than the module"),
     "type: pitch_error, tooth: 1, amount: 5": ("gears.a.faults.one.amount", "larger than the module"),
 }
 
@@ -61,6 +96,15 @@ def test_a_law_of_the_whole_mesh_knows_no_teeth():
         ModelError, match=r"gears\.a\.faults\.one \(line 8\): has no effect in the mesh s, whose law"
     ):
         model("type: broken_tooth, tooth: 1", "law: constant, value: 4e8 N/m")
+
+
+def test_a_force_that_is_a_power_has_no_compliance_to_add_to():
+    crack = "type: root_crack, tooth: 1, flank: left, depth: 1 mm"
+    with pytest.raises(
+        ModelError, match=r"one \(line 8\): adds to the compliance .* law hertz .* exponent: 1"
+    ):
+        model(crack, "law: hertz")
+    model(crack, "law: hertz, exponent: 1, force: 1 kN, depth: 1 um")
 
 
 def test_faults_are_written_as_they_are_read():
@@ -86,4 +130,13 @@ def test_only_faulty_teeth_have_grids():
     found = compile_model(model("type: broken_tooth, tooth: 3")).records["gear_mesh"][0]
     assert found["n_sep"] == 1
     assert found["slices"] == 0
-    assert np.array_equal(found["n_sz"], [33, 33, 33, 33])
+    assert np.array_equal(found["n_sz"], [9, 9, 33, 33])
+
+
+def test_reports_list_faults():
+    lines = flank_lines(model("type: root_crack, tooth: 3, flank: left, depth: 1 mm, severity: 0.5"))
+    assert lines == [("a", "left", "one: root crack", "severity 0.5", "tooth 3")]
+    assert flank_lines(model("type: wear, flank: both, depth: 9 um"))[0][1::3] == (
+        "left and right",
+        "all teeth",
+    )

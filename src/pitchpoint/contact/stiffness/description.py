@@ -162,6 +162,22 @@ class PairShape:
         length = self.T_R * (eps_alpha - math.floor(eps_alpha))
         return length if length > 1e-12 else 0.0
 
+    def along(self, p: ArrayLike, eps_alpha: float) -> Array:
+        """Stiffness relative to c_prime at places of the path, inside it (any shape) [base pitches from A].
+
+        >>> PairShape(c_prime=14e9, S_R=0.8).along([0.0, 0.65], 1.3).tolist()
+        [0.8, 1.0]
+        """
+        p = np.asarray(p, dtype=np.float64)
+        L = self.ramp_length(eps_alpha)
+        if self.table is None:
+            c = 1.0 - (1.0 - self.S_R) * (2.0 * p / eps_alpha - 1.0) ** 2
+        else:
+            c = np.interp(p, np.linspace(0.0, eps_alpha, self.table.size), self.table)
+        if L > 0.0:
+            c = c * (np.clip(np.minimum(p, eps_alpha - p), 0.0, L) / L)
+        return np.asarray(c)
+
     def end_values(self) -> tuple[float, float]:
         """Stiffness at A and at E relative to c_prime, without the ramp.
 

@@ -56,8 +56,16 @@ class ToothCompliance:
         return self.bending + self.shear + self.axial + self.body
 
 
-def _section(form: ToothForm, roll: Array) -> tuple[Array, Array, Array]:
-    """Half thickness, height above the tooth's root [m] and its derivative by the roll angle."""
+def section(form: ToothForm, roll: Array) -> tuple[Array, Array, Array]:
+    """Half thickness, height above the tooth's root [m] and its derivative by the roll angle.
+
+    Parameters
+    ----------
+    form
+        Exact tooth.
+    roll
+        Roll angles of points of the flank [rad].
+    """
     sign = form.sign
     r = form.r_b * np.hypot(1.0, roll)
     psi = form.psi_b - sign * (roll - np.arctan(roll))
@@ -76,19 +84,32 @@ def _integrands(x: Array, eta: Array) -> Array:
     return np.stack([flexibility, eta * flexibility, eta * eta * flexibility, 0.5 / x])
 
 
-def _fillet_integrals(form: ToothForm) -> Array:
-    """Integrals of `_integrands` over the fillet, from the root circle to the form circle, shape (4,)."""
-    start, stop = form.fillet.theta_root, form.theta_form
-    half = 0.5 * (stop - start)
-    theta = 0.5 * (start + stop) + half * _FILLET[0]
-    h = 1e-5 * abs(half)
+def fillet_section(form: ToothForm, theta: Array) -> tuple[Array, Array, Array]:
+    """The same as `section` for points of the fillet, with the derivative by their parameter.
+
+    Parameters
+    ----------
+    form
+        Exact tooth.
+    theta
+        Parameters of the fillet.
+    """
+    h = 0.5e-5 * abs(form.theta_form - form.fillet.theta_root)
 
     def point(t: Array) -> tuple[Array, Array]:
         r, angle = form.fillet_polar(t)
         return r * np.sin(angle), form.sign * (r * np.cos(angle) - _root_height(form))
 
     x, eta = point(theta)
-    slope = (point(theta + h)[1] - point(theta - h)[1]) / (2.0 * h)
+    return x, eta, (point(theta + h)[1] - point(theta - h)[1]) / (2.0 * h)
+
+
+def _fillet_integrals(form: ToothForm) -> Array:
+    """Integrals of `_integrands` over the fillet, from the root circle to the form circle, shape (4,)."""
+    start, stop = form.fillet.theta_root, form.theta_form
+    half = 0.5 * (stop - start)
+    theta = 0.5 * (start + stop) + half * _FILLET[0]
+    x, eta, slope = fillet_section(form, theta)
     return np.asarray(_integrands(x, eta) @ (half * _FILLET[1] * slope))
 
 
@@ -98,7 +119,7 @@ def _cumulative_integrals(form: ToothForm, roll: Array) -> Array:
     def pieces(lower: Array, upper: Array, rule: tuple[Array, Array]) -> Array:
         half = 0.5 * (upper - lower)
         t = (0.5 * (upper + lower))[:, None] + half[:, None] * rule[0]
-        x, eta, slope = _section(form, t)
+        x, eta, slope = section(form, t)
         return np.asarray((_integrands(x, eta) * slope) @ rule[1] * half)
 
     form_roll = np.array([math.sqrt(max(0.0, (form.r_Ff / form.r_b) ** 2 - 1.0))])
@@ -208,7 +229,7 @@ def tooth_compliance(
     if flip:
         roll = roll[::-1]
     J0, J1, J2, S0 = _cumulative_integrals(form, roll)
-    x, eta, _ = _section(form, roll)
+    x, eta, _ = section(form, roll)
     psi = form.psi_b - form.sign * (roll - np.arctan(roll))
     angle = np.arctan(roll) - form.sign * psi
     c, s = np.cos(angle), np.sin(angle)

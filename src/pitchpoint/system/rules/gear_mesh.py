@@ -32,6 +32,7 @@ from pitchpoint.system.rules.gear_seat import put_seats, sits_off
 from pitchpoint.system.rules.mesh_laws import MeshLaws, mean_stiffness, mesh_laws, usual_slope
 from pitchpoint.system.rules.separation import separation_grids
 from pitchpoint.system.rules.stiffness import user_law
+from pitchpoint.system.rules.wear import worn_flanks
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -220,11 +221,13 @@ def mesh_bank(model: Model) -> Bank:
             widths=(gears[0].face_width, gears[1].face_width),
         )
         pair = model.pairs[name]
-        row = mesh_row(pair, place, mesh_laws(model, name), pool.add, model.backlash(name))
+        law_of_mesh = mesh_laws(model, name)
+        row = mesh_row(pair, place, law_of_mesh, pool.add, model.backlash(name))
         row["i"], row["j"], row["skew"] = seats[0][0], seats[1][0], skew
         if row["source"] == layout.PROFILE:  # a prescribed total stiffness knows no tooth pairs
             row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
-            separation_grids(row, gears, pool.add)
+            worn = worn_flanks(pair, law_of_mesh.stiffness, gears, (mesh.offset1, mesh.offset2))
+            separation_grids(row, gears, pool.add, worn)
         put_seats(row, gears, (place.phi1 - place.turn1, place.phi2 - place.turn2), pool.add)
         law = mesh.stiffness
         where = f"meshes.{name}.stiffness.python"

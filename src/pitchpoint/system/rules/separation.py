@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,18 +19,29 @@ Array = NDArray[np.float64]
 #: Stations of a grid over the face width and over the length of roll.
 N_WIDTH, N_ROLL = 33, 129
 
+#: Stations over the width of what wear and cracks do, which is smooth: every one makes a piece of its own.
+N_SMOOTH = 9
+
+#: Gap that wear leaves [m], of (front 0 or back 1, "left" or "right", z, roll), shape (n_z, n_roll).
+Worn: TypeAlias = Callable[[int, str, Array, Array], Array] | None
+
 GAP, SOFT, LEVEL = 0, 1, 2
 """Layers, in the order of their columns in the table of a gear; gap and soft share a stack of grids."""
 
 
-def separation_grids(row: Any, gears: Sequence[Gear], keep: Callable[[Array], int]) -> None:
-    """Fill the separation fields of a mesh record; nothing to do for two perfect gears."""
+def separation_grids(
+    row: Any, gears: Sequence[Gear], keep: Callable[[Array], int], worn: Sequence[Worn] = (None, None)
+) -> None:
+    """Fill the separation fields of a mesh record; nothing to do for two perfect gears.
+
+    `worn` says for both gears what wear takes off their flanks in this mesh.
+    """
     if not any(g.is_modified or g.tooth_faults for g in gears):
         return
     row["n_sep"] = 1
     least = 0.0
     for k, gear in enumerate(gears):
-        own = own_teeth(gear, mate=k == 1)
+        own = own_teeth(gear, mate=k == 1, worn=worn[k])
         row["roll"][k] = own.span
         row["n_t"][k] = own.teeth
         row["teeth"][k] = keep(own.table(bool(row["tan_b"] != 0.0)))
@@ -65,7 +76,10 @@ class OwnTeeth:
         if not (np.any(grid > 0.0) if layer == LEVEL else np.any(grid)):
             return -1
         stack = self.levels if layer == LEVEL else self.smooth
-        stack.append(np.ascontiguousarray(grid, dtype=np.float64))
+        for k in range(len(stack) - 1, -1, -1):
+            if stack[k] is grid:
+                return k
+        stack.append(grid)
         return len(stack) - 1
 
     def table(self, helical: bool) -> Array:
@@ -112,7 +126,7 @@ def changing(grid: Array, helical: bool, level: bool) -> tuple[int, int]:
     return (int(cells[0]), int(cells[-1]) + 1) if cells.size else (0, 0)
 
 
-def own_teeth(gear: Gear, mate: bool) -> OwnTeeth:
+def own_teeth(gear: Gear, mate: bool, worn: Worn = None) -> OwnTeeth:
     """Grids of one gear.
 
     The first index of its rows is 0 for the flanks that touch at the front (gear 1 pushing counter-
@@ -124,19 +138,26 @@ def own_teeth(gear: Gear, mate: bool) -> OwnTeeth:
     single = gear.deviations is not None or bool(gear.tooth_faults)
     own = OwnTeeth(gear.number_of_teeth if single else 1, flank_range(gear.geometry))
     order = ("right", "left") if mate and gear.geometry.z < 0 else ("left", "right")
-    z = np.linspace(-0.5, 0.5, N_WIDTH) * gear.face_width
-    roll = np.linspace(*own.span, N_ROLL)
+    own.stations = [(N_WIDTH if gear.is_modified else N_SMOOTH, N_ROLL), _level_stations(gear)]
+    (z, roll), (z_fine, roll_fine) = (
+        (np.linspace(-0.5, 0.5, n) * gear.face_width, np.linspace(*own.span, m)) for n, m in own.stations
+    )
     for k, flank in enumerate(order):
-        gaps = _gaps(gear, flank, z, roll)
+        gaps = _gaps(gear, flank, z, roll, None if worn is None else worn(k, flank, z, roll))
         for tooth, grid in gaps.items():
             own.rows[k, tooth, GAP] = own.add(GAP, grid)
-        for tooth, grid in _levels(gear, z, roll).items():
+        for tooth, grid in _softenings(gear, flank, z, roll).items():
+            own.rows[k, tooth, SOFT] = own.add(SOFT, grid)
+        for tooth, grid in _levels(gear, flank, z_fine, roll_fine).items():
             own.rows[k, tooth, LEVEL] = own.add(LEVEL, grid)
     return own
 
 
-def _gaps(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
-    """Gaps [m] of the teeth that are out of their nominal shape or place, shape (n_z, n_roll) each."""
+def _gaps(gear: Gear, flank: str, z: Array, roll: Array, wear: Array | None) -> dict[int, Array]:
+    """Gaps [m] of the teeth that are out of their nominal shape or place, shape (n_z, n_roll) each.
+
+    What only wear has changed is one and the same array for all teeth.
+    """
     from pitchpoint.geometry.deviations import separation
     from pitchpoint.geometry.tooth_faults import displaced_gap
     from pitchpoint.model.components.tooth_faults import PitchError
@@ -155,6 +176,9 @@ def _gaps(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
         )
         single = deviations is not None or gear.tooth_faults
         found = dict(enumerate(grid if single else grid[:1]))
+    if wear is not None:
+        teeth = range(gear.number_of_teeth)
+        found = {t: wear + found[t] if t in found else wear for t in teeth}
     for fault in gear.faults.values():
         if isinstance(fault, PitchError):
             moved = displaced_gap(gear.geometry, flank, fault.severity * fault.amount)
@@ -162,10 +186,45 @@ def _gaps(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
     return found
 
 
-def _levels(gear: Gear, z: Array, roll: Array) -> dict[int, Array]:
+def _softenings(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
+    """Compliance that cracks add to teeth [m^2/N], shape (n_z, n_roll) each."""
+    from pitchpoint.contact.stiffness.root_crack import crack_compliance, crack_depth
+    from pitchpoint.geometry.tooth_form import tooth_form
+    from pitchpoint.model.components.tooth_faults import RootCrack
+
+    found: dict[int, Array] = {}
+    for fault in gear.faults.values():
+        if not isinstance(fault, RootCrack) or fault.flank not in (flank, "both"):
+            continue
+        depth = crack_depth(z, fault.severity * fault.depth, fault.length, gear.face_width, fault.at)
+        steel = gear.material_data
+        added = crack_compliance(
+            tooth_form(gear.geometry),
+            roll,
+            depth,
+            angle=fault.angle,
+            beta=gear.geometry.beta,
+            E=steel.youngs_modulus,
+            nu=steel.poisson_ratio,
+        )
+        found[fault.tooth] = found.get(fault.tooth, 0.0) + added
+    return found
+
+
+def _level_stations(gear: Gear) -> tuple[int, int]:
+    """Stations over width and roll that resolve the smallest pit; those of all grids without any."""
+    from pitchpoint.geometry.pits import stations
+    from pitchpoint.model.components.tooth_faults import Pitting
+
+    patches = [p for f in gear.faults.values() if isinstance(f, Pitting) for p in f.on(gear.geometry)]
+    return stations(patches, gear.geometry, (N_WIDTH, N_ROLL))
+
+
+def _levels(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
     """Levels [m] of the teeth that miss something, shape (n_z, n_roll) each."""
+    from pitchpoint.geometry.pits import pit_level
     from pitchpoint.geometry.tooth_faults import break_level, tooth_height
-    from pitchpoint.model.components.tooth_faults import BrokenTooth
+    from pitchpoint.model.components.tooth_faults import BrokenTooth, Pitting
 
     found: dict[int, Array] = {}
     shape = gear.geometry
@@ -174,5 +233,9 @@ def _levels(gear: Gear, z: Array, roll: Array) -> dict[int, Array]:
             width, height = fault.sizes(gear.face_width, tooth_height(shape))
             corner = fault.shape == "corner"
             level = break_level(shape, z, roll, width=width, height=height, at=fault.at, corner=corner)
-            found[fault.tooth] = np.maximum(found.get(fault.tooth, level), level)
+        elif isinstance(fault, Pitting) and fault.flank in (flank, "both"):
+            level = pit_level(shape, z, roll, fault.on(shape), fault.severity)
+        else:
+            continue
+        found[fault.tooth] = np.maximum(found.get(fault.tooth, level), level)
     return found

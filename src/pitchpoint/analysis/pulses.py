@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pulses that a shaft makes as it turns, as a tacho gives them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.sampled import SignalError
+
+
+def pulse_train(angle: NDArray[np.float64], per_turn: int) -> NDArray[np.int8]:
+    """Level of a tacho: 1 over the first half of the angle between two pulses, 0 over the second.
+
+    Parameters
+    ----------
+    angle
+        Angle of the shaft with all its turns, shape (n,) [rad].
+    per_turn
+        Pulses per turn, at least 1 [-].
+
+    Returns
+    -------
+    numpy.ndarray
+        Levels 0 and 1, shape (n,) [-].
+
+    Raises
+    ------
+    SignalError
+        If there is less than one pulse per turn.
+
+    Examples
+    --------
+    >>> pulse_train(np.radians([0.0, 80.0, 100.0, 179.0, 181.0]), 2).tolist()
+    [1, 1, 0, 0, 1]
+    """
+    _at_least_one(per_turn)
+    share = np.asarray(angle, float) * (per_turn / (2.0 * math.pi))
+    return np.asarray(share - np.floor(share) < 0.5, np.int8)
+
+
+def pulse_times(t: NDArray[np.float64], angle: NDArray[np.float64], per_turn: int) -> NDArray[np.float64]:
+    """Times at which pulses begin, by straight lines between the samples.
+
+    Parameters
+    ----------
+    t
+        Times of the samples, rising, shape (n,) [s].
+    angle
+        Angle of the shaft with all its turns, shape (n,) [rad]; one that goes backwards counts too.
+    per_turn
+        Pulses per turn, at least 1 [-].
+
+    Returns
+    -------
+    numpy.ndarray
+        Times at which the angle passes a whole number of pulse distances, shape (k,) [s].
+
+    Raises
+    ------
+    SignalError
+        If there is less than one pulse per turn, or t and angle differ in length.
+
+    Examples
+    --------
+    A shaft with 30 turns a second and 10 pulses a turn: a pulse every 1/300 s.
+
+    >>> t = np.linspace(0.0, 0.01, 101)
+    >>> pulse_times(t, 2.0 * np.pi * 30.0 * t + 0.1, 10).round(6).tolist()
+    [0.002803, 0.006136, 0.009469]
+    """
+    _at_least_one(per_turn)
+    if np.shape(t) != np.shape(angle):
+        raise SignalError(f"angle: {np.shape(angle)[0]} samples, but there are {np.shape(t)[0]} times")
+    share = np.asarray(angle, float) * (per_turn / (2.0 * math.pi))
+    whole = np.floor(share)
+    found: list[float] = []
+    for k in np.flatnonzero(np.diff(whole)):
+        low, high = sorted((whole[k], whole[k + 1]))
+        passed = np.arange(low + 1.0, high + 1.0)
+        times = t[k] + (t[k + 1] - t[k]) * (passed - share[k]) / (share[k + 1] - share[k])
+        found.extend(np.sort(times).tolist())
+    return np.asarray(found, float)
+
+
+def _at_least_one(per_turn: int) -> None:
+    if per_turn < 1:
+        raise SignalError(f"per_turn: {per_turn} pulses cannot be counted (limit >= 1)")

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A data set on disk: a file per case, named by the hash of its inputs, and a table of all cases.
+
+A case is written under the name of a draft and gets its own name when it is complete and on the disk: a file
+with the name of a case is a whole one, at whatever instant a process was killed. The table is made of these
+files, and is replaced as a whole. Files hold no time of their making: equal inputs make equal files.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import io
+import os
+import threading
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from pitchpoint.core.status import OK
+from pitchpoint.io.claim import is_held
+from pitchpoint.io.container import FAILED, FINISHED, Container, Header
+from pitchpoint.io.reading import header_in
+from pitchpoint.io.target import INDEX_HEAD, OutputError, cannot_be_written, check_target
+
+CASES = "cases"
+DRAFT = ".draft-"
+_ROWS = 8192
+
+
+class DatasetFolder:
+    """Folder of a data set.
+
+    Parameters
+    ----------
+    path
+        The folder; it is made. One that holds other things than a data set is refused.
+    """
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self.path = Path(path)
+        self.cases = self.path / CASES
+        self._check()
+
+    def _check(self) -> None:
+        """Refuse a folder that is none, or is in use for something else."""
+        known = {CASES, "plan.yaml", "model.yaml"}
+        try:
+            others = [p.name for p in self.path.iterdir()] if self.path.exists() else []
+        except OSError as error:
+            raise OutputError(cannot_be_written(self.path, error)) from error
+        strange = [n for n in others if n not in known and not n.startswith(("index", DRAFT))]
+        if strange and not self.cases.is_dir():
+            raise OutputError(
+                f"output: {self.path} holds other things than a data set ({', '.join(sorted(strange)[:3])}); "
+                "name a folder of its own"
+            )
+
+    def begin(self, plan: str, model: str) -> None:
+        """Make the folder, keep the texts of plan and model, take away drafts that nobody writes any more."""
+        try:
+            self.cases.mkdir(parents=True, exist_ok=True)
+            for name, text in (("plan.yaml", plan), ("model.yaml", model)):
+                _put(self.path / name, text.encode())
+            for draft in (*self.cases.glob(f"{DRAFT}*"), *self.path.glob(f"{DRAFT}*")):
+                with contextlib.suppress(OSError):
+                    if not is_held(draft):
+                        draft.unlink()
+        except OSError as error:
+            raise OutputError(cannot_be_written(self.path, error)) from error
+
+    def file_of(self, key: str) -> Path:
+        """File of a case."""
+        return self.cases / f"{key}.h5"
+
+    def known(self, keys: Iterable[str]) -> dict[str, dict[str, Any]]:
+        """What the files of some cases say of themselves: status, sentence, options; only of whole files."""
+        import h5py
+
+        there = {p.stem for p in self.cases.glob("*.h5")} if self.cases.is_dir() else set()
+        found = {}
+        for key in keys:
+            # a file that somebody has cut short is no case; with swmr HDF5 would wait for the rest of it
+            if key in there:
+                with (
+                    contextlib.suppress(OSError, KeyError, RuntimeError, ValueError),
+                    h5py.File(self.file_of(key), "r") as file,
+                ):
+                    found[key] = header_in(file)
+        return found
+
+    def others(self, keys: Iterable[str]) -> int:
+        """Number of files of cases that are none of these."""
+        there = {p.stem for p in self.cases.glob("*.h5")} if self.cases.is_dir() else set()
+        return len(there - set(keys))
+
+    def write(self, record: Any, header: Header, sample_rate: float, samples: int) -> None:
+        """Write one case: a `CaseRecord`, or anything with its attributes."""
+        import numpy as np
+
+        target = self.file_of(record.key)
+        draft = self.cases / f"{DRAFT}{record.key}-{os.getpid()}-{threading.get_ident()}"
+        container = Container(draft, header)
+        try:
+            if record.channels:
+                clock = {"units": "s", "long_name": "time", "symbol": "t"}
+                times = np.arange(samples) / sample_rate
+                time = container.dimension("time", times, attributes=clock)
+                for name, channel in record.channels.items():
+                    whole = np.issubdtype(channel.values.dtype, np.integer)
+                    made = container.variable(
+                        name,
+                        [time],
+                        dtype="i1" if whole else "f4",
+                        chunks=(min(_ROWS, samples),),
+                        packed=True,
+                        attributes={"units": channel.unit, "long_name": channel.long_name},
+                    )
+                    made[...] = channel.values
+                    made.attrs["noise_rms"] = channel.noise_rms
+                for name, begun in record.pulses.items():
+                    words = {"units": "s", "long_name": f"times at which pulses of {name} begin"}
+                    container.dimension(f"{name}_times", begun, attributes=words)
+            status = FINISHED if record.status == OK else FAILED
+            container.finish(
+                status, record.sentence, code=record.status, steps=record.steps, notes=record.notes
+            )
+            _to_disk(draft)
+            draft.replace(target)
+        except BaseException:
+            with contextlib.suppress(OSError):
+                container.finish(FAILED, "not written to its end")
+                draft.unlink(missing_ok=True)
+            raise
+
+    def write_index(self, name: str, columns: Sequence[str], rows: Iterable[Mapping[str, Any]]) -> Path:
+        """Write the table of the cases (CSV); what is missing in a row stays empty."""
+        target = check_target(self.path / name, "index")
+        text = io.StringIO()
+        head = INDEX_HEAD.split(",")
+        writer = csv.DictWriter(text, [*head, *columns], restval="", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+        try:
+            _put(target, text.getvalue().encode())
+        except OSError as error:
+            raise OutputError(cannot_be_written(target, error)) from error
+        return target
+
+
+def _put(target: Path, data: bytes) -> None:
+    """Replace a file as a whole, or leave it."""
+    draft = target.parent / f"{DRAFT}{target.name}-{os.getpid()}"
+    draft.write_bytes(data)
+    _to_disk(draft)
+    draft.replace(target)
+
+
+def _to_disk(path: Path) -> None:
+    """Wait until a file is on the disk."""
+    with path.open("rb") as file:
+        os.fsync(file.fileno())

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plans of data sets: YAML text to a checked `DatasetPlan`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pitchpoint.core.errors import ModelError
+from pitchpoint.io.yaml_model import text_of
+from pitchpoint.io.yaml_tree import Tree, TreeError
+from pitchpoint.model.dataset_plan import DatasetPlan
+from pitchpoint.model.read import Reader
+from pitchpoint.model.read_plan import read_plan
+
+
+def load_plan(path: str | Path) -> DatasetPlan:
+    """Read a plan; what it says of its model is checked by `model.read_plan.check_plan`.
+
+    Parameters
+    ----------
+    path
+        YAML file.
+
+    Raises
+    ------
+    ModelError
+        With every problem of the file.
+    """
+    try:
+        tree = Tree(text_of(path))
+    except TreeError as error:
+        raise ModelError([error.problem], str(path)) from None
+    reader = Reader(lines=tree.lines, directory=str(Path(path).parent), problems=tree.problems)
+    return read_plan(tree.data, reader, str(path))

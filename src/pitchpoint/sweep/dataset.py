@@ -1,0 +1,308 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Cases of a data set: computed, filtered, thinned out, with noise; each the same bits for the same inputs.
+
+Every case is a model of its own. What differs from case to case are numbers, so all share the compiled code,
+and making a model and its system takes hundredths of a second.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import threading
+import zlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.pulses import pulse_times, pulse_train
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.thinning import DAMPING, PASS, REACH, STOP, thin_out
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.provenance import content_hash, package_version
+from pitchpoint.core.status import OK, REFUSED
+from pitchpoint.model.dataset_plan import DatasetPlan, ObservedChannel, PlannedCase
+from pitchpoint.model.numbers import number_at
+from pitchpoint.sweep.cases import how_it_failed
+from pitchpoint.sweep.threads import on_all_cores
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+CONSTANT = 1e-9
+"""Alternating part of a channel over its size below which it has no level that noise could be measured by."""
+
+
+@dataclass(frozen=True)
+class RecordedChannel:
+    """One channel of a case: samples, SI unit, words, rms of the noise that was added (0 = none)."""
+
+    values: NDArray[Any]
+    unit: str
+    long_name: str
+    noise_rms: float = 0.0
+
+
+@dataclass(frozen=True)
+class CaseRecord:
+    """What one case gave.
+
+    Parameters
+    ----------
+    case
+        The case.
+    key
+        Hash of its inputs.
+    status, sentence
+        How it ended, as a number of `pitchpoint.core.status` and in words.
+    numbers
+        Numbers in force at the varied paths, jitter included: SI value and unit.
+    channels
+        Samples by name of the channel; empty if it failed.
+    pulses
+        Times of the pulses of every tacho [s].
+    steps
+        Time steps.
+    notes
+        What the user should know.
+    """
+
+    case: PlannedCase
+    key: str
+    status: int
+    sentence: str
+    numbers: Mapping[str, tuple[float, str]] = field(default_factory=dict)
+    channels: Mapping[str, RecordedChannel] = field(default_factory=dict)
+    pulses: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
+    steps: int = 0
+    notes: tuple[str, ...] = ()
+
+
+def key_maker(plan: DatasetPlan, model: Model) -> Callable[[PlannedCase], str]:
+    """Make the function that gives the hash of all inputs of a case.
+
+    Inputs are the content of the model, what the plan says about recording, the values and the seed of the
+    case, and the version of the package; not its place in the plan, nor the names of factors.
+    """
+    common = {
+        "model": content_hash(model),
+        "version": package_version(),
+        "scenario": plan.scenario,
+        "recording": [plan.sample_rate, plan.length, plan.settle_time, plan.oversampling],
+        "channels": dict(plan.channels),
+        "jitter": dict(plan.jitter),
+    }
+    base = content_hash(common)
+    return lambda case: content_hash({"base": base, "changes": dict(case.changes), "seed": case.seed})
+
+
+def lead(plan: DatasetPlan) -> int:
+    """Samples before the first one that is recorded: the settling time, at least what the filter needs."""
+    return max(math.ceil(plan.settle_time * plan.sample_rate - 1e-9), reach(plan))
+
+
+def reach(plan: DatasetPlan) -> int:
+    """Samples by which the filter looks ahead and back."""
+    return REACH if plan.oversampling > 1 else 0
+
+
+def treatment(plan: DatasetPlan) -> str:
+    """How the samples were taken, in a sentence."""
+    if plan.oversampling == 1:
+        return (
+            f"sampled at {plan.sample_rate:g} Hz without a filter: "
+            "vibration above half of it shows at wrong frequencies"
+        )
+    return (
+        f"sampled at {plan.oversampling * plan.sample_rate:g} Hz, low-pass of linear phase without delay "
+        f"(flat to {PASS * plan.sample_rate:g} Hz, {DAMPING:g} dB down from {STOP * plan.sample_rate:g} Hz), "
+        f"every {plan.oversampling}. sample kept"
+    )
+
+
+def compute_case(
+    plan: DatasetPlan, model: Model, case: PlannedCase, key: str, stop: threading.Event | None = None
+) -> CaseRecord:
+    """Compute one case; whatever goes wrong becomes its status.
+
+    Parameters
+    ----------
+    plan, model
+        A checked plan and its model.
+    case, key
+        The case and the hash of its inputs.
+    stop
+        Set by another thread that wants the case to end.
+    """
+
+    def listen(done: float, total: float, note: str = "") -> None:
+        if stop is not None and stop.is_set():
+            raise KeyboardInterrupt
+
+    numbers: dict[str, tuple[float, str]] = {}
+    try:
+        changed = varied_model(plan, model, case)
+        paths = (*plan.paths, *plan.jitter)
+        numbers |= {path: n for path in paths if (n := number_at(changed, path)) is not None}
+        return _compute(plan, changed, case, key, numbers, listen)
+    except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001 - one bad case must not take the others with it
+        status, words = how_it_failed(error)
+        return CaseRecord(case, key, status, words, numbers)
+
+
+def varied_model(plan: DatasetPlan, model: Model, case: PlannedCase) -> Model:
+    """Model of a case: its values, then the jitter of its seed on the numbers that stand there."""
+    changed = model.replace_all(case.changes) if case.changes else model
+    shaken = {}
+    combination = content_hash(dict(case.changes))
+    for path, share in plan.jitter.items():
+        number = number_at(changed, path)
+        if number is None:
+            raise SolverError(f"jitter: there is no number at {path} in this case", REFUSED)
+        normal = _generator(case.seed, path, combination).standard_normal()
+        shaken[path] = number[0] * (1.0 + share * float(normal))
+    return changed.replace_all(shaken) if shaken else changed
+
+
+def _generator(*seeds: int | str) -> np.random.Generator:
+    """Random numbers that depend on nothing but the seeds."""
+    words = [s if isinstance(s, int) else zlib.crc32(s.encode()) for s in seeds]
+    return np.random.Generator(np.random.PCG64(np.random.SeedSequence(words)))
+
+
+class _Columns:
+    """A sink that keeps some columns of the samples, from one of them on."""
+
+    def __init__(self, columns: Sequence[int], first: int) -> None:
+        self.columns, self.first, self.seen = list(columns), first, 0
+        self.parts: list[NDArray[np.float64]] = []
+
+    def append(self, t: NDArray[np.float64], values: NDArray[np.float64]) -> None:
+        """Take samples as they come."""
+        skip = max(0, self.first - self.seen)
+        self.seen += len(t)
+        if skip < len(t):
+            self.parts.append(values[skip:, self.columns])
+
+    def rows(self) -> NDArray[np.float64]:
+        """All that was kept, shape (samples, columns)."""
+        return np.concatenate(self.parts) if self.parts else np.zeros((0, len(self.columns)))
+
+
+def _compute(
+    plan: DatasetPlan,
+    model: Model,
+    case: PlannedCase,
+    key: str,
+    numbers: dict[str, tuple[float, str]],
+    listen: Any,
+) -> CaseRecord:
+    """Run the model of a case and make its channels."""
+    from pitchpoint.solvers.time import run_time
+    from pitchpoint.system.compile import compile_model
+
+    rate, times = plan.sample_rate, plan.oversampling
+    before, margin = lead(plan), reach(plan)
+    duration = (before + plan.samples - 1 + margin) / rate
+    scenario = dataclasses.replace(
+        model.scenarios[str(plan.scenario)],
+        duration=duration,
+        sample_rate=times * rate,
+        settle_time=duration,  # nobody asks for statistics of all channels
+    )
+    system = compile_model(model, scenario)
+    known = [c.name for c in system.layout.channels]
+    names = {
+        name: c.channel if isinstance(c, ObservedChannel) else f"angle[{c.body}]"
+        for name, c in plan.channels.items()
+    }
+    missing = [c for c in names.values() if c not in known]
+    if missing:
+        raise SolverError(f"nothing observes {', '.join(missing)} in this case", REFUSED)
+    first = (before - margin) * times
+    sink = _Columns([known.index(c) for c in names.values()], first)
+    done = run_time(system, scenario, sink=sink, progress=listen)
+    if done.status != OK:
+        words = f"{done.sentence} (at t = {done.t_end:.6g} s)"
+        return CaseRecord(case, key, done.status, words, numbers, steps=done.steps)
+    rows = sink.rows()
+    if not np.all(np.isfinite(rows)):
+        raise SignalError("the computed channels are not finite; take a smaller step")
+    t = (first + np.arange(len(rows))) / (times * rate) - before / rate
+    recorded = dict(zip(names, rows.T, strict=True))
+    channels: dict[str, RecordedChannel] = {}
+    pulses: dict[str, NDArray[np.float64]] = {}
+    thinned = slice(margin * times, margin * times + (plan.samples - 1) * times + 1, times)
+    for name, channel in plan.channels.items():
+        if isinstance(channel, ObservedChannel):
+            found = system.layout.channels[known.index(channel.channel)]
+            clean = thin_out(recorded[name], times) if times > 1 else recorded[name][thinned]
+            noise = _noise(name, channel, clean, case.seed, key)
+            words = found.long_name or name
+            channels[name] = RecordedChannel(clean[: plan.samples] + noise[0], found.unit, words, noise[1])
+        else:
+            levels = pulse_train(recorded[name], channel.pulses)[thinned]
+            words = f"tacho of {channel.body}, {channel.pulses} pulses per turn"
+            channels[name] = RecordedChannel(levels, "1", words)
+            begun = pulse_times(t, recorded[name], channel.pulses)
+            pulses[name] = begun[(begun >= 0.0) & (begun <= (plan.samples - 1) / rate)]
+    notes = tuple(n for n in done.notes if "window of the statistics" not in n)
+    return CaseRecord(case, key, OK, "finished", numbers, channels, pulses, done.steps, notes)
+
+
+def _noise(
+    name: str, channel: ObservedChannel, clean: NDArray[np.float64], seed: int, key: str
+) -> tuple[NDArray[np.float64] | float, float]:
+    """Noise of a channel and the standard deviation it was drawn with."""
+    if channel.noise is None:
+        return 0.0, 0.0
+    if channel.noise.rms is not None:
+        rms = channel.noise.rms
+    else:
+        level = float(clean.std())
+        if level <= CONSTANT * float(np.abs(clean).max()):
+            raise SignalError(
+                f"channels.{name}: is constant, so snr means nothing; give the rms of the noise"
+            )
+        rms = level * 10.0 ** (-float(channel.noise.snr or 0.0) / 20.0)
+    return rms * _generator(seed, key, name).standard_normal(clean.size), rms
+
+
+def compute_cases(
+    plan: DatasetPlan,
+    model: Model,
+    cases: Sequence[tuple[PlannedCase, str]],
+    take: Callable[[CaseRecord], None],
+    *,
+    keep: Callable[[CaseRecord], None],
+    jobs: int | None = None,
+) -> bool:
+    """Compute cases on all cores; says whether it came to the end, which Ctrl-C prevents.
+
+    Parameters
+    ----------
+    plan, model
+        A checked plan and its model.
+    cases
+        Cases with the hashes of their inputs.
+    take
+        Told of every case, without its samples, in the calling thread.
+    keep
+        Stores a case, in the thread that computed it.
+    jobs
+        Threads; default one per core.
+    """
+
+    def work(piece: tuple[PlannedCase, str], stop: threading.Event) -> CaseRecord:
+        record = compute_case(plan, model, *piece, stop)
+        try:
+            keep(record)
+        except Exception as error:  # noqa: BLE001 - a full disk is no reason to lose the table of the others
+            status, words = how_it_failed(error)
+            record = dataclasses.replace(record, status=status, sentence=words)
+        return dataclasses.replace(record, channels={}, pulses={})
+
+    return on_all_cores(work, cases, take, jobs)

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Programmes of the mass matrix alone: where no mass couples two bodies, its blocks stand by themselves.
+
+Explicit methods factor the mass matrix at every evaluation, because a tilt turns the inertia of a shaft. The
+programmes of the whole matrix also go through the blocks by which springs and flanks couple the bodies; of
+the mass matrix these are zero. Bodies on ground need nothing but their own diagonal blocks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.multibody.block_lu import FINISH, INVERT, INVERT_MASS
+from pitchpoint.system.link import only_observes
+
+NODE = 6
+MASSLESS = frozenset(
+    {
+        *("bearing", "bushing", "clearance_bearing", "coupling", "damping", "force", "gear_mesh", "gravity"),
+        *("rolling_bearing", "spring_damper", "torque"),
+        *("closure", "drive", "ratio"),
+    }
+)
+"""Kinds that are known to have no inertia of their own; every other kind may have some."""
+
+
+def mass_programmes(
+    program: Mapping[str, NDArray[Any]], records: Mapping[str, NDArray[np.void]]
+) -> dict[str, NDArray[Any]]:
+    """Programmes mass_proj, mass_factor, mass_solve; those of the whole matrix where masses may couple."""
+    body, path, proj = program["body"], program["path"], program["proj"]
+    alone = np.all(body["count"] <= 1) and not np.any(body["shares"])
+    if not alone or not all(name in MASSLESS or only_observes(name, b) for name, b in records.items()):
+        return {f"mass_{name}": program[name] for name in ("proj", "factor", "solve")}
+    own = path["body"][proj["pi"]] == path["body"][proj["pj"]]
+    factor, solve = program["factor"], program["solve"]
+    alone_factor = factor[factor["op"] == INVERT]
+    alone_factor["op"][alone_factor["na"] == NODE] = INVERT_MASS
+    return {
+        "mass_proj": proj[own],
+        "mass_factor": alone_factor,
+        "mass_solve": solve[solve["op"] == FINISH],
+    }

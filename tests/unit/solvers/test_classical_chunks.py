@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The classical method: no bit depends on how steps are cut into chunks, samples are of their state."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pitchpoint.core.status import OK
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.runge_kutta import start_classical
+from pitchpoint.solvers.start import prepare_start
+from pitchpoint.system import evaluate
+from pitchpoint.system.compile import compile_model
+from tests.unit.system.test_mass_programmes import SEEN, SHAFTS
+
+
+def test_chunks_change_no_bit() -> None:
+    system = compile_model(loads_model(SHAFTS + SEEN), "driven")
+    start = prepare_start(system, system.scenario)  # type: ignore[arg-type]
+    found = []
+    for sizes in ([300], [1, 99, 7, 193]):
+        run = start_classical(start.system.copy(), start.state, 3e-6)
+        chunks = [run.advance(n, every=1) for n in sizes]
+        assert all(chunk.status == OK for chunk in chunks)
+        found.append((np.concatenate([c.rows for c in chunks]), run.state()))
+    (one, a), (many, b) = found
+    np.testing.assert_array_equal(one, many)
+    np.testing.assert_array_equal(a.q, b.q)
+    np.testing.assert_array_equal(a.v, b.v)
+
+
+def test_a_sample_holds_the_accelerations_of_its_state() -> None:
+    """Torque of the drive and sensed acceleration against those that are solved anew at the same state."""
+    system = compile_model(loads_model(SHAFTS + SEEN), "driven")
+    start = prepare_start(system, system.scenario)  # type: ignore[arg-type]
+    run = start_classical(start.system, start.state, 3e-6)
+    chunk = run.advance(50, every=50)
+    anew = start.system.copy()
+    evaluate.prepare(anew)
+    evaluate.load(anew, run.state())
+    assert evaluate.accelerations(anew, run.t, 200.0) == OK
+    row = evaluate.observe(anew, evaluate.store(anew, run.t))
+    np.testing.assert_allclose(chunk.rows[0, 1:], row, rtol=1e-12, atol=1e-12 * np.abs(row).max())
