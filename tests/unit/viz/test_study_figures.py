@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a study is told with: compared numbers, marked spectra, missing flanks, wavelet levels, detection."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from pitchpoint.analysis.detection import detection_curves
+from pitchpoint.analysis.spectra import amplitude_spectrum
+from pitchpoint.analysis.wavelets import wavelet_levels
+from pitchpoint.viz.compared_table import Compared, compared_table, sourced_table
+from pitchpoint.viz.detection_plot import plot_detection
+from pitchpoint.viz.flank_plot import plot_missing
+from pitchpoint.viz.frequency_marks import mark_frequencies
+from pitchpoint.viz.spectrum_plots import plot_spectrum
+from pitchpoint.viz.level_rows import plot_level_rows
+
+
+def cells(html: str) -> list[list[str]]:
+    return [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", line) for line in re.findall(r"<tr>(.*?)</tr>", html)]
+
+
+def test_compared_numbers_stand_beside_each_other_with_their_source() -> None:
+    rows = [
+        Compared("force", 101.0, "run a: F", "kN", 100.0),
+        Compared("law", "Hertz <3/2>", "file", "", "Hertz"),
+        Compared("other", 2.0, "run b"),
+    ]
+    assert cells(compared_table(rows, published="paper")) == [
+        ["quantity", "unit", "here", "paper", "difference", "from"],
+        ["force", "kN", "101", "100", "1 %", "run a: F"],
+        ["law", "", "Hertz &lt;3/2&gt;", "Hertz", "", "file"],
+        ["other", "", "2", "", "", "run b"],
+    ]
+    assert math.isnan(rows[1].difference)
+
+
+def test_without_published_numbers_there_is_no_column_for_them() -> None:
+    table = cells(compared_table([Compared("force", 1.0, "run")]))
+    assert table == [["quantity", "unit", "here", "from"], ["force", "", "1", "run"]]
+    assert cells(compared_table([Compared("force", math.nan, "run")]))[1][2] == "–"
+
+
+def test_sourced_table_escapes_words() -> None:
+    assert cells(sourced_table(("what", "unit", "n"), [("a<b", "m", "1", "f(x) > 0")]))[1] == [
+        "a&lt;b",
+        "m",
+        "1",
+        "f(x) &gt; 0",
+    ]
+
+
+def test_marks_stand_at_the_frequencies_and_their_harmonics() -> None:
+    t = np.arange(4000) / 1000.0
+    spectrum = amplitude_spectrum(np.sin(2 * np.pi * 100.0 * t), 1000.0)
+    figure = plot_spectrum({"x": spectrum}, unit="N", highest=250.0, labels=0)
+    mark_frequencies(figure, {"mesh": 100.0, "near": 105.0, "beyond": 300.0}, harmonics=4)
+    assert [line.x0 for line in figure.layout.shapes] == [100.0, 200.0, 105.0, 210.0]
+    names = {a.text: a for a in figure.layout.annotations}
+    assert set(names) == {"mesh", "near"}
+    # names that would overlap stand above each other
+    assert names["near"].yshift > names["mesh"].yshift == 0
+
+
+def test_missing_part_of_a_flank_is_where_the_level_is_positive() -> None:
+    z, d = np.linspace(-0.1, 0.1, 5), np.linspace(0.30, 0.40, 3)
+    level = np.where(z[:, None] > 0.0, 1e-3, -1e-3) * np.ones(3)
+    figure = plot_missing(z, d, level)
+    assert np.asarray(figure.data[0].z).tolist() == [[0, 0, 0, 1, 1]] * 3
+    assert figure.layout.xaxis.title.text == "face width z [mm]"
+    assert figure.data[0].x[-1] == pytest.approx(100.0)
+
+
+def test_levels_stand_below_the_signal_and_add_up_to_it() -> None:
+    rng = np.random.default_rng(0)
+    values = rng.normal(size=1024)
+    levels = wavelet_levels(values, 400.0, levels=3)
+    figure = plot_level_rows(np.arange(1024) / 400.0, values, levels, unit="N", name="S")
+    assert len(figure.data) == 5
+    assert len({trace.yaxis for trace in figure.data}) == 5
+    assert np.allclose(sum(np.asarray(t.y) for t in figure.data[1:]), figure.data[0].y, atol=1e-5)
+    words = " ".join(a.text for a in figure.layout.annotations)
+    assert "a3: 0 to 25 Hz" in words
+    assert "d1: 100 to 200 Hz" in words
+
+
+def test_detection_rises_with_the_ratio_in_per_cent() -> None:
+    t = np.arange(200) / 10.0
+    found = detection_curves(0.0 * t, np.sin(t), {"power": np.var}, snr=[10.0, -30.0], seeds=20)
+    figure = plot_detection(found)
+    assert list(figure.data[0].x) == [-30.0, 10.0]
+    assert figure.data[0].y[1] == 100.0 > figure.data[0].y[0]
+    assert figure.data[0].error_y.array[1] == 0.0
+    assert figure.layout.shapes[0].y0 == pytest.approx(100.0 * found.false_alarm)
