@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
     from pitchpoint.model.components.bushing import Bushing
     from pitchpoint.model.components.coupling import Coupling
-    from pitchpoint.model.components.mesh import Mesh
+    from pitchpoint.model.components.mesh import ContactDamping, Mesh
     from pitchpoint.model.components.stiffness import StiffnessLaw
     from pitchpoint.model.model import Model
 
@@ -102,6 +102,18 @@ def _width_integrals(model: Model) -> Iterator[str]:
             )
 
 
+def _restitution(damping: ContactDamping, where: str) -> Iterator[str]:
+    """Keys of a damper beside a restitution, and the other way round."""
+    usual = defaults_of(type(damping))
+    if damping.restitution is None:
+        if damping.speed != usual["speed"]:
+            yield f"{where}.speed: has no effect without restitution"
+        return
+    for key in ("s_0", "law"):
+        if getattr(damping, key) != usual[key]:
+            yield f"{where}.{key}: has no effect with restitution, which damps in proportion to the force"
+
+
 def _laws(model: Model) -> Iterator[str]:
     """Keys beside others that decide alone: of stiffness, contact damping and tip circles."""
     for name, mesh in model.meshes.items():
@@ -113,6 +125,8 @@ def _laws(model: Model) -> Iterator[str]:
             )
         if damping is not None and damping.s_0 == 0.0 and damping.law != "linear":
             yield f"meshes.{name}.damping.law: has no effect with s_0: 0, where the damping is there at once"
+        if damping is not None:
+            yield from _restitution(damping, f"meshes.{name}.damping")
     for name, gear in model.gears.items():
         if gear.tip_diameter is not None and gear.tip_alteration != 0.0:
             yield f"gears.{name}.tip_alteration: has no effect beside tip_diameter, which is taken as it is"
