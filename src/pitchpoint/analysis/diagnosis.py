@@ -16,14 +16,19 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.bearing_tests import bearing_evidence
 from pitchpoint.analysis.line_tests import fine_spectrum, line_threshold
+from pitchpoint.analysis.mean_turns import mean_turn
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 from pitchpoint.analysis.shaft_tests import FEWEST_TURNS, HARMONICS, NEIGHBOURS, Measured, ShaftView
 from pitchpoint.analysis.turning_parts import Mesh, TurningParts
 
 MESH_PROBABILITY = 1e-4
 """Probability with which noise alone is taken for a mesh line."""
-CONCENTRATED = 3.1
-"""Normal score above which a comb counts as gathered about the mesh of one gear; 0.1 % by chance."""
+CONCENTRATED, APART = 2.33, 2.0
+"""Normal score above which a comb counts as gathered about the mesh of one gear (1 % by chance), and how far those
+of the other gears of the shaft must be below it."""
+
+ONE_TOOTH = 1e-3
+"""Probability by chance below which the energy of a mean turn counts as that of one tooth."""
 
 
 @dataclass(frozen=True)
@@ -224,13 +229,36 @@ def diagnose(
         bearings, remarks = bearing_evidence(x, rate, parts)
         raw += [(name, "bearing", part, bearing, found) for bearing, part, found in bearings]
         untested += remarks
+    untested += [_not_looked_at(row) for row in raw if row[4].lines == 0]
     untested = [*_too_few_turns(turns), *dict.fromkeys(untested)]
     tests = sum(1 for row in raw if row[4].lines > 0)
     if not tests:
         raise SignalError("record: is too short for any test; " + "; ".join(untested))
     evidence = tuple(_evidence(row, tests, allowed) for row in raw if row[4].lines > 0)
-    findings = _findings(evidence, views, parts)
+    findings = _findings(evidence, views, _Record(signals, rate, parts))
     return Diagnosis(findings, evidence, meshes, tuple(untested), turns, tests, allowed)
+
+
+@dataclass(frozen=True)
+class _Record:
+    """What findings ask besides the evidence."""
+
+    signals: Mapping[str, ArrayLike]
+    samples_per_turn: float
+    parts: TurningParts
+
+    def at_one_tooth(self, channel: str, shaft: str, gear: str) -> bool:
+        """Whether the energy of the mean turn sits in the angle of one tooth."""
+        gears = self.parts.gears_of(shaft)
+        teeth = gears[gear][1]
+        others = [z for _, z in gears.values() if z != teeth]
+        try:
+            turn = mean_turn(
+                self.signals[channel], self.samples_per_turn, self.parts.shaft(shaft), teeth, others
+            )
+        except SignalError:
+            return False
+        return turn.energy.probability < ONE_TOOTH
 
 
 def _of_shafts(
@@ -277,6 +305,14 @@ def _too_few_turns(turns: Mapping[str, float]) -> list[str]:
     ]
 
 
+def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> str:
+    """Sentence about a test without a line that it could look at."""
+    _, kind, shaft, gear, _ = row
+    what = {"comb": "orders", "low order": "lowest orders", "sidebands": "sidebands"}.get(kind, "events")
+    whose = f"{gear} ({shaft})" if gear else shaft
+    return f"no test of the {what} of {whose}: above the record's highest frequency, or too near to other lines"
+
+
 def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: float) -> Evidence:
     """A test against the number of all tests."""
     from scipy.stats import norm
@@ -305,10 +341,10 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
 
 
 def _findings(
-    evidence: tuple[Evidence, ...], views: Mapping[tuple[str, str], ShaftView], parts: TurningParts
+    evidence: tuple[Evidence, ...], views: Mapping[tuple[str, str], ShaftView], record: _Record
 ) -> tuple[Finding, ...]:
     """One finding per shaft at most, and one per part of a bearing."""
-    found = []
+    found, parts = [], record.parts
     for shaft in parts.shafts:
         mine = [e for e in evidence if e.shaft == shaft.name and e.kind != "bearing" and e.found]
         mine.sort(key=lambda e: (e.probability, -e.value))
@@ -321,7 +357,9 @@ def _findings(
         elif bands:
             best = bands[0]
             gears = tuple(dict.fromkeys(e.gear for e in bands))
-            found.append(Finding("modulation", shaft.name, gears, best.channel, best.probability))
+            local = any(record.at_one_tooth(best.channel, shaft.name, gear) for gear in gears)
+            kind = "local fault" if local else "modulation"
+            found.append(Finding(kind, shaft.name, gears, best.channel, best.probability))
         elif mine:
             found.append(Finding("once per turn", shaft.name, (), mine[0].channel, mine[0].probability))
     for name in dict.fromkeys((e.gear, e.shaft) for e in evidence if e.kind == "bearing" and e.found):
@@ -339,7 +377,7 @@ def _gears(parts: TurningParts, views: list[ShaftView]) -> tuple[str, ...]:
     counts = sorted({teeth for _, teeth in gears.values()})
     if len(counts) > 1:
         scores = {z: max(view.concentration(z) for view in views) for z in counts}
-        chosen = [z for z in counts if scores[z] > CONCENTRATED]
-        if len(chosen) == 1:
-            return tuple(gear for gear, (_, z) in gears.items() if z == chosen[0])
+        first, second = sorted(scores.values(), reverse=True)[:2]
+        if first > CONCENTRATED and second < first - APART:
+            return tuple(gear for gear, (_, z) in gears.items() if scores[z] == first)
     return tuple(gears)

@@ -28,6 +28,8 @@ FEWEST_TURNS = 3.0
 RESOLVED = 8.0
 """Turns of another shaft from which its orders are single lines that can be left out."""
 MOST_ORDERS = 6000
+FEWEST_LINES = 6
+"""Lines of a comb from which their ranks say anything."""
 SMALLEST = 1e-4
 """Amplitude, as a part of the rms of the signal, below which nothing is told: numerical noise of simulations."""
 NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
@@ -94,8 +96,8 @@ class ShaftView:
 
     @property
     def testable(self) -> bool:
-        """Whether the record holds enough turns and orders."""
-        return self.turns >= FEWEST_TURNS and self.highest >= BLOCK
+        """Whether the record holds enough turns."""
+        return self.turns >= FEWEST_TURNS and self.highest >= 1
 
     def free(self, order: Array) -> Array:
         """Whether points are apart from mesh lines and from orders of other shafts."""
@@ -118,8 +120,8 @@ class ShaftView:
             if teeth >= 4 * from_mesh and mesh:
                 keep &= _distance(number.astype(np.float64), float(teeth)) > from_mesh
         number = number[keep & (number > LOW_ORDERS)]
-        if number.size < BLOCK:
-            return Measured(0.0, 1.0, self.order, 0.0, int(number.size))
+        if number.size < FEWEST_LINES:
+            return Measured(0.0, 1.0, self.order, 0.0, 0)
         power = self.spectrum.power(number * self.order)
         worst = None
         for place, level in self.measures:
