@@ -30,6 +30,7 @@ COMMANDS = {
     "run": "Time response or slow roll of a scenario.",
     "sweep": "Speed sweep up and down, with jumps.",
     "compare-solvers": "Accuracy against time of all integrators on one model.",
+    "diagnose": "Damaged gears, shafts and bearings in a record.",
     "report": "One HTML file with drawings and curves.",
     "examples": "List or copy the examples.",
     "warmup": "Compile everything once, so that later starts are quick.",
