@@ -27,8 +27,9 @@ CONCENTRATED, APART = 2.33, 2.0
 """Normal score above which a comb counts as gathered about the mesh of one gear (1 % by chance), and how far those
 of the other gears of the shaft must be below it."""
 
-ONE_TOOTH = 1e-3
-"""Probability by chance below which the energy of a mean turn counts as that of one tooth."""
+ONE_PLACE, GAUSSIAN = 2e-3, 3.0
+"""Part of signals of the same spectrum that may be more peaked than a mean turn with a local fault; the kurtosis that
+it exceeds in any case."""
 
 
 @dataclass(frozen=True)
@@ -159,6 +160,7 @@ def diagnose(
     parts: TurningParts,
     *,
     false_alarm: float = 0.01,
+    sampled_per_turn: float | None = None,
 ) -> Diagnosis:
     """Evidence and findings from channels over the angle of the reference shaft.
 
@@ -172,6 +174,8 @@ def diagnose(
         What turns.
     false_alarm
         Probability that a healthy record has a finding [-].
+    sampled_per_turn
+        Samples in one turn with which the record was taken, if it was resampled since [-].
 
     Returns
     -------
@@ -221,7 +225,7 @@ def diagnose(
         if float(np.ptp(x)) == 0.0:
             raise SignalError(f"{name}: is constant; nothing can be read from it")
         spectrum, rms = fine_spectrum(x, rate), float(x.std())
-        mine = {s.name: ShaftView(spectrum, parts, s, rms) for s in parts.shafts}
+        mine = {s.name: ShaftView(spectrum, parts, s, rms, sampled_per_turn or rate) for s in parts.shafts}
         views |= {(name, shaft): view for shaft, view in mine.items()}
         turns = {shaft: view.turns for shaft, view in mine.items()}
         meshes[name] = tuple(_mesh_lines(mine, parts, mesh) for mesh in parts.meshes)
@@ -235,8 +239,8 @@ def diagnose(
     if not tests:
         raise SignalError("record: is too short for any test; " + "; ".join(untested))
     evidence = tuple(_evidence(row, tests, allowed) for row in raw if row[4].lines > 0)
-    findings = _findings(evidence, views, _Record(signals, rate, parts))
-    return Diagnosis(findings, evidence, meshes, tuple(untested), turns, tests, allowed)
+    findings, spread = _findings(evidence, views, _Record(signals, rate, parts))
+    return Diagnosis(findings, evidence, meshes, (*untested, *spread), turns, tests, allowed)
 
 
 @dataclass(frozen=True)
@@ -247,18 +251,20 @@ class _Record:
     samples_per_turn: float
     parts: TurningParts
 
-    def at_one_tooth(self, channel: str, shaft: str, gear: str) -> bool:
-        """Whether the energy of the mean turn sits in the angle of one tooth."""
-        gears = self.parts.gears_of(shaft)
-        teeth = gears[gear][1]
-        others = [z for _, z in gears.values() if z != teeth]
-        try:
-            turn = mean_turn(
-                self.signals[channel], self.samples_per_turn, self.parts.shaft(shaft), teeth, others
-            )
-        except SignalError:
-            return False
-        return turn.energy.probability < ONE_TOOTH
+    def at_one_place(self, channel: str, shaft: str) -> bool:
+        """Whether something in the mean turn happens at one place: its residual is more peaked than by chance."""
+        counts = sorted({z for _, z in self.parts.gears_of(shaft).values()})
+        for teeth in counts:
+            others = [z for z in counts if z != teeth]
+            try:
+                turn = mean_turn(
+                    self.signals[channel], self.samples_per_turn, self.parts.shaft(shaft), teeth, others
+                )
+            except SignalError:
+                continue
+            value, limit, part = turn.indicators["kurtosis"]
+            return value > max(GAUSSIAN, limit) and part < ONE_PLACE
+        return False
 
 
 def _of_shafts(
@@ -342,14 +348,21 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
 
 def _findings(
     evidence: tuple[Evidence, ...], views: Mapping[tuple[str, str], ShaftView], record: _Record
-) -> tuple[Finding, ...]:
-    """One finding per shaft at most, and one per part of a bearing."""
-    found, parts = [], record.parts
+) -> tuple[tuple[Finding, ...], list[str]]:
+    """One finding per shaft at most, and one per part of a bearing; combs that are spread over the turn."""
+    found, spread, parts = [], [], record.parts
     for shaft in parts.shafts:
         mine = [e for e in evidence if e.shaft == shaft.name and e.kind != "bearing" and e.found]
         mine.sort(key=lambda e: (e.probability, -e.value))
         combs = [e for e in mine if e.kind == "comb"]
         bands = [e for e in mine if e.kind == "sidebands"]
+        places = [e for e in combs if record.at_one_place(e.channel, shaft.name)]
+        if combs and not places:
+            spread.append(
+                f"all orders of {shaft.name} stand out in {combs[0].channel}, but evenly over its turn: meshes that "
+                "change each other do that, one damaged tooth does not"
+            )
+        combs = places
         if combs:
             best = combs[0]
             gears = _gears(parts, [views[e.channel, shaft.name] for e in combs])
@@ -357,7 +370,7 @@ def _findings(
         elif bands:
             best = bands[0]
             gears = tuple(dict.fromkeys(e.gear for e in bands))
-            local = any(record.at_one_tooth(best.channel, shaft.name, gear) for gear in gears)
+            local = record.at_one_place(best.channel, shaft.name)
             kind = "local fault" if local else "modulation"
             found.append(Finding(kind, shaft.name, gears, best.channel, best.probability))
         elif mine:
@@ -368,7 +381,7 @@ def _findings(
             key=lambda e: e.probability,
         )
         found.append(Finding("bearing", best.shaft, (best.gear,), best.channel, best.probability))
-    return tuple(sorted(found, key=lambda finding: finding.probability))
+    return tuple(sorted(found, key=lambda finding: finding.probability)), spread
 
 
 def _gears(parts: TurningParts, views: list[ShaftView]) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ slower one too: the measure then also is the other orders of that one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -30,8 +30,11 @@ RESOLVED = 8.0
 MOST_ORDERS = 6000
 FEWEST_LINES = 6
 """Lines of a comb from which their ranks say anything."""
-SMALLEST = 1e-4
-"""Amplitude, as a part of the rms of the signal, below which nothing is told: numerical noise of simulations."""
+SMALLEST_COMB, SMALLEST_LINE, SMALLEST_SIDEBAND = 1e-4, 1e-2, 3e-2
+"""Amplitudes below which nothing is told: of a comb and of a line as a part of the rms of the signal, of a sideband
+as a part of its mesh line as well. Every machine has such lines, and simulations without noise show them."""
+FOLDED = 40
+"""Harmonics of a mesh whose images are left out where the record was sampled without a filter."""
 NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
 SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
 
@@ -77,10 +80,15 @@ class ShaftView:
         The shaft.
     rms
         Rms of the signal.
+    sampled
+        Samples in one turn of the reference shaft with which the record was taken [-].
     """
 
-    def __init__(self, spectrum: FineSpectrum, parts: TurningParts, shaft: Shaft, rms: float) -> None:
+    def __init__(
+        self, spectrum: FineSpectrum, parts: TurningParts, shaft: Shaft, rms: float, sampled: float
+    ) -> None:
         self.spectrum, self.parts, self.shaft, self.rms = spectrum, parts, shaft, rms
+        self.folded = _images(parts, sampled)
         self.order = float(shaft.order)
         self.turns = self.order / spectrum.resolution
         top = 0.9 * spectrum.highest
@@ -110,6 +118,10 @@ class ShaftView:
             if other is self.shaft or other in self.slower or step / line < RESOLVED:
                 continue
             apart &= _distance(order, step) > 1.5 * line
+        if self.folded.size:
+            at = np.searchsorted(self.folded, order)
+            near = [np.abs(order - self.folded[np.clip(at + k, 0, self.folded.size - 1)]) for k in (-1, 0)]
+            apart &= np.minimum(*near) > 2.5 * line
         return apart
 
     def comb(self, from_mesh: int = 2) -> Measured:
@@ -128,21 +140,24 @@ class ShaftView:
             found = _best_band(number, power, place / self.order, level)
             worst = found if worst is None or found.probability > worst.probability else worst
         assert worst is not None
-        small = worst.amplitude < SMALLEST * self.rms
+        small = worst.amplitude < SMALLEST_COMB * self.rms
         return Measured(
             worst.score, 1.0 if small else worst.probability, worst.order * self.order, worst.amplitude, worst.lines
         )
 
-    def lines(self, orders: Array, sideband: Array) -> Measured:
+    def lines(self, orders: Array, sideband: Array, least: Array | None = None) -> Measured:
         """The most unlikely of some lines; what is near other lines, or has no neighbours, is left out."""
+        limits = np.zeros(orders.size) if least is None else least
         best, looked = None, 0
-        for place, number in zip(orders, sideband, strict=True):
+        for place, number, limit in zip(orders, sideband, limits, strict=True):
             if not 0.0 < place < 0.9 * self.spectrum.highest or not self.free(np.array([place]))[0]:
                 continue
             one = self.line(float(place))
             if one is None:
                 continue
             looked += 1
+            if one.amplitude < limit:
+                one = replace(one, probability=1.0)
             if best is None or one.probability < best[0].probability:
                 best = one, int(number)
         if best is None:
@@ -166,7 +181,7 @@ class ShaftView:
                 if found >= probability:
                     probability, score = found, ratio
         amplitude = float(np.sqrt(power))
-        if amplitude < SMALLEST * self.rms:
+        if amplitude < SMALLEST_LINE * self.rms:
             probability = 1.0
         return Measured(score, probability, order, amplitude, 1)
 
@@ -181,7 +196,9 @@ class ShaftView:
         beside_it = np.concatenate([np.arange(-most, 0), np.arange(1, most + 1)])
         harmonic = np.arange(1, HARMONICS + 1)
         orders = harmonic[:, None] * mesh_order + beside_it[None, :] * self.order
-        return self.lines(orders.ravel(), np.tile(beside_it, HARMONICS))
+        mesh = np.sqrt(self.spectrum.power(harmonic * mesh_order))
+        least = SMALLEST_SIDEBAND * np.repeat(mesh, beside_it.size)
+        return self.lines(orders.ravel(), np.tile(beside_it, HARMONICS), least)
 
     def concentration(self, teeth: int) -> float:
         """Normal score of how far the orders next to harmonics of a gear stand above those farther off [-]."""
@@ -220,6 +237,16 @@ def _distance(place: Array, step: float) -> Array:
     return distance
 
 
+def _images(parts: TurningParts, sampled: float) -> Array:
+    """Orders at which harmonics of meshes above half the sampling rate come out if nothing held them back."""
+    found = []
+    for mesh in parts.meshes:
+        harmonic = parts.mesh_order(mesh) * np.arange(1, FOLDED + 1)
+        harmonic = harmonic[harmonic > 0.5 * sampled]
+        found.append(np.abs(harmonic - np.rint(harmonic / sampled) * sampled))
+    return np.sort(np.concatenate(found)) if found else np.empty(0)
+
+
 def _best_band(number: Array, power: Array, between: Array, level: Array) -> Measured:
     """The band of the comb that stands out most; probability of the best one of all bands."""
     from scipy.stats import norm
@@ -237,8 +264,9 @@ def _best_band(number: Array, power: Array, between: Array, level: Array) -> Mea
         score = comb_score(power[mine], level[theirs], block[mine], block_between[theirs])
         probability = float(norm.sf(score))
         if probability < best.probability:
-            above = float(power[mine].sum() - mine.sum() * level[theirs].mean())
-            amplitude = float(np.sqrt(max(above, 0.0)))
+            # medians: single lines that come from elsewhere are not part of the comb
+            above = float(np.median(power[mine]) - np.median(level[theirs])) / np.log(2.0)
+            amplitude = float(np.sqrt(max(above, 0.0) * mine.sum()))
             best = Measured(
                 score, probability, float(number[mine].mean()), amplitude, int(mine.sum())
             )

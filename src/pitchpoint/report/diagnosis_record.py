@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,8 +33,6 @@ class Record:
         Times [s], shape (n,).
     channels
         Values by channel, shape (n,) each.
-    units
-        Units by channel.
     model_text
         Model that the file keeps; empty if none.
     scenario
@@ -44,8 +42,7 @@ class Record:
     """
 
     time: Array
-    channels: dict[str, Array]
-    units: dict[str, str] = field(default_factory=dict)
+    channels: Mapping[str, Array]
     model_text: str = ""
     scenario: str = ""
     settle_time: float = 0.0
@@ -63,6 +60,8 @@ class OverAngle:
         Samples in one turn [-].
     frequency
         Turns per second [Hz]; NaN if the speed changes.
+    sampled_per_turn
+        Samples in one turn with which the record was taken [-].
     remarks
         What was done.
     """
@@ -70,6 +69,7 @@ class OverAngle:
     signals: dict[str, Array]
     samples_per_turn: float
     frequency: float
+    sampled_per_turn: float
     remarks: tuple[str, ...] = ()
 
 
@@ -89,7 +89,8 @@ def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverA
     tenths = np.abs(np.diff(turned[np.linspace(0, turned.size - 1, 11).astype(int)]))
     steady = float(np.ptp(tenths)) < 10.0 * STEADY * float(tenths.mean())
     remarks = [] if steady else [f"the speed goes from {speed.min() * 30 / math.pi:.4g} to {speed.max() * 30 / math.pi:.4g} rpm: orders instead of frequencies"]
-    return OverAngle(found, float(rate), mean if steady else math.nan, tuple(remarks))
+    taken = (clock.size - 1) / (abs(float(turned[-1] - turned[0])) / math.tau)
+    return OverAngle(found, float(rate), mean if steady else math.nan, taken, tuple(remarks))
 
 
 def at_speed(signals: Mapping[str, Array], sample_rate: float, parts: TurningParts, frequency: float) -> OverAngle:
@@ -110,7 +111,7 @@ def at_speed(signals: Mapping[str, Array], sample_rate: float, parts: TurningPar
     remarks = []
     if abs(found / frequency - 1.0) > 1e-6:
         remarks.append(f"speed by the mesh lines: {found:.6g} Hz ({found * 60:.6g} rpm) in place of {frequency:.6g} Hz")
-    return OverAngle(dict(signals), sample_rate / found, found, tuple(remarks))
+    return OverAngle(dict(signals), sample_rate / found, found, sample_rate / found, tuple(remarks))
 
 
 def _best_speed(spectra: list[FineSpectrum], parts: TurningParts, frequency: float) -> float:

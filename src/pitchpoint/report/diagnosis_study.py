@@ -101,7 +101,13 @@ def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: 
         If no mesh shows itself although the record could hold it: then tooth counts or speed are wrong, and
         whatever was found would be about another machine.
     """
-    found = diagnose(over.signals, over.samples_per_turn, parts, false_alarm=false_alarm)
+    found = diagnose(
+        over.signals,
+        over.samples_per_turn,
+        parts,
+        false_alarm=false_alarm,
+        sampled_per_turn=over.sampled_per_turn,
+    )
     strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
     about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
     if nothing:
