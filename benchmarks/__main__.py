@@ -12,7 +12,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks import command_line, gearbox, mechanisms, two_inertia
+from benchmarks import command_line, gearbox, mechanisms, shovel, two_inertia
 from benchmarks.rows import Row
 
 
@@ -39,6 +39,7 @@ def main() -> None:
         ("two inertias against a bare loop, exudyn, SciPy", lambda: two_inertia.rows(bare)),
         ("pair with 12 degrees of freedom, sweeps", lambda: gearbox.rows(bare[0])),
         ("mechanisms against exudyn, planetary set, many bodies", mechanisms.rows),
+        ("shovel gearbox", shovel.rows),
         ("command line", command_line.rows),
     ):
         console.print(f"measuring: {text} ...")

@@ -12,6 +12,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from pitchpoint.analysis.dataset import analyse
     from pitchpoint.core.errors import (
         CompileError,
         GeometryError,
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
         ValidityWarning,
     )
     from pitchpoint.geometry import BasicRack, CylindricalGear, GearPair
+    from pitchpoint.io.measured.reading import read_measured
     from pitchpoint.io.results import open_result
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.model.model import Model
@@ -50,10 +52,12 @@ __all__ = [
     "UnitError",
     "ValidityWarning",
     "__version__",
+    "analyse",
     "cases_dataset",
     "compile_model",
     "load_model",
     "open_result",
+    "read_measured",
     "reduce_system",
     "run_cases",
     "solve_campbell",
@@ -69,6 +73,7 @@ __all__ = [
 __version__: str
 
 _HOMES = {
+    "analysis.dataset": ("analyse",),
     "core.errors": (
         "CompileError",
         "GeometryError",
@@ -79,6 +84,7 @@ _HOMES = {
         "ValidityWarning",
     ),
     "geometry": ("BasicRack", "CylindricalGear", "GearPair"),
+    "io.measured.reading": ("read_measured",),
     "io.results": ("open_result",),
     "io.yaml_model": ("load_model",),
     "model.model": ("Model",),

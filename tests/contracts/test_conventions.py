@@ -28,8 +28,9 @@ from pitchpoint.elements.gear_mesh_record import N_OUT
 from pitchpoint.elements.shaft_beam import shaft_row
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.geometry.deviations import Deviations, Runout, separation
+from pitchpoint.geometry.shaft_solid import shaft_solid
 from pitchpoint.geometry.tooth_form import gear_outline
-from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.phasing import tooth_twist
 from pitchpoint.multibody import bodies as joints
@@ -51,6 +52,10 @@ from tests.support.one_mesh import OneMesh, make_pair, moved
 
 PAGE = Path(__file__).parents[2] / "docs" / "conventions.md"
 FOURIER = PhaseStiffness(mean=4e8, cosine=[-0.2, 0.1], sine=[0.15, 0.0])
+BODIES_OF_PAIR = (
+    "bodies: {one: {gears: [a]}, two: {gears: [b]}}\n"
+    "loads: {in: {body: one, torque: 20 N m}, out: {body: two, torque: balance}}\n"
+)
 PARABOLA = PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)
 FREE = """\
 gears: {g: {number_of_teeth: 30, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}}
@@ -200,6 +205,26 @@ def test_products_of_inertia_are_the_entries_of_the_matrix() -> None:
     body = f"mass: 4, inertia_tensor: [{about[0, 0]}, {about[1, 1]}, {about[2, 2]}, -2, 0, 0]"
     system, _ = jointed("type: spherical, bodies: [ground, b]", body=body)
     assert np.allclose(system.bodies[0].inertia, about)
+
+
+def test_a_solid_lies_in_its_file_as_in_its_body(tmp_path: Path) -> None:
+    # a rod of 20 mm along z of the file, from 0 to 0.2 m
+    np.save(tmp_path / "rod.npy", shaft_solid([(0.2, 0.02, 0.0)], 90))
+    text = "bodies: {rod: {motion: free, position: [1, 0, 0], solid: {file: rod.npy, unit: 1 m%s}%s}}"
+
+    def inertia(solid: str = "", body: str = ""):
+        (tmp_path / "model.yaml").write_text(text % (solid, body))
+        return load_model(tmp_path / "model.yaml").body_inertia("rod")
+
+    own = inertia()
+    assert own.place == pytest.approx((0.0, 0.0, 0.1), abs=1e-12)
+    assert own.polar < 0.1 * own.central
+    # x of the body along z of the file, its origin at 0.05 m along the rod
+    turned = inertia(", axes: {z: [1, 0, 0], x: [0, 0, 1]}, origin: [0, 0, 50 mm]")
+    assert turned.place == pytest.approx((0.05, 0.0, 0.0), abs=1e-12)
+    assert turned.about_center()[0, 0] == pytest.approx(own.polar, rel=1e-12)
+    assert inertia("", ", mass: 3 kg").mass == 3.0
+    assert inertia("", ", mass: 3 kg").polar == own.polar
 
 
 def test_positive_torque_turns_counter_clockwise_seen_from_plus_z() -> None:
@@ -543,6 +568,38 @@ def test_mesh_damper_is_part_of_mesh_force_alone() -> None:
     assert m.get("normal_force") == m.get("circumferential_force") == 0.0
 
 
+def test_eccentric_teeth_are_displaced_towards_their_phase() -> None:
+    text = pair(gear("a", 30), gear("b", 45), "stiffness: {law: constant, value: 4e8}", BODIES_OF_PAIR)
+    model = loads_model(text)
+    alpha = model.pairs["m"].alpha_wt
+    towards = model.meshes["m"].theta + 0.5 * math.pi - alpha  # the line of action of the front flank
+    found = []
+    for amount in (0.0, 1e-6):
+        phase = towards - model.phasing.tooth_angle["a"]
+        fault = {"type": "eccentricity", "amount": amount, "phase": phase}
+        rest = solve_equilibrium(compile_model(model.replace("gears.a.faults", {"e": fault})))
+        found.append(float(rest["transmission_error[m]"]))
+    assert found[1] - found[0] == pytest.approx(-1e-6, abs=1e-9)
+
+
+def test_misalignment_is_the_lean_of_axis_2() -> None:
+    """A spur gear 2 that is tilted by the same lean is pushed askew alike: the force leans too, 5 %."""
+    for k, name in enumerate("te"):
+        moments = []
+        for tilted in (False, True):
+            m = OneMesh(make_pair(beta=0.0), MeshLaws(stiffness=FOURIER))
+            m.evaluate()
+            turn = np.cross([0.0, 0.0, 1.0], 1e-4 * m.row[name])
+            if tilted:
+                m.frames = moved(m.frames, 1, np.array([0.0, 0.0, 0.0, *turn]))
+            else:
+                m.rec["skew"][0, k] = 1e-4
+            m.press(5e-6)
+            moments.append(m.evaluate()[1, 3:5])
+        assert np.abs(moments[0]).max() > 0.5
+        np.testing.assert_allclose(moments[1], moments[0], atol=0.05 * np.abs(moments[0]).max())
+
+
 def test_pair_forces_add_up_to_the_force_of_the_flanks() -> None:
     m = one(beta=0.3, n_pair=4)
     m.press(5e-6, -1)
@@ -671,6 +728,22 @@ def test_a_positive_contact_angle_carries_along_plus_z() -> None:
     system = two_shafts("rolling_bearing", gap=1e-3, **numbers)
     assert shown_by(system, one__x=0.99e-3)("bearing_force[n.fx]") == 0.0
     assert shown_by(system, one__x=1.01e-3)("bearing_force[n.fx]") < 0.0
+
+
+def test_faults_of_rolling_bearings_are_where_their_angles_say() -> None:
+    """Under preload the inner ring is pushed to where an element drops in: element 1, at 40 deg here."""
+    bearing = (
+        "bodies: {rotor: {motion: planar, position: [0, 0, 0], mass: 2 kg, inertia: 0.01 kg m^2}}\n"
+        "rolling_bearings:\n  b: {ends: [rotor, ground], elements: 9, element_diameter: 8 mm, "
+        "pitch_diameter: 40 mm, stiffness: 1e9, clearance: -40 um, "
+        "faults: {f: {type: %s, length: 1 mm, depth: 10 um}}}\n"
+    )
+    for fault in ("outer_race, angle: 40 deg", "inner_race, angle: 40 deg", "rolling_element, element: 1"):
+        system = compile_model(loads_model(bearing % fault))
+        row = evaluate.observe(system, system.initial_state())
+        fx, fy = (row[system.layout.channel(f"bearing_force[b.{c}]")] for c in ("fx", "fy"))
+        assert math.hypot(fx, fy) > 1.0
+        assert math.degrees(math.atan2(fy, fx)) == pytest.approx(40.0, abs=1e-9)
 
 
 def test_friction_acts_against_the_slip_speed() -> None:

@@ -13,7 +13,19 @@ import pytest
 import pitchpoint
 from tests.contracts.source import PACKAGE, ROOT, tree
 
-HEAVY = ("numba", "llvmlite", "scipy", "xarray", "pandas", "h5py", "h5netcdf", "plotly", "pint", "pydantic")
+HEAVY = (
+    "numba",
+    "llvmlite",
+    "scipy",
+    "xarray",
+    "pandas",
+    "h5py",
+    "h5netcdf",
+    "plotly",
+    "pint",
+    "pydantic",
+    "pywt",
+)
 
 
 def loaded_by(statement: str) -> set[str]:

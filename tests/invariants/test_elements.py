@@ -12,6 +12,7 @@ from pitchpoint.elements import (
     drive,
     friction_clutch,
     gravity,
+    loose_bearing,
     maxwell,
     registry,
     rolling_bearing,
@@ -82,10 +83,25 @@ def _ring(kind, rng, **numbers):
     records = np.zeros(1, kind.RECORD)
     records["i"], records["j"], records["A_i"], records["A_j"] = 1, 2, np.eye(3), np.eye(3)
     records["p_i"], records["p_j"] = (0.02, 0.0, 0.04), (0.0, 0.01, 0.0)
-    records["stiffness"], records["exponent"], records["chi"] = 1e3, 1.5, 0.1
+    if kind is not loose_bearing:
+        records["stiffness"], records["exponent"], records["chi"] = 1e3, 1.5, 0.1
     for name, value in numbers.items():
         records[name] = value
     return records
+
+
+def _rolling_bearing(rng):
+    """A healthy bearing and one with a spall on each race and on an element, in an uneven cage."""
+    numbers = {"n": 9, "pitch": 0.1, "element": 0.02, "angle": 0.4, "gap": -0.05}
+    spalls = [(0, -1, 0.1, 0.5, 0.3, 0.01), (1, -1, 0.2, 0.5, 0.4, 0.01), (2, 3, -0.3, 0.9, 0.9, 0.01)]
+    records = np.concatenate([_ring(rolling_bearing, rng, **numbers) for _ in range(2)])
+    records["n_faults"][1], records["uneven"][1], records["spacing"][1] = len(spalls), 1, np.size(spalls)
+    return records, np.append(spalls, 0.05 * rng.normal(size=9))
+
+
+def _loose_bearing(rng):
+    Kt, Dt = positive(rng, 3), 0.1 * positive(rng, 3)
+    return _ring(loose_bearing, rng, gap=0.01, seat=0.004, k=1e3, d=10.0, Kt=Kt, Dt=Dt)
 
 
 def _friction_clutch(rng):
@@ -164,11 +180,10 @@ SAMPLES = {
     "force": _force,
     "friction_clutch": _friction_clutch,
     "gravity": _gravity,
+    "loose_bearing": _loose_bearing,
     "maxwell": _maxwell,
     "ratio": lambda rng: gear_rows([(1, 2, 20, 41)]),
-    "rolling_bearing": lambda rng: _ring(
-        rolling_bearing, rng, n=9, pitch=0.1, element=0.02, angle=0.4, gap=-0.05
-    ),
+    "rolling_bearing": _rolling_bearing,
     "spring_damper": _spring_damper,
     "shaft_beam": _shaft_beam,
     "torque": _torque,
@@ -185,9 +200,10 @@ def build(name, tilt=1e-3):
         for n, p in (("a", (0.0, 0.0, 0.0)), ("b", (0.0, 0.0, 0.03)))
     ]
     records = SAMPLES[name](rng)
+    records, pool = records if isinstance(records, tuple) else (records, None)
     if "k" in records.dtype.names and "kk" in records.dtype.names:  # a state, as the spin rate of a body
         bodies.append(Body(polar_inertia=1.0, name="hidden", state=True))
-    system = assemble(bodies, {name: records})
+    system = assemble(bodies, {name: records}, pools={} if pool is None else {name: pool})
     state = system.initial_state()
     n = system.sizes["nd"]
     state.q, state.v = tilt * rng.normal(size=n), rng.normal(size=n)

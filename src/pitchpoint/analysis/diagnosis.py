@@ -255,10 +255,9 @@ class _Record:
         """Whether something in the mean turn happens at one place: its residual is more peaked than by chance."""
         counts = sorted({z for _, z in self.parts.gears_of(shaft).values()})
         for teeth in counts:
-            others = [z for z in counts if z != teeth]
             try:
                 turn = mean_turn(
-                    self.signals[channel], self.samples_per_turn, self.parts.shaft(shaft), teeth, others
+                    self.signals[channel], self.samples_per_turn, self.parts, self.parts.shaft(shaft), teeth
                 )
             except SignalError:
                 continue

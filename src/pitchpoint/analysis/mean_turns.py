@@ -3,18 +3,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pitchpoint.analysis.bearing_tests import without_mesh_lines
 from pitchpoint.analysis.gear_signals import gear_signals
 from pitchpoint.analysis.indicators import standardised_moment
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal
 from pitchpoint.analysis.synchronous_average import synchronous_average
 from pitchpoint.analysis.tooth_energy import ToothEnergy, tooth_energy
-from pitchpoint.analysis.turning_parts import Shaft
+from pitchpoint.analysis.turning_parts import Shaft, TurningParts
 
 SURROGATES = 999
 SAMPLES_PER_TOOTH = 16
@@ -50,7 +50,7 @@ class MeanTurn:
 
 
 def mean_turn(
-    values: ArrayLike, samples_per_turn: float, shaft: Shaft, teeth: int, others: Sequence[int] = ()
+    values: ArrayLike, samples_per_turn: float, parts: TurningParts, shaft: Shaft, teeth: int
 ) -> MeanTurn:
     """Mean turn, residual and indicators of a gear.
 
@@ -60,12 +60,12 @@ def mean_turn(
         Signal over the angle of the reference shaft, shape (n,), any unit.
     samples_per_turn
         Samples in one turn of the reference shaft [-].
+    parts
+        What turns: the lines of all meshes leave the residual.
     shaft
         Shaft of the gear.
     teeth
         Tooth count of the gear [-].
-    others
-        Tooth counts of other gears on the shaft [-].
 
     Returns
     -------
@@ -90,11 +90,12 @@ def mean_turn(
 
     Examples
     --------
-    >>> from fractions import Fraction
+    >>> from pitchpoint.analysis.turning_parts import train_parts
+    >>> parts = train_parts([(20, 31)])
     >>> turned = np.arange(40_000) / 400.0
     >>> noise = np.random.default_rng(1).standard_normal(turned.size)
     >>> x = np.cos(2 * np.pi * 20 * turned) + 2 * ((turned + 0.005) % 1 < 0.02) + noise
-    >>> found = mean_turn(x, 400.0, Shaft("shaft", Fraction(1)), 20)
+    >>> found = mean_turn(x, 400.0, parts, parts.shafts[0], 20)
     >>> value, limit, part = found.indicators["fm4"]
     >>> value > limit, part < 0.01, found.averages, bool(found.energy.probability < 1e-6)
     (True, True, 99, True)
@@ -108,22 +109,26 @@ def mean_turn(
             f"teeth: {wanted} samples per turn lose every harmonic of {teeth} teeth (limit above {2 * teeth}); "
             "use a higher sample rate"
         )
+    others = {z for _, z in parts.gears_of(shaft.name).values()} - {teeth}
     counts = [teeth, *(z for z in others if 2 * z < wanted)]
     mean = synchronous_average(x, turned, ratio=shaft.order, samples_per_turn=wanted)
-    parts = gear_signals(mean.values, teeth=counts)
+    # over few turns, or whole ratios, meshes of other shafts stay in the average
+    rest = without_mesh_lines(x - x.mean(), samples_per_turn, parts)
+    clean = synchronous_average(rest, turned, ratio=shaft.order, samples_per_turn=wanted)
+    signals = gear_signals(clean.values, teeth=counts)
     indicators = {}
     for name, (kind, power) in MOMENTS.items():
-        signal = parts.residual if kind == "residual" else parts.difference
+        signal = signals.residual if kind == "residual" else signals.difference
         value = standardised_moment(signal, power)
         draws = _surrogate_moments(signal, power)
         indicators[name] = (value, float(np.quantile(draws, 0.99)), float(np.mean(draws >= value)))
     return MeanTurn(
         angle=mean.angle,
         average=mean.values,
-        residual=parts.residual,
+        residual=signals.residual,
         averages=mean.averages,
         indicators=indicators,
-        energy=tooth_energy(parts.residual, teeth=teeth),
+        energy=tooth_energy(signals.residual, teeth=teeth),
     )
 
 

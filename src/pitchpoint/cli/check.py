@@ -66,6 +66,7 @@ def summary(model: Model) -> dict[str, Any]:
     from pitchpoint.model.mechanism import seat_frame
     from pitchpoint.model.signal_words import HEAD, signal_lines
     from pitchpoint.report.defaults import defaults
+    from pitchpoint.report.masses import masses
     from pitchpoint.system.rules.elastic_body import elastic_facts
 
     facts = elastic_facts(model) if model.elastic_bodies else {}
@@ -94,6 +95,7 @@ def summary(model: Model) -> dict[str, Any]:
         "gravity": list(model.gravity) if model.gravity is not None else None,
         "gears": list(model.gears),
         "bodies": bodies,
+        "masses": [entry for entry in masses(model) if len(entry["differences"]) > 1],
         "meshes": {
             name: {
                 "gears": list(mesh.gears),
@@ -225,6 +227,10 @@ def _print(model: Model, file: str) -> None:
     found = summary(model)
     show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
     _show_bodies(found)
+    if found["masses"]:
+        from pitchpoint.cli.mass import show_masses
+
+        show_masses("Masses known in several ways", found["masses"])
     for name, frequencies in found["elastic_frequencies"].items():
         listed = ", ".join(f"{f:.4g}" for f in frequencies)
         show(f"{name}, unsupported, swings in {len(frequencies)} modes of {listed} Hz")

@@ -23,7 +23,8 @@ MEASURES = (
     ("ball_diameter", "ball diameter (touches at d + 2 x m_n)", "length"),
     ("dimension_over_balls", "dimension over balls", "length"),
 )
-FORMATS = (".dxf", ".svg", ".stl", ".csv")
+FORMATS = (".dxf", ".svg", ".stl", ".csv", ".step", ".stp")
+SHAFT_FORMATS = (".stl", ".step", ".stp")
 
 
 @click.command()
@@ -33,20 +34,31 @@ FORMATS = (".dxf", ".svg", ".stl", ".csv")
     "target",
     metavar="OUT",
     type=click.Path(dir_okay=False),
-    help="Write a drawing: dxf, svg, stl or csv.",
+    help="Write a drawing (dxf, svg), points (csv) or a solid (stl, step).",
 )
 @click.option("--gear", "only", metavar="NAME", help="The gear to draw; the only one if left out.")
+@click.option("--shaft", metavar="NAME", help="An elastic shaft to export instead, as stl or step.")
 @as_json
 @allow_code
 @debug
-def gears(file: str, target: str | None, only: str | None, as_json: bool, allow_code: bool) -> None:
+def gears(
+    file: str, target: str | None, only: str | None, shaft: str | None, as_json: bool, allow_code: bool
+) -> None:
     """Show the geometry of gears and pairs of FILE (ISO 21771), and stiffness by DIN 3990 / ISO 6336."""
     from pitchpoint.cli.reading import read_model
 
     model = read_model(file, allow_code)
+    if shaft is not None and (target is None or only is not None):
+        raise click.BadParameter(
+            "is for --export" if target is None else "stands beside --gear", param_hint="--shaft"
+        )
     if target is not None:
-        name = _chosen(model, only)
-        _export(model, name, Path(target), [file, *_profiles(model, file)])
+        inputs: list[str | Path] = [file, *_profiles(model, file)]
+        if shaft is not None:
+            name = _export_shaft(model, shaft, Path(target), inputs)
+        else:
+            name = _chosen(model, only)
+            _export(model, name, Path(target), inputs)
         if not as_json:
             show(f"{name} written to {target}")
             return
@@ -70,21 +82,32 @@ def _chosen(model: Model, name: str | None) -> str:
     names = list(model.gears)
     if name is None and len(names) == 1:
         return names[0]
-    if name not in names:
+    return _known(name, names, "gear")
+
+
+def _known(name: str | None, names: list[str], what: str) -> str:
+    """Find a name, or say which ones there are."""
+    if name is None or name not in names:
         import difflib
 
         near = difflib.get_close_matches(name or "", names, n=1)
-        hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(names)}"
-        said = "say which gear" if name is None else f"no gear {name!r}"
-        raise click.BadParameter(f"{said}; {hint}", param_hint="--gear")
+        hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(names) or 'none'}"
+        said = f"say which {what}" if name is None else f"no {what} {name!r}"
+        raise click.BadParameter(f"{said}; {hint}", param_hint=f"--{what}")
     return name
 
 
 def _profiles(model: Model, file: str) -> list[Path]:
-    """Files with measured teeth that the model file names."""
+    """Files with measured teeth and solids that the model file names."""
     profiles = [gear.tooth_profile for gear in model.gears.values() if gear.tooth_profile is not None]
     names = [getattr(profile, part).file for profile in profiles for part in profile.given]
-    return [Path(file).parent / name for name in names if name]
+    solids = [part.solid for part in model.gears.values()]
+    solids += [part.solid for part in model.shafts.values()]
+    solids += [part.solid for part in model.bodies.values()]
+    return [
+        *(Path(file).parent / name for name in names if name),
+        *(Path(s.file) for s in solids if s is not None),
+    ]
 
 
 def _export(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> None:
@@ -96,7 +119,7 @@ def _export(model: Model, name: str, target: Path, inputs: Sequence[str | Path])
     from pitchpoint.io.gear_export import export_gear
     from pitchpoint.io.target import check_target
 
-    check_target(target, target.suffix.lower()[1:], inputs)
+    check_target(target, _kind(target), inputs)
     gear = model.gears[name]
     export_gear(
         gear.geometry,
@@ -106,6 +129,26 @@ def _export(model: Model, name: str, target: Path, inputs: Sequence[str | Path])
         rim_thickness=gear.rim_thickness,
         web_thickness=gear.web_thickness,
     )
+
+
+def _kind(target: Path) -> str:
+    """Name of the kind of file that an ending means."""
+    return target.suffix.lower()[1:].replace("stp", "step")
+
+
+def _export_shaft(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> str:
+    """Write the solid of one elastic shaft; gives its name."""
+    known = _known(name, list(model.shafts), "shaft")
+    if target.suffix.lower() not in SHAFT_FORMATS:
+        raise click.BadParameter(
+            f"{target.name} has no ending of a solid; use {', '.join(SHAFT_FORMATS)}", param_hint="--export"
+        )
+    from pitchpoint.io.gear_export import export_shaft
+    from pitchpoint.io.target import check_target
+
+    check_target(target, _kind(target), inputs)
+    export_shaft(model.shafts[known].dimensions, target)
+    return known
 
 
 def _print_gears(model: Model, only: str | None) -> None:

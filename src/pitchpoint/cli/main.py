@@ -22,6 +22,7 @@ from pitchpoint.cli.interrupt import end_at_the_second_interrupt
 COMMANDS = {
     "check": "Read a model file and say what will be simulated.",
     "gears": "Geometry of gears and pairs; drawings.",
+    "mass": "Mass and inertia: geometry, solids, given values.",
     "mesh": "Mesh stiffness over the mesh cycle.",
     "frequencies": "Frequencies of shafts, teeth, planets, bearings.",
     "modes": "Natural frequencies and mode shapes.",
@@ -30,6 +31,7 @@ COMMANDS = {
     "run": "Time response or slow roll of a scenario.",
     "sweep": "Speed sweep up and down, with jumps.",
     "compare-solvers": "Accuracy against time of all integrators on one model.",
+    "analyse": "Spectra, orders, indicators of any record.",
     "diagnose": "Damaged gears, shafts and bearings in a record.",
     "report": "One HTML file with drawings and curves.",
     "examples": "List or copy the examples.",

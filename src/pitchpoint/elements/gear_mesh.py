@@ -31,6 +31,7 @@ from pitchpoint.elements.gear_mesh_record import (
     RECORD,
     USER,
 )
+from pitchpoint.elements.mesh_eccentric import begin_displaced, damping_alone, end_displaced, whole
 from pitchpoint.elements.mesh_gradient import normal_directions
 from pitchpoint.elements.mesh_line import (
     excitation,
@@ -196,7 +197,8 @@ def _slack(b):
     xi_A = b["xi_A"]
     xi_E = xi_A + b["eps"] * b["p_bt"]
     lever = 0.5 * (b["b1"] + b["b2"]) + abs(b["tan_b"]) * (abs(xi_A) + abs(xi_E) + b["b1"] + b["b2"])
-    return lever * (abs(dn[0]) + abs(dn[1]) + abs(dn[2]))
+    skew = b["skew"]
+    return lever * (abs(dn[0]) + abs(dn[1]) + abs(dn[2]) + abs(skew[0]) + abs(skew[1]))
 
 
 @kernel
@@ -352,10 +354,28 @@ def _one_mesh(b, ctl, fr, kk):
 @kernel(inline=True)
 def gear_mesh(rec, ctl, fr, kk):
     """Wrenches, tangents and observations of all meshes; see the module text."""
+    c = ctl[0]
     for r in range(rec.size):
-        status = _one_mesh(rec[r], ctl, fr, kk)
+        b = rec[r]
+        held = (fr, kk, (r, r, r, r, r, r), (r, r, r, r))
+        kept = (0.0, 0.0, r, r, r)
+        moved = b["displaced"] == 1
+        if moved:
+            held = begin_displaced(b, c, fr)
+        frames = held[0]
+        tangents = held[1]
+        twice = moved and c["jac"] == 2 and c["ck"] != 0.0
+        status = OK
+        for last in range(0 if twice else 1, 2):
+            if last == 0:
+                tangents, kept = damping_alone(b, c)
+            elif twice:
+                tangents = whole(b, c, frames, kept)
+            status = max(status, _one_mesh(b, ctl, frames, tangents))
+        if moved:
+            end_displaced(b, ctl, fr, kk, held)
         if status != OK:
-            ctl[0]["bad"] = r
+            c["bad"] = r
             return status
     return OK
 

@@ -38,6 +38,8 @@ _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 _GEOMETRY = [
     ("fixed", "i8"),  # 1: both bodies only spin, the line of action never moves
     ("carried", "i8"),  # gear whose base carries the line of centres round, 0: both stand on one base
+    ("displaced", "i8"),  # 1: a gear sits beside the axis of its body or askew on it
+    ("askew", "i8"),  # where they sit, offset in the pool; see `mesh_eccentric`
     ("z1", "i8"),
     ("z2", "i8"),  # signed numbers of teeth
     ("r_b1", "f8"),
@@ -54,6 +56,7 @@ _GEOMETRY = [
     ("sin1", "f8"),  # nominal direction from gear 1 to the pitch point, in the frame of body i
     ("cos2", "f8"),
     ("sin2", "f8"),  # the same direction in the frame of body j
+    ("skew", "f8", 2),  # lean of axis 2 against axis 1 by the housing: along t, along e [rad]
     ("u0", "f8"),  # base-tangent travel left over from the assembly, 0 = teeth centred in the backlash
     ("inv_w0", "f8"),  # involute of the working angle without backlash (allowances included)
     (

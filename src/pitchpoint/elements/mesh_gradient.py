@@ -4,7 +4,8 @@
 The penetration x_0 - kappa y of a flank depends on the two frames through invariants alone: centre distance
 a, axial offset dz, the directions e and m of the line of centres and of the mean axis, the difference dn of
 the axes, and the angles of the gears seen from e. A force along the gradient can neither create nor lose
-energy, whatever the tilt, and since invariants do not change when both gears move as one, action is reaction.
+energy, whatever the tilt, and since invariants do not change when both gears move as one, action is
+reaction. A misalignment of the housing (`skew`) adds to the tilt along e and t and goes with them.
 
 Frozen are the mesh phase, the place of the contact lines in the plane of action, and places over the width
 (on the narrower gear, or half-way between two of equal width). Energy that their motion feeds in is reported
@@ -100,8 +101,8 @@ def normal_directions(b, f, g, flank):
     dn = b["dn"]
     ca = flank * b["cos_a"]
     sa = b["sin_a"]
-    tilt_t = dn[0] * t[0] + dn[1] * t[1] + dn[2] * t[2]
-    tilt_e = dn[0] * e[0] + dn[1] * e[1] + dn[2] * e[2]
+    tilt_t = dn[0] * t[0] + dn[1] * t[1] + dn[2] * t[2] + b["skew"][0]
+    tilt_e = dn[0] * e[0] + dn[1] * e[1] + dn[2] * e[2] + b["skew"][1]
     b["kappa"] = ca * tilt_t + sa * tilt_e
     _no_axes(b)
     gradient(b, f, g, 0, -float(flank), sa, b["kappa"] * b["w_z"] - flank * b["tan_b"])

@@ -90,6 +90,7 @@ _KINDS: dict[str, Kind] = {
         Kind("linear_hold", _HERE + "linear_hold", COORDINATE),
         Kind("linear_modes", _HERE + "linear_modes", COORDINATE),
         Kind("linear_part", _HERE + "linear_part", COORDINATE),
+        Kind("loose_bearing", _HERE + "loose_bearing", FRAME),
         Kind("maxwell", _HERE + "maxwell", FRAME, WITH_STATE),
         Kind("point_curve", _HERE + "point_curve", FRAME),
         Kind("point_on_curve", _HERE + "point_on_curve", CONSTRAINT),

@@ -17,6 +17,9 @@ load: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. Each elemen
 (p = 3/2 or 10/9; damping after Hunt and Crossley, J. Appl. Mech. 42, 1975: it fades at separation and never
 pulls). Forces are conjugate to d, the turn included: what lifts the shaft over an element turns it. T. A.
 Harris, *Rolling Bearing Analysis*; no centrifugal forces of the elements.
+
+An element over a spall has its approach less what it drops into it (`bearing_fault`); a cage that does not
+space its elements evenly adds an angle of its own to psi_k.
 """
 
 from __future__ import annotations
@@ -27,6 +30,7 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
+from pitchpoint.elements.bearing_fault import lost_approach, shifted
 from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
 from pitchpoint.elements.ring import (
     RING,
@@ -59,6 +63,11 @@ RECORD = np.dtype(
         ("exponent", "f8"),  # p
         ("chi", "f8"),  # damping factor [s/m]
         ("azimuth", "f8"),  # psi_0 [rad]
+        ("n_faults", "i8"),  # spalls
+        ("faults", "i8"),  # their rows, offset in the pool; see `bearing_fault`
+        ("uneven", "i8"),  # 1: the elements are not spaced evenly
+        ("spacing", "i8"),  # what is added to the azimuth of every element [rad], offset in the pool
+        ("pool", "i8"),  # address of the float array that holds all tables
         ("G", "f8", (4, 6)),  # scratch: gradients of radial and axial approach, of d, and across d
         ("H", "f8", (6, 6)),  # scratch: second derivative of d
         ("out", "i8"),
@@ -82,6 +91,13 @@ def cage_angle(share, turn, turns):
     x += (share - lead) * turns
     x -= math.floor(x)
     return share * turn + TWO_PI * x
+
+
+@kernel
+def roll_angle(share, turn, turns):
+    """Angle that a body which turns by `share` of the inner ring stands at, less whole turns of it [rad]."""
+    whole = math.floor(share)
+    return whole * turn + cage_angle(share - whole, turn, turns)
 
 
 @kernel
@@ -160,9 +176,14 @@ def _approach(b, c, s):
 
 
 @kernel
-def _element(b, c, s, share, jac):
-    """Add force and slopes of one element at an azimuth with cosine c and sine s."""
+def _element(b, c, s, share, jac, loss):
+    """Add force and slopes of one element at an azimuth with cosine c and sine s.
+
+    `loss` of approach over spalls, with first and second derivative over the turn.
+    """
     d, ca, sa, bend = _approach(b, c, s)
+    lost, lost_slope, lost_bend = loss
+    d -= lost
     if not d > 0.0:
         return
     _gradients(b, c, s, share)
@@ -170,6 +191,8 @@ def _element(b, c, s, share, jac):
     rate = 0.0
     for r in range(6):
         G[2, r] = ca * G[0, r] + sa * G[1, r]
+    G[2, 5] -= lost_slope
+    for r in range(6):
         rate += G[2, r] * b["w"][r]
     damped = 1.0 + b["chi"] * rate
     if damped <= 0.0:
@@ -179,7 +202,34 @@ def _element(b, c, s, share, jac):
         b["f"][r] -= elastic * damped * G[2, r]
     if jac != 0:
         _curvatures(b, c, s, share, ca, sa, bend)
+        b["H"][5, 5] -= lost_bend
         _slopes(b, b["exponent"] * elastic / d * damped, elastic * b["chi"], elastic * damped)
+
+
+@kernel
+def _spun(b, turns):
+    """Angle of the elements about their own axes, against the cage, and its derivative over the turn."""
+    gamma = b["element"] / b["pitch"] * math.cos(b["angle"])
+    share = -0.5 * b["pitch"] / b["element"] * (1.0 - gamma * gamma)
+    return roll_angle(share, b["x"][5], turns), share
+
+
+@kernel
+def _faulty_element(b, k, place, cage, spun, jac):
+    """Element k of a bearing with faults.
+
+    `place`: cosine and sine of its even azimuth; `cage`: share and angle of the cage.
+    """
+    c, s = place
+    share, turned = cage
+    psi = b["azimuth"] + turned + TWO_PI * k / b["n"]
+    if b["uneven"] == 1:
+        c, s, by = shifted(b, k, c, s)
+        psi += by
+    loss = (0.0, 0.0, 0.0)
+    if b["n_faults"] > 0:
+        loss = lost_approach(b, k, psi, share, spun)
+    _element(b, c, s, share, jac, loss)
 
 
 @kernel
@@ -205,8 +255,14 @@ def rolling_bearing(rec, ctl, fr, kk):
         s = math.sin(b["azimuth"] + cage)
         step_c = math.cos(TWO_PI / b["n"])
         step_s = math.sin(TWO_PI / b["n"])
-        for _k in range(b["n"]):
-            _element(b, c, s, share, jac)
+        spun = (0.0, 0.0)
+        if b["n_faults"] > 0:
+            spun = _spun(b, turns)
+        for k in range(b["n"]):
+            if b["n_faults"] > 0 or b["uneven"] == 1:
+                _faulty_element(b, k, (c, s), (share, cage), spun, jac)
+            else:
+                _element(b, c, s, share, jac, (0.0, 0.0, 0.0))
             turned = c * step_c - s * step_s
             s = s * step_c + c * step_s
             c = turned

@@ -204,7 +204,12 @@ def _numbers(name: str, data: bytes, found: list[re.Match[bytes]]) -> FloatArray
 
 
 def triangle_faults(
-    found: Triangles, unit: float, open_edges: bool = False, hollow: bool = False
+    found: Triangles,
+    unit: float,
+    open_edges: bool = False,
+    hollow: bool = False,
+    *,
+    most: int = MOST_TRIANGLES,
 ) -> list[Fault]:
     """What is wrong with a surface of triangles, worst first; what hides other faults comes alone.
 
@@ -218,6 +223,8 @@ def triangle_faults(
         Whether the surface may have borders.
     hollow
         Whether the material is meant to lie outside, so that the triangles will be turned round.
+    most
+        Triangles that are not too many.
 
     Examples
     --------
@@ -227,9 +234,9 @@ def triangle_faults(
     """
     corners = found.corners
     n = len(corners)
-    if not 1 <= n <= MOST_TRIANGLES:
+    if not 1 <= n <= most:
         few = Fault("has no triangles", remedy=_AGAIN)
-        return [Fault("are too many", f"{n} triangles", f"<= {MOST_TRIANGLES}", _COARSER) if n else few]
+        return [Fault("are too many", f"{n} triangles", f"<= {most}", _COARSER) if n else few]
     bad = np.asarray(~np.isfinite(corners).all(axis=(1, 2)))
     if bad.any():
         found_bad = f"have corners that are no finite numbers, the first is number {_first(bad)}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears as files for other programs: points (CSV), drawings (DXF R12, SVG) and solids (binary STL).
+"""Gears and shafts as files for other programs: points (CSV), drawings (DXF R12, SVG), solids (STL, STEP).
 
 All lengths in these files are millimetres, the habit of the programs that read them.
 """
@@ -7,13 +7,16 @@ All lengths in these files are millimetres, the habit of the programs that read 
 from __future__ import annotations
 
 import struct
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.mass_properties import RIM_OF_RING
+from pitchpoint.geometry.shaft_solid import ROUND, Section, shaft_solid
 from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.geometry.tooth_form import REGIONS, gear_outline, root_radius, tooth_form, tooth_profile
 from pitchpoint.io.target import DXF_MARK, SVG_MARK, check_target, write_file
@@ -21,7 +24,9 @@ from pitchpoint.io.target import DXF_MARK, SVG_MARK, check_target, write_file
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
-FORMATS = ("csv", "dxf", "svg", "stl")
+FORMATS = ("csv", "dxf", "svg", "stl", "step")
+SHAFT_FORMATS = ("stl", "step")
+_OTHER_ENDINGS = {"stp": "step"}
 _MM = 1e3
 
 
@@ -171,6 +176,11 @@ def solid_stl(
         rim_thickness=rim_thickness,
         web_thickness=web_thickness,
     )
+    return _binary(triangles, "pitchpoint gear, millimetres")
+
+
+def _binary(triangles: NDArray[np.float64], title: str) -> bytes:
+    """Binary STL in millimetres."""
     normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     norm = np.linalg.norm(normals, axis=1, keepdims=True)
     records = np.zeros(
@@ -178,8 +188,7 @@ def solid_stl(
     )
     records["normal"] = normals / np.where(norm > 0.0, norm, 1.0)
     records["corners"] = triangles * _MM
-    title = b"pitchpoint gear, millimetres".ljust(80)
-    return title + struct.pack("<I", len(triangles)) + records.tobytes()
+    return title.encode().ljust(80) + struct.pack("<I", len(triangles)) + records.tobytes()
 
 
 def export_gear(
@@ -203,13 +212,13 @@ def export_gear(
         File to write; its ending names the format unless `format` does. An existing file is replaced if
         pitchpoint wrote it, in the same format.
     format
-        "csv", "dxf", "svg" or "stl".
+        "csv", "dxf", "svg", "stl" or "step".
     n_flank
         Points per flank, at least 5.
     n_slices
         Slices of the STL along the face width; None = fine enough for the helix.
     bore_diameter, rim_thickness, web_thickness
-        The blank [m]; rim and web only matter for STL.
+        The blank [m]; rim and web only matter for solids.
 
     Returns
     -------
@@ -220,32 +229,73 @@ def export_gear(
     ------
     GeometryError
         If the format is unknown or there is no such tooth.
+    MissingDependencyError
+        For STEP, if OCC is not installed.
     OutputError
         If the file cannot be written, or another kind of file or one of another program stands there.
     """
     path = Path(path)
-    kind = (format or path.suffix.lstrip(".")).lower()
-    if kind not in FORMATS:
-        raise GeometryError(
-            "is no format of a gear file",
-            where="format",
-            value=f"{kind!r}",
-            limit=", ".join(FORMATS),
-            remedy="name the file accordingly or give the format",
-        )
+    kind = _kind(path, format, FORMATS)
     check_target(path, kind)
+    blank = {"bore_diameter": bore_diameter, "rim_thickness": rim_thickness, "web_thickness": web_thickness}
     if kind == "stl":
-        data = solid_stl(
-            gear,
-            n_flank,
-            n_slices,
-            bore_diameter=bore_diameter,
-            rim_thickness=rim_thickness,
-            web_thickness=web_thickness,
-        )
-        return write_file(path, data)
+        return write_file(path, solid_stl(gear, n_flank, n_slices, **blank))  # type: ignore[arg-type]
+    if kind == "step":
+        from pitchpoint.io.step_export import gear_step
+
+        return write_file(path, gear_step(gear, path.stem, **blank))  # type: ignore[arg-type]
     if kind == "csv":
         text = points_csv(gear, n_flank)
     else:
         text = (drawing_dxf if kind == "dxf" else drawing_svg)(gear, n_flank, bore_diameter)
     return write_file(path, text)
+
+
+def export_shaft(
+    sections: Sequence[Section], path: str | Path, format: str | None = None, *, n_round: int = ROUND
+) -> Path:
+    """Write a stepped, hollow shaft to a file, along the z axis from z = 0.
+
+    Parameters
+    ----------
+    sections
+        (length, diameter, bore) of each [m].
+    path
+        File to write, as in `export_gear`.
+    format
+        "stl" or "step".
+    n_round
+        Corners of a circle in STL; 180 of them lack 2·10⁻⁴ of the mass.
+
+    Raises
+    ------
+    GeometryError
+        If the format is unknown or the sections are no shaft.
+    MissingDependencyError
+        For STEP, if OCC is not installed.
+    OutputError
+        If the file cannot be written, or another kind of file or one of another program stands there.
+    """
+    path = Path(path)
+    kind = _kind(path, format, SHAFT_FORMATS)
+    check_target(path, kind)
+    if kind == "stl":
+        return write_file(path, _binary(shaft_solid(sections, n_round), "pitchpoint shaft, millimetres"))
+    from pitchpoint.io.step_export import shaft_step
+
+    return write_file(path, shaft_step(sections, path.stem))
+
+
+def _kind(path: Path, format: str | None, known: Sequence[str]) -> str:
+    """Name of the format that is meant."""
+    kind = (format or path.suffix.lstrip(".")).lower()
+    kind = _OTHER_ENDINGS.get(kind, kind)
+    if kind not in known:
+        raise GeometryError(
+            "is no format of such a file",
+            where="format",
+            value=f"{kind!r}",
+            limit=", ".join(known),
+            remedy="name the file accordingly or give the format",
+        )
+    return kind

@@ -62,16 +62,20 @@ def _marked(word: bytes, mark: str) -> Callable[[Path, bytes], bool]:
 PAGE_MARK = '<meta name="generator" content="pitchpoint">'
 SVG_MARK = "<!-- generator: pitchpoint -->"
 DXF_MARK = "999\npitchpoint\n"
-"""How pages and drawings say who wrote them; in DXF the group 999 is a comment."""
+STEP_MARK = "pitchpoint"
+ANALYSIS_MARK = "# pitchpoint analysis\n"
+"""How pages, drawings and tables say who wrote them; in DXF the group 999 is a comment."""
 
 
 KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "result": ("a readable result file of pitchpoint", _is_result),
     "page": ("an HTML page of pitchpoint", _marked(b"<!DOCTYPE html>", PAGE_MARK)),
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
+    "analysis": ("a table of an analysis of pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
-    "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint gear")),
+    "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
+    "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),
 }
 """Words for a kind of file and how it is recognised, by name."""
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Problem
+from pitchpoint.model.components.gear_faults import Eccentricity
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.components.tooth_faults import BrokenTooth, PitchError
 from pitchpoint.model.keys import Place
@@ -50,6 +51,8 @@ def _problems(gear: Gear, fault: object) -> list[Problem]:
         return break_problems(fault.width or 0.0, fault.height or 0.0, gear.geometry)
     if isinstance(fault, PitchError):
         return size_problems({"amount": fault.amount}, gear.geometry)
+    if isinstance(fault, Eccentricity):
+        return size_problems({"amount": fault.amount}, gear.geometry)
     return []
 
 
@@ -59,7 +62,7 @@ def check_fault_laws(parts: Parts, report: Reader) -> None:
         if mesh.stiffness.law in OF_PAIRS or ("meshes", name, "stiffness") in report.tainted:
             continue
         for gear in mesh.gears:
-            for label in parts.gears[gear].faults if gear in parts.gears else ():
+            for label in parts.gears[gear].tooth_faults if gear in parts.gears else ():
                 report.problem(
                     ("gears", gear, "faults", label),
                     f"has no effect in the mesh {name}, whose law {mesh.stiffness.law} is that of the whole "

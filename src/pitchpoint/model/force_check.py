@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.model.bearing_fault_check import check_bearing_faults, check_seat
 from pitchpoint.model.components.law import Balance, Constant, TableLaw
 from pitchpoint.model.frames import GROUND
 from pitchpoint.model.keys import Place
@@ -40,6 +41,9 @@ def check_forces(parts: Parts, report: Reader) -> None:
         _capacity(name, clutch, report)
     for name, bearing in parts.rolling_bearings.items():
         _rolling(name, bearing, report)
+        check_bearing_faults(name, bearing, report)
+    for name, support in parts.bearings.items():
+        check_seat(name, support, report)
     _states(parts, report)
 
 
@@ -62,6 +66,7 @@ def check_unbalances(parts: Parts, report: Reader) -> None:
 def _is_polar(body: Body) -> bool:
     """Whether a body has inertia about its axis alone and does more than spin about it on ground."""
     alone = body.is_round and body.inertia is not None and body.transverse_inertia is None
+    alone = alone and body.solid is None
     return alone and not body.gears and body.moves != "torsion"
 
 

@@ -169,6 +169,8 @@ def _blank_weighs(model: Model, gear: str) -> bool:
     if part.type == "internal" and (part.rim_thickness is None or part.bore_diameter > 0.0):
         return False
     needed = NEEDS[body.moves]
+    if part.solid is not None or body.solid is not None:
+        return False
     if any(getattr(body, own) is None and getattr(part, of_gear) is None for own, of_gear in needed):
         return True
     # the centre of mass of several gears, and the part of each in the inertia about it

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mass and moments of inertia of bodies: what the user gives, else the sum over the gears they carry."""
+"""Mass and moments of inertia of bodies: given ones, else of their solid, else the sum over their gears."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from pitchpoint.model.solids import solid_mass, solid_of_gear
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -15,6 +17,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.components.body import Body
     from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.solid import SolidReference
 
 
 @dataclass(frozen=True)
@@ -52,26 +55,33 @@ class BodyInertia:
 def gear_inertia(gear: Gear) -> tuple[float, float, float]:
     """Mass [kg], polar and transverse moment of inertia about the centre [kg m^2] of one gear.
 
-    Given values first, the rest from the geometry and the density of the material.
+    Given values first, then those of its solid, the rest from the geometry and the density of the material.
     """
     given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
     if None in given:
-        from pitchpoint.geometry.mass_properties import gear_mass_properties
-
-        found = gear_mass_properties(
-            gear.geometry,
-            gear.material_data.density,
-            rim_thickness=gear.rim_thickness,
-            web_thickness=gear.web_thickness,
-            bore_diameter=gear.bore_diameter,
-        )
-        computed = (found.mass, found.polar_inertia, found.transverse_inertia)
+        computed = gear_by_geometry(gear) if gear.solid is None else solid_of_gear(gear)
         given = tuple(c if g is None else g for g, c in zip(given, computed, strict=True))  # type: ignore[assignment]
     return given  # type: ignore[return-value]
 
 
+def gear_by_geometry(gear: Gear) -> tuple[float, float, float]:
+    """Mass [kg], polar and transverse moment of inertia [kg m^2] of teeth and blank."""
+    from pitchpoint.geometry.mass_properties import gear_mass_properties
+
+    found = gear_mass_properties(
+        gear.geometry,
+        gear.material_data.density,
+        rim_thickness=gear.rim_thickness,
+        web_thickness=gear.web_thickness,
+        bore_diameter=gear.bore_diameter,
+    )
+    return found.mass, found.polar_inertia, found.transverse_inertia
+
+
 def asks_gears(body: Body) -> bool:
     """Whether anything of the inertia of a body is left to its gears."""
+    if body.solid is not None:
+        return False
     if body.inertia_tensor is not None:
         return body.mass is None or (body.center_of_mass is None and any(body.gears.values()))
     if None in (body.mass, body.inertia, body.transverse_inertia):
@@ -80,7 +90,7 @@ def asks_gears(body: Body) -> bool:
 
 
 def body_inertia(body: Body, gears: Mapping[str, Gear]) -> BodyInertia:
-    """Inertia of a body: every value that is given, and the rest from its gears.
+    """Inertia of a body: every value that is given, and the rest from its solid, or else its gears.
 
     The centre of mass is that of the gears, or the origin where they have no mass. A given mass does not move
     it, and leaves the inertia about it as it is. The transverse inertia of the gears is their sum about the
@@ -93,6 +103,8 @@ def body_inertia(body: Body, gears: Mapping[str, Gear]) -> BodyInertia:
     gears
         All gears of the model by name.
     """
+    if body.solid is not None:
+        return _of_solid(body, body.solid)
     found = [(*gear_inertia(gears[name]), at) for name, at in body.gears.items()] if asks_gears(body) else []
     if body.shaft is not None:
         found += body.shaft.pieces()
@@ -115,6 +127,24 @@ def body_inertia(body: Body, gears: Mapping[str, Gear]) -> BodyInertia:
     i_xx, i_yy, i_zz = tensor[:3]
     beside = mass * (x * x + y * y)
     return BodyInertia(mass, i_zz + beside, 0.5 * (i_xx + i_yy), center, (x, y), tensor)
+
+
+def _of_solid(body: Body, part: SolidReference) -> BodyInertia:
+    """Inertia of a body with a solid: each given value takes the place of one of the solid."""
+    found = solid_mass(part)
+    mass = found.mass if body.mass is None else body.mass
+    x, y, center = body.center or found.center
+    tensor = body.inertia_tensor or found.tensor
+    if tensor is None and (x, y) == (0.0, 0.0):
+        polar = found.polar if body.inertia is None else body.inertia
+        central = found.central
+        if body.transverse_inertia is not None:
+            central = body.transverse_inertia - mass * center * center
+        return BodyInertia(mass, polar, central, center)
+    if tensor is None:
+        tensor = (found.central, found.central, found.polar, 0.0, 0.0, 0.0)
+    about_z = tensor[2] + mass * (x * x + y * y)
+    return BodyInertia(mass, about_z, 0.5 * (tensor[0] + tensor[1]), center, (x, y), tensor)
 
 
 def _of_gears(

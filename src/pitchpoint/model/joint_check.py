@@ -86,14 +86,15 @@ def _known_end(parts: Parts, end: str, at: Place, report: Reader) -> None:
 def check_directions(parts: Parts, report: Reader) -> None:
     """Axes are directions, and x stands at right angles to z."""
     for name, body in parts.bodies.items():
-        _axes(body.axes, ("bodies", name, "axes"), report)
+        check_axes(body.axes, ("bodies", name, "axes"), report)
         for word, marker in body.markers.items():
-            _axes(marker.axes, ("bodies", name, "markers", word, "axes"), report)
+            check_axes(marker.axes, ("bodies", name, "markers", word, "axes"), report)
     for name, joint in parts.joints.items():
-        _axes(joint.axes, ("joints", name, "axes"), report)
+        check_axes(joint.axes, ("joints", name, "axes"), report)
 
 
-def _axes(axes: Axes | None, at: Place, report: Reader) -> None:
+def check_axes(axes: Axes | None, at: Place, report: Reader) -> None:
+    """Directions that are some, and stand at right angles to each other."""
     if axes is None:
         return
     for key in ("z", "x"):
@@ -132,6 +133,12 @@ def check_masses(parts: Parts, report: Reader) -> None:
                     remedy="give the tensor alone",
                 )
             _tensor(body, (*at, "inertia_tensor"), report)
+        elif body.solid is not None and not body.is_round and others:
+            report.problem(
+                (*at, others[0]),
+                "stands beside a solid that is not round about the z axis of the body",
+                remedy=f"remove {' and '.join(others)}, or turn the solid by its axes and origin",
+            )
         elif not body.is_round and others:
             report.problem(
                 (*at, "center_of_mass"),

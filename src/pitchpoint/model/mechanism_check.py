@@ -271,6 +271,8 @@ def _polar(parts: Parts, report: Reader) -> None:
         body = parts.bodies[name]
         if seat.joint is None or not body.is_round or body.inertia is None or body.gears:
             continue
+        if body.solid is not None:
+            continue
         if body.transverse_inertia is None and axial_offset(parts, seat) is None:
             report.problem(
                 ("bodies", name, "inertia"),

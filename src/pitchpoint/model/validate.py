@@ -304,6 +304,7 @@ def check(parts: Parts, report: Reader) -> None:
     from pitchpoint.model.shafts import add_shafts, check_shaft_places
     from pitchpoint.model.signal_check import check_signals
     from pitchpoint.model.signal_places import check_signal_places
+    from pitchpoint.model.solids import check_solids
     from pitchpoint.model.support_check import (
         check_couplings,
         check_housings,
@@ -312,6 +313,7 @@ def check(parts: Parts, report: Reader) -> None:
         check_turning,
     )
 
+    check_solids(parts, report)
     add_shafts(parts, report)
     add_elastic_bodies(parts, report)
     check_references(parts, report)

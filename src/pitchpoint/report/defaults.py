@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 WITHOUT_GEARS = {"sum over the gears": "none", "that of the gears": "its origin"}
 """Defaults of bodies that carry no gears."""
+FOLLOWS = ("sum over the gears", "that of the gears", "from geometry", "round about the z axis")
+"""Defaults that a solid takes the place of."""
 
 
 def defaults(model: Model) -> list[tuple[str, str]]:
@@ -46,8 +48,11 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
                 idle.discard("slices")  # grids of gaps are read on slices, whatever the width integral
             for key, value in _unset(part):
                 if key not in idle:
-                    bare = group == "bodies" and not part.gears
-                    yield group, name, key, WITHOUT_GEARS.get(value, value) if bare else value
+                    if getattr(part, "solid", None) is not None:
+                        value = value if value not in FOLLOWS else "of the solid"
+                    elif group == "bodies" and not part.gears:
+                        value = WITHOUT_GEARS.get(value, value)
+                    yield group, name, key, value
 
 
 def _idle(part: Any) -> set[str]:

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.gear_faults import SeatFault
     from pitchpoint.model.components.modifications import Deviations
     from pitchpoint.model.components.tooth_faults import ToothFault
     from pitchpoint.model.model import Model
@@ -80,8 +81,8 @@ def _deviations(real: Deviations) -> list[tuple[str, str, str, str]]:
     return found
 
 
-def _fault(label: str, fault: ToothFault) -> tuple[str, str, str, str]:
-    """A fault of the teeth: flanks, what, severity, tooth."""
+def _fault(label: str, fault: ToothFault | SeatFault) -> tuple[str, str, str, str]:
+    """A fault of the teeth or of the seat: flanks, what, severity, tooth."""
     tooth = getattr(fault, "tooth", None)
     flanks = getattr(fault, "flank", "both").replace("both", "left and right")
     where = "all teeth" if tooth is None else f"tooth {tooth}"

@@ -29,6 +29,7 @@ from pitchpoint.system.rules.gravity import gravity_bank
 from pitchpoint.system.rules.guide import guide_bank
 from pitchpoint.system.rules.joint_friction import friction_bank
 from pitchpoint.system.rules.load import load_banks
+from pitchpoint.system.rules.loose_bearing import loose_bearing_bank
 from pitchpoint.system.rules.places import Places, hidden_bodies
 from pitchpoint.system.rules.ratio import ratio_bank
 from pitchpoint.system.rules.rolling_bearing import plain_bearing_bank, rolling_bearing_bank
@@ -96,6 +97,7 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     *surfaces, held_balls = surface_banks(model.surface_contacts, places.end)
     others = [
         bearing_bank(model),
+        loose_bearing_bank(model),
         shaft_bank(model, body_numbers(model)),
         elastic_bank(model, body_numbers(model)),
         *load_banks(model),

@@ -30,6 +30,7 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "gear_mesh": ("meshes",),
     "guide": ("joints", "elastic_bodies"),
     "joint_friction": ("joints",),
+    "loose_bearing": ("bearings",),
     "maxwell": ("maxwells",),
     "point_curve": ("cam_contacts",),
     "point_on_curve": ("cam_contacts",),

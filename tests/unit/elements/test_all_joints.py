@@ -11,6 +11,7 @@ from pitchpoint.elements import (
     clearance_bearing,
     force,
     friction_clutch,
+    loose_bearing,
     maxwell,
     rolling_bearing,
     spring_damper,
@@ -68,6 +69,9 @@ ELEMENTS = {
     "bushing": lambda *a: stiff(make(bushing, *a), K=K, D=D),
     "clearance_bearing": lambda *a: stiff(
         make(clearance_bearing, *a), gap=1e-3, stiffness=300.0, exponent=1.5, chi=0.2
+    ),
+    "loose_bearing": lambda *a: stiff(
+        make(loose_bearing, *a), gap=1e-3, seat=1e-3, k=300.0, d=20.0, Kt=K[2:5, 2:5], Dt=D[2:5, 2:5]
     ),
     "force": lambda *a: stiff(make(force, *a), F=LOAD, value=1.0, axes=force.BODY, p=(0.1, 0.2, 0.3)),
     "friction_clutch": lambda *a: stiff(

@@ -8,6 +8,7 @@ import pytest
 
 from pitchpoint.contact.stiffness.din3990 import din3990
 from pitchpoint.elements import gear_mesh_record as layout
+from pitchpoint.elements.mesh_eccentric import displaced
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.rules.mesh_laws import MeshLaws
@@ -24,9 +25,16 @@ def gears(internal):
     return OneMesh(pair, laws, theta=0.0)
 
 
-def two_ways(internal):
+OFF_AXIS = np.array([[4e-6, -3e-6, 1e-4, 0.0], [0.0, 5e-6, -1e-4, 2e-4]])
+"""Both gears beside the axes of their bodies and askew on them: x, y and the lean of each."""
+
+
+def two_ways(internal, places=None):
     """Gear 1 on ground and gear 2 on a carrier about gear 1; gear 2 on ground as a free body."""
     mesh = gears(internal)
+    if places is not None:
+        mesh.rec["displaced"], mesh.rec["askew"] = 1, mesh.pool.size
+        mesh.pool = np.append(mesh.pool, displaced(places))
     row = mesh.rec.copy()
     place = (float(mesh.frames["r"][1][0]), 0.0, 0.0)
     numbers = {"mass": 2.0, "polar_inertia": 0.02, "transverse_inertia": 0.015}
@@ -42,11 +50,12 @@ def two_ways(internal):
     return hung, assemble([sun, loose], {"gear_mesh": row}, pools=pools)
 
 
+@pytest.mark.parametrize("places", [None, OFF_AXIS])
 @pytest.mark.parametrize("internal", [False, True])
 @pytest.mark.parametrize("carrier", [0.0, 0.7, 3.0, -3.0])
-def test_a_planet_feels_its_mesh_as_it_would_on_ground(internal, carrier):
+def test_a_planet_feels_its_mesh_as_it_would_on_ground(internal, carrier, places):
     """The line of centres of the free gear turns by less than half a turn here, so both can be told."""
-    hung, loose = two_ways(internal)
+    hung, loose = two_ways(internal, places)
     r = float(hung.program["body"][3]["pos"][0])
     state = hung.initial_state()
     small = 1e-6 * np.array([3.0, -2.0, 1.0, 4.0, 2.0])
@@ -93,10 +102,11 @@ def test_a_planet_feels_its_mesh_as_it_would_on_ground(internal, carrier):
     assert hung.records["gear_mesh"]["carried"][0] == 2
 
 
+@pytest.mark.parametrize("places", [None, OFF_AXIS])
 @pytest.mark.parametrize("internal", [False, True])
-def test_turns_of_the_carrier_change_nothing(internal):
+def test_turns_of_the_carrier_change_nothing(internal, places):
     """Sun and carrier go round together; then the carrier alone by whole turns that suit the teeth."""
-    hung, _ = two_ways(internal)
+    hung, _ = two_ways(internal, places)
     state = hung.initial_state()
     state.q[:] = 1e-4, 1.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     z2 = -60 if internal else 60

@@ -132,5 +132,5 @@ def test_svg_is_xml_to_scale(gear: CylindricalGear, tmp_path: Path) -> None:
 
 
 def test_unknown_formats_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(GeometryError, match="csv, dxf, svg, stl"):
-        export_gear(SPUR, tmp_path / "gear.step")
+    with pytest.raises(GeometryError, match="csv, dxf, svg, stl, step"):
+        export_gear(SPUR, tmp_path / "gear.iges")

@@ -9,9 +9,12 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+import xarray as xr
 
+from pitchpoint.analysis.dataset import analyse
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+from pitchpoint.io.analysis_table import table_text
 from pitchpoint.io.container import Container, Header
 from pitchpoint.io.gear_export import FORMATS, export_gear
 from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
@@ -28,6 +31,9 @@ def own_file(kind: str, path: Path) -> Path:
             writer.append(np.zeros(1), np.zeros((1, 1)))
     elif kind == "page":
         path.write_text(page("a", [], [], ""), encoding="utf-8")
+    elif kind == "analysis":
+        record = xr.Dataset({"force": ("time", np.ones(8), {"units": "N"})}, {"time": np.arange(8.0)})
+        path.write_text(table_text(analyse(record, "signal_statistics")), encoding="utf-8")
     else:
         export_gear(GEAR, path, kind, n_flank=5)
     return path
@@ -58,6 +64,7 @@ FOREIGN = {
     "dxf": b"0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n",
     "svg": b"<svg xmlns='http://www.w3.org/2000/svg'></svg>",
     "csv": b"x,y\n1,2\n",
+    "analysis": b"# analysis\nx,y\n1,2\n",
     "stl": b"solid mine\nendsolid mine\n",
 }
 

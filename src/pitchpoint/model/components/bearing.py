@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
+from pitchpoint.model.components.bearing_fault import SEAT_FAULTS, LooseBearing
 from pitchpoint.model.components.six import Damping6, Stiffness6
-from pitchpoint.model.keys import component, end, quantities, text
+from pitchpoint.model.keys import component, end, key, quantities, text
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,3 +29,4 @@ class Bearing:
         None,
     )
     damping: Damping6 | None = component(Damping6, "damping in the same directions, or a ratio")
+    faults: Mapping[str, LooseBearing] = key("components", "its faults by name", {}, of=SEAT_FAULTS)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.components.marker import Axes, Marker, Triple
+from pitchpoint.model.components.solid import SolidReference
 from pitchpoint.model.keys import choice, component, derived, key, quantities, quantity
 
 if TYPE_CHECKING:
@@ -72,6 +73,10 @@ class Body:
         length=(6, 6),
         display="round about the z axis",
     )
+    solid: SolidReference | None = component(
+        SolidReference,
+        "solid of the whole body, its gears too: mass, centre of mass and inertia that are not given",
+    )
     position: Triple | None = quantities(
         "length",
         "origin of the body [x, y, z]",
@@ -116,4 +121,11 @@ class Body:
     def is_round(self) -> bool:
         """Whether its mass lies round about its z axis."""
         center = self.center
-        return self.inertia_tensor is None and (center is None or center[:2] == (0.0, 0.0))
+        if self.inertia_tensor is not None:
+            return False
+        if self.solid is not None:
+            from pitchpoint.model.solids import solid_mass
+
+            found = solid_mass(self.solid)
+            return found.tensor is None and (center or found.center)[:2] == (0.0, 0.0)
+        return center is None or center[:2] == (0.0, 0.0)

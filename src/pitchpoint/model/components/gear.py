@@ -9,7 +9,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.components.gear_faults import SEAT_FAULTS, SeatFault
 from pitchpoint.model.components.modifications import Deviations, Modifications
+from pitchpoint.model.components.solid import SolidReference
 from pitchpoint.model.components.tooth_faults import FAULTS, ToothFault
 from pitchpoint.model.components.tooth_profile import ToothProfile
 from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantity
@@ -113,10 +115,15 @@ class Gear:
         minimum=0.0,
         display="from geometry",
     )
+    solid: SolidReference | None = component(
+        SolidReference, "solid whose mass and inertia take the place of those from geometry"
+    )
     drawing_resolution: int = integer("points per flank in drawings", 20, minimum=5, maximum=10000)
     modifications: Modifications | None = component(Modifications, "flank modifications by side")
     deviations: Deviations | None = component(Deviations, "deviations of single teeth")
-    faults: Mapping[str, ToothFault] = key("components", "faults of teeth, by label", {}, of=FAULTS)
+    faults: Mapping[str, ToothFault | SeatFault] = key(
+        "components", "faults of its teeth and of how it sits, by label", {}, of={**FAULTS, **SEAT_FAULTS}
+    )
     tooth_profile: ToothProfile | None = key(
         "tooth_profile", "points of the real tooth, from a file", None, of=ToothProfile
     )
@@ -137,6 +144,11 @@ class Gear:
     def is_modified(self) -> bool:
         """Whether any flank differs from the nominal involute."""
         return any(v is not None for v in (self.modifications, self.deviations, self.tooth_profile))
+
+    @property
+    def tooth_faults(self) -> dict[str, ToothFault]:
+        """Faults of the teeth, by label: all but those of the seat."""
+        return {label: fault for label, fault in self.faults.items() if not isinstance(fault, SeatFault)}
 
     @property
     def teeth_differ(self) -> bool:

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from pitchpoint.geometry.materials import Material
+from pitchpoint.model.components.bearing_fault import BEARING_FAULTS, BearingFault
 from pitchpoint.model.keys import choice, integer, key, positive, quantities, quantity
 
 RINGS = "inner and outer ring, each of them ground, a body or BODY.MARKER; the axis is z of the second"
@@ -49,6 +51,7 @@ class RollingBearing:
     damping: float = quantity(
         "dimensionless", "share of the force per speed of approach [s/m]", 0.0, minimum=0.0
     )
+    faults: Mapping[str, BearingFault] = key("components", "its faults by name", {}, of=BEARING_FAULTS)
 
 
 @dataclass(frozen=True, kw_only=True)

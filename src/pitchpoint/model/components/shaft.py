@@ -6,9 +6,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.components.marker import Axes, Marker
+from pitchpoint.model.components.solid import SolidReference
 from pitchpoint.model.keys import component, key, positive, quantities, quantity
 
 if TYPE_CHECKING:
@@ -39,6 +41,10 @@ class Shaft:
         sample="[{length: 100 mm, diameter: 40 mm}]",
     )
     material: Material | str = key("material", "name in the library or its properties", "steel")
+    solid: SolidReference | None = component(
+        SolidReference,
+        "solid whose mass is spread over the sections as theirs is; gears are no part of it",
+    )
     gears: dict[str, float] = key(
         "gears", "names of the gears, with the places of their mid-faces from the start of the shaft [m]", {}
     )
@@ -83,10 +89,26 @@ class Shaft:
 
         return self.material if isinstance(self.material, Material) else material(self.material)
 
+    @property
+    def dimensions(self) -> list[tuple[float, float, float]]:
+        """Length, diameter and bore of every section [m]."""
+        return [(s.length, s.diameter, s.bore) for s in self.sections]
+
+    @cached_property
+    def density(self) -> float:
+        """Density in force [kg/m^3]: of the material, or what gives the sections the mass of the solid."""
+        own = self.material_data.density
+        if self.solid is None:
+            return own
+        from pitchpoint.geometry.shaft_solid import shaft_mass_properties
+
+        volume = shaft_mass_properties(self.dimensions, 1.0).mass
+        return self.solid.density_for(self.material) * self.solid.solid().volume / volume
+
     def pieces(self) -> list[tuple[float, float, float, float]]:
         """Mass [kg], polar and transverse inertia about its middle [kg m^2] and place of its middle [m] of
         every section."""
-        found, start, density = [], 0.0, self.material_data.density
+        found, start, density = [], 0.0, self.density
         for s in self.sections:
             mass = density * math.pi / 4.0 * (s.diameter**2 - s.bore**2) * s.length
             polar = mass / 8.0 * (s.diameter**2 + s.bore**2)

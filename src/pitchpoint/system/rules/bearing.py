@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements import bearing as element
 from pitchpoint.model.components.bearing import Bearing
+from pitchpoint.model.components.bearing_fault import play
 from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.frames import GROUND, body_frame, place_of, split
 from pitchpoint.model.mechanism import seat_frame
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def bearing_bank(model: Model) -> Bank:
-    """All bearings (body to ground or housing) and couplings (body to body).
+    """All bearings that sit tight (body to ground or housing) and couplings (body to body).
 
     The markers lie on the spin axes, so that the springs do not turn with the gears; a model has no x and y
     in their positions. The springs act along the axes of the (first) body.
@@ -30,7 +31,7 @@ def bearing_bank(model: Model) -> Bank:
     rows, names = [], []
     seats = housing_numbers(model)
     parts: list[tuple[str, Bearing | Coupling, tuple[str, ...]]] = [
-        *((n, b, (b.body,)) for n, b in model.bearings.items()),
+        *((n, b, (b.body,)) for n, b in model.bearings.items() if play(b.faults.values()) == 0.0),
         *((n, c, c.bodies) for n, c in model.couplings.items()),
     ]
     for name, part, ends in parts:
@@ -40,7 +41,7 @@ def bearing_bank(model: Model) -> Bank:
         marker = origin[0] + axes @ [0.0, 0.0, part.position[2]]
         row["i"], row["zi"] = seat_at(model, ends[0], part.position[2])
         row["K"] = part.stiffness.matrix6()
-        row["D"] = _damping(model, part, ends)
+        row["D"] = damping_matrix(model, part, ends)
         row["B"] = axes
         if len(ends) == 2:
             along = float((marker - origin[1]) @ axes[:, 2])
@@ -83,7 +84,7 @@ def housing_seats(model: Model) -> list[Body]:
     return found
 
 
-def _damping(model: Model, part: Bearing | Coupling, ends: tuple[str, ...]) -> NDArray[np.float64]:
+def damping_matrix(model: Model, part: Bearing | Coupling, ends: tuple[str, ...]) -> NDArray[np.float64]:
     """Damping matrix; a ratio is that of critical damping of the (reduced) inertia on the spring."""
     if part.damping is None:
         return np.zeros((6, 6))

@@ -28,6 +28,7 @@ from pitchpoint.model.remarks import warn_of_remarks
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
+from pitchpoint.system.rules.gear_seat import put_seats, sits_off
 from pitchpoint.system.rules.mesh_laws import MeshLaws, mean_stiffness, mesh_laws, usual_slope
 from pitchpoint.system.rules.separation import separation_grids
 from pitchpoint.system.rules.stiffness import user_law
@@ -202,6 +203,7 @@ def mesh_bank(model: Model) -> Bank:
         gears = [model.gears[g] for g in mesh.gears]
         seats = [_seat(model, b, g) for b, g in zip((one, two), mesh.gears, strict=True)]
         axes = mesh_frame(model, one)
+        skew = (0.0, 0.0) if mesh.misalignment is None else mesh.misalignment.skew
         place = Placement(
             axes=axes,
             origin1=seats[0][2],
@@ -212,15 +214,18 @@ def mesh_bank(model: Model) -> Bank:
             phi2=model.phasing.tooth_angle[mesh.gears[1]] + mesh.twist,
             turn1=_turn(axes.T @ seats[0][3]),
             turn2=_turn(axes.T @ seats[1][3]),
-            fixed=all(_only_spins(model.mechanism.seats[b]) for b in (one, two)),
+            fixed=all(_only_spins(model.mechanism.seats[b]) for b in (one, two))
+            and not any(sits_off(g) for g in gears)
+            and skew == (0.0, 0.0),
             widths=(gears[0].face_width, gears[1].face_width),
         )
         pair = model.pairs[name]
         row = mesh_row(pair, place, mesh_laws(model, name), pool.add, model.backlash(name))
-        row["i"], row["j"] = seats[0][0], seats[1][0]
+        row["i"], row["j"], row["skew"] = seats[0][0], seats[1][0], skew
         if row["source"] == layout.PROFILE:  # a prescribed total stiffness knows no tooth pairs
             row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
             separation_grids(row, gears, pool.add)
+        put_seats(row, gears, (place.phi1 - place.turn1, place.phi2 - place.turn2), pool.add)
         law = mesh.stiffness
         where = f"meshes.{name}.stiffness.python"
         laws.append(user_law(law.python, where).function if isinstance(law, UserStiffness) else None)

@@ -12,27 +12,34 @@ from pitchpoint.contact.hertz import plane_strain_compliance
 from pitchpoint.contact.rolling import LINE, POINT, ball_bearing_stiffness, in_series, roller_stiffness
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import clearance_bearing, rolling_bearing
+from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.materials import Material, material
+from pitchpoint.model.components.bearing_fault import play
 from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
 from pitchpoint.system.rules.bank import Bank, pack
+from pitchpoint.system.rules.bearing_fault import put_faults
 from pitchpoint.system.rules.places import Array, Places
 
 
 def rolling_bearing_bank(bearings: Mapping[str, RollingBearing], places: Places) -> Bank:
     """All rolling bearings; the first end is the inner ring."""
     rows = []
+    pool = Pool()
     for name, part in bearings.items():
         row = np.zeros(1, rolling_bearing.RECORD)[0]
         places.mark(row, part.ends)
         row["A_i"] = row["A_i"] @ _untwisted(*(places.axes(end) for end in part.ends))
         row["n"], row["pitch"], row["element"] = part.elements, part.pitch_diameter, part.element_diameter
         row["angle"], row["gap"] = part.contact_angle, 0.5 * part.clearance
+        row["gap"] += 0.5 * play(part.faults.values())
         row["exponent"] = POINT if part.type == "ball" else LINE
         row["stiffness"], row["chi"] = _stiffness(name, part), part.damping
         if part.grooves is not None:
             row["grooves"] = (sum(part.grooves) - 1.0) * part.element_diameter
+        if part.faults:
+            put_faults(row, part, pool)
         rows.append(row)
-    return pack("rolling_bearing", rolling_bearing.RECORD, rows, list(bearings))
+    return pack("rolling_bearing", rolling_bearing.RECORD, rows, list(bearings), pool=pool.array())
 
 
 def _untwisted(inner: Array, outer: Array) -> Array:

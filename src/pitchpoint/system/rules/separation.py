@@ -25,7 +25,7 @@ GAP, SOFT, LEVEL = 0, 1, 2
 
 def separation_grids(row: Any, gears: Sequence[Gear], keep: Callable[[Array], int]) -> None:
     """Fill the separation fields of a mesh record; nothing to do for two perfect gears."""
-    if not any(g.is_modified or g.faults for g in gears):
+    if not any(g.is_modified or g.tooth_faults for g in gears):
         return
     row["n_sep"] = 1
     least = 0.0
@@ -121,7 +121,7 @@ def own_teeth(gear: Gear, mate: bool) -> OwnTeeth:
     """
     from pitchpoint.geometry.modifications import flank_range
 
-    single = gear.deviations is not None or bool(gear.faults)
+    single = gear.deviations is not None or bool(gear.tooth_faults)
     own = OwnTeeth(gear.number_of_teeth if single else 1, flank_range(gear.geometry))
     order = ("right", "left") if mate and gear.geometry.z < 0 else ("left", "right")
     z = np.linspace(-0.5, 0.5, N_WIDTH) * gear.face_width
@@ -153,7 +153,7 @@ def _gaps(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
             modifications=None if side is None else side.of_geometry(),
             deviations=deviations,
         )
-        single = deviations is not None or gear.faults
+        single = deviations is not None or gear.tooth_faults
         found = dict(enumerate(grid if single else grid[:1]))
     for fault in gear.faults.values():
         if isinstance(fault, PitchError):

@@ -192,7 +192,7 @@ def _beam(shaft: Shaft, a: float, b: float) -> Beam:
         length=b - a,
         E=data.youngs_modulus,
         G=data.shear_modulus,
-        rho=data.density,
+        rho=shaft.density,
     )
 
 

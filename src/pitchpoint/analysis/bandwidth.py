@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a sample rate can show: which harmonics of mesh and shaft frequencies lie above half of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from pitchpoint.analysis.sampled import SignalError, positive
+
+
+def lost_harmonics(sample_rate: float, lines: Mapping[str, float], *, harmonics: int = 3) -> str:
+    """Say which harmonics of lines a record cannot hold; empty if it holds all of them.
+
+    Parameters
+    ----------
+    sample_rate
+        Sample rate f_s [Hz].
+    lines
+        Frequencies of the first harmonics [Hz] by name, such as mesh frequencies.
+    harmonics
+        How many harmonics of each are of interest [-].
+
+    Returns
+    -------
+    str
+        A sentence: where, what is lost, the limit, and the sample rate that would do.
+
+    Raises
+    ------
+    SignalError
+        If the rate or a frequency is not positive.
+
+    Notes
+    -----
+    Harmonic k of a line f is lost if k f ≥ f_s/2 [1]_. What is lost is worse than absent if nothing was
+    filtered before sampling: it appears as a false line at |k f - n f_s|. The rate named is 2.56 times the
+    highest harmonic, which leaves room for the slope of such a filter.
+
+    References
+    ----------
+    .. [1] C. E. Shannon, Communication in the presence of noise, Proceedings of the IRE 37(1), 1949, 10-21.
+
+    Examples
+    --------
+    >>> text = lost_harmonics(1000.0, {"a": 271.5, "b": 30.0})
+    >>> print(text.replace("; ", ";" + chr(10)))
+    sample rate: 1000 Hz shows nothing above 500 Hz;
+    lost are harmonics 2 and 3 of a (271.5 Hz);
+    sample with 2086 Hz or more
+    >>> lost_harmonics(25600.0, {"mesh": 1000.0})
+    ''
+    """
+    rate = positive(sample_rate, "sample_rate")
+    if harmonics < 1:
+        raise SignalError(f"harmonics: {harmonics} (limit >= 1); name how many are of interest")
+    parts, needed = [], 0.0
+    for name, value in lines.items():
+        line = positive(value, name)
+        lost = [k for k in range(1, harmonics + 1) if k * line >= 0.5 * rate]
+        if lost:
+            needed = max(needed, lost[-1] * line)
+            parts.append(f"{_counted(lost, harmonics)} of {name} ({line:.6g} Hz)")
+    if not parts:
+        return ""
+    return (
+        f"sample rate: {rate:.6g} Hz shows nothing above {0.5 * rate:.6g} Hz; lost are {', '.join(parts)}; "
+        f"sample with {np.ceil(2.56 * needed):.0f} Hz or more"
+    )
+
+
+def _counted(lost: list[int], harmonics: int) -> str:
+    if len(lost) == harmonics:
+        return "all harmonics" if harmonics > 1 else "the first harmonic"
+    if len(lost) == 1:
+        return f"harmonic {lost[0]}"
+    if len(lost) == 2:
+        return f"harmonics {lost[0]} and {lost[1]}"
+    return f"harmonics {lost[0]} to {lost[-1]}"

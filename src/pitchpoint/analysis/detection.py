@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Detection against noise: how weak a fault an indicator still tells from a healthy machine.
+
+A detector is any function from a signal to one number that grows with the fault. The threshold is not chosen
+but follows from healthy signals with the same noise and from the rate of false alarms that is allowed; a
+second set of healthy signals shows that it is kept. So indicators of all kinds can be compared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pitchpoint.analysis.noise import with_white_noise
+from pitchpoint.analysis.sampled import Array, SignalError, as_signal, same_length
+
+Detector = Callable[[Array], float]
+"""Signal in, one number out that is larger for a fault."""
+
+CALIBRATION, CHECK, TRIAL = 0, 1, 2
+"""Streams of noise of one seed: healthy for the threshold, healthy for false alarms, faulty."""
+
+
+@dataclass(frozen=True)
+class DetectionCurves:
+    """Rates of detection over the signal-to-noise ratio.
+
+    Attributes
+    ----------
+    detectors
+        Shape (n_detector,). Their names.
+    snr
+        Shape (n_snr,). Signal-to-noise ratio [dB]: alternating rms of the faulty signal over that of the
+        noise.
+    threshold
+        Shape (n_detector, n_snr). Value above which a detector alarms, in its unit.
+    rate, rate_low, rate_high
+        Shape (n_detector, n_snr). Rate of detection of the faulty signal, and its confidence interval [-].
+    false_alarm_rate, false_alarm_low, false_alarm_high
+        Shape (n_detector, n_snr). Rate of alarms of healthy signals that the threshold has not seen, and its
+        confidence interval [-].
+    false_alarm
+        The rate of false alarms that was allowed [-].
+    confidence
+        Level of the intervals [-].
+    seeds
+        How many signals of each kind there were at each ratio [-].
+    """
+
+    detectors: tuple[str, ...]
+    snr: Array
+    threshold: Array
+    rate: Array
+    rate_low: Array
+    rate_high: Array
+    false_alarm_rate: Array
+    false_alarm_low: Array
+    false_alarm_high: Array
+    false_alarm: float
+    confidence: float
+    seeds: int
+
+
+def detection_curves(
+    healthy: ArrayLike,
+    faulty: ArrayLike,
+    detectors: Mapping[str, Detector],
+    *,
+    snr: ArrayLike,
+    seeds: int = 100,
+    first_seed: int = 0,
+    false_alarm: float = 0.05,
+    confidence: float = 0.95,
+) -> DetectionCurves:
+    """Rates of detection of some detectors over the signal-to-noise ratio.
+
+    Parameters
+    ----------
+    healthy
+        Signal of the healthy machine without noise, shape (n,), any unit.
+    faulty
+        Signal of the faulty machine without noise, shape (n,), in the same unit.
+    detectors
+        Functions from a signal to a number that is larger for a fault, by name. A number that is not finite
+        counts as no alarm.
+    snr
+        Signal-to-noise ratios [dB], shape (n_snr,).
+    seeds
+        Number of signals of each kind at each ratio [-].
+    first_seed
+        Seed of the first of them; the same seeds are used at every ratio, so curves are smooth.
+    false_alarm
+        Rate of false alarms that is allowed at every ratio [-], at least 1/(seeds + 1).
+    confidence
+        Level of the intervals [-].
+
+    Returns
+    -------
+    DetectionCurves
+        Rates, thresholds and the false alarms that came of them.
+
+    Raises
+    ------
+    SignalError
+        If the signals differ in length, a number is out of range, or the seeds are too few for the rate of
+        false alarms.
+
+    Notes
+    -----
+    `noise.with_white_noise` sets the noise by the alternating rms of the faulty signal; the healthy one gets
+    noise of the same strength: a detector must not live on different noise. The threshold is the k-th largest
+    of m healthy values, k = ⌊false_alarm (m + 1)⌋: a further healthy value exceeds it with the chance k/(m +
+    1) whatever their distribution is [1]_. Intervals are those of Wilson.
+
+    References
+    ----------
+    .. [1] S. S. Wilks, Determination of sample sizes for setting tolerance limits, Annals of Mathematical
+       Statistics 12(1), 1941, 91-96.
+
+    Examples
+    --------
+    The mean tells a step of one from nothing as long as the noise of 100 samples leaves it alone:
+
+    >>> up = np.where(np.arange(100) < 50, 1.0, 0.0)
+    >>> found = detection_curves(0.0 * up, up, {"mean": np.mean}, snr=[20.0, -40.0], false_alarm=0.1)
+    >>> float(found.rate[0, 0]), bool(found.rate[0, 1] < 0.25)
+    (1.0, True)
+    """
+    well, ill = as_signal(healthy, "healthy"), as_signal(faulty, "faulty")
+    same_length(well, ill, "healthy, faulty")
+    ratios = as_signal(snr, "snr", 1)
+    count = _checked(detectors, seeds, false_alarm, confidence)
+    names = tuple(detectors)
+    values = np.empty((3, len(names), ratios.size, seeds))
+    for seed in range(seeds):
+        for stream, signal in ((CALIBRATION, well), (CHECK, well), (TRIAL, ill)):
+            for j, ratio in enumerate(ratios):
+                drawn = with_white_noise(ill, signal_to_noise=float(ratio), seed=[first_seed + seed, stream])
+                noisy = signal + drawn.noise
+                for i, name in enumerate(names):
+                    values[stream, i, j, seed] = detectors[name](noisy)
+    values[~np.isfinite(values)] = -np.inf
+    threshold = np.sort(values[CALIBRATION], axis=-1)[..., -count]
+    alarms = (values > threshold[None, :, :, None]).sum(axis=-1)
+    rate_low, rate_high = wilson_interval(alarms[TRIAL], seeds, confidence)
+    false_low, false_high = wilson_interval(alarms[CHECK], seeds, confidence)
+    return DetectionCurves(
+        detectors=names,
+        snr=ratios,
+        threshold=threshold,
+        rate=alarms[TRIAL] / seeds,
+        rate_low=rate_low,
+        rate_high=rate_high,
+        false_alarm_rate=alarms[CHECK] / seeds,
+        false_alarm_low=false_low,
+        false_alarm_high=false_high,
+        false_alarm=float(false_alarm),
+        confidence=float(confidence),
+        seeds=int(seeds),
+    )
+
+
+def least_ratio(curves: DetectionCurves, rate: float = 0.9) -> Array:
+    """The lowest signal-to-noise ratio from which on a detector keeps a rate of detection.
+
+    Parameters
+    ----------
+    curves
+        What `detection_curves` found.
+    rate
+        Rate of detection that is wanted [-].
+
+    Returns
+    -------
+    NDArray
+        Ratios [dB], shape (n_detector,), one of `curves.snr`; not a number if the highest ratio does not do.
+
+    Examples
+    --------
+    >>> t = np.arange(200) / 10.0
+    >>> found = detection_curves(0.0 * t, np.sin(t), {"power": np.var}, snr=[-30.0, 0.0, 10.0])
+    >>> least_ratio(found)
+    array([0.])
+    """
+    order = np.argsort(curves.snr)[::-1]
+    kept = np.logical_and.accumulate(curves.rate[:, order] >= rate, axis=1).sum(axis=1)
+    falling = curves.snr[order]
+    return np.array([falling[k - 1] if k else np.nan for k in kept])
+
+
+def wilson_interval(successes: ArrayLike, trials: int, confidence: float = 0.95) -> tuple[Array, Array]:
+    """Confidence interval of a rate, also where it is near 0 or 1.
+
+    Parameters
+    ----------
+    successes
+        How often it happened [-], any shape.
+    trials
+        How often it was tried [-].
+    confidence
+        Level [-].
+
+    Returns
+    -------
+    tuple
+        Lower and upper limit [-], in the shape of `successes`.
+
+    Notes
+    -----
+    (p + z²/2n ± z √(p(1-p)/n + z²/4n²))/(1 + z²/n) with the normal quantile z [1]_. Valid for any n; the
+    level is kept on average over p.
+
+    References
+    ----------
+    .. [1] E. B. Wilson, Probable inference, the law of succession, and statistical inference, Journal of the
+       American Statistical Association 22(158), 1927, 209-212.
+
+    Examples
+    --------
+    Twenty of twenty leaves 16 % open:
+
+    >>> low, high = wilson_interval(20, 20)
+    >>> round(float(low), 4), round(float(high), 4)
+    (0.8389, 1.0)
+    """
+    from scipy.special import ndtri
+
+    z2 = float(ndtri(0.5 + 0.5 * confidence)) ** 2 / trials
+    p = np.asarray(successes, dtype=np.float64) / trials
+    half = np.sqrt(z2 * (p * (1.0 - p) + 0.25 * z2))
+    low, high = (p + 0.5 * z2 - half) / (1.0 + z2), (p + 0.5 * z2 + half) / (1.0 + z2)
+    return np.clip(low, 0.0, 1.0), np.clip(high, 0.0, 1.0)
+
+
+def _checked(detectors: Mapping[str, Detector], seeds: int, false_alarm: float, confidence: float) -> int:
+    """How many of the healthy values may lie above the threshold or on it."""
+    if not detectors:
+        raise SignalError("detectors: none given; pass at least one function")
+    if isinstance(seeds, bool) or int(seeds) != seeds or seeds < 1:
+        raise SignalError(f"seeds: {seeds} (limit 1 or more); use a whole number")
+    for name, value in (("false_alarm", false_alarm), ("confidence", confidence)):
+        if not 0.0 < value < 1.0:
+            raise SignalError(f"{name}: {value} (limits 0 and 1)")
+    count = int(false_alarm * (seeds + 1) * (1.0 + 1e-12))
+    if count < 1:
+        least = int(np.ceil(1.0 / false_alarm - 1.0 - 1e-9))
+        raise SignalError(f"seeds: {seeds} (limit {least} for false_alarm {false_alarm:g}); use more seeds")
+    return count

@@ -1,0 +1,395 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Periods of repeated impacts: tests of given periods, and the search for an unknown one.
+
+A chopped tooth comes by once per turn of its shaft. So does every tooth mesh of the shaft: z meshes fill one
+turn exactly, and whatever compares a signal with itself one turn later finds both alike. What tells them
+apart is where their lines lie. A mesh has lines at the multiples of z/T only, a single event per turn at all
+multiples of 1/T. The evidence here is what lies at the multiples of 1/T that are no multiples of a known
+frequency, and only if most of them are there.
+
+What is assumed: constant speed over the record (resample over the angle first where it is not, periods are
+then in revolutions); noise that is Gaussian, with a density that does not change over the distance of two
+lines 1/T. White noise of any strength is, and so is what a filter or a wavelet level makes of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.analysis.comb_chance import (
+    CLIP,
+    FEWEST_LINES,
+    SHARES,
+    chance_of_comb,
+    evidence_of_comb,
+    limited_sum_chance,
+)
+from pitchpoint.analysis.comb_fit import fitted_period, period_deviation
+from pitchpoint.analysis.combs import (
+    CLEARANCE,
+    CombLines,
+    Record,
+    comb_lines,
+    is_clear,
+    record_for_combs,
+    turns_in,
+)
+from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
+
+STEPS_PER_LINE = 2.0
+"""Trial frequencies per width 1/record of a line, counted at the fastest line of the comb."""
+EXAMINED, IMPROVED = 12, 3
+"""How many of the highest peaks of the coarse score are tested, and how many of these are improved."""
+HIGHEST_SHARE = 0.45
+"""Highest line by the sample rate, below what filters before the sampling take away."""
+CLEAR_LINE = 0.1
+"""Chance below which a fast line helps to fit the period."""
+MOST_TRIALS = 200_000
+"""Most trial periods of one search."""
+
+
+@dataclass(frozen=True)
+class PeriodEvidence:
+    """What speaks for each of some given periods.
+
+    Attributes
+    ----------
+    period
+        Shape (n_period,). Periods [s]; the best within the tolerance, where there is one.
+    p_value
+        Shape (n_period,). Chance that noise alone gives as much for this period [-], the tolerance allowed
+        for; not a number where nothing can be said.
+    turns
+        Shape (n_period,). Whole periods in the record [-]; below 2 nothing can be said.
+    lines
+        Shape (n_period,). Multiples of 1/T that could be used [-]; below 3 nothing can be said.
+    """
+
+    period: Array
+    p_value: Array
+    turns: NDArray[np.int64]
+    lines: NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class PeriodSearch:
+    """The period of repeated impacts between two limits, if there is one.
+
+    Attributes
+    ----------
+    found
+        Whether `p_value` is at most `false_alarm`.
+    period
+        Period T [s]; not a number if nothing is found.
+    deviation
+        Standard deviation of the period [s] that the noise beside the lines stands for; not a number if
+        nothing is found.
+    p_value
+        Chance that noise alone gives as much anywhere between the limits [-], at most 1.
+    false_alarm
+        The chance that was allowed [-].
+    turns
+        Whole periods in the record [-]; 0 if nothing is found.
+    lines
+        The comb of the period; empty if nothing is found.
+    trial_period, trial_score
+        Shape (n_trial,). Periods [s] and -log10 of the chance of each by itself, from the coarse search; for
+        pictures.
+    """
+
+    found: bool
+    period: float
+    deviation: float
+    p_value: float
+    false_alarm: float
+    turns: int
+    lines: CombLines
+    trial_period: Array
+    trial_score: Array
+
+
+def period_evidence(
+    values: ArrayLike,
+    sample_rate: float,
+    periods: ArrayLike,
+    *,
+    known: ArrayLike = (),
+    harmonics: int = 20,
+    highest_frequency: float | None = None,
+    tolerance: float = 0.0,
+) -> PeriodEvidence:
+    """Test given periods, such as those of the shafts, for something that happens once in each.
+
+    Parameters
+    ----------
+    values
+        Samples, shape (n,), any unit.
+    sample_rate
+        Sample rate f_s [Hz].
+    periods
+        Periods T [s], shape (n_period,).
+    known
+        Frequencies that are no fault, with all their multiples [Hz], shape (n_known,): the tooth meshes.
+    harmonics
+        Highest multiple K of 1/T [-].
+    highest_frequency
+        Lines above are left out [Hz]; default K over the shortest period, at most 0.45 f_s.
+    tolerance
+        Relative uncertainty of the periods [-].
+
+    Returns
+    -------
+    PeriodEvidence
+        One number for each period; several periods are several chances of a false alarm.
+
+    Raises
+    ------
+    SignalError
+        If a number is not positive or a highest frequency is not below f_s/2.
+
+    Notes
+    -----
+    Each line of the comb gives an F test against its neighbours; `evidence_of_comb` joins those of all lines
+    up to K, up to K/2, or up to K/4, whichever say more, and allows for the choice. The same must hold
+    without the multiples of every prime: otherwise the lines belong to a shorter period. The p-value is the
+    largest of these. A few strong lines (unbalance, a bent shaft) are not
+    evidence of impacts, most of the twenty are. Valid for two or more periods in the record, few are weak.
+
+    Examples
+    --------
+    A dip once in 2 s beside a strong tone of 3.5 Hz, whose period fits into 2 s seven times:
+
+    >>> t = np.arange(4000) / 200.0
+    >>> noise = np.random.default_rng(1).normal(size=t.size)
+    >>> tone = 3.0 * np.sin(2 * np.pi * 3.5 * t)
+    >>> dip = -4.0 * (np.mod(t, 2.0) < 0.1)
+    >>> [bool(period_evidence(x, 200.0, [2.0], known=[3.5]).p_value[0] < 1e-4) for x in (tone + noise,
+    ...  tone + dip + noise)]
+    [False, True]
+    """
+    wanted = as_signal(periods, "periods", 1)
+    harmonics = _whole(harmonics)
+    shortest = min(positive(float(T), "period") for T in wanted)
+    top = _top(highest_frequency, harmonics, shortest, sample_rate)
+    record = record_for_combs(values, sample_rate, top, known)
+    found = np.array(wanted)
+    p_values = np.full(wanted.size, np.nan)
+    lines = np.zeros(wanted.size, dtype=np.int64)
+    turns = np.array([turns_in(record, T) for T in wanted], dtype=np.int64)
+    for i, T in enumerate(wanted):
+        half = int(np.ceil(abs(tolerance) * harmonics * record.duration * STEPS_PER_LINE / T))
+        best: tuple[float, ...] = (np.inf, np.inf)
+        # in order of distance from the stated period: of equals the nearest counts
+        for step in sorted(range(-half, half + 1), key=abs):
+            trial = T / (1.0 + abs(tolerance) * step / max(half, 1))
+            comb = comb_lines(record, trial, harmonics)
+            lines[i] = max(lines[i], comb.orders.size)
+            if comb.orders.size >= FEWEST_LINES:
+                # evidence of very many lines saturates; what is left of it is the sum of their logarithms
+                chance, own, _ = evidence_of_comb(comb, harmonics)
+                grade = (max(chance, own), float(np.log(np.maximum(comb.p_value, 1e-300)).sum()))
+                if grade < best:
+                    best, found[i] = grade, trial
+        if np.isfinite(best[0]):
+            p_values[i] = min(1.0, best[0] * (2 * half + 1))
+    return PeriodEvidence(period=found, p_value=p_values, turns=turns, lines=lines)
+
+
+def find_period(
+    values: ArrayLike,
+    sample_rate: float,
+    shortest: float,
+    longest: float,
+    *,
+    known: ArrayLike = (),
+    harmonics: int = 20,
+    highest_frequency: float | None = None,
+    false_alarm: float = 1e-3,
+) -> PeriodSearch:
+    """Find the period of something that happens again and again, or say that nothing does.
+
+    Parameters
+    ----------
+    values
+        Samples, shape (n,), any unit.
+    sample_rate
+        Sample rate f_s [Hz].
+    shortest
+        Shortest period [s].
+    longest
+        Longest period [s], at most half the record.
+    known
+        Frequencies that are no fault, with all their multiples [Hz], shape (n_known,): the tooth meshes.
+    harmonics
+        Highest multiple K of 1/T [-].
+    highest_frequency
+        Lines above are left out [Hz]; default K over the shortest period, at most 0.45 f_s.
+    false_alarm
+        Chance of finding something in noise that is allowed [-], for the whole search.
+
+    Returns
+    -------
+    PeriodSearch
+        `found` is False where noise may explain it all.
+
+    Raises
+    ------
+    SignalError
+        If the limits are out of order or longer than half the record, or allow too many trials.
+
+    Notes
+    -----
+    A coarse score over all trial frequencies, in steps of half a line at K/T, selects candidates; each is
+    tested as `period_evidence` does. The chance is multiplied by the number of trials (Bonferroni), which is
+    on the safe side [1]_. Of a period and its multiples the longest counts whose own lines are there. The
+    period is then the one for which K sines fit best, all at once, by least squares; its deviation is that of
+    the Cramér-Rao bound. A period longer than `longest` can show as one of its parts. Valid for two or more
+    periods in the record.
+
+    References
+    ----------
+    .. [1] B. G. Quinn, E. J. Hannan, The Estimation and Tracking of Frequency, Cambridge University Press,
+       2001, chapters 3 and 4.
+
+    Examples
+    --------
+    >>> t = np.arange(6000) / 200.0
+    >>> noise = np.random.default_rng(1).normal(size=t.size)
+    >>> dip = -3.0 * (np.mod(t, 2.345) < 0.15)
+    >>> found = find_period(dip + noise, 200.0, 1.0, 5.0)
+    >>> found.found, round(found.period, 2), found.turns
+    (True, 2.34, 12)
+    >>> find_period(noise, 200.0, 1.0, 5.0).found
+    False
+    """
+    low, high = positive(shortest, "shortest"), positive(longest, "longest")
+    allowed = positive(false_alarm, "false_alarm")
+    harmonics = _whole(harmonics)
+    top = _top(highest_frequency, harmonics, low, sample_rate)
+    record = record_for_combs(values, sample_rate, top, known)
+    if not low < high <= 0.5 * record.duration * (1.0 + 1e-9):
+        raise SignalError(
+            f"shortest, longest: {low:.6g} and {high:.6g} s (limits 0 to {0.5 * record.duration:.6g} s, half "
+            "the record, in rising order); use a longer record or narrower limits"
+        )
+    frequency, score = _coarse(record, low, high, harmonics)
+    trials = frequency.size
+    p_value, period = _best(record, _peaks(frequency, score), harmonics, trials)
+    found = p_value <= allowed
+    if found:
+        p_value, period = _longest_multiple(record, (p_value, period), high, harmonics, trials, allowed)
+    comb = comb_lines(record, period if found else 0.0, harmonics)
+    return PeriodSearch(
+        found=found,
+        period=period if found else np.nan,
+        deviation=period_deviation(record, period, comb) if found else np.nan,
+        p_value=p_value,
+        false_alarm=allowed,
+        turns=turns_in(record, period) if found else 0,
+        lines=comb,
+        trial_period=1.0 / frequency[::-1],
+        trial_score=score[::-1],
+    )
+
+
+def _whole(harmonics: int) -> int:
+    if isinstance(harmonics, bool) or int(harmonics) != harmonics or harmonics < FEWEST_LINES:
+        raise SignalError(f"harmonics: {harmonics} (limit {FEWEST_LINES} or more); use a whole number")
+    return int(harmonics)
+
+
+def _top(highest_frequency: float | None, harmonics: int, shortest: float, sample_rate: float) -> float:
+    """Highest frequency of a line: what K, the sample rate and the caller leave."""
+    top = min(harmonics / shortest, HIGHEST_SHARE * positive(sample_rate, "sample_rate"))
+    return top if highest_frequency is None else min(top, positive(highest_frequency, "highest_frequency"))
+
+
+def _coarse(record: Record, low: float, high: float, harmonics: int) -> tuple[Array, Array]:
+    """Trial frequencies and -log10 of the chance of each, quickly: from one transform of the whole record."""
+    from scipy.fft import next_fast_len
+
+    step = 1.0 / (STEPS_PER_LINE * harmonics * record.duration)
+    trials = int((1.0 / low - 1.0 / high) / step) + 2
+    if trials > MOST_TRIALS:
+        raise SignalError(
+            f"{trials} trial periods (limit {MOST_TRIALS}); use a shorter record, narrower limits or fewer "
+            "harmonics"
+        )
+    frequency = np.linspace(1.0 / high, 1.0 / low, trials)
+    length = next_fast_len(8 * record.values.size)
+    power = np.abs(np.fft.rfft(record.values, length)) ** 2 + record.floor
+    per_line = length / record.rate
+    level, noise = np.empty((2, harmonics, trials))
+    used = np.empty((harmonics, trials), dtype=np.bool_)
+    for row in range(harmonics):
+        line = (row + 1) * frequency
+        used[row] = (line <= record.top * (1.0 + 1e-9)) & is_clear(
+            line, record.tones, CLEARANCE / record.duration
+        )
+        # four places between this line and the next ones stand for the noise
+        places = [line, *(np.abs(line + d * frequency) for d in (-0.5, -0.3, 0.3, 0.5))]
+        at = np.minimum(np.rint(np.array(places) * per_line).astype(np.int64), power.size - 1)
+        level[row] = power[at[0]]
+        noise[row] = power[at[1:]].mean(axis=0)
+    # the scatter of so few places is evened out over three lines of the comb
+    noise[1:-1] = (noise[:-2] + noise[1:-1] + noise[2:]) / 3.0
+    evidence = np.minimum(8.0 * np.log1p(level / (8.0 * noise)), CLIP) * used
+    score = np.zeros(trials)
+    for share in SHARES:
+        total, count = evidence[: harmonics // share].sum(axis=0), used[: harmonics // share].sum(axis=0)
+        for n in np.unique(count[count >= FEWEST_LINES]):
+            rows = count == n
+            chances = [limited_sum_chance(s, int(n) * ((1, 8),)) for s in total[rows]]
+            score[rows] = np.maximum(score[rows], -np.log10(chances))
+    return frequency, score
+
+
+def _peaks(frequency: Array, score: Array) -> Array:
+    """The highest local maxima, at most `EXAMINED`."""
+    beyond = np.concatenate([[-1.0], score, [-1.0]])
+    tops = np.flatnonzero((score > beyond[:-2]) & (score >= beyond[2:]))
+    return frequency[tops[np.argsort(-score[tops], kind="stable")][:EXAMINED]]
+
+
+def _best(record: Record, frequencies: Array, harmonics: int, trials: int) -> tuple[float, float]:
+    """Chance and period of the best of some trial frequencies."""
+    tested = []
+    for f in frequencies:
+        comb = comb_lines(record, 1.0 / f, harmonics)
+        tested.append((min(1.0, trials * evidence_of_comb(comb, harmonics)[0]), 1.0 / f))
+    tested.sort()
+    # what noise explains before it is improved is left as it is
+    improved = [_improved(record, T, harmonics, trials) for p, T in tested[:IMPROVED] if p < 1.0]
+    return min(improved, default=tested[0] if tested else (1.0, 0.0))
+
+
+def _improved(record: Record, period: float, harmonics: int, trials: int) -> tuple[float, float]:
+    """Chance and period of a trial period after it is fitted to its lines."""
+    comb = comb_lines(record, period, harmonics)
+    highest = evidence_of_comb(comb, harmonics)[2]
+    # first the lines that say most, then with those that only a good period brings out
+    for last in (highest, harmonics):
+        orders = comb.orders[(comb.orders <= highest) | ((comb.orders <= last) & (comb.p_value < CLEAR_LINE))]
+        reach = 2.0 * period / (STEPS_PER_LINE * last * record.duration)
+        period = fitted_period(record, period, orders, reach)
+        comb = comb_lines(record, period, harmonics)
+    chance, own, _ = evidence_of_comb(comb, harmonics)
+    # which of a period and its parts it is, is asked of this one only: that chance is not multiplied
+    return max(min(1.0, trials * chance), own), period
+
+
+def _longest_multiple(
+    record: Record, best: tuple[float, float], longest: float, harmonics: int, trials: int, allowed: float
+) -> tuple[float, float]:
+    """The longest multiple of a period within the limits that has lines of its own, or the period itself."""
+    for q in range(int(longest / best[1] * (1.0 + 1e-9)), 1, -1):
+        comb = comb_lines(record, q * best[1], harmonics)
+        own = comb.orders % q != 0
+        if min(chance_of_comb(comb, own & (comb.orders <= harmonics // k)) for k in SHARES) <= allowed:
+            longer = _improved(record, q * best[1], harmonics, trials)
+            if longer[0] <= allowed:
+                return longer
+    return best

@@ -1,0 +1,357 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The table of analysis functions that work on datasets: a new tool is one row.
+
+A row says which function it is, what of its arguments comes from the dataset, and what the fields of its
+result are: dimensions (those with a field of their own name have coordinates) and units, where `{u}` is the
+unit of the channel. What takes the result of another function, or several records, is no tool of this table.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+SOURCES = ("values", "sample_rate", "time", "start", "angle", "samples_per_revolution", "average")
+"""What a dataset can give: samples of the channel, sample rate [Hz], times [s], the first time [s], angle of
+a shaft at the same samples [rad]; of a signal over an angle its samples per revolution [-] and, as `average`,
+its samples."""
+
+
+@dataclass(frozen=True)
+class Output:
+    """One field of a result.
+
+    Attributes
+    ----------
+    field
+        Name in the dataclass.
+    dims
+        Dimensions, separated by spaces; empty for a number.
+    unit
+        SI unit; `{u}` is that of the channel, `{u2}` its square, `{squared}` its square if the option
+        `squared` is set.
+    name
+        Name in the dataset, if it is another one.
+    """
+
+    field: str
+    dims: str = ""
+    unit: str = "1"
+    name: str = ""
+
+    @property
+    def variable(self) -> str:
+        """Name in the dataset."""
+        return self.name or self.field
+
+
+@dataclass(frozen=True)
+class Tool:
+    """One row of the table.
+
+    Attributes
+    ----------
+    home
+        Module and function inside `pitchpoint.analysis`.
+    summary
+        What it gives, in a line.
+    takes
+        Arguments that come from the dataset, each of `SOURCES`; all others are options.
+    outputs
+        Fields of the result.
+    picture
+        How it is drawn: `spectrum`, `order_spectrum`, `order_map`, `time_frequency`, or `lines`.
+    without
+        Fields that have no place in a dataset: lists of arrays of different lengths, records of other kinds.
+    """
+
+    home: str
+    summary: str
+    takes: tuple[str, ...]
+    outputs: tuple[Output, ...]
+    picture: str = "lines"
+    without: tuple[str, ...] = ()
+
+    def load(self) -> Callable[..., Any]:
+        """The function."""
+        module, _, name = self.home.rpartition(".")
+        found: Callable[..., Any] = getattr(importlib.import_module(f"pitchpoint.analysis.{module}"), name)
+        return found
+
+
+def _spectrum(axis: str, unit: str, of: str = "{u}") -> tuple[Output, ...]:
+    """Fields of `spectra.Spectrum` over frequency or order."""
+    return (
+        Output("frequency", axis, unit, axis),
+        Output("amplitude", axis, of),
+        Output("mean", "", of),
+        Output("resolution", "", unit),
+        Output("noise_bandwidth", "", unit),
+    )
+
+
+_CEPSTRUM = (Output("quefrency", "quefrency", "s"), Output("cepstrum", "quefrency"))
+
+TOOLS: dict[str, Tool] = {
+    "signal_statistics": Tool(
+        "statistics.signal_statistics",
+        "Mean, rms of the alternating part, smallest and largest value.",
+        ("values", "time"),
+        (
+            Output("mean", "", "{u}"),
+            Output("rms", "", "{u}"),
+            Output("min", "", "{u}"),
+            Output("max", "", "{u}"),
+        ),
+    ),
+    "amplitude_spectrum": Tool(
+        "spectra.amplitude_spectrum",
+        "Peak amplitudes over frequency.",
+        ("values", "sample_rate"),
+        _spectrum("frequency", "Hz"),
+        "spectrum",
+    ),
+    "power_spectral_density": Tool(
+        "spectra.power_spectral_density",
+        "Power spectral density over frequency, averaged over segments.",
+        ("values", "sample_rate"),
+        (
+            Output("frequency", "frequency", "Hz"),
+            Output("density", "frequency", "{u2}/Hz"),
+            Output("n_segments"),
+        ),
+    ),
+    "time_frequency_map": Tool(
+        "time_frequency.time_frequency_map",
+        "Amplitudes over time and frequency.",
+        ("values", "sample_rate", "start"),
+        (
+            Output("time", "time", "s"),
+            Output("frequency", "frequency", "Hz"),
+            Output("amplitude", "time frequency", "{u}"),
+        ),
+        "time_frequency",
+    ),
+    "resample_over_angle": Tool(
+        "orders.resample_over_angle",
+        "The signal at equal steps of a shaft angle.",
+        ("values", "angle"),
+        (Output("angle", "angle", "rad"), Output("values", "angle", "{u}"), Output("samples_per_revolution")),
+    ),
+    "order_spectrum": Tool(
+        "spectra.order_spectrum",
+        "Peak amplitudes over orders, of a signal over an angle.",
+        ("values", "samples_per_revolution"),
+        _spectrum("order", "1"),
+        "order_spectrum",
+    ),
+    "tracked_spectrum": Tool(
+        "orders.tracked_spectrum",
+        "Peak amplitudes over orders of a shaft, of a signal over time.",
+        ("values", "angle"),
+        _spectrum("order", "1"),
+        "order_spectrum",
+    ),
+    "order_map": Tool(
+        "orders.order_map",
+        "Amplitudes over time and orders of a run-up.",
+        ("values", "angle", "time"),
+        (
+            Output("time", "time", "s"),
+            Output("speed", "time", "rad/s"),
+            Output("order", "order"),
+            Output("amplitude", "time order", "{u}"),
+        ),
+        "order_map",
+    ),
+    "signal_indicators": Tool(
+        "indicators.signal_indicators",
+        "Rms, peak, kurtosis, crest, shape and impulse factor.",
+        ("values",),
+        (
+            Output("rms", "", "{u}"),
+            Output("peak", "", "{u}"),
+            Output("peak_to_peak", "", "{u}"),
+            Output("kurtosis"),
+            Output("crest_factor"),
+            Output("shape_factor"),
+            Output("impulse_factor"),
+        ),
+    ),
+    "harmonic_table": Tool(
+        "harmonics.harmonic_table",
+        "Frequencies and amplitudes of the harmonics of one frequency.",
+        ("values", "sample_rate"),
+        (
+            Output("harmonic", "harmonic"),
+            Output("frequency", "harmonic", "Hz"),
+            Output("amplitude", "harmonic", "{u}"),
+            Output("background", "harmonic", "{u}"),
+            Output("fundamental", "", "Hz"),
+            Output("lost"),
+        ),
+    ),
+    "sideband_table": Tool(
+        "sidebands.sideband_table",
+        "Sidebands of a mesh frequency at distances of a shaft's.",
+        ("values", "sample_rate"),
+        (
+            Output("harmonic", "harmonic"),
+            Output("order", "sideband", name="sideband"),
+            Output("frequency", "harmonic sideband", "Hz"),
+            Output("amplitude", "harmonic sideband", "{u}"),
+            Output("level", "harmonic sideband", "dB"),
+            Output("background", "harmonic sideband", "{u}"),
+            Output("ratio", "harmonic"),
+            Output("index", "harmonic", "{u}"),
+            Output("asymmetry", "harmonic distance"),
+            Output("lost"),
+        ),
+    ),
+    "envelope": Tool(
+        "envelope.band_envelope",
+        "Amplitude of a band over time.",
+        ("values", "sample_rate"),
+        (Output("envelope", "time", "{u}"), Output("low", "", "Hz"), Output("high", "", "Hz")),
+    ),
+    "envelope_spectrum": Tool(
+        "envelope.envelope_spectrum",
+        "Amplitudes of the envelope of a band over frequency.",
+        ("values", "sample_rate"),
+        _spectrum("frequency", "Hz", "{squared}"),
+        "spectrum",
+    ),
+    "kurtogram": Tool(
+        "kurtogram.kurtogram",
+        "Kurtosis of the envelopes of all bands: where impacts ring.",
+        ("values", "sample_rate"),
+        (
+            Output("level", "band"),
+            Output("low", "band", "Hz"),
+            Output("high", "band", "Hz"),
+            Output("kurtosis", "band"),
+            Output("spread", "band"),
+            Output("best_low", "", "Hz"),
+            Output("best_high", "", "Hz"),
+            Output("best_kurtosis"),
+            Output("best_spread"),
+        ),
+    ),
+    "real_cepstrum": Tool(
+        "cepstrum.real_cepstrum", "Families of lines over their period.", ("values", "sample_rate"), _CEPSTRUM
+    ),
+    "power_cepstrum": Tool(
+        "cepstrum.power_cepstrum", "Echoes and families of lines.", ("values", "sample_rate"), _CEPSTRUM
+    ),
+    "synchronous_average": Tool(
+        "synchronous_average.synchronous_average",
+        "One mean turn of a shaft.",
+        ("values", "angle"),
+        (
+            Output("angle", "angle", "rad"),
+            Output("values", "angle", "{u}"),
+            Output("averages"),
+            Output("scatter", "", "{u}"),
+            Output("highest_order"),
+        ),
+    ),
+    "gear_signals": Tool(
+        "gear_signals.gear_signals",
+        "Regular, residual and difference signal of a mean turn.",
+        ("average",),
+        (
+            Output("regular", "angle", "{u}"),
+            Output("residual", "angle", "{u}"),
+            Output("difference", "angle", "{u}"),
+            Output("mesh_orders", "harmonic"),
+        ),
+    ),
+    "gear_indicators": Tool(
+        "gear_indicators.gear_indicators",
+        "FM0, FM4, M6A, M8A and others of a mean turn.",
+        ("average",),
+        (
+            Output("fm0"),
+            Output("fm4"),
+            Output("m6a"),
+            Output("m8a"),
+            Output("energy_operator"),
+            Output("sideband_level_factor"),
+        ),
+    ),
+    "wavelet_levels": Tool(
+        "wavelets.wavelet_levels",
+        "The signal as the sum of its approximation (level 0) and details, slow first.",
+        ("values", "sample_rate"),
+        (
+            Output("signals", "level time", "{u}"),
+            Output("band", "level edge", "Hz"),
+            Output("energy_share", "level"),
+        ),
+        without=("names", "coefficients", "wavelet", "extension"),
+    ),
+    "wavelet_packets": Tool(
+        "wavelets.wavelet_packets",
+        "Coefficients and energies of bands of equal width.",
+        ("values", "sample_rate"),
+        (
+            Output("time", "time", "s"),
+            Output("band", "packet edge", "Hz"),
+            Output("coefficients", "packet time", "{u}"),
+            Output("energy_share", "packet"),
+        ),
+        without=("wavelet", "extension"),
+    ),
+    "scalogram": Tool(
+        "scalogram.scalogram",
+        "Amplitudes over time and frequency, by continuous wavelets.",
+        ("values", "sample_rate"),
+        (
+            Output("time", "time", "s"),
+            Output("frequency", "frequency", "Hz"),
+            Output("amplitude", "frequency time", "{u}"),
+            Output("edge", "frequency", "s"),
+        ),
+        without=("wavelet", "extension"),
+    ),
+    "find_period": Tool(
+        "periodicity.find_period",
+        "The period of repeated impacts between two limits, if there is one.",
+        ("values", "sample_rate"),
+        (
+            Output("found"),
+            Output("period", "", "s"),
+            Output("deviation", "", "s"),
+            Output("p_value"),
+            Output("false_alarm"),
+            Output("turns"),
+            Output("trial_period", "trial_period", "s"),
+            Output("trial_score", "trial_period"),
+        ),
+        without=("lines",),
+    ),
+    "period_evidence": Tool(
+        "periodicity.period_evidence",
+        "What speaks for something once in each of some periods.",
+        ("values", "sample_rate"),
+        (
+            Output("period", "period", "s"),
+            Output("p_value", "period"),
+            Output("turns", "period"),
+            Output("lines", "period"),
+        ),
+    ),
+    "white_noise": Tool(
+        "noise.with_white_noise",
+        "The signal with noise of a stated ratio.",
+        ("values",),
+        (
+            Output("values", "time", "{u}"),
+            Output("noise", "time", "{u}"),
+            Output("signal_rms", "", "{u}"),
+            Output("noise_deviation", "", "{u}"),
+        ),
+    ),
+}

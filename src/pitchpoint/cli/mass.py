@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint mass`: mass and inertia from geometry, from solids and as given, compared."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file
+from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
+
+HEAD = (
+    "part",
+    "from",
+    "mass",
+    "polar inertia",
+    "transverse inertia",
+    "mass",
+    "polar",
+    "transverse",
+    "centre [mm]",
+)
+
+
+@click.command()
+@model_file
+@as_json
+@allow_code
+@debug
+def mass(file: str, as_json: bool, allow_code: bool) -> None:
+    """Compare mass and inertia of the gears, shafts and bodies of FILE: geometry, solids of CAD files, given.
+
+    What is given counts before the solid, the solid before the geometry. Transverse inertia is about the
+    centre of mass; differences are from what is in force.
+    """
+    from pitchpoint.cli.reading import read_model
+    from pitchpoint.report.masses import masses
+
+    model = read_model(file, allow_code)
+    found = masses(model)
+    if as_json:
+        emit_json({"masses": found})
+        return
+    if not found:
+        show("no gears, shafts or bodies with a mass of their own")
+        return
+    show_masses(model.title or "Masses", found)
+
+
+def show_masses(title: str, found: Sequence[dict[str, Any]]) -> None:
+    """Print a table of masses.
+
+    Parameters
+    ----------
+    title
+        Its title.
+    found
+        Entries of `pitchpoint.report.masses.masses`.
+    """
+    rows: list[list[str]] = []
+    notes = []
+    for entry in found:
+        sources = entry["sources"]
+        for number, (source, numbers) in enumerate(sources.items()):
+            gap = entry["differences"].get(source)
+            rows.append(
+                [
+                    f"{entry['part']} {entry['name']}" if number == 0 else "",
+                    source,
+                    shown(numbers["mass"], "mass", 6),
+                    shown(numbers["polar_inertia"], "inertia", 6),
+                    shown(numbers["transverse_inertia"], "inertia", 6),
+                    *([""] * 3 if gap is None else map(_percent, gap.values())),
+                    _place(numbers.get("center")),
+                ]
+            )
+        rows.append([])
+        if "file" in entry:
+            notes.append(
+                f"{entry['part']} {entry['name']}: solid of {entry['file']} in units of {entry['unit']}, "
+                f"{entry['density']:g} kg/m^3"
+            )
+    table(title, HEAD, rows[:-1], notes, keys=2)
+
+
+def _percent(part: float | None) -> str:
+    """Write a difference in percent.
+
+    Examples
+    --------
+    >>> _percent(0.01234), _percent(-1e-9), _percent(None)
+    ('+1.234 %', '0 %', '–')
+    """
+    if part is None:
+        return NOTHING
+    return "0 %" if abs(part) < 5e-7 else f"{100.0 * part:+.4g} %"
+
+
+def _place(center: Sequence[float] | None) -> str:
+    if center is None:
+        return ""
+    return ", ".join(f"{round(1e3 * c, 6) + 0.0:.6g}" for c in center)

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A stepped, hollow shaft as a solid: its mass in closed form, its outline, its triangles.
+
+Sections are (length, diameter, bore) [m] in the order in which they follow along the z axis from z = 0.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import GeometryError
+
+FloatArray = NDArray[np.float64]
+Section = tuple[float, float, float]
+
+ROUND = 180
+"""Corners of a circle in triangles: the inscribed polygon lacks 2·10⁻⁴ of its area."""
+
+
+@dataclass(frozen=True)
+class ShaftProperties:
+    """Mass of a shaft and how it lies.
+
+    Parameters
+    ----------
+    mass
+        [kg].
+    center
+        Centre of mass from the start of the shaft [m].
+    polar_inertia
+        About the axis [kg m²].
+    transverse_inertia
+        About any diameter through the centre of mass [kg m²].
+    """
+
+    mass: float
+    center: float
+    polar_inertia: float
+    transverse_inertia: float
+
+
+def shaft_mass_properties(sections: Sequence[Section], density: float) -> ShaftProperties:
+    """Mass, centre of mass and central moments of inertia of a stepped, hollow shaft.
+
+    Parameters
+    ----------
+    sections
+        (length, diameter, bore) of each [m].
+    density
+        [kg/m³].
+
+    Raises
+    ------
+    GeometryError
+        If the sections are no shaft (see `shaft_outline`).
+
+    Notes
+    -----
+    Cylinders minus cylinders: m = ρ π/4 (D² − d²) l, J_p = m (D² + d²)/8, J_t = J_p/2 + m l²/12 about the
+    middle of each, moved to the common centre of mass by the parallel axis theorem.
+
+    Examples
+    --------
+    >>> rod = shaft_mass_properties([(0.3, 0.02, 0.0)], 7830.0)
+    >>> round(rod.mass, 5), rod.center, round(rod.polar_inertia * 1e6, 3)
+    (0.73796, 0.15, 36.898)
+    """
+    shaft_outline(sections)
+    parts, start = [], 0.0
+    for length, outer, bore in sections:
+        m = density * math.pi / 4.0 * (outer**2 - bore**2) * length
+        j = m / 8.0 * (outer**2 + bore**2)
+        parts.append((m, start + 0.5 * length, j, 0.5 * j + m * length**2 / 12.0))
+        start += length
+    mass = math.fsum(m for m, _, _, _ in parts)
+    center = math.fsum(m * z for m, z, _, _ in parts) / mass if mass > 0.0 else 0.5 * start
+    polar = math.fsum(j for _, _, j, _ in parts)
+    across = math.fsum(t + m * (z - center) ** 2 for m, z, _, t in parts)
+    return ShaftProperties(mass, center, polar, across)
+
+
+def shaft_outline(sections: Sequence[Section]) -> list[tuple[float, float]]:
+    """Corners (radius, z) of the half section of a shaft, once round it.
+
+    Parameters
+    ----------
+    sections
+        (length, diameter, bore) of each [m].
+
+    Returns
+    -------
+    list
+        Along the outside to the end, then back along the bore, which is the axis where there is none. No two
+        neighbours are the same, none lies between two others on a line.
+
+    Raises
+    ------
+    GeometryError
+        If a section has no material, or two neighbours touch nowhere.
+
+    Examples
+    --------
+    >>> shaft_outline([(0.1, 0.04, 0.0), (0.1, 0.06, 0.0)])
+    [(0.02, 0.0), (0.02, 0.1), (0.03, 0.1), (0.03, 0.2), (0.0, 0.2), (0.0, 0.0)]
+    """
+    if not sections:
+        raise GeometryError("has no sections", where="sections", remedy="give one section at least")
+    outside, inside, z = [], [], 0.0
+    for k, (length, outer, bore) in enumerate(sections):
+        if not (0.0 < length < math.inf and 0.0 <= bore < outer < math.inf):
+            raise GeometryError(
+                "is no piece of a shaft",
+                where=f"sections.{k}",
+                value=f"length {length:g} m, diameter {outer:g} m, bore {bore:g} m",
+                limit="length above 0, bore below the diameter",
+            )
+        if k and not max(bore, sections[k - 1][2]) < min(outer, sections[k - 1][1]):
+            raise GeometryError(
+                "touches the section before it nowhere",
+                where=f"sections.{k}",
+                value=f"bores and diameters {1e3 * bore:g}/{1e3 * outer:g} mm and "
+                f"{1e3 * sections[k - 1][2]:g}/{1e3 * sections[k - 1][1]:g} mm",
+                remedy="make one bore smaller than the other diameter",
+            )
+        outside += [(0.5 * outer, z), (0.5 * outer, z + length)]
+        inside += [(0.5 * bore, z), (0.5 * bore, z + length)]
+        z += length
+    ring = [inside[0], *outside, *inside[::-1]]
+    corners = [p for p, before in zip(ring, [ring[-1], *ring[:-1]], strict=True) if p != before]
+    around = zip([corners[-1], *corners[:-1]], corners, [*corners[1:], corners[0]], strict=True)
+    return [b for a, b, c in around if not (a[0] == b[0] == c[0] or a[1] == b[1] == c[1])]
+
+
+def shaft_solid(sections: Sequence[Section], n_round: int = ROUND) -> FloatArray:
+    """Closed triangulated surface of a shaft.
+
+    Parameters
+    ----------
+    sections
+        (length, diameter, bore) of each [m].
+    n_round
+        Corners of a circle, at least 3. All of them lie on the circle: mass and inertia come out too small,
+        by the factors (n/2π) sin(2π/n) and (n/2π) sin(2π/n) (2 + cos(2π/n))/3.
+
+    Returns
+    -------
+    ndarray, shape (n, 3, 3)
+        Triangles, their corners in counter-clockwise order seen from outside [m]; axis z, start at z = 0.
+
+    Raises
+    ------
+    GeometryError
+        If the sections are no shaft, or there are too few corners.
+
+    Examples
+    --------
+    >>> shaft_solid([(0.1, 0.04, 0.0)], 6).shape
+    (24, 3, 3)
+    """
+    if n_round < 3:
+        raise GeometryError("make no circle", where="n_round", value=f"{n_round}", limit="at least 3")
+    corners = shaft_outline(sections)
+    angle = 2.0 * math.pi / n_round * np.arange(n_round)
+    x, y = np.cos(angle), np.sin(angle)
+    faces = []
+    for (r, z), (s, h) in zip(corners, [*corners[1:], corners[0]], strict=True):
+        low = np.column_stack([r * x, r * y, np.full(n_round, z)])
+        high = np.column_stack([s * x, s * y, np.full(n_round, h)])
+        if r > 0.0:
+            faces.append(np.stack([low, np.roll(low, -1, axis=0), high], axis=1))
+        if s > 0.0:
+            faces.append(np.stack([np.roll(low, -1, axis=0), np.roll(high, -1, axis=0), high], axis=1))
+    return np.concatenate(faces)

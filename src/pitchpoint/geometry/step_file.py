@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Solids of STEP files (ISO 10303-21) through OCC, which the extra `cad` brings."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import GeometryError, MissingDependencyError
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.solid_file import SolidFile
+
+_MM = 1e-3
+_BEGIN, _END = b"ISO-10303-21;", b"END-ISO-10303-21;"
+_AGAIN = "export it again"
+_QUOTED = re.compile(rb"'[^']*'|/\*.*?\*/", re.DOTALL)
+_REFERENCE = re.compile(rb"#(\d+)")
+_ENTITY = re.compile(rb"#(\d+)\s*=")
+
+
+def need_occ() -> None:
+    """Make OCC ready and quiet: it would write its progress on stdout.
+
+    Raises
+    ------
+    MissingDependencyError
+        If it is not installed.
+    """
+    try:
+        from OCP.Message import Message, Message_Printer
+    except ImportError:
+        raise _missing() from None
+    Message.DefaultMessenger_s().RemovePrinters(Message_Printer.get_type_descriptor_s())
+
+
+def _missing() -> MissingDependencyError:
+    return MissingDependencyError(
+        "STEP files need OCC, which is not installed; install it with pip install 'pitchpoint[cad]', or use "
+        "STL files"
+    )
+
+
+def read_step(file: str | Path) -> SolidFile:
+    """Read all solids of a STEP file.
+
+    A process of its own reads it: damaged files can make OCC end its process.
+
+    Parameters
+    ----------
+    file
+        Its path.
+
+    Raises
+    ------
+    GeometryError
+        If it cannot be read, is cut short, or holds no solid, or one that is not closed or inside out.
+    MissingDependencyError
+        If OCC is not installed.
+    """
+    from pitchpoint.geometry.solid_file import Solid, SolidFile
+
+    name = Path(file).name
+    _check_whole(name, Path(file))
+    if importlib.util.find_spec("OCP") is None:
+        raise _missing()
+    command = [sys.executable, "-m", "pitchpoint.geometry.step_file", str(Path(file).absolute())]
+    paths = os.pathsep.join(p for p in sys.path if p)
+    run = subprocess.run(
+        command, capture_output=True, check=False, env={**os.environ, "PYTHONPATH": paths, "PYTHONUTF8": "1"}
+    )
+    try:
+        found = json.loads(run.stdout)
+    except ValueError:
+        raise _refused(name, "cannot be read: its contents are damaged") from None
+    if "problem" in found:
+        raise GeometryError(found["problem"].pop("message"), **found["problem"])
+    solids = (Solid(n, v, tuple(c), tuple(m)) for n, v, c, m in found["solids"])
+    return SolidFile(tuple(solids), found["unit"])
+
+
+def _answer(file: str) -> dict[str, Any]:
+    """What the process that reads a file says of it."""
+    try:
+        unit, solids = _read(file)
+    except GeometryError as error:
+        p = error.problem
+        told = {"where": p.where, "value": p.value, "limit": p.limit, "remedy": p.remedy}
+        return {"problem": {"message": p.message, **told}}
+    return {"unit": unit, "solids": solids}
+
+
+def _read(file: str) -> tuple[str, list[Any]]:
+    """Unit, and name, volume, centre and moments of every solid."""
+    from pitchpoint.geometry.solid_file import solid_of
+
+    name = Path(file).name
+    _check_references(name, Path(file).read_bytes())
+    need_occ()
+    document, unit = _document(name, file)
+    solids: list[Any] = []
+    seen: dict[str, int] = {}
+    for product, shape in _solids(document):
+        count = seen[product] = seen.get(product, 0) + 1
+        label = product if count == 1 else f"{product} ({count})"
+        _check_closed(name, label, shape)
+        volume, center, inertia = solid_integrals(shape)
+        if not volume > 0.0:
+            raise _refused(name, f"holds the solid '{label}' inside out", f"volume {volume:.6g} m^3")
+        one = solid_of(label, volume, center, inertia)
+        solids.append((one.name, one.volume, one.center, one.moments))
+    if not solids:
+        raise _refused(name, "holds no solid", remedy="export a solid body, not surfaces or a drawing")
+    return unit, solids
+
+
+def solid_integrals(shape: Any) -> tuple[float, np.ndarray, np.ndarray]:
+    """Volume [m³], centre [m] and inertia about it for the density 1 [m⁵] of a shape of OCC in millimetres.
+
+    Parameters
+    ----------
+    shape
+        The `TopoDS_Shape`.
+
+    Notes
+    -----
+    By Gauss quadrature over the faces, exact for planes and cylinders and to about 10⁻⁹ for the flanks of
+    gears.
+    """
+    from OCP.BRepGProp import BRepGProp
+    from OCP.GProp import GProp_GProps
+
+    found = GProp_GProps()
+    BRepGProp.VolumeProperties_s(shape, found)
+    at, tensor = found.CentreOfMass(), found.MatrixOfInertia()
+    inertia = np.array([[tensor.Value(i, k) for k in (1, 2, 3)] for i in (1, 2, 3)])
+    return found.Mass() * _MM**3, np.array([at.X(), at.Y(), at.Z()]) * _MM, inertia * _MM**5
+
+
+def _refused(name: str, message: str, value: str | None = None, remedy: str = _AGAIN) -> GeometryError:
+    return GeometryError(f"the file '{name}' {message}", where="file", value=value, remedy=remedy)
+
+
+def _check_whole(name: str, path: Path) -> None:
+    """Say what is no STEP file, or only the first part of one, before OCC guesses."""
+    try:
+        with path.open("rb") as file:
+            head = file.read(4096)
+            file.seek(max(0, path.stat().st_size - 4096))
+            tail = file.read()
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise _refused(name, f"cannot be read: {reason}") from None
+    if _BEGIN not in head:
+        raise _refused(name, "is no STEP file: it does not begin with ISO-10303-21;")
+    if _END not in tail:
+        raise _refused(name, "is cut short: it does not end with END-ISO-10303-21;")
+
+
+def _check_references(name: str, data: bytes) -> None:
+    """Every entity that is named exists: OCC would leave out what needs it, or end its process."""
+    bare = _QUOTED.sub(b"", data)
+    lost = set(_REFERENCE.findall(bare)) - set(_ENTITY.findall(bare))
+    if lost:
+        first = min(lost, key=int).decode()
+        raise _refused(name, f"is damaged: it names entities that it does not hold, such as #{first}")
+
+
+def _document(name: str, file: str) -> tuple[Any, str]:
+    """Document of OCC with the products of a file in millimetres, and the unit that the file has."""
+    from OCP.collections import Sequence_TCollection_AsciiString as Texts
+    from OCP.IFSelect import IFSelect_ReturnStatus
+    from OCP.STEPCAFControl import STEPCAFControl_Reader
+    from OCP.TCollection import TCollection_ExtendedString
+    from OCP.TDocStd import TDocStd_Document
+
+    reader = STEPCAFControl_Reader()
+    reader.SetNameMode(True)
+    document = TDocStd_Document(TCollection_ExtendedString("pitchpoint"))
+    try:
+        good = reader.ReadFile(file) == IFSelect_ReturnStatus.IFSelect_RetDone and reader.Transfer(document)
+    except RuntimeError as error:  # what OCC throws comes as this
+        raise _refused(name, f"cannot be read: {error}") from None
+    if not good:
+        raise _refused(name, "cannot be read: its contents are no model")
+    lengths = Texts()
+    reader.ChangeReader().FileUnits(lengths, Texts(), Texts())
+    words = lengths.Value(1).ToCString() if lengths.Length() else "millimetre"
+    return document, words.lower()
+
+
+def _solids(document: Any) -> Iterator[tuple[str, Any]]:
+    """Every solid of a document in its place, with the name of its product."""
+    from OCP.collections import Sequence_TDF_Label
+    from OCP.TopLoc import TopLoc_Location
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool
+
+    tool = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    labels = Sequence_TDF_Label()
+    tool.GetFreeShapes(labels)
+    for k in range(1, labels.Length() + 1):
+        yield from _below(labels.Value(k), TopLoc_Location())
+
+
+def _below(label: Any, place: Any) -> Iterator[tuple[str, Any]]:
+    """Solids of a product, or of the parts of an assembly."""
+    from OCP.collections import Sequence_TDF_Label
+    from OCP.TDF import TDF_Label
+    from OCP.TopAbs import TopAbs_ShapeEnum
+    from OCP.TopExp import TopExp_Explorer
+    from OCP.XCAFDoc import XCAFDoc_ShapeTool
+
+    if XCAFDoc_ShapeTool.IsAssembly_s(label):
+        parts = Sequence_TDF_Label()
+        XCAFDoc_ShapeTool.GetComponents_s(label, parts)
+        for k in range(1, parts.Length() + 1):
+            part, product = parts.Value(k), TDF_Label()
+            XCAFDoc_ShapeTool.GetReferredShape_s(part, product)
+            yield from _below(product, place.Multiplied(XCAFDoc_ShapeTool.GetLocation_s(part)))
+        return
+    shape = XCAFDoc_ShapeTool.GetShape_s(label).Moved(place)
+    explorer = TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_SOLID)
+    while explorer.More():
+        yield _name(label), explorer.Current()
+        explorer.Next()
+
+
+def _name(label: Any) -> str:
+    from OCP.TDataStd import TDataStd_Name
+
+    found = TDataStd_Name()
+    return found.Get().ToExtString() if label.FindAttribute(TDataStd_Name.GetID_s(), found) else "solid"
+
+
+def _check_closed(name: str, label: str, shape: Any) -> None:
+    """Every edge of every shell belongs to two faces."""
+    from OCP.BRep import BRep_Tool
+    from OCP.TopAbs import TopAbs_ShapeEnum
+    from OCP.TopExp import TopExp_Explorer
+
+    explorer = TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_SHELL)
+    while explorer.More():
+        if not BRep_Tool.IsClosed_s(explorer.Current()):
+            raise _refused(name, f"holds the solid '{label}', whose surface is open")
+        explorer.Next()
+
+
+if __name__ == "__main__":
+    sys.stdout.write(json.dumps(_answer(sys.argv[1])))

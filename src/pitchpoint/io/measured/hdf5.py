@@ -1,0 +1,312 @@
+# SPDX-License-Identifier: Apache-2.0
+"""HDF5 files: those of pitchpoint, MAT files of version 7.3, netCDF-4, and any other with vectors in it."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.io.container import FORMAT
+from pitchpoint.io.measured.arrays import Arrays, Found, stated_rate
+from pitchpoint.io.measured.record import (
+    RATE_NAMES,
+    STEP_NAMES,
+    Column,
+    MeasuredError,
+    Record,
+    Wanted,
+    as_floats,
+    key_of,
+    refused,
+)
+
+if TYPE_CHECKING:
+    import h5py
+
+DAMAGE = (
+    OSError,
+    RuntimeError,
+    KeyError,
+    ValueError,
+    TypeError,
+    AttributeError,
+    OverflowError,
+    UnicodeDecodeError,
+)
+"""What HDF5 and its Python layer raise where a file contradicts itself."""
+_MOST_OBJECTS = 20_000
+_PACKED = 1100
+"""How many times smaller than its contents a packed array can be (deflate packs 1032 to 1 at most)."""
+_SMALL = 1 << 24
+_HEAD = 1 << 16
+_SLOWEST = 1e7
+"""Bytes per second that even a slow disk reads."""
+_HEAP = b"GCOL\1\0\0\0"
+_KEPT = ("title", "scenario", "solver", "model_hash", "status", "notes", "kind")
+_UNIT_NAMES, _WORD_NAMES = ("units", "unit"), ("long_name", "description", "title")
+
+
+def is_own(path: Path, data: bytes) -> bool:
+    """Whether this is a result file of pitchpoint; refuses files on which HDF5 would not end, or crash.
+
+    Our files carry check sums wherever HDF5 knows them; what it does with other damaged files is tried in a
+    process of its own.
+    """
+    remedy = "copy it again from where it was recorded"
+    if not _heaps_end(data):
+        raise refused(path, "", "", "is damaged: its texts do not fit where they are stored", None, remedy)
+    if data[8] == 3 and FORMAT.encode() in data[:_HEAD]:
+        return True
+    if not _survives(path, len(data)):
+        raise refused(path, "", "", "is damaged so badly that HDF5 cannot read it", None, remedy)
+    return False
+
+
+def _survives(path: Path, size: int) -> bool:
+    """Whether a process that reads this file lives on; what it finds does not matter."""
+    code = (
+        "import sys, pathlib\nfrom pitchpoint.io.measured.hdf5 import read_hdf5\n"
+        "from pitchpoint.io.measured.record import Wanted\nread_hdf5(pathlib.Path(sys.argv[1]), Wanted())"
+    )
+    if not sys.executable:
+        return True
+    try:
+        trial = subprocess.run(
+            [sys.executable, "-c", code, str(path.resolve())],
+            env=os.environ | {"PYTHONPATH": os.pathsep.join(p for p in sys.path if p)},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=20.0 + size / _SLOWEST,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return False
+    except OSError:
+        return True  # where no process can be started, HDF5 is trusted
+    return trial.returncode in (0, 1)
+
+
+def read_hdf5(path: Path, wanted: Wanted) -> Record:
+    """Read vectors, matrices and attributes of a foreign HDF5 file."""
+    import h5py
+
+    try:
+        with h5py.File(path, "r") as file:
+            matlab = file.userblock_size > 0
+            found = Arrays(path, "MAT 7.3" if matlab else "HDF5")
+            for name, value in _attributes(file).items():
+                _take_attribute(found, name, value)
+            for name, dataset in _datasets(path, file):
+                _take(path, found, name, dataset)
+            return found.record(wanted)
+    except MeasuredError:
+        raise
+    except DAMAGE as error:
+        raise _damaged(path, error, "copy it again from where it was recorded") from error
+
+
+def _heaps_end(data: bytes) -> bool:
+    """Whether the texts of a file lie one behind the other up to the end of their heaps.
+
+    A heap is a chain of (index, length); HDF5 follows it without looking whether it leads on (HDF5 File
+    Format Specification 3.0, III.E).
+    """
+    heap = data.find(_HEAP)
+    while heap >= 0:
+        at, end = heap + 16, heap + int.from_bytes(data[heap + 8 : heap + 16], "little")
+        if end > len(data):
+            return False
+        while at + 16 <= end:
+            index, size = data[at : at + 2], int.from_bytes(data[at + 8 : at + 16], "little")
+            free = index == b"\0\0"
+            step = size if free else 16 + size + -size % 8
+            if step < 16 or at + step > end or (free and at + step != end):
+                return False
+            at += step
+        heap = data.find(_HEAP, heap + 8)
+    return True
+
+
+def _datasets(path: Path, file: h5py.File) -> Iterator[tuple[str, h5py.Dataset]]:
+    """Arrays of a file in the order of their names, without those that only describe others."""
+    import h5py
+
+    stack: list[tuple[str, Any]] = [("", file)]
+    seen: set[Any] = set()
+    while stack:
+        prefix, group = stack.pop(0)
+        for key in group:
+            if len(seen) > _MOST_OBJECTS:
+                raise refused(
+                    path,
+                    "",
+                    f"{len(seen)} objects",
+                    "are too many",
+                    f"{_MOST_OBJECTS}",
+                    "export the channels",
+                )
+            if key.startswith("#") or not isinstance(group.get(key, getlink=True), h5py.HardLink):
+                continue
+            item = group[key]
+            address = h5py.h5o.get_info(item.id).addr
+            if address in seen:
+                continue
+            seen.add(address)
+            name = f"{prefix}/{key}" if prefix else key
+            if isinstance(item, h5py.Group):
+                stack.append((name, item))
+            elif isinstance(item, h5py.Dataset):
+                yield name, item
+
+
+def _attributes(item: Any) -> dict[str, Any]:
+    """Attributes that can be read as a text or a number."""
+    found: dict[str, Any] = {}
+    for name in list(item.attrs)[:200]:
+        with contextlib.suppress(*DAMAGE):
+            value = item.attrs[name]
+            if isinstance(value, bytes | np.bytes_):
+                value = value.decode("utf-8", "replace")
+            if isinstance(value, np.ndarray):
+                if value.size != 1:
+                    continue
+                value = value.reshape(-1)[0]
+                value = value.decode("utf-8", "replace") if isinstance(value, bytes) else value
+            if isinstance(value, str):
+                found[name] = value
+            elif isinstance(value, int | float | np.integer | np.floating):
+                found[name] = float(value)
+    return found
+
+
+def _take_attribute(found: Arrays, name: str, value: Any) -> None:
+    if isinstance(value, str):
+        found.text(name, value)
+    else:
+        found.number(name, value)
+
+
+def _take(path: Path, found: Arrays, name: str, dataset: h5py.Dataset) -> None:
+    """Take one array with its unit, its words and its own sample rate."""
+    attributes = _attributes(dataset)
+    kind = dataset.dtype.kind
+    if attributes.get("MATLAB_class") == "char" and dataset.size <= 1000:
+        found.text(
+            name, "".join(chr(c) for c in np.asarray(dataset[()], dtype=np.int64).ravel() if 0 < c < 0x110000)
+        )
+        return None
+    if kind == "V" and dataset.dtype.names and set(dataset.dtype.names) == {"real", "imag"}:
+        return found.skip(name, "complex numbers")
+    if (
+        kind not in "fiub"
+        or attributes.get("MATLAB_class") in ("cell", "struct")
+        or "MATLAB_empty" in attributes
+    ):
+        return None if kind == "O" or "MATLAB_empty" in attributes else found.skip(name, "no numbers")
+    if dataset.shape is None or dataset.attrs.get("CLASS") == b"DIMENSION_SCALE" and _bare(dataset):
+        return None
+    unit = next((str(attributes[k]) for k in _UNIT_NAMES if isinstance(attributes.get(k), str)), "")
+    words = next((str(attributes[k]) for k in _WORD_NAMES if isinstance(attributes.get(k), str)), "")
+    rate = None
+    for key, value in attributes.items():
+        if key_of(key) in (*RATE_NAMES, *STEP_NAMES) and isinstance(value, float):
+            rate = stated_rate(path, key, value)
+    start = next(
+        (v for k, v in attributes.items() if key_of(k) in ("t0", "wf_start_offset") and isinstance(v, float)),
+        0.0,
+    )
+    gain, shift = (attributes.get(k, d) for k, d in (("scale_factor", 1.0), ("add_offset", 0.0)))
+    scaled = isinstance(gain, float) and isinstance(shift, float) and (gain, shift) != (1.0, 0.0)
+    found.add(
+        Found(
+            name,
+            partial(_numbers, path, name, dataset, (gain, shift) if scaled else None),
+            dataset.shape,
+            unit,
+            words,
+            f"{gain:g} times the number stored, plus {shift:g}" if scaled else "",
+            rate,
+            start,
+        )
+    )
+    return None
+
+
+def _bare(dataset: h5py.Dataset) -> bool:
+    """Whether this is a dimension of netCDF without a variable."""
+    return str(dataset.attrs.get("NAME", b"")).find("not a netCDF variable") >= 0
+
+
+def _numbers(path: Path, name: str, dataset: h5py.Dataset, scale: tuple[float, float] | None) -> np.ndarray:
+    """Numbers of an array that does not promise more than the file can hold."""
+    promised, stored = dataset.size * dataset.dtype.itemsize, int(dataset.id.get_storage_size())
+    if promised > _SMALL and promised > _PACKED * min(stored, path.stat().st_size):
+        raise refused(
+            path,
+            name,
+            f"{promised} bytes",
+            f"are promised where {stored} are stored",
+            f"{_PACKED} times what is stored",
+            "the array was not written to its end; shorten it, or record again",
+        )
+    values = np.asarray(dataset[()])
+    return values if scale is None else as_floats(values) * scale[0] + scale[1]
+
+
+def read_own(path: Path, wanted: Wanted) -> Record:
+    """Read the time signals of a result file of pitchpoint, as far as it is written.
+
+    Opened without the mode for files that grow: in it HDF5 waits a long time for a damaged file to become
+    whole.
+    """
+    import h5py
+
+    try:
+        with h5py.File(path, "r") as file:
+            about = {key: value for key, value in _attributes(file).items() if key in _KEPT and value != ""}
+            if "time" not in file:
+                kind = str(file.attrs["kind"])
+                remedy = "name a result of run"
+                raise refused(
+                    path, "", f"{kind} results", "hold no time signals", "signals over time", remedy
+                )
+            found = [n for n in file if isinstance(file[n], h5py.Dataset) and _over_time(file[n])]
+            count = min(file[n].shape[0] for n in ("time", *found))
+            columns = tuple(_own_column(path, file, n, count) for n in found if wanted.takes(n))
+            time = Column("time", _numbers(path, "time", file["time"], None)[:count], "s")
+    except MeasuredError:
+        raise
+    except DAMAGE as error:
+        raise _damaged(path, error, "run the model again") from error
+    notes = [str(about.pop("notes"))] if "notes" in about else []
+    if about.get("status") not in (None, "finished"):
+        notes.append(f"the run has not finished: {about['status']}")
+    return Record("pitchpoint result", columns, time, attributes=about, notes=tuple(notes))
+
+
+def _over_time(dataset: h5py.Dataset) -> bool:
+    if dataset.is_scale or len(dataset.shape) != 1 or not len(dataset.dims[0]):
+        return False
+    return bool(dataset.dims[0][0].name == "/time")
+
+
+def _own_column(path: Path, file: h5py.File, name: str, count: int) -> Column:
+    values, about = _numbers(path, name, file[name], None)[:count], _attributes(file[name])
+    return Column(name, as_floats(values), str(about.get("units", "")), str(about.get("long_name", "")))
+
+
+def _damaged(path: Path, error: Exception, remedy: str) -> MeasuredError:
+    """Make the error of a file that contradicts itself; what the library says of it is repeated."""
+    reason = ""
+    if isinstance(error, OSError | RuntimeError):
+        reason = str(error).partition("(")[0].strip().rstrip(":")[:120]
+    words = "is damaged or cut off" + (f" ({reason.lower()})" if reason else "")
+    return refused(path, "", "", words, None, remedy)

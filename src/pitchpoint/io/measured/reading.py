@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one door to signals on disk: measured files of several formats, and results of pitchpoint."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import UnitError
+from pitchpoint.io.measured.record import MeasuredError, Record, Wanted, refused
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_HDF5 = b"\x89HDF\r\n\x1a\n"
+_EXPECTED = {
+    ".wav": ("WAV",),
+    ".wave": ("WAV",),
+    ".mat": ("MAT", "HDF5"),
+    ".h5": ("HDF5",),
+    ".hdf5": ("HDF5",),
+    ".hdf": ("HDF5",),
+    ".nc": ("HDF5",),
+    ".uff": ("UFF",),
+    ".unv": ("UFF",),
+    ".csv": ("text",),
+    ".tsv": ("text",),
+}
+"""What must stand in a file of this ending; other endings leave it to the contents."""
+
+
+def read_measured(
+    path: str | os.PathLike[str],
+    *,
+    sample_rate: float | str | None = None,
+    channels: Sequence[str] | str | None = None,
+    units: Mapping[str, str] | None = None,
+) -> xr.Dataset:
+    """Read a measured file: CSV, TSV, MAT, HDF5, WAV, UFF data set 58, or a result of pitchpoint.
+
+    Nothing is guessed that the file does not say: without a time axis (a channel called `time` or `t`) and
+    without a sample rate it is refused.
+
+    Parameters
+    ----------
+    path
+        File; its contents say what it is.
+    sample_rate
+        Sample rate [Hz] or a text such as "25.6 kHz", where the file has none; it must not contradict a time
+        axis.
+    channels
+        Names of the channels to read, in this order; left out, all of them.
+    units
+        Unit of a channel, where the file states none or a wrong one: "m/s^2", or what a 1 of the file stands
+        for: "50 m/s^2".
+
+    Returns
+    -------
+    xarray.Dataset
+        One variable per channel over `time` [s]. Attributes of a channel: `units` (SI where the unit is
+        known), `long_name`, `scale` and `units_in_file` where numbers were converted. Attributes of the
+        dataset: `source_file`, `format`, `sha256`, `sample_rate` [Hz], `notes` (what was left out, constant
+        channels) and what else the file says about itself.
+
+    Raises
+    ------
+    MeasuredError
+        If the file cannot be used; the message says where, value, limit and remedy.
+    MissingDependencyError
+        If a universal file is read without the extra `uff`.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> file = Path(tempfile.mkdtemp()) / "rig.csv"
+    >>> _ = file.write_text("time [ms];force [kN]" + chr(10) + "0;1,5" + chr(10) + "0,5;2,5")
+    >>> data = read_measured(file)
+    >>> data["force"].values.tolist(), data["force"].units, data.sample_rate
+    ([1500.0, 2500.0], 'N', 2000.0)
+    """
+    from pitchpoint.io.measured.assembly import assemble
+
+    place = Path(path)
+    data = _contents(place)
+    try:
+        record, asked = _record(place, data, channels)
+    except MemoryError:
+        remedy = "choose fewer channels=, or cut it into shorter records"
+        raise refused(place, "", "", "asks for more memory than there is", None, remedy) from None
+    return assemble(
+        place,
+        record,
+        sample_rate=_hertz(place, sample_rate),
+        channels=asked,
+        units=dict(units or {}),
+        digest=hashlib.sha256(data).hexdigest(),
+    )
+
+
+def _record(
+    path: Path, data: bytes, channels: Sequence[str] | str | None
+) -> tuple[Record, tuple[str, ...] | None]:
+    """What the file says, and the channels that are asked for."""
+    from pitchpoint.io.measured.assembly import unknown_channels
+
+    reader = _reader(path, data, _form(path, data))
+    asked = (channels,) if isinstance(channels, str) else None if channels is None else tuple(channels)
+    record = reader(Wanted(asked))
+    if asked is not None and len(record.columns) < len(asked):
+        unknown_channels(path, asked, [c.name for c in reader(Wanted()).columns])
+    return record, asked
+
+
+def _contents(path: Path) -> bytes:
+    """All bytes of an ordinary file; pipes and devices, which may never end, are refused."""
+    try:
+        if not path.exists():
+            raise refused(path, "", "", "there is no such file", None, "check the path")
+        if not path.is_file():
+            raise refused(
+                path, "", "", "is no ordinary file", "a file", "name a file, not a folder or a device"
+            )
+        data = path.read_bytes()
+    except (OSError, ValueError) as error:
+        if isinstance(error, MeasuredError):
+            raise
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise refused(
+            path, "", "", f"cannot be read ({reason.lower()})", None, "check its permissions"
+        ) from error
+    except MemoryError as error:
+        raise refused(
+            path, "", "", "is larger than the memory", None, "cut it into shorter records"
+        ) from error
+    if not data.strip(b"\0"):
+        what = "holds nothing but zeros" if data else "is empty"
+        raise refused(
+            path, "", f"{len(data)} bytes", what, "a record", "copy it again from where it was recorded"
+        )
+    return data
+
+
+def _form(path: Path, data: bytes) -> str:
+    """Format by contents; an ending that says something else is an error."""
+    if data.startswith(_HDF5) or data[512:520] == _HDF5:
+        form = "HDF5"
+    elif data[:4] in (b"RIFF", b"RIFX", b"RF64"):
+        form = "WAV"
+    elif data[:19] == b"MATLAB 5.0 MAT-file" or data[126:128] in (b"IM", b"MI") and b"\0" in data[:256]:
+        form = "MAT"
+    elif data.lstrip(b"\r\n")[:80].split(b"\n")[0].rstrip() == b"    -1":
+        form = "UFF"
+    else:
+        form = "text"
+    expected = _EXPECTED.get(path.suffix.lower(), (form,))
+    if form not in expected:
+        first = data[:8].decode("latin-1")
+        what = {"text": "no known mark", "MAT": "the mark of MAT 5"}.get(form, f"the mark of {form}")
+        old = "; MAT files of version 4 are not read" if path.suffix.lower() == ".mat" else ""
+        raise refused(
+            path,
+            "first bytes",
+            f"{first!r}",
+            f"are {what}, the ending says {path.suffix[1:].upper()}{old}",
+            f"the mark of {' or '.join(expected)}",
+            "copy or export the file again, or give it the right ending",
+        )
+    return form
+
+
+def _reader(path: Path, data: bytes, form: str) -> Callable[[Wanted], Record]:
+    """The function that reads this format."""
+    if form == "HDF5":
+        from pitchpoint.io.measured.hdf5 import is_own, read_hdf5, read_own
+
+        read = read_own if is_own(path, data) else read_hdf5
+        return lambda wanted: read(path, wanted)
+    if form == "WAV":
+        from pitchpoint.io.measured.wav import read_wav as decode
+    elif form == "MAT":
+        from pitchpoint.io.measured.mat import read_mat5 as decode
+    elif form == "UFF":
+        from pitchpoint.io.measured.uff import read_uff as decode
+    else:
+        from pitchpoint.io.measured.text import read_text as decode
+    return lambda wanted: decode(path, data, wanted)
+
+
+def _hertz(path: Path, value: float | str | None) -> float | None:
+    """Sample rate in Hz."""
+    from pitchpoint.core.units import parse_quantity
+
+    if value is None:
+        return None
+    try:
+        return parse_quantity(value, "frequency", positive=True)
+    except UnitError as error:
+        raise refused(path, "sample_rate", "", str(error), "> 0", "such as 25.6 kHz") from error

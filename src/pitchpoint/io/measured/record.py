@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a measured file says, before it is checked: columns of numbers, units, time or sample rate."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import PitchpointError, Problem
+
+TIME_NAMES = ("time", "t", "zeit", "temps", "tiempo", "timestamp")
+RATE_NAMES = ("sample_rate", "samplerate", "sampling_rate", "samplingrate", "fs", "f_s", "sr",
+              "sample_frequency", "sampling_frequency", "samplingfrequency", "abtastrate")  # fmt: skip
+STEP_NAMES = ("dt", "delta_t", "time_step", "sample_interval", "sampling_interval", "wf_increment")
+"""Names by which files call a time axis, a sample rate [Hz] and its inverse [s]; spaces count as `_`."""
+
+
+class MeasuredError(PitchpointError, ValueError):
+    """A measured file cannot be used; the message says where, value, limit and remedy."""
+
+
+@dataclass(frozen=True)
+class Column:
+    """One row of numbers of a file.
+
+    Attributes
+    ----------
+    name
+        As it stands in the file.
+    values
+        Shape (n,), as they stand in the file.
+    unit
+        Text of the unit, empty if the file states none.
+    long_name
+        Description, if the file has one.
+    scale
+        How numbers of the file have become `values`, if not by copying.
+    """
+
+    name: str
+    values: NDArray[np.float64]
+    unit: str = ""
+    long_name: str = ""
+    scale: str = ""
+
+
+@dataclass(frozen=True)
+class Record:
+    """Contents of one file.
+
+    Attributes
+    ----------
+    form
+        Format in words, as in "CSV".
+    columns
+        Channels, without the time axis.
+    time
+        Time axis with its unit, None if the file has none.
+    resolution
+        Smallest difference of two times that the file can write, in the unit of `time`.
+    rate, start
+        Sample rate [Hz] and time of the first sample [s] that the file states, or None.
+    notes
+        What the reader should know, such as columns that were left out.
+    attributes
+        What else the file says about itself.
+    """
+
+    form: str
+    columns: tuple[Column, ...]
+    time: Column | None = None
+    resolution: float = 0.0
+    rate: float | None = None
+    start: float = 0.0
+    notes: tuple[str, ...] = ()
+    attributes: Mapping[str, str | float | int] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a user asks for: names of channels, or None for all of them."""
+
+    channels: tuple[str, ...] | None = None
+
+    def takes(self, name: str) -> bool:
+        """Whether a channel of this name is to be read."""
+        return self.channels is None or name in self.channels
+
+
+def refused(
+    path: Path,
+    where: str,
+    value: str,
+    message: str,
+    limit: str | None = None,
+    remedy: str | None = None,
+    *,
+    line: int | None = None,
+) -> MeasuredError:
+    """Make the error that says where, which value, which limit, what to do."""
+    place = f"{path}: {where}" if where else str(path)
+    return MeasuredError(str(Problem(place, message, value or None, limit, remedy, line)))
+
+
+def truncated(path: Path, promised: int, there: int, what: str = "bytes") -> MeasuredError:
+    """Make the error of a file that ends before what its header promises."""
+    return refused(
+        path,
+        "",
+        f"{there} {what}",
+        "are there, the file promises more; it is damaged or was cut off",
+        f"{promised} {what}",
+        "copy it again from where it was recorded",
+    )
+
+
+def as_floats(values: NDArray[Any]) -> NDArray[np.float64]:
+    """Numbers in double precision; bit patterns that are none become NaN without a warning."""
+    with np.errstate(all="ignore"):
+        return np.ascontiguousarray(values, np.float64)
+
+
+def key_of(name: str) -> str:
+    """Name without case, spaces and hyphens, to be compared with the lists above.
+
+    Examples
+    --------
+    >>> key_of(" Sample Rate "), key_of("bearing.sr")
+    ('sample_rate', 'sr')
+    """
+    return re.sub(r"[\s\-]+", "_", re.split(r"[./]", name.strip().lower())[-1])
+
+
+_HEAD = re.compile(r"^(.*?)(\s*)[\[(]([^\[\]()]*(?:\([^()]*\))?[^\[\]()]*)[\])]$")
+
+
+def split_name(text: str) -> tuple[str, str]:
+    """Split `name [unit]`; round brackets, or brackets without a space before them, hold only known units.
+
+    Examples
+    --------
+    >>> split_name("acceleration [m/s^2]"), split_name("speed (rpm)"), split_name("front (left)")
+    (('acceleration', 'm/s^2'), ('speed', 'rpm'), ('front (left)', ''))
+    >>> split_name("mesh_force[stage]"), split_name("mesh_force[stage] [N]"), split_name("sound [Furz]")
+    (('mesh_force[stage]', ''), ('mesh_force[stage]', 'N'), ('sound', 'Furz'))
+    """
+    from pitchpoint.io.measured.units import is_unit
+
+    text = text.strip()
+    found = _HEAD.match(text)
+    if found is None or not found[1].strip():
+        return text, ""
+    unit = found[3].strip()
+    stated = bool(found[2]) and text.endswith("]")
+    return (found[1].strip(), unit) if stated or is_unit(unit) else (text, "")

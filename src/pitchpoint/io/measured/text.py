@@ -1,0 +1,333 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Measured text files: CSV, TSV and their kin, with decimal points or commas.
+
+Separator and decimal sign are read from the file: tabs and semicolons separate wherever they stand; a comma
+separates unless the header has one name only. What could be either is refused. Lines that begin with
+`#`, `%` or `//` are remarks; among them `sample_rate: 25.6 kHz` counts.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import UnitError
+from pitchpoint.core.units import parse_quantity
+from pitchpoint.io.measured.record import (
+    RATE_NAMES,
+    STEP_NAMES,
+    TIME_NAMES,
+    Column,
+    MeasuredError,
+    Record,
+    Wanted,
+    key_of,
+    refused,
+    split_name,
+)
+from pitchpoint.io.measured.units import is_unit
+
+_REMARK = ("#", "%", "//")
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eEdD][+-]?\d+)?|[+-]?(?:nan|inf(?:inity)?)", re.I)
+_WORDS = re.compile(r"[^\s\[]+(?:\s*\[[^\]]*\])?")
+_KEY_VALUE = re.compile(r"\s*([\w .\-]{1,40}?)\s*[:=]\s*(.{1,100})")
+_CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
+_PROBE = 20
+"""Rows by which numbers are told from texts."""
+
+
+@dataclass(frozen=True)
+class _Layout:
+    """How the lines of a file are to be cut, and where its numbers begin (index of the line)."""
+
+    separator: str
+    comma: bool
+    names: list[str]
+    units: list[str]
+    first: int
+
+
+def read_text(path: Path, data: bytes, wanted: Wanted) -> Record:
+    """Read a text file with columns of numbers."""
+    text, notes = _decoded(path, data)
+    lines = text.splitlines()
+    rows = [k for k, line in enumerate(lines) if line.strip() and not line.lstrip().startswith(_REMARK)]
+    if not rows:
+        raise refused(
+            path, "", "no line", "holds numbers", "2 or more rows", "name the file that holds the record"
+        )
+    layout = _layout(path, lines, rows)
+    rows = [k for k in rows if k >= layout.first]
+    if not rows:
+        raise refused(path, "", "", "has a header and no rows of numbers", "2 or more rows", "record again")
+    cells = {k: _cut(lines[k], layout) for k in (*rows[:_PROBE], rows[-1])}
+    names = _names(path, layout, cells[rows[0]], rows[0])
+    _same_width(path, cells, len(names))
+    numeric = [
+        j for j in range(len(names)) if any(_is_number(row[j], layout.comma) for row in cells.values())
+    ]
+    place = _time_place(names, layout.units, numeric)
+    chosen = [j for j in numeric if j == place or wanted.takes(names[j])]
+    texts = [
+        names[j] for j in range(len(names)) if j not in numeric and any(row[j] for row in cells.values())
+    ]
+    asked = [
+        names[j] for j in range(len(names)) if j not in numeric and wanted.channels and wanted.takes(names[j])
+    ]
+    if asked:
+        raise refused(
+            path, asked[0], "", "holds text and no numbers", "a column of numbers", "choose other channels"
+        )
+    if texts:
+        notes.append(f"left out because they hold text: {', '.join(texts)}")
+    table = _numbers(path, lines, rows, chosen, layout, names)
+    columns = {j: Column(names[j], table[:, k], layout.units[j]) for k, j in enumerate(chosen)}
+    rate = _stated_rate(
+        path, [(k, line) for k, line in enumerate(lines) if line.lstrip().startswith(_REMARK)]
+    )
+    decimals = (
+        0.0
+        if place is None
+        else _resolution([_cut(lines[k], layout)[place] for k in (*rows[:200], rows[-1])])
+    )
+    return Record(
+        form="TSV" if layout.separator == "\t" else "CSV",
+        columns=tuple(c for j, c in columns.items() if j != place),
+        time=None if place is None else columns[place],
+        resolution=decimals,
+        rate=rate,
+        notes=tuple(notes),
+    )
+
+
+def _decoded(path: Path, data: bytes) -> tuple[str, list[str]]:
+    """Text of a file in UTF-8, UTF-16 with its mark, or Windows-1252."""
+    codes = ("utf-16",) if data[:2] in (b"\xff\xfe", b"\xfe\xff") else ("utf-8-sig", "cp1252")
+    for code in codes:
+        try:
+            text = data.decode(code)
+        except UnicodeDecodeError:
+            continue
+        if not _CONTROL.search(text):
+            return text, ["letters were read as Windows-1252"] if code == "cp1252" else []
+        break
+    what, limit = "holds neither text nor a known measured format", "CSV, TSV, MAT, HDF5, WAV or UFF"
+    raise refused(path, "", "", what, limit, "export it as one of these, texts as UTF-8")
+
+
+def _layout(path: Path, lines: Sequence[str], rows: Sequence[int]) -> _Layout:
+    """Separator, decimal sign and header of a file."""
+    head = lines[rows[0]]
+    body = [lines[k] for k in (*rows[1 : _PROBE + 1], rows[-1])] or [head]
+    if "\t" in head.strip():
+        separator = "\t"
+    elif ";" in head:
+        separator = ";"
+    elif "," in head or all("," in line for line in body):
+        separator = _comma_or_decimal(path, head, body, rows[0])
+    elif len(head.split()) > 1 and all(len(line.split()) > 1 for line in body):
+        separator = " "
+    else:
+        separator = "\n"  # one column
+    probe = _Layout(separator, separator != ",", [], [], 0)
+    header = _cut(head, probe)
+    comma = separator != "," and any("," in cell for line in body for cell in _cut(line, probe))
+    if all(_is_number(cell, separator != ",") or not cell for cell in header):
+        return _Layout(separator, comma or any("," in c for c in header), [], [""] * len(header), rows[0])
+    if separator == " ":
+        header = _WORDS.findall(head)
+    while len(header) > 1 and not header[-1]:  # the header ends with a separator
+        header.pop()
+    pairs = [split_name(cell) for cell in header]
+    names, units = [name for name, _ in pairs], [unit for _, unit in pairs]
+    first = 1
+    if len(rows) > 1:
+        second = [cell.strip("[]() ") for cell in _cut(lines[rows[1]], probe)][: len(names)]
+        words = any(cell and not _is_number(cell, separator != ",") for cell in second)
+        if not any(units) and words and all(not cell or is_unit(cell) for cell in second):
+            units, first = second, 2
+    units += [""] * (len(names) - len(units))
+    return _Layout(separator, comma, names, units, rows[first] if len(rows) > first else len(lines))
+
+
+def _comma_or_decimal(path: Path, head: str, body: Sequence[str], line: int) -> str:
+    """Tell a comma between columns from one inside numbers, or refuse."""
+    if "," in head and not all(_is_number(cell.strip(), comma=True) for cell in head.split()):
+        pieces = head.split(",")
+        if not all(_is_number(p.strip(), comma=False) for p in pieces):
+            return ","  # a header with several names
+        if any("." in p for p in pieces) or len(pieces) > 2:
+            return ","
+    elif "," not in head:
+        return " " if len(head.split()) > 1 and all(len(b.split()) > 1 for b in body) else "\n"
+    every = [head, *body]
+    if any("." in text for text in every) or any(
+        text.count(",") > 1 for text in every if len(text.split()) == 1
+    ):
+        return ","
+    if all(len(text.split()) > 1 for text in every):
+        return " "
+    raise refused(
+        path,
+        "",
+        repr(head.strip()[:40]),
+        "may be two columns or one number with a decimal comma",
+        None,
+        "give the file a header line with a name for each column",
+        line=line + 1,
+    )
+
+
+def _cut(line: str, layout: _Layout) -> list[str]:
+    """Cells of a line without spaces around them."""
+    if layout.separator == "\n":
+        return [line.strip()]
+    if layout.separator == " ":
+        return line.split()
+    if '"' not in line:
+        return [cell.strip() for cell in line.split(layout.separator)]
+    try:
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=layout.separator), [])]
+    except csv.Error:
+        return [cell.strip().strip('"') for cell in line.split(layout.separator)]
+
+
+def _names(path: Path, layout: _Layout, first: Sequence[str], line: int) -> list[str]:
+    """Names of the columns; without a header they are counted."""
+    if not layout.names:
+        return [f"channel {j + 1}" for j in range(len(first))]
+    filled = len(first)
+    while filled > len(layout.names) and not first[filled - 1]:
+        filled -= 1
+    if filled != len(layout.names):
+        raise refused(
+            path,
+            "",
+            f"{filled} cells",
+            "stand under a header with another number of names",
+            f"{len(layout.names)}",
+            "separate names and numbers by the same sign",
+            line=line + 1,
+        )
+    return [name or f"column {j + 1}" for j, name in enumerate(layout.names)]
+
+
+def _same_width(path: Path, cells: dict[int, list[str]], count: int) -> None:
+    for k, row in cells.items():
+        while len(row) > count and not row[-1]:
+            row.pop()
+        if len(row) != count:
+            remedy = "complete or delete this line; it may be where the file was cut off"
+            raise refused(path, "", f"{len(row)} cells", "stand in this line", f"{count}", remedy, line=k + 1)
+
+
+def _time_place(names: Sequence[str], units: Sequence[str], numeric: Sequence[int]) -> int | None:
+    """Which column is the time: the one of that name."""
+    return next((j for j in numeric if key_of(names[j]) in TIME_NAMES), None)
+
+
+def _is_number(cell: str, comma: bool) -> bool:
+    return bool(_NUMBER.fullmatch(cell)) and (comma or "," not in cell)
+
+
+def _numbers(
+    path: Path,
+    lines: Sequence[str],
+    rows: Sequence[int],
+    chosen: Sequence[int],
+    layout: _Layout,
+    names: Sequence[str],
+) -> NDArray[np.float64]:
+    """Columns of numbers, shape (n_row, n_chosen); the quick way first, the careful one if it fails."""
+    if not chosen:
+        return np.empty((len(rows), 0))
+    text = "\n".join([lines[k] for k in rows])
+    pointless = layout.comma and "." in text
+    if '"' not in text and not pointless and not re.search(r"[dD_]", text):
+        text = text.replace(",", ".") if layout.comma else text
+        separator = layout.separator if layout.separator in "\t;," else None
+        try:
+            return np.loadtxt(
+                io.StringIO(text), delimiter=separator, usecols=list(chosen), ndmin=2, comments=None
+            )
+        except ValueError:
+            pass  # the careful way finds the line
+    return _careful(path, lines, rows, chosen, layout, names)
+
+
+def _careful(
+    path: Path,
+    lines: Sequence[str],
+    rows: Sequence[int],
+    chosen: Sequence[int],
+    layout: _Layout,
+    names: Sequence[str],
+) -> NDArray[np.float64]:
+    """Columns of numbers, cell by cell; empty cells are NaN."""
+    found = np.empty((len(rows), len(chosen)))
+    for i, k in enumerate(rows):
+        cells = _cut(lines[k], layout)
+        _same_width(path, {k: cells}, len(names))
+        for column, j in enumerate(chosen):
+            cell = cells[j]
+            if cell and not _is_number(cell, layout.comma):
+                raise _no_number(path, names[j], cell, k)
+            if layout.comma and "." in cell:
+                remedy = "write numbers without separators of thousands"
+                message = "has a decimal point in a file with decimal commas"
+                raise refused(path, names[j], repr(cell[:40]), message, None, remedy, line=k + 1)
+            plain = cell.replace(",", ".").translate(str.maketrans("dD", "ee"))
+            found[i, column] = float(plain) if cell else np.nan
+    return found
+
+
+def _no_number(path: Path, name: str, cell: str, line: int) -> MeasuredError:
+    remedy = "repair or delete this line, or leave the column out with channels="
+    return refused(path, name, repr(cell[:40]), "is no number", None, remedy, line=line + 1)
+
+
+def _resolution(cells: Sequence[str]) -> float:
+    """Value of the last digit of the largest time as it is written: no clock is read more finely.
+
+    Examples
+    --------
+    >>> _resolution(["0", "0.0001", "12.3456"]), _resolution(["0", "1e-05", "2.00001e+00"])
+    (0.0001, 1e-05)
+    """
+    digits, largest = 1, 0.0
+    for cell in cells:
+        plain = cell.replace(",", ".").lower().replace("d", "e")
+        digits = max(digits, len(re.sub(r"[+\-.]", "", plain.partition("e")[0]).lstrip("0")))
+        largest = max(largest, abs(float(plain or 0.0))) if _is_number(plain, comma=False) else largest
+    if not 0.0 < largest < 1e300:
+        return 0.0
+    return float(f"1e{math.floor(math.log10(largest)) + 1 - digits}")
+
+
+def _stated_rate(path: Path, remarks: Sequence[tuple[int, str]]) -> float | None:
+    """Sample rate that a remark states [Hz]; numbers without unit are in Hz, steps in s."""
+    for k, line in remarks[:1000]:
+        found = _KEY_VALUE.fullmatch(line.lstrip("#%/ \t").strip())
+        name = key_of(split_name(found[1])[0]) if found else ""
+        if not found or name not in (*RATE_NAMES, *STEP_NAMES):
+            continue
+        dimension = "frequency" if name in RATE_NAMES else "time"
+        try:
+            text = found[2].strip()
+            value = parse_quantity(
+                float(text) if _is_number(text, comma=False) else text, dimension, positive=True
+            )
+        except UnitError as error:
+            raise refused(
+                path, found[1], "", str(error), None, "correct the remark or delete it", line=k + 1
+            ) from error
+        return value if dimension == "frequency" else 1.0 / value
+    return None

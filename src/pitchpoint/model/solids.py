@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Mass and inertia of gears, shafts and bodies from solids of CAD programs, and what is wrong with these."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import GeometryError, MissingDependencyError, Problem
+from pitchpoint.model.frames import frame
+from pitchpoint.model.keys import Place
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.marker import Triple
+    from pitchpoint.model.components.solid import SolidReference
+    from pitchpoint.model.parts import Parts
+    from pitchpoint.model.read import Reader
+
+ROUND = 1e-6
+"""What a solid may differ from a round one about the z axis, per its size: STL files hold seven digits."""
+
+
+@dataclasses.dataclass(frozen=True)
+class SolidMass:
+    """Mass of a solid along the axes of its body."""
+
+    mass: float
+    """[kg]."""
+    center: Triple
+    """Centre of mass from the origin of the body [m]; x and y are exactly zero where it is round."""
+    polar: float
+    """Moment of inertia about an axis along z through the centre of mass [kg m^2]."""
+    central: float
+    """Mean moment of inertia about diameters through the centre of mass [kg m^2]."""
+    tensor: tuple[float, ...] | None
+    """Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass [kg m^2]; None where it is round about z."""
+
+
+@functools.lru_cache(maxsize=64)
+def _placed(part: SolidReference, density: float, volume: float, center: Any, moments: Any) -> SolidMass:
+    """Solid of given integrals, turned into the axes of the body."""
+    xx, yy, zz, xy, yz, zx = moments
+    turn = frame(part.axes)
+    about = density * turn.T @ np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]) @ turn
+    at = turn.T @ (np.array(center) - np.array(part.origin or (0.0, 0.0, 0.0)))
+    mass = density * volume
+    polar, central = float(about[2, 2]), 0.5 * float(about[0, 0] + about[1, 1])
+    beside = max(abs(about[0, 0] - about[1, 1]), *(abs(about[i, k]) for i, k in ((0, 1), (1, 2), (2, 0))))
+    size = math.sqrt((polar + 2.0 * central) / mass)
+    if beside <= ROUND * max(polar, central) and math.hypot(at[0], at[1]) <= ROUND * size:
+        return SolidMass(mass, (0.0, 0.0, float(at[2])), polar, central, None)
+    entries = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
+    tensor = tuple(float(about[i, k]) for i, k in entries)
+    return SolidMass(mass, (float(at[0]), float(at[1]), float(at[2])), polar, central, tensor)
+
+
+def solid_mass(part: SolidReference) -> SolidMass:
+    """Mass of the solid of a body.
+
+    Parameters
+    ----------
+    part
+        The solid.
+
+    Raises
+    ------
+    GeometryError
+        If its file is none that gives a mass.
+    """
+    solid = part.solid()
+    return _placed(part, part.density_for(), solid.volume, solid.center, solid.moments)
+
+
+def solid_of_gear(gear: Gear) -> tuple[float, float, float]:
+    """Mass [kg], polar and transverse moment of inertia about the centre [kg m^2] of the solid of a gear."""
+    part = gear.solid
+    if part is None:
+        raise ValueError("the gear has no solid")
+    density = part.density_for(gear.material)
+    found = part.about_axis()
+    return density * part.solid().volume, density * found.polar, density * found.transverse
+
+
+# --- checks -------------------------------------------------------------------------------------------------
+def check_solids(parts: Parts, report: Reader) -> None:
+    """Read the solids of gears, shafts and bodies; those that cannot be had are left out of what follows."""
+    for group in ("gears", "shafts", "bodies"):
+        components = getattr(parts, group)
+        for name, component in list(components.items()):
+            if component.solid is None:
+                continue
+            at: Place = (group, name, "solid")
+            if any((*at, k) in report.tainted for k in ("file", "unit", "axes", "material", "density")):
+                good = False
+            else:
+                good = _check(component.solid, at, group, report)
+            if not good:
+                components[name] = dataclasses.replace(component, solid=None)
+                report.tainted |= {(group, name, k) for k in ("mass", "inertia", "transverse_inertia")}
+
+
+def _check(part: SolidReference, at: Place, group: str, report: Reader) -> bool:
+    if part.density is not None and part.material is not None:
+        report.problem((*at, "density"), "stands beside material", remedy="give one of the two")
+        return False
+    if part.origin is not None and group != "bodies":
+        single = group.removesuffix("s")
+        report.problem(
+            (*at, "origin"),
+            f"has no effect: a {single} lies where its body or its section says",
+            remedy="remove it",
+        )
+        return False
+    if part.axes is not None and not _directions(part, at, report):
+        return False
+    try:
+        if group == "bodies":
+            part.solid()
+        else:
+            part.about_axis()
+    except GeometryError as error:
+        _hand_on(report, at, error.problem)
+        return False
+    except MissingDependencyError as error:
+        what, _, remedy = str(error).partition("; ")
+        report.problem((*at, "file"), f"cannot be read: {what}", remedy=remedy)
+        return False
+    return True
+
+
+def _directions(part: SolidReference, at: Place, report: Reader) -> bool:
+    from pitchpoint.model.joint_check import check_axes
+
+    before = len(report.problems)
+    check_axes(part.axes, (*at, "axes"), report)
+    return len(report.problems) == before
+
+
+def _hand_on(report: Reader, at: Place, problem: Problem) -> None:
+    report.problem(
+        (*at, problem.where or "file"),
+        problem.message,
+        value=problem.value,
+        limit=problem.limit,
+        remedy=problem.remedy,
+    )

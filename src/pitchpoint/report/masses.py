@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Mass and inertia of gears, shafts and bodies by every way in which they are known, side by side."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.model.inertia import body_inertia, gear_by_geometry, gear_inertia
+from pitchpoint.model.shafts import own_bodies
+from pitchpoint.model.solids import solid_mass, solid_of_gear
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.body import Body
+    from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.shaft import Shaft
+    from pitchpoint.model.components.solid import SolidReference
+    from pitchpoint.model.model import Model
+
+SOURCES = ("geometry", "gears", "solid", "given", "in force")
+"""Ways to know a mass; of a body the sum over its gears."""
+VALUES = ("mass", "polar_inertia", "transverse_inertia")
+
+
+def masses(model: Model) -> list[dict[str, Any]]:
+    """What is known of the mass of every gear, shaft and body.
+
+    Parameters
+    ----------
+    model
+        The model.
+
+    Returns
+    -------
+    list
+        For each of them `part` ("gear", "shaft" or "body"), `name`, `sources`: for each of `SOURCES` that
+        is known mass [kg], polar inertia about the axis and transverse inertia about the centre of mass
+        [kg m²] (None where a value is not known), and the place of the centre of mass from the origin [m]
+        of shafts and bodies; `differences`: of each source from what is in force, per that; and of solids
+        `file`, `unit`, `density` [kg/m³].
+    """
+    found = [
+        _entry("gear", name, _of_gear(gear), gear.solid, gear.material) for name, gear in model.gears.items()
+    ]
+    found += [
+        _entry("shaft", name, _of_shaft(shaft), shaft.solid, shaft.material)
+        for name, shaft in model.shafts.items()
+    ]
+    for name, body in own_bodies(model.bodies).items():
+        if body.elastic is None:
+            found.append(_entry("body", name, _of_body(model, body), body.solid, "steel"))
+    return found
+
+
+def _entry(
+    part: str, name: str, sources: Mapping[str, Any], solid: SolidReference | None, own: Any
+) -> dict[str, Any]:
+    force = sources["in force"]
+    entry: dict[str, Any] = {"part": part, "name": name, "sources": sources}
+    entry["differences"] = {
+        source: {key: _difference(numbers[key], force[key]) for key in VALUES}
+        for source, numbers in sources.items()
+        if source != "in force"
+    }
+    if solid is not None:
+        entry |= {"file": solid.file, "density": solid.density_for(own), "unit": _unit(solid)}
+    return entry
+
+
+def _unit(solid: SolidReference) -> str:
+    from pitchpoint.geometry.solid_file import read_solids
+
+    return read_solids(solid.file, solid.unit).unit
+
+
+def _difference(value: float | None, force: float | None) -> float | None:
+    if value is None or force is None or not force > 0.0:
+        return None
+    return value / force - 1.0
+
+
+def _numbers(
+    mass: float | None, polar: float | None, transverse: float | None, **more: Any
+) -> dict[str, Any]:
+    return {"mass": mass, "polar_inertia": polar, "transverse_inertia": transverse, **more}
+
+
+def _of_gear(gear: Gear) -> dict[str, Any]:
+    sources = {}
+    # a blank may not fit its teeth, where all that is needed comes from elsewhere
+    with contextlib.suppress(GeometryError):
+        sources["geometry"] = _numbers(*gear_by_geometry(gear))
+    if gear.solid is not None:
+        sources["solid"] = _numbers(*solid_of_gear(gear))
+    given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
+    if any(v is not None for v in given):
+        sources["given"] = _numbers(*given)
+    return {**sources, "in force": _numbers(*gear_inertia(gear))}
+
+
+def _of_shaft(shaft: Shaft) -> dict[str, Any]:
+    from pitchpoint.geometry.shaft_solid import shaft_mass_properties
+
+    def by_sections(density: float) -> dict[str, Any]:
+        total = shaft_mass_properties(shaft.dimensions, density)
+        inertia = (total.polar_inertia, total.transverse_inertia)
+        return _numbers(total.mass, *inertia, center=(0.0, 0.0, total.center))
+
+    sources = {"geometry": by_sections(shaft.material_data.density)}
+    if shaft.solid is not None:
+        density = shaft.solid.density_for(shaft.material)
+        found = shaft.solid.about_axis()
+        volume = shaft.solid.solid().volume
+        sources["solid"] = _numbers(
+            density * volume, density * found.polar, density * found.transverse, center=None
+        )
+    return {**sources, "in force": by_sections(shaft.density)}
+
+
+def _of_body(model: Model, body: Body) -> dict[str, Any]:
+    sources = {}
+    nothing = {"mass": None, "inertia": None, "transverse_inertia": None, "inertia_tensor": None}
+    if body.gears:
+        bare = dataclasses.replace(body, solid=None, center_of_mass=None, **nothing)  # type: ignore[arg-type]
+        sources["gears"] = _of(body_inertia(bare, model.gears))
+    if body.solid is not None:
+        found = solid_mass(body.solid)
+        sources["solid"] = _numbers(found.mass, found.polar, found.central, center=found.center)
+    force = body_inertia(body, model.gears)
+    tensor = body.inertia_tensor is not None
+    given = _numbers(
+        body.mass,
+        _polar(force) if tensor or body.inertia is not None else None,
+        force.central if tensor or body.transverse_inertia is not None else None,
+        center=body.center,
+    )
+    if any(v is not None for v in given.values()):
+        sources["given"] = given
+    return {**sources, "in force": _of(force)}
+
+
+def _of(inertia: Any) -> dict[str, Any]:
+    center = inertia.place if inertia.mass > 0.0 else None
+    return _numbers(inertia.mass, _polar(inertia), inertia.central, center=center)
+
+
+def _polar(inertia: Any) -> float:
+    """Moment of inertia about an axis along z through the centre of mass [kg m^2]."""
+    beside = math.hypot(*inertia.beside)
+    return float(inertia.polar - inertia.mass * beside * beside)

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Faults of rolling bearings as the rows that their element reads."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.contact.spall import spall_drop
+from pitchpoint.elements.bearing_fault import ELEMENT, INNER, OUTER
+from pitchpoint.elements.signal import Pool
+from pitchpoint.model.bearing_fault_check import element_angles, track_radius
+from pitchpoint.model.components.bearing_fault import CageFault, ElementFault, LooseBearing, SpallFault
+from pitchpoint.model.components.rolling_bearing import RollingBearing
+
+
+def put_faults(row: Any, part: RollingBearing, pool: Pool) -> None:
+    """Fill the fault fields of the record of one bearing; healthy ones take no notice of this."""
+    spalls = [fault for fault in part.faults.values() if not isinstance(fault, CageFault | LooseBearing)]
+    rows = [one for fault in spalls for one in _spall(part, fault)]
+    if rows:
+        row["n_faults"], row["faults"] = len(rows), pool.add(rows)
+    if any(isinstance(fault, CageFault) for fault in part.faults.values()):
+        even = 2.0 * math.pi / part.elements * np.arange(part.elements)
+        row["uneven"], row["spacing"] = 1, pool.add(element_angles(part) - even)
+
+
+def _spall(part: RollingBearing, fault: SpallFault) -> list[tuple[float, ...]]:
+    """One spall as rows of `elements.bearing_fault`: one race, or the two that an element meets."""
+    if not isinstance(fault, ElementFault):
+        inner = fault.form == "inner_race"
+        return [_row(part, fault, INNER if inner else OUTER, inner, fault.angle)]
+    return [
+        _row(part, fault, ELEMENT, False, -fault.angle),
+        _row(part, fault, ELEMENT, True, math.pi - fault.angle),
+    ]
+
+
+def _row(part: RollingBearing, fault: SpallFault, place: float, inner: bool, angle: float) -> Any:
+    track = track_radius(part, inner)
+    bent = track / math.cos(part.contact_angle) * (1.0 if inner else -1.0)
+    own = 0.5 * part.element_diameter
+    length = fault.severity * fault.length
+    drop, ramp = spall_drop(length, fault.severity * fault.depth, own, bent)
+    radius = own if isinstance(fault, ElementFault) else track
+    number = fault.element if isinstance(fault, ElementFault) else -1
+    return place, number, angle, 0.5 * length / radius, ramp / radius, drop

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gears that sit beside or askew on the axis of their body, as the places that the mesh element reads."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.elements.mesh_eccentric import displaced
+from pitchpoint.model.components.gear_faults import Eccentricity, Wobble
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.gear import Gear
+
+
+def sits_off(gear: Gear) -> bool:
+    """Whether a gear has a fault of its seat that is there at all."""
+    seats = (fault for fault in gear.faults.values() if isinstance(fault, Eccentricity | Wobble))
+    return any(fault.severity * fault.amount > 0.0 for fault in seats)
+
+
+def put_seats(
+    row: Any, gears: Sequence[Gear], tooth_0: Sequence[float], keep: Callable[[NDArray[np.float64]], int]
+) -> None:
+    """Fill the fields of displaced gears of a mesh record; nothing to do for gears that sit well.
+
+    `tooth_0`: angles of the centres of their teeth 0 at spin 0, from the x axes of their bodies [rad].
+    """
+    if any(sits_off(gear) for gear in gears):
+        places = np.array([_place(g, angle) for g, angle in zip(gears, tooth_0, strict=True)])
+        row["displaced"], row["askew"] = 1, keep(displaced(places))
+
+
+def _place(gear: Gear, tooth_0: float) -> NDArray[np.float64]:
+    """Displacement x, y [m] of the centre of a gear and lean of its axis as its x, y, axes of the body."""
+    shift, lean = 0j, 0j
+    for fault in gear.faults.values():
+        if not isinstance(fault, Eccentricity | Wobble):
+            continue
+        angle = tooth_0 + fault.phase
+        towards = complex(math.cos(angle), math.sin(angle)) * fault.severity * fault.amount
+        if isinstance(fault, Eccentricity):
+            shift += towards
+        else:
+            lean += towards
+    if lean:
+        lean *= math.sin(abs(lean)) / abs(lean)
+    return np.array([shift.real, shift.imag, lean.real, lean.imag])

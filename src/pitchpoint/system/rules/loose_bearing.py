@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Linear bearings whose ring is loose in its seat, as records."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.elements import loose_bearing
+from pitchpoint.model.components.bearing_fault import play
+from pitchpoint.model.frames import body_frame
+from pitchpoint.system.rules.bank import Bank, pack
+from pitchpoint.system.rules.bearing import damping_matrix, housing_numbers
+from pitchpoint.system.rules.bodies import seat_at
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+SEAT = 0.1
+"""Share of the radial play over which the seat gives way before its ring is firm."""
+TILTS = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+"""Axial displacement and turns about x and y, over axial displacement and x, y of the axis of the shaft."""
+
+
+def loose_bearing_bank(model: Model) -> Bank:
+    """All bearings with play in their seat; those without are linear and stand in `bearing_bank`."""
+    rows, names = [], []
+    seats = housing_numbers(model)
+    for name, part in model.bearings.items():
+        clearance = play(part.faults.values())
+        if clearance == 0.0:
+            continue
+        row = np.zeros(1, loose_bearing.RECORD)[0]
+        row["i"], row["p_i"][2] = seat_at(model, part.body, part.position[2])
+        row["A_i"] = row["A_j"] = np.eye(3)
+        if name in seats:
+            row["j"] = seats[name]
+        else:
+            origin = np.array(model.bodies[part.body].origin or (0.0, 0.0, 0.0))
+            axes = body_frame(model, part.body)[1]
+            row["p_j"], row["A_j"] = origin + axes @ [0.0, 0.0, part.position[2]], axes
+        K, D = np.array(part.stiffness.matrix6()), damping_matrix(model, part, (part.body,))
+        row["gap"], row["seat"] = 0.5 * clearance, 0.5 * SEAT * clearance
+        row["k"], row["d"] = K[0, 0], D[0, 0]
+        row["Kt"], row["Dt"] = (TILTS.T @ A[2:5, 2:5] @ TILTS for A in (K, D))
+        rows.append(row)
+        names.append(name)
+    return pack("loose_bearing", loose_bearing.RECORD, rows, names)

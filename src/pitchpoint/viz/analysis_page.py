@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pictures and page of one analysis: the signal, and what a tool has made of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.analysis.orders import OrderMap
+from pitchpoint.analysis.spectra import Spectrum
+from pitchpoint.analysis.time_frequency import TimeFrequencyMap
+from pitchpoint.analysis.tools import TOOLS
+from pitchpoint.viz import spectrum_plots, theme
+from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.quantities import channels, scale
+from pitchpoint.viz.report_page import Section, page
+from pitchpoint.viz.signals_plot import plot_signals
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+    import xarray as xr
+
+_POINTS, _ROWS = 8000, 12
+"""Points of a curve, and rows of a table that get a picture each."""
+_LOGARITHMIC = 1e3
+"""Ratio of largest to median value from which positive numbers are drawn over a logarithmic axis."""
+
+
+def analysis_page(record: xr.Dataset, result: xr.Dataset, notes: Sequence[str] = ()) -> str:
+    """The page about one result of `analysis.dataset.analyse`, as HTML.
+
+    Parameters
+    ----------
+    record
+        What was analysed.
+    result
+        What came out.
+    notes
+        Sentences for the last section.
+    """
+    about, names = result.attrs, result.attrs["channel"]
+    sections = [_signals(record, names.split(", "))]
+    for name, one in results_by_channel(result).items():
+        section = Section(f"result-{len(sections)}", f"{about['tool'].replace('_', ' ')}, {name}")
+        for figure in plot_analysis(one, name):
+            section.add_figure(figure)
+        sections.append(section)
+    if notes:
+        items = "".join(f"<li>{escape(note)}</li>" for note in notes)
+        sections.append(Section("notes", "Notes", [f"<ul>{items}</ul>"]))
+    facts = [
+        ("file", str(about.get("source_file", ""))),
+        ("format", str(about.get("format", ""))),
+        ("SHA-256", str(about.get("sha256", ""))[:16]),
+        ("channel", names),
+        ("angle", str(about.get("angle", ""))),
+        ("options", str(about["options"]) if about["options"] != "{}" else ""),
+    ]
+    title = f"{about['tool'].replace('_', ' ')} of {names}"
+    return page(title, facts, sections, "pitchpoint analyse.")
+
+
+def results_by_channel(result: xr.Dataset) -> dict[str, xr.Dataset]:
+    """The result of each channel on its own."""
+    if "channel" not in result.dims:
+        return {str(result.attrs["channel"]): result}
+    return {
+        str(name): result.isel(channel=k).drop_vars("channel")
+        for k, name in enumerate(result["channel"].values)
+    }
+
+
+def plot_analysis(result: xr.Dataset, channel: str) -> list[go.Figure]:
+    """Pictures of the result of one channel; none where it is but numbers.
+
+    Parameters
+    ----------
+    result
+        Result of `analyse` of one channel, with its attributes.
+    channel
+        What the axes call it.
+    """
+    kind = TOOLS[result.attrs["tool"]].picture
+    if kind in ("spectrum", "order_spectrum"):
+        axis = "frequency" if kind == "spectrum" else "order"
+        unit = str(result["amplitude"].attrs["units"])
+        spectrum = spectrum_of(result, axis)
+        return [
+            spectrum_plots.plot_spectrum(
+                {channel: spectrum}, unit=unit, quantity=f"amplitude, {channel}", over=axis
+            )
+        ]
+    if kind in ("order_map", "time_frequency"):
+        unit = str(result["amplitude"].attrs["units"])
+        arrays = {str(name): result[name].values for name in result.variables}
+        if kind == "order_map":
+            return [spectrum_plots.plot_order_map(OrderMap(**arrays), unit=unit, quantity=channel)]
+        return [spectrum_plots.plot_time_frequency(TimeFrequencyMap(**arrays), unit=unit, quantity=channel)]
+    figures = []
+    for name, variable in result.data_vars.items():
+        if not variable.dims or variable.dtype.kind not in "fiu" or variable.dims[-1] not in result.coords:
+            continue
+        if variable.ndim == 1:
+            figures.append(_curve(result, variable, f"{_words(name)}, {channel}"))
+        elif variable.ndim == 2 and variable.shape[0] <= _ROWS:
+            first = str(variable.dims[0])
+            labels = result[first].values if first in result.coords else range(variable.shape[0])
+            figures += [
+                _curve(result, variable[k], f"{_words(name)}, {_words(first)} {_label(label)}, {channel}")
+                for k, label in enumerate(labels)
+            ]
+    return figures
+
+
+def spectrum_of(result: xr.Dataset, axis: str) -> Spectrum:
+    """The dataclass of a spectrum back from its dataset; `axis` is `frequency` or `order`."""
+    return Spectrum(
+        frequency=result[axis].values,
+        amplitude=result["amplitude"].values,
+        mean=float(result["mean"]),
+        resolution=float(result["resolution"]),
+        noise_bandwidth=float(result["noise_bandwidth"]),
+    )
+
+
+def _signals(record: xr.Dataset, names: Sequence[str]) -> Section:
+    """The channels over time, as they were read."""
+    section = Section("signal", "Signal")
+    if "time" in record.dims:
+        time, found = channels(record)
+        for name in dict.fromkeys(names):
+            if name in found:
+                section.add_figure(plot_signals(time, [found[name]], title=name))
+    return section
+
+
+def _curve(result: xr.Dataset, variable: xr.DataArray, words: str) -> go.Figure:
+    """One row of numbers over its dimension."""
+    import plotly.graph_objects as go
+
+    axis = str(variable.dims[0])
+    x, y = (np.asarray(v.values, dtype=np.float64) for v in (result[axis], variable))
+    across, unit = scale(str(result[axis].attrs.get("units", "")), x), str(variable.attrs["units"])
+    best = scale(unit, y)
+    figure = go.Figure(layout=theme.layout(across.title(_words(axis)), best.title(words), height=340))
+    kept = kept_samples(y, _POINTS)
+    figure.add_scatter(
+        x=(x[kept] * across.factor).astype(np.float32),
+        y=(y[kept] * best.factor).astype(np.float32),
+        mode="lines",
+        name=words,
+        line={"color": theme.colour_of(str(variable.name), 0), "width": 1.3, "simplify": False},
+    )
+    positive = y[y > 0.0]
+    if y.size and y.min() >= 0.0 and positive.size and y.max() > _LOGARITHMIC * np.median(positive):
+        figure.update_yaxes(type="log", exponentformat="power")
+    figure.update_layout(showlegend=False)
+    return figure
+
+
+def _words(name: object) -> str:
+    return str(name).replace("_", " ")
+
+
+def _label(value: object) -> str:
+    return f"{value:g}" if isinstance(value, int | float | np.number) else str(value)

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bad measured files: each ends in a sentence that says where, value, limit and remedy."""
+
+from __future__ import annotations
+
+import os
+import struct
+
+import h5py
+import numpy as np
+import pytest
+from scipy.io import savemat
+
+from pitchpoint.io.measured.reading import read_measured
+from pitchpoint.io.measured.record import MeasuredError
+from tests.support import measured_files as files
+
+TEXTS = {
+    "empty": ("", "0 bytes is empty"),
+    "zeros": ("\0" * 40, "holds nothing but zeros"),
+    "remarks only": ("# a\n% b\n", "holds numbers"),
+    "header only": ("time,x\n", "has a header and no rows"),
+    "one row": ("time,x\n0,1\n", "is too short for a record (limit 2 or more)"),
+    "no numbers": ("a,b\nx,y\nu,v\n", "no channel of numbers is in the file"),
+    "no time": (
+        "x,y\n1,2\n3,4\n",
+        "neither a time axis nor a sample rate (limit one of them); give sample_rate=",
+    ),
+    "text in numbers": ("time,x\n0,1\n1,oops\n2,3\n", "x (line 3): 'oops' is no number"),
+    "text far below": (
+        "time,x\n" + "".join(f"{k},1\n" for k in range(90)) + "90,?\n91,2\n",
+        "x (line 92): '?' is no",
+    ),
+    "short line": ("time,x\n0,1\n1\n2,3\n", "(line 3): 1 cells stand in this line (limit 2)"),
+    "header of other width": ("time,x,y\n0,1\n1,2\n", "(line 2): 2 cells stand under a header"),
+    "nan and inf": (
+        "time,x,y\n0,1,1\n1,nan,2\n2,nan,inf\n",
+        "x: 2 of 3 samples, first nan at sample 1; y: 1 of 3 samples, first inf at sample 2: are not finite",
+    ),
+    "empty cell": ("time,x\n0,1\n1,\n2,3\n", "x: 1 of 3 samples, first nan at sample 1"),
+    "time stands still": ("time,x\n0,1\n1,2\n1,3\n", "sample 2 at 1 s after 1 s does not increase"),
+    "lost samples": (
+        "time,x\n0,1\n1,2\n2,3\n9,4\n10,5\n",
+        "step 7 s after sample 2 differs from the usual 1 s",
+    ),
+    "same name": ("time,x,x [N]\n0,1,2\n1,3,4\n", "'x' 2 times stand in the file (limit each name once)"),
+    "unit of time": ("time [m],x\n0,1\n1,2\n", "time: 'm' is no unit of time"),
+    "thousands": ("time;x\n0;1,5\n1;1.234,5\n", "x (line 3): '1.234,5' is no number"),
+    "comma or column": (
+        "1,2\n3,4\n",
+        "(line 1): '1,2' may be two columns or one number with a decimal comma",
+    ),
+    "wrong rate in a remark": ("# sample_rate: 5 m\nx\n1\n2\n", "sample_rate (line 1): '5 m'"),
+    "binary": ("x\1\2\3", "holds neither text nor a known measured format"),
+}
+
+
+def refusal(path, **options):
+    with pytest.raises(MeasuredError) as caught:
+        read_measured(path, **options)
+    text = str(caught.value)
+    assert text.startswith(str(path)) and "\n" not in text
+    return text
+
+
+@pytest.mark.parametrize("text, sentence", TEXTS.values(), ids=TEXTS.keys())
+def test_bad_text_files(tmp_path, text, sentence):
+    path = tmp_path / "a.csv"
+    path.write_text(text, encoding="utf-8")
+    assert sentence in refusal(path)
+
+
+def test_bad_questions(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text(files.csv_text(), encoding="utf-8")
+    assert "did you mean speed?" in refusal(path, channels=["sped"])
+    assert "there are force, speed" in refusal(path, channels="zzz")
+    assert "'xyz' is no channel of the file" in refusal(path, units={"xyz": "N"})
+    assert "asked for more than once" in refusal(path, channels=["speed", "speed"])
+    assert "none is asked for" in refusal(path, channels=[])
+    assert "2000 Hz contradicts the file (limit 1000 Hz)" in refusal(path, sample_rate=2000.0)
+    assert "expected a frequency" in refusal(path, sample_rate="5 m")
+    for rate in (0.0, -1.0, float("nan"), float("inf")):
+        assert "sample_rate" in refusal(path, sample_rate=rate)
+
+
+def test_what_is_no_file(tmp_path):
+    assert "there is no such file" in refusal(tmp_path / "nothing.wav")
+    assert "is no ordinary file" in refusal(tmp_path)
+    pipe = tmp_path / "pipe.csv"
+    os.mkfifo(pipe)
+    assert "is no ordinary file" in refusal(pipe)  # and does not wait for a writer
+
+
+@pytest.mark.parametrize("ending", ["wav", "mat", "h5", "uff"])
+def test_wrong_magic(tmp_path, ending):
+    path = tmp_path / f"a.{ending}"
+    path.write_text("time,x\n0,1\n1,2\n", encoding="utf-8")
+    text = refusal(path)
+    assert (
+        "first bytes: 'time,x\\n0' are no known mark" in text and f"the ending says {ending.upper()}" in text
+    )
+    files.write_wav(path)
+    if ending != "wav":
+        assert "the mark of WAV" in refusal(path)
+
+
+def test_channels_of_different_length(tmp_path):
+    path = tmp_path / "a.mat"
+    savemat(path, {"time": files.TIME, "force": files.FORCE, "calibration": np.ones(3)})
+    assert "samples: calibration 3 differ in length from the rest (limit 64)" in refusal(path)
+    assert read_measured(path, channels=["force"]).sizes == {"time": 64}
+
+
+def test_matrices_that_do_not_say_which_way(tmp_path):
+    path = tmp_path / "a.mat"
+    savemat(path, {"m": np.ones((4, 4))})
+    assert "4 × 4 does not say which way time runs" in refusal(path, sample_rate=1.0)
+
+
+def test_two_time_axes_and_two_rates(tmp_path):
+    path = tmp_path / "a.h5"
+    with h5py.File(path, "w") as file:
+        for name, rate in (("a", 10.0), ("b", 20.0)):
+            file[f"{name}/time"] = np.arange(5) / rate
+            file[f"{name}/x"] = np.arange(5.0)
+    assert "are different time axes" in refusal(path)
+    assert read_measured(path, channels="b/x").sample_rate == pytest.approx(20.0)
+    with h5py.File(path, "w") as file:
+        for name, rate in (("a", 10.0), ("b", 20.0)):
+            file.create_dataset(name, data=np.arange(5.0)).attrs["fs"] = rate
+    assert "a 10 Hz, b 20 Hz differ" in refusal(path)
+
+
+def test_headers_that_promise_four_gigabytes(tmp_path):
+    wav = tmp_path / "a.wav"
+    files.write_wav(wav)
+    data = bytearray(wav.read_bytes())
+    data[40:44] = struct.pack("<I", 0xFFFFFFF0)
+    wav.write_bytes(data)
+    assert "the file promises more" in refusal(wav)
+
+    mat = tmp_path / "a.mat"
+    files.write_plain_mat(mat)
+    data = bytearray(mat.read_bytes())
+    for at, value in ((132, 0xFFFFFFF0), (160, 1 << 30)):  # length of the variable; its number of rows
+        broken = data.copy()
+        broken[at : at + 4] = struct.pack("<I", value)
+        mat.write_bytes(broken)
+        assert "the file promises more" in refusal(mat) or "do not fill the array" in refusal(mat)
+
+    hdf = tmp_path / "a.h5"
+    with h5py.File(hdf, "w") as file:
+        file.create_dataset("x", shape=(1 << 40,), dtype="f8", chunks=(1024,))
+    assert "8796093022208 bytes are promised where 0 are stored" in refusal(hdf, sample_rate=1.0)
+
+
+def test_a_result_without_signals_over_time(tmp_path):
+    from pitchpoint.io.results import Axis, Header, write_tables
+
+    path = tmp_path / "modes.h5"
+    write_tables(path, Header("modes"), [Axis("mode", [0, 1])], [])
+    assert "modes results hold no time signals" in refusal(path)
+
+
+def test_damaged_universal_files(tmp_path):
+    pytest.importorskip("pyuff", reason="extra uff")
+    path = tmp_path / "a.uff"
+    files.write_uff(path)
+    text = path.read_text()
+    path.write_text(text[: len(text) // 3])
+    assert "begins a data set that does not end" in refusal(path)
+    path.write_text("    -1\n    58\n    -1\n")
+    assert "is no readable universal file" in refusal(path)
+    path.write_text("    -1\n   151\nmodel\n    -1\n")
+    assert "no data set 58 hold no time response" in refusal(path)
