@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.bearing_tests import without_mesh_lines
-from pitchpoint.analysis.gear_signals import gear_signals
+from pitchpoint.analysis.gear_signals import FEWEST_TEETH, gear_signals
 from pitchpoint.analysis.indicators import standardised_moment
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal
 from pitchpoint.analysis.synchronous_average import synchronous_average
@@ -109,13 +108,12 @@ def mean_turn(
             f"teeth: {wanted} samples per turn lose every harmonic of {teeth} teeth (limit above {2 * teeth}); "
             "use a higher sample rate"
         )
-    others = {z for _, z in parts.gears_of(shaft.name).values()} - {teeth}
-    counts = [teeth, *(z for z in others if 2 * z < wanted)]
+    # meshes of other shafts that are whole orders of this one stay in its average as well
+    ratios = [parts.shaft(mesh.shafts[0]).order * mesh.teeth[0] / shaft.order for mesh in parts.meshes]
+    whole = {int(ratio) for ratio in ratios if ratio.denominator == 1 and ratio >= FEWEST_TEETH}
+    counts = sorted({teeth} | {z for z in whole if 2 * z < wanted})
     mean = synchronous_average(x, turned, ratio=shaft.order, samples_per_turn=wanted)
-    # over few turns, or whole ratios, meshes of other shafts stay in the average
-    rest = without_mesh_lines(x - x.mean(), samples_per_turn, parts)
-    clean = synchronous_average(rest, turned, ratio=shaft.order, samples_per_turn=wanted)
-    signals = gear_signals(clean.values, teeth=counts)
+    signals = gear_signals(mean.values, teeth=counts)
     indicators = {}
     for name, (kind, power) in MOMENTS.items():
         signal = signals.residual if kind == "residual" else signals.difference

@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, output, quiet
+from pitchpoint.cli.options import allow_code, as_json, debug, quantity, quiet
 from pitchpoint.cli.output import emit_json, show, table
 
 if TYPE_CHECKING:
@@ -53,13 +51,13 @@ if TYPE_CHECKING:
     show_default=True,
     help="Part of healthy records in which something is found.",
 )
-@output("Also write a page with pictures.")
+@quantity("--sample-rate", "frequency", "Sample rate, where the file does not say it.")
 @as_json
 @allow_code
 @quiet
 @debug
-def diagnose(file: str, as_json: bool, quiet: bool, output: str | None, **options: Any) -> None:
-    """Look for damaged gears, shafts and bearings in FILE: a result of pitchpoint.
+def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
+    """Look for damaged gears, shafts and bearings in FILE: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
 
     What turns comes from the model that a result keeps, from --model, or from --train; the speed from an angle
     or a tacho in the file, or from --speed. Nothing else is assumed.
@@ -88,6 +86,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, output: str | None, **option
         bearings=options["bearings"],
         false_alarm=options["false_alarm"],
         allow_code=options["allow_code"],
+        sample_rate=options["sample_rate"],
     )
     found = diagnose_file(request)
     if as_json:

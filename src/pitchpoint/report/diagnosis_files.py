@@ -40,19 +40,23 @@ class ResultChannels(Mapping[str, Array]):
         return len(self._names)
 
 
-def read_record(path: str) -> Record:
-    """Read the channels of a time response.
+def read_record(path: str, sample_rate: float | None = None) -> Record:
+    """Read the channels of a time response, or of a measured file.
 
     Raises
     ------
-    ResultError
-        If the file is no result, or a damaged one.
+    MeasuredError
+        If the file is no result and cannot be read as a measured one.
     SignalError
         If it holds no time series.
     """
+    from pitchpoint.io.container import ResultError
     from pitchpoint.io.reading import read_channel, read_header
 
-    header = read_header(path)
+    try:
+        header = read_header(path)
+    except ResultError:
+        return _measured(path, sample_rate)
     if header.get("kind") != "time":
         raise SignalError(f"{path}: holds {header.get('kind')} results (limit: a time response); run one first")
     channels = ResultChannels(path)
@@ -67,3 +71,16 @@ def read_record(path: str) -> Record:
         scenario=str(header.get("scenario", "")),
         settle_time=settle,
     )
+
+
+def _measured(path: str, sample_rate: float | None) -> Record:
+    """Read a measured file: all its channels over time."""
+    from pitchpoint.io.measured.reading import read_measured
+
+    data = read_measured(path, sample_rate=sample_rate)
+    channels = {
+        str(name): np.asarray(values.values, dtype=np.float64)
+        for name, values in data.data_vars.items()
+        if values.dims == ("time",)
+    }
+    return Record(np.asarray(data["time"].values, dtype=np.float64), channels)

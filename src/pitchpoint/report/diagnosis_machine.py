@@ -41,6 +41,7 @@ class Request:
     bearings: Sequence[str] = ()
     false_alarm: float = 0.01
     allow_code: bool = False
+    sample_rate: float | None = None
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,7 @@ def diagnose_file(request: Request) -> Study:
     """
     from pitchpoint.report.diagnosis_files import read_record
 
-    record = read_record(request.file)
+    record = read_record(request.file, request.sample_rate)
     machine = _machine(request, record)
     chosen = _chosen(request, record)
     signals, remarks = usable(chosen)

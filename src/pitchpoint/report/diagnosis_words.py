@@ -74,6 +74,7 @@ def evidence_of(finding: Finding, diagnosis: Diagnosis) -> list[Evidence]:
         if e.found
         and e.shaft == finding.shaft
         and (e.kind == "bearing") == (finding.kind == "bearing")
+        and (e.kind != "comb" or finding.kind == "local fault")
         and (e.kind != "bearing" or e.gear == finding.gears[0])
     ]
     kinds = {"comb": 0, "sidebands": 1, "low order": 2, "bearing": 3}
