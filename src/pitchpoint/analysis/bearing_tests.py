@@ -21,7 +21,9 @@ FEWEST_SAMPLES = 1024
 Row = tuple[str, str, Measured]
 
 
-def bearing_evidence(values: Array, samples_per_turn: float, parts: TurningParts) -> tuple[list[Row], list[str]]:
+def bearing_evidence(
+    values: Array, samples_per_turn: float, parts: TurningParts
+) -> tuple[list[Row], list[str]]:
     """Lines of all parts of all bearings in the spectrum of the squared envelope.
 
     Parameters

@@ -315,7 +315,9 @@ def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> str:
     _, kind, shaft, gear, _ = row
     what = {"comb": "orders", "low order": "lowest orders", "sidebands": "sidebands"}.get(kind, "events")
     whose = f"{gear} ({shaft})" if gear else shaft
-    return f"no test of the {what} of {whose}: above the record's highest frequency, or too near to other lines"
+    return (
+        f"no test of the {what} of {whose}: above the record's highest frequency, or too near to other lines"
+    )
 
 
 def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: float) -> Evidence:

@@ -142,7 +142,11 @@ class ShaftView:
         assert worst is not None
         small = worst.amplitude < SMALLEST_COMB * self.rms
         return Measured(
-            worst.score, 1.0 if small else worst.probability, worst.order * self.order, worst.amplitude, worst.lines
+            worst.score,
+            1.0 if small else worst.probability,
+            worst.order * self.order,
+            worst.amplitude,
+            worst.lines,
         )
 
     def lines(self, orders: Array, sideband: Array, least: Array | None = None) -> Measured:
@@ -267,8 +271,6 @@ def _best_band(number: Array, power: Array, between: Array, level: Array) -> Mea
             # medians: single lines that come from elsewhere are not part of the comb
             above = float(np.median(power[mine]) - np.median(level[theirs])) / np.log(2.0)
             amplitude = float(np.sqrt(max(above, 0.0) * mine.sum()))
-            best = Measured(
-                score, probability, float(number[mine].mean()), amplitude, int(mine.sum())
-            )
+            best = Measured(score, probability, float(number[mine].mean()), amplitude, int(mine.sum()))
     some = float(-np.expm1(len(bands) * np.log1p(-min(best.probability, 1.0 - 1e-16))))
     return Measured(best.score, some, best.order, best.amplitude, best.lines)

@@ -51,6 +51,12 @@ if TYPE_CHECKING:
     show_default=True,
     help="Part of healthy records in which something is found.",
 )
+@click.option(
+    "--noise",
+    type=float,
+    metavar="DB",
+    help="Add white noise, so many dB below the signal; 20 for results of simulations, none for measured files.",
+)
 @quantity("--sample-rate", "frequency", "Sample rate, where the file does not say it.")
 @as_json
 @allow_code
@@ -72,7 +78,9 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
     if len(given) > 1:
         raise click.UsageError("--tacho and --angle say the same thing twice; leave one of the two out")
     if options["train"] is not None and (options["model"] or options["scenario"]):
-        raise click.UsageError("--train stands in place of a model and its scenario; leave one of the two out")
+        raise click.UsageError(
+            "--train stands in place of a model and its scenario; leave one of the two out"
+        )
     request = Request(
         file=file,
         model=options["model"],
@@ -87,6 +95,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
         false_alarm=options["false_alarm"],
         allow_code=options["allow_code"],
         sample_rate=options["sample_rate"],
+        noise=options["noise"],
     )
     found = diagnose_file(request)
     if as_json:

@@ -58,7 +58,9 @@ def read_record(path: str, sample_rate: float | None = None) -> Record:
     except ResultError:
         return _measured(path, sample_rate)
     if header.get("kind") != "time":
-        raise SignalError(f"{path}: holds {header.get('kind')} results (limit: a time response); run one first")
+        raise SignalError(
+            f"{path}: holds {header.get('kind')} results (limit: a time response); run one first"
+        )
     channels = ResultChannels(path)
     if not channels:
         raise SignalError(f"{path}: has no channel (limit 1); run the scenario again")

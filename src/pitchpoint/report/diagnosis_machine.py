@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
+SIMULATED = 20.0
+"""Signal-to-noise ratio that results of simulations get if nobody says another one [dB]."""
 _BEARING = re.compile(r"([^:@]+):([^@]+)@(.+)")
 
 
@@ -42,6 +44,7 @@ class Request:
     false_alarm: float = 0.01
     allow_code: bool = False
     sample_rate: float | None = None
+    noise: float | None = None
 
 
 @dataclass(frozen=True)
@@ -71,13 +74,48 @@ def diagnose_file(request: Request) -> Study:
     signals, remarks = usable(chosen)
     if not signals:
         raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
+    part = record.time >= record.time[0] + record.settle_time
+    record = replace(record, time=record.time[part], channels=_Part(record.channels, part))
+    signals = {name: values[part] for name, values in signals.items()}
+    signals, noise = _noisy(request, record, signals)
     over = _over_angle(request, record, machine, signals)
     return study(
         over,
         machine.parts,
         false_alarm=request.false_alarm,
-        remarks=[f"channels: {', '.join(signals)}", *machine.remarks, *remarks],
+        remarks=[f"channels: {', '.join(signals)}", *noise, *machine.remarks, *remarks],
     )
+
+
+class _Part(Mapping[str, Array]):
+    """The part of all channels that counts."""
+
+    def __init__(self, channels: Mapping[str, Array], part: NDArray[np.bool_]) -> None:
+        self._channels, self._part = channels, part
+
+    def __getitem__(self, name: str) -> Array:
+        return self._channels[name][self._part]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._channels)
+
+    def __len__(self) -> int:
+        return len(self._channels)
+
+
+def _noisy(request: Request, record: Record, signals: dict[str, Array]) -> tuple[dict[str, Array], list[str]]:
+    """Simulations get the noise of a sensor: without any, meshes that change each other look like a fault."""
+    from pitchpoint.analysis.noise import with_white_noise
+
+    level = request.noise
+    if level is None and not record.model_text:
+        return signals, []
+    chosen = SIMULATED if level is None else level
+    found = {
+        name: with_white_noise(x, signal_to_noise=chosen, seed=[len(signals), k]).values
+        for k, (name, x) in enumerate(signals.items())
+    }
+    return found, [f"white noise {chosen:g} dB below the signal was added to each channel (--noise)"]
 
 
 def _machine(request: Request, record: Record) -> _Machine:
@@ -142,7 +180,9 @@ def _of_model(request: Request, record: Record, model: Model) -> _Machine:
     from pitchpoint.report.machine_parts import parts_of
 
     where = request.tacho or request.angle or ""
-    angles = [] if where or request.speeds else [n for n in record.channels if _owner(n, "angle") in model.bodies]
+    angles = (
+        [] if where or request.speeds else [n for n in record.channels if _owner(n, "angle") in model.bodies]
+    )
     bodies = {body: body for body in model.bodies}
     spins, remarks = _spins(request, record, model)
     if not any(spins.values()):
@@ -183,7 +223,9 @@ def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, fl
         if request.scenario is None:
             return {}, []
         listed = ", ".join(model.scenarios) or "none"
-        raise ModelError([Problem(f"scenarios.{scenario}", "is not in the model", remedy=f"there are: {listed}")])
+        raise ModelError(
+            [Problem(f"scenarios.{scenario}", "is not in the model", remedy=f"there are: {listed}")]
+        )
     if not scenario:
         return {}, []
     speeds, remarks = scenario_speeds(model, scenario)
@@ -212,25 +254,24 @@ def _over_angle(request: Request, record: Record, machine: _Machine, signals: di
     from pitchpoint.analysis.tacho import angle_channel, tacho_angle
 
     time = record.time
-    part = time >= time[0] + record.settle_time
-    cut = {name: values[part] for name, values in signals.items()}
+    cut = signals
     own = f"angle[{machine.reference}]"
     if request.tacho is not None:
         shaft = tacho_angle(
-            record.channels[request.tacho.partition("@")[0]][part],
-            time[part],
+            record.channels[request.tacho.partition("@")[0]],
+            time,
             pulses_per_revolution=int(request.pulses or 1),
         )
     elif request.angle is not None or (own in record.channels and not request.speeds):
         name = (request.angle or own).partition("@")[0]
-        shaft = angle_channel(record.channels[name][part], time[part])
+        shaft = angle_channel(record.channels[name], time)
     elif math.isnan(machine.frequency):
         raise SignalError(
             f"{request.file}: the speed is not known; give --speed, such as --speed 30Hz, --tacho CHANNEL with "
             "--pulses N, or --angle CHANNEL"
         )
     else:
-        return at_speed(cut, sample_rate_of(time[part]), machine.parts, machine.frequency)
+        return at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency)
     first, count = shaft.first_sample, shaft.angle.size
     cut = {name: values[first : first + count] for name, values in cut.items()}
     return over_angle(cut, shaft.time, shaft.angle)

@@ -88,12 +88,20 @@ def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverA
     mean = abs(float(turned[-1] - turned[0])) / float(clock[-1] - clock[0]) / math.tau
     tenths = np.abs(np.diff(turned[np.linspace(0, turned.size - 1, 11).astype(int)]))
     steady = float(np.ptp(tenths)) < 10.0 * STEADY * float(tenths.mean())
-    remarks = [] if steady else [f"the speed goes from {speed.min() * 30 / math.pi:.4g} to {speed.max() * 30 / math.pi:.4g} rpm: orders instead of frequencies"]
+    remarks = (
+        []
+        if steady
+        else [
+            f"the speed goes from {speed.min() * 30 / math.pi:.4g} to {speed.max() * 30 / math.pi:.4g} rpm: orders instead of frequencies"
+        ]
+    )
     taken = (clock.size - 1) / (abs(float(turned[-1] - turned[0])) / math.tau)
     return OverAngle(found, float(rate), mean if steady else math.nan, taken, tuple(remarks))
 
 
-def at_speed(signals: Mapping[str, Array], sample_rate: float, parts: TurningParts, frequency: float) -> OverAngle:
+def at_speed(
+    signals: Mapping[str, Array], sample_rate: float, parts: TurningParts, frequency: float
+) -> OverAngle:
     """Channels at a steady speed [Hz] that is known to 1 %: the mesh lines tell the rest.
 
     Raises
@@ -110,7 +118,9 @@ def at_speed(signals: Mapping[str, Array], sample_rate: float, parts: TurningPar
     found = _best_speed(spectra, parts, frequency)
     remarks = []
     if abs(found / frequency - 1.0) > 1e-6:
-        remarks.append(f"speed by the mesh lines: {found:.6g} Hz ({found * 60:.6g} rpm) in place of {frequency:.6g} Hz")
+        remarks.append(
+            f"speed by the mesh lines: {found:.6g} Hz ({found * 60:.6g} rpm) in place of {frequency:.6g} Hz"
+        )
     return OverAngle(dict(signals), sample_rate / found, found, sample_rate / found, tuple(remarks))
 
 
