@@ -220,7 +220,7 @@ class ShaftView:
 
     def _between(self) -> tuple[Array, Array]:
         """Points between the orders: two lines or more from each of them."""
-        count = int(min(4, max(1, np.floor(self.turns / 2.0) - 1)))
+        count = int(min(8, max(1, np.floor(self.turns / 2.0) - 1)))
         part = np.arange(1, count + 1) / (count + 1)
         place = ((np.arange(self.highest + 1)[:, None] + part[None, :]) * self.order).ravel()
         place = place[self.free(place)]

@@ -157,7 +157,8 @@ def _whole_ratios(parts: TurningParts) -> list[str]:
             ratio = fast.order / slow.order
             if ratio > 1 and ratio.denominator == 1:
                 remarks.append(
-                    f"{fast.name} turns exactly {ratio.numerator} times as fast as {slow.name}: averaging cannot tell their "
-                    f"gears apart, and {ratio.numerator} equal faults at equal angles on {slow.name} look like one on {fast.name}"
+                    f"{fast.name} turns exactly {ratio.numerator} times as fast as {slow.name}: averaging "
+                    f"cannot tell their gears apart, and {ratio.numerator} equal faults at equal angles on "
+                    f"{slow.name} look like one on {fast.name}"
                 )
     return remarks

@@ -94,8 +94,8 @@ def mesh_remarks(
             which = ", ".join(str(number) for number in first.lost)
             many = "harmonics" if len(first.lost) > 1 else "harmonic"
             remarks.append(
-                f"sample rate: {many} {which} of {mesh.name} ({_rate(first.order, frequency)}) lost, as they lie "
-                "above half of it"
+                f"sample rate: {many} {which} of {mesh.name} ({_rate(first.order, frequency)}) lost, "
+                "as they lie above half of it"
             )
         if not first.amplitude.size:
             continue

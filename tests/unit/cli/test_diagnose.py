@@ -25,7 +25,7 @@ loads:
   motor: {body: shaft, torque: balance}
   brake: {body: output, torque: 200 N m}
 scenarios:
-  steady: {speed: {shaft: 600 rpm}, duration: 1.6 s, settle_time: 0.2 s, sample_rate: 5 kHz, step: 10 us}
+  steady: {speed: {shaft: 600 rpm}, duration: 1.6 s, settle_time: 0.2 s, sample_rate: 5003.7 Hz, step: 10 us}
 """
 
 
@@ -53,7 +53,7 @@ def test_a_measured_file_with_tooth_counts_and_speed(
 
 def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run_command(["diagnose", _rig(tmp_path, 0.0), "--train", "32/95", "--speed", "10Hz"]) == 0
-    assert "nothing found: none of 6 tests exceeds its limit" in capsys.readouterr().out
+    assert "nothing found: tests exceeds its limit" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
