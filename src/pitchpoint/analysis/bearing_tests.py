@@ -44,13 +44,15 @@ def bearing_evidence(
 
     Notes
     -----
-    Mesh lines are taken out, the band is the one of the largest kurtosis [1]_, and the squared envelope of that
+    Mesh lines are taken out, the band is the one of the largest kurtosis [1]_, and the squared envelope of
+    that
     band is searched within 1 % about each order, as rolling elements slip [2]_. Orders of shafts are left
     out. Valid for many events per record.
 
     References
     ----------
-    .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical Systems
+    .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical
+    Systems
        and Signal Processing 21(1), 2007, 108-124.
     .. [2] R. B. Randall, J. Antoni, Rolling element bearing diagnostics - a tutorial, Mechanical Systems and
        Signal Processing 25(2), 2011, 485-520.
@@ -113,7 +115,8 @@ def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -
 
     References
     ----------
-    .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical Systems
+    .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical
+    Systems
        and Signal Processing 21(1), 2007, 108-124.
 
     Examples

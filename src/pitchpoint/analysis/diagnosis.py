@@ -189,8 +189,10 @@ def diagnose(
 
     Notes
     -----
-    A local fault raises all orders of its shaft [1]_: a rank test of the orders that belong to no mesh against
-    the points between them. Slow changes over the turn raise single orders and sidebands [2]_: lines against the
+    A local fault raises all orders of its shaft [1]_: a rank test of the orders that belong to no mesh
+    against
+    the points between them. Slow changes over the turn raise single orders and sidebands [2]_: lines against
+    the
     points beside them. Tests share the false alarms after [3]_. Valid for shafts with fixed axes.
 
     References
@@ -199,7 +201,8 @@ def diagnose(
        Mechanical Systems and Signal Processing 1(1), 1987, 83-95.
     .. [2] R. B. Randall, A new method of modeling gear faults, Journal of Mechanical Design 104(2), 1982,
        259-267.
-    .. [3] Z. Šidák, Rectangular confidence regions for the means of multivariate normal distributions, Journal
+    .. [3] Z. Šidák, Rectangular confidence regions for the means of multivariate normal distributions,
+    Journal
        of the American Statistical Association 62, 1967, 626-633.
 
     Examples

@@ -112,7 +112,8 @@ def line_probability(ratio: float, points: int, rank: int) -> float:
 
     Notes
     -----
-    Π (M - j + 1)/(M - j + 1 + t), j = 1 ... r: the detector of [1]_, whose threshold is an order statistic, so
+    Π (M - j + 1)/(M - j + 1 + t), j = 1 ... r: the detector of [1]_, whose threshold is an order statistic,
+    so
     that a few other lines among the M points do no harm. Valid where the lines of the noise are complex
     Gaussian and of one level over the points.
 

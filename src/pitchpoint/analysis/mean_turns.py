@@ -29,12 +29,14 @@ class MeanTurn:
     angle
         Shape (n,). Angle of the shaft from where the record counts [rad], in its sense of rotation.
     average, residual
-        Shape (n,). Mean turn, and the same without mesh harmonics and the two lowest orders, in the unit of the
+        Shape (n,). Mean turn, and the same without mesh harmonics and the two lowest orders, in the unit of
+        the
         signal.
     averages
         Turns [-].
     indicators
-        By name: value, value that 1 % of Gaussian signals with the same spectrum exceed, and part of them that
+        By name: value, value that 1 % of Gaussian signals with the same spectrum exceed, and part of them
+        that
         exceeds this value [-].
     energy
         Energy in the angle of one tooth.
@@ -79,12 +81,14 @@ def mean_turn(
     Notes
     -----
     Limits come from signals with the amplitudes of the residual and random phases [1]_: their moments are
-    those of a signal without a place that is different from others. Valid from a few turns on; over few turns the
+    those of a signal without a place that is different from others. Valid from a few turns on; over few turns
+    the
     average still holds what other shafts do.
 
     References
     ----------
-    .. [1] J. Theiler, S. Eubank, A. Longtin, B. Galdrikian, J. D. Farmer, Testing for nonlinearity in time series:
+    .. [1] J. Theiler, S. Eubank, A. Longtin, B. Galdrikian, J. D. Farmer, Testing for nonlinearity in time
+    series:
        the method of surrogate data, Physica D 58, 1992, 77-94.
 
     Examples

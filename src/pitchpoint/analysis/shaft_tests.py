@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Evidence for damage on one shaft in one spectrum over its orders: comb, lowest orders, sidebands.
 
-A local fault strikes once per turn: it raises all orders of its shaft. What is out of true (eccentric, bent, out
-of balance) changes slowly over the turn: it raises few orders and few sidebands of mesh lines. Points between the
+A local fault strikes once per turn: it raises all orders of its shaft. What is out of true (eccentric, bent,
+out
+of balance) changes slowly over the turn: it raises few orders and few sidebands of mesh lines. Points between
+the
 orders are the measure of both. With a whole ratio of shafts, all orders of the faster one are orders of the
 slower one too: the measure then also is the other orders of that one.
 """
@@ -10,8 +12,10 @@ slower one too: the measure then also is the other orders of that one.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.analysis.line_tests import (
     BLOCK,
@@ -107,7 +111,7 @@ class ShaftView:
         """Whether the record holds enough turns."""
         return self.turns >= FEWEST_TURNS and self.highest >= 1
 
-    def free(self, order: Array) -> Array:
+    def free(self, order: NDArray[Any]) -> NDArray[np.bool_]:
         """Whether points are apart from mesh lines and from orders of other shafts."""
         line = self.spectrum.resolution
         apart = order > 2.0 * line
@@ -149,7 +153,7 @@ class ShaftView:
             worst.lines,
         )
 
-    def lines(self, orders: Array, sideband: Array, least: Array | None = None) -> Measured:
+    def lines(self, orders: NDArray[Any], sideband: NDArray[Any], least: Array | None = None) -> Measured:
         """The most unlikely of some lines; what is near other lines, or has no neighbours, is left out."""
         limits = np.zeros(orders.size) if least is None else least
         best, looked = None, 0
@@ -251,7 +255,7 @@ def _images(parts: TurningParts, sampled: float) -> Array:
     return np.sort(np.concatenate(found)) if found else np.empty(0)
 
 
-def _best_band(number: Array, power: Array, between: Array, level: Array) -> Measured:
+def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array) -> Measured:
     """The band of the comb that stands out most; probability of the best one of all bands."""
     from scipy.stats import norm
 

@@ -54,14 +54,17 @@ def tooth_energy(residual: ArrayLike, *, teeth: int) -> ToothEnergy:
 
     Notes
     -----
-    The window of one tooth is slid in quarters of its width. For Gaussian noise with lines of the power P_k the
+    The window of one tooth is slid in quarters of its width. For Gaussian noise with lines of the power P_k
+    the
     energies have about ν = 2 (Σ P_k)²/Σ P_k² degrees of freedom, ν/z of them in the window, and the share has
-    a beta distribution; the largest of 4 z windows is bounded by the sum of their probabilities [1]_. Valid for
+    a beta distribution; the largest of 4 z windows is bounded by the sum of their probabilities [1]_. Valid
+    for
     z > 3 and a spectrum that is not of a few lines.
 
     References
     ----------
-    .. [1] W. G. Cochran, The distribution of the largest of a set of estimated variances as a fraction of their
+    .. [1] W. G. Cochran, The distribution of the largest of a set of estimated variances as a fraction of
+    their
        total, Annals of Eugenics 11, 1941, 47-52.
 
     Examples

@@ -92,7 +92,7 @@ def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverA
         []
         if steady
         else [
-            f"the speed goes from {speed.min() * 30 / math.pi:.4g} to {speed.max() * 30 / math.pi:.4g} rpm: orders instead of frequencies"
+            f"the speed goes from {_rpm(speed.min()):.4g} to {_rpm(speed.max()):.4g} rpm: orders instead of frequencies"
         ]
     )
     taken = (clock.size - 1) / (abs(float(turned[-1] - turned[0])) / math.tau)
@@ -112,7 +112,8 @@ def at_speed(
     length = next(iter(signals.values())).size / sample_rate
     if length * frequency < 1.0:
         raise SignalError(
-            f"record: {length:.4g} s are {length * frequency:.2g} turns of the reference shaft (limit 1); use a longer record"
+            f"record: {length:.4g} s are {length * frequency:.2g} turns "
+            "of the reference shaft (limit 1); use a longer record"
         )
     spectra = [fine_spectrum(values, sample_rate) for values in signals.values()]
     found = _best_speed(spectra, parts, frequency)
@@ -122,6 +123,10 @@ def at_speed(
             f"speed by the mesh lines: {found:.6g} Hz ({found * 60:.6g} rpm) in place of {frequency:.6g} Hz"
         )
     return OverAngle(dict(signals), sample_rate / found, found, sample_rate / found, tuple(remarks))
+
+
+def _rpm(speed: float) -> float:
+    return float(speed) * 30.0 / math.pi
 
 
 def _best_speed(spectra: list[FineSpectrum], parts: TurningParts, frequency: float) -> float:
