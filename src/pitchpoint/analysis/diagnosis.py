@@ -24,11 +24,13 @@ from pitchpoint.analysis.turning_parts import Mesh, TurningParts
 MESH_PROBABILITY = 1e-4
 """Probability with which noise alone is taken for a mesh line."""
 CONCENTRATED, APART = 2.33, 2.0
-"""Normal score above which a comb counts as gathered about the mesh of one gear (1 % by chance), and how far those
+"""Normal score above which a comb counts as gathered about the mesh of one gear (1 % by chance), "
+"and how far those
 of the other gears of the shaft must be below it."""
 
 ONE_PLACE, GAUSSIAN = 2e-3, 3.0
-"""Part of signals of the same spectrum that may be more peaked than a mean turn with a local fault; the kurtosis that
+"""Part of signals of the same spectrum that may be more peaked than a mean turn with a local "
+"fault; the kurtosis that
 it exceeds in any case."""
 
 
@@ -255,7 +257,8 @@ class _Record:
     parts: TurningParts
 
     def at_one_place(self, channel: str, shaft: str) -> bool:
-        """Whether something in the mean turn happens at one place: its residual is more peaked than by chance."""
+        """Whether something in the mean turn happens at one place: its residual is more peaked "
+        "than by chance."""
         counts = sorted({z for _, z in self.parts.gears_of(shaft).values()})
         for teeth in counts:
             try:
@@ -363,7 +366,8 @@ def _findings(
         places = [e for e in combs if record.at_one_place(e.channel, shaft.name)]
         if combs and not places:
             spread.append(
-                f"all orders of {shaft.name} stand out in {combs[0].channel}, but evenly over its turn: meshes that "
+                f"all orders of {shaft.name} stand out in {combs[0].channel}, but evenly over its "
+                f"turn: meshes that "
                 "change each other do that, one damaged tooth does not"
             )
         combs = places

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mean turn of a shaft seen by one of its gears: residual, indicators with limits of their own, place of a fault."""
+"""Mean turn of a shaft seen by one of its gears: residual, indicators with limits of their own, "
+"place of a fault."""
 
 from __future__ import annotations
 
@@ -109,8 +110,8 @@ def mean_turn(
     wanted = int(2 ** np.floor(np.log2(max(resolved, 8.0))))
     if 2 * teeth >= wanted:
         raise SignalError(
-            f"teeth: {wanted} samples per turn lose every harmonic of {teeth} teeth (limit above {2 * teeth}); "
-            "use a higher sample rate"
+            f"teeth: {wanted} samples per turn lose every harmonic of {teeth} teeth "
+            f"(limit above {2 * teeth}); use a higher sample rate"
         )
     # meshes of other shafts that are whole orders of this one stay in its average as well
     ratios = [parts.shaft(mesh.shafts[0]).order * mesh.teeth[0] / shaft.order for mesh in parts.meshes]

@@ -35,7 +35,8 @@ MOST_ORDERS = 6000
 FEWEST_LINES = 6
 """Lines of a comb from which their ranks say anything."""
 SMALLEST_COMB, SMALLEST_LINE, SMALLEST_SIDEBAND = 1e-4, 1e-2, 3e-2
-"""Amplitudes below which nothing is told: of a comb and of a line as a part of the rms of the signal, of a sideband
+"""Amplitudes below which nothing is told: of a comb and of a line as a part of the rms of the "
+"signal, of a sideband
 as a part of its mesh line as well. Every machine has such lines, and simulations without noise show them."""
 FOLDED = 40
 """Harmonics of a mesh whose images are left out where the record was sampled without a filter."""
@@ -209,7 +210,8 @@ class ShaftView:
         return self.lines(orders.ravel(), np.tile(beside_it, HARMONICS), least)
 
     def concentration(self, teeth: int) -> float:
-        """Normal score of how far the orders next to harmonics of a gear stand above those farther off [-]."""
+        """Normal score of how far the orders next to harmonics of a gear stand above those farther "
+        "off [-]."""
         number = np.arange(1, self.highest + 1)
         near_own = _distance(number.astype(np.float64), float(teeth))
         others = [z for _, z in self.parts.gears_of(self.shaft.name).values() if z != teeth]

@@ -55,7 +55,7 @@ if TYPE_CHECKING:
     "--noise",
     type=float,
     metavar="DB",
-    help="Add white noise, so many dB below the signal; 20 for results of simulations, none for measured files.",
+    help="White noise to add, so many dB below the signal; 20 for simulations, none for measured files.",
 )
 @quantity("--sample-rate", "frequency", "Sample rate, where the file does not say it.")
 @as_json
@@ -65,9 +65,8 @@ if TYPE_CHECKING:
 def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
     """Look for damaged gears, shafts and bearings in FILE: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
 
-    What turns comes from the model that a result keeps, from --model, or from --train; the speed from an
-    angle
-    or a tacho in the file, or from --speed. Nothing else is assumed.
+    What turns comes from the model that a result keeps, from --model, or from --train; the speed from
+    an angle or a tacho in the file, or from --speed. Nothing else is assumed.
     """
     from pitchpoint.report.diagnosis_machine import Request, diagnose_file
 

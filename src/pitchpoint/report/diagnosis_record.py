@@ -92,7 +92,8 @@ def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverA
         []
         if steady
         else [
-            f"the speed goes from {_rpm(speed.min()):.4g} to {_rpm(speed.max()):.4g} rpm: orders instead of frequencies"
+            f"the speed goes from {_rpm(speed.min()):.4g} to {_rpm(speed.max()):.4g} rpm: orders "
+            f"instead of frequencies"
         ]
     )
     taken = (clock.size - 1) / (abs(float(turned[-1] - turned[0])) / math.tau)
