@@ -239,7 +239,9 @@ def diagnose(
         raw += [(name, "bearing", part, bearing, found) for bearing, part, found in bearings]
         untested += remarks
     untested += [_not_looked_at(row) for row in raw if row[4].lines == 0]
-    untested = [*_too_few_turns(turns), *dict.fromkeys(untested)]
+    few = {shaft: count for shaft, count in turns.items() if count < FEWEST_TURNS}
+    turned = [f"too few turns of {s}: {n:.2g}, needs about {FEWEST_TURNS:g}" for s, n in few.items()]
+    untested = [*turned, *dict.fromkeys(untested)]
     tests = sum(1 for row in raw if row[4].lines > 0)
     if not tests:
         raise SignalError("record: is too short for any test; " + "; ".join(untested))
@@ -306,14 +308,6 @@ def _mesh_lines(views: Mapping[str, ShaftView], parts: TurningParts, mesh: Mesh)
         seen |= line is not None and line.probability < MESH_PROBABILITY / HARMONICS and bool(larger)
     lost = tuple(int(k) for k in harmonic[~inside])
     return MeshLines(mesh.name, order, np.sqrt(power), seen, lost)
-
-
-def _too_few_turns(turns: Mapping[str, float]) -> list[str]:
-    return [
-        f"too few turns of {shaft}: {count:.2g}, needs about {FEWEST_TURNS:g}"
-        for shaft, count in turns.items()
-        if count < FEWEST_TURNS
-    ]
 
 
 def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> str:
