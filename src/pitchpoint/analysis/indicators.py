@@ -65,7 +65,8 @@ def signal_indicators(values: ArrayLike) -> SignalIndicators:
 
     Notes
     -----
-    With y = x - x̄: rms² = mean(y²), kurtosis = mean(y⁴)/mean(y²)² [1]_; crest, shape and impulse factor as in
+    With y = x - x̄: rms² = mean(y²), kurtosis = mean(y⁴)/mean(y²)² [1]_; crest, shape and impulse factor as
+    in
     [2]_. Valid for whole periods, or for records much longer than a period.
 
     References

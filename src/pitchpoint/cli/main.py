@@ -33,6 +33,7 @@ COMMANDS = {
     "dataset": "Labelled data of many cases, as a plan says.",
     "compare-solvers": "Accuracy against time of all integrators on one model.",
     "analyse": "Spectra, orders, indicators of any record.",
+    "diagnose": "Damaged gears, shafts and bearings in a record.",
     "report": "One HTML file with drawings and curves.",
     "examples": "List or copy the examples.",
     "warmup": "Compile everything once, so that later starts are quick.",

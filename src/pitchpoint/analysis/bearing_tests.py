@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Evidence for damage of rolling bearings: lines of the envelope at the orders of their parts."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pitchpoint.analysis.envelope import band_envelope
+from pitchpoint.analysis.kurtogram import kurtogram
+from pitchpoint.analysis.line_tests import FineSpectrum, beside, fine_spectrum, line_probability
+from pitchpoint.analysis.sampled import Array
+from pitchpoint.analysis.shaft_tests import FEWEST_NEIGHBOURS, NEIGHBOURS, RESOLVED, Measured
+from pitchpoint.analysis.turning_parts import TurningParts
+
+SLIP = 0.01
+"""How far rolling elements that slip may be from their kinematic order, as a part of it."""
+HARMONICS = 3
+FEWEST_EVENTS = 16.0
+FEWEST_SAMPLES = 1024
+
+Row = tuple[str, str, Measured]
+
+
+def bearing_evidence(
+    values: Array, samples_per_turn: float, parts: TurningParts
+) -> tuple[list[Row], list[str]]:
+    """Lines of all parts of all bearings in the spectrum of the squared envelope.
+
+    Parameters
+    ----------
+    values
+        Signal over the angle of the reference shaft, shape (n,), any unit.
+    samples_per_turn
+        Samples in one turn of the reference shaft [-].
+    parts
+        What turns.
+
+    Returns
+    -------
+    list of tuples
+        Bearing, part, test.
+    list of str
+        What could not be tested.
+
+    Notes
+    -----
+    Mesh lines are taken out, the band is the one of the largest kurtosis [1]_, and the squared envelope of
+    that
+    band is searched within 1 % about each order, as rolling elements slip [2]_. Orders of shafts are left
+    out. Valid for many events per record.
+
+    References
+    ----------
+    .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical
+    Systems
+       and Signal Processing 21(1), 2007, 108-124.
+    .. [2] R. B. Randall, J. Antoni, Rolling element bearing diagnostics - a tutorial, Mechanical Systems and
+       Signal Processing 25(2), 2011, 485-520.
+
+    Examples
+    --------
+    >>> from pitchpoint.analysis.turning_parts import Bearing, train_parts
+    >>> parts = train_parts([(21, 40)], [Bearing("left", {"outer ring": 3.57})])
+    >>> turned = np.arange(50_000) / 500.0
+    >>> noise = np.random.default_rng(1).standard_normal(turned.size)
+    >>> knock = np.exp(-20 * (turned * 3.57 % 1)) * np.sin(2 * np.pi * 150 * turned)
+    >>> rows, _ = bearing_evidence(2 * knock + 0.3 * noise, 500.0, parts)
+    >>> rows[0][1], bool(rows[0][2].probability < 1e-6), round(rows[0][2].order / 3.57) in (1, 2, 3)
+    ('outer ring', True, True)
+    """
+    if not parts.bearings:
+        return [], []
+    if values.size < FEWEST_SAMPLES:
+        return [], [f"record: {values.size} samples are too few for bearings, needs about {FEWEST_SAMPLES}"]
+    x = without_mesh_lines(values, samples_per_turn, parts)
+    low, high = envelope_band(x, samples_per_turn, parts)
+    envelope = band_envelope(x, samples_per_turn, band=(low, high)).envelope
+    # the envelope holds nothing above the width of its band, and little close to it
+    spectrum = fine_spectrum(envelope**2, samples_per_turn)
+    end = min(spectrum.highest, 0.8 * (high - low))
+    rows, remarks = [], []
+    for bearing in parts.bearings:
+        for part, order in bearing.orders.items():
+            if order / spectrum.resolution < FEWEST_EVENTS:
+                count = order / spectrum.resolution
+                remarks.append(
+                    f"too few events of {bearing.name}, {part}: {count:.2g}, needs about {FEWEST_EVENTS:g}"
+                )
+                continue
+            rows.append((bearing.name, part, _part(spectrum, order, parts, end)))
+    return rows, remarks
+
+
+def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -> tuple[float, float]:
+    """Band of the largest kurtosis among those that are wide enough for the orders of the bearings.
+
+    Parameters
+    ----------
+    values
+        Signal over the angle, shape (n,), any unit.
+    samples_per_turn
+        Samples in one turn of the reference shaft [-].
+    parts
+        What turns.
+
+    Returns
+    -------
+    tuple of float
+        Edges of the band, as orders of the reference shaft [-].
+
+    Notes
+    -----
+    Bands of the kurtogram [1]_ from three times the highest order on; all of the signal if none is. Valid for
+    impacts that ring in one band.
+
+    References
+    ----------
+    .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical
+    Systems
+       and Signal Processing 21(1), 2007, 108-124.
+
+    Examples
+    --------
+    >>> from pitchpoint.analysis.turning_parts import Bearing, train_parts
+    >>> parts = train_parts([(21, 40)], [Bearing("left", {"outer ring": 3.57})])
+    >>> turned = np.arange(50_000) / 500.0
+    >>> noise = np.random.default_rng(1).standard_normal(turned.size)
+    >>> knock = np.exp(-20 * (turned * 3.57 % 1)) * np.sin(2 * np.pi * 150 * turned)
+    >>> low, high = envelope_band(2 * knock + 0.3 * noise, 500.0, parts)
+    >>> low < 150 < high
+    True
+    """
+    found = kurtogram(values, samples_per_turn)
+    highest = max(order for bearing in parts.bearings for order in bearing.orders.values())
+    wide = found.high - found.low >= 3.0 * highest
+    if not wide.any():
+        return 0.0, 0.5 * samples_per_turn
+    best = int(np.argmax(np.where(wide, found.kurtosis, -np.inf)))
+    return float(found.low[best]), float(found.high[best])
+
+
+def without_mesh_lines(values: Array, samples_per_turn: float, parts: TurningParts) -> Array:
+    """Signal without its lines next to mesh harmonics.
+
+    Parameters
+    ----------
+    values
+        Signal over the angle, shape (n,), any unit.
+    samples_per_turn
+        Samples in one turn of the reference shaft [-].
+    parts
+        What turns.
+
+    Notes
+    -----
+    Five lines about each harmonic are set to zero [1]_. Valid for a steady mesh.
+
+    References
+    ----------
+    .. [1] R. B. Randall, Vibration-based Condition Monitoring, Wiley, 2011.
+
+    Examples
+    --------
+    >>> from pitchpoint.analysis.turning_parts import train_parts
+    >>> turned = np.arange(5000) / 100.0
+    >>> rest = without_mesh_lines(np.cos(2 * np.pi * 21 * turned), 100.0, train_parts([(21, 40)]))
+    >>> bool(np.abs(rest).max() < 1e-9)
+    True
+    """
+    lines = np.fft.rfft(values)
+    lines[0] = 0.0
+    per_order = values.size / samples_per_turn
+    for mesh in parts.meshes:
+        step = parts.mesh_order(mesh) * per_order
+        for k in range(1, int((lines.size - 1) / step) + 1):
+            middle = round(k * step)
+            lines[max(middle - 2, 0) : middle + 3] = 0.0
+    return np.asarray(np.fft.irfft(lines, values.size), dtype=np.float64)
+
+
+def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float) -> Measured:
+    """The most unlikely of the first harmonics of one part."""
+    best, looked = Measured(0.0, 1.0, order, 0.0, 0), 0
+    for k in range(1, HARMONICS + 1):
+        place = k * order
+        reach = max(SLIP * place, spectrum.resolution)
+        if place + 80.0 * spectrum.resolution > end:
+            break
+        near = np.arange(place - reach, place + reach, spectrum.step)
+        near = near[_free(near, spectrum, parts)]
+        if near.size == 0:
+            continue
+        power = spectrum.power(near)
+        top = int(np.argmax(power))
+        off = reach + np.arange(2.0, 120.0, 2.0) * spectrum.resolution
+        around = np.concatenate([(place - off)[::-1], place + off])
+        around = around[(around > 3.0 * spectrum.resolution)]
+        around = around[_free(around, spectrum, parts)]
+        level = spectrum.power(around)
+        probability, score = 0.0, np.inf
+        for side in beside(level, around, place, NEIGHBOURS):
+            if side.size < FEWEST_NEIGHBOURS:
+                probability = 1.0
+                break
+            rank = (3 * side.size) // 4
+            ratio = float(power[top] / np.sort(side)[rank - 1])
+            found = line_probability(ratio, side.size, rank)
+            if found >= probability:
+                probability, score = found, ratio
+        # every point counts: maxima between the lines of the record are higher than the lines
+        places = int(near.size)
+        looked += places
+        if probability < best.probability:
+            best = Measured(score, probability, float(near[top]), float(np.sqrt(power[top])), 1)
+    if looked == 0:
+        return best
+    some = float(-np.expm1(looked * np.log1p(-min(best.probability, 1.0 - 1e-16))))
+    return Measured(best.score, some, best.order, best.amplitude, looked)
+
+
+def _free(place: Array, spectrum: FineSpectrum, parts: TurningParts) -> Array:
+    """Whether points are apart from the orders of all shafts."""
+    apart = np.ones(place.size, dtype=bool)
+    for shaft in parts.shafts:
+        step = float(shaft.order)
+        if step / spectrum.resolution >= RESOLVED:
+            apart &= np.abs(place - np.rint(place / step) * step) > 1.5 * spectrum.resolution
+    return apart

@@ -1,0 +1,398 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which shaft, which gear, which bearing: evidence for damage in vibration signals, and what follows from it.
+
+Every piece of evidence is a test that states how often a healthy machine would fail it. All tests of a record
+together raise a false alarm with the probability that the caller allows. What is not found is not said to be
+healthy: a test that could not be made is told as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pitchpoint.analysis.bearing_tests import bearing_evidence
+from pitchpoint.analysis.line_tests import fine_spectrum, line_threshold
+from pitchpoint.analysis.mean_turns import mean_turn
+from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
+from pitchpoint.analysis.shaft_tests import FEWEST_TURNS, HARMONICS, NEIGHBOURS, Measured, ShaftView
+from pitchpoint.analysis.turning_parts import Mesh, TurningParts
+
+MESH_PROBABILITY = 1e-4
+"""Probability with which noise alone is taken for a mesh line."""
+CONCENTRATED, APART = 2.33, 2.0
+"""Normal score above which a comb counts as gathered about the mesh of one gear (1 % by chance), "
+"and how far those
+of the other gears of the shaft must be below it."""
+
+ONE_PLACE, GAUSSIAN = 2e-3, 3.0
+"""Part of signals of the same spectrum that may be more peaked than a mean turn with a local "
+"fault; the kurtosis that
+it exceeds in any case."""
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """One test of one channel.
+
+    Attributes
+    ----------
+    channel
+        Name of the channel.
+    kind
+        `comb`, `low order`, `sidebands` or `bearing`.
+    shaft
+        Shaft, or the part of a bearing that is tested.
+    gear
+        Gear whose mesh is looked at, or the bearing; empty for the shaft itself.
+    value, threshold
+        Normal score for a comb, level over what lies beside the line in dB for others; what it must exceed.
+    probability
+        Probability that some test of a healthy record does as much [-]: already for all tests together.
+    order
+        Order of the strongest line [-], in turns of the reference shaft.
+    amplitude
+        Its amplitude, or that of the whole comb, in the unit of the channel.
+    sideband
+        Number of the sideband, 0 for others [-].
+    found
+        Whether the probability is below the one allowed.
+    """
+
+    channel: str
+    kind: str
+    shaft: str
+    gear: str
+    value: float
+    threshold: float
+    probability: float
+    order: float
+    amplitude: float
+    sideband: int
+    found: bool
+
+
+@dataclass(frozen=True)
+class MeshLines:
+    """Whether a mesh shows itself.
+
+    Attributes
+    ----------
+    mesh
+        Name of the mesh.
+    order
+        Its order [-].
+    amplitude
+        Shape (n,). Amplitudes of the harmonics that the record holds, in the unit of the channel.
+    seen
+        Whether one of them is a line, and larger than its sidebands.
+    lost
+        Harmonics of the first five that the record cannot hold [-].
+    """
+
+    mesh: str
+    order: float
+    amplitude: Array
+    seen: bool
+    lost: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What the evidence says.
+
+    Attributes
+    ----------
+    kind
+        `local fault`, `modulation`, `once per turn` or `bearing`.
+    shaft
+        The shaft, or the part of the bearing.
+    gears
+        Gears that come into question, or the bearing; empty if it is only the shaft.
+    channel
+        Channel of the strongest evidence.
+    probability
+        That of the strongest evidence [-].
+    """
+
+    kind: str
+    shaft: str
+    gears: tuple[str, ...]
+    channel: str
+    probability: float
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """All of it.
+
+    Attributes
+    ----------
+    findings
+        What was found, the most certain first.
+    evidence
+        Every test of every channel.
+    meshes
+        Mesh lines by channel.
+    untested
+        What could not be tested, and why.
+    turns
+        Turns of each shaft in the record [-].
+    tests
+        Number of tests that share the false alarms [-].
+    false_alarm
+        Probability that a healthy record has a finding [-].
+    """
+
+    findings: tuple[Finding, ...]
+    evidence: tuple[Evidence, ...]
+    meshes: Mapping[str, tuple[MeshLines, ...]]
+    untested: tuple[str, ...]
+    turns: Mapping[str, float]
+    tests: int
+    false_alarm: float
+
+
+def diagnose(
+    signals: Mapping[str, ArrayLike],
+    samples_per_turn: float,
+    parts: TurningParts,
+    *,
+    false_alarm: float = 0.01,
+    sampled_per_turn: float | None = None,
+) -> Diagnosis:
+    """Evidence and findings from channels over the angle of the reference shaft.
+
+    Parameters
+    ----------
+    signals
+        Channels, shape (n,) each, any unit, at equal steps of the angle; at a steady speed also of time.
+    samples_per_turn
+        Samples in one turn of the reference shaft [-].
+    parts
+        What turns.
+    false_alarm
+        Probability that a healthy record has a finding [-].
+    sampled_per_turn
+        Samples in one turn with which the record was taken, if it was resampled since [-].
+
+    Returns
+    -------
+    Diagnosis
+        Findings, every test, and what could not be tested.
+
+    Raises
+    ------
+    SignalError
+        If a channel is constant or not finite, or nothing can be tested.
+
+    Notes
+    -----
+    A local fault raises all orders of its shaft [1]_: a rank test of the orders that belong to no mesh
+    against
+    the points between them. Slow changes over the turn raise single orders and sidebands [2]_: lines against
+    the
+    points beside them. Tests share the false alarms after [3]_. Valid for shafts with fixed axes.
+
+    References
+    ----------
+    .. [1] P. D. McFadden, A revised model for the extraction of periodic waveforms by time domain averaging,
+       Mechanical Systems and Signal Processing 1(1), 1987, 83-95.
+    .. [2] R. B. Randall, A new method of modeling gear faults, Journal of Mechanical Design 104(2), 1982,
+       259-267.
+    .. [3] Z. Šidák, Rectangular confidence regions for the means of multivariate normal distributions,
+    Journal
+       of the American Statistical Association 62, 1967, 626-633.
+
+    Examples
+    --------
+    A wheel of 40 teeth, one of them damaged, driven by 21 teeth:
+
+    >>> from pitchpoint.analysis.turning_parts import train_parts
+    >>> turned = np.arange(100_000) / 500.0
+    >>> knock = np.exp(-(((turned * 21 / 40 + 0.3) % 1 - 0.5) / 0.003) ** 2)
+    >>> noise = np.random.default_rng(1).standard_normal(turned.size)
+    >>> x = np.cos(2 * np.pi * 21 * turned) + knock + 0.5 * noise
+    >>> found = diagnose({"acc": x}, 500.0, train_parts([(21, 40)]))
+    >>> [(finding.kind, finding.shaft, finding.gears) for finding in found.findings]
+    [('local fault', 'shaft 2', ('Z2',))]
+    """
+    rate = positive(samples_per_turn, "samples_per_turn")
+    allowed = positive(false_alarm, "false_alarm")
+    raw: list[tuple[str, str, str, str, Measured]] = []
+    views: dict[tuple[str, str], ShaftView] = {}
+    meshes, untested, turns = {}, [], {}
+    for name, values in signals.items():
+        x = as_signal(values, name, 64)
+        if float(np.ptp(x)) == 0.0:
+            raise SignalError(f"{name}: is constant; nothing can be read from it")
+        spectrum, rms = fine_spectrum(x, rate), float(x.std())
+        mine = {s.name: ShaftView(spectrum, parts, s, rms, sampled_per_turn or rate) for s in parts.shafts}
+        views |= {(name, shaft): view for shaft, view in mine.items()}
+        turns = {shaft: view.turns for shaft, view in mine.items()}
+        meshes[name] = tuple(_mesh_lines(mine, parts, mesh) for mesh in parts.meshes)
+        raw += [(name, *row) for row in _of_shafts(mine, parts, meshes[name])]
+        bearings, remarks = bearing_evidence(x, rate, parts)
+        raw += [(name, "bearing", part, bearing, found) for bearing, part, found in bearings]
+        untested += remarks
+    untested += [_not_looked_at(row) for row in raw if row[4].lines == 0]
+    few = {shaft: count for shaft, count in turns.items() if count < FEWEST_TURNS}
+    turned = [f"too few turns of {s}: {n:.2g}, needs about {FEWEST_TURNS:g}" for s, n in few.items()]
+    untested = [*turned, *dict.fromkeys(untested)]
+    tests = sum(1 for row in raw if row[4].lines > 0)
+    if not tests:
+        raise SignalError("record: is too short for any test; " + "; ".join(untested))
+    evidence = tuple(_evidence(row, tests, allowed) for row in raw if row[4].lines > 0)
+    findings, spread = _findings(evidence, views, _Record(signals, rate, parts))
+    return Diagnosis(findings, evidence, meshes, (*untested, *spread), turns, tests, allowed)
+
+
+@dataclass(frozen=True)
+class _Record:
+    """What findings ask besides the evidence."""
+
+    signals: Mapping[str, ArrayLike]
+    samples_per_turn: float
+    parts: TurningParts
+
+    def at_one_place(self, channel: str, shaft: str) -> bool:
+        """Whether something in the mean turn happens at one place: its residual is more peaked "
+        "than by chance."""
+        counts = sorted({z for _, z in self.parts.gears_of(shaft).values()})
+        for teeth in counts:
+            try:
+                turn = mean_turn(
+                    self.signals[channel], self.samples_per_turn, self.parts, self.parts.shaft(shaft), teeth
+                )
+            except SignalError:
+                continue
+            value, limit, part = turn.indicators["kurtosis"]
+            return value > max(GAUSSIAN, limit) and part < ONE_PLACE
+        return False
+
+
+def _of_shafts(
+    views: Mapping[str, ShaftView], parts: TurningParts, lines: tuple[MeshLines, ...]
+) -> list[tuple[str, str, str, Measured]]:
+    """Tests of all shafts and of the gears on them."""
+    held = {line.mesh for line in lines if line.amplitude.size}
+    found = []
+    for shaft, view in views.items():
+        if not view.testable:
+            continue
+        found.append(("comb", shaft, "", view.comb()))
+        found.append(("low order", shaft, "", view.low_orders()))
+        for gear, (mesh, teeth) in parts.gears_of(shaft).items():
+            if mesh.name in held:
+                found.append(("sidebands", shaft, gear, view.sidebands(parts.mesh_order(mesh), teeth)))
+    return found
+
+
+def _mesh_lines(views: Mapping[str, ShaftView], parts: TurningParts, mesh: Mesh) -> MeshLines:
+    """Harmonics of a mesh, against the points beside them and the sidebands of its faster shaft."""
+    order = parts.mesh_order(mesh)
+    fast = max((views[name] for name in mesh.shafts), key=lambda view: view.order)
+    spectrum = fast.spectrum
+    harmonic = np.arange(1, HARMONICS + 1)
+    inside = harmonic * order < 0.95 * spectrum.highest
+    power = spectrum.power(harmonic[inside] * order)
+    seen = False
+    for k in harmonic[inside]:
+        line = fast.line(float(k * order)) if fast.testable else None
+        around = k * order + np.array([-2, -1, 1, 2]) * fast.order
+        around = around[(around > 0.0) & fast.free(around)]
+        larger = around.size == 0 or power[k - 1] > spectrum.power(around).max()
+        seen |= line is not None and line.probability < MESH_PROBABILITY / HARMONICS and bool(larger)
+    lost = tuple(int(k) for k in harmonic[~inside])
+    return MeshLines(mesh.name, order, np.sqrt(power), seen, lost)
+
+
+def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> str:
+    """Sentence about a test without a line that it could look at."""
+    _, kind, shaft, gear, _ = row
+    what = {"comb": "orders", "low order": "lowest orders", "sidebands": "sidebands"}.get(kind, "events")
+    whose = f"{gear} ({shaft})" if gear else shaft
+    return (
+        f"no test of the {what} of {whose}: above the record's highest frequency, or too near to other lines"
+    )
+
+
+def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: float) -> Evidence:
+    """A test against the number of all tests."""
+    from scipy.stats import norm
+
+    channel, kind, shaft, gear, found = row
+    together = float(-np.expm1(tests * np.log1p(-min(found.probability, 1.0 - 1e-16))))
+    each = -np.expm1(np.log1p(-allowed) / tests)
+    if kind == "comb":
+        value, threshold = found.score, float(norm.isf(each))
+    else:
+        ratio = line_threshold(each / found.lines, NEIGHBOURS, (3 * NEIGHBOURS) // 4)
+        value, threshold = 10.0 * np.log10(max(found.score, 1e-30)), 10.0 * np.log10(ratio)
+    return Evidence(
+        channel=channel,
+        kind=kind,
+        shaft=shaft,
+        gear=gear,
+        value=float(min(value, 300.0)),
+        threshold=float(threshold),
+        probability=together,
+        order=found.order,
+        amplitude=found.amplitude,
+        sideband=found.sideband,
+        found=together < allowed,
+    )
+
+
+def _findings(
+    evidence: tuple[Evidence, ...], views: Mapping[tuple[str, str], ShaftView], record: _Record
+) -> tuple[tuple[Finding, ...], list[str]]:
+    """One finding per shaft at most, and one per part of a bearing; combs that are spread over the turn."""
+    found, spread, parts = [], [], record.parts
+    for shaft in parts.shafts:
+        mine = [e for e in evidence if e.shaft == shaft.name and e.kind != "bearing" and e.found]
+        mine.sort(key=lambda e: (e.probability, -e.value))
+        combs = [e for e in mine if e.kind == "comb"]
+        bands = [e for e in mine if e.kind == "sidebands"]
+        places = [e for e in combs if record.at_one_place(e.channel, shaft.name)]
+        if combs and not places:
+            spread.append(
+                f"all orders of {shaft.name} stand out in {combs[0].channel}, but evenly over its "
+                f"turn: meshes that "
+                "change each other do that, one damaged tooth does not"
+            )
+        combs = places
+        if combs:
+            best = combs[0]
+            gears = _gears(parts, [views[e.channel, shaft.name] for e in combs])
+            found.append(Finding("local fault", shaft.name, gears, best.channel, best.probability))
+        elif bands:
+            best = bands[0]
+            gears = tuple(dict.fromkeys(e.gear for e in bands))
+            local = record.at_one_place(best.channel, shaft.name)
+            kind = "local fault" if local else "modulation"
+            found.append(Finding(kind, shaft.name, gears, best.channel, best.probability))
+        elif mine:
+            found.append(Finding("once per turn", shaft.name, (), mine[0].channel, mine[0].probability))
+    for name in dict.fromkeys((e.gear, e.shaft) for e in evidence if e.kind == "bearing" and e.found):
+        best = min(
+            (e for e in evidence if e.found and e.kind == "bearing" and (e.gear, e.shaft) == name),
+            key=lambda e: e.probability,
+        )
+        found.append(Finding("bearing", best.shaft, (best.gear,), best.channel, best.probability))
+    return tuple(sorted(found, key=lambda finding: finding.probability)), spread
+
+
+def _gears(parts: TurningParts, views: list[ShaftView]) -> tuple[str, ...]:
+    """Gears of a shaft about whose mesh the comb gathers; all of them if that tells nothing."""
+    gears = parts.gears_of(views[0].shaft.name)
+    counts = sorted({teeth for _, teeth in gears.values()})
+    if len(counts) > 1:
+        scores = {z: max(view.concentration(z) for view in views) for z in counts}
+        first, second = sorted(scores.values(), reverse=True)[:2]
+        if first > CONCENTRATED and second < first - APART:
+            return tuple(gear for gear, (_, z) in gears.items() if scores[z] == first)
+    return tuple(gears)

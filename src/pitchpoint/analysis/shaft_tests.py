@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Evidence for damage on one shaft in one spectrum over its orders: comb, lowest orders, sidebands.
+
+A local fault strikes once per turn: it raises all orders of its shaft. What is out of true (eccentric, bent,
+out
+of balance) changes slowly over the turn: it raises few orders and few sidebands of mesh lines. Points between
+the
+orders are the measure of both. With a whole ratio of shafts, all orders of the faster one are orders of the
+slower one too: the measure then also is the other orders of that one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.line_tests import (
+    BLOCK,
+    FineSpectrum,
+    beside,
+    comb_score,
+    line_probability,
+)
+from pitchpoint.analysis.sampled import Array
+from pitchpoint.analysis.turning_parts import Shaft, TurningParts
+
+FEWEST_TURNS = 3.0
+"""Turns of a shaft from which points between its orders see nothing of the orders themselves."""
+RESOLVED = 8.0
+"""Turns of another shaft from which its orders are single lines that can be left out."""
+MOST_ORDERS = 6000
+FEWEST_LINES = 6
+"""Lines of a comb from which their ranks say anything."""
+SMALLEST_COMB, SMALLEST_LINE, SMALLEST_SIDEBAND = 1e-4, 1e-2, 3e-2
+"""Amplitudes below which nothing is told: of a comb and of a line as a part of the rms of the "
+"signal, of a sideband
+as a part of its mesh line as well. Every machine has such lines, and simulations without noise show them."""
+FOLDED = 40
+"""Harmonics of a mesh whose images are left out where the record was sampled without a filter."""
+NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
+SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Outcome of a test before it is set against the number of all tests.
+
+    Attributes
+    ----------
+    score
+        Normal score of a comb, or power over that beside a line [-].
+    probability
+        Probability that noise alone does as much [-].
+    order
+        Order of the strongest line [-]; the middle of the best band of a comb.
+    amplitude
+        Amplitude of the line, or of the whole comb above the noise, in the unit of the signal.
+    lines
+        Lines that were looked at [-].
+    sideband
+        Number of the sideband, 0 for others [-].
+    """
+
+    score: float
+    probability: float
+    order: float
+    amplitude: float
+    lines: int
+    sideband: int = 0
+
+
+class ShaftView:
+    """Orders of one shaft in a spectrum, and the points between that are free of everything known.
+
+    Parameters
+    ----------
+    spectrum
+        Spectrum over orders of the reference shaft.
+    parts
+        All that turns.
+    shaft
+        The shaft.
+    rms
+        Rms of the signal.
+    sampled
+        Samples in one turn of the reference shaft with which the record was taken [-].
+    """
+
+    def __init__(
+        self, spectrum: FineSpectrum, parts: TurningParts, shaft: Shaft, rms: float, sampled: float
+    ) -> None:
+        self.spectrum, self.parts, self.shaft, self.rms = spectrum, parts, shaft, rms
+        self.folded = _images(parts, sampled)
+        self.order = float(shaft.order)
+        self.turns = self.order / spectrum.resolution
+        top = 0.9 * spectrum.highest
+        self.highest = int(min(top / self.order, MOST_ORDERS))
+        self.slower = [
+            other
+            for other in parts.shafts
+            if other.order < shaft.order
+            and (shaft.order / other.order).denominator == 1
+            and float(other.order) / spectrum.resolution >= FEWEST_TURNS
+        ]
+        self.measures = [self._between(), *(self._orders_of(other) for other in self.slower)]
+
+    @property
+    def testable(self) -> bool:
+        """Whether the record holds enough turns."""
+        return self.turns >= FEWEST_TURNS and self.highest >= 1
+
+    def free(self, order: NDArray[Any]) -> NDArray[np.bool_]:
+        """Whether points are apart from mesh lines and from orders of other shafts."""
+        line = self.spectrum.resolution
+        apart = order > 2.0 * line
+        for mesh in self.parts.meshes:
+            apart &= _distance(order, self.parts.mesh_order(mesh)) > 2.0 * line
+        for other in self.parts.shafts:
+            step = float(other.order)
+            if other is self.shaft or other in self.slower or step / line < RESOLVED:
+                continue
+            apart &= _distance(order, step) > 1.5 * line
+        if self.folded.size:
+            at = np.searchsorted(self.folded, order)
+            near = [np.abs(order - self.folded[np.clip(at + k, 0, self.folded.size - 1)]) for k in (-1, 0)]
+            apart &= np.minimum(*near) > 2.5 * line
+        return apart
+
+    def comb(self, from_mesh: int = 2) -> Measured:
+        """Whether the orders stand above what is between them, away from mesh lines and their sidebands."""
+        number = np.arange(1, self.highest + 1)
+        keep = self.free(number * self.order)
+        for mesh, teeth in self.parts.gears_of(self.shaft.name).values():
+            if teeth >= 4 * from_mesh and mesh:
+                keep &= _distance(number.astype(np.float64), float(teeth)) > from_mesh
+        number = number[keep & (number > LOW_ORDERS)]
+        if number.size < FEWEST_LINES:
+            return Measured(0.0, 1.0, self.order, 0.0, 0)
+        power = self.spectrum.power(number * self.order)
+        worst = None
+        for place, level in self.measures:
+            found = _best_band(number, power, place / self.order, level)
+            worst = found if worst is None or found.probability > worst.probability else worst
+        assert worst is not None
+        small = worst.amplitude < SMALLEST_COMB * self.rms
+        return Measured(
+            worst.score,
+            1.0 if small else worst.probability,
+            worst.order * self.order,
+            worst.amplitude,
+            worst.lines,
+        )
+
+    def lines(self, orders: NDArray[Any], sideband: NDArray[Any], least: Array | None = None) -> Measured:
+        """The most unlikely of some lines; what is near other lines, or has no neighbours, is left out."""
+        limits = np.zeros(orders.size) if least is None else least
+        best, looked = None, 0
+        for place, number, limit in zip(orders, sideband, limits, strict=True):
+            if not 0.0 < place < 0.9 * self.spectrum.highest or not self.free(np.array([place]))[0]:
+                continue
+            one = self.line(float(place))
+            if one is None:
+                continue
+            looked += 1
+            if one.amplitude < limit:
+                one = replace(one, probability=1.0)
+            if best is None or one.probability < best[0].probability:
+                best = one, int(number)
+        if best is None:
+            return Measured(0.0, 1.0, float(orders[0]) if orders.size else self.order, 0.0, 0)
+        one, number = best
+        some = float(-np.expm1(looked * np.log1p(-min(one.probability, 1.0 - 1e-16))))
+        return Measured(one.score, some, one.order, one.amplitude, looked, number)
+
+    def line(self, order: float) -> Measured | None:
+        """One line against the higher one of both sides; None without enough neighbours."""
+        power = float(self.spectrum.power(order))
+        probability, score = 0.0, np.inf
+        for place, level in self.measures:
+            for side in beside(level, place, order, NEIGHBOURS):
+                if side.size < FEWEST_NEIGHBOURS:
+                    return None
+                rank = (3 * side.size) // 4
+                base = float(np.sort(side)[rank - 1])
+                ratio = power / base if base > 0.0 else np.inf
+                found = line_probability(min(ratio, 1e30), side.size, rank)
+                if found >= probability:
+                    probability, score = found, ratio
+        amplitude = float(np.sqrt(power))
+        if amplitude < SMALLEST_LINE * self.rms:
+            probability = 1.0
+        return Measured(score, probability, order, amplitude, 1)
+
+    def low_orders(self) -> Measured:
+        """The first orders of the shaft."""
+        number = np.arange(1, LOW_ORDERS + 1)
+        return self.lines(number * self.order, np.zeros(number.size))
+
+    def sidebands(self, mesh_order: float, teeth: int) -> Measured:
+        """Sidebands of the mesh harmonics at multiples of the turns of the shaft."""
+        most = max(1, min(SIDEBANDS, (teeth - 1) // 2))
+        beside_it = np.concatenate([np.arange(-most, 0), np.arange(1, most + 1)])
+        harmonic = np.arange(1, HARMONICS + 1)
+        orders = harmonic[:, None] * mesh_order + beside_it[None, :] * self.order
+        mesh = np.sqrt(self.spectrum.power(harmonic * mesh_order))
+        least = SMALLEST_SIDEBAND * np.repeat(mesh, beside_it.size)
+        return self.lines(orders.ravel(), np.tile(beside_it, HARMONICS), least)
+
+    def concentration(self, teeth: int) -> float:
+        """Normal score of how far the orders next to harmonics of a gear stand above those farther "
+        "off [-]."""
+        number = np.arange(1, self.highest + 1)
+        near_own = _distance(number.astype(np.float64), float(teeth))
+        others = [z for _, z in self.parts.gears_of(self.shaft.name).values() if z != teeth]
+        keep = self.free(number * self.order) & (number > LOW_ORDERS) & (number <= (HARMONICS + 0.5) * teeth)
+        width = min(2, max(1, teeth // 6))
+        for z in others:
+            keep &= _distance(number.astype(np.float64), float(z)) > width
+        close, far = keep & (near_own <= width), keep & (near_own > width)
+        harmonic = np.rint(number / teeth)
+        power = self.spectrum.power(number * self.order)
+        return comb_score(power[close], power[far], harmonic[close], harmonic[far])
+
+    def _between(self) -> tuple[Array, Array]:
+        """Points between the orders: two lines or more from each of them."""
+        count = int(min(8, max(1, np.floor(self.turns / 2.0) - 1)))
+        part = np.arange(1, count + 1) / (count + 1)
+        place = ((np.arange(self.highest + 1)[:, None] + part[None, :]) * self.order).ravel()
+        place = place[self.free(place)]
+        return place, self.spectrum.power(place)
+
+    def _orders_of(self, other: Shaft) -> tuple[Array, Array]:
+        """Orders of a slower shaft that are none of this one."""
+        times = int(self.shaft.order / other.order)
+        number = np.arange(1, self.highest * times + 1)
+        place = number[number % times != 0] * float(other.order)
+        place = place[self.free(place)]
+        return place, self.spectrum.power(place)
+
+
+def _distance(place: Array, step: float) -> Array:
+    """Distance to the next multiple of a step from one on."""
+    distance: Array = np.abs(place - np.maximum(np.rint(place / step), 1.0) * step)
+    return distance
+
+
+def _images(parts: TurningParts, sampled: float) -> Array:
+    """Orders at which harmonics of meshes above half the sampling rate come out if nothing held them back."""
+    found = []
+    for mesh in parts.meshes:
+        harmonic = parts.mesh_order(mesh) * np.arange(1, FOLDED + 1)
+        harmonic = harmonic[harmonic > 0.5 * sampled]
+        found.append(np.abs(harmonic - np.rint(harmonic / sampled) * sampled))
+    return np.sort(np.concatenate(found)) if found else np.empty(0)
+
+
+def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array) -> Measured:
+    """The band of the comb that stands out most; probability of the best one of all bands."""
+    from scipy.stats import norm
+
+    block, block_between = number // BLOCK, np.floor(between / BLOCK)
+    edges = np.linspace(0, int(number[-1]) // BLOCK + 1, BANDS + 1).round()
+    bands = [(0.0, edges[-1])]
+    if edges[-1] >= 2 * BANDS:
+        bands += [(float(a), float(b)) for a, b in zip(edges[:-1], edges[1:], strict=True)]
+    best = Measured(0.0, 1.0, float(number[0]), 0.0, 0)
+    for low, high in bands:
+        mine, theirs = (block >= low) & (block < high), (block_between >= low) & (block_between < high)
+        if not mine.any() or not theirs.any():
+            continue
+        score = comb_score(power[mine], level[theirs], block[mine], block_between[theirs])
+        probability = float(norm.sf(score))
+        if probability < best.probability:
+            # medians: single lines that come from elsewhere are not part of the comb
+            above = float(np.median(power[mine]) - np.median(level[theirs])) / np.log(2.0)
+            amplitude = float(np.sqrt(max(above, 0.0) * mine.sum()))
+            best = Measured(score, probability, float(number[mine].mean()), amplitude, int(mine.sum()))
+    some = float(-np.expm1(len(bands) * np.log1p(-min(best.probability, 1.0 - 1e-16))))
+    return Measured(best.score, some, best.order, best.amplitude, best.lines)

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint diagnose`: which shaft, gear or bearing shows damage in a record, and what says so."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug, quantity, quiet
+from pitchpoint.cli.output import emit_json, show, table
+
+if TYPE_CHECKING:
+    from pitchpoint.report.diagnosis_study import Study
+
+
+@click.command()
+@click.argument("file", type=click.Path(exists=True, dir_okay=False))
+@click.option(
+    "--model",
+    type=click.Path(exists=True, dir_okay=False),
+    metavar="MODEL",
+    help="Model file with shafts, teeth and bearings; a result of pitchpoint keeps its own.",
+)
+@click.option("--scenario", "-s", metavar="NAME", help="Scenario of the model that gives the speeds.")
+@click.option(
+    "--train", metavar="Z/Z-Z/Z", help="Tooth counts of the meshes from the input on, such as 32/96-48/80."
+)
+@click.option(
+    "--speed",
+    "speeds",
+    multiple=True,
+    metavar="[SHAFT=]QUANTITY",
+    help="Steady speed, such as 30Hz or 1800rpm: of the input of --train, or of a body of the model.",
+)
+@click.option("--tacho", metavar="CHANNEL[@SHAFT]", help="Channel with the pulses of a tacho.")
+@click.option("--pulses", type=click.IntRange(min=1), metavar="N", help="Pulses of the tacho in one turn.")
+@click.option("--angle", metavar="CHANNEL[@SHAFT]", help="Channel with the angle of a shaft [rad].")
+@click.option("--channel", "-c", "channels", multiple=True, metavar="NAME", help="Channel; may be repeated.")
+@click.option(
+    "--bearing",
+    "bearings",
+    multiple=True,
+    metavar="NAME:N,D_W,D_PW,ALPHA@SHAFT",
+    help="Rolling bearing: elements, their diameter, pitch diameter, contact angle; inner ring turns.",
+)
+@click.option(
+    "--false-alarm",
+    type=click.FloatRange(1e-9, 0.5),
+    default=0.01,
+    show_default=True,
+    help="Part of healthy records in which something is found.",
+)
+@click.option(
+    "--noise",
+    type=float,
+    metavar="DB",
+    help="White noise to add, so many dB below the signal; 20 for simulations, none for measured files.",
+)
+@quantity("--sample-rate", "frequency", "Sample rate, where the file does not say it.")
+@as_json
+@allow_code
+@quiet
+@debug
+def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
+    """Look for damaged gears, shafts and bearings in FILE: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
+
+    What turns comes from the model that a result keeps, from --model, or from --train; the speed from
+    an angle or a tacho in the file, or from --speed. Nothing else is assumed.
+    """
+    from pitchpoint.report.diagnosis_machine import Request, diagnose_file
+
+    if options["pulses"] is not None and options["tacho"] is None:
+        raise click.UsageError("--pulses says nothing without --tacho CHANNEL")
+    if options["tacho"] is not None and options["pulses"] is None:
+        raise click.UsageError("--tacho needs --pulses N, the pulses in one turn")
+    given = [flag for flag in ("tacho", "angle") if options[flag] is not None]
+    if len(given) > 1:
+        raise click.UsageError("--tacho and --angle say the same thing twice; leave one of the two out")
+    if options["train"] is not None and (options["model"] or options["scenario"]):
+        raise click.UsageError(
+            "--train stands in place of a model and its scenario; leave one of the two out"
+        )
+    request = Request(
+        file=file,
+        model=options["model"],
+        scenario=options["scenario"],
+        train=options["train"],
+        speeds=options["speeds"],
+        tacho=options["tacho"],
+        pulses=options["pulses"],
+        angle=options["angle"],
+        channels=options["channels"],
+        bearings=options["bearings"],
+        false_alarm=options["false_alarm"],
+        allow_code=options["allow_code"],
+        sample_rate=options["sample_rate"],
+        noise=options["noise"],
+    )
+    found = diagnose_file(request)
+    if as_json:
+        emit_json(found.as_data())
+    else:
+        _print(found, quiet)
+
+
+def _print(found: Study, quiet: bool) -> None:
+    """Show findings and tests to people."""
+    from pitchpoint.report.diagnosis_words import percent, what_is_tested
+
+    for text in found.sentences:
+        show(text)
+    show()
+    rows = [
+        [
+            e.shaft if e.kind != "bearing" else e.gear,
+            what_is_tested(e),
+            e.channel,
+            f"{e.value:.1f}{_unit(e.kind)}",
+            f"{e.threshold:.1f}{_unit(e.kind)}",
+            percent(e.probability),
+            "found" if e.found else "",
+        ]
+        for e in found.diagnosis.evidence
+    ]
+    heads = ["shaft or bearing", "test", "channel", "value", "limit", "by chance", "result"]
+    table("Tests", heads, rows)
+    if quiet:
+        return
+    for text in (*found.diagnosis.untested, *found.remarks):
+        show(f"note: {text}")
+
+
+def _unit(kind: str) -> str:
+    return " σ" if kind == "comb" else " dB"

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A record and a machine in, findings in words out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
+from pitchpoint.analysis.sampled import SignalError, as_signal
+from pitchpoint.analysis.turning_parts import TurningParts
+from pitchpoint.report.diagnosis_record import OverAngle, strongest_lines
+from pitchpoint.report.diagnosis_words import evidence_rows, mesh_remarks, nothing_found, sentence
+
+Array = NDArray[np.float64]
+
+PREFERRED = (
+    ("signal",),
+    ("acceleration",),
+    ("bearing_force", "support_force"),
+    ("transmission_error", "mesh_force"),
+)
+"""Quantities of result files in which damage is looked for if nobody says where: sensors before insides."""
+MOST = 6
+
+
+@dataclass(frozen=True)
+class Study:
+    """What the command shows.
+
+    Attributes
+    ----------
+    diagnosis
+        Findings and every test.
+    over
+        The channels that they come from, over the angle.
+    parts
+        What turns.
+    sentences
+        One per finding, or that nothing was found.
+    remarks
+        What is to be known.
+    """
+
+    diagnosis: Diagnosis
+    over: OverAngle
+    parts: TurningParts
+    sentences: tuple[str, ...]
+    remarks: tuple[str, ...]
+
+    def as_data(self) -> dict[str, Any]:
+        """All of it as plain data."""
+        hertz = self.over.frequency
+        found = self.diagnosis
+        return {
+            "findings": [
+                {
+                    "kind": finding.kind,
+                    "shaft": finding.shaft,
+                    "gears": list(finding.gears),
+                    "channel": finding.channel,
+                    "false_alarm": finding.probability,
+                    "sentence": words,
+                }
+                for finding, words in zip(found.findings, self.sentences, strict=False)
+            ],
+            "sentences": list(self.sentences),
+            "evidence": evidence_rows(found, hertz),
+            "meshes": {
+                channel: [
+                    {
+                        "mesh": row.mesh,
+                        "frequency": row.order * hertz,
+                        "amplitude": row.amplitude.tolist(),
+                        "seen": row.seen,
+                        "lost_harmonics": list(row.lost),
+                    }
+                    for row in rows
+                ]
+                for channel, rows in found.meshes.items()
+            },
+            "turns": dict(found.turns),
+            "reference_frequency": hertz,
+            "tests": found.tests,
+            "allowed_false_alarm": found.false_alarm,
+            "not_tested": list(found.untested),
+            "remarks": list(self.remarks),
+        }
+
+
+def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: Sequence[str] = ()) -> Study:
+    """Diagnose channels over an angle and say it in words.
+
+    Raises
+    ------
+    SignalError
+        If no mesh shows itself although the record could hold it: then tooth counts or speed are wrong, and
+        whatever was found would be about another machine.
+    """
+    found = diagnose(
+        over.signals,
+        over.samples_per_turn,
+        parts,
+        false_alarm=false_alarm,
+        sampled_per_turn=over.sampled_per_turn,
+    )
+    strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
+    about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
+    if nothing:
+        raise SignalError("; ".join(text for text in about_meshes if "no mesh line" in text))
+    words = tuple(sentence(finding, found, parts, over.frequency) for finding in found.findings)
+    notes = (*over.remarks, *remarks, *about_meshes, *_whole_ratios(parts))
+    return Study(found, over, parts, words or (nothing_found(found),), tuple(dict.fromkeys(notes)))
+
+
+def usable(channels: Mapping[str, Array]) -> tuple[dict[str, Array], list[str]]:
+    """Channels that change and are finite, and sentences about the others."""
+    kept, remarks = {}, []
+    for name, values in channels.items():
+        try:
+            x = as_signal(values, name, 64)
+        except SignalError as reason:
+            remarks.append(f"{reason}; left out")
+            continue
+        spread = float(np.ptp(x))
+        if spread <= 1e-12 * float(np.abs(x).max()):
+            remarks.append(f"{name}: is constant; left out")
+            continue
+        kept[name] = x
+    return kept, remarks
+
+
+def preferred(names: Sequence[str]) -> list[str]:
+    """Channels of a result in which damage is looked for unless somebody chooses others.
+
+    Examples
+    --------
+    >>> preferred(["angle[a]", "mesh_force[m]", "transmission_error[m]", "speed[a]"])
+    ['transmission_error[m]', 'mesh_force[m]']
+    """
+    for group in PREFERRED:
+        found = [name for quantity in group for name in names if name.partition("[")[0] == quantity]
+        if found:
+            return found[:MOST]
+    return []
+
+
+def _whole_ratios(parts: TurningParts) -> list[str]:
+    """Shafts that no averaging tells apart."""
+    remarks = []
+    for fast in parts.shafts:
+        for slow in parts.shafts:
+            ratio = fast.order / slow.order
+            if ratio > 1 and ratio.denominator == 1:
+                remarks.append(
+                    f"{fast.name} turns exactly {ratio.numerator} times as fast as {slow.name}: averaging "
+                    f"cannot tell their gears apart, and {ratio.numerator} equal faults at equal angles on "
+                    f"{slow.name} look like one on {fast.name}"
+                )
+    return remarks

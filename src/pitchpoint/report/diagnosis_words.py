@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sentences about findings: what was seen where, and no more than that."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from pitchpoint.analysis.diagnosis import Diagnosis, Evidence, Finding
+from pitchpoint.analysis.turning_parts import TurningParts
+
+BEARING_WORDS = {
+    "outer ring": "a local fault on the outer ring",
+    "inner ring": "a local fault on the inner ring",
+    "rolling element": "a local fault on a rolling element",
+    "cage": "a fault of the cage",
+}
+
+
+def nothing_found(diagnosis: Diagnosis) -> str:
+    """Sentence for a record without findings; it does not say that the machine is healthy."""
+    tests = f"{diagnosis.tests} tests" if diagnosis.tests > 1 else "1 test"
+    return (
+        f"nothing found: none of {tests} exceeds its limit "
+        f"(a healthy record does so with {percent(diagnosis.false_alarm)})"
+    )
+
+
+def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, frequency: float) -> str:
+    """One finding in words.
+
+    Parameters
+    ----------
+    finding
+        The finding.
+    diagnosis
+        What it is part of.
+    parts
+        What turns.
+    frequency
+        Turns of the reference shaft per second [Hz]; NaN if they change.
+    """
+    mine = evidence_of(finding, diagnosis)
+    seen = "; ".join(dict.fromkeys(_seen(e, parts, frequency) for e in mine[:3]))
+    chance = f"by chance: {percent(finding.probability)}, over all {diagnosis.tests} tests"
+    where = f"in {finding.channel}"
+    if finding.kind == "bearing":
+        what = BEARING_WORDS.get(finding.shaft, f"a fault of the {finding.shaft}")
+        return f"{what} of bearing {finding.gears[0]}, seen {where} as {seen} ({chance})"
+    gears = _gears(finding.gears)
+    turning = _rate(float(parts.shaft(finding.shaft).order), frequency)
+    shaft = _named(finding.shaft)
+    if finding.kind == "local fault":
+        on = f"{gears} ({shaft}, {turning})" if gears else f"{shaft} ({turning})"
+        text = f"a local fault on {on}, seen {where} as {seen}"
+        return f"{text} ({chance}){_cannot_tell(finding)}"
+    if finding.kind == "modulation":
+        return (
+            f"the mesh of {gears} changes over the turn of {shaft} ({turning}), as with eccentricity or "
+            f"misalignment, and not like one damaged tooth: seen {where} as {seen} ({chance})"
+        )
+    return (
+        f"{shaft} ({turning}) shows itself at its lowest orders, as with unbalance, misalignment or a "
+        f"bent shaft: seen {where} as {seen} ({chance})"
+    )
+
+
+def evidence_of(finding: Finding, diagnosis: Diagnosis) -> list[Evidence]:
+    """What supports a finding, in the channel that shows it best first."""
+    mine = [
+        e
+        for e in diagnosis.evidence
+        if e.found
+        and e.shaft == finding.shaft
+        and (e.kind == "bearing") == (finding.kind == "bearing")
+        and (e.kind != "comb" or finding.kind == "local fault")
+        and (e.kind != "bearing" or e.gear == finding.gears[0])
+    ]
+    kinds = {"comb": 0, "sidebands": 1, "low order": 2, "bearing": 3}
+    mine.sort(key=lambda e: (e.channel != finding.channel, kinds[e.kind], e.probability))
+    return [e for e in mine if e.channel == finding.channel]
+
+
+def mesh_remarks(
+    diagnosis: Diagnosis, parts: TurningParts, frequency: float, strongest: Mapping[str, Sequence[float]]
+) -> tuple[list[str], bool]:
+    """Sentences about meshes that do not show, and whether none shows although some could."""
+    remarks, seen, held = [], False, False
+    for k, mesh in enumerate(parts.meshes):
+        lines = [rows[k] for rows in diagnosis.meshes.values()]
+        first = lines[0]
+        if first.lost:
+            which = ", ".join(str(number) for number in first.lost)
+            many = "harmonics" if len(first.lost) > 1 else "harmonic"
+            remarks.append(
+                f"sample rate: {many} {which} of {mesh.name} ({_rate(first.order, frequency)}) lost, "
+                "as they lie above half of it"
+            )
+        if not first.amplitude.size:
+            continue
+        held = True
+        if any(line.seen for line in lines):
+            seen = True
+            continue
+        listed = strongest[next(iter(diagnosis.meshes))]
+        found = ", ".join(_rate(order, frequency) for order in listed)
+        remarks.append(
+            f"{mesh.name}: no mesh line at {_rate(first.order, frequency)} or its harmonics that stands out; "
+            f"strongest lines at {found}; check tooth counts and speed"
+        )
+    return remarks, held and not seen
+
+
+def percent(probability: float) -> str:
+    """Probability in percent.
+
+    Examples
+    --------
+    >>> percent(0.01), percent(3.2e-4), percent(1e-12)
+    ('1 %', '0.032 %', 'less than 0.001 %')
+    """
+    return "less than 0.001 %" if probability < 1e-5 else f"{100.0 * probability:.2g} %"
+
+
+def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]]:
+    """Every test as plain data, in Hz where the speed is known."""
+    return [
+        {
+            "channel": e.channel,
+            "kind": e.kind,
+            "shaft": e.shaft,
+            "gear": e.gear,
+            "value": e.value,
+            "threshold": e.threshold,
+            "unit": "standard deviations" if e.kind == "comb" else "dB",
+            "false_alarm": e.probability,
+            "order": e.order,
+            "frequency": e.order * frequency,
+            "amplitude": e.amplitude,
+            "sideband": e.sideband,
+            "found": e.found,
+        }
+        for e in diagnosis.evidence
+    ]
+
+
+def what_is_tested(e: Evidence) -> str:
+    """A test in a few words."""
+    if e.kind == "bearing":
+        return f"{e.shaft} of {e.gear}"
+    if e.kind == "sidebands":
+        return f"sidebands of {e.gear}"
+    return {"comb": "all orders", "low order": "lowest orders"}[e.kind]
+
+
+def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
+    if e.kind == "comb":
+        turning = _rate(float(parts.shaft(e.shaft).order), frequency)
+        return (
+            f"a comb of lines at multiples of {turning} about {_rate(e.order, frequency)}, "
+            f"{e.value:.1f} standard deviations above what lies between (limit {e.threshold:.1f})"
+        )
+    line = f"a line at {_rate(e.order, frequency)}, {e.value:.0f} dB above its surroundings"
+    limit = f"(limit {e.threshold:.0f} dB)"
+    if e.kind == "sidebands":
+        return f"{line} {limit}, sideband {e.sideband:+d} of the mesh of {e.gear}"
+    if e.kind == "bearing":
+        return f"{line} {limit}, in the spectrum of the envelope"
+    return f"{line} {limit}"
+
+
+def _cannot_tell(finding: Finding) -> str:
+    """Why more than one gear is named."""
+    if len(finding.gears) < 2:
+        return ""
+    return "; gears of one shaft turn together, and the comb gathers about the mesh of none of them alone"
+
+
+def _gears(gears: tuple[str, ...]) -> str:
+    return f"gear {' or '.join(gears)}" if gears else ""
+
+
+def _named(shaft: str) -> str:
+    return shaft if shaft.startswith("shaft") else f"shaft {shaft}"
+
+
+def _rate(order: float, frequency: float) -> str:
+    return f"order {order:.5g}" if math.isnan(frequency) else f"{order * frequency:.5g} Hz"

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From a model to what its signals know of it: orders of shafts, meshes and rolling bearings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from pitchpoint.analysis.turning_parts import Bearing, Mesh, Shaft, TurningParts
+from pitchpoint.core.errors import ModelError, Problem
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+LARGEST = 10_000_000
+"""Largest denominator of a ratio: products of the tooth counts of three stages stay below it."""
+EXACT = 1e-12
+BEARING_PARTS = {"outer ring": "bpfo", "inner ring": "bpfi", "rolling element": "bsf_double", "cage": "ftf"}
+
+
+def parts_of(
+    model: Model, spins: Mapping[str, float], reference: str
+) -> tuple[TurningParts, dict[str, str], list[str]]:
+    """Shafts, meshes and bearings by their orders.
+
+    Parameters
+    ----------
+    model
+        The model.
+    spins
+        Speeds of all bodies [rad/s], as of `report.frequencies.turning_speeds`.
+    reference
+        Body whose turns count.
+
+    Returns
+    -------
+    TurningParts
+        Shafts that turn equally fast are one.
+    dict
+        Name of the shaft in the parts by body.
+    list of str
+        What was left out, and why.
+
+    Raises
+    ------
+    ModelError
+        If the reference does not turn, or nothing that turns has gears.
+    """
+    from pitchpoint.report.frequencies import frequencies_of
+
+    rows = frequencies_of(model, spins)
+    base = abs(rows["shafts"].get(reference, {}).get("speed", 0.0))
+    if not base:
+        raise ModelError([Problem(f"bodies.{reference}", "does not turn, so no order refers to it")])
+    remarks, orders = [], {}
+    for body, row in rows["shafts"].items():
+        if not row["gears"] or not row["speed"]:
+            continue
+        order = Fraction(abs(row["speed"]) / base).limit_denominator(LARGEST)
+        if abs(float(order) * base / abs(row["speed"]) - 1.0) > EXACT:
+            remarks.append(f"{body} is not geared to {reference}; left out")
+            continue
+        orders[body] = order
+    carried = [name for name, row in rows["meshes"].items() if row["carrier"] is not None]
+    if carried:
+        remarks.append(f"meshes on carriers are beyond this: {', '.join(carried)} left out")
+    if not orders:
+        raise ModelError([Problem("bodies", "carry no gears that turn; there is nothing to diagnose")])
+    groups: dict[Fraction, list[str]] = {}
+    for body, order in orders.items():
+        groups.setdefault(order, []).append(body)
+    names = {body: " or ".join(bodies) for bodies in groups.values() for body in bodies}
+    shafts = tuple(Shaft(" or ".join(bodies), order) for order, bodies in groups.items())
+    parts = TurningParts(shafts, _meshes(model, rows["meshes"], names), _bearings(model, rows, base))
+    return parts, names, remarks
+
+
+def _meshes(
+    model: Model, rows: Mapping[str, Mapping[str, object]], names: Mapping[str, str]
+) -> tuple[Mesh, ...]:
+    """Meshes with fixed axes; those of equal teeth on equal shafts are one."""
+    found: dict[tuple[object, ...], tuple[list[str], list[str], list[str]]] = {}
+    for name, row in rows.items():
+        one, two = model.meshes[name].gears
+        bodies = [str(model.body_of(gear)) for gear in (one, two)]
+        if row["carrier"] is not None or any(body not in names for body in bodies):
+            continue
+        teeth = tuple(model.gears[gear].number_of_teeth for gear in (one, two))
+        key = (teeth, names[bodies[0]], names[bodies[1]])
+        entry = found.setdefault(key, ([], [], []))
+        for listed, new in zip(entry, (name, one, two), strict=True):
+            if new not in listed:
+                listed.append(new)
+    return tuple(
+        Mesh(" or ".join(meshes), (" or ".join(ones), " or ".join(twos)), key[0], (key[1], key[2]))  # type: ignore[arg-type]
+        for key, (meshes, ones, twos) in found.items()
+    )
+
+
+def _bearings(model: Model, rows: Mapping[str, Mapping[str, object]], base: float) -> tuple[Bearing, ...]:
+    """Rolling bearings by the orders of their parts."""
+    import math
+
+    found = []
+    for name, row in rows["rolling_bearings"].items():
+        rates = {part: row[key] * math.tau / base for part, key in BEARING_PARTS.items()}  # type: ignore[index]
+        orders = {part: float(rate) for part, rate in rates.items() if rate > 0.0}
+        if orders:
+            found.append(Bearing(name, orders))
+    return tuple(found)

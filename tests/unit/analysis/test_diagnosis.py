@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which shaft and gear is damaged: faults at known places, and how often healthy signals alarm."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pitchpoint.analysis.diagnosis import diagnose
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.turning_parts import Bearing, TurningParts, train_parts
+
+RIG = train_parts([(32, 96), (48, 80)]), 300.0, 120.0
+SHOVEL = train_parts([(11, 81), (12, 68), (11, 36)]), 430.4 / (740 / 60), 740 / 60 * 15
+PAIR = train_parts([(21, 40)]), 128.0, 100.0
+
+
+def _signal(machine: tuple, seed: int, noise: float = 0.3) -> tuple[np.ndarray, np.ndarray]:
+    """Turns of the input and mesh tones in noise."""
+    parts, rate, turns = machine
+    dice = np.random.default_rng(seed)
+    turned = np.arange(int(rate * turns)) / rate
+    x = noise * dice.standard_normal(turned.size)
+    for mesh in parts.meshes:
+        order = parts.mesh_order(mesh)
+        for k in (1, 2, 3):
+            if k * order < 0.5 * rate:
+                x += np.cos(2 * np.pi * k * order * turned + dice.uniform(0, 6)) / k
+    return turned, x
+
+
+def _kinds(x: np.ndarray, machine: tuple) -> list[tuple[str, str, tuple[str, ...]]]:
+    found = diagnose({"acc": x}, machine[1], machine[0])
+    return [(finding.kind, finding.shaft, finding.gears) for finding in found.findings]
+
+
+def _mesh_of(parts: TurningParts, gear: str) -> tuple[float, float, int]:
+    mesh = next(mesh for mesh in parts.meshes if gear in mesh.gears)
+    place = mesh.gears.index(gear)
+    return parts.mesh_order(mesh), float(parts.shaft(mesh.shafts[place]).order), mesh.teeth[place]
+
+
+@pytest.mark.parametrize(
+    ("machine", "gear", "shaft", "gears"),
+    [
+        (RIG, "Z1", "shaft 1", ("Z1",)),
+        # the mesh of Z2 is the second harmonic of that of Z3: nothing tells them apart
+        (RIG, "Z2", "shaft 2", ("Z2", "Z3")),
+        (RIG, "Z4", "shaft 3", ("Z4",)),
+        (PAIR, "Z1", "shaft 1", ("Z1",)),
+        (PAIR, "Z2", "shaft 2", ("Z2",)),
+        (SHOVEL, "Z3", "shaft 2", ("Z3",)),
+        # 4.4 turns
+        (SHOVEL, "Z5", "shaft 3", ("Z5",)),
+    ],
+)
+def test_a_tooth_that_carries_less_is_a_local_fault_of_its_shaft(
+    machine: tuple, gear: str, shaft: str, gears: tuple[str, ...]
+) -> None:
+    turned, x = _signal(machine, 1)
+    order, turning, teeth = _mesh_of(machine[0], gear)
+    gap = np.exp(-((((turned * turning + 0.37) % 1 - 0.5) * teeth / 0.7) ** 2))
+    tones = [np.cos(2 * np.pi * k * order * turned) / k for k in (1, 2, 3) if k * order < 0.5 * machine[1]]
+    (found,) = _kinds(x + 0.6 * gap - 0.8 * gap * sum(tones), machine)
+    assert found[:2] == ("local fault", shaft)
+    assert set(gears) <= set(found[2])
+
+
+@pytest.mark.parametrize(
+    ("machine", "gear", "shaft"),
+    [(RIG, "Z1", "shaft 1"), (RIG, "Z3", "shaft 2"), (RIG, "Z4", "shaft 3"), (SHOVEL, "Z2", "shaft 2")],
+)
+def test_an_eccentric_gear_modulates_its_mesh_and_is_no_local_fault(
+    machine: tuple, gear: str, shaft: str
+) -> None:
+    turned, x = _signal(machine, 2)
+    order, turning, _ = _mesh_of(machine[0], gear)
+    x += 0.3 * np.cos(2 * np.pi * turning * turned) * np.cos(2 * np.pi * order * turned)
+    assert _kinds(x, machine) == [("modulation", shaft, (gear,))]
+
+
+def test_unbalance_is_a_line_at_the_turns_of_its_shaft() -> None:
+    turned, x = _signal(PAIR, 3)
+    assert _kinds(x + 0.3 * np.cos(2 * np.pi * turned), PAIR) == [("once per turn", "shaft 1", ())]
+
+
+@pytest.mark.parametrize("part", ["outer ring", "inner ring"])
+def test_a_bearing_shows_in_the_envelope_also_when_its_elements_slip(part: str) -> None:
+    orders = {"outer ring": 3.573, "inner ring": 5.17}
+    machine = train_parts([(21, 40)], [Bearing("left", orders)]), 400.0, 100.0
+    turned, x = _signal(machine, 4)
+    slip = np.cumsum(np.random.default_rng(5).standard_normal(turned.size)) * 2e-3
+    phase = turned * orders[part] * 1.004 + slip
+    x += 2.0 * np.exp(-20.0 * (phase % 1)) * np.sin(2 * np.pi * 130 * (phase % 1) / orders[part])
+    assert _kinds(x, machine) == [("bearing", part, ("left",))]
+
+
+@pytest.mark.parametrize("machine", [PAIR, SHOVEL])
+def test_healthy_signals_raise_no_more_alarms_than_allowed(machine: tuple) -> None:
+    # 1 % allowed: of 100 seeds, five or more alarms have the probability 0.3 %
+    alarms = sum(bool(_kinds(_signal(machine, seed, noise=1.0)[1], machine)) for seed in range(100))
+    assert alarms < 5
+
+
+def test_too_few_turns_are_told_and_constant_channels_refused() -> None:
+    _, x = _signal(SHOVEL, 5)
+    found = diagnose({"acc": x}, SHOVEL[1], SHOVEL[0])
+    assert "too few turns of shaft 4: 1.4, needs about 3" in found.untested
+    with pytest.raises(SignalError, match="acc: is constant"):
+        diagnose({"acc": np.ones(1000)}, 128.0, PAIR[0])
