@@ -13,7 +13,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import DIVERGED, OK
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.constrained_newton import ITERATION, constrained_step
-from pitchpoint.solvers.explicit import OLD, bring_state, keep_state
+from pitchpoint.solvers.explicit import OLD, bring_state
 from pitchpoint.solvers.newton import newton_step, rows_hold
 from pitchpoint.system.workspace import MACH, REJECTED, STAGE_ROWS, VALID
 
@@ -25,8 +25,8 @@ KEPT = OLD + 2
 
 
 @kernel
-def _predict(q, v, a, al, ap, h, method):
-    """First guess of a step: the acceleration goes on along a straight line.
+def _predict(q, v, a, al, ap, stage, h, method):
+    """First guess of a step: the acceleration goes on along a straight line. `stage` keeps what was, or None.
 
     A guess that merely kept the last acceleration would leave an error of first order in h behind whenever
     one iteration is enough.
@@ -35,6 +35,12 @@ def _predict(q, v, a, al, ap, h, method):
     for i in range(q.size):
         last = al[i]
         guess = 2.0 * a[i] - ap[i]
+        if stage is not None:
+            stage[OLD, i] = q[i]
+            stage[OLD, q.size + i] = v[i]
+            stage[KEPT, i] = last
+            stage[KEPT, q.size + i] = ap[i]
+            stage[KEPT + 1, i] = a[i]
         new = ((1.0 - alpha_f) * guess + alpha_f * a[i] - alpha_m * last) / (1.0 - alpha_m)
         q[i] += h * v[i] + h * h * ((0.5 - beta) * last + beta * new)
         v[i] += h * ((1.0 - gamma) * last + gamma * new)
@@ -71,10 +77,11 @@ def _stabilised_step(at, t, cm, cd, iteration, code):
 
 
 @kernel
-def alpha_step(at, t, h, rho, tol, iteration, code):
+def alpha_step(at, t, h, rho, tol, iteration, code, keep):
     """One step of length h to the time t; one that fails leaves its last iterate.
 
-    rho spectral radius at infinity, tol of `newton_step`; iteration, code as in `generalized_alpha.advance`.
+    rho spectral radius at infinity, tol of `newton_step`; iteration, code as in `generalized_alpha.advance`;
+    keep 1: `bring_step` can undo it.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -91,7 +98,13 @@ def alpha_step(at, t, h, rho, tol, iteration, code):
     cm = (1.0 - alpha_m) / (h * h * beta * (1.0 - alpha_f))
     cd = gamma / (h * beta)
     share = (1.0 - alpha_f) / (1.0 - alpha_m)
-    _predict(q, v, a, al, ap, h, (beta, gamma, alpha_m, alpha_f))
+    if keep != 0:
+        stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
+        if c["nc"] > 0:
+            _keep_multipliers(c, m, stage)
+        _predict(q, v, a, al, ap, stage, h, (beta, gamma, alpha_m, alpha_f))
+    else:
+        _predict(q, v, a, al, ap, None, h, (beta, gamma, alpha_m, alpha_f))
     for i in range(nd):
         al[i] -= share * a[i]  # completed below with the solved acceleration
     if m["nfrictions"] > 0:
@@ -109,31 +122,18 @@ def alpha_step(at, t, h, rho, tol, iteration, code):
 
 
 @kernel
-def keep_step(at):
-    """Keep what a step changes, for one that fails."""
-    keep_state(at, OLD)
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    nd = c["nd"]
-    nc = c["nc"]
-    stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
-    a = view(c["a"], nd, F8)
-    al = view(m["al"], nd, F8)
-    ap = view(m["ap"], nd, F8)
-    for i in range(nd):
-        stage[KEPT, i] = al[i]
-        stage[KEPT, nd + i] = ap[i]
-        stage[KEPT + 1, i] = a[i]
-    lam = view(c["lam"], nc, F8)
-    lp = view(m["lp"], nc, F8)
-    for r in range(min(nc, 2 * nd)):  # more rows than that repeat each other
+def _keep_multipliers(c, m, stage):
+    """Keep the multipliers before a step."""
+    lam = view(c["lam"], c["nc"], F8)
+    lp = view(m["lp"], c["nc"], F8)
+    for r in range(min(lam.size, stage.shape[1])):  # more rows than that repeat each other
         stage[KEPT + 2, r] = lam[r]
         stage[KEPT + 3, r] = lp[r]
 
 
 @kernel
 def bring_step(at):
-    """Bring back what `keep_step` has kept."""
+    """Bring back what `alpha_step` has kept."""
     bring_state(at, OLD)
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -177,7 +177,7 @@ def _other_step(at, ratio):
 
 @kernel
 def divided_step(at, t, h, rho, tol, iteration, code):
-    """The step of `alpha_step` in parts, from what `keep_step` has kept."""
+    """The step of `alpha_step` in parts, from what it has kept."""
     view(view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["clock"], 16, I8)[REJECTED] += 1
     status = DIVERGED
     parts = DIVISION
@@ -185,7 +185,7 @@ def divided_step(at, t, h, rho, tol, iteration, code):
         bring_step(at)
         _other_step(at, 1.0 / parts)
         for p in range(1, parts + 1):
-            status = alpha_step(at, t - (parts - p) * h / parts, h / parts, rho, tol, iteration, code)
+            status = alpha_step(at, t - (parts - p) * h / parts, h / parts, rho, tol, iteration, code, 0)
             if status != OK:
                 break
         if status == OK:

@@ -20,10 +20,10 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import address, kernel, view
-from pitchpoint.core.status import DIVERGED, NOT_FINITE, OK, SLOW
+from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.multibody.channels import CTL, I8
 from pitchpoint.solvers.alpha_start import first_slopes, shift_rates
-from pitchpoint.solvers.alpha_step import alpha_step, bring_step, divided_step, keep_step
+from pitchpoint.solvers.alpha_step import alpha_step, bring_step, divided_step
 from pitchpoint.solvers.constrained_newton import iterate, new_iteration
 from pitchpoint.solvers.sampling import Chunk, advance_into, harvest_at, new_harvest, record_step
 from pitchpoint.system import evaluate
@@ -52,9 +52,8 @@ def advance(at, t0, first, n, h, rho, tol, iteration, code, harvest):
     clock = view(view(c["mach"], 1, MACH)[0]["clock"], 16, I8)
     for k in range(1, n + 1):
         t = t0 + (first + k) * h
-        keep_step(at)
-        status = alpha_step(at, t, h, rho, tol, iteration, code)
-        if status == SLOW or status == DIVERGED or status == NOT_FINITE:
+        status = alpha_step(at, t, h, rho, tol, iteration, code, 1)
+        if status > OK:  # an iterate that goes astray may end in any of them
             status = divided_step(at, t, h, rho, tol, iteration, code)
         if status != OK:
             bring_step(at)

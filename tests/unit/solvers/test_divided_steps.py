@@ -11,7 +11,7 @@ import pytest
 from pitchpoint import compile_model, load_model
 from pitchpoint.core.status import OK
 from pitchpoint.solvers import generalized_alpha
-from pitchpoint.solvers.alpha_step import alpha_step, bring_step, divided_step, keep_step
+from pitchpoint.solvers.alpha_step import alpha_step, bring_step, divided_step
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system.workspace import REJECTED
@@ -54,9 +54,10 @@ def test_a_divided_step_is_the_same_way_in_shorter_steps(tmp_path):
             run.advance(4)
         else:
             at = run.system.workspace.at
-            keep_step(at)
-            step = divided_step if kind == "divided" else alpha_step
-            assert step(at, run.t + h, h, run.rho_inf, run.left(), 0, 0) == OK
+            how = (run.t + h, h, run.rho_inf, run.left(), 0, 0)
+            assert alpha_step(at, *how, 1) == OK
+            if kind == "divided":
+                assert divided_step(at, *how) == OK
         ends[kind] = run.system.workspace.q.copy()
     moved = np.abs(ends["quarters"]).max()
     assert ends["divided"] == pytest.approx(ends["quarters"], rel=1e-13)
@@ -70,24 +71,23 @@ def test_a_step_is_brought_back_entirely(tmp_path):
     w = run.system.workspace
     names = ("al", "ap", "lp")
     before = [w.q.copy(), w.v.copy(), w.a.copy(), w.lam.copy(), *(w.arrays[n].copy() for n in names)]
-    keep_step(w.at)
-    assert alpha_step(w.at, run.t + run.h, run.h, run.rho_inf, run.left(), 0, 0) == OK
+    assert alpha_step(w.at, run.t + run.h, run.h, run.rho_inf, run.left(), 0, 0, 1) == OK
     bring_step(w.at)
     after = [w.q, w.v, w.a, w.lam, *(w.arrays[n] for n in names)]
     assert all(np.array_equal(x, y) for x, y in zip(before, after, strict=True))
 
 
 def test_falling_friction_near_rest_is_passed_and_told():
-    """Gears that set off from rest under load pass the falling branch of their friction: 50 us are too long
-    for some steps there. The mean force of the third stage is that of steps of 10 us to 1e-3 all the same."""
+    """Gears that set off from rest under load pass the falling branch of their friction: 25 us are too long
+    for some steps there. The mean force of the third stage is that of steps of 5 us to 1e-3 all the same."""
     model = load_model(SHOVEL)
     means = []
-    for h in (50e-6, 10e-6):
+    for h in (25e-6, 5e-6):
         times = {"scenarios.rated.duration": 0.06, "scenarios.rated.settle_time": 0.02}
         done = run_time(compile_model(model.replace_all({**times, "scenarios.rated.step": h}), "rated"))
         assert done.status == OK, done.sentence
         means.append(done.channels["mesh_force[stage_3]"]["mean"])
-        if h == 50e-6:
+        if h == 25e-6:
             assert any("were divided where Newton's method failed" in note for note in done.notes)
     assert means[0] == pytest.approx(means[1], rel=1e-3)
 
