@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,7 +33,7 @@ def table_text(result: xr.Dataset) -> str:
     lines += [f"# {_head(result, name)}: {result[name].item()!r}" for name in single]
     grids = dict.fromkeys(v.dims for v in result.data_vars.values() if v.dims)
     # one grid per file, or readers would not know where the next begins: the finest one, with all on it
-    for dims in sorted(grids, key=len)[-1:]:
+    for dims in sorted(grids, key=lambda dims: math.prod(result.sizes[dim] for dim in dims))[-1:]:
         names = [name for name, v in result.data_vars.items() if v.dims and set(v.dims) <= set(dims)]
         for name, v in result.data_vars.items():
             if v.dims and name not in names:

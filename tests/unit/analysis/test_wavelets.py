@@ -144,3 +144,29 @@ def test_extension_decides_what_the_ends_show() -> None:
 def test_bad_input_is_named(call, says: str) -> None:
     with pytest.raises(SignalError, match=says):
         call(NOISE)
+
+
+def test_scalogram_chooses_its_rows_by_the_record() -> None:
+    """Twelve to the octave from four periods in the record to below half the sample rate."""
+    found = scalogram(NOISE[:800], 100.0)
+    assert found.frequency[0] == pytest.approx(4.0 * 100.0 / 800.0, rel=1e-12)
+    np.testing.assert_allclose(np.diff(np.log2(found.frequency)), 1.0 / 12.0, rtol=1e-9)
+    assert 50.0 * 2.0 ** (-1.0 / 12.0) <= found.frequency[-1] < 50.0
+    assert found.amplitude.shape == (found.frequency.size, 800)
+
+
+def test_maps_too_large_for_a_machine_are_refused() -> None:
+    with pytest.raises(SignalError, match=r"200 rows of 200000 samples \(limit 150 rows\)"):
+        scalogram(np.arange(200_000.0), 1000.0, np.linspace(1.0, 400.0, 200))
+
+
+def test_times_count_from_the_start_of_the_record() -> None:
+    early, late = (wavelet_packets(NOISE, 100.0, levels=3, start=s).time for s in (0.0, 7.0))
+    np.testing.assert_allclose(late - early, 7.0, rtol=1e-12)
+    assert scalogram(NOISE, 100.0, [10.0], start=7.0).time[0] == pytest.approx(7.0, abs=0)
+
+
+def test_a_record_shorter_than_the_filter_is_told_what_it_needs() -> None:
+    with pytest.raises(SignalError, match=r"has 17 samples \(limit 18 for one level of db5\)"):
+        wavelet_levels(NOISE[:17], 1.0, levels=1)
+    assert wavelet_levels(NOISE[:18], 1.0, levels=1).lengths.tolist() == [13, 13]

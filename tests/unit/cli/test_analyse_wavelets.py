@@ -44,9 +44,12 @@ def refusal(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
     return " ".join(captured.err.split())
 
 
-def test_lengths_and_bands_of_five_levels(rig: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_lengths_and_bands_of_five_levels(
+    rig: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "levels.csv"
     arguments = ["analyse", rig, "wavelet_levels", "-c", "middle", "-O", "wavelet=db5", "-O", "levels=5"]
-    found = json_of(arguments, capsys)["variables"]
+    found = json_of([*arguments, "--csv", str(out)], capsys)["variables"]
     assert found["level"]["values"] == ["a5", "d5", "d4", "d3", "d2", "d1"]
     assert found["coefficients"]["values"] == [210, 210, 411, 814, 1620, 3232]
     edges = [0.0, 6.725, 13.45, 26.9, 53.8, 107.6, 215.2]
@@ -56,6 +59,9 @@ def test_lengths_and_bands_of_five_levels(rig: str, capsys: pytest.CaptureFixtur
     parts = np.array(found["signals"]["values"])
     assert parts.shape == (6, SAMPLES) and found["signals"]["unit"] == "N"
     np.testing.assert_allclose(parts.sum(axis=0), np.cos(2 * np.pi * TONES["middle"] * TIME), atol=1e-8)
+    # the table holds the parts of the signal, one row for each level and time
+    lines = [line for line in out.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    assert lines[0].startswith("level,time [s],signals [N]") and len(lines) == 1 + 6 * SAMPLES
     assert run_command(arguments) == 0
     shown = capsys.readouterr().out
     assert "13.45 to 26.9 Hz, 411 coefficients" in shown and "107.6 to 215.2 Hz, 3232 coefficients" in shown
