@@ -206,7 +206,7 @@ def stiffness_numbers(single: SingleStiffness) -> dict[str, Any]:
 
 
 def cycle_numbers(cycle: MeshCycle, relative_to: str, unit_stiffness: float | None) -> dict[str, Any]:
-    """Collect the stiffness over a mesh cycle; `unit_stiffness` is what the ratio 1 stands for, None if not in N/m."""
+    """Collect the stiffness over a mesh cycle; `unit_stiffness` is its ratio 1 [N/m]."""
     return {
         "phase": cycle.phase,
         "stiffness_ratio": cycle.stiffness_ratio,

@@ -17,6 +17,7 @@ from pitchpoint.model.components.law import Constant
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.components.stiffness import ConstantStiffness
 from pitchpoint.model.model import Model
+from tests.support import machines
 from tests.support.model_files import ISO_EXAMPLE, TORSIONAL_PAIR, gear, pair
 
 
@@ -200,3 +201,11 @@ def test_tables_for_notebooks_escape_text() -> None:
     html = loads_model(ISO_EXAMPLE.replace("ISO/TR", "<b>ISO")).replace("title", "<script>")._repr_html_()
     assert "<script>" not in html
     assert "pinion - wheel" in html
+
+
+def test_the_remedy_for_a_number_lies_within_its_limits() -> None:
+    """0.05, the usual number without unit, is no exponent of a contact."""
+    with pytest.raises(ModelError) as caught:
+        loads_model(machines.pair("{law: hertz, exponent: 0.5}"))
+    (problem,) = caught.value.problems
+    assert (problem.limit, problem.remedy) == (">= 1 and <= 5", "write 1")
