@@ -13,10 +13,10 @@ from pitchpoint.analysis.detection import DetectionCurves, least_ratio
 from pitchpoint.viz import theme
 from pitchpoint.viz.compared_table import Compared, compared_table, sourced_table
 from pitchpoint.viz.detection_plot import plot_detection
+from pitchpoint.viz.level_plot import plot_levels
 from pitchpoint.viz.quantities import Channel, number
 from pitchpoint.viz.report_page import Section
 from pitchpoint.viz.signals_plot import plot_signals
-from pitchpoint.viz.wavelet_plots import plot_levels
 
 
 def noise(pair: Pair, found: Sequence[Readings]) -> Section:

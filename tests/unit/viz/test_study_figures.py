@@ -16,8 +16,8 @@ from pitchpoint.viz.compared_table import Compared, compared_table, sourced_tabl
 from pitchpoint.viz.detection_plot import plot_detection
 from pitchpoint.viz.flank_plot import plot_missing
 from pitchpoint.viz.frequency_marks import mark_frequencies
+from pitchpoint.viz.level_plot import plot_levels
 from pitchpoint.viz.spectrum_plots import plot_spectrum
-from pitchpoint.viz.wavelet_plots import plot_levels
 
 
 def cells(html: str) -> list[list[str]]:
