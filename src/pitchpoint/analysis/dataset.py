@@ -9,6 +9,7 @@ from __future__ import annotations
 import difflib
 import inspect
 import json
+import operator
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from numbers import Integral, Real
@@ -37,7 +38,7 @@ _WORDS = {
 }
 _MAKERS = {
     "samples_per_revolution": "resample_over_angle, or use tracked_spectrum",
-    "average": "synchronous_average",
+    "average": "synchronous_average, or name the angle of its shaft",
 }
 
 
@@ -99,7 +100,7 @@ def analyse(
     results = [_applied(dataset, tool, row, name, angle, checked) for name in several]
     made = results[0] if one is not None or channel is None else _joined(results, several, tool)
     about = {key: dataset.attrs[key] for key in KEPT if key in dataset.attrs}
-    shaft = {"angle": angle} if angle is not None and "angle" in row.takes else {}
+    shaft = {"angle": angle} if angle is not None and {"angle", "average"} & set(row.takes) else {}
     made.attrs = {
         "tool": tool,
         "channel": ", ".join(several),
@@ -214,6 +215,9 @@ def _applied(
     dataset: xr.Dataset, tool: str, row: Tool, channel: str, angle: str | None, options: Mapping[str, Any]
 ) -> xr.Dataset:
     """The result of one channel as a dataset."""
+    if "average" in row.takes and angle is not None and dataset[channel].dims == ("time",):
+        averaged = _applied(dataset, "synchronous_average", TOOLS["synchronous_average"], channel, angle, {})
+        dataset = averaged.rename(values=channel)
     function = row.load()
     try:
         given = {name: _source(dataset, name, channel, angle) for name in row.takes}
@@ -271,7 +275,7 @@ def _dataset_of(result: Any, row: Tool, channel: xr.DataArray, *, squared: bool)
     unit = str(channel.attrs.get("units", ""))
     variables: dict[str, Any] = {}
     for output in row.outputs:
-        value = getattr(result, output.field)
+        value = operator.attrgetter(output.field)(result)
         if value is None:
             continue
         attributes = {"units": _unit(output, unit, squared), "long_name": output.variable.replace("_", " ")}

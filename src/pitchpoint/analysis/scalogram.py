@@ -15,6 +15,11 @@ from pitchpoint.analysis.wavelets import check_extension, unknown
 NUMBERED = {"cmor": "cmor1.5-1.0", "shan": "shan1.5-1.0", "fbsp": "fbsp2-1-1.5"}
 """Continuous families whose names carry numbers, and how they are written."""
 
+PER_OCTAVE = 12
+"""Rows to an octave where none are named; the complex Morlet wavelet falls to half 0.28 octaves away."""
+MOST_AMPLITUDES = 30_000_000
+"""Most numbers of one map: 0.24 GB."""
+
 
 @dataclass(frozen=True)
 class Scalogram:
@@ -23,9 +28,9 @@ class Scalogram:
     Attributes
     ----------
     time
-        Shape (n,). Time from the first sample on [s].
+        Shape (n,). Time [s], by the clock of `start`.
     frequency
-        Shape (n_line,). Frequencies [Hz], as asked for.
+        Shape (n_line,). Frequencies of the rows [Hz].
     amplitude
         Shape (n_line, n). Peak amplitude of the sine of that frequency, in the unit of the signal.
     edge
@@ -46,10 +51,11 @@ class Scalogram:
 def scalogram(
     values: ArrayLike,
     sample_rate: float,
-    frequencies: ArrayLike,
+    frequencies: ArrayLike | None = None,
     *,
     wavelet: str = "cmor1.5-1.0",
     extension: str = "symmetric",
+    start: float = 0.0,
 ) -> Scalogram:
     """Continuous wavelet transform as a map of amplitudes over time and frequency.
 
@@ -60,12 +66,15 @@ def scalogram(
     sample_rate
         Sample rate f_s [Hz].
     frequencies
-        Frequencies of the rows [Hz], shape (n_line,), above 1/record and below f_s/2.
+        Frequencies of the rows [Hz], shape (n_line,), above 1/record and below f_s/2; default 12 to the
+        octave from 4/record on, below which the extension is all over the record.
     wavelet
         Name of a continuous wavelet, such as `cmor1.5-1.0` (complex Morlet, bandwidth 1.5, centre 1),
         `mexh`, `gaus4`, `shan1.5-1.0`. A complex one gives a smooth amplitude; a real one its ups and downs.
     extension
         How the record goes on beyond its ends, see `wavelets`.
+    start
+        Time of the first sample [s].
 
     Returns
     -------
@@ -102,13 +111,18 @@ def scalogram(
 
     x = as_signal(values, minimum=16)
     rate = positive(sample_rate, "sample_rate")
-    lines = as_signal(frequencies, "frequencies", 1)
     low, high = rate / x.size, 0.5 * rate
+    lines = _octaves(4.0 * low, high) if frequencies is None else as_signal(frequencies, "frequencies", 1)
     wrong = lines[(lines < low) | (lines >= high)]
     if wrong.size:
         raise SignalError(
             f"frequencies: {wrong[0]:.6g} Hz (limit {low:.6g} to below {high:.6g} Hz); use a longer record "
             "or a higher sample rate"
+        )
+    if lines.size * x.size > MOST_AMPLITUDES:
+        raise SignalError(
+            f"frequencies: {lines.size} rows of {x.size} samples (limit {MOST_AMPLITUDES // x.size} rows); "
+            "ask for fewer frequencies, or use a shorter or slower record"
         )
     family = _continuous(wavelet)
     check_extension(extension)
@@ -130,13 +144,19 @@ def scalogram(
         amplitude[row] = np.abs(fftconvolve(extended, np.conj(kernel[::-1]), mode="valid")) / gain
         edge[row] = half_area * scale / rate
     return Scalogram(
-        time=np.arange(x.size) / rate,
+        time=start + np.arange(x.size) / rate,
         frequency=lines,
         amplitude=amplitude,
         edge=edge,
         wavelet=wavelet,
         extension=extension,
     )
+
+
+def _octaves(low: float, high: float) -> Array:
+    """Frequencies from one limit to below another, as many to each octave."""
+    steps = int(np.ceil(PER_OCTAVE * np.log2(high / low)))
+    return np.asarray(low * 2.0 ** (np.arange(steps) / PER_OCTAVE), dtype=np.float64)
 
 
 def _continuous(name: str) -> Any:

@@ -26,7 +26,7 @@ class Output:
     Attributes
     ----------
     field
-        Name in the dataclass.
+        Name in the dataclass; `lines.amplitude` is a field of its field `lines`.
     dims
         Dimensions, separated by spaces; empty for a number.
     unit
@@ -44,7 +44,7 @@ class Output:
     @property
     def variable(self) -> str:
         """Name in the dataset."""
-        return self.name or self.field
+        return self.name or self.field.rpartition(".")[2]
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class Tool:
     outputs
         Fields of the result.
     picture
-        How it is drawn: `spectrum`, `order_spectrum`, `order_map`, `time_frequency`, or `lines`.
+        How it is drawn: a name in `viz.analysis_pictures.PICTURES`, or `lines` for a curve of each field.
     without
         Fields that have no place in a dataset: lists of arrays of different lengths, records of other kinds.
     """
@@ -180,6 +180,20 @@ TOOLS: dict[str, Tool] = {
             Output("impulse_factor"),
         ),
     ),
+    "tones": Tool(
+        "harmonics.read_tones",
+        "Frequencies and amplitudes of the highest lines near given frequencies.",
+        ("values", "sample_rate"),
+        (
+            Output("expected", "expected", "Hz"),
+            Output("frequency", "expected", "Hz"),
+            Output("amplitude", "expected", "{u}"),
+            Output("background", "expected", "{u}"),
+            Output("is_peak", "expected"),
+            Output("resolution", "", "Hz"),
+        ),
+        "tones",
+    ),
     "harmonic_table": Tool(
         "harmonics.harmonic_table",
         "Frequencies and amplitudes of the harmonics of one frequency.",
@@ -238,6 +252,7 @@ TOOLS: dict[str, Tool] = {
             Output("best_kurtosis"),
             Output("best_spread"),
         ),
+        "kurtogram",
     ),
     "real_cepstrum": Tool(
         "cepstrum.real_cepstrum", "Families of lines over their period.", ("values", "sample_rate"), _CEPSTRUM
@@ -267,6 +282,7 @@ TOOLS: dict[str, Tool] = {
             Output("difference", "angle", "{u}"),
             Output("mesh_orders", "harmonic"),
         ),
+        "gear_signals",
     ),
     "gear_indicators": Tool(
         "gear_indicators.gear_indicators",
@@ -283,42 +299,51 @@ TOOLS: dict[str, Tool] = {
     ),
     "wavelet_levels": Tool(
         "wavelets.wavelet_levels",
-        "The signal as the sum of its approximation (level 0) and details, slow first.",
+        "Discrete wavelet transform: the part of the signal in every octave.",
         ("values", "sample_rate"),
         (
+            Output("names", "level", "", "level"),
             Output("signals", "level time", "{u}"),
+            Output("lengths", "level", name="coefficients"),
             Output("band", "level edge", "Hz"),
             Output("energy_share", "level"),
+            Output("wavelet", unit=""),
+            Output("extension", unit=""),
         ),
-        without=("names", "coefficients", "wavelet", "extension"),
+        "wavelet_levels",
+        ("coefficients",),
     ),
     "wavelet_packets": Tool(
         "wavelets.wavelet_packets",
-        "Coefficients and energies of bands of equal width.",
-        ("values", "sample_rate"),
+        "Energy in bands of equal width, and their wavelet coefficients over time.",
+        ("values", "sample_rate", "start"),
         (
             Output("time", "time", "s"),
             Output("band", "packet edge", "Hz"),
-            Output("coefficients", "packet time", "{u}"),
             Output("energy_share", "packet"),
+            Output("coefficients", "packet time", "{u}"),
+            Output("wavelet", unit=""),
+            Output("extension", unit=""),
         ),
-        without=("wavelet", "extension"),
+        "wavelet_packets",
     ),
     "scalogram": Tool(
         "scalogram.scalogram",
-        "Amplitudes over time and frequency, by continuous wavelets.",
-        ("values", "sample_rate"),
+        "Continuous wavelet transform: amplitudes over time and frequency.",
+        ("values", "sample_rate", "start"),
         (
             Output("time", "time", "s"),
             Output("frequency", "frequency", "Hz"),
             Output("amplitude", "frequency time", "{u}"),
             Output("edge", "frequency", "s"),
+            Output("wavelet", unit=""),
+            Output("extension", unit=""),
         ),
-        without=("wavelet", "extension"),
+        "scalogram",
     ),
     "find_period": Tool(
         "periodicity.find_period",
-        "The period of repeated impacts between two limits, if there is one.",
+        "The period of repeated impacts between two limits, or that there is none.",
         ("values", "sample_rate"),
         (
             Output("found"),
@@ -329,12 +354,17 @@ TOOLS: dict[str, Tool] = {
             Output("turns"),
             Output("trial_period", "trial_period", "s"),
             Output("trial_score", "trial_period"),
+            Output("lines.orders", "harmonic", name="harmonic"),
+            Output("lines.frequency", "harmonic", "Hz"),
+            Output("lines.amplitude", "harmonic", "{u}"),
+            Output("lines.noise", "harmonic", "{u}"),
+            Output("lines.p_value", "harmonic", name="line_p_value"),
         ),
-        without=("lines",),
+        "find_period",
     ),
     "period_evidence": Tool(
         "periodicity.period_evidence",
-        "What speaks for something once in each of some periods.",
+        "What speaks for repeated impacts with given periods, such as turns of the shafts.",
         ("values", "sample_rate"),
         (
             Output("period", "period", "s"),
@@ -342,6 +372,7 @@ TOOLS: dict[str, Tool] = {
             Output("turns", "period"),
             Output("lines", "period"),
         ),
+        "period_evidence",
     ),
     "white_noise": Tool(
         "noise.with_white_noise",

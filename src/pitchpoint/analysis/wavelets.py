@@ -18,7 +18,7 @@ from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 
@@ -36,6 +36,8 @@ class WaveletLevels:
         the signal, whose mean is in the first.
     coefficients
         Coefficients of each of them, in the unit of the signal; shapes (n_1,), (n_2,), ...
+    lengths
+        Shape (n_level + 1,). How many coefficients that are [-].
     band
         Shape (n_level + 1, 2). Nominal band of each [Hz]; the filters overlap into the neighbours.
     energy_share
@@ -48,6 +50,7 @@ class WaveletLevels:
     names: tuple[str, ...]
     signals: Array
     coefficients: tuple[Array, ...]
+    lengths: NDArray[np.int64]
     band: Array
     energy_share: Array
     wavelet: str
@@ -63,8 +66,8 @@ class WaveletPackets:
     band
         Shape (n_band, 2). Nominal bands [Hz], from low to high.
     time
-        Shape (n_coefficient,). Nominal time of each coefficient [s]; a lopsided wavelet such as `db5` is off
-        by part of its length, (filter length - 1)·(2^levels - 1)/f_s.
+        Shape (n_coefficient,). Nominal time of each coefficient [s], by the clock of `start`; a lopsided
+        wavelet such as `db5` is off by part of its length, (filter length - 1)·(2^levels - 1)/f_s.
     coefficients
         Shape (n_band, n_coefficient). Coefficients, in the unit of the signal.
     energy_share
@@ -157,6 +160,7 @@ def wavelet_levels(
         names=(f"a{count}", *(f"d{j}" for j in range(count, 0, -1))),
         signals=signals,
         coefficients=tuple(np.asarray(part, dtype=np.float64) for part in parts),
+        lengths=np.array([part.size for part in parts], dtype=np.int64),
         band=rate * np.column_stack([bottom, top]),
         energy_share=_shares(np.array(energies), x, mean),
         wavelet=wavelet,
@@ -171,6 +175,7 @@ def wavelet_packets(
     wavelet: str = "db5",
     levels: int = 5,
     extension: str = "symmetric",
+    start: float = 0.0,
 ) -> WaveletPackets:
     """Wavelet packets: both halves of every band halved again, in order of frequency.
 
@@ -186,6 +191,8 @@ def wavelet_packets(
         Number of levels L [-]: 2^L bands of f_s/2^(L+1).
     extension
         How the record goes on beyond its ends, see the module.
+    start
+        Time of the first sample [s].
 
     Returns
     -------
@@ -229,7 +236,7 @@ def wavelet_packets(
     middle = 0.5 * (x.size - 1) + (np.arange(n) - 0.5 * (n - 1)) * 2.0**count
     return WaveletPackets(
         band=np.column_stack([edges[:-1], edges[1:]]),
-        time=middle / rate,
+        time=start + middle / rate,
         coefficients=coefficients,
         energy_share=_shares(energies, x, mean),
         wavelet=wavelet,
@@ -249,7 +256,8 @@ def unknown(what: str, name: str, names: list[str]) -> SignalError:
     names
         Those that are known.
     """
-    near = get_close_matches(name, names, 1)
+    # families are often written with capitals, Db5
+    near = get_close_matches(name.lower(), names, 1)
     shown = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
     return SignalError(f"{what}: {name!r} is unknown; use " + (repr(near[0]) if near else f"one of {shown}"))
 
@@ -271,6 +279,11 @@ def _discrete(wavelet: str, levels: int, samples: int, extension: str) -> tuple[
         raise unknown("wavelet", wavelet, pywt.wavelist(kind="discrete"))
     family = pywt.Wavelet(wavelet)
     most = pywt.dwt_max_level(samples, family)
+    if most < 1:
+        raise SignalError(
+            f"values: has {samples} samples (limit {2 * (family.dec_len - 1)} for one level of {wavelet}); "
+            "use a longer record or a shorter wavelet"
+        )
     if isinstance(levels, bool) or int(levels) != levels or not 1 <= levels <= most:
         raise SignalError(
             f"levels: {levels} (limit 1 to {most} for {samples} samples and {wavelet}); use a longer record "

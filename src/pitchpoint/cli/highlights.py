@@ -9,8 +9,8 @@ import numpy as np
 
 from pitchpoint.analysis.spectra import largest_peaks
 from pitchpoint.analysis.tools import TOOLS
-from pitchpoint.viz.analysis_page import spectrum_of
-from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.analysis_pictures import spectrum_of
+from pitchpoint.viz.quantities import number, scale, span
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,6 +32,8 @@ def highlights(result: xr.Dataset) -> list[list[str]]:
         if not v.dims and v.dtype.kind in "fiub"
     ]
     kind = TOOLS[result.attrs["tool"]].picture
+    if kind in _OWN:
+        return _OWN[kind](result)
     if kind in ("spectrum", "order_spectrum"):
         axis = "frequency" if kind == "spectrum" else "order"
         spectrum = spectrum_of(result, axis)
@@ -46,6 +48,95 @@ def highlights(result: xr.Dataset) -> list[list[str]]:
         for name, v in result.data_vars.items()
         if v.dims and v.size and v.dtype.kind in "fiu"
     ]
+
+
+def _levels(result: xr.Dataset) -> list[list[str]]:
+    """Share of the energy in each level, with its band."""
+    return [
+        [str(name), _percent(share), f"{span(*band)}, {int(count)} coefficients"]
+        for name, share, band, count in zip(
+            *(result[n].values for n in ("level", "energy_share", "band", "coefficients")), strict=True
+        )
+    ]
+
+
+def _packets(result: xr.Dataset) -> list[list[str]]:
+    """The bands with most of the energy."""
+    share, band = result["energy_share"].values, result["band"].values
+    largest = np.argsort(-share, kind="stable")[:_PEAKS]
+    return [[f"share {k}", _percent(share[i]), span(*band[i])] for k, i in enumerate(largest, start=1)]
+
+
+def _scalogram(result: xr.Dataset) -> list[list[str]]:
+    """The largest amplitude, and how far the ends of the record reach."""
+    return [_top(result, "amplitude"), ["ends reach up to", *_top(result, "edge")[1:]]]
+
+
+def _kurtogram(result: xr.Dataset) -> list[list[str]]:
+    """The band where impacts stand out most."""
+    kurtosis, spread = float(result["best_kurtosis"]), float(result["best_spread"])
+    band = span(float(result["best_low"]), float(result["best_high"]))
+    return [
+        ["largest kurtosis", shown(kurtosis, ""), band],
+        ["its spread in Gaussian noise", shown(spread, ""), f"{number(kurtosis / spread, 3)} times as much"],
+    ]
+
+
+def _period(result: xr.Dataset) -> list[list[str]]:
+    """The period, or that there is none, and how sure that is."""
+    limit = f"limit {number(float(result['false_alarm']))}"
+    chance = ["chance in noise alone", number(float(result["p_value"]), 3), limit]
+    if not bool(result["found"]):
+        return [["period", "nothing found", ""], chance]
+    deviation = f"standard deviation {shown(float(result['deviation']), 's')}"
+    return [
+        ["period", shown(float(result["period"]), "s"), deviation],
+        chance,
+        ["turns in the record", str(int(result["turns"])), ""],
+        ["lines used", str(result.sizes["harmonic"]), ""],
+    ]
+
+
+def _evidence(result: xr.Dataset) -> list[list[str]]:
+    """Chance of each period in noise alone."""
+    columns = (result[n].values for n in ("period", "p_value", "turns", "lines"))
+    return [
+        [
+            f"chance in noise of {shown(float(period), 's')}",
+            number(float(chance), 3) if np.isfinite(chance) else "unknown",
+            f"{int(turns)} turns, {int(lines)} lines",
+        ]
+        for period, chance, turns, lines in zip(*columns, strict=True)
+    ]
+
+
+def _tones(result: xr.Dataset) -> list[list[str]]:
+    """Amplitude and frequency of each tone."""
+    unit = str(result["amplitude"].attrs["units"])
+    columns = (result[n].values for n in ("expected", "amplitude", "frequency", "is_peak"))
+    return [
+        [
+            f"near {shown(float(expected), 'Hz')}",
+            shown(float(amplitude), unit),
+            f"{number(float(frequency), 6)} Hz" + ("" if peak else ", no peak"),
+        ]
+        for expected, amplitude, frequency, peak in zip(*columns, strict=True)
+    ]
+
+
+_OWN = {
+    "tones": _tones,
+    "wavelet_levels": _levels,
+    "wavelet_packets": _packets,
+    "scalogram": _scalogram,
+    "kurtogram": _kurtogram,
+    "find_period": _period,
+    "period_evidence": _evidence,
+}
+
+
+def _percent(share: float) -> str:
+    return f"{number(round(100.0 * float(share), 1), 4)} %"
 
 
 def _rounded(place: float, resolution: float) -> float:
@@ -72,7 +163,8 @@ def _words(name: object) -> str:
 def _top(result: xr.Dataset, name: str) -> list[str]:
     """Largest value of a curve or map, and where it is."""
     variable = result[name]
-    place = np.unravel_index(int(np.argmax(variable.values)), variable.shape)
+    values = np.where(np.isnan(variable.values), -np.inf, variable.values)
+    place = np.unravel_index(int(np.argmax(values)), variable.shape)
     at = [
         f"{_words(dim)} {shown(float(result[dim].values[k]), str(result[dim].attrs.get('units', '')))}"
         for dim, k in zip(variable.dims, place, strict=True)

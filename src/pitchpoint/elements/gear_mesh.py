@@ -267,7 +267,7 @@ def _roots(b, ev, x, front, back):
         ev[k + 2] = away + _place(psi + b["xi_A"] / b["p_bt"])
 
 
-@kernel(inline=True)
+@kernel
 def _one_mesh(b, ctl, fr, kk):
     """Wrenches, tangents and observations of one mesh."""
     c = ctl[0]
@@ -351,31 +351,37 @@ def _one_mesh(b, ctl, fr, kk):
     return OK
 
 
+@kernel
+def _displaced_mesh(b, ctl, fr, kk):
+    """A mesh of gears that sit beside or askew to the axes of their bodies."""
+    c = ctl[0]
+    held = begin_displaced(b, c, fr)
+    frames = held[0]
+    tangents = held[1]
+    kept = (0.0, 0.0, 0, 0, 0)
+    twice = c["jac"] == 2 and c["ck"] != 0.0
+    status = OK
+    for last in range(0 if twice else 1, 2):
+        if last == 0:
+            tangents, kept = damping_alone(b, c)
+        elif twice:
+            tangents = whole(b, c, frames, kept)
+        status = max(status, _one_mesh(b, ctl, frames, tangents))
+    end_displaced(b, ctl, fr, kk, held)
+    return status
+
+
 @kernel(inline=True)
 def gear_mesh(rec, ctl, fr, kk):
     """Wrenches, tangents and observations of all meshes; see the module text."""
-    c = ctl[0]
     for r in range(rec.size):
         b = rec[r]
-        held = (fr, kk, (r, r, r, r, r, r), (r, r, r, r))
-        kept = (0.0, 0.0, r, r, r)
-        moved = b["displaced"] == 1
-        if moved:
-            held = begin_displaced(b, c, fr)
-        frames = held[0]
-        tangents = held[1]
-        twice = moved and c["jac"] == 2 and c["ck"] != 0.0
-        status = OK
-        for last in range(0 if twice else 1, 2):
-            if last == 0:
-                tangents, kept = damping_alone(b, c)
-            elif twice:
-                tangents = whole(b, c, frames, kept)
-            status = max(status, _one_mesh(b, ctl, frames, tangents))
-        if moved:
-            end_displaced(b, ctl, fr, kk, held)
+        if b["displaced"] == 1:
+            status = _displaced_mesh(b, ctl, fr, kk)
+        else:
+            status = _one_mesh(b, ctl, fr, kk)
         if status != OK:
-            c["bad"] = r
+            ctl[0]["bad"] = r
             return status
     return OK
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.model.components.joint import FUNCTIONS
 from pitchpoint.model.components.law import Constant
-from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy
+from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy, Hertz
 from pitchpoint.model.frames import ALONG, GROUND, body_frame, split
 from pitchpoint.model.joint_check import ends_of
 from pitchpoint.model.keys import defaults_of
@@ -80,7 +80,11 @@ def _only_spins(model: Model, mesh: Mesh) -> bool:
 def _frictions(model: Model) -> Iterator[str]:
     """Teeth that roll do not slide at the pitch point; what slides there is vibration and sideways motion."""
     for name, mesh in model.meshes.items():
-        if mesh.friction is not None and mesh.friction.mu > 0.0 and mesh.stiffness.law not in OF_PAIRS:
+        if mesh.friction is None:
+            continue
+        if mesh.friction.mu == 0.0 and mesh.friction.static:
+            yield f"meshes.{name}.friction.static: has no effect with mu: 0, which leaves all friction out"
+        if mesh.friction.mu > 0.0 and mesh.stiffness.law not in OF_PAIRS:
             yield (
                 f"meshes.{name}.friction: the law {mesh.stiffness.law} acts at the pitch point, where "
                 "rolling teeth do not slide, so friction has no effect but on vibration and sideways motion; "
@@ -123,6 +127,8 @@ def _laws(model: Model) -> Iterator[str]:
                 f"meshes.{name}.stiffness.virtual_teeth: has no effect on the stiffness: single_stiffness "
                 "takes the place of the formula"
             )
+        if isinstance(law, Hertz) and law.force is not None and law.diameter != "reference":
+            yield f"meshes.{name}.stiffness.diameter: has no effect beside force and depth, which give K"
         if damping is not None and damping.s_0 == 0.0 and damping.law != "linear":
             yield f"meshes.{name}.damping.law: has no effect with s_0: 0, where the damping is there at once"
         if damping is not None:

@@ -308,7 +308,12 @@ def _within(description: Key, data: Any, value: float) -> str:
         return f"a bare number is in {SI[description.dimension]}; write {better}"
     if isinstance(data, str) and description.allows(-value):
         return f"write {data.strip().lstrip('+-−').strip()}"
-    return f"write {example(description)}"
+    sample = example(description)
+    usual = DIMENSIONS[description.dimension].example.split(" or ")[0]
+    if description.dimension == "dimensionless" and sample == usual and not description.allows(float(usual)):
+        nearest = min(max(value, description.minimum), description.maximum)
+        sample = f"{nearest:g}" if description.allows(nearest) else f"a number {limit_text(description)}"
+    return f"write {sample}"
 
 
 def _is_quoted_number(data: Any) -> bool:

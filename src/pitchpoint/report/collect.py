@@ -72,10 +72,11 @@ def collect(
     model: Model, results: Sequence[str | os.PathLike[str] | xr.Dataset], progress: Progress
 ) -> tuple[ReportResults, list[str]]:
     """Collect what a report shows: what follows from the model, the results given, and remarks."""
-    from pitchpoint.report.numbers import C_PRIME_B, cycles_of_model
+    from pitchpoint.report.numbers import C_PRIME_B, MEAN, cycles_of_model
     from pitchpoint.report.statics import linear_parts, with_rolls
 
     found = _Found()
+    words = {C_PRIME_B: "c′·b", MEAN: "mean"}
     for result in results:
         if isinstance(result, str | os.PathLike):
             _add_file(found, os.fspath(result), model)
@@ -83,7 +84,7 @@ def collect(
             _add_dataset(found, result)
     cycles = {
         name: (
-            MeshCycleData(stiffness=cycle, stiffness_unit="c′·b" if relative_to == C_PRIME_B else "mean"),
+            MeshCycleData(stiffness=cycle, stiffness_unit=words.get(relative_to, relative_to)),
             unit,
         )
         for name, (cycle, relative_to, unit) in cycles_of_model(model, 401).items()

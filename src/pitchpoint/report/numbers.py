@@ -162,22 +162,28 @@ def mesh_numbers(model: Model, name: str) -> dict[str, Any]:
     return numbers | stiffness_numbers(single_stiffness_of(model, name))
 
 
-C_PRIME_B, MEAN = "c' b", "the mean"
-"""What a mesh cycle is relative to: single stiffness times common width, or the mean of a prescribed wave."""
+C_PRIME_B, MEAN, ONE_PAIR = "c' b", "the mean", "K of one pair"
+"""What a mesh cycle is relative to: single stiffness times common width, the mean of a prescribed wave, or
+the constant of a pair whose force is a power of its deflection."""
 
 
-def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str, float]]:
-    """Compute the stiffness cycle of every mesh, what it is relative to, and the value of that [N/m]."""
+def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str, float | None]]:
+    """Compute the stiffness cycle of every mesh, what it is relative to, and the value of that [N/m].
+
+    A constant of another unit than a stiffness has no such value: None.
+    """
     from pitchpoint.contact.mesh_cycle import pair_cycle, phase_cycle
     from pitchpoint.contact.stiffness.description import PairShape
     from pitchpoint.system.rules.stiffness import describe_stiffness
 
-    cycles = {}
+    cycles: dict[str, tuple[MeshCycle, str, float | None]] = {}
     for name, pair in model.pairs.items():
         law = describe_stiffness(model, name)
         if isinstance(law, PairShape):
             cycle = pair_cycle(law, pair.eps_alpha, pair.eps_beta, points)
-            cycles[name] = cycle, C_PRIME_B, law.c_prime * pair.b_w
+            linear = law.power == 1.0
+            unit = law.c_prime * pair.b_w if linear else None
+            cycles[name] = cycle, C_PRIME_B if linear else ONE_PAIR, unit
         else:
             cycles[name] = phase_cycle(law, points), MEAN, law.mean
     return cycles
@@ -200,7 +206,7 @@ def stiffness_numbers(single: SingleStiffness) -> dict[str, Any]:
 
 
 def cycle_numbers(cycle: MeshCycle, relative_to: str, unit_stiffness: float | None) -> dict[str, Any]:
-    """Collect the stiffness over a mesh cycle; `unit_stiffness` is what the ratio 1 stands for [N/m]."""
+    """Collect the stiffness over a mesh cycle; `unit_stiffness` is what the ratio 1 stands for, None if not in N/m."""
     return {
         "phase": cycle.phase,
         "stiffness_ratio": cycle.stiffness_ratio,

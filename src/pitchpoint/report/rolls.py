@@ -94,7 +94,7 @@ def _denominator(ratio: float) -> int:
 
 
 def from_roll(
-    model: Model, mesh: str, data: MeshCycleData, unit: float, system: System, roll: Roll, points: int
+    model: Model, mesh: str, data: MeshCycleData, unit: float | None, system: System, roll: Roll, points: int
 ) -> MeshCycleData:
     """Mesh cycle with what a roll of whole periods found, over the mesh phase.
 
@@ -105,7 +105,7 @@ def from_roll(
     data
         Mesh cycle without a roll.
     unit
-        Stiffness of its ratio 1 [N/m].
+        Stiffness of its ratio 1 [N/m]; None where that is no stiffness.
     roll
         The roll.
     points
@@ -133,7 +133,7 @@ def from_roll(
     phase = whole_phase(channel("mesh_phase"), sharing.offset)
     where, drawn = _drawn(phase, [*curves.values(), one.tangent_stiffness], points * cycles)
     rolled = math.ceil((len(force) - 1) / points)
-    slope = drawn[-1] / unit
+    slope = drawn[-1] / (unit or 1.0)
     law = np.interp(where % 1.0, data.stiffness.phase, data.stiffness.stiffness_ratio)
     # a jump of the law lies between two points of the roll
     differs = float(np.median(np.abs(slope - law))) > SAME * float(data.stiffness.mean)
@@ -144,7 +144,7 @@ def from_roll(
         errors=dict(zip(curves, drawn[:-1], strict=True)),
         cycles=cycles or rolled,
         repeats=cycles or (until if until > rolled else 0),
-        loaded_ratio=slope if loaded and differs else (),
+        loaded_ratio=slope if loaded and differs and unit is not None else (),
         share_way=sharing.way if shared else (),
         share=sharing.share if shared else (),
     )

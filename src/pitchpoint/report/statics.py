@@ -35,7 +35,7 @@ NAMED = 6
 
 
 def with_rolls(
-    model: Model, cycles: dict[str, tuple[MeshCycleData, float]], progress: Progress
+    model: Model, cycles: dict[str, tuple[MeshCycleData, float | None]], progress: Progress
 ) -> tuple[dict[str, MeshCycleData], list[str]]:
     """Add transmission errors and load sharing to mesh cycles (with the stiffness of their ratio 1 [N/m])."""
     from pitchpoint.report.rolls import from_roll, periods_to_roll, points_per_period

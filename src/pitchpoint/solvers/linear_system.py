@@ -113,7 +113,7 @@ def linearise(
         )
     still = state.copy()
     still.v[:] = 0.0
-    at_rest = split(own, still, point.held, mean and phase is None, loose, progress)
+    at_rest = split(own, still, point.held, mean and phase is None, loose, progress, state.v)
     D = at_rest.D + evaluate.matrix(own, state, 0.0, 1.0, 0.0) - evaluate.matrix(own, still, 0.0, 1.0, 0.0)
     K = at_rest.K + evaluate.matrix(own, state, 0.0, 0.0, 1.0) - evaluate.matrix(own, still, 0.0, 0.0, 1.0)
     if state.v.any():

@@ -188,6 +188,7 @@ def split(
     mean: bool = True,
     touched: tuple[str, ...] = (),
     progress: Callable[..., None] | None = None,
+    rates: Array | None = None,
 ) -> Parts:
     """Linearise about a state and split the stiffness.
 
@@ -205,7 +206,11 @@ def split(
         Meshes that carry nothing and are kept at the edge of contact.
     progress
         Told after every element.
+    rates
+        Speeds whose forces (drag of bearings, motors) load the meshes through their cycles; those of `state`
+        if left out.
     """
+    under = state.v if rates is None else rates
     M, D, K = (
         evaluate.blocks(system, state, *f) for f in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     )
@@ -218,7 +223,7 @@ def split(
             d, own = tangents(system, state, {kind: slice(k, k + 1)})
             if mean:
                 loose = name.partition(" ")[2] in touched
-                D_mean, K_mean = _cycle_mean(system, state, held, k, loose)
+                D_mean, K_mean = _cycle_mean(system, state, held, k, loose, under)
                 D, K, own = D + D_mean - d, K + K_mean - own, K_mean
         else:
             own = stiffness_of(system, state, {kind: slice(k, k + 1)}, bare)
@@ -241,7 +246,7 @@ def _ends(record: np.void) -> tuple[int, int]:
 
 
 def _cycle_mean(
-    system: System, state: State, held: tuple[int, ...], k: int, loose: bool
+    system: System, state: State, held: tuple[int, ...], k: int, loose: bool, rates: Array
 ) -> tuple[Array, Array]:
     """Mean damping and stiffness of mesh k over its cycle as blocks, the other meshes at their phase."""
     record = system.records["gear_mesh"][k]
@@ -264,7 +269,7 @@ def _cycle_mean(
                 _touch(system, at, record, flank)
             else:
                 for _ in range(2):  # the deflection there moves the phase a little
-                    at = _rest_at(system, at, held, state)
+                    at = _rest_at(system, at, held, state, rates)
                     shift(record, flank * _nearest(float(psi) - _phase(system, at, k, flank)))
             total += weight * np.array(tangents(system, at, {"gear_mesh": slice(k, k + 1)}))
     finally:
@@ -287,7 +292,10 @@ def _nearest(difference: float) -> float:
     return (difference + 0.5) % 1.0 - 0.5
 
 
-def _rest_at(system: System, near: State, held: tuple[int, ...], like: State) -> State:
-    found = find_equilibrium(system, near, held).state
+def _rest_at(system: System, near: State, held: tuple[int, ...], like: State, rates: Array) -> State:
+    """Equilibrium under the loads at some rates, with the rates of `like` put into it."""
+    start = near.copy()
+    start.v[:] = rates
+    found = find_equilibrium(system, start, held).state
     found.v[:] = like.v
     return found

@@ -39,9 +39,9 @@ def tangent_stiffness(system: System, state: State, m: int) -> float:
 def touching_error(system: System, clear: State, m: int, contact: float) -> float:
     """Transmission error of mesh m alone where its flank just touches, gear 1 turned as in `clear`.
 
-    Where the same teeth stay in mesh the force is a convex function of the travel, and Newton's method from
-    inside the material cannot miss. Where they change on the way, bisection between the last places with and
-    without force finds the edge.
+    Where the same teeth stay in mesh the force is a power of the depth: Newton's method on its root goes down
+    to the edge at once, whatever the exponent. Where they change on the way, bisection between the
+    last places with and without force finds the edge.
     """
     record = system.records["gear_mesh"][m]
     flank = -1.0 if contact < 0.0 else 1.0
@@ -52,7 +52,8 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
     names = mesh_names(system)
     u, pushes = (system.layout.channel(f"{c}[{names[m]}]") for c in ("transmission_error", "mesh_force"))
     nowhere = SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, clear)
-    aim = DEPTH ** float(record["power"]) * float(record["k_ref"])
+    power = float(record["power"])
+    aim = DEPTH**power * float(record["k_ref"])
     state = clear.copy()
     evaluate.residual(system, state)
     span = abs(float(record["gap"])) + 1e-6
@@ -74,7 +75,8 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
         force = flank * float(values[pushes])
         if force > 0.0:
             inside = state.q[spin]
-            change = (force - aim) / abs(tangent_stiffness(system, state, m))
+            depth = power * force / abs(tangent_stiffness(system, state, m))
+            change = depth * (1.0 - (aim / force) ** (1.0 / power))
             if abs(change) < DEPTH or abs(above - below) * radius < DEPTH:
                 return float(values[u])
             reach = 0.01 * abs(change)

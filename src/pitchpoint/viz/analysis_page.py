@@ -9,11 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.analysis.orders import OrderMap
-from pitchpoint.analysis.spectra import Spectrum
-from pitchpoint.analysis.time_frequency import TimeFrequencyMap
 from pitchpoint.analysis.tools import TOOLS
-from pitchpoint.viz import spectrum_plots, theme
+from pitchpoint.viz import theme
+from pitchpoint.viz.analysis_pictures import PICTURES
 from pitchpoint.viz.decimation import kept_samples
 from pitchpoint.viz.quantities import channels, scale
 from pitchpoint.viz.report_page import Section, page
@@ -23,8 +21,8 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
     import xarray as xr
 
-_POINTS, _ROWS = 8000, 12
-"""Points of a curve, and rows of a table that get a picture each."""
+_POINTS, _FEW, _ROWS = 8000, 50, 12
+"""Points of a curve, points that are marked, and rows of a table that get a picture each."""
 _LOGARITHMIC = 1e3
 """Ratio of largest to median value from which positive numbers are drawn over a logarithmic axis."""
 
@@ -84,21 +82,8 @@ def plot_analysis(result: xr.Dataset, channel: str) -> list[go.Figure]:
         What the axes call it.
     """
     kind = TOOLS[result.attrs["tool"]].picture
-    if kind in ("spectrum", "order_spectrum"):
-        axis = "frequency" if kind == "spectrum" else "order"
-        unit = str(result["amplitude"].attrs["units"])
-        spectrum = spectrum_of(result, axis)
-        return [
-            spectrum_plots.plot_spectrum(
-                {channel: spectrum}, unit=unit, quantity=f"amplitude, {channel}", over=axis
-            )
-        ]
-    if kind in ("order_map", "time_frequency"):
-        unit = str(result["amplitude"].attrs["units"])
-        arrays = {str(name): result[name].values for name in result.variables}
-        if kind == "order_map":
-            return [spectrum_plots.plot_order_map(OrderMap(**arrays), unit=unit, quantity=channel)]
-        return [spectrum_plots.plot_time_frequency(TimeFrequencyMap(**arrays), unit=unit, quantity=channel)]
+    if kind in PICTURES:
+        return PICTURES[kind](result, channel)
     figures = []
     for name, variable in result.data_vars.items():
         if not variable.dims or variable.dtype.kind not in "fiu" or variable.dims[-1] not in result.coords:
@@ -113,17 +98,6 @@ def plot_analysis(result: xr.Dataset, channel: str) -> list[go.Figure]:
                 for k, label in enumerate(labels)
             ]
     return figures
-
-
-def spectrum_of(result: xr.Dataset, axis: str) -> Spectrum:
-    """The dataclass of a spectrum back from its dataset; `axis` is `frequency` or `order`."""
-    return Spectrum(
-        frequency=result[axis].values,
-        amplitude=result["amplitude"].values,
-        mean=float(result["mean"]),
-        resolution=float(result["resolution"]),
-        noise_bandwidth=float(result["noise_bandwidth"]),
-    )
 
 
 def _signals(record: xr.Dataset, names: Sequence[str]) -> Section:
@@ -150,7 +124,8 @@ def _curve(result: xr.Dataset, variable: xr.DataArray, words: str) -> go.Figure:
     figure.add_scatter(
         x=(x[kept] * across.factor).astype(np.float32),
         y=(y[kept] * best.factor).astype(np.float32),
-        mode="lines",
+        # few numbers are points, and one alone would be no line at all
+        mode="lines" if kept.size > _FEW else "lines+markers",
         name=words,
         line={"color": theme.colour_of(str(variable.name), 0), "width": 1.3, "simplify": False},
     )

@@ -148,6 +148,18 @@ def number(value: float, digits: int = 5) -> str:
     return text.replace("-", "−")
 
 
+def span(low: float, high: float, unit: str = "Hz") -> str:
+    """A band from one SI value to another in the unit that people use.
+
+    Examples
+    --------
+    >>> span(13.45, 26.9), span(5000.0, 10_000.0)
+    ('13.45 to 26.9 Hz', '5 to 10 kHz')
+    """
+    best = scale(unit, [low, high])
+    return f"{number(low * best.factor, 4)} to {number(high * best.factor, 4)} {best.unit}".rstrip()
+
+
 def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
     """Time and channels of a time result.
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from pitchpoint.viz import theme
 from pitchpoint.viz.decimation import kept_samples
-from pitchpoint.viz.quantities import Array, Channel, scale
+from pitchpoint.viz.quantities import Array, Channel, Scale, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -37,13 +37,14 @@ def plot_signals(
     points: int = 8000,
     title: str = "",
     rows: Sequence[Sequence[int]] | None = None,
+    over: str = "time",
 ) -> go.Figure:
     """Channels of one unit over time, drawn so that no peak and no ripple is lost.
 
     Parameters
     ----------
     time
-        Times [s], shape (n,).
+        Times [s], or angles [rad] of one turn, shape (n,).
     channels
         One or more channels of the same unit, shape (n,) each.
     contact_state
@@ -56,6 +57,8 @@ def plot_signals(
         Name of the vertical axis; default the names of the channels.
     rows
         Indices of the channels of each row; default those of `signal_rows`.
+    over
+        `time` or `angle`.
 
     Raises
     ------
@@ -67,10 +70,10 @@ def plot_signals(
     if len({c.unit for c in channels}) != 1:
         raise ValueError("channels: need one or more channels of one unit; plot other units on their own")
     shown = scale(channels[0].unit, np.concatenate([c.values for c in channels]))
-    clock = scale("s", time if time.size else [1.0])
+    clock = scale("s", time if time.size else [1.0]) if over == "time" else Scale("°", 180.0 / np.pi)
     rows = signal_rows(channels) if rows is None else rows
     y_title = shown.title(title or _common_name(channels))
-    figure = go.Figure(layout=theme.layout(clock.title("time"), y_title, height=ONE_ROW))
+    figure = go.Figure(layout=theme.layout(clock.title(over), y_title, height=ONE_ROW))
     for k, row in enumerate(rows, start=1):
         for index in row:
             channel = channels[index]

@@ -117,7 +117,7 @@ def plot_order_map(
     vertical = (data.speed if steady else data.time) * axis.factor
     speed = f"speed of {shafts.chosen}" if shafts else "speed"
     # order 0 is the mean: it would set the scale of the whole map
-    figure = _map(
+    figure = amplitude_map(
         data.order[1:],
         vertical,
         data.amplitude[:, 1:],
@@ -144,7 +144,7 @@ def _offer(figure: go.Figure, shafts: Shafts | None, *, over_speed: bool = False
 def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "amplitude") -> go.Figure:
     """Amplitude over time and frequency, in decibels below the largest one."""
     clock, pitch = scale("s", data.time), scale("Hz", data.frequency)
-    return _map(
+    return amplitude_map(
         data.time * clock.factor,
         data.frequency * pitch.factor,
         data.amplitude.T,
@@ -155,9 +155,24 @@ def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "a
     )
 
 
-def _map(
+def amplitude_map(
     x: Array, y: Array, amplitude: Array, x_title: str, y_title: str, unit: str, quantity: str
 ) -> go.Figure:
+    """A map in decibels below its largest amplitude.
+
+    Parameters
+    ----------
+    x, y
+        Axes as drawn, shapes (n,) and (m,).
+    amplitude
+        Shape (m, n), in SI.
+    x_title, y_title
+        Titles with units.
+    unit
+        SI unit of the amplitude.
+    quantity
+        What the title calls it.
+    """
     import plotly.graph_objects as go
 
     x, y, z = _thinned(x, y, amplitude)
@@ -250,3 +265,47 @@ def known_part(frequency: float, resolution: float) -> float:
     (50.0, 700.0, 0.7)
     """
     return round(frequency, -int(np.ceil(np.log10(0.1 * resolution))))
+
+
+def plot_tones(
+    frequency: Array, amplitude: Array, background: Array, *, unit: str, quantity: str
+) -> go.Figure:
+    """Tones as bars at their frequencies, and the amplitudes around them.
+
+    Parameters
+    ----------
+    frequency
+        Frequencies [Hz], shape (n,).
+    amplitude, background
+        Amplitudes of the tones and of what is around, in SI, shape (n,).
+    unit
+        SI unit of the amplitudes.
+    quantity
+        Name of the vertical axis.
+    """
+    import plotly.graph_objects as go
+
+    across, shown = scale("Hz", frequency), scale(unit, amplitude)
+    figure = go.Figure(layout=theme.layout(across.title("frequency"), shown.title(quantity), height=340))
+    x = frequency * across.factor
+    figure.add_scatter(
+        x=np.repeat(x, 3),
+        y=[value for a in amplitude * shown.factor for value in (0.0, float(a), None)],
+        mode="lines",
+        name="tone",
+        line={"color": theme.BLUE, "width": 2.5},
+    )
+    figure.add_scatter(
+        x=x,
+        y=background * shown.factor,
+        mode="markers",
+        name="around it",
+        marker={"color": theme.ORANGE, "size": 7, "symbol": "line-ew-open", "line": {"width": 2}},
+    )
+    for place, height in zip(x, amplitude * shown.factor, strict=True):
+        look = {"showarrow": False, "yshift": 9, "font": {"size": 11}}
+        anchor = "left" if place < 0.05 * x.max() else "center"
+        figure.add_annotation(x=place, y=height, text=number(place, 6), xanchor=anchor, **look)
+    figure.update_xaxes(rangemode="tozero")
+    figure.update_yaxes(range=[0.0, 1.15 * float(max(amplitude.max(), background.max())) * shown.factor])
+    return figure

@@ -11,10 +11,15 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.core.progress import silent
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.report.collect import collect
 from tests.support.cli_files import ISO_EX1, TORSION, json_of, written
+from tests.support.machines import pair
 
 PINION = {
     "z": 17, "m_n": 8e-3, "alpha_n": math.radians(20), "alpha_t": math.radians(20.719712),
@@ -146,6 +151,23 @@ def test_mesh_of_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert wave["relative_to"] == "the mean"
     assert wave["stiffness_ratio"] == pytest.approx([0.65, 1.15, 0.65])
     assert wave["unit_stiffness"] == 4.0e8
+
+
+def test_a_power_of_the_deflection_has_no_stiffness_in_newtons_per_metre(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """K of a pair by Hertz is in N/m^1.5: shown as a ratio, and no slope in N/m is drawn over it."""
+    text = pair("{law: hertz}")
+    stage = json_of(["mesh", written(tmp_path, text)], capsys)["meshes"]["stage"]
+    assert stage["unit_stiffness"] is None
+    assert stage["relative_to"] == "K of one pair"
+    assert stage["mean"] == pytest.approx(loads_model(text).pairs["stage"].eps_alpha, rel=1e-12)
+    assert run_command(["mesh", written(tmp_path, text)]) == 0
+    assert "N/µm" not in capsys.readouterr().out
+    shown, _ = collect(loads_model(text), [], silent)
+    assert shown.mesh_cycles["stage"].stiffness_unit == "K of one pair"
+    assert np.size(shown.mesh_cycles["stage"].errors["without load"]) > 0
+    assert np.size(shown.mesh_cycles["stage"].loaded_ratio) == 0
 
 
 @pytest.mark.parametrize("command", ["gears", "mesh", "check"])

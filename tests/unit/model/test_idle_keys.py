@@ -74,6 +74,16 @@ SAME = {
         {"mesh": ", damping: {d_in: 1e4, s_0: 0}"},
         "meshes.s.damping.law",
     ),
+    "diameter beside force": (
+        {"law": "{law: hertz, force: 1 kN, depth: 5 um, diameter: operating}"},
+        {"law": "{law: hertz, force: 1 kN, depth: 5 um}"},
+        "meshes.s.stiffness.diameter",
+    ),
+    "friction.static": (
+        {"mesh": ", friction: {mu: 0, static: 0.1, static_speed: 1 mm/s}"},
+        {"mesh": ", friction: {mu: 0}"},
+        "meshes.s.friction.static",
+    ),
     "tip_alteration": (
         {"a": ", tip_diameter: 77.5 mm, tip_alteration: 0.2 mm"},
         {"a": ", tip_diameter: 77.5 mm"},

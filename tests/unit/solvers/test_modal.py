@@ -365,3 +365,28 @@ def test_torques_that_follow_the_axes_drive_undamped_tilts():
     assert found.imag == pytest.approx(expected.imag, rel=1e-6)
     follow = solve_campbell(system, [linear.state.v[system.spin("driver")]], "driver", "s")
     assert np.nanmin(follow["damping_ratio"].values) < 0.0
+
+
+def test_drag_of_a_turning_machine_loads_its_flanks():
+    """Teeth by Hertz get stiffer under load: k = 1.5 K^(2/3) F^(1/3) over the cycle, with the drag in F."""
+    from pitchpoint.contact.mesh_cycle import mesh_cycle
+
+    text = pair(
+        "{law: hertz, force: 10 kN, depth: 30 um}",
+        beta="15 deg",
+        torque="60 N m",
+        rest="bearings: {b: {body: driver, damping: {torsion: 1}}}\n"
+        "scenarios: {s: {speed: {driver: -100 rad/s}, duration: 1}}\n",
+    )
+    model, system = compiled(text, "s")
+    stage = model.pairs["stage"]
+    radii = [0.5 * gear.d_b for gear in (stage.gear1, stage.gear2)]
+    cos_b = math.cos(stage.gear1.beta_b)
+    lines = mesh_cycle(stage.eps_alpha, stage.eps_beta, 1.0, 0.0, 4001).stiffness_ratio[:-1]
+    K = 1e4 / 30e-6**1.5 * cos_b**2.5 * np.mean(lines ** (2.0 / 3.0)) ** 1.5
+    reduced = 1.0 / (radii[0] ** 2 / 0.002 + radii[1] ** 2 / 0.01)
+    for scenario, torque in (("s", 160.0), (None, 60.0)):
+        k = 1.5 * K ** (2.0 / 3.0) * (torque / radii[0]) ** (1.0 / 3.0)
+        expected = math.sqrt(k / reduced) / (2.0 * math.pi)
+        found = find_modes(system if scenario else compiled(text)[1], scenario)
+        assert found.frequency[1] == pytest.approx(expected, rel=1e-6)

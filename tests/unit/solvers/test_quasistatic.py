@@ -218,3 +218,18 @@ def test_extremes_of_a_part_of_a_cycle_are_those_of_all_points():
     found = statistics(table["transmission_error[second]"])
     span = table["transmission_error_peak_to_peak[second]"].values
     assert found["max"] - found["min"] == pytest.approx(span, rel=1e-15)
+
+
+@pytest.mark.parametrize("exponent", [1.0, 1.5, 3.0, 5.0])
+def test_tooth_pairs_of_any_exponent(exponent):
+    """F_n = K delta^e over the contact lines: 1.54 of them in a spur pair are one or two; gap/2 unloaded."""
+    text = pair(f"{{law: hertz, exponent: {exponent}, force: 10 kN, depth: 30 um}}")
+    model, system = compiled(text)
+    roll = roll_through(system, "stage", 24)
+    delta = channel(system, roll, "penetration[stage]")
+    pairs = 200.0 / R_B1 / 1e4 / (delta / 30e-6) ** exponent
+    assert pairs == pytest.approx(np.round(pairs), rel=1e-7)
+    assert set(np.round(pairs)) == {1.0, 2.0}
+    assert roll.meshes["stage"].unloaded == pytest.approx(5e-5, abs=1e-12)
+    slope = exponent * 200.0 / R_B1 / delta
+    assert roll.meshes["stage"].tangent_stiffness == pytest.approx(slope, rel=1e-6)

@@ -17,6 +17,10 @@ OPTIONS = {
     "tracked_spectrum": {"highest_order": 30},
     "sideband_table": {"mesh": 340.0, "spacing": 20.0},
     "harmonic_table": {"fundamental": 340.0},
+    "find_period": {"shortest": 0.02, "longest": 0.3},
+    "period_evidence": {"periods": [0.05, 0.9]},
+    "gear_signals": {"teeth": 17},
+    "tones": {"expected": [340.0], "reach": 5.0},
 }
 
 
@@ -43,10 +47,18 @@ def record():
         # frequency, amplitude, level, background of three harmonics; ratio and index over the harmonics
         ("sideband_table", 14, "sideband", "frequency, harmonic 1, travel [Hz]"),
         ("signal_statistics", 0, "", ""),
+        ("wavelet_levels", 1, "time [ms]", "[µm]"),
+        ("wavelet_packets", 2, "frequency [Hz]", "share of the energy, travel [%]"),
+        ("scalogram", 1, "time [ms]", "frequency [Hz]"),
+        ("find_period", 1, "period [ms]", "−log₁₀ of the chance"),
+        ("period_evidence", 1, "period, travel", "−log₁₀ of the chance"),
+        ("kurtogram", 1, "frequency [Hz]", "width of the bands"),
+        ("gear_signals", 1, "angle [°]", "[µm]"),
+        ("tones", 1, "frequency [Hz]", "amplitude, travel [µm]"),
     ],
 )
 def test_pictures_have_axes_with_units(record, tool, count, across, up):
-    angle = "turn" if tool in ("order_map", "tracked_spectrum") else None
+    angle = "turn" if tool in ("order_map", "tracked_spectrum", "gear_signals") else None
     result = analyse(record, tool, channel="travel", angle=angle, **OPTIONS.get(tool, {}))
     figures = plot_analysis(result, "travel")
     assert len(figures) == count
@@ -56,3 +68,58 @@ def test_pictures_have_axes_with_units(record, tool, count, across, up):
     page = analysis_page(record, result, ["a <note>"])
     assert page.count('<div class="plot"') == count + 1
     assert "&lt;rig&gt;.csv" in page and "a &lt;note&gt;" in page and "<rig>" not in page
+
+
+def picture(record, tool, **options):
+    result = analyse(record, tool, channel="travel", **options)
+    return result, plot_analysis(result, "travel")[0]
+
+
+def test_levels_are_named_with_band_and_share(record):
+    result, figure = picture(record, "wavelet_levels", levels=3)
+    heads = [note.text for note in figure.layout.annotations]
+    assert len(figure.data) == len(heads) == 4
+    share = 100.0 * float(result["energy_share"].sel(level="d3"))
+    assert f"d3:  256 to 512 Hz,  {share:.1f} % of the energy" in heads[1]
+
+
+def test_scalogram_is_drawn_from_low_to_high_with_its_edges(record):
+    result, figure = picture(record, "scalogram", frequencies=[400.0, 100.0, 200.0])
+    shown, left, right = figure.data
+    assert list(shown.y) == [100.0, 200.0, 400.0]
+    edge = result["edge"].values[[1, 2, 0]]
+    np.testing.assert_allclose(left.x, 1e3 * edge)
+    np.testing.assert_allclose(right.x, 1e3 * (TIME[-1] - edge))
+    # the tone of 340 Hz is nearest to the row of 400 Hz
+    assert np.asarray(shown.z)[:, 180].argmax() == 2
+    assert figure.layout.yaxis.type is None
+    assert picture(record, "scalogram")[1].layout.yaxis.type == "log"
+
+
+def test_one_row_of_a_scalogram_has_a_picture(record):
+    assert picture(record, "scalogram", frequencies=[340.0])[1].data[0].type == "heatmap"
+
+
+def test_kurtogram_shows_every_band_and_frames_the_best(record):
+    result, figure = picture(record, "kurtogram", levels=2)
+    values = np.asarray(figure.data[0].z)
+    assert values.shape == (np.unique(result["level"]).size, len(figure.data[0].x) - 1)
+    assert not np.isnan(values).any()
+    np.testing.assert_allclose(np.unique(values), np.unique(result["kurtosis"].values.astype("f4")))
+    frame = figure.layout.shapes[0]
+    np.testing.assert_allclose([frame.x0, frame.x1], [float(result["best_low"]), float(result["best_high"])])
+
+
+def test_search_shows_the_period_or_that_there_is_none(record):
+    noise = np.random.default_rng(1).standard_normal(TIME.size)
+    dips = noise - 6.0 * (np.mod(TIME, 0.0937) < 0.005)
+    both = xr.Dataset({"noise": ("time", noise), "dips": ("time", dips)}, coords={"time": TIME})
+    shown = {}
+    for name in ("noise", "dips"):
+        result = analyse(both, "find_period", channel=name, shortest=0.03, longest=0.3)
+        (shown[name],) = plot_analysis(result, name)
+    assert shown["noise"].layout.title.text.startswith("nothing found in noise")
+    assert len(shown["noise"].data) == 2
+    marker, threshold = shown["dips"].data[1:]
+    assert marker.x[0] == pytest.approx(93.7, abs=0.3) and marker.y[0] > threshold.y[0]
+    assert "93." in shown["dips"].layout.title.text

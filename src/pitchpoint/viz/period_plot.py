@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Periods of repeated impacts: evidence over the period, against what noise gives."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.viz import theme
+from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.quantities import Array, number, scale
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+    import xarray as xr
+
+_POINTS = 8000
+_LEAST = 1e-300
+_TITLE = "−log₁₀ of the chance"
+
+
+def plot_search(result: xr.Dataset, channel: str) -> list[go.Figure]:
+    """Evidence of all trial periods, the threshold, and the period that was found.
+
+    Parameters
+    ----------
+    result
+        Result of `find_period` of one channel.
+    channel
+        Its name.
+    """
+    import plotly.graph_objects as go
+
+    period, score = result["trial_period"].values, result["trial_score"].values
+    clock = scale("s", period)
+    threshold = float(np.log10(period.size / float(result["false_alarm"])))
+    figure = go.Figure(layout=theme.layout(clock.title("period"), _TITLE, height=380))
+    kept = kept_samples(score, _POINTS)
+    figure.add_scatter(
+        x=period[kept] * clock.factor,
+        y=score[kept].astype(np.float32),
+        mode="lines",
+        line={"color": theme.BLUE, "width": 1.3, "simplify": False},
+        hovertemplate="%{x:.5g}: %{y:.3g}<extra></extra>",
+    )
+    chance = max(float(result["p_value"]), _LEAST)
+    shown = f"{number(chance, 2)} (limit {number(float(result['false_alarm']))})"
+    words = f"nothing found in {channel}: exact tests of the highest peaks leave a chance of {shown}"
+    top = max(float(score.max()), threshold)
+    if bool(result["found"]):
+        found, deviation = float(result["period"]), float(result["deviation"])
+        near = scale("s", [deviation])
+        words = (
+            f"{channel}: {number(found * clock.factor, 5)} {clock.unit}, standard deviation "
+            f"{number(deviation * near.factor, 2)} {near.unit}; chance in noise {shown}"
+        )
+        exact = float(np.log10(period.size / chance))
+        top = max(top, exact)
+        figure.add_scatter(
+            x=[found * clock.factor],
+            y=[exact],
+            mode="markers",
+            marker={"color": theme.GREEN, "size": 11, "symbol": "diamond"},
+            name="found, exact test",
+            hovertemplate="%{x:.6g}: %{y:.3g}<extra></extra>",
+        )
+    figure.add_scatter(
+        x=[period[0] * clock.factor, period[-1] * clock.factor],
+        y=[threshold] * 2,
+        mode="lines",
+        line={"color": theme.RED, "width": 1.3, "dash": "dash"},
+        name="threshold of the exact test",
+        hoverinfo="skip",
+    )
+    figure.update_layout(title=_headline(words), margin={"t": 64}, showlegend=True)
+    figure.data[0].update(name="rough score of all trial periods")
+    figure.update_yaxes(range=[0.0, 1.1 * top])
+    figure.update_xaxes(range=[period[0] * clock.factor, period[-1] * clock.factor])
+    return [figure]
+
+
+def plot_evidence(result: xr.Dataset, channel: str) -> list[go.Figure]:
+    """Evidence of each of some given periods.
+
+    Parameters
+    ----------
+    result
+        Result of `period_evidence` of one channel.
+    channel
+        Its name.
+    """
+    import plotly.graph_objects as go
+
+    known = np.isfinite(result["p_value"].values)
+    period = result["period"].values[known]
+    score: Array = -np.log10(np.maximum(result["p_value"].values[known], _LEAST))
+    clock = scale("s", result["period"].values)
+    figure = go.Figure(layout=theme.layout(f"period, {channel}", _TITLE, height=340, bargap=0.6))
+    if not period.size:
+        return []
+    figure.add_bar(
+        x=[f"{number(value * clock.factor, 5)} {clock.unit}" for value in period],
+        y=np.abs(score),
+        marker={"color": theme.BLUE},
+        text=[f"chance {number(float(value), 3)}" for value in result["p_value"].values[known]],
+        textposition="outside",
+        cliponaxis=False,
+        hovertemplate="%{x}: %{y:.3g}<extra></extra>",
+    )
+    figure.update_xaxes(type="category", showgrid=False)
+    return [figure]
+
+
+def _headline(words: str) -> dict[str, object]:
+    """Title above the legend, left."""
+    place = {"x": 0, "xref": "paper", "xanchor": "left", "y": 0.98, "yanchor": "top"}
+    return {"text": words, "font": {"size": 13}} | place
