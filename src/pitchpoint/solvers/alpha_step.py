@@ -25,8 +25,8 @@ KEPT = OLD + 2
 
 
 @kernel
-def _predict(q, v, a, al, ap, stage, h, method):
-    """First guess of a step: the acceleration goes on along a straight line. `stage` keeps what was, or None.
+def _predict(q, v, a, al, ap, h, method):
+    """First guess of a step: the acceleration goes on along a straight line.
 
     A guess that merely kept the last acceleration would leave an error of first order in h behind whenever
     one iteration is enough.
@@ -35,12 +35,6 @@ def _predict(q, v, a, al, ap, stage, h, method):
     for i in range(q.size):
         last = al[i]
         guess = 2.0 * a[i] - ap[i]
-        if stage is not None:
-            stage[OLD, i] = q[i]
-            stage[OLD, q.size + i] = v[i]
-            stage[KEPT, i] = last
-            stage[KEPT, q.size + i] = ap[i]
-            stage[KEPT + 1, i] = a[i]
         new = ((1.0 - alpha_f) * guess + alpha_f * a[i] - alpha_m * last) / (1.0 - alpha_m)
         q[i] += h * v[i] + h * h * ((0.5 - beta) * last + beta * new)
         v[i] += h * ((1.0 - gamma) * last + gamma * new)
@@ -100,11 +94,15 @@ def alpha_step(at, t, h, rho, tol, iteration, code, keep):
     share = (1.0 - alpha_f) / (1.0 - alpha_m)
     if keep != 0:
         stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
+        for i in range(nd):
+            stage[OLD, i] = q[i]
+            stage[OLD, nd + i] = v[i]
+            stage[KEPT, i] = al[i]
+            stage[KEPT, nd + i] = ap[i]
+            stage[KEPT + 1, i] = a[i]
         if c["nc"] > 0:
             _keep_multipliers(c, m, stage)
-        _predict(q, v, a, al, ap, stage, h, (beta, gamma, alpha_m, alpha_f))
-    else:
-        _predict(q, v, a, al, ap, None, h, (beta, gamma, alpha_m, alpha_f))
+    _predict(q, v, a, al, ap, h, (beta, gamma, alpha_m, alpha_f))
     for i in range(nd):
         al[i] -= share * a[i]  # completed below with the solved acceleration
     if m["nfrictions"] > 0:
