@@ -12,7 +12,7 @@ from pitchpoint.analysis import gear_indicators, indicators
 
 TEXT = (Path(__file__).parents[2] / "docs" / "diagnosis.md").read_text(encoding="utf-8")
 SECTIONS = dict(re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", TEXT, re.DOTALL | re.MULTILINE))
-NAMES = ("Angle domain", "Indicators", "Noise")
+NAMES = ("Angle domain", "Indicators", "Noise", "diagnose")
 
 
 def test_lines_give_what_the_page_shows() -> None:

@@ -120,7 +120,9 @@ def percent(probability: float) -> str:
     >>> percent(0.01), percent(3.2e-4), percent(1e-12)
     ('1 %', '0.032 %', 'less than 0.001 %')
     """
-    return "less than 0.001 %" if probability < 1e-5 else f"{100.0 * probability:.2g} %"
+    if probability < 1e-5:
+        return "less than 0.001 %"
+    return f"{100.0 * probability:.0f} %" if probability >= 0.1 else f"{100.0 * probability:.2g} %"
 
 
 def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]]:
