@@ -24,16 +24,21 @@ NO_TOOL = {
     "combs.comb_lines": "a step of find_period, whose result holds it",
     "combs.record_for_combs": "a step of find_period",
     "detection.detection_curves": "takes two signals and functions",
+    "diagnosis.diagnose": "takes several channels and what turns; the command diagnose",
     "fault_frequencies.gear_pair_frequencies": "from tooth counts, not from a signal",
     "fault_frequencies.train_frequencies": "from tooth counts, not from a signal",
     "gear_indicators.na4": "takes several averages",
     "gear_indicators.nb4": "takes several averages",
     "gear_indicators.running_kurtosis": "takes several records",
+    "line_tests.fine_spectrum": "a step of diagnose",
     "load_sharing.share_along_path": "of a mesh cycle, not of a record",
+    "mean_turns.mean_turn": "a step of diagnose",
     "planet_frequencies.planetary_frequencies": "from tooth counts, not from a signal",
     "statistics.contact_statistics": "takes two channels of a mesh; stands in results and reports",
     "tacho.angle_channel": "makes the angle of every tool that takes one",
     "tacho.tacho_angle": "makes the channel of --tacho, shaft_channel.with_shaft_angle",
+    "tooth_energy.tooth_energy": "a step of diagnose",
+    "turning_parts.train_parts": "from tooth counts, not from a signal",
 }
 """Public functions that give a dataclass and are no tool, and why."""
 PAGE = (Path(__file__).parents[2] / "docs" / "diagnosis.md").read_text(encoding="utf-8")

@@ -67,10 +67,11 @@ def test_the_shovel_gearbox_takes_its_masses_from_solids(tmp_path: Path, monkeyp
     (pinion, *of_pinion), (shaft, *of_shaft) = example.compared(drawn)
     assert (pinion, shaft) == ("Z5", "third")
     mass, in_mass, in_inertia = of_pinion
-    # 40 points a flank, slices of half a degree; circles of 180 corners
+    # 40 points a flank, slices of half a degree; circles of 180 corners lack 2.0e-4 of their area, 4.1e-4 of
+    # its second moment, and the bore of 270 mm takes 1.8 times what the ring about it has
     assert mass == pytest.approx(gear_inertia(model.gears["Z5"])[0], rel=1e-12)
-    assert abs(in_mass) < 2e-4
-    assert abs(in_inertia) < 4e-4
+    assert abs(in_mass) < 3.7e-4
+    assert abs(in_inertia) < 7.5e-4
     assert of_shaft[1:] == pytest.approx([-2.03e-4, -4.06e-4], rel=1e-2)
     assert gear_inertia(drawn.gears["Z5"])[0] == pytest.approx(mass * (1.0 + in_mass), rel=1e-12)
 

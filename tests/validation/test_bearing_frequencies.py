@@ -139,5 +139,8 @@ def test_severity_brings_the_fault_and_takes_it_away():
         sizes.append(float(run["bearing_force[b.fx]"].std()))
         if severity == 0.0:
             for name in healthy:
-                np.testing.assert_array_equal(run[name].values, healthy[name].values)
+                scale = np.abs(healthy[name].values).max()  # round-off, as it grows in a run
+                np.testing.assert_allclose(
+                    run[name].values, healthy[name].values, rtol=0.0, atol=1e-9 * scale
+                )
     assert np.all(np.diff(sizes) > 0.0)

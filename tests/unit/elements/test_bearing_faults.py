@@ -176,7 +176,8 @@ def test_drop_into_a_spall_with_sharp_edges(inner, length, depth):
     assert ramp == pytest.approx((half - there) * r, rel=0.01)
 
 
-def test_no_severity_is_healthy_to_the_bit():
+def test_no_severity_is_healthy_to_round_off():
+    """Elements with faults of no size go another way through the same sums: some units of rounding."""
     bodies = [Body(motion=FREE, mass=1.0, polar_inertia=0.1, transverse_inertia=0.1)]
     flat = [(*spall[:3], 0.0, 0.0, 0.0) for spall in SPALLS]
     one = system_of(bodies, *faulty(bodies, 1, 0, spalls=flat, spacing=0.0 * SPACING, chi=0.3))
@@ -189,8 +190,9 @@ def test_no_severity_is_healthy_to_the_bit():
         state.q, state.v = 0.1 * rng.normal(size=6), rng.normal(size=6)
         state.turns[1] = rng.integers(-1000, 1000)
         for found, wanted in zip(evaluate.linearize(one, state), evaluate.linearize(two, state), strict=True):
-            np.testing.assert_array_equal(found, wanted)
-        np.testing.assert_array_equal(wrenches(one, state), wrenches(two, state))
+            np.testing.assert_allclose(found, wanted, rtol=1e-13, atol=1e-13 * np.abs(wanted).max())
+        found, wanted = wrenches(one, state), wrenches(two, state)
+        np.testing.assert_allclose(found, wanted, rtol=1e-13, atol=1e-13 * np.abs(wanted).max())
 
 
 def test_an_element_that_climbs_out_of_a_spall_brakes_the_shaft():

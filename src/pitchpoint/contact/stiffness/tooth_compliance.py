@@ -65,6 +65,18 @@ def section(form: ToothForm, roll: Array) -> tuple[Array, Array, Array]:
         Exact tooth.
     roll
         Roll angles of points of the flank [rad].
+
+    Examples
+    --------
+    On the reference circle half of a tooth without profile shift spans pi/(2 z) there:
+
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> gear = CylindricalGear(z=30, m_n=1.0, b=1.0)
+    >>> form = tooth_form(gear)
+    >>> half, _, _ = section(form, np.array([np.tan(gear.alpha_t)]))
+    >>> bool(abs(half[0] - 15.0 * math.sin(math.pi / 60.0)) < 1e-12)
+    True
     """
     sign = form.sign
     r = form.r_b * np.hypot(1.0, roll)
@@ -93,6 +105,17 @@ def fillet_section(form: ToothForm, theta: Array) -> tuple[Array, Array, Array]:
         Exact tooth.
     theta
         Parameters of the fillet.
+
+    Examples
+    --------
+    The fillet begins at the root, where the height is zero:
+
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> form = tooth_form(CylindricalGear(z=30, m_n=1.0, b=1.0))
+    >>> _, height, _ = fillet_section(form, np.array([form.fillet.theta_root]))
+    >>> round(float(height[0]), 12) + 0.0
+    0.0
     """
     h = 0.5e-5 * abs(form.theta_form - form.fillet.theta_root)
 
