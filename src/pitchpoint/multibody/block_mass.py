@@ -22,7 +22,7 @@ def _inverse(a, b, c, d, e, f):
     y = c * e - b * f
     z = b * e - c * d
     det = a * x + b * y + c * z
-    h = 1.0 / det
+    h = 1.0 / det if det != 0.0 else 0.0
     return x * h, y * h, z * h, (a * f - c * c) * h, (b * c - a * e) * h, (a * d - b * b) * h, det
 
 
