@@ -13,7 +13,7 @@ from pitchpoint.analysis.detection import DetectionCurves, least_ratio
 from pitchpoint.viz import theme
 from pitchpoint.viz.compared_table import Compared, compared_table, sourced_table
 from pitchpoint.viz.detection_plot import plot_detection
-from pitchpoint.viz.level_plot import plot_levels
+from pitchpoint.viz.level_plot import plot_signal_and_levels
 from pitchpoint.viz.quantities import Channel, number
 from pitchpoint.viz.report_page import Section
 from pitchpoint.viz.signals_plot import plot_signals
@@ -32,7 +32,7 @@ def noise(pair: Pair, found: Sequence[Readings]) -> Section:
     for reading in found:
         noisy = pair.noisy(True, reading.ratio, 0)
         section.add_figure(
-            plot_levels(time, noisy - noisy.mean(), levels_of(noisy - noisy.mean()), unit="N"),
+            plot_signal_and_levels(time, noisy - noisy.mean(), levels_of(noisy - noisy.mean()), unit="N"),
             f"Broken tooth, {number(reading.ratio)} dB, seed 0: the signal S less its mean, its "
             "approximation a5 and its details, as in Fig. 10 of the paper.",
         )

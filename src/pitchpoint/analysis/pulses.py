@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.sampled import SignalError
 
 
-def pulse_train(angle: NDArray[np.float64], per_turn: int) -> NDArray[np.int8]:
+def tacho_levels(angle: NDArray[np.float64], per_turn: int) -> NDArray[np.int8]:
     """Level of a tacho: 1 over the first half of the angle between two pulses, 0 over the second.
 
     Parameters
@@ -33,7 +33,7 @@ def pulse_train(angle: NDArray[np.float64], per_turn: int) -> NDArray[np.int8]:
 
     Examples
     --------
-    >>> pulse_train(np.radians([0.0, 80.0, 100.0, 179.0, 181.0]), 2).tolist()
+    >>> tacho_levels(np.radians([0.0, 80.0, 100.0, 179.0, 181.0]), 2).tolist()
     [1, 1, 0, 0, 1]
     """
     _at_least_one(per_turn)

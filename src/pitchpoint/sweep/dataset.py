@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.analysis.pulses import pulse_times, pulse_train
+from pitchpoint.analysis.pulses import pulse_times, tacho_levels
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.thinning import DAMPING, PASS, REACH, STOP, thin_out
 from pitchpoint.core.errors import SolverError
@@ -244,7 +244,7 @@ def _compute(
             words = found.long_name or name
             channels[name] = RecordedChannel(clean[: plan.samples] + noise[0], found.unit, words, noise[1])
         else:
-            levels = pulse_train(recorded[name], channel.pulses)[thinned]
+            levels = tacho_levels(recorded[name], channel.pulses)[thinned]
             words = f"tacho of {channel.body}, {channel.pulses} pulses per turn"
             channels[name] = RecordedChannel(levels, "1", words)
             begun = pulse_times(t, recorded[name], channel.pulses)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from pitchpoint.analysis.wavelets import WaveletLevels
 
 
-def plot_levels(
+def plot_signal_and_levels(
     time: Array, values: Array, levels: WaveletLevels, *, unit: str, name: str = "S"
 ) -> go.Figure:
     """The signal, its approximation and its details from slow to fast.

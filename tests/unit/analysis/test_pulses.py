@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.analysis.pulses import pulse_times, pulse_train
+from pitchpoint.analysis.pulses import pulse_times, tacho_levels
 from pitchpoint.analysis.sampled import SignalError
 
 
@@ -36,13 +36,13 @@ def test_several_pulses_between_two_samples_and_backwards() -> None:
 
 
 def test_half_of_the_angle_is_high() -> None:
-    levels = pulse_train(np.linspace(-40.0, 40.0, 100001), 7)
+    levels = tacho_levels(np.linspace(-40.0, 40.0, 100001), 7)
     assert set(levels.tolist()) == {0, 1}
     assert abs(levels.mean() - 0.5) < 0.01  # 89 pulses, of which one at each end may be cut
 
 
 def test_what_cannot_be_counted() -> None:
     with pytest.raises(SignalError, match="cannot be counted"):
-        pulse_train(np.zeros(3), 0)
+        tacho_levels(np.zeros(3), 0)
     with pytest.raises(SignalError, match="there are 2 times"):
         pulse_times(np.zeros(2), np.zeros(3), 1)

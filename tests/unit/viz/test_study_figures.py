@@ -16,7 +16,7 @@ from pitchpoint.viz.compared_table import Compared, compared_table, sourced_tabl
 from pitchpoint.viz.detection_plot import plot_detection
 from pitchpoint.viz.flank_plot import plot_missing
 from pitchpoint.viz.frequency_marks import mark_frequencies
-from pitchpoint.viz.level_plot import plot_levels
+from pitchpoint.viz.level_plot import plot_signal_and_levels
 from pitchpoint.viz.spectrum_plots import plot_spectrum
 
 
@@ -79,7 +79,7 @@ def test_levels_stand_below_the_signal_and_add_up_to_it() -> None:
     rng = np.random.default_rng(0)
     values = rng.normal(size=1024)
     levels = wavelet_levels(values, 400.0, levels=3)
-    figure = plot_levels(np.arange(1024) / 400.0, values, levels, unit="N", name="S")
+    figure = plot_signal_and_levels(np.arange(1024) / 400.0, values, levels, unit="N", name="S")
     assert len(figure.data) == 5
     assert len({trace.yaxis for trace in figure.data}) == 5
     assert np.allclose(sum(np.asarray(t.y) for t in figure.data[1:]), figure.data[0].y, atol=1e-5)
