@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 
-from pitchpoint.contact.elastic import stored_energy
+from pitchpoint.contact.elastic import series_energy, series_overlap, stored_energy
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.gear_mesh_record import NEAREST
@@ -67,15 +67,13 @@ def _pair_node(b, ctl, watch, p_0, x_q, z, weight, apart):
     limit = b["load_limit"] * weight
     if apart is None:
         return node(b, ctl, watch, x, x_rate, (z, xi), c * scale, k_rate, limit, None)
+    if weight <= 0.0:  # a piece between two edges that fall together
+        return 0.0
     gap, gap_rate, slope, level, level_rate, q, q_rate = pair_separation(b, z, xi, z_rate, xi_rate)
-    k = c * scale
-    if q > 0.0:  # in series with the pair, per face width: c/(1 + c q)
-        share = 1.0 / (1.0 + c * b["c_prime"] * q)
-        k_rate = (k_rate - k * c * b["c_prime"] * q_rate) * share * share
-        k *= share
     # an edge that travels under the contact takes its energy along, but does not damp
     x_rate -= level_rate
-    return node(b, ctl, watch, x - gap - level, x_rate, (z, xi), k, k_rate, limit, (-gap_rate, -slope))
+    own = (-gap_rate, -slope, q / weight, q_rate / weight)  # a crack lies in series, per face width
+    return node(b, ctl, watch, x - gap - level, x_rate, (z, xi), c * scale, k_rate, limit, own)
 
 
 @kernel
@@ -270,10 +268,14 @@ def _line_energy(b, x_q, z, xi, c, apart):
     """Energy per length of a contact line [J/m] at its end (z, xi), with the stiffness ratio `c`."""
     x = x_q - b["tilt"] * z
     k = b["c_prime"] * c
-    if apart is not None:
-        x -= gap_at(b, z, xi)
-        k /= 1.0 + k * softening_at(b, z, xi)
-    return stored_energy(x, k, b["power"], b["load_limit"])[0] if x > 0.0 and c > 0.0 else 0.0
+    if apart is None:
+        return stored_energy(x, k, b["power"], b["load_limit"])[0] if x > 0.0 and c > 0.0 else 0.0
+    x -= gap_at(b, z, xi)
+    if x <= 0.0 or c <= 0.0:
+        return 0.0
+    q = softening_at(b, z, xi)
+    u = series_overlap(x, k, b["power"], q)
+    return series_energy(x, u, k, b["power"], q, b["load_limit"])[0]
 
 
 @kernel
