@@ -114,8 +114,8 @@ def balanced(m, most):
 @every_kind
 @pytest.mark.parametrize("shape", ["parabola", "hertz"])
 def test_the_wrench_is_the_slope_of_the_stored_energy(pair, flank, kind, shape):
-    """At a stiffness that is even over the path, along motions that leave the phase as it is. Where x runs out
-    to zero at an edge, three points integrate x^1.5 and x^2.5 to 1e-4."""
+    """At a stiffness that is even over the path, along motions that leave the phase as it is. Where x runs
+    out to zero at an edge, three points integrate x^1.5 and x^2.5 to 1e-4."""
     m = turned_to_load(faulty(pair, kind, shape), flank)
     h = 1e-9
     energy = []
@@ -126,7 +126,9 @@ def test_the_wrench_is_the_slope_of_the_stored_energy(pair, flank, kind, shape):
         energy.append(m.get("elastic_energy"))
     force = (energy[0] - energy[1]) / (2 * h)
     m.evaluate()
-    assert m.get("mesh_force") == pytest.approx(force, rel=2e-6 if shape in SMOOTH or kind == "soft" else 1e-4)
+    assert m.get("mesh_force") == pytest.approx(
+        force, rel=2e-6 if shape in SMOOTH or kind == "soft" else 1e-4
+    )
 
 
 @every_pair

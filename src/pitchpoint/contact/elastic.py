@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elastic force over the deflection: power law, a compliance in series, softer teeth at low load, energies."""
+"""Elastic force over the deflection: power law, compliance in series, softer teeth at low load, energies."""
 
 from __future__ import annotations
 

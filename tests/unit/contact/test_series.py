@@ -15,7 +15,7 @@ every_power = pytest.mark.parametrize("power", POWERS)
 
 
 def places(power):
-    """Overlaps and stiffnesses of tooth pairs; compliances from far below to far above that of the contact."""
+    """Overlaps and stiffnesses of tooth pairs; compliances far below and far above that of the contact."""
     for x in (1e-9, 3e-6, 2e-5, 1e-3):
         k = 2e8 * 2e-5 ** (1.0 - power)
         for soft in np.logspace(-6, 6, 13) / (k * x ** (power - 1.0)):
@@ -30,7 +30,9 @@ def test_the_overlap_is_the_root(power):
         u = series_overlap(x, k, power, soft)
         assert 0.0 < u < x
         assert abs(u + soft * power_force(u, k, power)[0] - x) < 1e-15 * x
-        wanted = brentq(lambda t, A=soft * k * x ** (power - 1.0): t + A * t**power - 1.0, 0.0, 1.0, xtol=1e-16)
+        wanted = brentq(
+            lambda t, A=soft * k * x ** (power - 1.0): t + A * t**power - 1.0, 0.0, 1.0, xtol=1e-16
+        )
         assert u == pytest.approx(wanted * x, rel=3e-14)
 
 
