@@ -2,8 +2,8 @@
 """Every stiffness law with every fault of a gear: it works, or a sentence says why it cannot.
 
 Laws of tooth pairs take all faults, laws of the whole mesh those that displace the gear as one. "Works"
-means, on flanks pressed by the same depth over a whole turn: severity 0 is the healthy gear, to the last bit; little
-severity changes little, all of it more; flanks never pull; only the teeth that are faulty differ.
+means, on flanks pressed by the same depth over a whole turn: severity 0 is the healthy gear, to the last bit;
+little severity changes little, all of it more; flanks never pull; only the teeth that are faulty differ.
 """
 
 from __future__ import annotations
@@ -20,8 +20,7 @@ from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.gear_faults import SEAT_FAULTS
 from pitchpoint.model.components.stiffness import LAWS, OF_PAIRS
 from pitchpoint.model.components.tooth_faults import FAULTS
-from pitchpoint.system import evaluate
-from pitchpoint.system.compile import compile_model
+from tests.support.pressed_pair import turned_forces
 
 LAW_FILE = "def k(t, psi, parameters):\n    return 4e8 + 5e7 * (0.5 - psi)\n"
 OPTIONS = {
@@ -89,23 +88,7 @@ def folder(tmp_path_factory):
 def forces(kind, law, fault, severity, folder):
     """Mesh forces over a turn, both gears turned through the ratio and pressed by the depth."""
     model = loads_model(text_of(kind, law, fault, severity, folder), allow_code=True)
-    system = compile_model(model)
-    pair = model.pairs["stage"]
-    travel = 0.5 * model.backlash("stage") + DEPTH
-    column = system.layout.channel("mesh_force[stage]")
-    found = []
-    for angle in ANGLES:
-        state = system.initial_state()
-        r1, r2 = 0.5 * pair.gear1.d_b, 0.5 * pair.gear2.d_b
-        for body, turned in (
-            ("driver", angle + 0.5 * travel / r1),
-            ("driven", -angle * r1 / r2 + 0.5 * travel / r2),
-        ):
-            turns = round(turned / (2.0 * math.pi))
-            state.q[system.spin(body)] = turned - 2.0 * math.pi * turns
-            state.turns[system.layout.bodies.index(body)] = turns
-        found.append(evaluate.observe(system, state)[column])
-    return np.array(found)
+    return turned_forces(model, ANGLES, DEPTH)
 
 
 def test_the_table_names_all_laws_and_all_faults():
