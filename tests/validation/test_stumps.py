@@ -47,7 +47,7 @@ ACROSS, ALONG = 32, 96
 
 @lru_cache
 def mesh():
-    """Nodes at xi times the half thickness, xi in [-1, 1], in rows from the root circle up, shape (n, m, 2)."""
+    """Nodes at xi times the half thickness, xi in [-1, 1], in rows from the root up, shape (n, m, 2)."""
     form = tooth_form(GEAR)
     start = np.sqrt((form.r_Ff / form.r_b) ** 2 - 1.0)
     theta = np.linspace(form.fillet.theta_root, form.theta_form, 400)

@@ -155,15 +155,20 @@ def _split(b, gear, p_0, a, c):
 
 @kernel
 def _carried(b, ctl, watch, p_0, x_q, a, c, x_a, x_c):
-    """The part of a smooth piece on which the flanks touch; one that is open at both ends carries nothing.
+    """The part of a smooth piece on which the flanks touch; one open at both ends and in the middle is open.
 
     `x_a` and `x_c` are the penetrations at its ends.
     """
     if x_a <= 0.0 and x_c <= 0.0:
-        if watch is not None:
-            b["acc"][NEAREST] = max(b["acc"][NEAREST], max(x_a, x_c))
-        return 0.0
-    if x_a <= 0.0:
+        m = 0.5 * (a + c)
+        x_m = _over(b, 2, p_0, x_q, m)
+        if x_m <= 0.0:
+            if watch is not None:
+                b["acc"][NEAREST] = max(b["acc"][NEAREST], max(x_a, x_m, x_c))
+            return 0.0
+        a = _edge(b, 2, p_0, x_q, a, m, x_a, x_m)
+        c = _edge(b, 2, p_0, x_q, m, c, x_m, x_c)
+    elif x_a <= 0.0:
         a = _edge(b, 2, p_0, x_q, a, c, x_a, x_c)
     elif x_c <= 0.0:
         c = _edge(b, 2, p_0, x_q, a, c, x_a, x_c)
@@ -217,7 +222,7 @@ def exact_line(b, ctl, watch, p_0, x_q, apart):
             _moving_ends(b, x_q, u, v, apart)
         z_1 = (L - p_0) / lam
         z_2 = (eps - L - p_0) / lam
-        if b["mu"] > 0.0:
+        if b["mu"] > 0.0 or apart is not None:  # there sliding turns round, and wear has its kink
             z_4 = (-b["xi_A"] / b["p_bt"] - p_0) / lam
         a = max(a, min(u, v))
         end = min(end, max(u, v))

@@ -121,7 +121,7 @@ def test_only_faulty_teeth_have_grids():
     found = compile_model(model("type: broken_tooth, tooth: 3")).records["gear_mesh"][0]
     assert found["n_sep"] == 1
     assert found["slices"] == 0
-    assert np.array_equal(found["n_sz"], [9, 9, 33, 33])
+    assert np.array_equal(found["n_sz"], [33, 33, 33, 33])
 
 
 def test_reports_list_faults():
