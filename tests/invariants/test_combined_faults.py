@@ -126,8 +126,8 @@ def test_small_faults_add_up(one, two, law, beta):
 @pytest.mark.parametrize("flank", [1, -1])
 def test_power_of_combined_faults_closes(kind, beta, one, two, law, flank):
     """Free, tilted, rolling bodies, every tooth faulty: what the gears do to their bodies is what energy and
-    losses account for. Curved contact lines between stations leave 2e-5 of the powers, cells of the grids that
-    slanted contact lines of helical gears cross 5e-4. Three points integrate x^1.5 to 1e-3."""
+    losses account for. Curved contact lines between stations leave 2e-5 of the powers, cells that slanted
+    lines cross 1e-4, of wear, which is steep near base circles, 1e-3. Three points integrate x^1.5 to 1e-3."""
     losses = ", damping: {d_in: 2e4, d_out: 2e4}, damper: {value: 1e3}, friction: {mu: 0.08}"
     model = compiled(gears(kind, beta, "free", losses, "law: din3990"))[0]
     fault = tooth_fault(one, model)
@@ -152,5 +152,6 @@ def test_power_of_combined_faults_closes(kind, beta, one, two, law, flank):
     near, far = (told(along(system, state, s * h))[3] for s in (-1.0, 1.0))
     stored = (far - near) / (2.0 * h)
     scale = abs(parametric) + abs(stored) + friction + abs(damping)
-    most = 1e-3 if law == "hertz" else 2e-5 if beta == 0 or one == "broken" else 5e-4
+    slanted = {"broken": 2e-5, "crack": 1e-4, "pits": 1e-4, "wear": 1e-3}[one]
+    most = 1e-3 if law == "hertz" else slanted if beta else 2e-5
     assert -power + parametric == pytest.approx(stored + friction + damping, abs=most * scale)

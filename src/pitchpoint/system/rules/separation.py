@@ -19,8 +19,8 @@ Array = NDArray[np.float64]
 #: Stations of a grid over the face width and over the length of roll.
 N_WIDTH, N_ROLL = 33, 129
 
-#: Stations of gaps and compliances that one piece of a contact line spans. Four pieces over the face, of three
-#: points each, integrate wear and cracks to 2e-5 of the force; straight lines between 33 stations leave 2e-4.
+#: Stations of gaps and compliances that one piece of a contact line spans. Four pieces over the face, of
+#: three points each, integrate wear and cracks to 2e-5 of the force; lines between 33 stations leave 2e-4.
 STRIDE = 8
 
 #: Gap that wear leaves [m], of (front 0 or back 1, "left" or "right", z, roll), shape (n_z, n_roll).
