@@ -262,4 +262,4 @@ def store(path: Path, header: Header, found: Modes) -> None:
         axes.append(Axis("element", list(found.elements)))
         share = Quantity("potential_share", ("mode", "element"), "1", "share in the strain energy")
         filled.append((share, found.potential))
-    write_tables(path, header, axes, filled)
+    write_tables(path, header, axes, filled, notes=found.notes)
