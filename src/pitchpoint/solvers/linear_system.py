@@ -133,8 +133,8 @@ def _of_arbitrary_stiffness(system: System, loose: Sequence[str]) -> list[str]:
         return []
     return [
         f"the stiffness of {', '.join(names)} is zero where the flanks touch and grows with the load: "
-        f"without one it is that at {1e9 * TOUCH:g} nm of penetration, and frequencies in which these flanks take "
-        "part are arbitrary; give the scenario a load that presses them together"
+        f"without one it is that at {1e9 * TOUCH:g} nm of penetration, and frequencies in which these flanks "
+        "take part are arbitrary; give the scenario a load that presses them together"
     ]
 
 
