@@ -132,6 +132,7 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
     least = ROUNDING * max((abs(row["frequency"]) for row in summary["modes"]), default=0.0)
 
     def told(frequency: float) -> float:
+        """Frequency as it is printed: what is only rounding of a rigid mode is zero [Hz]."""
         return 0.0 if abs(frequency) <= least else frequency
 
     cells = [

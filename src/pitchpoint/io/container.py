@@ -317,6 +317,7 @@ def lookup3(data: bytes, start: int = 0) -> int:
     """
 
     def turn(x: int, k: int) -> int:
+        """Rotate 32 bits to the left by k."""
         return ((x << k) | (x >> (32 - k))) & 0xFFFFFFFF
 
     m = 0xFFFFFFFF
