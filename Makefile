@@ -16,7 +16,7 @@ help:
 	@echo "make demo      install, compile, run the main example, write a report"
 	@echo "make test      style, import contracts, types, all tests"
 	@echo "make bench     speed table, build/bench.json"
-	@echo "make validate  published cases as one page, docs/validation.md"
+	@echo "make validate  published cases as one page, docs/validation.md; long studies"
 	@echo "make docs      generated pages of the documentation, build/docs"
 	@echo "make lint      style, import contracts and types only"
 	@echo "make clean     remove build products (keeps $(VENV))"
@@ -54,8 +54,9 @@ lint: $(STAMP)
 	$(BIN)/lint-imports --no-logo
 	$(BIN)/mypy
 
+# studies run in validate
 pytest: $(STAMP)
-	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile tests --doctest-modules src/pitchpoint/geometry src/pitchpoint/contact src/pitchpoint/analysis src/pitchpoint/core
+	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile -m "not study" tests --doctest-modules src/pitchpoint/geometry src/pitchpoint/contact src/pitchpoint/analysis src/pitchpoint/core
 
 # the same kernels as plain Python: what the compiler accepts must also be right without it
 nojit: $(STAMP)
@@ -71,6 +72,7 @@ bench: $(STAMP)
 
 validate: $(STAMP)
 	$(BIN)/python tests/validation/render.py --output docs/validation.md
+	$(BIN)/python -m pytest -q -n $(JOBS) -m "study and not validation" tests
 
 docs: $(STAMP)
 	@mkdir -p build/docs

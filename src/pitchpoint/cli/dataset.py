@@ -152,6 +152,7 @@ def compute(
     digest = content_hash(model)
 
     def keep(record: CaseRecord) -> None:
+        """Write a case, unless it was cut short."""
         if record.status not in (INTERRUPTED, DIED):  # those are computed again
             folder.write(record, header_of(plan, model, digest, record), plan.sample_rate, plan.samples)
 
@@ -160,6 +161,7 @@ def compute(
         progress(0, len(todo))
 
         def take(record: CaseRecord) -> None:
+            """Count a case and show how far the set is."""
             table.put(record)
             failed = f"{table.failed} failed" if table.failed else ""
             progress(table.done, len(todo), failed)

@@ -281,13 +281,30 @@ def clear_writer_flag(path: str | os.PathLike[str]) -> None:
     Ordinary readers may fail in the instant of a flush; those that open with swmr never do.
     """
     with Path(path).open("r+b", buffering=0) as raw:
-        block = bytearray(raw.read(48))
-        if block[:8] != b"\x89HDF\r\n\x1a\n" or block[8] < 2 or block[9] != 8 or block[11] == 0:
-            return
-        block[11] = 0
-        block[44:48] = lookup3(bytes(block[:44])).to_bytes(4, "little")
-        raw.seek(0)
-        raw.write(block)
+        block = raw.read(48)
+        plain = unmarked(block)
+        if plain != block:
+            raw.seek(0)
+            raw.write(plain)
+
+
+def unmarked(block: bytes) -> bytes:
+    """Superblock of an HDF5 file (48 bytes) without the mark 'open for writing'.
+
+    Given back as it is where there is no such mark, or where the checksum says that it is damaged.
+    """
+    if (
+        block[:8] != b"\x89HDF\r\n\x1a\n"
+        or len(block) < 48
+        or block[8] < 2
+        or block[9] != 8
+        or block[11] == 0
+    ):
+        return block
+    if lookup3(block[:44]) != int.from_bytes(block[44:48], "little"):
+        return block
+    plain = block[:11] + b"\0" + block[12:44]
+    return plain + lookup3(plain).to_bytes(4, "little")
 
 
 def lookup3(data: bytes, start: int = 0) -> int:
@@ -300,6 +317,7 @@ def lookup3(data: bytes, start: int = 0) -> int:
     """
 
     def turn(x: int, k: int) -> int:
+        """Rotate 32 bits to the left by k."""
         return ((x << k) | (x >> (32 - k))) & 0xFFFFFFFF
 
     m = 0xFFFFFFFF

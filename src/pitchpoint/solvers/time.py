@@ -178,6 +178,7 @@ class _Loop:
         return run
 
     def run(self, progress: Progress) -> int:
+        """Advance to the end of the scenario; gives the status."""
         if self.sink is not None:
             row = evaluate.observe(self.system, evaluate.store(self.system, self.t0))
             self.sink.append(np.array([self.t0]), row[None, :])
@@ -254,6 +255,7 @@ class _Loop:
         return int(chunk.status)
 
     def summary(self, status: int, wall_s: float) -> TimeSummary:
+        """What a run was: status, times, statistics by channel, events, remarks."""
         found = read_statistics(self.sums)
         channels = {
             c.name: {

@@ -139,6 +139,7 @@ def compute_case(
     """
 
     def listen(done: float, total: float, note: str = "") -> None:
+        """End a case when the set is stopped."""
         if stop is not None and stop.is_set():
             raise KeyboardInterrupt
 
@@ -297,6 +298,7 @@ def compute_cases(
     """
 
     def work(piece: tuple[PlannedCase, str], stop: threading.Event) -> CaseRecord:
+        """Compute one case and write it; its record goes on without samples."""
         record = compute_case(plan, model, *piece, stop)
         try:
             keep(record)
