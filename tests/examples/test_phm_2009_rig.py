@@ -26,7 +26,7 @@ PAGE = Path(__file__).parents[2] / "docs" / "datasets.md"
 RATE = 25600.0
 IN, IDLER, OUT = 30.0, 30.0 * 32 / 96, 30.0 * 32 / 96 * 48 / 80
 GAMMA = 0.3125 / 1.319
-"""Ball over pitch circle of all bearings; frequencies below are those of balls that roll between two races."""
+"""Ball over pitch circle of all bearings; frequencies below are those of rolling balls."""
 Measure = Callable[[np.ndarray], float]
 
 
@@ -118,9 +118,17 @@ CHALLENGE = {
 """Combinations of the labelled set of November 2009; a sheared key stands as seat_z80."""
 
 
+def conditions() -> dict[str, dict[str, object]]:
+    """Changes of every condition of the plan, at its largest severity."""
+    levels = load_plan(FOLDER / "plan.yaml").factors["condition"]
+    return {level.label: dict(level.changes) for level in levels}
+
+
 def parts() -> dict[str, dict[str, object]]:
     """Changes of every fault at its largest severity; those of the plan, and parts of its combinations."""
-    alone = {level.label: dict(level.changes) for level in load_plan(FOLDER / "plan.yaml").factors["condition"]}
+    alone = {
+        level.label: dict(level.changes) for level in load_plan(FOLDER / "plan.yaml").factors["condition"]
+    }
     found = {name: changes for name, changes in alone.items() if name not in ("healthy", *CHALLENGE)}
     return found | {
         "broken_z80": {"gears.z80.faults.broken.severity": 0.3},
@@ -211,7 +219,7 @@ def test_half_the_step_changes_little(rig: tuple[DatasetPlan, Model], condition:
 
 @pytest.mark.parametrize("condition", list(PARTS))
 def test_faults_show(rig: tuple[DatasetPlan, Model], healthy: CaseRecord, condition: str) -> None:
-    """The row of the README, and the line that belongs to the fault stands out of what the healthy rig has."""
+    """The row of the README, and the line that belongs to the fault stands out of the healthy rig."""
     rms, kurt, without, fault = ROWS[condition]
     record = computed(rig, PARTS[condition])
     channel, measure = LINES[condition]
@@ -237,7 +245,9 @@ def test_unbalance_by_hand(rig: tuple[DatasetPlan, Model]) -> None:
 
 
 def test_combinations_are_those_of_the_challenge() -> None:
-    levels = {level.label: dict(level.changes) for level in load_plan(FOLDER / "plan.yaml").factors["condition"]}
+    levels = {
+        level.label: dict(level.changes) for level in load_plan(FOLDER / "plan.yaml").factors["condition"]
+    }
     for label, names in CHALLENGE.items():
         wanted: dict[str, object] = {}
         for name in names:
@@ -246,8 +256,10 @@ def test_combinations_are_those_of_the_challenge() -> None:
 
 
 def test_the_parts_of_a_combination_show(rig: tuple[DatasetPlan, Model], healthy: CaseRecord) -> None:
-    """Of spur_5 those whose lines no other of its parts has; of the kind of 6 Hz only the tooth of z80."""
-    levels = {level.label: dict(level.changes) for level in load_plan(FOLDER / "plan.yaml").factors["condition"]}
+    """Of spur_5 those whose lines no other of its parts has; its comb of 6 Hz is that of the tooth of z80."""
+    levels = {
+        level.label: dict(level.changes) for level in load_plan(FOLDER / "plan.yaml").factors["condition"]
+    }
     record = computed(rig, levels["spur_5"])
     for name in ("eccentric_z48", "broken_z80", "inner_race_input"):
         channel, measure = LINES[name]
@@ -265,7 +277,7 @@ def test_severity_zero_is_the_healthy_rig(rig: tuple[DatasetPlan, Model], health
 def test_the_small_plan(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Every condition of the large plan once, at its largest severity."""
     large, small = (load_plan(FOLDER / name) for name in ("plan.yaml", "small.yaml"))
-    last = {level.label: level.changes for level in large.factors["condition"]}
+    last = {level.label: dict(level.changes) for level in large.factors["condition"]}
     assert {level.label: level.changes for level in small.factors["condition"]} == last
     out = tmp_path / "set"
     found = json_of(["dataset", str(FOLDER / "small.yaml"), "-o", str(out)], capsys)

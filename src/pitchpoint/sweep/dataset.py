@@ -22,7 +22,7 @@ from pitchpoint.analysis.noise import white_noise, with_white_noise
 from pitchpoint.analysis.pulses import pulse_times, tacho_levels
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.thinning import DAMPING, PASS, REACH, STOP, thin_out
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import PitchpointError, SolverError
 from pitchpoint.core.provenance import content_hash, package_version
 from pitchpoint.core.status import OK, REFUSED
 from pitchpoint.model.dataset_plan import DatasetPlan, ObservedChannel, PlannedCase
@@ -291,15 +291,28 @@ def compute_cases(
         Stores a case, in the thread that computed it.
     jobs
         Threads; default one per core.
+
+    Raises
+    ------
+    PitchpointError
+        If a case could not be stored; those under way are given up.
     """
 
-    def work(piece: tuple[PlannedCase, str], stop: threading.Event) -> CaseRecord:
-        record = compute_case(plan, model, *piece, stop)
+    def work(
+        piece: tuple[PlannedCase, str], stop: threading.Event
+    ) -> tuple[CaseRecord, PitchpointError | None]:
+        record, lost = compute_case(plan, model, *piece, stop), None
         try:
             keep(record)
-        except Exception as error:  # noqa: BLE001 - a full disk is no reason to lose the table of the others
+        except Exception as error:  # noqa: BLE001 - said of the case; the others have their rows in the table
             status, words = how_it_failed(error)
             record = dataclasses.replace(record, status=status, sentence=words)
-        return dataclasses.replace(record, channels={}, pulses={})
+            lost = error if isinstance(error, PitchpointError) else None
+        return dataclasses.replace(record, channels={}, pulses={}), lost
 
-    return on_all_cores(work, cases, take, jobs)
+    def taken(result: tuple[CaseRecord, PitchpointError | None]) -> None:
+        take(result[0])
+        if result[1] is not None:  # a full disk: all that is computed from here on would be lost
+            raise result[1]
+
+    return on_all_cores(work, cases, taken, jobs)
