@@ -9,6 +9,7 @@ import math
 import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -303,3 +304,32 @@ def test_the_page_on_data_sets(tmp_path: Path) -> None:
     )
     plan, _ = checked(load_plan(tmp_path / "plan.yaml"), False, True)
     assert len(plan) == 3 * 2 * 4 * 10
+
+
+def test_the_lines_that_load_a_set(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The plan of the page, made short, and its lines of Python as they stand there."""
+    text = PAGE.read_text(encoding="utf-8")
+    plan = text.split("```yaml\n")[1].split("```")[0]
+    for old, new in (
+        ("[30 Hz, 40 Hz, 50 Hz]", "[30 Hz]"),
+        ("seeds: 10", "seeds: 1"),
+        ("length: 1 s", "length: 10 ms"),
+        ("settle_time: 0.1 s", "settle_time: 5 ms"),
+    ):
+        assert old in plan
+        plan = plan.replace(old, new)
+    (tmp_path / "plan.yaml").write_text(plan, encoding="utf-8")
+    (tmp_path / "model.yaml").write_text(
+        (FOLDER / "model.yaml").read_text(encoding="utf-8"), encoding="utf-8"
+    )
+    monkeypatch.chdir(tmp_path)
+    assert json_of(["dataset", "plan.yaml"], capsys)["finished"] == 8
+    found: dict[str, Any] = {}
+    exec(text.split("```python\n")[1].split("```")[0], found)
+    assert found["vibration"].dims == ("case", "time")
+    assert found["vibration"].shape == (8, 256)
+    assert found["vibration"].units == "m/s^2"
+    assert list(found["labels"]) == 2 * ["healthy", "chipped", "chipped", "chipped"]
+    assert all(2 <= pulses.size <= 4 for pulses in found["pulses"])
