@@ -248,6 +248,10 @@ class Container:
         self.file.attrs.modify("steps", int(steps))
         self.file.attrs.modify("wall_s", float(wall_s))
         self._open = False
+        self._close()
+
+    def _close(self) -> None:
+        """Close the file and say whether it is still where it was made."""
         there = is_at(self.file.id.get_vfd_handle(), self._place)
         self.file.close()
         if not there:
@@ -258,6 +262,31 @@ class Container:
 
         dtype, length = self._text[name]
         self.file.attrs.modify(name, np.array(_cut(text, length), dtype=dtype))
+
+
+class MemoryContainer(Container):
+    """A result that is small and written at once: made in memory, its bytes are `image` when it is finished.
+
+    HDF5 gives back a file it could not finish, on a full disk, by a crash of the process.
+    """
+
+    image: bytes = b""
+
+    def _make_file(self) -> h5py.File:
+        import h5py
+
+        return h5py.File(
+            self.path, "w", driver="core", backing_store=False, libver="latest", rdcc_nbytes=_CHUNK_CACHE
+        )
+
+    def flush(self) -> None:
+        """Bring everything written so far into the image of the file."""
+        self.file.flush()
+
+    def _close(self) -> None:
+        self.file.flush()
+        self.image = self.file.id.get_file_image()
+        self.file.close()
 
 
 def _cut(text: str, length: int) -> bytes:

@@ -19,7 +19,14 @@ import pytest
 
 from pitchpoint.core import status as st
 from pitchpoint.core.errors import PitchpointError, SolverError
-from pitchpoint.io.container import Header, ResultError, clear_writer_flag, lookup3
+from pitchpoint.io.container import (
+    Container,
+    Header,
+    MemoryContainer,
+    ResultError,
+    clear_writer_flag,
+    lookup3,
+)
 from pitchpoint.io.reading import list_channels, open_result, read_blocks, read_channel, read_header
 from pitchpoint.io.results import Channel, ResultWriter, RunningStatistics
 from pitchpoint.io.tables import Axis, Quantity, TableWriter, write_tables
@@ -447,13 +454,22 @@ def test_datasets_are_those_of_other_readers(tmp_path: Path) -> None:
         assert ours["angle[driver]"].isel(time=-1) == theirs["angle[driver]"].values[-1]
 
 
-def test_many_channels_open_soon(tmp_path: Path) -> None:
-    """The time to open grows with the number of channels, not with its square: half a minute before."""
-    path = tmp_path / "run.h5"
-    with ResultWriter(path, Header("time"), [Channel(f"force[{k}]", "N") for k in range(160)]) as writer:
-        writer.append(np.zeros(1), np.zeros((1, 160)))
-    open_result(path).close()  # imports
-    begun = time.process_time()
-    open_result(path).close()
-    # a quarter of a second here
-    assert time.process_time() - begun < 2.0
+@pytest.mark.parametrize("made", [Container, MemoryContainer])
+def test_a_result_made_in_memory_is_one_on_disk(tmp_path: Path, made: type[Container]) -> None:
+    """Same contents; the image carries no mark 'open for writing' (byte 11), the folder no file before."""
+    path = tmp_path / "small.h5"
+    container = made(path, Header(kind="time", title="small", stamped=False))
+    scale = container.dimension("time", np.arange(5) / 10.0, attributes={"units": "s"})
+    variable = container.variable("force", [scale], packed=True, chunks=(5,), attributes={"units": "N"})
+    variable[...] = np.arange(5.0)
+    container.finish("finished", "done", steps=7)
+    if isinstance(container, MemoryContainer):
+        assert not path.exists()
+        path.write_bytes(container.image)
+    assert path.read_bytes()[11] == 0
+    header = read_header(path)
+    assert (header["status"], header["sentence"], header["steps"]) == ("finished", "done", 7)
+    with open_result(path) as data:
+        np.testing.assert_array_equal(data["force"].values, np.arange(5.0))
+        assert data["force"].dims == ("time",)
+        assert data["force"].attrs["units"] == "N"
