@@ -221,12 +221,17 @@ def accumulate(row, sums):
 @kernel
 def take(at, t, harvest, measure, sample):
     """Observe once; feed the statistics and store the row, each if asked and if there is room."""
+    status = observe(at, t, view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["row"])
+    if status == OK:
+        keep(at, t, harvest, measure, sample)
+    return status
+
+
+@kernel
+def keep(at, t, harvest, measure, sample):
+    """Feed the statistics with what was observed and store it, each if asked and if there is room."""
     c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    status = observe(at, t, m["row"])
-    if status != OK:
-        return status
-    row = view(m["row"], c["no"], F8)
+    row = view(view(c["mach"], 1, MACH)[0]["row"], c["no"], F8)
     if measure != 0:
         accumulate(row, harvest.sums)
     filled = harvest.done[1]
@@ -235,7 +240,6 @@ def take(at, t, harvest, measure, sample):
         for k in range(row.size):
             harvest.rows[filled, k + 1] = row[k]
         harvest.done[1] += 1
-    return OK
 
 
 @kernel
@@ -275,17 +279,29 @@ def crossings(ev0, ev1, t0, h, found, n):
     return n
 
 
+@kernel
+def due(number, harvest):
+    """Whether statistics and whether a row are due after step `number` of a fixed-step loop: 0 or 1 each."""
+    measure = 1 if harvest.sums.shape[0] > 0 and number % harvest.stride == 0 else 0
+    return measure, 1 if harvest.every > 0 and number % harvest.every == 0 else 0
+
+
 @kernel(inline=True)
 def record_step(at, t, h, number, harvest):
     """What a fixed-step loop leaves behind after step `number` of its run, accepted at t; gives a status."""
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    sample = 1 if harvest.every > 0 and number % harvest.every == 0 else 0
-    measure = 1 if harvest.sums.shape[0] > 0 and number % harvest.stride == 0 else 0
+    measure, sample = due(number, harvest)
     if sample != 0 or measure != 0:
         status = take(at, t, harvest, measure, sample)
         if status != OK:
             return status
+    return record_events(at, t, h, harvest)
+
+
+@kernel
+def record_events(at, t, h, harvest):
+    """Record the sign changes of event functions in a step of h that ends at t; gives a status."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
     if harvest.found.shape[0] > 0 and c["ne"] > 0:
         status = evaluate_events(at, t, m["ev1"])
         if status != OK:

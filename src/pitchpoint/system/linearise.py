@@ -15,7 +15,7 @@ from pitchpoint.multibody.joint_rates import guided_geometry, joint_motions, joi
 from pitchpoint.multibody.projection import PROJ, project_geometry, project_tangent
 from pitchpoint.multibody.rigid_inertia import tree_attitude, tree_inertia
 from pitchpoint.multibody.tree import MOTION
-from pitchpoint.system.residual import EXACT, FORCES, residual, run_kinds, zero_blocks
+from pitchpoint.system.residual import COLUMNS, EXACT, FORCES, residual, run_kinds, zero_blocks
 from pitchpoint.system.workspace import MACH
 
 
@@ -56,7 +56,7 @@ def exact_rates(at, cm, cd, ck):
     c["ck"] = 0.0
     c["cd"] = 1.0
     c["jac"] = EXACT
-    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 1)
+    status = run_kinds(at, view(m["forces"], (m["nforces"], COLUMNS), I8), 1)
     if status != OK:
         return status
     for p in range(n):
@@ -71,7 +71,7 @@ def exact_rates(at, cm, cd, ck):
     c["cm"] = 1.0  # elements with mass add theirs
     c["cd"] = 0.0
     c["jac"] = FORCES
-    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 1)
+    status = run_kinds(at, view(m["forces"], (m["nforces"], COLUMNS), I8), 1)
     if status != OK:
         return status
     project_tangent(proj, J, kk, Aq, A, T)

@@ -27,7 +27,7 @@ from pitchpoint.elements.signal_record import (
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
-from pitchpoint.system.residual import OBSERVER_CHANNEL
+from pitchpoint.system.residual import COLUMNS, OBSERVER_CHANNEL
 
 if TYPE_CHECKING:
     from pitchpoint.system.workspace import Workspace
@@ -56,7 +56,7 @@ def link(
     pools: Mapping[str, NDArray[np.float64]],
     laws: Mapping[str, Sequence[Any]],
 ) -> dict[str, NDArray[np.int64]]:
-    """Make the address tables, rows (entry, records, count, channel).
+    """Make the address tables, rows (entry, records, count, channel, early).
 
     Kinds come in alphabetical order, so sums are reproducible. Addresses of pools and user laws are written
     into the records on the way.
@@ -73,9 +73,10 @@ def link(
             if law is not None:
                 bank[k]["law"] = law_address(law)
         channel = OBSERVER_CHANNEL if only_observes(name, bank) else _CHANNEL[kind.channel]
-        row = (address(kind.load().entry), bank.ctypes.data, bank.size, channel)
+        early = int(kind.channel == registry.FRAME and name in registry.MASSLESS)
+        row = (address(kind.load().entry), bank.ctypes.data, bank.size, channel, early)
         tables[_TABLE.get(kind.channel, "forces")].append(row)
-    return {name: np.array(rows, np.int64).reshape(-1, 4) for name, rows in tables.items()}
+    return {name: np.array(rows, np.int64).reshape(-1, COLUMNS) for name, rows in tables.items()}
 
 
 #: Parts of the core that every driver calls: fields of MACH and their kernels.
@@ -130,6 +131,7 @@ def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -
             continue
         if np.any(bank["op"] == CHANNEL):  # other elements say what they observe at every evaluation
             mach["watch"] = workspace.arrays["heard"].ctypes.data
+            mach["shares"] = 0  # they read all that the others say at once
         if np.any(np.isin(bank["op"], (ACCELERATION, ANGULAR_ACCELERATION))):
             mach["constant_mass"] = 0  # what follows accelerations may be part of the mass matrix
 

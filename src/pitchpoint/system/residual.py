@@ -24,6 +24,12 @@ FORCES, NEWTON, EXACT, MASS = 0, 1, 2, 3
 FRAME_CHANNEL, COORDINATE_CHANNEL = 0, 1
 OBSERVER_CHANNEL = 4
 """Channel of signals that nothing but results reads: they run only where somebody looks."""
+ENTRY, RECORDS, COUNT, CHANNEL, EARLY = range(5)
+COLUMNS = 5
+"""Columns of the tables of kinds: address, records, how many, channel; 1 if what the kind observes follows from
+places and rates alone, so that it can be told before the accelerations are known."""
+ALL, SOONER, LATER = 0, 1, 2
+"""Which kinds observe: all, those that need no accelerations, the others (then no other force is evaluated)."""
 TWO_PI = 6.283185307179586
 MOST_TURN = 1e12  # largest turn in one step that is counted [rad]
 
@@ -48,16 +54,24 @@ def zero_blocks(x):
 def run_kinds(at, table, frames_only):
     """Call the entries of a table of kinds; stop at the first that does not return OK and note its row."""
     c = view(at, 1, CTL)[0]
-    unseen = c["jac"] == FORCES and c["out"] == 0 and c["ev"] == 0
+    part = view(c["mach"], 1, MACH)[0]["part"]
+    out = c["out"]
+    unseen = c["jac"] == FORCES and (out == 0 or part == SOONER) and c["ev"] == 0
+    status = OK
     for e in range(table.shape[0]):
-        if unseen and table[e, 3] == OBSERVER_CHANNEL:
+        if unseen and table[e, CHANNEL] == OBSERVER_CHANNEL:
             continue
-        if frames_only == 0 or table[e, 3] == FRAME_CHANNEL:
-            status = call(table[e, 0], at, table[e, 1], table[e, 2])
+        if part == LATER and table[e, EARLY] == 1:
+            continue
+        if frames_only == 0 or table[e, CHANNEL] == FRAME_CHANNEL:
+            if part == SOONER:
+                c["out"] = out if table[e, EARLY] == 1 else 0
+            status = call(table[e, ENTRY], at, table[e, RECORDS], table[e, COUNT])
             if status != OK:
                 c["badkind"] = e
-                return status
-    return OK
+                break
+    c["out"] = out
+    return status
 
 
 @kernel
@@ -80,7 +94,7 @@ def constraints(at):
         for side in range(2):
             for k in range(6):
                 Gf[r, side, k] = 0.0
-    status = run_kinds(at, view(m["cons"], (m["ncons"], 4), I8), 0)
+    status = run_kinds(at, view(m["cons"], (m["ncons"], COLUMNS), I8), 0)
     if status != OK:
         c["badkind"] += m["nforces"]
         return status
@@ -125,15 +139,17 @@ def entry(at, jac, spare):
         status = call(m["tree"], at, jac, 0)
         if status != OK:
             return status
-    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 0)
+    status = run_kinds(at, view(m["forces"], (m["nforces"], COLUMNS), I8), 0)
     if status != OK:
         return status
     if c["nc"] > 0:
         status = constraints(at)
         if status != OK:
             return status
+    if m["part"] == LATER:
+        return OK
     if m["nfrictions"] > 0:
-        status = run_kinds(at, view(m["frictions"], (m["nfrictions"], 4), I8), 0)
+        status = run_kinds(at, view(m["frictions"], (m["nfrictions"], COLUMNS), I8), 0)
         if status != OK:
             c["badkind"] += m["nforces"] + m["ncons"] + m["nguiding"]
             return status
@@ -175,6 +191,35 @@ def observe(at, t, where):
     c["out"] = 0
     if status != OK:
         return status
+    observe_bodies(at, where)
+    return OK
+
+
+@kernel
+def observe_later(at, t, where):
+    """Complete the row at address `where`, begun with `part` SOONER at the state in the workspace.
+
+    The accelerations and multipliers of the state are there by now.
+    """
+    m = view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]
+    status = OK
+    if m["later"] != 0:
+        c = view(at, 1, CTL)[0]
+        c["out"] = where
+        m["part"] = LATER
+        status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
+        m["part"] = ALL
+        c["out"] = 0
+    if status == OK:
+        observe_bodies(at, where)
+    return status
+
+
+@kernel
+def observe_bodies(at, where):
+    """Write the observations of the bodies to the row at address `where`."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
     table = view(m["body_out"], (m["nbody_out"], 4), I8)
     out = view(where, c["no"], F8)
     q = view(c["q"], c["nd"], F8)
@@ -188,7 +233,6 @@ def observe(at, t, where):
             out[table[e, 3]] = q[d] + TWO_PI * fr[table[e, 1]]["turns"]
         else:
             out[table[e, 3]] = v[d]
-    return OK
 
 
 @kernel
