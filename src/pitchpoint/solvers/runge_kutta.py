@@ -78,7 +78,7 @@ def _classical(at, t, h, rate, known):
 def advance_classical(at, t0, first, n, h, rate, harvest):
     """Take n equal steps; arguments as in `generalized_alpha.advance`, rate pulls constraint drift back.
 
-    Where a row is due, the elements whose forces are summed for the first slope say what they observe on the way.
+    Where a row is due, elements say what they observe while their forces are summed for the first slope.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]

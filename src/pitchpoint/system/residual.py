@@ -26,10 +26,10 @@ OBSERVER_CHANNEL = 4
 """Channel of signals that nothing but results reads: they run only where somebody looks."""
 ENTRY, RECORDS, COUNT, CHANNEL, EARLY = range(5)
 COLUMNS = 5
-"""Columns of the tables of kinds: address, records, how many, channel; 1 if what the kind observes follows from
-places and rates alone, so that it can be told before the accelerations are known."""
+"""Columns of the tables of kinds: address, records, how many, channel; 1 if what the kind observes follows
+from places and rates alone, so that it can be told before the accelerations are known."""
 ALL, SOONER, LATER = 0, 1, 2
-"""Which kinds observe: all, those that need no accelerations, the others (then no other force is evaluated)."""
+"""Which kinds observe: all, those that need no accelerations, the others alone, which then are all that run."""
 TWO_PI = 6.283185307179586
 MOST_TURN = 1e12  # largest turn in one step that is counted [rad]
 
@@ -185,7 +185,6 @@ def residual(at, t, jac, cm, cd, ck):
 def observe(at, t, where):
     """Write all observations at the state in the workspace to the row at address `where`."""
     c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
     c["out"] = where
     status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
     c["out"] = 0
