@@ -227,7 +227,7 @@ def take(at, t, harvest, measure, sample):
     return status
 
 
-@kernel
+@kernel(inline=True)
 def keep(at, t, harvest, measure, sample):
     """Feed the statistics with what was observed and store it, each if asked and if there is room."""
     c = view(at, 1, CTL)[0]
@@ -279,7 +279,7 @@ def crossings(ev0, ev1, t0, h, found, n):
     return n
 
 
-@kernel
+@kernel(inline=True)
 def due(number, harvest):
     """Whether statistics and whether a row are due after step `number` of a fixed-step loop: 0 or 1 each."""
     measure = 1 if harvest.sums.shape[0] > 0 and number % harvest.stride == 0 else 0
@@ -297,7 +297,7 @@ def record_step(at, t, h, number, harvest):
     return record_events(at, t, h, harvest)
 
 
-@kernel
+@kernel(inline=True)
 def record_events(at, t, h, harvest):
     """Record the sign changes of event functions in a step of h that ends at t; gives a status."""
     c = view(at, 1, CTL)[0]

@@ -29,7 +29,7 @@ COLUMNS = 5
 """Columns of the tables of kinds: address, records, how many, channel; 1 if what the kind observes follows
 from places and rates alone, so that it can be told before the accelerations are known."""
 ALL, SOONER, LATER = 0, 1, 2
-"""Which kinds observe: all, those that need no accelerations, the others alone, which then are all that run."""
+"""Which kinds observe: all, those that need no accelerations, the others (no other kind runs then)."""
 TWO_PI = 6.283185307179586
 MOST_TURN = 1e12  # largest turn in one step that is counted [rad]
 
@@ -39,15 +39,6 @@ def zero(x):
     """Set a vector to zero."""
     for i in range(x.size):
         x[i] = 0.0
-
-
-@kernel
-def zero_blocks(x):
-    """Set 6 x 6 blocks to zero."""
-    for k in range(x.shape[0]):
-        for i in range(6):
-            for c in range(6):
-                x[k, i, c] = 0.0
 
 
 @kernel
@@ -129,8 +120,8 @@ def entry(at, jac, spare):
     kinematics(body, fr, J, view(c["q"], nd, F8), view(c["v"], nd, F8), view(c["a"], nd, F8))
     zero(R)
     if jac != FORCES:
-        zero_blocks(A)
-        zero_blocks(kk)
+        zero(view(c["A"], 36 * c["na"], F8))  # in one row, which the compiler makes one call
+        zero(view(c["kk"], 36 * c["np"], F8))
     else:
         c["cm"] = 0.0  # elements with mass go by this factor, also where nothing but masses is asked for
     inertia(body, fr, kk, jac, c["cm"], c["cd"])
@@ -154,10 +145,11 @@ def entry(at, jac, spare):
             c["badkind"] += m["nforces"] + m["ncons"] + m["nguiding"]
             return status
     project_force(view(m["path"], n, PATH), fr, J, R)
-    if jac == MASS:
-        project_tangent(view(m["mass_proj"], m["nmass_proj"], PROJ), J, kk, J, A, view(m["T"], (6, 6), F8))
-    elif jac != FORCES:
-        project_tangent(view(m["proj"], m["nproj"], PROJ), J, kk, J, A, view(m["T"], (6, 6), F8))
+    if jac != FORCES:
+        proj = view(m["proj"], m["nproj"], PROJ)
+        if jac == MASS:
+            proj = view(m["mass_proj"], m["nmass_proj"], PROJ)
+        project_tangent(proj, J, kk, J, A, view(m["T"], (6, 6), F8))
     return OK
 
 
