@@ -170,11 +170,21 @@ class ExplicitRun:
         statistics: NDArray[np.float64] | None = None,
         stride: int = 1,
         events: int = 0,
+        picked: NDArray[np.int64] | None = None,
     ) -> Chunk:
-        """Take n steps of the classical method; arguments as in `generalized_alpha.Run.advance`."""
+        """Take n steps of the classical method; arguments as in `generalized_alpha.Run.advance`.
+
+        The samples hold the channels `picked` alone, if any are.
+        """
         room = n // every + 1 if every else 0
         harvest = new_harvest(
-            self.system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
+            self.system.sizes["no"],
+            every=every,
+            stride=stride,
+            rows=room,
+            sums=statistics,
+            events=events,
+            picked=picked,
         )
         order = np.array([(self.t0, self.h, self.tolerances[RATE], self.steps, n)], ORDER)
         done = advance_into(entry, self.system.workspace.at, order, harvest)

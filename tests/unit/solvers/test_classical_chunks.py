@@ -3,13 +3,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
+import pytest
 
 from pitchpoint.core.status import OK
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.runge_kutta import start_classical
 from pitchpoint.solvers.sampling import new_statistics
 from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.unit.system.test_mass_programmes import SEEN, SHAFTS
@@ -63,3 +68,16 @@ def test_rows_told_with_the_slope_have_the_bits_of_rows_told_at_once() -> None:
         found.append([*(c.rows for c in chunks), *(c.events for c in chunks), sums, run.state().q])
     for told, whole in zip(*found, strict=True):
         np.testing.assert_array_equal(told, whole)
+
+
+@pytest.mark.parametrize("method", ["rk4", "generalized_alpha", "runge_kutta"])
+def test_a_sink_gets_the_channels_that_it_asks_for(method: str) -> None:
+    model = loads_model(SHAFTS + SEEN)
+    scenario = replace(model.scenarios["driven"], method=method, step=3e-6, sample_rate=1e5, settle_time=1e-3)
+    rows = []
+    for channels in ((), (7, 2, 7)):
+        sink = Memory()
+        done = run_time(compile_model(model, scenario), scenario, sink=sink, channels=channels)
+        assert done.status == OK
+        rows.append(np.concatenate(sink.rows))
+    np.testing.assert_array_equal(rows[1], rows[0][:, [7, 2, 7]])
