@@ -40,6 +40,7 @@ from pitchpoint.solvers.sampling import (
     take,
 )
 from pitchpoint.system import evaluate
+from pitchpoint.system.link import heard
 from pitchpoint.system.residual import ALL, SOONER, observe_later, wrap
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import MACH, STEPS, VALID
@@ -187,7 +188,9 @@ class ExplicitRun:
             picked=picked,
         )
         order = np.array([(self.t0, self.h, self.tolerances[RATE], self.steps, n)], ORDER)
-        done = advance_into(entry, self.system.workspace.at, order, harvest)
+        asked = picked if statistics is None else None
+        with heard(self.system.workspace, self.system.records, asked):
+            done = advance_into(entry, self.system.workspace.at, order, harvest)
         self.steps += done.steps
         self.t = self.t0 + self.steps * self.h
         return self._checked(done)

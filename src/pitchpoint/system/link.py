@@ -4,7 +4,8 @@ process."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,7 +28,7 @@ from pitchpoint.elements.signal_record import (
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
-from pitchpoint.system.residual import COLUMNS, OBSERVER_CHANNEL
+from pitchpoint.system.residual import COLUMNS, EARLY, OBSERVER_CHANNEL
 
 if TYPE_CHECKING:
     from pitchpoint.system.workspace import Workspace
@@ -134,6 +135,26 @@ def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -
             mach["shares"] = 0  # they read all that the others say at once
         if np.any(np.isin(bank["op"], (ACCELERATION, ANGULAR_ACCELERATION))):
             mach["constant_mass"] = 0  # what follows accelerations may be part of the mass matrix
+
+
+@contextmanager
+def heard(
+    workspace: Workspace, records: Mapping[str, NDArray[np.void]], channels: NDArray[np.int64] | None
+) -> Iterator[None]:
+    """Let kinds that observe with the slope do so only if some of these channels are theirs; None: all do."""
+    early = workspace.tables["forces"][:, EARLY]
+    kept = early.copy()
+    if channels is not None and len(channels):
+        banks = [bank for bank in records.values() if "out" in (bank.dtype.names or ())]
+        firsts = np.array([bank["out"][0] for bank in banks])  # channels go kind by kind
+        for e in np.flatnonzero(early == 1):
+            first = records[kind_of_row(records, int(e))]["out"][0]
+            end = min(firsts[firsts > first], default=workspace.ctl[0]["no"])
+            early[e] = 1 if np.any((channels >= first) & (channels < end)) else 2
+    try:
+        yield
+    finally:
+        early[:] = kept
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:

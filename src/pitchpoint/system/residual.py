@@ -27,7 +27,8 @@ OBSERVER_CHANNEL = 4
 ENTRY, RECORDS, COUNT, CHANNEL, EARLY = range(5)
 COLUMNS = 5
 """Columns of the tables of kinds: address, records, how many, channel; 1 if what the kind observes follows
-from places and rates alone, so that it can be told before the accelerations are known."""
+from places and rates alone, so that it can be told before the accelerations are known, and 2 if nobody asks
+for that (`link.heard`)."""
 ALL, SOONER, LATER = 0, 1, 2
 """Which kinds observe: all, those that need no accelerations, the others (no other kind runs then)."""
 TWO_PI = 6.283185307179586
@@ -52,7 +53,7 @@ def run_kinds(at, table, frames_only):
     for e in range(table.shape[0]):
         if unseen and table[e, CHANNEL] == OBSERVER_CHANNEL:
             continue
-        if part == LATER and table[e, EARLY] == 1:
+        if part == LATER and table[e, EARLY] != 0:
             continue
         if frames_only == 0 or table[e, CHANNEL] == FRAME_CHANNEL:
             if part == SOONER:

@@ -70,14 +70,18 @@ def test_rows_told_with_the_slope_have_the_bits_of_rows_told_at_once() -> None:
         np.testing.assert_array_equal(told, whole)
 
 
+@pytest.mark.parametrize("seen", [SEEN, SEEN.partition("  heard")[0]])
 @pytest.mark.parametrize("method", ["rk4", "generalized_alpha", "runge_kutta"])
-def test_a_sink_gets_the_channels_that_it_asks_for(method: str) -> None:
-    model = loads_model(SHAFTS + SEEN)
+def test_a_sink_gets_the_channels_that_it_asks_for(method: str, seen: str) -> None:
+    """Of all kinds, whether they observe with the slope or after it; those not asked for need not observe."""
+    model = loads_model(SHAFTS + seen)
     scenario = replace(model.scenarios["driven"], method=method, step=3e-6, sample_rate=1e5, settle_time=1e-3)
     rows = []
-    for channels in ((), (7, 2, 7)):
+    system = compile_model(model, scenario)
+    no = system.sizes["no"]
+    for channels in ((), (7, 2, 7), *((k, 0) for k in range(2, no, 3))):
         sink = Memory()
-        done = run_time(compile_model(model, scenario), scenario, sink=sink, channels=channels)
+        done = run_time(system.copy(), scenario, sink=sink, channels=channels)
         assert done.status == OK
         rows.append(np.concatenate(sink.rows))
-    np.testing.assert_array_equal(rows[1], rows[0][:, [7, 2, 7]])
+        np.testing.assert_array_equal(rows[-1], rows[0][:, channels or slice(None)])
