@@ -187,6 +187,11 @@ def phase_flank(b, ctl, watch, x_0, ratio, slope):
     if b["tilt"] == 0.0 and b["fixed"] == 1:
         node(b, ctl, watch, x_0, 0.0, (0.5 * (lo + hi), 0.0), k, k_rate, 0.0, None)
         return
+    if b["slices"] == 0 and b["tilt"] == 0.0 and b["rate"][1] == 0.0 and b["mu"] == 0.0:
+        # parallel axes: the same force all over the width, whose second moment is that of its length
+        node(b, ctl, watch, x_0, 0.0, (0.5 * (lo + hi), 0.0), k, k_rate, 0.0, None)
+        b["acc"][7] += b["acc"][5] * (hi - lo) * (hi - lo) / 12.0
+        return
     if b["slices"] > 0:
         step = (hi - lo) / b["slices"]
         part = 1.0 / b["slices"]

@@ -174,11 +174,11 @@ def _seeds(*seeds: int | str) -> list[int]:
     return [s if isinstance(s, int) else zlib.crc32(s.encode()) for s in seeds]
 
 
-class _Columns:
-    """A sink that keeps some columns of the samples, from one of them on."""
+class _Tail:
+    """A sink that keeps the samples from one of them on."""
 
-    def __init__(self, columns: Sequence[int], first: int) -> None:
-        self.columns, self.first, self.seen = list(columns), first, 0
+    def __init__(self, columns: int, first: int) -> None:
+        self.columns, self.first, self.seen = columns, first, 0
         self.parts: list[NDArray[np.float64]] = []
 
     def append(self, t: NDArray[np.float64], values: NDArray[np.float64]) -> None:
@@ -186,11 +186,11 @@ class _Columns:
         skip = max(0, self.first - self.seen)
         self.seen += len(t)
         if skip < len(t):
-            self.parts.append(values[skip:, self.columns])
+            self.parts.append(values[skip:])
 
     def rows(self) -> NDArray[np.float64]:
         """All that was kept, shape (samples, columns)."""
-        return np.concatenate(self.parts) if self.parts else np.zeros((0, len(self.columns)))
+        return np.concatenate(self.parts) if self.parts else np.zeros((0, self.columns))
 
 
 def _compute(
@@ -224,8 +224,9 @@ def _compute(
     if missing:
         raise SolverError(f"nothing observes {', '.join(missing)} in this case", REFUSED)
     first = (before - margin) * times
-    sink = _Columns([known.index(c) for c in names.values()], first)
-    done = run_time(system, scenario, sink=sink, progress=listen)
+    asked = [known.index(c) for c in names.values()]
+    sink = _Tail(len(asked), first)
+    done = run_time(system, scenario, sink=sink, progress=listen, channels=asked)
     if done.status != OK:
         words = f"{done.sentence} (at t = {done.t_end:.6g} s)"
         return CaseRecord(case, key, done.status, words, numbers, steps=done.steps)
