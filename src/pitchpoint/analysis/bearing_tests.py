@@ -3,17 +3,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.envelope import band_envelope
 from pitchpoint.analysis.kurtogram import kurtogram
 from pitchpoint.analysis.line_tests import FineSpectrum, beside, fine_spectrum, line_probability
-from pitchpoint.analysis.sampled import Array
-from pitchpoint.analysis.shaft_tests import FEWEST_NEIGHBOURS, NEIGHBOURS, RESOLVED, Measured
-from pitchpoint.analysis.turning_parts import TurningParts
+from pitchpoint.analysis.sampled import Array, as_signal
+from pitchpoint.analysis.shaft_tests import FEWEST_NEIGHBOURS, NEIGHBOURS, RESOLVED, SLIP, Measured
+from pitchpoint.analysis.turning_parts import Bearing, TurningParts
 
-SLIP = 0.01
-"""How far rolling elements that slip may be from their kinematic order, as a part of it."""
 HARMONICS = 3
 FEWEST_EVENTS = 16.0
 FEWEST_SAMPLES = 1024
@@ -44,10 +46,11 @@ def bearing_evidence(
 
     Notes
     -----
-    Mesh lines are taken out, the band is the one of the largest kurtosis [1]_, and the squared envelope of
-    that
-    band is searched within 1 % about each order, as rolling elements slip [2]_. Orders of shafts are left
-    out. Valid for many events per record.
+    The band is the one of the largest kurtosis [1]_ without mesh lines. The squared envelope of the whitened
+    signal in that band is searched within 1 % about each order, as rolling elements slip [2]_: two of the
+    first
+    three harmonics must stand out. Orders of shafts are left out. Equal bearings on one shaft are one. Valid
+    for many events per record.
 
     References
     ----------
@@ -74,12 +77,12 @@ def bearing_evidence(
         return [], [f"record: {values.size} samples are too few for bearings, needs about {FEWEST_SAMPLES}"]
     x = without_mesh_lines(values, samples_per_turn, parts)
     low, high = envelope_band(x, samples_per_turn, parts)
-    envelope = band_envelope(x, samples_per_turn, band=(low, high)).envelope
+    envelope = band_envelope(whitened(values), samples_per_turn, band=(low, high)).envelope
     # the envelope holds nothing above the width of its band, and little close to it
     spectrum = fine_spectrum(envelope**2, samples_per_turn)
     end = min(spectrum.highest, 0.8 * (high - low))
     rows, remarks = [], []
-    for bearing in parts.bearings:
+    for bearing in alike(parts.bearings):
         for part, order in bearing.orders.items():
             if order / spectrum.resolution < FEWEST_EVENTS:
                 count = order / spectrum.resolution
@@ -89,6 +92,36 @@ def bearing_evidence(
                 continue
             rows.append((bearing.name, part, _part(spectrum, order, parts, end)))
     return rows, remarks
+
+
+def alike(bearings: Sequence[Bearing]) -> list[Bearing]:
+    """Bearings of equal orders as one, with all their names.
+
+    Parameters
+    ----------
+    bearings
+        Rolling bearings.
+
+    Notes
+    -----
+    Orders count as equal within 1e-9 of their size; no record tells them apart [1]_.
+
+    References
+    ----------
+    .. [1] R. B. Randall, J. Antoni, Rolling element bearing diagnostics - a tutorial, Mechanical Systems and
+       Signal Processing 25(2), 2011, 485-520.
+
+    Examples
+    --------
+    >>> one, two = Bearing("a", {"cage": 0.4}), Bearing("b", {"cage": 0.4})
+    >>> [bearing.name for bearing in alike([one, two, Bearing("c", {"cage": 0.41})])]
+    ['a or b', 'c']
+    """
+    groups: dict[tuple[tuple[str, str], ...], list[Bearing]] = {}
+    for bearing in bearings:
+        key = tuple(sorted((part, f"{order:.9e}") for part, order in bearing.orders.items()))
+        groups.setdefault(key, []).append(bearing)
+    return [replace(group[0], name=" or ".join(b.name for b in group)) for group in groups.values()]
 
 
 def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -> tuple[float, float]:
@@ -178,44 +211,83 @@ def without_mesh_lines(values: Array, samples_per_turn: float, parts: TurningPar
     return np.asarray(np.fft.irfft(lines, values.size), dtype=np.float64)
 
 
+def whitened(values: ArrayLike) -> Array:
+    """Signal with lines of one size, but with their phases.
+
+    Parameters
+    ----------
+    values
+        Signal, shape (n,), any unit.
+
+    Notes
+    -----
+    Cepstrum pre-whitening [1]_: meshes, their sidebands and what modulates them are few lines and lose their
+    weight, impacts fill a band and keep it. Valid for impacts that fill a band with many lines.
+
+    References
+    ----------
+    .. [1] P. Borghesani, P. Pennacchi, R. B. Randall, N. Sawalhi, R. Ricci, Application of cepstrum
+       pre-whitening for the diagnosis of bearing faults under variable speed conditions, Mechanical Systems
+       and Signal Processing 36(2), 2013, 370-384.
+
+    Examples
+    --------
+    A single pulse is white already:
+
+    >>> pulse = np.zeros(8)
+    >>> pulse[3] = 2.0
+    >>> (whitened(pulse) + 1 / 8).round(6).tolist()
+    [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0]
+    """
+    lines = np.fft.rfft(as_signal(values))
+    lines[0] = 0.0
+    size = np.abs(lines)
+    lines /= np.where(size > 0.0, size, 1.0)
+    return np.asarray(np.fft.irfft(lines, np.size(values)), dtype=np.float64)
+
+
 def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float) -> Measured:
-    """The most unlikely of the first harmonics of one part."""
-    best, looked = Measured(0.0, 1.0, order, 0.0, 0), 0
+    """The second most unlikely of the first three harmonics, with the slip for which it is that.
+
+    Impacts have many harmonics. A single one is what other parts have in common with this one, so two of them
+    must stand out, with one slip.
+    """
+    slips = np.arange(-SLIP, SLIP, min(spectrum.step / (HARMONICS * order), SLIP))
+    chance, power, ratio = (np.full((HARMONICS, slips.size), fill) for fill in (1.0, 0.0, 0.0))
+    held = 0
     for k in range(1, HARMONICS + 1):
         place = k * order
         reach = max(SLIP * place, spectrum.resolution)
         if place + 80.0 * spectrum.resolution > end:
             break
-        near = np.arange(place - reach, place + reach, spectrum.step)
-        near = near[_free(near, spectrum, parts)]
-        if near.size == 0:
-            continue
-        power = spectrum.power(near)
-        top = int(np.argmax(power))
+        near = place * (1.0 + slips)
+        free = _free(near, spectrum, parts)
         off = reach + np.arange(2.0, 120.0, 2.0) * spectrum.resolution
         around = np.concatenate([(place - off)[::-1], place + off])
         around = around[(around > 3.0 * spectrum.resolution)]
         around = around[_free(around, spectrum, parts)]
-        level = spectrum.power(around)
-        probability, score = 0.0, np.inf
-        for side in beside(level, around, place, NEIGHBOURS):
-            if side.size < FEWEST_NEIGHBOURS:
-                probability = 1.0
-                break
-            rank = (3 * side.size) // 4
-            ratio = float(power[top] / np.sort(side)[rank - 1])
-            found = line_probability(ratio, side.size, rank)
-            if found >= probability:
-                probability, score = found, ratio
-        # every point counts: maxima between the lines of the record are higher than the lines
-        places = int(near.size)
-        looked += places
-        if probability < best.probability:
-            best = Measured(score, probability, float(near[top]), float(np.sqrt(power[top])), 1)
-    if looked == 0:
-        return best
-    some = float(-np.expm1(looked * np.log1p(-min(best.probability, 1.0 - 1e-16))))
-    return Measured(best.score, some, best.order, best.amplitude, looked)
+        sides = beside(spectrum.power(around), around, place, NEIGHBOURS)
+        if not free.any() or min(side.size for side in sides) < FEWEST_NEIGHBOURS:
+            continue
+        held += 1
+        # the higher one of both sides, with the rank of the shorter one
+        points = min(side.size for side in sides)
+        rank = (3 * points) // 4
+        base = max(float(np.sort(side)[(3 * side.size) // 4 - 1]) for side in sides)
+        power[k - 1] = np.where(free, spectrum.power(near), 0.0)
+        ratio[k - 1] = power[k - 1] / base
+        chance[k - 1] = [line_probability(float(x), points, rank) for x in ratio[k - 1]]
+    if held < 2:
+        return Measured(0.0, 1.0, order, 0.0, 0)
+    second = np.sort(chance, axis=0)[1]
+    best = int(np.argmin(second))
+    p = float(second[best])
+    # the second smallest of n equal chances
+    both = min(1.0, p**2 if held == 2 else 3.0 * p**2 - 2.0 * p**3)
+    k = int(np.argsort(chance[:, best], kind="stable")[1])
+    some = float(-np.expm1(slips.size * np.log1p(-min(both, 1.0 - 1e-16))))
+    place = float((k + 1) * order * (1.0 + slips[best]))
+    return Measured(float(ratio[k, best]), some, place, float(np.sqrt(power[k, best])), slips.size)
 
 
 def _free(place: Array, spectrum: FineSpectrum, parts: TurningParts) -> Array:
@@ -224,5 +296,5 @@ def _free(place: Array, spectrum: FineSpectrum, parts: TurningParts) -> Array:
     for shaft in parts.shafts:
         step = float(shaft.order)
         if step / spectrum.resolution >= RESOLVED:
-            apart &= np.abs(place - np.rint(place / step) * step) > 1.5 * spectrum.resolution
+            apart &= np.abs(place - np.rint(place / step) * step) > 2.0 * spectrum.resolution
     return apart

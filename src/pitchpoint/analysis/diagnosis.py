@@ -330,7 +330,10 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
     if kind == "comb":
         value, threshold = found.score, float(norm.isf(each))
     else:
-        ratio = line_threshold(each / found.lines, NEIGHBOURS, (3 * NEIGHBOURS) // 4)
+        one = each / found.lines
+        # two of three harmonics of a bearing must be as unlikely
+        one = float(np.sqrt(one / 3.0)) if kind == "bearing" else one
+        ratio = line_threshold(one, NEIGHBOURS, (3 * NEIGHBOURS) // 4)
         value, threshold = 10.0 * np.log10(max(found.score, 1e-30)), 10.0 * np.log10(ratio)
     return Evidence(
         channel=channel,

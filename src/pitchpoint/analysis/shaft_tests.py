@@ -42,6 +42,11 @@ FOLDED = 40
 """Harmonics of a mesh whose images are left out where the record was sampled without a filter."""
 NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
 SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
+PASSES, SLIP = 3, 0.01
+"""Harmonics of the passing balls that stand beside mesh lines of healthy machines; how far they slip, as a
+part of their order."""
+OFF = 0.5
+"""How far the top of a line may be from an order that it belongs to, in lines of the record."""
 
 
 @dataclass(frozen=True)
@@ -94,6 +99,7 @@ class ShaftView:
     ) -> None:
         self.spectrum, self.parts, self.shaft, self.rms = spectrum, parts, shaft, rms
         self.folded = _images(parts, sampled)
+        self.passing = _passing(parts)
         self.order = float(shaft.order)
         self.turns = self.order / spectrum.resolution
         top = 0.9 * spectrum.highest
@@ -127,6 +133,8 @@ class ShaftView:
             at = np.searchsorted(self.folded, order)
             near = [np.abs(order - self.folded[np.clip(at + k, 0, self.folded.size - 1)]) for k in (-1, 0)]
             apart &= np.minimum(*near) > 2.5 * line
+        for low, high in self.passing:
+            apart &= (order < low - 2.0 * line) | (order > high + 2.0 * line)
         return apart
 
     def comb(self, from_mesh: int = 2) -> Measured:
@@ -165,7 +173,7 @@ class ShaftView:
             if one is None:
                 continue
             looked += 1
-            if one.amplitude < limit:
+            if one.amplitude < limit or not self._has_its_top_at(float(place)):
                 one = replace(one, probability=1.0)
             if best is None or one.probability < best[0].probability:
                 best = one, int(number)
@@ -193,6 +201,14 @@ class ShaftView:
         if amplitude < SMALLEST_LINE * self.rms:
             probability = 1.0
         return Measured(score, probability, order, amplitude, 1)
+
+    def _has_its_top_at(self, order: float) -> bool:
+        """Whether what is seen at an order is a line there, and not the skirt of one beside it."""
+        spectrum = self.spectrum
+        reach = int(round(1.25 * spectrum.resolution / spectrum.step))
+        off = np.arange(-reach, reach + 1)
+        top = int(np.argmax(spectrum.power(order + off * spectrum.step)))
+        return bool(abs(off[top]) * spectrum.step <= (OFF + 0.01) * spectrum.resolution)
 
     def low_orders(self) -> Measured:
         """The first orders of the shaft."""
@@ -255,6 +271,26 @@ def _images(parts: TurningParts, sampled: float) -> Array:
         harmonic = harmonic[harmonic > 0.5 * sampled]
         found.append(np.abs(harmonic - np.rint(harmonic / sampled) * sampled))
     return np.sort(np.concatenate(found)) if found else np.empty(0)
+
+
+def _passing(parts: TurningParts) -> list[tuple[float, float]]:
+    """Orders from and to at which balls that pass under the load of a healthy bearing may show.
+
+    A bearing is a little stiffer with a ball below the load than between two: it shakes, and modulates all
+    meshes, as often as balls pass the outer ring (C. S. Sunnersjö, Varying compliance vibrations of rolling
+    bearings, Journal of Sound and Vibration 58, 1978, 363-373).
+    """
+    found = set()
+    for bearing in parts.bearings:
+        for times in range(1, PASSES + 1):
+            order = times * bearing.orders.get("outer ring", 0.0)
+            around = [0.0]
+            around += [parts.mesh_order(mesh) * k for mesh in parts.meshes for k in range(1, HARMONICS + 1)]
+            for middle in around if order else ():
+                for place in (middle - order, middle + order):
+                    if place > 0.0:
+                        found.add((place - SLIP * order, place + SLIP * order))
+    return sorted(found)
 
 
 def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array) -> Measured:
