@@ -378,8 +378,9 @@ def _findings(
             local = record.at_one_place(best.channel, shaft.name)
             kind = "local fault" if local else "modulation"
             found.append(Finding(kind, shaft.name, gears, best.channel, best.probability))
-        elif mine:
-            found.append(Finding("once per turn", shaft.name, (), mine[0].channel, mine[0].probability))
+        elif lowest := [e for e in mine if e.kind == "low order"]:
+            best = lowest[0]
+            found.append(Finding("once per turn", shaft.name, (), best.channel, best.probability))
     for name in dict.fromkeys((e.gear, e.shaft) for e in evidence if e.kind == "bearing" and e.found):
         best = min(
             (e for e in evidence if e.found and e.kind == "bearing" and (e.gear, e.shaft) == name),

@@ -12,6 +12,7 @@ slower one too: the measure then also is the other orders of that one.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -43,8 +44,8 @@ FOLDED = 40
 NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
 SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
 PASSES, SLIP = 3, 0.01
-"""Harmonics of the passing balls that stand beside mesh lines of healthy machines; how far they slip, as a
-part of their order."""
+"""Passages of balls, of one bearing or of several, that stand beside mesh lines of healthy machines; how far
+they slip, as a part of their order."""
 OFF = 0.5
 """How far the top of a line may be from an order that it belongs to, in lines of the record."""
 
@@ -133,8 +134,6 @@ class ShaftView:
             at = np.searchsorted(self.folded, order)
             near = [np.abs(order - self.folded[np.clip(at + k, 0, self.folded.size - 1)]) for k in (-1, 0)]
             apart &= np.minimum(*near) > 2.5 * line
-        for low, high in self.passing:
-            apart &= (order < low - 2.0 * line) | (order > high + 2.0 * line)
         return apart
 
     def comb(self, from_mesh: int = 2) -> Measured:
@@ -169,7 +168,7 @@ class ShaftView:
         for place, number, limit in zip(orders, sideband, limits, strict=True):
             if not 0.0 < place < 0.9 * self.spectrum.highest or not self.free(np.array([place]))[0]:
                 continue
-            one = self.line(float(place))
+            one = None if self._passed(float(place)) else self.line(float(place))
             if one is None:
                 continue
             looked += 1
@@ -201,6 +200,11 @@ class ShaftView:
         if amplitude < SMALLEST_LINE * self.rms:
             probability = 1.0
         return Measured(score, probability, order, amplitude, 1)
+
+    def _passed(self, order: float) -> bool:
+        """Whether balls that pass may show there, within what the record resolves."""
+        off = np.abs(self.passing[:, 0] - order)
+        return bool(np.any(off < self.passing[:, 1] + 2.0 * self.spectrum.resolution))
 
     def _has_its_top_at(self, order: float) -> bool:
         """Whether what is seen at an order is a line there, and not the skirt of one beside it."""
@@ -273,24 +277,22 @@ def _images(parts: TurningParts, sampled: float) -> Array:
     return np.sort(np.concatenate(found)) if found else np.empty(0)
 
 
-def _passing(parts: TurningParts) -> list[tuple[float, float]]:
-    """Orders from and to at which balls that pass under the load of a healthy bearing may show.
+def _passing(parts: TurningParts) -> Array:
+    """Orders, and how far about them, at which balls that pass under the load of healthy bearings may show.
 
     A bearing is a little stiffer with a ball below the load than between two: it shakes, and modulates all
     meshes, as often as balls pass the outer ring (C. S. Sunnersjö, Varying compliance vibrations of rolling
-    bearings, Journal of Sound and Vibration 58, 1978, 363-373).
+    bearings, Journal of Sound and Vibration 58, 1978, 363-373). Several bearings do so together.
     """
-    found = set()
-    for bearing in parts.bearings:
-        for times in range(1, PASSES + 1):
-            order = times * bearing.orders.get("outer ring", 0.0)
-            around = [0.0]
-            around += [parts.mesh_order(mesh) * k for mesh in parts.meshes for k in range(1, HARMONICS + 1)]
-            for middle in around if order else ():
-                for place in (middle - order, middle + order):
-                    if place > 0.0:
-                        found.add((place - SLIP * order, place + SLIP * order))
-    return sorted(found)
+    rates = sorted({b.orders["outer ring"] for b in parts.bearings if "outer ring" in b.orders})
+    if not rates:
+        return np.empty((0, 2))
+    times = [m for m in product(range(-PASSES, PASSES + 1), repeat=len(rates)) if 0 < np.abs(m).sum() <= PASSES]
+    many = np.array(times, dtype=np.float64)
+    off, slip = many @ rates, SLIP * (np.abs(many) @ rates)
+    middle = [0.0, *(parts.mesh_order(mesh) * k for mesh in parts.meshes for k in range(1, HARMONICS + 1))]
+    place = np.add.outer(middle, off).ravel()
+    return np.c_[place, np.tile(slip, len(middle))][place > 0.0]
 
 
 def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array) -> Measured:
