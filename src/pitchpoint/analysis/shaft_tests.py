@@ -100,7 +100,7 @@ class ShaftView:
     ) -> None:
         self.spectrum, self.parts, self.shaft, self.rms = spectrum, parts, shaft, rms
         self.folded = _images(parts, sampled)
-        self.passing = _passing(parts)
+        self.passing = passing_balls(parts, spectrum.highest, harmonics=HARMONICS)
         self.order = float(shaft.order)
         self.turns = self.order / spectrum.resolution
         top = 0.9 * spectrum.highest
@@ -277,22 +277,55 @@ def _images(parts: TurningParts, sampled: float) -> Array:
     return np.sort(np.concatenate(found)) if found else np.empty(0)
 
 
-def _passing(parts: TurningParts) -> Array:
-    """Orders, and how far about them, at which balls that pass under the load of healthy bearings may show.
+def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None = None) -> Array:
+    """Orders at which balls that pass under the load of healthy bearings may show.
 
+    Parameters
+    ----------
+    parts
+        What turns.
+    highest
+        Highest order [-].
+    harmonics
+        Harmonics of each mesh beside which they are looked for [-]; all if left out.
+
+    Returns
+    -------
+    ndarray
+        Shape (n, 2). Orders, and how far about them the slip of the rolling elements may take them [-].
+
+    Notes
+    -----
     A bearing is a little stiffer with a ball below the load than between two: it shakes, and modulates all
-    meshes, as often as balls pass the outer ring (C. S. Sunnersjö, Varying compliance vibrations of rolling
-    bearings, Journal of Sound and Vibration 58, 1978, 363-373). Several bearings do so together.
+    meshes, as often as balls pass the outer ring [1]_; several bearings do so together. Up to three passages
+    and 1 % of slip. Valid for bearings whose load stands still.
+
+    References
+    ----------
+    .. [1] C. S. Sunnersjö, Varying compliance vibrations of rolling bearings, Journal of Sound and Vibration
+       58(3), 1978, 363-373.
+
+    Examples
+    --------
+    >>> from pitchpoint.analysis.turning_parts import Bearing, train_parts
+    >>> parts = train_parts([(21, 40)], [Bearing("left", {"outer ring": 3.5})])
+    >>> passing_balls(parts, 22.0)[:, 0].tolist()
+    [3.5, 7.0, 10.5, 10.5, 14.0, 17.5]
     """
     rates = sorted({b.orders["outer ring"] for b in parts.bearings if "outer ring" in b.orders})
     if not rates:
         return np.empty((0, 2))
-    times = [m for m in product(range(-PASSES, PASSES + 1), repeat=len(rates)) if 0 < np.abs(m).sum() <= PASSES]
-    many = np.array(times, dtype=np.float64)
+    times = product(range(-PASSES, PASSES + 1), repeat=len(rates))
+    many = np.array([m for m in times if 0 < np.abs(m).sum() <= PASSES], dtype=np.float64)
     off, slip = many @ rates, SLIP * (np.abs(many) @ rates)
-    middle = [0.0, *(parts.mesh_order(mesh) * k for mesh in parts.meshes for k in range(1, HARMONICS + 1))]
-    place = np.add.outer(middle, off).ravel()
-    return np.c_[place, np.tile(slip, len(middle))][place > 0.0]
+    middle = {0.0}
+    for step in (parts.mesh_order(mesh) for mesh in parts.meshes):
+        last = int(highest / step) if harmonics is None else harmonics
+        middle |= {step * k for k in range(1, last + 1)}
+    place = np.add.outer(sorted(middle), off).ravel()
+    found = np.c_[place, np.tile(slip, len(middle))]
+    found = found[(place > 0.0) & (place < highest)]
+    return np.asarray(found[np.argsort(found[:, 0])], dtype=np.float64)
 
 
 def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array) -> Measured:
