@@ -27,7 +27,7 @@ from pitchpoint.analysis.turning_parts import Bearing, Shaft, TurningParts
 
 HARMONICS = 3
 IMPACTS = 0.01
-"""Chance of being taken for impacts that is left to lines of the envelope which a few lines of the signal make."""
+"""Chance of being taken for impacts that is left to envelopes which a few lines of the signal make."""
 FEWEST_EVENTS = 16.0
 FEWEST_SAMPLES = 1024
 
@@ -57,11 +57,10 @@ def bearing_evidence(
 
     Notes
     -----
-    Lines of a healthy machine are taken out, the band is the one of the largest kurtosis [1]_, and the
-    squared
+    Lines of a healthy machine are taken out, the band is the one of the largest kurtosis [1]_. The squared
     envelope of that band is searched within 1 % about each order, as rolling elements slip [2]_: two of the
-    first three harmonics must stand out. Orders of shafts are left out. Equal bearings on one shaft are one. Valid
-    for many events per record.
+    first three harmonics must stand out, and impacts must make them. Orders of shafts are left out. Equal
+    bearings on one shaft are one. Valid for many events per record.
 
     References
     ----------
@@ -77,7 +76,8 @@ def bearing_evidence(
     >>> parts = train_parts([(21, 40)], [Bearing("left", {"outer ring": 3.57})])
     >>> turned = np.arange(50_000) / 500.0
     >>> noise = np.random.default_rng(1).standard_normal(turned.size)
-    >>> knock = np.exp(-20 * (turned * 3.57 % 1)) * np.sin(2 * np.pi * 150 * turned)
+    >>> since = turned * 3.57 % 1
+    >>> knock = np.exp(-20 * since) * np.sin(2 * np.pi * 42 * since)
     >>> rows, _ = bearing_evidence(2 * knock + 0.3 * noise, 500.0, parts)
     >>> rows[0][1], bool(rows[0][2].probability < 1e-6), round(rows[0][2].order / 3.57) in (1, 2, 3)
     ('outer ring', True, True)
@@ -104,13 +104,19 @@ def bearing_evidence(
                     f"too few events of {bearing.name}, {part}: {count:.2g}, needs about {FEWEST_EVENTS:g}"
                 )
                 continue
+            harmonic = order * np.arange(1.0, HARMONICS + 1)
+            if np.sum(_free(harmonic, spectrum, parts)) < 2:
+                remarks.append(
+                    f"{part} of {bearing.name} cannot be told from the turns of a shaft: the record does not "
+                    "resolve their harmonics"
+                )
             found = _part(spectrum, order, parts, end)
             if found.probability < IMPACTS:
                 impacts = _part(white, order, parts, end).probability
                 if min(impacts, _comb(lines, order, parts, samples_per_turn)) > IMPACTS:
                     remarks.append(
-                        f"{part} of {bearing.name}: the envelope has its lines, but few lines of the signal make "
-                        "them: meshes that passing balls modulate do that, impacts do not"
+                        f"{part} of {bearing.name}: its lines in the envelope are made by few of the signal: "
+                        "meshes that passing balls modulate do that, impacts do not"
                     )
                     found = replace(found, probability=1.0)
             rows.append((bearing.name, part, found))

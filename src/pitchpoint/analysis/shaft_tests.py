@@ -136,13 +136,18 @@ class ShaftView:
             apart &= np.minimum(*near) > 2.5 * line
         return apart
 
-    def comb(self, from_mesh: int = 2) -> Measured:
-        """Whether the orders stand above what is between them, away from mesh lines and their sidebands."""
+    def comb(self, from_mesh: int = 2, *, without: int = 0) -> Measured:
+        """Whether the orders stand above what is between them, away from mesh lines and their sidebands.
+
+        Multiples of `without` may be left out.
+        """
         number = np.arange(1, self.highest + 1)
         keep = self.free(number * self.order)
         for mesh, teeth in self.parts.gears_of(self.shaft.name).values():
             if teeth >= 4 * from_mesh and mesh:
                 keep &= _distance(number.astype(np.float64), float(teeth)) > from_mesh
+        if without:
+            keep &= number % without != 0
         number = number[keep & (number > LOW_ORDERS)]
         if number.size < FEWEST_LINES:
             return Measured(0.0, 1.0, self.order, 0.0, 0)

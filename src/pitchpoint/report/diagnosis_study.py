@@ -62,6 +62,7 @@ class Study:
                     "kind": finding.kind,
                     "shaft": finding.shaft,
                     "gears": list(finding.gears),
+                    "bearings": list(finding.bearings),
                     "channel": finding.channel,
                     "false_alarm": finding.probability,
                     "sentence": words,

@@ -7,7 +7,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pitchpoint.analysis.diagnosis import Diagnosis, Evidence, Finding
+from pitchpoint.analysis.diagnosis import Diagnosis
+from pitchpoint.analysis.findings import Evidence, Finding
 from pitchpoint.analysis.turning_parts import TurningParts
 
 BEARING_WORDS = {
@@ -173,10 +174,17 @@ def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
 
 
 def _cannot_tell(finding: Finding) -> str:
-    """Why more than one gear is named."""
+    """Why more than one gear is named, and bearings that may be meant as well."""
+    others = ""
+    if finding.bearings:
+        others = (
+            f"; or a local fault of a bearing: {' or '.join(finding.bearings)}, which strikes a whole "
+            "number of times in a turn: this record cannot tell them apart"
+        )
     if len(finding.gears) < 2:
-        return ""
-    return "; gears of one shaft turn together, and the comb gathers about the mesh of none of them alone"
+        return others
+    alone = "the comb gathers about the mesh of none of them alone"
+    return f"{others}; gears of one shaft turn together, and {alone}"
 
 
 def _gears(gears: tuple[str, ...]) -> str:
