@@ -58,8 +58,8 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
         return f"{text} ({chance}){_cannot_tell(finding)}"
     if finding.kind == "modulation":
         return (
-            f"the mesh of {gears} changes over the turn of {shaft} ({turning}), as with eccentricity or "
-            f"misalignment, and not like one damaged tooth: seen {where} as {seen} ({chance})"
+            f"the mesh of {gears or 'its gear'} changes over the turn of {shaft} ({turning}), as with "
+            f"eccentricity or misalignment, and not like one damaged tooth: seen {where} as {seen} ({chance})"
         )
     return (
         f"{shaft} ({turning}) shows itself at its lowest orders, as with unbalance, misalignment or a "
