@@ -236,9 +236,13 @@ def without_healthy_lines(values: ArrayLike, samples_per_turn: float, parts: Tur
     highest = 0.5 * samples_per_turn
     meshes = [parts.mesh_order(mesh) for mesh in parts.meshes]
     places = [(k * step, 0.0) for step in meshes for k in range(1, int(highest / step) + 1)]
-    for place, reach in [*places, *passing_balls(parts, highest)]:
-        first, last = round((place - reach) * per_order) - 2, round((place + reach) * per_order) + 3
-        lines[max(first, 0) : last] = 0.0
+    middle, reach = np.array([*places, *passing_balls(parts, highest)]).reshape(-1, 2).T
+    first = np.clip(np.rint((middle - reach) * per_order).astype(np.int64) - 2, 0, lines.size)
+    last = np.clip(np.rint((middle + reach) * per_order).astype(np.int64) + 3, 0, lines.size)
+    depth = np.zeros(lines.size + 1)
+    np.add.at(depth, first, 1.0)
+    np.add.at(depth, last, -1.0)
+    lines[np.cumsum(depth[:-1]) > 0.0] = 0.0
     return np.asarray(np.fft.irfft(lines, np.size(values)), dtype=np.float64)
 
 

@@ -46,6 +46,8 @@ SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
 PASSES, SLIP = 3, 0.01
 """Passages of balls, of one bearing or of several, that stand beside mesh lines of healthy machines; how far
 they slip, as a part of their order."""
+TOGETHER = 3
+"""Kinds of bearings whose passages are combined."""
 OFF = 0.5
 """How far the top of a line may be from an order that it belongs to, in lines of the record."""
 
@@ -302,8 +304,9 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
     Notes
     -----
     A bearing is a little stiffer with a ball below the load than between two: it shakes, and modulates all
-    meshes, as often as balls pass the outer ring [1]_; several bearings do so together. Up to three passages
-    and 1 % of slip. Valid for bearings whose load stands still.
+    meshes, as often as balls pass the outer ring [1]_; several bearings do so together, which counts where
+    there are at most three kinds (with more, no order would be free). Up to three passages and 1 % of slip.
+    Valid for bearings whose load stands still.
 
     References
     ----------
@@ -320,8 +323,12 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
     rates = sorted({b.orders["outer ring"] for b in parts.bearings if "outer ring" in b.orders})
     if not rates:
         return np.empty((0, 2))
-    times = product(range(-PASSES, PASSES + 1), repeat=len(rates))
-    many = np.array([m for m in times if 0 < np.abs(m).sum() <= PASSES], dtype=np.float64)
+    if len(rates) <= TOGETHER:
+        times = product(range(-PASSES, PASSES + 1), repeat=len(rates))
+        many = np.array([m for m in times if 0 < np.abs(m).sum() <= PASSES], dtype=np.float64)
+    else:
+        each = np.eye(len(rates))
+        many = np.concatenate([k * each for k in range(-PASSES, PASSES + 1) if k])
     off, slip = many @ rates, SLIP * (np.abs(many) @ rates)
     middle = {0.0}
     for step in (parts.mesh_order(mesh) for mesh in parts.meshes):
