@@ -14,9 +14,6 @@ from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.shaft_tests import SLIP, ShaftView
 from pitchpoint.analysis.turning_parts import TurningParts
 
-CONCENTRATED, APART = 2.33, 2.0
-"""Normal score above which a comb counts as gathered about the mesh of one gear (1 % by chance), and how far
-those of the other gears of the shaft must be below it."""
 ONE_PLACE, GAUSSIAN = 2e-3, 3.0
 """Part of signals of the same spectrum that may be more peaked than a mean turn with a local fault; the
 kurtosis that it exceeds in any case."""
@@ -180,7 +177,8 @@ def findings_of(
             best = combs[0]
             seen = [views[e.channel, shaft.name] for e in combs]
             others = _like_bearings(parts, seen, best.threshold)
-            gears = _gears(parts, seen)
+            # a tooth of one gear shakes the meshes of all gears of its shaft: where lines gather says nothing
+            gears = tuple(parts.gears_of(shaft.name))
             found.append(Finding("local fault", shaft.name, gears, best.channel, best.probability, others))
         elif bands:
             best = bands[0]
@@ -254,15 +252,3 @@ def _like_bearings(parts: TurningParts, views: list[ShaftView], threshold: float
             if times == 1 or all(view.comb(without=times).score < threshold for view in views):
                 found.append(f"{part} of {bearing.name}")
     return tuple(found)
-
-
-def _gears(parts: TurningParts, views: list[ShaftView]) -> tuple[str, ...]:
-    """Gears of a shaft about whose mesh the comb gathers; all of them if that tells nothing."""
-    gears = parts.gears_of(views[0].shaft.name)
-    counts = sorted({teeth for _, teeth in gears.values()})
-    if len(counts) > 1:
-        scores = {z: max(view.concentration(z) for view in views) for z in counts}
-        first, second = sorted(scores.values(), reverse=True)[:2]
-        if first > CONCENTRATED and second < first - APART:
-            return tuple(gear for gear, (_, z) in gears.items() if scores[z] == first)
-    return tuple(gears)

@@ -236,21 +236,6 @@ class ShaftView:
         least = SMALLEST_SIDEBAND * np.repeat(mesh, beside_it.size)
         return self.lines(orders.ravel(), np.tile(beside_it, HARMONICS), least)
 
-    def concentration(self, teeth: int) -> float:
-        """Normal score of how far the orders next to harmonics of a gear stand above those farther "
-        "off [-]."""
-        number = np.arange(1, self.highest + 1)
-        near_own = _distance(number.astype(np.float64), float(teeth))
-        others = [z for _, z in self.parts.gears_of(self.shaft.name).values() if z != teeth]
-        keep = self.free(number * self.order) & (number > LOW_ORDERS) & (number <= (HARMONICS + 0.5) * teeth)
-        width = min(2, max(1, teeth // 6))
-        for z in others:
-            keep &= _distance(number.astype(np.float64), float(z)) > width
-        close, far = keep & (near_own <= width), keep & (near_own > width)
-        harmonic = np.rint(number / teeth)
-        power = self.spectrum.power(number * self.order)
-        return comb_score(power[close], power[far], harmonic[close], harmonic[far])
-
     def _between(self) -> tuple[Array, Array]:
         """Points between the orders: two lines or more from each of them."""
         count = int(min(8, max(1, np.floor(self.turns / 2.0) - 1)))

@@ -183,8 +183,7 @@ def _cannot_tell(finding: Finding) -> str:
         )
     if len(finding.gears) < 2:
         return others
-    alone = "the comb gathers about the mesh of none of them alone"
-    return f"{others}; gears of one shaft turn together, and {alone}"
+    return f"{others}; gears of one shaft turn together, and a fault of one shakes the meshes of all"
 
 
 def _gears(gears: tuple[str, ...]) -> str:
