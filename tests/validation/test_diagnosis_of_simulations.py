@@ -55,8 +55,8 @@ def rig(tmp_path_factory: pytest.TempPathFactory) -> dict[tuple[str, str], Found
     folder = tmp_path_factory.mktemp("rig")
     plan = folder / "plan.yaml"
     plan.write_text(PLAN.format(model=EXAMPLES / "phm-2009-rig" / "model.yaml"), encoding="utf-8")
-    assert run_command(["dataset", str(plan), "-q"]) == 0
-    (table,) = folder.rglob("index.csv")
+    assert run_command(["dataset", str(plan), "-o", str(folder / "data"), "-q"]) == 0
+    table = folder / "data" / "index.csv"
     options = {"model": str(EXAMPLES / "phm-2009-rig" / "model.yaml"), "tacho": "tacho@input", "pulses": 10}
     with table.open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))

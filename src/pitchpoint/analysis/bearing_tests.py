@@ -29,6 +29,8 @@ HARMONICS = 3
 IMPACTS = 0.01
 """Chance of being taken for impacts that is left to envelopes which a few lines of the signal make."""
 FEWEST_EVENTS = 16.0
+NOTHING = 1e-9
+"""What is left of a signal, as a part of it, that is round-off."""
 FEWEST_SAMPLES = 1024
 
 Row = tuple[str, str, Measured]
@@ -86,7 +88,12 @@ def bearing_evidence(
         return [], []
     if values.size < FEWEST_SAMPLES:
         return [], [f"record: {values.size} samples are too few for bearings, needs about {FEWEST_SAMPLES}"]
+    turns = values.size / samples_per_turn
+    if all(order * turns < FEWEST_EVENTS for bearing in parts.bearings for order in bearing.orders.values()):
+        return [], [f"too few events of all bearings, needs about {FEWEST_EVENTS:g} of each"]
     x = without_healthy_lines(values, samples_per_turn, parts)
+    if float(x.std()) <= NOTHING * float(np.std(values)):
+        return [], ["bearings not tested: lines of a healthy machine fill the spectrum of so short a record"]
     low, high = envelope_band(x, samples_per_turn, parts)
     spectrum, white = (
         fine_spectrum(band_envelope(y, samples_per_turn, band=(low, high)).envelope ** 2, samples_per_turn)

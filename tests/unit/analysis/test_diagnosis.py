@@ -164,3 +164,13 @@ def test_equal_bearings_are_named_together() -> None:
     parts = train_parts([(21, 40)], [Bearing(name, {"outer ring": 3.57}) for name in ("left", "right")])
     found = diagnose({"acc": _struck(3.57)}, 400.0, parts)
     assert [finding.gears for finding in found.findings] == [("left or right",)]
+
+
+def test_bearings_of_a_record_of_a_few_turns_are_not_tested_and_told() -> None:
+    """Three turns: lines of a healthy machine fill the spectrum, and nothing is left in which to look."""
+    bearings = [Bearing(f"b{k}", {"outer ring": order, "inner ring": 8 - order}) for k, order in
+                enumerate((3.0523, 1.0174, 0.6105))]  # fmt: skip
+    parts = train_parts([(32, 96), (48, 80)], bearings)
+    found = diagnose({"acc": _struck(1.0)[:1600]}, 400.0, parts)
+    assert any(text.startswith(("too few events", "bearings not tested")) for text in found.untested)
+    assert all(finding.kind != "bearing" for finding in found.findings)
