@@ -71,6 +71,7 @@ def diagnose_file(request: Request) -> Study:
     record = read_record(request.file, request.sample_rate)
     machine = _machine(request, record)
     chosen = _chosen(request, record)
+    _complete(request, record, chosen)
     signals, remarks = usable(chosen)
     if not signals:
         raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
@@ -85,6 +86,16 @@ def diagnose_file(request: Request) -> Study:
         false_alarm=request.false_alarm,
         remarks=[f"channels: {', '.join(signals)}", *noise, *machine.remarks, *remarks],
     )
+
+
+def _complete(request: Request, record: Record, chosen: Mapping[str, Array]) -> None:
+    """Refuse a file that grows while it is read: a run that is still going on."""
+    for name, values in chosen.items():
+        if values.size != record.time.size:
+            raise SignalError(
+                f"{request.file}: {name} has {values.size} samples for {record.time.size} times (limit: as "
+                "many); if the run still goes on, wait for its end"
+            )
 
 
 class _Part(Mapping[str, Array]):
@@ -245,6 +256,9 @@ def _chosen(request: Request, record: Record) -> dict[str, Array]:
     if not names:
         kept = [name for name in record.channels if name not in used]
         names = preferred(kept) if record.model_text else kept
+    if not names:
+        listed = ", ".join(list(record.channels)[:12])
+        raise SignalError(f"{request.file}: no channel to look at; choose with -c; there are: {listed}")
     return {name: record.channels[name] for name in names}
 
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -62,6 +62,7 @@ class Study:
                     "kind": finding.kind,
                     "shaft": finding.shaft,
                     "gears": list(finding.gears),
+                    "bearings": list(finding.bearings),
                     "channel": finding.channel,
                     "false_alarm": finding.probability,
                     "sentence": words,
@@ -108,13 +109,30 @@ def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: 
         false_alarm=false_alarm,
         sampled_per_turn=over.sampled_per_turn,
     )
+    found, unnamed = _named(found, parts)
     strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
     about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
     if nothing:
         raise SignalError("; ".join(text for text in about_meshes if "no mesh line" in text))
     words = tuple(sentence(finding, found, parts, over.frequency) for finding in found.findings)
-    notes = (*over.remarks, *remarks, *about_meshes, *_whole_ratios(parts))
+    notes = (*over.remarks, *remarks, *about_meshes, *unnamed, *_whole_ratios(parts))
     return Study(found, over, parts, words or (nothing_found(found),), tuple(dict.fromkeys(notes)))
+
+
+def _named(found: Diagnosis, parts: TurningParts) -> tuple[Diagnosis, list[str]]:
+    """Findings without gears whose mesh does not show: their tooth counts are not confirmed."""
+    seen = {row.mesh for rows in found.meshes.values() for row in rows if row.seen}
+    shown = {gear for mesh in parts.meshes if mesh.name in seen for gear in mesh.gears}
+    findings, remarks = [], []
+    for one in found.findings:
+        unseen = [gear for gear in one.gears if one.kind != "bearing" and gear not in shown]
+        if unseen:
+            # one of several by its name alone would be a guess as well
+            remarks.append(
+                f"no gear of {one.shaft} is named: no line of the mesh of {', '.join(unseen)} is seen"
+            )
+        findings.append(replace(one, gears=()) if unseen else one)
+    return replace(found, findings=tuple(findings)), remarks
 
 
 def usable(channels: Mapping[str, Array]) -> tuple[dict[str, Array], list[str]]:
@@ -145,7 +163,9 @@ def preferred(names: Sequence[str]) -> list[str]:
     for group in PREFERRED:
         found = [name for quantity in group for name in names if name.partition("[")[0] == quantity]
         if found:
-            return found[:MOST]
+            # spread over the list: the first ones often belong to one shaft
+            count = min(MOST, len(found))
+            return [found[k * len(found) // count] for k in range(count)]
     return []
 
 
