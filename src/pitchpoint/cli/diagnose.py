@@ -108,8 +108,10 @@ def _print(found: Study, quiet: bool) -> None:
     """Show findings and tests to people."""
     from pitchpoint.report.diagnosis_words import percent, what_is_tested
 
-    for text in found.sentences:
+    for number, text in enumerate(found.sentences):
         show(text)
+        if found.place_sentences and found.place_sentences[number]:
+            show(f"  {found.place_sentences[number]}")
     show()
     rows = [
         [
