@@ -297,13 +297,13 @@ def _began(record: Record, first: int) -> str:
     """Words for the first sample that is used."""
     if first == 0 and not record.settle_time:
         return "the start of the record"
-    return f"the time {float(record.time[first]):.6g} s"
+    return f"t = {float(record.time[first]):.6g} s"
 
 
 def _zeros(
     record: Record, machine: _Machine, first: int, zero: str, angle: Array
 ) -> dict[str, tuple[float, str]]:
-    """Angles that shafts have gone at the first sample: those with a channel of their own, and the reference."""
+    """Angles that shafts have gone at the first sample, where a channel tells it."""
     found = {}
     own = machine.names.get(machine.reference, machine.reference)
     for shaft in machine.parts.shafts:

@@ -9,7 +9,6 @@ from typing import Any
 
 from pitchpoint.analysis.diagnosis import Diagnosis, Finding
 from pitchpoint.analysis.gear_indicators import gear_indicators
-from pitchpoint.analysis.indicators import standardised_moment
 from pitchpoint.analysis.mean_turns import MeanTurn, mean_turn
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.turning_parts import TurningParts
@@ -92,7 +91,7 @@ class GearTurn:
 
 
 def gear_turns(channel: str, shaft: str, over: OverAngle, parts: TurningParts) -> tuple[GearTurn, ...]:
-    """Mean turns of a shaft in one channel, one for each tooth count on it; none where the record has none."""
+    """Mean turns of a shaft in one channel, one for each tooth count on it, where the record has one."""
     by_count: dict[int, list[str]] = {}
     for gear, (_, teeth) in parts.gears_of(shaft).items():
         by_count.setdefault(teeth, []).append(gear)
@@ -138,21 +137,19 @@ def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: f
         return ""
     best = min(turns, key=lambda row: row.turn.energy.probability)
     energy, found = best.turn.energy, best.turn.indicators
-    shape = ", ".join(
-        f"{INDICATORS[name]} {found[name][0]:.3g} (1 % of noise of the same spectrum exceeds {found[name][1]:.3g})"
-        if name == "fm4"
-        else f"{INDICATORS[name]} {found[name][0]:.3g} ({found[name][1]:.3g})"
-        for name in ("fm4", "m6a")
+    (fm4, limit, _), (m6a, other, _) = found["fm4"], found["m6a"]
+    shape = (
+        f"FM4 {fm4:.3g} (1 % of noise of the same spectrum exceeds {limit:.3g}), M6A {m6a:.3g} ({other:.3g})"
     )
     text = f"mean of {best.turn.averages} turns of {finding.shaft}: {shape}"
     degrees = f"{math.degrees(best.angle):.0f}°"
-    if not best.stands_out(false_alarm):
-        return f"{text}; no single tooth stands out of its residual"
     share = (
         f"{100.0 * energy.share:.0f} % of the energy of its residual lie in the angle of one tooth of "
         f"{' or '.join(best.gears)} ({100.0 / best.teeth:.2g} % if spread evenly; by chance: "
         f"{percent(energy.probability)})"
     )
+    if not best.stands_out(false_alarm):
+        return f"{text}; {share}: that tells no single tooth"
     if not one_gear(finding, turns):
         return f"{text}; {share}, {degrees} after {best.since}"
     return (
@@ -165,8 +162,3 @@ def crest(turn: MeanTurn) -> float:
     """Largest magnitude of the residual by its rms [-]."""
     rms = float((turn.residual**2).mean() ** 0.5)
     return float(abs(turn.residual).max()) / rms if rms > 0.0 else math.nan
-
-
-def kurtosis(turn: MeanTurn) -> float:
-    """Kurtosis of the mean turn itself, mesh and all [-]."""
-    return standardised_moment(turn.average, 4)

@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of the page of a diagnosis."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from html import escape
+
+from pitchpoint.analysis.diagnosis import Evidence
+from pitchpoint.analysis.indicators import signal_indicators
+from pitchpoint.report.diagnosis_places import GAUSSIAN, INDICATORS, GearTurn, crest
+from pitchpoint.report.diagnosis_study import Study
+from pitchpoint.report.diagnosis_words import percent, unit_of, what_is_tested
+from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.tables import plain_table
+
+HARMONICS = 5
+NEVER = -100.0
+"""Level [dB] below which a line is none at all."""
+
+
+def rows_html(rows: Iterable[Sequence[str]], words: int) -> list[str]:
+    """Rows of a table: the first columns are words, the others numbers; `**` in front makes a cell bold."""
+    made = []
+    for row in rows:
+        cells = []
+        for k, text in enumerate(row):
+            plain = escape(text.removeprefix("**"))
+            shown = f"<b>{plain}</b>" if text.startswith("**") else plain
+            cells.append(f"<td>{shown}</td>" if k < words else f'<td class="num">{shown}</td>')
+        made.append(f"<tr>{''.join(cells)}</tr>")
+    return made
+
+
+def origin_table(study: Study) -> str:
+    """What was taken, its value, who said it."""
+    return plain_table(("what", "value", "from"), rows_html(study.origin, 3), numbers=False)
+
+
+def shaft_table(study: Study) -> str:
+    """Shafts with gears, ratio, speed and turns in the record."""
+    hertz, turns = study.over.frequency, study.diagnosis.turns
+    rows = []
+    for shaft in study.parts.shafts:
+        gears = ", ".join(f"{gear} ({z})" for gear, (_, z) in study.parts.gears_of(shaft.name).items())
+        order = float(shaft.order)
+        rows.append(
+            (
+                shaft.name,
+                gears or "–",
+                str(shaft.order) if shaft.order.denominator < 1000 else number(order, 7),
+                *_rates(order, hertz),
+                number(turns[shaft.name], 4) if shaft.name in turns else "–",
+            )
+        )
+    head = (
+        "shaft",
+        "gears (teeth)",
+        "turns per turn of the reference",
+        "[Hz]",
+        "[rpm]",
+        "turns in the record",
+    )
+    return plain_table(head, rows_html(rows, 2))
+
+
+def mesh_table(study: Study) -> str:
+    """Meshes with frequency and the harmonics that the record cannot hold."""
+    first = next(iter(study.diagnosis.meshes.values()), ())
+    rows = []
+    for mesh, line in zip(study.parts.meshes, first, strict=True):
+        seen = any(lines[first.index(line)].seen for lines in study.diagnosis.meshes.values())
+        rows.append(
+            (
+                mesh.name,
+                f"{mesh.gears[0]} and {mesh.gears[1]}",
+                f"{mesh.teeth[0]}/{mesh.teeth[1]}",
+                number(line.order, 6),
+                _rates(line.order, study.over.frequency)[0],
+                "yes" if seen else "no",
+                ", ".join(str(k) for k in line.lost) or "none",
+            )
+        )
+    head = (
+        "mesh",
+        "gears",
+        "teeth",
+        "order",
+        "[Hz]",
+        "seen in a channel",
+        f"lost of the first {HARMONICS} harmonics",
+    )
+    return plain_table(head, rows_html(rows, 2)) if rows else ""
+
+
+def bearing_table(study: Study) -> str:
+    """Bearings with the rates of their parts."""
+    rows = [
+        (bearing.name, part, number(order, 5), _rates(order, study.over.frequency)[0])
+        for bearing in study.parts.bearings
+        for part, order in bearing.orders.items()
+    ]
+    return plain_table(("bearing", "part", "order", "[Hz]"), rows_html(rows, 2)) if rows else ""
+
+
+def test_table(study: Study) -> str:
+    """Every test of every channel."""
+    rows = []
+    for e in study.diagnosis.evidence:
+        place = _rates(e.order, study.over.frequency)[0]
+        rows.append(
+            (
+                e.shaft if e.kind != "bearing" else e.gear,
+                what_is_tested(e),
+                e.channel,
+                f"{number(e.order, 5)}" if place == "–" else place,
+                f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
+                f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",
+                percent(e.probability),
+                "**found" if e.found else "",
+            )
+        )
+    where = "at [Hz]" if math.isfinite(study.over.frequency) else "at order"
+    head = ("shaft or bearing", "test", "channel", where, "value", "limit", "by chance", "result")
+    return plain_table(head, rows_html(rows, 3))
+
+
+def limit_table(study: Study, channel: str) -> str:
+    """Values of one channel, and those from which a fault is told."""
+    unit = study.units.get(channel, "")
+    rms = signal_indicators(study.over.signals[channel]).rms
+    rows = []
+    for e in study.diagnosis.evidence:
+        if e.channel != channel:
+            continue
+        now, needed = _amplitudes(e, rms, unit)
+        whose = f"{e.shaft} of {e.gear}" if e.kind == "bearing" else e.shaft
+        rows.append(
+            (
+                whose,
+                _fault(e),
+                f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
+                f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",
+                now,
+                needed,
+            )
+        )
+    head = ("part", "to be found as", "value", "limit", "strongest line", "line at the limit")
+    return plain_table(head, rows_html(rows, 2))
+
+
+def indicator_table(turns: Sequence[GearTurn], unit: str) -> str:
+    """Indicators of mean turns, with what 1 % of noise of the same spectrum exceeds in brackets."""
+    if not turns:
+        return ""
+    best = scale(unit, [float(row.turn.average.std()) for row in turns])
+    rows = []
+    for row in turns:
+        cells = []
+        for name in INDICATORS:
+            value, limit, part = row.turn.indicators[name]
+            mark = "**" if part < 0.01 else ""
+            cells.append(f"{mark}{number(value, 3)} ({number(limit, 3)})")
+        rows.append(
+            (
+                f"{' or '.join(row.gears)} ({row.teeth})",
+                str(row.turn.averages),
+                number(float(row.turn.average.std()) * best.factor, 3),
+                number(float(row.turn.residual.std()) * best.factor, 3),
+                number(crest(row.turn), 3),
+                cells[0],
+                number(row.fm0, 3) if math.isfinite(row.fm0) else "–",
+                *cells[1:],
+                f"{number(100.0 * row.turn.energy.share, 2)} ({number(100.0 / row.teeth, 2)})",
+            )
+        )
+    gaussian = [number(GAUSSIAN[name], 3) for name in INDICATORS]
+    rows.append(("Gaussian noise", "", "", "", "", gaussian[0], "", *gaussian[1:], ""))
+    first, *others = INDICATORS.values()
+    head = (
+        "gear (teeth)",
+        "turns",
+        best.title("rms"),
+        best.title("residual"),
+        "crest",
+        first,
+        "FM0",
+        *others,
+        "tooth energy [%]",
+    )
+    return plain_table(head, rows_html(rows, 1))
+
+
+def _amplitudes(e: Evidence, rms: float, unit: str) -> tuple[str, str]:
+    """Amplitude of the strongest line, and the one at the limit; dashes where there is no line."""
+    if e.kind not in ("low order", "sidebands") or e.value < NEVER or e.amplitude <= 0.0:
+        return "–", "–"
+    needed = max(e.amplitude * 10.0 ** ((e.threshold - e.value) / 20.0), 0.01 * rms)
+    best = scale(unit, [needed])
+    return tuple(f"{number(a * best.factor, 3)} {best.unit}".rstrip() for a in (e.amplitude, needed))  # type: ignore[return-value]
+
+
+def _fault(e: Evidence) -> str:
+    """What kind of damage a test sees."""
+    if e.kind == "bearing":
+        return "impacts of the bearing, in the envelope"
+    if e.kind == "sidebands":
+        return f"change of the mesh of {e.gear} over the turn"
+    return {"comb": "one impact in a turn: all orders together", "low order": "unbalance, misalignment"}[
+        e.kind
+    ]
+
+
+def _rates(order: float, hertz: float) -> tuple[str, str]:
+    """Hz and rpm of an order; dashes where the speed changes."""
+    if not math.isfinite(hertz):
+        return "–", "–"
+    return number(order * hertz, 5), number(60.0 * order * hertz, 5)
