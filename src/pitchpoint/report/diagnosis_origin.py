@@ -58,12 +58,13 @@ def origin(request: Request, record: Record, found: Study, noise: Sequence[str])
     rows += [
         ("noise", "; ".join(noise), "--noise" if request.noise is not None else "default for results")
     ] * bool(noise)
-    rows.append(("false alarms", f"{100.0 * request.false_alarm:g} % of healthy records", "--false-alarm"))
+    given = "default" if request.false_alarm == type(request).false_alarm else "--false-alarm"
+    rows.append(("false alarms", f"{100.0 * request.false_alarm:g} % of healthy records", given))
     notes = record.about.get("notes", "")
     rows += [("note of the file", note, "file") for note in notes.split("; ") if note]
-    rows.append(
-        ("taken for granted", "shafts with fixed axes; teeth of equal pitch; bearings slip less than 1 %", "")
-    )
+    granted = "shafts with fixed axes; teeth of equal pitch"
+    slip = "; bearings slip less than 1 %" if found.parts.bearings else ""
+    rows.append(("taken for granted", granted + slip, "–"))
     return tuple(rows)
 
 

@@ -100,7 +100,7 @@ def _limits(study: Study) -> Section:
         f"<p>In {escape(channel)} a fault is told from these limits on. Lines below 1 % of the rms of the "
         "channel, and sidebands below 3 % of their mesh line, are not told at any limit: every machine has "
         "them. A local fault must raise the orders of its shaft together, and strike at one place of the "
-        "mean turn.</p>"
+        "mean turn: the kurtosis of its residual must exceed 3 and the limit in the table of indicators.</p>"
     )
     section.add(tables.limit_table(study, channel))
     return section

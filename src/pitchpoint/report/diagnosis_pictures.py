@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from html import escape
 
 import numpy as np
@@ -29,7 +30,7 @@ ABOUT_INDICATORS = (
     "crest, kurtosis and tooth energy are those of the residual, FM4, M6A and M8A of the difference signal. "
     "Tooth energy is the largest part in the angle of one tooth. In brackets: what 1 % of signals of the "
     "same spectrum exceed that are alike all around, and the energy of a tooth if it is spread evenly. Bold: "
-    "exceeded."
+    "exceeded, which one healthy number in a hundred does; the tests below decide."
 )
 
 
@@ -44,8 +45,8 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
     )
     rows = [row for s in study.parts.shafts for row in gear_turns(channel, s.name, over, study.parts)]
     for evidence in questions(study, channel):
-        for shown in _views(study, evidence):
-            _add_orders(section, study, spectrum, shown, unit)
+        for view in _views(study, spectrum, evidence):
+            _add_orders(section, study, spectrum, study.parts.shaft(evidence.shaft), view, unit)
         _add_turn(section, study, rows, evidence, unit)
     if study.parts.bearings:
         _add_envelope(section, study, channel, unit)
@@ -74,9 +75,10 @@ def _level(study: Study, channel: str, unit: str) -> str:
     best = scale(unit, [found.rms])
     # the largest magnitude of so many independent Gaussian samples, by its median
     peak = float(norm.isf(-0.5 * np.expm1(np.log(0.5) / size)))
+    rms = f"{number(found.rms * best.factor, 4)} {best.unit}".rstrip()
     return (
-        f"Alternating part of the whole record: rms {number(found.rms * best.factor, 4)} {best.unit}, "
-        f"kurtosis {number(found.kurtosis, 3)} (Gaussian noise 3, a sine 1.5), crest factor "
+        f"Alternating part of the whole record: rms {rms}, kurtosis {number(found.kurtosis, 3)} "
+        "(Gaussian noise 3, a sine 1.5), crest factor "
         f"{number(found.crest_factor, 3)} (Gaussian noise of {size} samples about {number(peak, 2)})."
     )
 
@@ -105,16 +107,54 @@ def _meshes(study: Study, spectrum: FineSpectrum) -> list[Lines]:
     return [lines for lines in found if lines.places.size]
 
 
-def _views(study: Study, e: Evidence) -> list[Evidence]:
+@dataclass(frozen=True)
+class _View:
+    """Part of the spectrum: order of the shaft in its middle, the one numbers count from, and the caption."""
+
+    middle: int
+    counted: int
+    words: str
+
+
+def _views(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[_View]:
     """What of the spectrum is drawn for a piece of evidence: with a comb the sidebands of a mesh as well."""
-    if e.kind != "comb":
-        return [e]
+    shaft = study.parts.shaft(e.shaft)
+    if e.kind == "low order":
+        words = f"The lowest orders of {shaft.name}. Numbers are orders of the shaft."
+        return [_View(SIDEBANDS + 1, 0, words)]
     gears, same = _gears(study, e), (e.channel, e.shaft, "sidebands")
     bands = [o for o in study.diagnosis.evidence if (o.channel, o.shaft, o.kind) == same and o.gear in gears]
     bands.sort(key=lambda other: other.probability)
-    near = SIDEBANDS * float(study.parts.shaft(e.shaft).order)
-    # where both lie in one picture, it is that of the sidebands
-    return bands[:1] if bands and abs(bands[0].order - e.order) < near else [e, *bands[:1]]
+    found = []
+    for band in bands[:1]:
+        mesh, teeth = study.parts.gears_of(shaft.name)[band.gear]
+        harmonic = max(round(band.order / study.parts.mesh_order(mesh)), 1)
+        words = (
+            f"About harmonic {harmonic} of {mesh.name}. Numbers are those of its sidebands at the turns of "
+            f"{shaft.name}: what changes slowly over a turn raises the first of them, a local fault all."
+        )
+        found.append(_View(harmonic * teeth, harmonic * teeth, words))
+    if e.kind == "comb":
+        middle = _clearest(spectrum, _rate(study, float(shaft.order)))
+        words = (
+            f"Where {2 * SIDEBANDS + 1} orders of {shaft.name} stand out most: a local fault raises all of "
+            "them above what lies between. Numbers are orders of the shaft."
+        )
+        # where both would lie in one picture, it is that of the sidebands
+        if not found or abs(middle - found[0].middle) > SIDEBANDS:
+            found.insert(0, _View(middle, 0, words))
+    return found
+
+
+def _clearest(spectrum: FineSpectrum, step: float) -> int:
+    """Order in the middle of those that stand out most above the points half-way between them."""
+    count = int(0.9 * spectrum.highest / step)
+    number = np.arange(1, count + 1)
+    width = min(2 * SIDEBANDS + 1, count)
+    lines, between = spectrum.power(number * step), spectrum.power((number + 0.5) * step)
+    smallest = 1e-12 * max(float(lines.max()), 1e-300)
+    excess = np.log(np.maximum(lines, smallest)) - np.log(np.maximum(between, smallest))
+    return int(np.argmax(np.convolve(excess, np.ones(width), mode="valid"))) + 1 + width // 2
 
 
 def _gears(study: Study, e: Evidence) -> tuple[str, ...]:
@@ -125,20 +165,20 @@ def _gears(study: Study, e: Evidence) -> tuple[str, ...]:
     return (e.gear,) if e.gear else tuple(study.parts.gears_of(e.shaft))
 
 
-def _add_orders(section: Section, study: Study, spectrum: FineSpectrum, e: Evidence, unit: str) -> None:
-    """Spectrum about the lines that speak for a finding, with the orders of its shaft."""
-    shaft = study.parts.shaft(e.shaft)
+def _add_orders(
+    section: Section, study: Study, spectrum: FineSpectrum, shaft: Shaft, view: _View, unit: str
+) -> None:
+    """Part of the spectrum with the orders of a shaft and mesh lines."""
     step = _rate(study, float(shaft.order))
-    middle, counted, words = _middle(study, shaft, e)
-    low = max((middle - SIDEBANDS - 0.6) * step, 0.3 * step)
-    high = min((middle + SIDEBANDS + 0.6) * step, spectrum.highest)
+    low = max((view.middle - SIDEBANDS - 0.6) * step, 0.3 * step)
+    high = min((view.middle + SIDEBANDS + 0.6) * step, spectrum.highest)
     orders = range(math.ceil(low / step), math.floor(high / step) + 1)
-    labels = tuple(_order_label(k - counted, counted > 0) for k in orders)
+    labels = tuple(_order_label(k - view.counted, view.counted > 0) for k in orders)
     name = _named(study, f"orders of {shaft.name}", float(shaft.order))
     marks = [Lines(name, step * np.array(orders, dtype=np.float64), labels)]
     marks += [m for m in _meshes(study, spectrum) if ((m.places >= low) & (m.places <= high)).any()]
     figure = plot_lines(spectrum, marks, unit=unit, quantity="amplitude", over=_axis(study), span=(low, high))
-    section.add_figure(figure, words)
+    section.add_figure(figure, view.words)
 
 
 def _order_label(k: int, sideband: bool) -> str:
@@ -146,25 +186,6 @@ def _order_label(k: int, sideband: bool) -> str:
     if not sideband:
         return str(k)
     return f"{k:+d}".replace("-", "−") if k else ""
-
-
-def _middle(study: Study, shaft: Shaft, e: Evidence) -> tuple[int, int, str]:
-    """Order of the shaft in the middle of the picture, the one from which numbers count, and the caption."""
-    if e.kind == "low order":
-        return SIDEBANDS + 1, 0, f"The lowest orders of {shaft.name}. Numbers are orders of the shaft."
-    if e.kind == "sidebands":
-        mesh, teeth = study.parts.gears_of(shaft.name)[e.gear]
-        harmonic = max(round(e.order / study.parts.mesh_order(mesh)), 1)
-        words = (
-            f"About harmonic {harmonic} of {mesh.name}. Numbers are those of its sidebands at the turns of "
-            f"{shaft.name}: what changes slowly over a turn raises the first of them, a local fault all alike."
-        )
-        return harmonic * teeth, harmonic * teeth, words
-    words = (
-        f"In the middle of the band where the orders of {shaft.name} stand out most: a local fault raises "
-        "all of them above what lies between. Numbers are orders of the shaft."
-    )
-    return round(e.order / float(shaft.order)), 0, words
 
 
 def _add_turn(section: Section, study: Study, rows: list[GearTurn], e: Evidence, unit: str) -> None:

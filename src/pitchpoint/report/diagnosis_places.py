@@ -14,6 +14,7 @@ from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis_record import OverAngle
 from pitchpoint.report.diagnosis_words import percent
+from pitchpoint.viz.quantities import number
 
 INDICATORS = {"kurtosis": "kurtosis", "fm4": "FM4", "m6a": "M6A", "m8a": "M8A"}
 """What tables call the indicators of a mean turn."""
@@ -139,12 +140,13 @@ def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: f
     energy, found = best.turn.energy, best.turn.indicators
     (fm4, limit, _), (m6a, other, _) = found["fm4"], found["m6a"]
     shape = (
-        f"FM4 {fm4:.3g} (1 % of noise of the same spectrum exceeds {limit:.3g}), M6A {m6a:.3g} ({other:.3g})"
+        f"FM4 {number(fm4, 3)} (1 % of noise of the same spectrum exceeds {number(limit, 3)}), "
+        f"M6A {number(m6a, 3)} ({number(other, 3)})"
     )
     text = f"mean of {best.turn.averages} turns of {finding.shaft}: {shape}"
     degrees = f"{math.degrees(best.angle):.0f}°"
     share = (
-        f"{100.0 * energy.share:.0f} % of the energy of its residual lie in the angle of one tooth of "
+        f"{100.0 * energy.share:.0f} % of the energy of its residual lies in the angle of one tooth of "
         f"{' or '.join(best.gears)} ({100.0 / best.teeth:.2g} % if spread evenly; by chance: "
         f"{percent(energy.probability)})"
     )

@@ -123,7 +123,7 @@ def test_table(study: Study) -> str:
         )
     where = "at [Hz]" if math.isfinite(study.over.frequency) else "at order"
     head = ("shaft or bearing", "test", "channel", where, "value", "limit", "by chance", "result")
-    return plain_table(head, rows_html(rows, 3))
+    return plain_table(head, rows_html(rows, 2))
 
 
 def limit_table(study: Study, channel: str) -> str:
