@@ -57,6 +57,18 @@ def test_mean_forces_follow_from_the_torques(paper, law):
             assert done.channels[f"normal_force[{stage}{side}]"]["mean"] == pytest.approx(force, rel=4e-3)
 
 
+@pytest.mark.filterwarnings("ignore:profile shifts")
+def test_side_by_side_table_closes_along_the_shafts():
+    """Axial forces of the four shafts of a side are inner forces of its meshes: their sum is zero, to the
+    0.05 kN that one decimal leaves in each."""
+    lines = script("levels").table(1.2)
+    rows = [line.split()[-6::2] for line in lines if "axial" in line]
+    axial = np.array(rows, float)
+    assert axial.shape == (4, 3)
+    assert np.all(np.abs(axial) > 10.0)
+    assert np.abs(axial.sum(axis=0)).max() <= 4 * 0.05
+
+
 def test_penetration_of_stage_3_under_one_pair(paper):
     """861.2 kN on one pair: 0.853 mm, where the contact line of a single pair runs over the whole width."""
     still = {f"meshes.{m}.friction": None for m in paper.meshes}
