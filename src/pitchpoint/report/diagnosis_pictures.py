@@ -18,7 +18,7 @@ from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.turning_parts import Shaft
 from pitchpoint.report.diagnosis_places import GearTurn, gear_turns
 from pitchpoint.report.diagnosis_study import Study
-from pitchpoint.report.diagnosis_tables import HARMONICS, indicator_table
+from pitchpoint.report.diagnosis_tables import HARMONICS, indicator_tables
 from pitchpoint.viz.diagnosis_plots import Lines, in_hertz, line_places, plot_lines, plot_mean_turn
 from pitchpoint.viz.quantities import number, scale, span
 from pitchpoint.viz.report_page import Section
@@ -52,7 +52,7 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
         _add_envelope(section, study, channel, unit)
     if rows:
         section.add("<h3>Indicators of the mean turns</h3>")
-        section.add(indicator_table(rows, unit))
+        section.add(indicator_tables(rows, unit))
         section.add(f"<p>{ABOUT_INDICATORS}</p>")
 
 

@@ -57,7 +57,7 @@ def shaft_table(study: Study) -> str:
     head = (
         "shaft",
         "gears (teeth)",
-        "turns per turn of the reference",
+        "ratio",
         "[Hz]",
         "[rpm]",
         "turns in the record",
@@ -88,8 +88,8 @@ def mesh_table(study: Study) -> str:
         "teeth",
         "order",
         "[Hz]",
-        "seen in a channel",
-        f"lost of the first {HARMONICS} harmonics",
+        "seen",
+        f"lost of {HARMONICS} harmonics",
     )
     return plain_table(head, rows_html(rows, 2)) if rows else ""
 
@@ -105,25 +105,29 @@ def bearing_table(study: Study) -> str:
 
 
 def test_table(study: Study) -> str:
-    """Every test of every channel."""
-    rows = []
-    for e in study.diagnosis.evidence:
-        place = _rates(e.order, study.over.frequency)[0]
-        rows.append(
-            (
-                e.shaft if e.kind != "bearing" else e.gear,
-                what_is_tested(e),
-                e.channel,
-                f"{number(e.order, 5)}" if place == "–" else place,
-                f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
-                f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",
-                percent(e.probability),
-                "**found" if e.found else "",
-            )
-        )
+    """Every test, channel by channel."""
     where = "at [Hz]" if math.isfinite(study.over.frequency) else "at order"
-    head = ("shaft or bearing", "test", "channel", where, "value", "limit", "by chance", "result")
-    return plain_table(head, rows_html(rows, 2))
+    head = ("shaft or bearing", "test", where, "value", "limit", "by chance", "result")
+    body = []
+    for channel in study.over.signals:
+        if len(study.over.signals) > 1:
+            body.append(f'<tr><td colspan="{len(head)}"><b>{escape(channel)}</b></td></tr>')
+        mine = [e for e in study.diagnosis.evidence if e.channel == channel]
+        body += rows_html((_test_row(e, study.over.frequency) for e in mine), 2)
+    return plain_table(head, body)
+
+
+def _test_row(e: Evidence, hertz: float) -> tuple[str, ...]:
+    """One test in cells."""
+    return (
+        e.shaft if e.kind != "bearing" else e.gear,
+        what_is_tested(e),
+        _rates(e.order, hertz)[0] if math.isfinite(hertz) else number(e.order, 5),
+        f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
+        f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",
+        percent(e.probability).replace("less than", "<"),
+        "**found" if e.found else "",
+    )
 
 
 def limit_table(study: Study, channel: str) -> str:
@@ -150,46 +154,40 @@ def limit_table(study: Study, channel: str) -> str:
     return plain_table(head, rows_html(rows, 2))
 
 
-def indicator_table(turns: Sequence[GearTurn], unit: str) -> str:
+def indicator_tables(turns: Sequence[GearTurn], unit: str) -> str:
     """Indicators of mean turns, with what 1 % of noise of the same spectrum exceeds in brackets."""
     if not turns:
         return ""
     best = scale(unit, [float(row.turn.average.std()) for row in turns])
-    rows = []
+    levels, shapes = [], []
     for row in turns:
-        cells = []
-        for name in INDICATORS:
-            value, limit, part = row.turn.indicators[name]
-            mark = "**" if part < 0.01 else ""
-            cells.append(f"{mark}{number(value, 3)} ({number(limit, 3)})")
-        rows.append(
+        gear = f"{' or '.join(row.gears)} ({row.teeth})"
+        cells = {name: _against(*row.turn.indicators[name]) for name in INDICATORS}
+        levels.append(
             (
-                f"{' or '.join(row.gears)} ({row.teeth})",
+                gear,
+                row.shaft,
                 str(row.turn.averages),
                 number(float(row.turn.average.std()) * best.factor, 3),
                 number(float(row.turn.residual.std()) * best.factor, 3),
                 number(crest(row.turn), 3),
-                cells[0],
-                number(row.fm0, 3) if math.isfinite(row.fm0) else "–",
-                *cells[1:],
                 f"{number(100.0 * row.turn.energy.share, 2)} ({number(100.0 / row.teeth, 2)})",
             )
         )
+        fm0 = number(row.fm0, 3) if math.isfinite(row.fm0) else "–"
+        shapes.append((gear, row.shaft, fm0, *cells.values()))
     gaussian = [number(GAUSSIAN[name], 3) for name in INDICATORS]
-    rows.append(("Gaussian noise", "", "", "", "", gaussian[0], "", *gaussian[1:], ""))
-    first, *others = INDICATORS.values()
-    head = (
-        "gear (teeth)",
-        "turns",
-        best.title("rms"),
-        best.title("residual"),
-        "crest",
-        first,
-        "FM0",
-        *others,
-        "tooth energy [%]",
-    )
-    return plain_table(head, rows_html(rows, 1))
+    shapes.append(("Gaussian noise", "", "", *gaussian))
+    head = ("gear (teeth)", "shaft")
+    rms = (best.title("rms"), best.title("rms of residual"))
+    return plain_table(
+        (*head, "turns", *rms, "crest", "tooth energy [%]"), rows_html(levels, 2)
+    ) + plain_table((*head, "FM0", *INDICATORS.values()), rows_html(shapes, 2))
+
+
+def _against(value: float, limit: float, part: float) -> str:
+    """An indicator with its limit in brackets, bold where it is exceeded."""
+    return f"{'**' if part < 0.01 else ''}{number(value, 3)} ({number(limit, 3)})"
 
 
 def _amplitudes(e: Evidence, rms: float, unit: str) -> tuple[str, str]:
