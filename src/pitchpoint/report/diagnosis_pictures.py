@@ -15,6 +15,7 @@ from pitchpoint.analysis.envelope import band_envelope
 from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
 from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.shaft_tests import FEWEST_TURNS
 from pitchpoint.analysis.turning_parts import Shaft
 from pitchpoint.report.diagnosis_places import GearTurn, gear_turns
 from pitchpoint.report.diagnosis_study import Study
@@ -43,7 +44,9 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
         plot_lines(spectrum, _meshes(study, spectrum), unit=unit, quantity="amplitude", over=_axis(study)),
         f"Spectrum of {channel}, with the mesh lines of all gears and their harmonics up to {HARMONICS}.",
     )
-    rows = [row for s in study.parts.shafts for row in gear_turns(channel, s.name, over, study.parts)]
+    turns = [row for s in study.parts.shafts for row in gear_turns(channel, s.name, over, study.parts)]
+    # a mean of one or two turns still holds what all other shafts do
+    rows = [row for row in turns if row.turn.averages >= FEWEST_TURNS]
     for evidence in questions(study, channel):
         for view in _views(study, spectrum, evidence):
             _add_orders(section, study, spectrum, study.parts.shaft(evidence.shaft), view, unit)
@@ -64,7 +67,7 @@ def questions(study: Study, channel: str) -> list[Evidence]:
     if not found:
         return mine[:1]
     shafts = [f.shaft for f in found if f.channel == channel and f.kind != "bearing"]
-    return [next(e for e in mine if e.shaft == shaft) for shaft in dict.fromkeys(shafts)]
+    return [e for shaft in dict.fromkeys(shafts) for e in [e for e in mine if e.shaft == shaft][:1]]
 
 
 def _level(study: Study, channel: str, unit: str) -> str:
