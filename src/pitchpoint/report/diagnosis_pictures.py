@@ -197,9 +197,10 @@ def _add_turn(section: Section, study: Study, rows: list[GearTurn], e: Evidence,
     turns = [row for row in rows if row.shaft == e.shaft and set(row.gears) & set(gears)]
     if not turns:
         return
-    turn, known = min(turns, key=lambda row: row.turn.energy.probability), len(turns) == 1
-    local = any(f.shaft == e.shaft and f.kind == "local fault" for f in study.diagnosis.findings)
-    marked = local and turn.stands_out(study.diagnosis.false_alarm)
+    turn = min(turns, key=lambda row: row.turn.energy.probability)
+    mine = [f for f in study.diagnosis.findings if f.shaft == e.shaft and f.kind == "local fault"]
+    known = len(turns) == 1 and all(f.gears for f in mine)
+    marked = bool(mine) and turn.stands_out(study.diagnosis.false_alarm)
     figure = plot_mean_turn(
         turn.turn,
         unit=unit,

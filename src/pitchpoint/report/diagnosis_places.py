@@ -145,10 +145,11 @@ def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: f
     )
     text = f"mean of {best.turn.averages} turns of {finding.shaft}: {shape}"
     degrees = f"{math.degrees(best.angle):.0f}°"
+    # a finding that names no gear has no tooth of it either
+    where = f"one tooth of {' or '.join(best.gears)}" if finding.gears else f"a turn over {best.teeth}"
     share = (
-        f"{100.0 * energy.share:.0f} % of the energy of its residual lies in the angle of one tooth of "
-        f"{' or '.join(best.gears)} ({100.0 / best.teeth:.2g} % if spread evenly; by chance: "
-        f"{percent(energy.probability)})"
+        f"{100.0 * energy.share:.0f} % of the energy of its residual lies in the angle of {where} "
+        f"({100.0 / best.teeth:.2g} % if spread evenly; by chance: {percent(energy.probability)})"
     )
     if not best.stands_out(false_alarm):
         return f"{text}; {share}: that tells no single tooth"
