@@ -125,15 +125,10 @@ def _views(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[_View]:
     if e.kind == "low order":
         words = f"The lowest orders of {shaft.name}. Numbers are orders of the shaft."
         return [_View(SIDEBANDS + 1, 0, words)]
-    gears, same = _gears(study, e), (e.channel, e.shaft, "sidebands")
-    bands = [o for o in study.diagnosis.evidence if (o.channel, o.shaft, o.kind) == same and o.gear in gears]
-    bands.sort(key=lambda other: other.probability)
     found = []
-    for band in bands[:1]:
-        mesh, teeth = study.parts.gears_of(shaft.name)[band.gear]
-        harmonic = max(round(band.order / study.parts.mesh_order(mesh)), 1)
+    for mesh, teeth, harmonic in _sidebands(study, spectrum, e)[:1]:
         words = (
-            f"About harmonic {harmonic} of {mesh.name}. Numbers are those of its sidebands at the turns of "
+            f"About harmonic {harmonic} of {mesh}. Numbers are those of its sidebands at the turns of "
             f"{shaft.name}: what changes slowly over a turn raises the first of them, a local fault all."
         )
         found.append(_View(harmonic * teeth, harmonic * teeth, words))
@@ -146,6 +141,21 @@ def _views(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[_View]:
         # where both would lie in one picture, it is that of the sidebands
         if not found or abs(middle - found[0].middle) > SIDEBANDS:
             found.insert(0, _View(middle, 0, words))
+    return found
+
+
+def _sidebands(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[tuple[str, int, int]]:
+    """Meshes of the gears in question with tooth count and harmonic, the clearest first."""
+    gears, same = _gears(study, e), (e.channel, e.shaft, "sidebands")
+    tests = [o for o in study.diagnosis.evidence if (o.channel, o.shaft, o.kind) == same and o.gear in gears]
+    found = []
+    for test in sorted(tests, key=lambda other: other.probability):
+        mesh, teeth = study.parts.gears_of(e.shaft)[test.gear]
+        found.append((mesh.name, teeth, max(round(test.order / study.parts.mesh_order(mesh)), 1)))
+    # what was not tested is shown nevertheless, if the record holds it
+    for gear, (mesh, teeth) in study.parts.gears_of(e.shaft).items():
+        if gear in gears and _rate(study, study.parts.mesh_order(mesh)) < spectrum.highest:
+            found.append((mesh.name, teeth, 1))
     return found
 
 

@@ -58,7 +58,7 @@ def test_the_page_of_a_measured_file_names_gear_tooth_and_chance(
 def test_figures_have_axes_with_units_and_marked_lines(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    bearing = ["--bearing", "left:8,7.94mm,33.5mm,0deg@2"]
+    bearing = ["--bearing", "left:9,7.94mm,39.04mm,0deg@1"]  # 9/2 (1 - 7.94/39.04) 10 Hz = 35.85 Hz
     page, _ = page_of([rig_file(tmp_path), *TRAIN, *bearing], tmp_path, capsys)
     drawn = figures(page)
     titles = [(f["layout"]["xaxis"]["title"]["text"], f["layout"]["yaxis"]["title"]["text"]) for f in drawn]
@@ -67,7 +67,7 @@ def test_figures_have_axes_with_units_and_marked_lines(
     assert ("tooth pitches since the start of the record", "[m/s²]") in titles
     names = [trace["name"] for trace in drawn[0]["data"]]
     assert names == ["spectrum", "mesh 1, 320 Hz"]
-    assert any("left, outer ring, 10.28 Hz" in trace["name"] for trace in drawn[-1]["data"])
+    assert any("left, outer ring, 35.85 Hz" in trace["name"] for trace in drawn[-1]["data"])
     sidebands = next(
         f for f in drawn if any("+1" == note["text"] for note in f["layout"].get("annotations", ()))
     )
