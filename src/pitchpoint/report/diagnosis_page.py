@@ -33,7 +33,7 @@ def diagnosis_page(study: Study) -> str:
         section = Section(f"channel-{number + 1}", f"Channel {channel}")
         add_channel(section, study, channel)
         sections.append(section)
-    sections += [_tests(study), _limits(study), _untested(study)]
+    sections += [_tests(study), _limits(study), _remarks(study)]
     about = {row[0]: row for row in study.origin}
     facts = [
         ("file", Path(study.file).name),
@@ -64,6 +64,9 @@ def _answer(study: Study) -> Section:
         section.add(f"<p>{escape(_capital(place))}.</p>" if place else "")
     if not study.diagnosis.findings:
         section.add(f"<p>{NOT_HEALTHY}</p>")
+    if study.diagnosis.untested:
+        items = "".join(f"<li>{escape(text)}</li>" for text in study.diagnosis.untested)
+        section.add(f'<p>Not tested, so that nothing is known of it:</p><ul class="notes">{items}</ul>')
     return section
 
 
@@ -106,11 +109,10 @@ def _limits(study: Study) -> Section:
     return section
 
 
-def _untested(study: Study) -> Section:
-    section = Section("untested", "What could not be tested, and what else is to be known")
-    texts = list(dict.fromkeys([*study.diagnosis.untested, *study.remarks]))
-    if texts:
-        items = "".join(f"<li>{escape(text)}</li>" for text in texts)
+def _remarks(study: Study) -> Section:
+    section = Section("remarks", "What else is to be known")
+    if study.remarks:
+        items = "".join(f"<li>{escape(text)}</li>" for text in study.remarks)
         section.add(f'<ul class="notes">{items}</ul>')
     return section
 

@@ -85,6 +85,10 @@ def test_a_healthy_record_has_the_same_pictures_and_says_what_would_be_found(
     assert "does not say that the machine is healthy" in page
     assert "What would have been found" in page and "line at the limit" in page
     assert "FM4" not in printed
+    assert (
+        "Not tested, so that nothing is known of it:" in page
+        and "no test of the lowest orders of shaft 2" in page
+    )
     words = captions(page)
     assert "Spectrum of acc" in words and "Mean of" in words and "shaded" not in words
 
