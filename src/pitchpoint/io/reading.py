@@ -77,6 +77,13 @@ def read_channel(
         return file["time"][rows], file[name][rows]
 
 
+def read_units(path: str | os.PathLike[str]) -> dict[str, str]:
+    """Units of all variables of a result file, by name."""
+    with opened(path) as file:
+        found = {name: item.attrs.get("units", "") for name, item in file.items() if hasattr(item, "shape")}
+    return {name: u.decode("utf-8") if isinstance(u, bytes) else str(u) for name, u in found.items()}
+
+
 def read_blocks(path: str | os.PathLike[str], name: str) -> dict[str, np.ndarray]:
     """Read `time`, `min`, `max`, `mean` and `rms` of each block of a channel, shape (n_blocks,)."""
     with opened(path) as file:

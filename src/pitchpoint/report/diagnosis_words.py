@@ -148,6 +148,17 @@ def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]
     ]
 
 
+def unit_of(kind: str) -> str:
+    """Unit of the value of a test.
+
+    Examples
+    --------
+    >>> unit_of("comb"), unit_of("sidebands")
+    ('σ', 'dB')
+    """
+    return "σ" if kind == "comb" else "dB"
+
+
 def what_is_tested(e: Evidence) -> str:
     """A test in a few words."""
     if e.kind == "bearing":
