@@ -130,7 +130,7 @@ def local_turns(
 
 def one_gear(finding: Finding, turns: tuple[GearTurn, ...]) -> bool:
     """Whether all gears in question have one tooth count, so that teeth can be counted."""
-    return bool(finding.gears) and len(turns) == 1
+    return bool(finding.gears) and not finding.bearings and len(turns) == 1
 
 
 def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: float) -> str:
