@@ -127,7 +127,7 @@ def test_small_faults_add_up(one, two, law, beta):
 def test_power_of_combined_faults_closes(kind, beta, one, two, law, flank):
     """Free, tilted, rolling bodies, every tooth faulty: what the gears do to their bodies is what energy and
     losses account for. Curved contact lines between stations leave 2e-5 of the powers, cells that slanted
-    lines cross 1e-4, of wear, which is steep near base circles, 1e-3. Three points take x^1.5 to 1e-3."""
+    lines cross 1e-4, of wear, steep near base circles, 1e-3. Three points integrate x^1.5 to 1e-3."""
     losses = ", damping: {d_in: 2e4, d_out: 2e4}, damper: {value: 1e3}, friction: {mu: 0.08}"
     model = compiled(gears(kind, beta, "free", losses, "law: din3990"))[0]
     fault = tooth_fault(one, model)
