@@ -208,7 +208,7 @@ def test_a_tacho_of_two_levels_gives_no_sidebands() -> None:
     found = tracked_spectrum(x, shaft.angle, highest_order=40)
     beside = np.abs(np.abs(found.frequency - 32.0) - 25.0 / speed) < 0.1
     assert 20.0 * np.log10(found.amplitude[beside].max()) < -60.0
-    # a shaft that really turns to and fro, by more than the pulses are late, is followed nearer than one pulse is known
+    # a shaft that really turns to and fro, by more than pulses are late, is followed nearer than one of them
     swing = 0.01 * np.sin(TURN * speed * time)
     pulses = (np.mod(10.0 * (speed * time + swing / TURN), 1.0) < 0.5).astype(float)
     shaft = tacho_angle(pulses, time, pulses_per_revolution=10)
