@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How often `pitchpoint diagnose` is right about the rig of the PHM challenge, as docs/diagnosis.md counts.
 
-160 records of 2 s at four to eight speeds and two loads, noise 20 dB below the signal, a tacho of ten pulses
+152 records of 2 s at four to eight speeds and two loads, noise 20 dB below the signal, a tacho of ten pulses
 in a turn. A record is wrong if a part is named first that has no fault.
 """
 
