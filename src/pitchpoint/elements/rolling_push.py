@@ -18,8 +18,9 @@ def push_elements(b, c, s, share):
 
     c and s are cosine and sine of the azimuth of the first element, share is that of the cage.
     """
-    x = b["x"]
-    w = b["w"]
+    x0, x1, x2, x3, x4 = b["x"][0], b["x"][1], b["x"][2], b["x"][3], b["x"][4]
+    w0, w1, w2, w3, w4, w5 = b["w"][0], b["w"][1], b["w"][2], b["w"][3], b["w"][4], b["w"][5]
+    stiffness = b["stiffness"]
     half = 0.5 * b["pitch"]
     ca0 = b["ca"]
     sa0 = b["sa"]
@@ -36,8 +37,8 @@ def push_elements(b, c, s, share):
     f4 = 0.0
     f5 = 0.0
     for _k in range(b["n"]):
-        radial = x[0] * c + x[1] * s - gap
-        axial = x[2] - half * (x[3] * c + x[4] * s)
+        radial = x0 * c + x1 * s - gap
+        axial = x2 - half * (x3 * c + x4 * s)
         ca = ca0
         sa = sa0
         if A > 0.0:
@@ -45,8 +46,9 @@ def push_elements(b, c, s, share):
             q = A * sa0 + axial
             length = math.sqrt(p * p + q * q)
             d = length - A
-            ca = p / length
-            sa = q / length
+            inverse = 1.0 / length
+            ca = p * inverse
+            sa = q * inverse
         else:
             d = radial * ca0 + axial * sa0
         if d > 0.0:
@@ -54,11 +56,11 @@ def push_elements(b, c, s, share):
             g1 = ca * s
             g3 = -half * sa * c
             g4 = -half * sa * s
-            g5 = share * (ca * (x[1] * c - x[0] * s) + half * sa * (x[3] * s - x[4] * c))
-            rate = g0 * w[0] + g1 * w[1] + sa * w[2] + g3 * w[3] + g4 * w[4] + g5 * w[5]
+            g5 = share * (ca * (x1 * c - x0 * s) + half * sa * (x3 * s - x4 * c))
+            rate = g0 * w0 + g1 * w1 + sa * w2 + g3 * w3 + g4 * w4 + g5 * w5
             damped = 1.0 + chi * rate
             if damped > 0.0:
-                elastic = b["stiffness"] * (d * math.sqrt(d) if power == 1.5 else d**power)
+                elastic = stiffness * (d * math.sqrt(d) if power == 1.5 else d**power)
                 force = elastic * damped
                 f0 -= force * g0
                 f1 -= force * g1
