@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Named views, following a body, and the look into a mesh.
+import { Matrix4, Vector3 } from "three";
+
+export class Views {
+  /** @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit */
+  constructor(stage, orbit) {
+    this.stage = stage;
+    this.orbit = orbit;
+    this.body = -1;
+    this.turning = false;
+    this.anchor = new Matrix4();
+  }
+
+  get poses() {
+    return this.stage.pictures[0].poses;
+  }
+
+  /** Directions from the scene to the camera. */
+  directions() {
+    const axis = this.poses.axis().transformDirection(this.stage.seen);
+    const up = this.orbit.up;
+    const side = new Vector3().crossVectors(up, axis);
+    if (side.length() < 1e-3) side.crossVectors(new Vector3(1, 0, 0), axis);
+    if (side.length() < 1e-3) side.crossVectors(new Vector3(0, 0, 1), axis);
+    side.normalize();
+    const third = new Vector3().crossVectors(axis, side);
+    return { axis, front: side, top: third, iso: axis.clone().addScaledVector(side, 0.75).addScaledVector(third, 0.55) };
+  }
+
+  /** Distance from which a sphere fills the picture. @param {number} radius */
+  distanceFor(radius) {
+    const { camera } = this.stage;
+    const half = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(1, camera.aspect));
+    return radius / Math.sin(half);
+  }
+
+  /** @param {boolean} atOnce */
+  fit(atOnce = false) {
+    const { centre, radius } = this.stage.bounds();
+    this.orbit.look({ target: centre, distance: this.distanceFor(0.92 * radius) }, atOnce);
+  }
+
+  /** @param {"axis"|"front"|"top"|"iso"} name @param {boolean} atOnce */
+  named(name, atOnce = false) {
+    this.orbit.look({ direction: this.directions()[name] }, atOnce);
+    this.fit(atOnce);
+  }
+
+  /**
+   * Keep a body where it is in the picture.
+   * @param {number} body -1 none @param {boolean} turning also its rotation
+   */
+  follow(body, turning = this.turning) {
+    this.body = body;
+    this.turning = turning;
+    if (body < 0) {
+      // back to the world: the camera keeps its distance, what it looked at stays in the middle
+      const target = this.orbit.goal.target.clone().applyMatrix4(this.stage.seen.clone().invert());
+      this.stage.seen.identity();
+      this.anchor.identity();
+      this.orbit.look({ target }, true);
+      return;
+    }
+    this.anchor.multiplyMatrices(this.stage.seen, this.#frame());
+    this.orbit.changed();
+  }
+
+  #frame() {
+    const world = this.poses.world[this.body];
+    return this.turning ? world.clone() : new Matrix4().setPosition(new Vector3().setFromMatrixPosition(world));
+  }
+
+  /** The world as seen at the instant of the poses. */
+  update() {
+    if (this.body >= 0) this.stage.seen.multiplyMatrices(this.anchor, this.#frame().invert());
+  }
+
+  /** Middle of the followed body, closer. */
+  closeUp() {
+    if (this.body < 0) return;
+    const { solids } = this.stage.pictures[0];
+    const target = new Vector3().setFromMatrixPosition(this.poses.world[this.body]).applyMatrix4(this.stage.seen);
+    const radius = solids.reachOf(this.body);
+    this.orbit.look({ target, distance: radius > 0 ? this.distanceFor(1.15 * radius) : undefined });
+  }
+
+  /** The gear whose rim a point is nearest to: arrows of meshes count in the world and name no gear. @param {Vector3} point */
+  #gearAt(point) {
+    let best = null;
+    for (const part of this.stage.pictures[0].solids.parts) {
+      if (!part.solid.teeth) continue;
+      const frame = this.poses.ofSolid(part.solid);
+      const axis = new Vector3().setFromMatrixColumn(frame, 2);
+      const arm = point.clone().sub(new Vector3().setFromMatrixPosition(frame));
+      const radius = arm.addScaledVector(axis, -arm.dot(axis)).length();
+      const off = Math.abs(part.rim - radius) / part.rim;
+      if (!best || off < best.off) best = { off, axis, pitch: (2 * Math.PI * radius) / part.solid.teeth };
+    }
+    return best;
+  }
+
+  /**
+   * Along the axis of its gear on the point where a mesh acts.
+   * @param {any} arrow @returns {{point: Vector3, axis: Vector3}} in the world, for a section through it
+   */
+  intoMesh(arrow) {
+    const { poses, arrows } = this.stage.pictures[0];
+    const force = arrows.forces()[this.stage.pictures[0].data.arrows.indexOf(arrow)];
+    const gear = this.#gearAt(force.at);
+    const axis = gear ? gear.axis : poses.axis();
+    const pitch = gear ? gear.pitch : 0.1 * this.stage.bounds().radius;
+    this.orbit.look({
+      target: force.at.clone().applyMatrix4(this.stage.seen),
+      direction: axis.clone().transformDirection(this.stage.seen),
+      distance: (1.6 * pitch) / (2 * Math.tan((this.stage.camera.fov * Math.PI) / 360)),
+    });
+    return { point: force.at, axis };
+  }
+}
