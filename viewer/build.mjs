@@ -9,10 +9,27 @@ const here = dirname(fileURLToPath(import.meta.url));
 const notice = readFileSync(join(here, "LICENSES.txt"), "utf8").trim();
 if (notice.includes("*/")) throw new Error("LICENSES.txt would end the comment it becomes");
 
+/** three.js from its sources, so that what is not used stays out, and its shaders without comments and indents. */
+const lean = {
+  name: "lean-three",
+  setup(build) {
+    build.onLoad({ filter: /three\/src\/renderers\/shaders\/Shader(Chunk|Lib)\/.*\.glsl\.js$/ }, ({ path }) => {
+      const text = readFileSync(path, "utf8");
+      const contents = text.replace(/`([^`]*)`/g, (_, glsl) => {
+        const bare = glsl.replace(/\/\*[\s\S]*?\*\//g, "").replace(/\/\/.*$/gm, "");
+        return "`" + bare.replace(/^[ \t]+|[ \t]+$/gm, "").replace(/\n{2,}/g, "\n") + "`";
+      });
+      return { contents, loader: "js" };
+    });
+  },
+};
+
 const result = await build({
   absWorkingDir: here,
   entryPoints: ["src/main.js"],
   bundle: true,
+  alias: { three: join(here, "node_modules/three/src/Three.js") },
+  plugins: [lean],
   minify: true,
   write: false,
   format: "iife",

@@ -48,9 +48,7 @@ class Block:
         """The same in 16 bits."""
         columns = values.reshape(len(values), -1)
         low, step = columns.min(axis=0), np.ptp(columns, axis=0) / 65535
-        found = self.put(
-            np.rint((columns - low) / np.where(step > 0, step, 1)).reshape(values.shape), "u2"
-        )
+        found = self.put(np.rint((columns - low) / np.where(step > 0, step, 1)).reshape(values.shape), "u2")
         return {**found, "scale": step.tolist(), "offset": low.tolist()}
 
 
@@ -176,7 +174,9 @@ def gears(fine: int = 1, title: str = "Two gears", share: float = 1.0) -> tuple[
     ]  # fmt: skip
     starts = block.put(t[:-1:2])
 
-    def channel(name: str, label: str, unit: str, values: Array, shown: tuple[str, float], **more: Any) -> dict:
+    def channel(
+        name: str, label: str, unit: str, values: Array, shown: tuple[str, float], **more: Any
+    ) -> dict:
         pairs = values[:-1].reshape(-1, 2)
         return {
             "name": name, "label": label, "unit": unit, "shown_unit": shown[0], "scale": shown[1], "times": starts,
@@ -240,7 +240,9 @@ def crowd(number: int) -> tuple[dict[str, Any], Block]:
     return header, block
 
 
-def page_of(*texts: tuple[str, str], script: str = "", before: str = "", size: str = "1000px;height:650px") -> str:
+def page_of(
+    *texts: tuple[str, str], script: str = "", before: str = "", size: str = "1000px;height:650px"
+) -> str:
     """A page with scenes given as header and numbers in base64."""
     elements = "".join(
         f'<script type="application/json" id="pp-scene{mark}">{header}</script>'

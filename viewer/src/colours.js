@@ -27,7 +27,11 @@ export function colourOfForce(element, part) {
   return getComputedStyle(element).getPropertyValue(`--pp-force-${part}`).trim() || FORCE_DEFAULTS[part];
 }
 
-const CURVES = ["#3a7fc4", "#d9782d", "#2f9e62", "#8a68c4", "#d2484f", "#2296a0", "#a88a1e", "#8a8f98"];
+// Apart from the three of forces, of middle lightness: they stand out on white and on near-black alike.
+const CURVES = ["#3a8fd4", "#8a68c4", "#a88a1e", "#2296a0", "#d2484f", "#6b8e23", "#8a8f98"];
+
+/** @param {string} name of a channel */
+export const isForce = (name) => FORCES.some((part) => name.startsWith(`${part}_force`));
 
 /** Colour of a channel: that of its force part where its name says so. @param {Element} element @param {string} name @param {number} order */
 export function colourOfChannel(element, name, order) {

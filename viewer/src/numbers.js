@@ -18,6 +18,13 @@ function trim(text) {
   return text.includes(".") && !text.includes("e") ? text : plain;
 }
 
+/** Writes numbers with as many decimals as four digits of the largest have. @param {number} largest */
+export function fixed(largest) {
+  const decimals = largest > 0 ? 3 - Math.floor(Math.log10(largest)) : 0;
+  if (decimals > 9 || decimals < -6) return (value) => number(value, 4);
+  return (value) => value.toFixed(Math.max(0, decimals)).replace(/^-(0(\.0*)?)$/, "$1").replace("-", MINUS);
+}
+
 /** A force with the prefix that suits its size. @param {number} value [N or N m] @param {string} unit @param {number} scale value that decides the prefix */
 export function force(value, unit, scale = value) {
   const size = Math.abs(scale);

@@ -2,10 +2,10 @@
 // Curves below the scene: one plot a unit, bands between least and most, a cursor tied to the time of the scene.
 import uPlot from "uplot";
 import { button, el } from "./dom.js";
-import { colourOfChannel, colourOfMark } from "./colours.js";
-import { number } from "./numbers.js";
+import { colourOfChannel, colourOfMark, isForce } from "./colours.js";
+import { fixed } from "./numbers.js";
 
-const LOW = 104; // least height of a plot [px]
+const LOW = 84; // least height of a plot [px]
 
 /** Instants at which the pieces of a channel are drawn: their starts where each is one sample, else their middles. @param {any} channel */
 export function middles(channel) {
@@ -81,15 +81,15 @@ export class Plots {
     this.element.replaceChildren();
     const groups = this.#groups();
     this.ratio = window.devicePixelRatio || 1;
-    let order = 0;
+    // curves of force parts have their own colours, the others take turns
+    this.turns = [...groups.values()].flat().map(({ name }) => name).filter((name) => !isForce(name));
     for (const [unit, members] of groups) {
       const holder = el("div", { className: "ppv-plot" });
       const caption = el("div", { className: "ppv-caption" });
       const box = el("div", { className: "ppv-box" });
       holder.append(caption, box);
       this.element.append(holder);
-      const made = this.#plot(unit, members, order, box, caption);
-      order += members.length;
+      const made = this.#plot(unit, members, box, caption);
       this.drawn.push({ ...made, box });
     }
     if (!groups.size) this.element.append(el("p", { className: "ppv-none" }, this.order.length ? "Choose a curve." : "This scene has no curves."));
@@ -97,11 +97,11 @@ export class Plots {
     this.cursor(this.time);
   }
 
-  #plot(unit, members, order, box, caption) {
+  #plot(unit, members, box, caption) {
     const tables = [], series = [{}], bands = [], shows = [];
     const ink = getComputedStyle(this.element);
-    members.forEach(({ name, found }, m) => {
-      const colour = colourOfChannel(this.element, name, order + m);
+    members.forEach(({ name, found }) => {
+      const colour = colourOfChannel(this.element, name, this.turns.indexOf(name));
       const values = el("output", {});
       const first = found.find(Boolean);
       caption.append(
@@ -111,7 +111,9 @@ export class Plots {
             this.onRemove();
           })),
       );
-      shows.push({ values, found });
+      // as many decimals as four digits of the largest value have
+      const largest = Math.max(...found.filter(Boolean).map((channel) => (channel.scale ?? 1) * Math.max(...[channel.least, channel.most ?? channel.least].map(({ data }) => data.reduce((most, x) => Math.max(most, Math.abs(x)), 0)))));
+      shows.push({ values, found, digits: fixed(largest) });
       found.forEach((channel, result) => {
         if (!channel) return;
         const dash = result ? [6, 4] : undefined;
@@ -135,7 +137,7 @@ export class Plots {
       {
         width: 300,
         height: LOW,
-        padding: [6, 10, 0, 0],
+        padding: [6, 30, 0, 0],
         series,
         bands,
         legend: { show: false },
@@ -217,12 +219,12 @@ export class Plots {
       const x = plot.valToPos(t, "x");
       line.hidden = !(x >= -0.5 && x <= plot.over.clientWidth + 0.5);
       line.style.transform = `translateX(${x}px)`;
-      for (const { values, found } of shows) {
+      for (const { values, found, digits } of shows) {
         const text = found
           .filter(Boolean)
           .map((channel) => {
             const { least, most } = valueAt(channel, t);
-            return least === most ? number(least) : `${number(least)} … ${number(most)}`;
+            return least === most ? digits(least) : `${digits(least)} … ${digits(most)}`;
           })
           .join(" | ");
         if (values.textContent !== text) values.textContent = text;
@@ -242,7 +244,9 @@ function range(low, high) {
 function labels(splits, unit = "") {
   const most = Math.max(...splits.map(Math.abs));
   const step = splits.length > 1 ? Math.abs(splits[1] - splits[0]) : most;
-  const decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(step || 1) + 1e-9)));
+  let decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(step || 1) + 1e-9)));
+  // 2.5 has one more digit than 2
+  if (decimals < 12 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
   return splits.map((value, k) => {
     const text = most >= 1e6 || (most > 0 && most < 1e-4) ? value.toExponential(2) : value.toFixed(decimals);
     return (k === splits.length - 1 && unit ? `${text} ${unit}` : text).replace(/^-(0(\.0+)?)$/, "$1").replace("-", "\u2212");

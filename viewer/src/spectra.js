@@ -39,7 +39,7 @@ export class Spectra {
       {
         width: 300,
         height: 160,
-        padding: [6, 10, 0, 0],
+        padding: [6, 44, 0, 0],
         legend: { show: false },
         cursor: { points: { show: false }, y: false, drag: { x: true, y: false } },
         series: [{}, ...lines],

@@ -59,7 +59,7 @@ export class Transport {
         "div",
         { className: "ppv-transport" },
         this.play,
-        button("⏮\ufe0e", "To the start (Home)", () => does.seek(player.window[0])),
+        button("|◂", "To the start (Home)", () => does.seek(player.window[0])),
         button("◂", "One frame back (left arrow)", () => does.step(-1)),
         button("▸", "One frame on (right arrow)", () => does.step(1)),
         ...this.jump,
