@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import System
@@ -34,8 +33,8 @@ class Motion:
     angle
         Angle about the third axis, whole turns included, without those of parents, shape (n, nb) [rad].
     pitch_points, directions
-        World positions of the pitch points, shape (n, nm, 3) [m], and directions tangential, radial and axial of
-        the forces on gear 2, shape (n, nm, 3, 3), rows.
+        World positions of the pitch points, shape (n, nm, 3) [m], and directions tangential, radial and
+        axial of the forces on gear 2, shape (n, nm, 3, 3), rows.
     unknown
         Coordinates that the result does not hold.
     """
@@ -73,7 +72,8 @@ def motion(system: System, n: int, read: Callable[[str], Array | None], times: A
         for k, (coordinate, _) in enumerate(one.coordinates):
             name, dof = layout.bodies[b], int(body[b]["dof"]) + k
             spin = coordinate == "spin"
-            channel = f"angle[{name}]" if spin else f"displacement[{name}.{words.get(coordinate, coordinate)}]"
+            word = words.get(coordinate, coordinate)
+            channel = f"angle[{name}]" if spin else f"displacement[{name}.{word}]"
             values = read(channel)
             if values is None:
                 unknown.append(f"{name}.{coordinate}")
@@ -93,13 +93,12 @@ def motion(system: System, n: int, read: Callable[[str], Array | None], times: A
     )
     state = system.initial_state()
     spins = body["spin"]
+    spinning = np.flatnonzero(spins >= 0)
     for i in range(n):
         state.t = float(times[i])
         state.q[:] = q[i]
-        for b in np.flatnonzero(spins >= 0):
-            turns = round(q[i, spins[b]] / TWO_PI)
-            state.q[spins[b]] = q[i, spins[b]] - TWO_PI * turns
-            state.turns[b] = turns
+        state.turns[spinning] = np.rint(q[i, spins[spinning]] / TWO_PI)
+        state.q[spins[spinning]] -= TWO_PI * state.turns[spinning]
         evaluate.residual(system, state)
         frames = system.workspace.fr
         found.place[i], found.axes[i] = frames["r"], frames["R"]
@@ -121,6 +120,8 @@ def scene_bodies(system: System, moved: Motion, rest: Motion) -> list[SceneBody]
         Its motion over the frames of the scene, and at rest, one frame.
     """
     names, parents = system.layout.bodies, system.program["body"]["parent"]
+    from scipy.spatial.transform import Rotation
+
     guide = _guide(moved.angle)
     found: list[SceneBody] = []
     for b in range(1, len(names)):

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,7 +21,7 @@ from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.geometry.triangle_file import join_corners, placed_triangles, read_triangles
 from pitchpoint.model.frames import GROUND, frame, marker_of, split
 from pitchpoint.model.shafts import nearest_station, section_at, station_names
-from pitchpoint.viz.scene import SceneSolid
+from pitchpoint.viz.scene import SceneSolid, Skin
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
@@ -50,12 +51,13 @@ def scene_solids(model: Model, bodies: dict[str, int]) -> tuple[list[SceneSolid]
     """
     found: list[SceneSolid] = []
     notes: list[str] = []
+    thinner = thinning(model)
     for name, gear in model.gears.items():
         seat = _seat(model, name)
         if seat is None:
             continue
         try:
-            corners = gear_triangles(gear)
+            corners = gear_triangles(gear, thinner.get(name, 0.0))
         except GeometryError as error:
             notes.append(f"gear {name} is not drawn: {error}")
             continue
@@ -77,9 +79,34 @@ def scene_solids(model: Model, bodies: dict[str, int]) -> tuple[list[SceneSolid]
     return found, notes
 
 
-def gear_triangles(gear: Gear) -> Array:
-    """Triangles of a gear with its blank, middle plane z = 0, tooth 0 on the x axis, shape (n, 3, 3) [m]."""
+def thinning(model: Model) -> dict[str, float]:
+    """Normal tooth thickness that drawn gears lack so that meshes show the backlash that is given [m].
+
+    By gear, at the reference circle; half of a mesh's part each, and of a gear in several meshes the largest.
+    The backlash follows the thickness as in `geometry.backlash.backlash_at`.
+    """
+    found: dict[str, float] = {}
+    for name, mesh in model.meshes.items():
+        pair = model.pairs[name]
+        more = model.backlash(name) - pair.j_bt
+        half = 0.5 * more * math.cos(pair.gear1.beta) / math.cos(pair.gear1.alpha_t)
+        for gear in mesh.gears:
+            found[gear] = max(found.get(gear, half), half)
+    return found
+
+
+def gear_triangles(gear: Gear, thinner: float = 0.0) -> Array:
+    """Triangles of a gear with its blank, middle plane z = 0, tooth 0 on the x axis, shape (n, 3, 3) [m].
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    thinner
+        Normal thickness that its teeth lack [m].
+    """
     shape = gear.geometry
+    shape = replace(shape, thickness_allowance=shape.thickness_allowance - thinner)
     slices = 1
     if shape.beta != 0.0:
         slices = max(2, math.ceil(abs(2.0 * math.tan(shape.beta) / shape.d * shape.b) / TWIST))
@@ -147,10 +174,7 @@ def _shaft(model: Model, name: str, bodies: dict[str, int]) -> SceneSolid:
         body=bodies[name],
         points=points,
         triangles=found.triangles,
-        between=[bodies[s] for s in stations],
-        first=first.astype(np.int64),
-        second=(first + 1).astype(np.int64),
-        weight=weight,
+        skin=Skin([bodies[s] for s in stations], first, first + 1, weight),
     )
 
 

@@ -51,6 +51,26 @@ class SceneBody:
     ratio: float = 1.0
 
 
+@dataclass(frozen=True)
+class Skin:
+    """How a solid follows several bodies.
+
+    Attributes
+    ----------
+    bodies
+        Numbers of the bodies; points of the solid are in the frame at rest of the first of them.
+    first, second
+        The two in this list between which each point lies, shape (n,).
+    weight
+        Part of the second, shape (n,), 0 to 1.
+    """
+
+    bodies: Sequence[int]
+    first: Indices
+    second: Indices
+    weight: Array
+
+
 @dataclass(frozen=True, kw_only=True)
 class SceneSolid:
     """Triangles on a body.
@@ -62,16 +82,16 @@ class SceneSolid:
     body
         Number of the body.
     points, triangles
-        Corners, shape (n, 3) [m], in the frame of the body; triangles, shape (m, 3), counter-clockwise from outside.
+        Corners, shape (n, 3) [m], in the frame of the body; triangles, shape (m, 3), counter-clockwise seen
+        from outside.
     teeth
         Number of teeth of a gear, 0 for others.
     see_through
         Whether what lies behind it shall be seen.
     creases
         Angle above which an edge is sharp [deg].
-    between
-        Bodies between which the solid bends, with `first`, `second`, shape (n,), the two of every point in
-        this list, and `weight`, shape (n,), of the second; empty for rigid solids.
+    skin
+        How it bends between several bodies; none for rigid solids.
     """
 
     name: str
@@ -82,10 +102,7 @@ class SceneSolid:
     teeth: int = 0
     see_through: bool = False
     creases: float = 35.0
-    between: Sequence[int] = ()
-    first: Indices | None = None
-    second: Indices | None = None
-    weight: Array | None = None
+    skin: Skin | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

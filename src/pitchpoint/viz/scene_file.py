@@ -79,7 +79,7 @@ def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
 
 
 def scene_texts(scene: Scene) -> tuple[str, str]:
-    """Header as JSON and numbers as base64 of gzip, ready for the elements of a page; the same bits each time."""
+    """Header as JSON, and numbers as base64 of gzip, for the elements of a page; the same bits each time."""
     header, data = scene_parts(scene)
     text = json.dumps(header, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     packed = gzip.compress(data, compresslevel=9, mtime=0)
@@ -149,12 +149,12 @@ def _solid(solid: SceneSolid, block: _Block) -> dict[str, Any]:
     }
     if solid.teeth:
         found["teeth"] = solid.teeth
-    if len(solid.between):
+    if solid.skin is not None:
         found["skin"] = {
-            "bodies": list(solid.between),
-            "first": block.put(solid.first, "u2"),
-            "second": block.put(solid.second, "u2"),
-            "weight": block.put(solid.weight, "f4"),
+            "bodies": list(solid.skin.bodies),
+            "first": block.put(solid.skin.first, "u2"),
+            "second": block.put(solid.skin.second, "u2"),
+            "weight": block.put(solid.skin.weight, "f4"),
         }
     return found
 
