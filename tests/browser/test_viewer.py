@@ -47,14 +47,20 @@ LISTEN = """
 # waits for pictures are kept short: software drawing takes a tenth of a second each
 PROBE = """
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
-  const press = (key, on = document.body) => on.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true}));
+  const press = (key, on = document.body) => on.dispatchEvent(new KeyboardEvent("keydown", {key,
+    bubbles: true, cancelable: true}));
   const V = pitchpointViewer, S = () => V.state(), $ = (what) => document.querySelector(what);
-  const named = (text) => [...document.querySelectorAll(".ppv-tools button")].find((b) => b.textContent === text);
+  const named = (text) => [...document.querySelectorAll(".ppv-tools button")].find((b) =>
+    b.textContent === text);
   mounted.then(async (fine) => {
     const say = (found) => { $("#found").textContent = JSON.stringify({fine, errors, found}); };
-    try { say(await (async () => { %s })()); } catch (error) { errors.push(String(error.stack)); say(null); }
+    try { say(await (async () => { %s })()); } catch (error) { errors.push(String(error.stack));
+    say(null); }
   });
 """
+
+
+STATES = "const out = []; for (const t of %s) { V.seek(t); V.draw(); out.push(S()); } return out;"
 
 
 def probed(
@@ -109,7 +115,7 @@ def pair() -> tuple[str, str]:
 def test_bodies_are_where_the_numbers_put_them(tmp_path: Path, pair: tuple[str, str]) -> None:
     """At a frame, and half-way between two: angles and displacements are straight lines there."""
     times = [float(TIMES[210]), float(0.5 * (TIMES[333] + TIMES[334]))]
-    script = f"const out = []; for (const t of {times}) {{ V.seek(t); V.draw(); out.push(S()); }} return out;"
+    script = STATES % times
     found = fine(probed(tmp_path, script, pair))
     for t, state in zip(times, found, strict=True):
         assert state["time"] == t and state["message"] is None
@@ -141,7 +147,7 @@ def test_magnified_vibrations_leave_the_turning_alone(tmp_path: Path, pair: tupl
 
 def test_arrows_follow_the_force(tmp_path: Path, pair: tuple[str, str]) -> None:
     times = [float(TIMES[k]) for k in (0, 60, 300, 450, 540)]
-    script = f"const out = []; for (const t of {times}) {{ V.seek(t); V.draw(); out.push(S()); }} return out;"
+    script = STATES % times
     longest = []
     for t, state in zip(times, fine(probed(tmp_path, script, pair)), strict=True):
         mesh, bearing = state["pictures"][0]["arrows"]
@@ -168,7 +174,8 @@ def test_arrows_follow_the_force(tmp_path: Path, pair: tuple[str, str]) -> None:
 def test_legend_says_what_the_arrows_are_worth(tmp_path: Path, pair: tuple[str, str]) -> None:
     script = """
       V.seek(0.06); V.draw();
-      const rows = [...document.querySelectorAll(".ppv-legend tbody tr")].map((row) => row.innerText.split("\\t"));
+      const rows = [...document.querySelectorAll(".ppv-legend tbody tr")].map((row) =>
+        row.innerText.split("\\t"));
       named("Forces").click();
       $(".ppv-panel input[type=checkbox]").click(); V.draw();
       const hidden = document.querySelector(".ppv-legend tbody tr").hidden;
@@ -188,14 +195,19 @@ def test_legend_says_what_the_arrows_are_worth(tmp_path: Path, pair: tuple[str, 
 def test_keys_and_buttons_move_time(tmp_path: Path, pair: tuple[str, str]) -> None:
     script = """
       const out = {};
-      V.seek(0.03); press("ArrowRight"); out.on = S().frame; press("ArrowLeft"); press("ArrowLeft"); out.back = S().frame;
+      V.seek(0.03); press("ArrowRight"); out.on = S().frame; press("ArrowLeft"); press("ArrowLeft");
+      out.back = S().frame;
       press("Home"); out.home = S().time; press("End"); out.end = S().time;
-      V.seek(0); press("]"); out.mark = S().time; press("]"); out.second = S().time; press("["); out.first = S().time;
-      const before = S().speed; press("+"); out.faster = S().speed / before; press("-"); press("-"); out.slower = S().speed / before;
-      $(".ppv-play").click(); out.playing = S().playing; await wait(700); out.ran = S().time; press(" "); out.paused = S().playing;
+      V.seek(0); press("]"); out.mark = S().time; press("]"); out.second = S().time; press("[");
+      out.first = S().time;
+      const before = S().speed; press("+"); out.faster = S().speed / before; press("-"); press("-");
+      out.slower = S().speed / before;
+      $(".ppv-play").click(); out.playing = S().playing; await wait(700); out.ran = S().time; press(" ");
+      out.paused = S().playing;
       out.label = $(".ppv-play").getAttribute("aria-label");
       V.seek(0.05); await wait(300);
-      out.unnamed = [...document.querySelectorAll(".ppv button, .ppv input")].filter((b) => !b.title && !b.getAttribute("aria-label") && !b.closest("label")).length;
+      out.unnamed = [...document.querySelectorAll(".ppv button, .ppv input")].filter((b) => !b.title
+        && !b.getAttribute("aria-label") && !b.closest("label")).length;
       out.words = $(".ppv-now").textContent;
       press("s"); out.section = S().section.on; press("m"); out.larger = S().pictures[0].magnification;
       press("2"); out.followed = S().following; press("0"); out.none = S().following;
@@ -215,7 +227,8 @@ def test_loops_last_one_turn_or_one_mesh_cycle(tmp_path: Path, pair: tuple[str, 
     script = """
       const out = [];
       V.seek(0.01);
-      for (const what of ["turn", "cycle"]) { const wrong = V.repeat(what); out.push([wrong, ...S().window]); }
+      for (const what of ["turn", "cycle"]) { const wrong = V.repeat(what);
+      out.push([wrong, ...S().window]); }
       V.follow(1); const wrong = V.repeat("cycle"); out.push([wrong, ...S().window]);
       V.play(); for (let k = 0; k < 5; k++) { await wait(150); out.push(S().time); }
       return out;
@@ -233,15 +246,18 @@ def test_cursor_and_time_are_linked_both_ways(tmp_path: Path, pair: tuple[str, s
       const out = {};
       V.seek(0.05); await wait(100); out.state = S();
       const over = $(".u-over"), box = over.getBoundingClientRect();
-      const at = (share, type) => over.dispatchEvent(new PointerEvent(type, {bubbles: true, button: 0, pointerId: 1,
+      const at = (share, type) => over.dispatchEvent(new PointerEvent(type, {bubbles: true, button: 0,
+        pointerId: 1,
         clientX: box.left + share * box.width, clientY: box.top + 20}));
       over.setPointerCapture = () => {};
       at(0.25, "pointerdown"); out.clicked = S().time; at(0.75, "pointermove"); out.dragged = S().time;
       at(0.75, "pointerup"); at(0.1, "pointermove"); out.released = S().time;
       V.show("speed[pinion]"); out.shown = S().channels; out.plots = S().cursor.length;
       V.show("speed[pinion]", false); out.fewer = S().cursor.length;
-      const search = $(".ppv-picker input"); search.value = "RADIAL stage"; search.dispatchEvent(new Event("input"));
-      const list = [...document.querySelectorAll(".ppv-list button")]; out.list = list.map((b) => b.textContent);
+      const search = $(".ppv-picker input"); search.value = "RADIAL stage";
+      search.dispatchEvent(new Event("input"));
+      const list = [...document.querySelectorAll(".ppv-list button")];
+      out.list = list.map((b) => b.textContent);
       list[0].click(); out.added = S().channels; out.together = S().cursor.length;
       return out;
     """

@@ -137,18 +137,26 @@ def gears(fine: int = 1, title: str = "Two gears", share: float = 1.0) -> tuple[
     def solid(name: str, kind: str, body: int, shape: tuple[Array, NDArray[np.int64]], **more: Any) -> dict:
         points, triangles = shape
         return {
-            "name": name, "kind": kind, "body": body, "creases": 35, "see_through": False,
-            "points": block.put(points, "f4"), "triangles": block.put(triangles, "u4"), **more,
-        }  # fmt: skip
+            "name": name,
+            "kind": kind,
+            "body": body,
+            "creases": 35,
+            "see_through": False,
+            "points": block.put(points, "f4"),
+            "triangles": block.put(triangles, "u4"),
+            **more,
+        }
 
     outlines = (toothed(TEETH[0], 0.0), toothed(TEETH[1], np.pi / TEETH[1] + np.pi))
     long, length = extruded(circle(0.016), 0.006, 0.16, 16), 0.16
     long[0][:, 2] += 0.06
     weight = np.clip(long[0][:, 2] / 0.12, 0.0, 1.0)
     skin = {
-        "bodies": [1, 2], "first": block.put(0 * weight, "u2"), "second": block.put(0 * weight + 1, "u2"),
+        "bodies": [1, 2],
+        "first": block.put(0 * weight, "u2"),
+        "second": block.put(0 * weight + 1, "u2"),
         "weight": block.put(weight, "f4"),
-    }  # fmt: skip
+    }
     solids = [
         solid("Z1", "gear", 0, extruded(outlines[0], 0.014, WIDTH, fine), teeth=TEETH[0]),
         solid("Z2", "gear", 1, extruded(outlines[1], 0.016, WIDTH, fine), teeth=TEETH[1]),
@@ -163,15 +171,25 @@ def gears(fine: int = 1, title: str = "Two gears", share: float = 1.0) -> tuple[
     full = share * float(np.linalg.norm(list(FORCE.values()))) * load(t).max()
     arrows = [
         {
-            "name": "stage_1", "kind": "mesh", "body": -1, "at": block.put([point], "f4"), "unit": "N",
-            "components": {part: coarse(value) for part, value in parts.items()}, "size": full,
+            "name": "stage_1",
+            "kind": "mesh",
+            "body": -1,
+            "at": block.put([point], "f4"),
+            "unit": "N",
+            "components": {part: coarse(value) for part, value in parts.items()},
+            "size": full,
             "state": block.put(np.where(load(t) > 0, np.where(t < LENGTH / 10, 255, 1), 0), "u1"),
         },
         {
-            "name": "bearing_a", "kind": "bearing", "body": 2, "at": block.put([[0, 0, 0]], "f4"), "unit": "N",
-            "components": {part: coarse(-0.5 * value) for part, value in parts.items()}, "size": full / 2,
+            "name": "bearing_a",
+            "kind": "bearing",
+            "body": 2,
+            "at": block.put([[0, 0, 0]], "f4"),
+            "unit": "N",
+            "components": {part: coarse(-0.5 * value) for part, value in parts.items()},
+            "size": full / 2,
         },
-    ]  # fmt: skip
+    ]
     starts = block.put(t[:-1:2])
 
     def channel(
@@ -179,43 +197,76 @@ def gears(fine: int = 1, title: str = "Two gears", share: float = 1.0) -> tuple[
     ) -> dict:
         pairs = values[:-1].reshape(-1, 2)
         return {
-            "name": name, "label": label, "unit": unit, "shown_unit": shown[0], "scale": shown[1], "times": starts,
-            "least": block.coarse(pairs.min(axis=1)), "most": block.coarse(pairs.max(axis=1)), **more,
-        }  # fmt: skip
+            "name": name,
+            "label": label,
+            "unit": unit,
+            "shown_unit": shown[0],
+            "scale": shown[1],
+            "times": starts,
+            "least": block.coarse(pairs.min(axis=1)),
+            "most": block.coarse(pairs.max(axis=1)),
+            **more,
+        }
 
     force = share * FORCE["circumferential"] * load(t) * (1 + 0.05 * np.sin(2 * np.pi * 600 * t))
     channels = [
-        channel("circumferential_force[stage_1]", "circumferential force, stage_1", "N", force, ("kN", 1e-3), first=True),
+        channel(
+            "circumferential_force[stage_1]",
+            "circumferential force, stage_1",
+            "N",
+            force,
+            ("kN", 1e-3),
+            first=True,
+        ),
         channel("position_y[wheel]", "displacement y, wheel", "m", shake, ("µm", 1e6), first=True),
         channel("radial_force[stage_1]", "radial force, stage_1", "N", 0.364 * force, ("kN", 1e-3)),
         channel("speed[pinion]", "speed, pinion", "rad/s", 0 * t + SPEED, ("rpm", 30 / np.pi)),
-    ]  # fmt: skip
+    ]
     frequency = np.linspace(0.0, 2000.0, 400)
     amplitude = 1e3 / (1 + (frequency - 600.0) ** 2 / 50) + 0.1
     modes = [
         {
-            "name": "bending", "frequency": 412.5, "damping": 0.02,
-            "position": block.put([[[0, 0, 0], [0, 0, 0]], [[0, 1, 0], [0, 0, 0]], [[0, -2, 0], [0, 0.5, 0]]]),
+            "name": "bending",
+            "frequency": 412.5,
+            "damping": 0.02,
+            "position": block.put(
+                [[[0, 0, 0], [0, 0, 0]], [[0, 1, 0], [0, 0, 0]], [[0, -2, 0], [0, 0.5, 0]]]
+            ),
             "turn": block.put(np.zeros((3, 2, 3))),
         },
         {
-            "name": "torsion", "frequency": 1210.0, "damping": 0.01, "position": block.put(np.zeros((3, 2, 3))),
+            "name": "torsion",
+            "frequency": 1210.0,
+            "damping": 0.01,
+            "position": block.put(np.zeros((3, 2, 3))),
             "turn": block.put([[[0, 0, 1], [0, 0, 0]], [[0, 0, 0.4], [0, 0, 0]], [[0, 0, 0.3], [0, 0, 0]]]),
         },
-    ]  # fmt: skip
+    ]
     header = {
-        "format": "pitchpoint-scene-1", "title": title, "subtitle": f"scenario rated, {LENGTH} s", "up": [0, 1, 0],
-        "bodies": bodies, "solids": solids, "times": block.put(t), "arrows": arrows, "channels": channels,
-        "spectra": [{
-            "channel": "circumferential_force[stage_1]", "frequency": block.put(frequency),
-            "amplitude": block.put(amplitude), "unit": "N",
-        }],
+        "format": "pitchpoint-scene-1",
+        "title": title,
+        "subtitle": f"scenario rated, {LENGTH} s",
+        "up": [0, 1, 0],
+        "bodies": bodies,
+        "solids": solids,
+        "times": block.put(t),
+        "arrows": arrows,
+        "channels": channels,
+        "spectra": [
+            {
+                "channel": "circumferential_force[stage_1]",
+                "frequency": block.put(frequency),
+                "amplitude": block.put(amplitude),
+                "unit": "N",
+            }
+        ],
         "marks": [
             {"time": 0.02, "kind": "impact", "what": "stage_1"},
             {"time": 0.8 * LENGTH, "kind": "contact_loss", "what": "stage_1"},
         ],
-        "modes": modes, "notes": ["not in the result, drawn at rest: brake"],
-    }  # fmt: skip
+        "modes": modes,
+        "notes": ["not in the result, drawn at rest: brake"],
+    }
     return header, block
 
 
@@ -233,10 +284,20 @@ def crowd(number: int) -> tuple[dict[str, Any], Block]:
         bodies.append({"name": f"b{k}", "parent": -1, "place": place, "axes": [0, 0, 0, 1], "gross": gross})
         solids.append({"name": f"box{k}", "kind": "body", "body": k, "see_through": False, **shape})
     header = {
-        "format": "pitchpoint-scene-1", "title": "Many", "subtitle": "", "up": [0, 1, 0], "bodies": bodies,
-        "solids": solids, "times": block.put(t), "arrows": [], "channels": [], "spectra": [], "marks": [],
-        "modes": [], "notes": [],
-    }  # fmt: skip
+        "format": "pitchpoint-scene-1",
+        "title": "Many",
+        "subtitle": "",
+        "up": [0, 1, 0],
+        "bodies": bodies,
+        "solids": solids,
+        "times": block.put(t),
+        "arrows": [],
+        "channels": [],
+        "spectra": [],
+        "marks": [],
+        "modes": [],
+        "notes": [],
+    }
     return header, block
 
 
