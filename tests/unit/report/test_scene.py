@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes of results: bodies stand where the kernels have them, teeth mesh, forces hold the gears in balance."""
+"""Scenes of results: bodies where the kernels have them, teeth that mesh, forces in balance."""
 
 from __future__ import annotations
 
@@ -175,7 +175,8 @@ scenarios:
 
 
 def test_planets_go_round_with_their_carrier():
-    """Willis: at a fixed ring the carrier turns 24/(24 + 60) as fast as the sun; the planet keeps its distance."""
+    """Willis: at a fixed ring the carrier turns 24/(24 + 60) as fast as the sun; its planet keeps its
+    distance."""
     scene, system, result = seen(CARRIER)
     planet = scene.header["bodies"][scene.body("planet")]
     assert scene.header["bodies"][planet["parent"]]["name"] == "carrier"
