@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces as arrows: three parts in three colours at one point, drawn over the solids so that none is hidden.
-import { BufferGeometry, ConeGeometry, CylinderGeometry, Float32BufferAttribute, Matrix4, Mesh, MeshLambertMaterial, Quaternion, SphereGeometry, Vector3 } from "three";
+import {
+  BufferGeometry,
+  ConeGeometry,
+  CylinderGeometry,
+  Float32BufferAttribute,
+  Matrix4,
+  Mesh,
+  MeshLambertMaterial,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+} from "three";
 import { FORCES, STATES, colourOfForce } from "./colours.js";
 import { lerp } from "./frames.js";
 import { Z } from "./poses.js";
@@ -37,9 +48,12 @@ export class Arrows {
     this.hidden = false;
     const shape = arrowShape();
     const ball = new SphereGeometry(0.5, 14, 10);
-    const lit = (colour) => new MeshLambertMaterial({ color: colour, emissive: colour, emissiveIntensity: 0.35 });
+    const lit = (colour) =>
+      new MeshLambertMaterial({ color: colour, emissive: colour, emissiveIntensity: 0.35 });
     const materials = Object.fromEntries(FORCES.map((part) => [part, lit(colourOfForce(element, part))]));
-    this.states = Object.fromEntries(Object.entries(STATES).map(([state, { colour }]) => [state, lit(colour)]));
+    this.states = Object.fromEntries(
+      Object.entries(STATES).map(([state, { colour }]) => [state, lit(colour)]),
+    );
     const add = (geometry, material) => {
       const mesh = new Mesh(geometry, material);
       mesh.matrixAutoUpdate = false;
@@ -47,7 +61,9 @@ export class Arrows {
       return mesh;
     };
     this.drawn = this.arrows.map((arrow) => ({
-      parts: Object.fromEntries(FORCES.filter((part) => arrow.components?.[part]).map((part) => [part, add(shape, materials[part])])),
+      parts: Object.fromEntries(
+        FORCES.filter((part) => arrow.components?.[part]).map((part) => [part, add(shape, materials[part])]),
+      ),
       ball: arrow.state ? add(ball, this.states[0]) : null,
     }));
     // One scale for all, so that arrows can be compared by eye.
@@ -66,7 +82,8 @@ export class Arrows {
       const frame = arrow.body < 0 ? null : this.poses.still[arrow.body];
       const at = new Vector3(lerp(arrow.at, where, 0), lerp(arrow.at, where, 1), lerp(arrow.at, where, 2));
       if (frame) at.applyMatrix4(frame);
-      const vectors = {}, values = {};
+      const vectors = {},
+        values = {};
       const sum = new Vector3();
       for (const part of FORCES) {
         const table = arrow.components?.[part];
@@ -74,14 +91,23 @@ export class Arrows {
         const vector = new Vector3(lerp(table, where, 0), lerp(table, where, 1), lerp(table, where, 2));
         values[part] = vector.length();
         sum.add(vector);
-        if (frame) TURN.extractRotation(frame), vector.applyMatrix4(TURN);
+        if (frame) (TURN.extractRotation(frame), vector.applyMatrix4(TURN));
         vectors[part] = vector;
       }
       // states do not blend: that of the frame before counts
       const row = arrow.state ? (where.share === 1 ? where.low + 1 : where.low) : 0;
       const byte = arrow.state ? arrow.state.data[arrow.state.count > 1 ? row : 0] : null;
       const state = byte === 255 ? -1 : byte;
-      return { name: arrow.name, kind: arrow.kind, unit: arrow.unit ?? "N", state, vectors, values, at, total: sum.length() };
+      return {
+        name: arrow.name,
+        kind: arrow.kind,
+        unit: arrow.unit ?? "N",
+        state,
+        vectors,
+        values,
+        at,
+        total: sum.length(),
+      };
     });
   }
 
@@ -99,7 +125,11 @@ export class Arrows {
         if (!mesh.visible) continue;
         const width = Math.min(thick, 0.5 * length);
         DIRECTION.copy(vector).normalize();
-        mesh.matrix.compose(force.at, TURNED.setFromUnitVectors(Z, DIRECTION), SIZE.set(width, width, length));
+        mesh.matrix.compose(
+          force.at,
+          TURNED.setFromUnitVectors(Z, DIRECTION),
+          SIZE.set(width, width, length),
+        );
       }
       if (!ball) return;
       ball.visible = on;

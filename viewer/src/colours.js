@@ -15,7 +15,13 @@ export const STATES = {
 
 // Mates differ in hue, never by much: arrows are what should stand out.
 const GEARS = ["#93a9c1", "#c1ab8b", "#93b5a0", "#ad9fc2", "#c4a0a0", "#8cb0bb"];
-const KINDS = { shaft: "#b3b9bf", bearing: "#6b7885", housing: "#9fb3c6", carrier: "#b9b39c", body: "#a9b6c0" };
+const KINDS = {
+  shaft: "#b3b9bf",
+  bearing: "#6b7885",
+  housing: "#9fb3c6",
+  carrier: "#b9b39c",
+  body: "#a9b6c0",
+};
 
 /** @param {string} kind @param {number} order which of its kind */
 export function colourOfPart(kind, order) {

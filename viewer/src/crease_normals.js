@@ -15,9 +15,15 @@ export function creaseNormals(points, triangles, creases = 40) {
   const area = new Float64Array(faces);
   for (let f = 0; f < faces; f++) {
     const [a, b, c] = [3 * triangles[3 * f], 3 * triangles[3 * f + 1], 3 * triangles[3 * f + 2]];
-    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
-    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
-    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    const ux = points[b] - points[a],
+      uy = points[b + 1] - points[a + 1],
+      uz = points[b + 2] - points[a + 2];
+    const vx = points[c] - points[a],
+      vy = points[c + 1] - points[a + 1],
+      vz = points[c + 2] - points[a + 2];
+    const nx = uy * vz - uz * vy,
+      ny = uz * vx - ux * vz,
+      nz = ux * vy - uy * vx;
     const size = Math.hypot(nx, ny, nz);
     area[f] = size;
     if (size) face.set([nx / size, ny / size, nz / size], 3 * f);
@@ -31,13 +37,17 @@ export function creaseNormals(points, triangles, creases = 40) {
   for (let k = 0; k < triangles.length; k++) around[fill[triangles[k]]++] = k;
 
   const least = Math.cos((creases * Math.PI) / 180);
-  const outPoints = [], outNormals = [], outSource = [];
+  const outPoints = [],
+    outNormals = [],
+    outSource = [];
   const index = new Uint32Array(triangles.length);
   for (let p = 0; p < count; p++) {
     const made = [];
     for (let i = starts[p]; i < starts[p + 1]; i++) {
       const f = 3 * ((around[i] / 3) | 0);
-      let nx = 0, ny = 0, nz = 0;
+      let nx = 0,
+        ny = 0,
+        nz = 0;
       for (let j = starts[p]; j < starts[p + 1]; j++) {
         const g = (around[j] / 3) | 0;
         const dot = face[f] * face[3 * g] + face[f + 1] * face[3 * g + 1] + face[f + 2] * face[3 * g + 2];
@@ -50,7 +60,13 @@ export function creaseNormals(points, triangles, creases = 40) {
       nx /= size;
       ny /= size;
       nz /= size;
-      let at = made.find((m) => Math.abs(outNormals[3 * m] - nx) + Math.abs(outNormals[3 * m + 1] - ny) + Math.abs(outNormals[3 * m + 2] - nz) < 1e-6);
+      let at = made.find(
+        (m) =>
+          Math.abs(outNormals[3 * m] - nx) +
+            Math.abs(outNormals[3 * m + 1] - ny) +
+            Math.abs(outNormals[3 * m + 2] - nz) <
+          1e-6,
+      );
       if (at === undefined) {
         at = outSource.length;
         made.push(at);

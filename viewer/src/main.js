@@ -4,6 +4,7 @@ import uplotStyle from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
 import { el } from "./dom.js";
 import { Page } from "./page.js";
+import { movingSolids, png, stl } from "./save.js";
 import { SceneError, readScene } from "./scene_file.js";
 import { stateOf } from "./state.js";
 
@@ -53,5 +54,12 @@ window.pitchpointViewer = {
   view: (name) => shown().views?.named(name, true),
   show: (channel, on = true) => shown().curves.plots.show(channel, on),
   magnify: (times) => shown().magnify(times),
-  draw: () => shown().draw(),
+  mode: (number) => shown().modes.choose(number),
+  /** @param {"png"|"glb"|"stl"} kind @returns {Blob} */
+  file: (kind, times = 1) => (kind === "png" ? png(shown(), times) : kind === "glb" ? movingSolids(shown()) : stl(shown())),
+  /** At once, where the camera is going. */
+  draw: () => {
+    shown().orbit?.settle();
+    shown().draw();
+  },
 };

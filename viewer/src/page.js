@@ -6,8 +6,9 @@ import { Hover } from "./hover.js";
 import { keys, KEYS } from "./keys.js";
 import { Legend } from "./legend.js";
 import { length } from "./numbers.js";
+import { Modes } from "./modes.js";
 import { Orbit } from "./orbit.js";
-import { Panels, forceRows, vibrationRows, viewRows } from "./panels.js";
+import { Panels, forceRows, saveRows, vibrationRows, viewRows } from "./panels.js";
 import { Player, round125 } from "./player.js";
 import { Poses } from "./poses.js";
 import { SectionView } from "./section_view.js";
@@ -28,7 +29,7 @@ export class Page {
     const times = allTimes(scenes);
     this.poses = new Poses(scenes[0]);
     this.player = new Player(times, this.poses);
-    const marks = scenes.flatMap((scene) => scene.marks);
+    const marks = allMarks(scenes);
     const range = [this.player.first, this.player.last];
     this.curves = new Curves(scenes, range, marks, (t) => this.seek(t));
     this.transport = new Transport(this.player, marks, {
@@ -41,7 +42,7 @@ export class Page {
     this.panels = new Panels();
     this.host = el("div", { className: "ppv-view" });
     this.area = el("div", { className: "ppv-scene" }, this.host, this.panels.panel);
-    const title = scenes[0].title, subtitle = scenes.length > 1 ? "" : scenes[0].subtitle;
+    const title = [...new Set(scenes.map((scene) => scene.title))].join(" and "), subtitle = scenes.length > 1 ? "" : scenes[0].subtitle;
     const head = el("div", { className: "ppv-head" }, el("div", { className: "ppv-title", title: `${title} ${subtitle}` }, el("b", {}, title), el("span", {}, subtitle)), this.panels.bar);
     root.replaceChildren(head, this.area, this.transport.element, this.curves.element);
     this.#scene();
@@ -83,11 +84,12 @@ export class Page {
     this.orbit.farthest = 40 * radius;
     this.views = new Views(stage, this.orbit);
     this.hover = new Hover(stage, this.orbit, (body) => this.follow(body));
-    this.legend = new Legend(this.scenes[0].arrows);
+    this.legends = this.scenes.map((scene) => new Legend(scene.arrows));
     this.scale = el("div", { className: "ppv-scale", "aria-hidden": "true" }, el("span"), el("i"));
     this.status = el("div", { className: "ppv-status", role: "status" });
-    const names = stage.pictures.length > 1 ? el("div", { className: "ppv-names" }, ...this.scenes.map((scene) => el("span", {}, scene.subtitle || scene.title))) : "";
-    this.host.append(names, this.legend.element, this.hover.label, this.scale, this.status);
+    const names = namesOf(this.scenes);
+    const halves = this.legends.map((legend, k) => el("div", { className: "ppv-half" }, legend.element, names[k] && el("span", { className: "ppv-name" }, names[k])));
+    this.host.append(el("div", { className: "ppv-halves" }, ...halves), this.hover.label, this.scale, this.status);
   }
 
   #panels() {
@@ -99,8 +101,14 @@ export class Page {
       if (this.player.times.length > 1) panels.add("Vibration", "Magnify vibrations", vibrationRows(this));
       this.section = new SectionView(stage, () => this.changed());
       panels.add("Section", "Cut the solids by a plane", this.section.rows);
+      const { modes } = this.scenes[0];
+      if (modes.length && !this.scenes[1]) {
+        this.modes = new Modes(modes, stage, () => this.changed());
+        panels.add("Modes", "Mode shapes", this.modes.rows);
+      }
+      panels.add("Save", "Picture, solids, film", saveRows(this));
     }
-    const notes = this.scenes.flatMap((scene) => scene.notes);
+    const notes = [...new Set(this.scenes.flatMap((scene) => scene.notes))];
     const help = [el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)]))];
     if (notes.length) help.unshift(el("ul", { className: "ppv-notes" }, ...notes.map((note) => el("li", {}, note))));
     panels.add(notes.length ? `Notes (${notes.length})` : "?", "Notes and keys", help);
@@ -171,8 +179,7 @@ export class Page {
       picture.arrows.update(orbit.pixel);
     }
     stage.render(orbit);
-    const { arrows } = stage.pictures[0];
-    this.legend.update(arrows.now, arrows.shown, arrows.hidden);
+    stage.pictures.forEach(({ arrows }, k) => this.legends[k].update(arrows.now, arrows.shown, arrows.hidden));
     this.#scaleBar();
   }
 
@@ -236,6 +243,20 @@ export class Page {
     const { point, axis } = this.views.intoMesh(arrow);
     this.section.through(point, axis);
   }
+}
+
+/** What tells two results apart; nothing where there is one. @param {any[]} scenes @returns {string[]} */
+export function namesOf(scenes) {
+  if (scenes.length < 2) return [""];
+  const [first, second] = scenes;
+  if (first.title !== second.title) return [first.title, second.title];
+  return first.subtitle === second.subtitle ? ["first", "second"] : [first.subtitle, second.subtitle];
+}
+
+/** Marks of all results; those of two say whose they are. @param {any[]} scenes */
+function allMarks(scenes) {
+  const names = namesOf(scenes);
+  return scenes.flatMap((scene, k) => scene.marks.map((mark) => ({ ...mark, what: [mark.what, names[k]].filter(Boolean).join(", ") })));
 }
 
 /** Frames of all results in one ascending list. @param {any[]} scenes */

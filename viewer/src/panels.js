@@ -2,6 +2,7 @@
 // The row of buttons and what each opens: one panel at a time, over the corner of the scene.
 import { button, choice, el, logSlider, tick } from "./dom.js";
 import { number } from "./numbers.js";
+import { download, fileName, film, movingSolids, png, stl } from "./save.js";
 
 export class Panels {
   constructor() {
@@ -98,6 +99,44 @@ export function forceRows(page) {
         }).row,
     ),
     scale.row,
+  ];
+}
+
+/** Rows of the panel of files. @param {import("./page.js").Page} page */
+export function saveRows(page) {
+  const { stage } = page;
+  const picture = (times) => download(png(page, times), fileName(page, "png"));
+  const camera = film(stage.canvas);
+  let stop = null;
+  const record = camera
+    ? button("film", `Film what is played, ${camera.ending}`, async () => {
+        record.setAttribute("aria-pressed", String(!stop));
+        if (!stop) {
+          stop = camera.start();
+          record.textContent = "stop the film";
+          page.toggle(true);
+          return;
+        }
+        const end = stop;
+        stop = null;
+        record.textContent = "film";
+        download(await end(), fileName(page, camera.ending));
+      })
+    : null;
+  return [
+    el(
+      "div",
+      { className: "ppv-buttons" },
+      button("picture", "PNG of the scene with title, time and forces", () => picture(1)),
+      button("picture × 2", "The same with twice as many pixels each way", () => picture(2)),
+      record,
+    ),
+    el(
+      "div",
+      { className: "ppv-buttons" },
+      button("GLB, moving", "Solids and their motion, binary glTF", () => download(movingSolids(page), fileName(page, "glb"))),
+      button("STL", "Solids where they are now, metres", () => download(stl(page), fileName(page, "stl"))),
+    ),
   ];
 }
 

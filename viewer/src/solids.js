@@ -16,7 +16,7 @@ function drawCut(material) {
       `#ifdef DOUBLE_SIDED
         if (!gl_FrontFacing) {
           float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 9.0);
-          outgoingLight = diffuseColor.rgb * (stripe < 1.2 ? 0.42 : 0.8);
+          outgoingLight = diffuseColor.rgb * (stripe < 1.1 ? 0.66 : 0.86);
         }
       #endif
       #include <opaque_fragment>`,

@@ -61,6 +61,10 @@ export class Stage {
     host.append(this.canvas);
     this.camera = new PerspectiveCamera(28, 1, 0.01, 100);
     this.pictures = scenes.map((scene) => new Picture(scene, host));
+    // arrows of results that are compared have one scale, so that the eye compares forces
+    const size = Math.max(...this.pictures.map((picture) => picture.arrows.size));
+    const radius = Math.max(...this.pictures.map((picture) => picture.bounds.radius));
+    for (const { arrows } of this.pictures) Object.assign(arrows, { size, radius });
     this.background = new Color("#ffffff");
     this.size = { width: 1, height: 1 };
     this.drawn = 0;

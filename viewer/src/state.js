@@ -22,6 +22,7 @@ export function stateOf(page) {
     message: page.area.querySelector(".ppv-message")?.textContent ?? null,
     drawn: stage?.drawn ?? 0,
     section: page.section ? { on: page.section.on, normal: triple(page.section.normal), at: page.section.at } : null,
+    mode: page.modes?.number ?? -1,
     following: page.views?.body ?? -1,
     camera: page.orbit ? { position: triple(stage.camera.position), target: triple(page.orbit.now.target), distance: page.orbit.now.distance, near: stage.camera.near, far: stage.camera.far } : null,
     pictures: (stage?.pictures ?? []).map((picture) => ({
