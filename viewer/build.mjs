@@ -13,14 +13,17 @@ if (notice.includes("*/")) throw new Error("LICENSES.txt would end the comment i
 const lean = {
   name: "lean-three",
   setup(build) {
-    build.onLoad({ filter: /three\/src\/renderers\/shaders\/Shader(Chunk|Lib)\/.*\.glsl\.js$/ }, ({ path }) => {
-      const text = readFileSync(path, "utf8");
-      const contents = text.replace(/`([^`]*)`/g, (_, glsl) => {
-        const bare = glsl.replace(/\/\*[\s\S]*?\*\//g, "").replace(/\/\/.*$/gm, "");
-        return "`" + bare.replace(/^[ \t]+|[ \t]+$/gm, "").replace(/\n{2,}/g, "\n") + "`";
-      });
-      return { contents, loader: "js" };
-    });
+    build.onLoad(
+      { filter: /three\/src\/renderers\/shaders\/Shader(Chunk|Lib)\/.*\.glsl\.js$/ },
+      ({ path }) => {
+        const text = readFileSync(path, "utf8");
+        const contents = text.replace(/`([^`]*)`/g, (_, glsl) => {
+          const bare = glsl.replace(/\/\*[\s\S]*?\*\//g, "").replace(/\/\/.*$/gm, "");
+          return "`" + bare.replace(/^[ \t]+|[ \t]+$/gm, "").replace(/\n{2,}/g, "\n") + "`";
+        });
+        return { contents, loader: "js" };
+      },
+    );
   },
 };
 

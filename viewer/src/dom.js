@@ -47,7 +47,11 @@ export function logSlider({ label, title, least, most, value, show, changed }) {
 
 /** @param {string} label @param {[string, string][]} options value and text @param {(value: string) => void} changed */
 export function choice(label, options, changed, title = label) {
-  const select = el("select", { title, "aria-label": title, onchange: () => changed(select.value) }, ...options.map(([value, text]) => el("option", { value }, text)));
+  const select = el(
+    "select",
+    { title, "aria-label": title, onchange: () => changed(select.value) },
+    ...options.map(([value, text]) => el("option", { value }, text)),
+  );
   return { row: el("label", { className: "ppv-choice" }, el("span", {}, label), select), select };
 }
 

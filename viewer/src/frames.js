@@ -10,7 +10,8 @@ export function between(times, t) {
   const n = times.length;
   if (n < 2 || t <= times[0]) return { low: 0, share: 0 };
   if (t >= times[n - 1]) return { low: n - 2, share: 1 };
-  let low = 0, high = n - 1;
+  let low = 0,
+    high = n - 1;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
     if (times[middle] <= t) low = middle;

@@ -9,14 +9,34 @@ class File {
   constructor() {
     this.pieces = [];
     this.length = 0;
-    this.json = { asset: { version: "2.0", generator: "pitchpoint" }, scene: 0, scenes: [{ nodes: [] }], nodes: [], meshes: [], materials: [], accessors: [], bufferViews: [], buffers: [{ byteLength: 0 }] };
+    this.json = {
+      asset: { version: "2.0", generator: "pitchpoint" },
+      scene: 0,
+      scenes: [{ nodes: [] }],
+      nodes: [],
+      meshes: [],
+      materials: [],
+      accessors: [],
+      bufferViews: [],
+      buffers: [{ byteLength: 0 }],
+    };
   }
 
   /** @param {Float32Array|Uint32Array} data @param {string} type @param {number} [target] @param {boolean} ends least and most are wanted */
   put(data, type, target, ends = false) {
     const width = { SCALAR: 1, VEC3: 3, VEC4: 4 }[type];
-    this.json.bufferViews.push({ buffer: 0, byteOffset: this.length, byteLength: data.byteLength, ...(target && { target }) });
-    const accessor = { bufferView: this.json.bufferViews.length - 1, componentType: data instanceof Float32Array ? FLOAT : UINT, count: data.length / width, type };
+    this.json.bufferViews.push({
+      buffer: 0,
+      byteOffset: this.length,
+      byteLength: data.byteLength,
+      ...(target && { target }),
+    });
+    const accessor = {
+      bufferView: this.json.bufferViews.length - 1,
+      componentType: data instanceof Float32Array ? FLOAT : UINT,
+      count: data.length / width,
+      type,
+    };
     if (ends) {
       accessor.min = Array(width).fill(Infinity);
       accessor.max = Array(width).fill(-Infinity);
@@ -61,10 +81,19 @@ class File {
 export function glb(parts, bodies, tracks, times) {
   const file = new File();
   const { json } = file;
-  const place = new Vector3(), rotation = new Quaternion(), size = new Vector3();
+  const place = new Vector3(),
+    rotation = new Quaternion(),
+    size = new Vector3();
   const last = new Quaternion();
   const moving = times.length > 1;
-  const time = moving ? file.put(Float32Array.from(times, (t) => t - times[0]), "SCALAR", undefined, true) : 0;
+  const time = moving
+    ? file.put(
+        Float32Array.from(times, (t) => t - times[0]),
+        "SCALAR",
+        undefined,
+        true,
+      )
+    : 0;
   const animation = { name: "record", samplers: [], channels: [] };
   const used = new Set(parts.map(({ solid }) => (solid.skin ? solid.skin.bodies[0] : solid.body)));
   const nodes = new Map();
@@ -73,7 +102,8 @@ export function glb(parts, bodies, tracks, times) {
     nodes.set(k, node);
     json.scenes[0].nodes.push(json.nodes.push(node) - 1);
     if (k < 0) continue;
-    const places = new Float32Array(3 * times.length), rotations = new Float32Array(4 * times.length);
+    const places = new Float32Array(3 * times.length),
+      rotations = new Float32Array(4 * times.length);
     tracks[k].forEach((matrix, n) => {
       matrix.decompose(place, rotation, size);
       // the shorter way between two keys is that between quaternions of one sign
@@ -85,9 +115,13 @@ export function glb(parts, bodies, tracks, times) {
     node.translation = [...places.slice(0, 3)];
     node.rotation = [...rotations.slice(0, 4)];
     if (!moving) continue;
-    for (const [path, data, type, width] of [["translation", places, "VEC3", 3], ["rotation", rotations, "VEC4", 4]]) {
+    for (const [path, data, type, width] of [
+      ["translation", places, "VEC3", 3],
+      ["rotation", rotations, "VEC4", 4],
+    ]) {
       if (data.every((x, n) => x === data[n % width])) continue;
-      const sampler = animation.samplers.push({ input: time, output: file.put(data, type), interpolation: "LINEAR" }) - 1;
+      const sampler =
+        animation.samplers.push({ input: time, output: file.put(data, type), interpolation: "LINEAR" }) - 1;
       animation.channels.push({ sampler, target: { node: json.nodes.indexOf(node), path } });
     }
   }
@@ -96,13 +130,30 @@ export function glb(parts, bodies, tracks, times) {
     const key = colour + Boolean(solid.see_through);
     if (!materials.has(key)) {
       const { r, g, b } = new Color(colour);
-      const look = { baseColorFactor: [r, g, b, solid.see_through ? 0.22 : 1], metallicFactor: 0.1, roughnessFactor: 0.7 };
-      materials.set(key, json.materials.push({ pbrMetallicRoughness: look, ...(solid.see_through && { alphaMode: "BLEND" }) }) - 1);
+      const look = {
+        baseColorFactor: [r, g, b, solid.see_through ? 0.22 : 1],
+        metallicFactor: 0.1,
+        roughnessFactor: 0.7,
+      };
+      materials.set(
+        key,
+        json.materials.push({
+          pbrMetallicRoughness: look,
+          ...(solid.see_through && { alphaMode: "BLEND" }),
+        }) - 1,
+      );
     }
     const { position, normal } = geometry.attributes;
-    const attributes = { POSITION: file.put(position.array, "VEC3", POINTS, true), NORMAL: file.put(normal.array, "VEC3", POINTS) };
+    const attributes = {
+      POSITION: file.put(position.array, "VEC3", POINTS, true),
+      NORMAL: file.put(normal.array, "VEC3", POINTS),
+    };
     const indices = file.put(Uint32Array.from(geometry.index.array), "SCALAR", INDICES);
-    const mesh = json.meshes.push({ name: solid.name, primitives: [{ attributes, indices, material: materials.get(key) }] }) - 1;
+    const mesh =
+      json.meshes.push({
+        name: solid.name,
+        primitives: [{ attributes, indices, material: materials.get(key) }],
+      }) - 1;
     const node = json.nodes.push({ name: solid.name, mesh }) - 1;
     nodes.get(solid.skin ? solid.skin.bodies[0] : solid.body).children.push(node);
   }

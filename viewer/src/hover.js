@@ -11,7 +11,8 @@ export class Hover {
     this.waiting = false;
     const { canvas } = stage;
     canvas.addEventListener("pointermove", (event) => {
-      this.at = orbit.dragging || event.pointerType === "touch" ? null : { x: event.clientX, y: event.clientY };
+      this.at =
+        orbit.dragging || event.pointerType === "touch" ? null : { x: event.clientX, y: event.clientY };
       // a ray through 30 000 triangles costs milliseconds: once a pause is enough
       if (!this.waiting) setTimeout(() => this.#look(), 60);
       this.waiting = true;
@@ -42,5 +43,9 @@ export class Hover {
 /** @param {any} solid */
 export function words(solid) {
   const name = solid.name.replaceAll("_", " ");
-  return solid.teeth ? `${name}, ${solid.kind} of ${solid.teeth} teeth` : name === solid.kind ? name : `${name}, ${solid.kind}`;
+  return solid.teeth
+    ? `${name}, ${solid.kind} of ${solid.teeth} teeth`
+    : name === solid.kind
+      ? name
+      : `${name}, ${solid.kind}`;
 }

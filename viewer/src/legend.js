@@ -13,17 +13,38 @@ export class Legend {
       const state = arrow.state ? el("span", { className: "ppv-state" }) : null;
       const cells = this.columns.map((part) => el("td", { className: `ppv-${part}` }));
       const name = arrow.name.replaceAll("_", " ");
-      return { state, cells, said: null, row: el("tr", {}, el("th", { scope: "row", title: `${arrow.kind} ${name}` }, state, name), ...cells) };
+      return {
+        state,
+        cells,
+        said: null,
+        row: el("tr", {}, el("th", { scope: "row", title: `${arrow.kind} ${name}` }, state, name), ...cells),
+      };
     });
-    const head = el("tr", {}, el("td"), ...this.columns.map((part) => el("th", { scope: "col", className: `ppv-${part}` }, el("i"), part)));
+    const head = el(
+      "tr",
+      {},
+      el("td"),
+      ...this.columns.map((part) => el("th", { scope: "col", className: `ppv-${part}` }, el("i"), part)),
+    );
     this.states = el("div", { className: "ppv-states" });
     if (arrows.some((arrow) => arrow.state)) {
-      const seen = new Set(arrows.flatMap((arrow) => [...(arrow.state?.data ?? [])]).map((state) => (state === 255 ? -1 : state)));
-      for (const { word, colour } of [1, -1, 2, 0].filter((state) => seen.has(state)).map((state) => STATES[state])) {
+      const seen = new Set(
+        arrows
+          .flatMap((arrow) => [...(arrow.state?.data ?? [])])
+          .map((state) => (state === 255 ? -1 : state)),
+      );
+      for (const { word, colour } of [1, -1, 2, 0]
+        .filter((state) => seen.has(state))
+        .map((state) => STATES[state])) {
         this.states.append(el("span", {}, el("i", { style: `background:${colour}` }), word));
       }
     }
-    this.element = el("div", { className: "ppv-legend", tabindex: "0", role: "region", "aria-label": "Forces now" }, el("table", {}, el("thead", {}, head), el("tbody", {}, ...this.rows.map(({ row }) => row))), this.states);
+    this.element = el(
+      "div",
+      { className: "ppv-legend", tabindex: "0", role: "region", "aria-label": "Forces now" },
+      el("table", {}, el("thead", {}, head), el("tbody", {}, ...this.rows.map(({ row }) => row))),
+      this.states,
+    );
     this.element.hidden = !arrows.length;
   }
 
@@ -36,7 +57,10 @@ export class Legend {
       row.hidden = !shown.has(each.kind);
       if (row.hidden) return;
       this.columns.forEach((part, c) => {
-        const text = part in each.values ? force(each.values[part], each.unit, this.arrows[k].size || each.values[part]) : "";
+        const text =
+          part in each.values
+            ? force(each.values[part], each.unit, this.arrows[k].size || each.values[part])
+            : "";
         if (cells[c].textContent !== text) cells[c].textContent = text;
       });
       if (state && this.rows[k].said !== each.state) {
@@ -56,7 +80,9 @@ export class Legend {
       .filter(({ each }) => shown.has(each.kind))
       .map(({ each, size }) => ({
         name: each.name.replaceAll("_", " "),
-        values: this.columns.filter((part) => part in each.values).map((part) => ({ part, text: force(each.values[part], each.unit, size || each.values[part]) })),
+        values: this.columns
+          .filter((part) => part in each.values)
+          .map((part) => ({ part, text: force(each.values[part], each.unit, size || each.values[part]) })),
       }));
   }
 }

@@ -17,7 +17,8 @@ let page = null;
  * @returns {Promise<boolean>} whether there is a scene; otherwise a sentence in its place says why not
  */
 async function mount(element, { compare = false } = {}) {
-  if (!document.getElementById("ppv-style")) document.head.append(el("style", { id: "ppv-style" }, uplotStyle + style));
+  if (!document.getElementById("ppv-style"))
+    document.head.append(el("style", { id: "ppv-style" }, uplotStyle + style));
   const root = el("div", { className: "ppv" });
   const said = el("p", {}, "Reading the scene …");
   root.append(el("div", { className: "ppv-message", role: "status" }, said));
@@ -29,7 +30,10 @@ async function mount(element, { compare = false } = {}) {
     root.dataset.ready = "scene";
     return true;
   } catch (error) {
-    said.textContent = error instanceof SceneError ? error.message : `The viewer failed: ${error instanceof Error ? error.message : error}.`;
+    said.textContent =
+      error instanceof SceneError
+        ? error.message
+        : `The viewer failed: ${error instanceof Error ? error.message : error}.`;
     root.replaceChildren(el("div", { className: "ppv-message", role: "alert" }, said));
     root.dataset.ready = "failed";
     if (!(error instanceof SceneError)) console.error(error);
@@ -56,7 +60,8 @@ window.pitchpointViewer = {
   magnify: (times) => shown().magnify(times),
   mode: (number) => shown().modes.choose(number),
   /** @param {"png"|"glb"|"stl"} kind @returns {Blob} */
-  file: (kind, times = 1) => (kind === "png" ? png(shown(), times) : kind === "glb" ? movingSolids(shown()) : stl(shown())),
+  file: (kind, times = 1) =>
+    kind === "png" ? png(shown(), times) : kind === "glb" ? movingSolids(shown()) : stl(shown()),
   /** At once, where the camera is going. */
   draw: () => {
     shown().orbit?.settle();

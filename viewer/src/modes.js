@@ -17,9 +17,13 @@ export class Modes {
     this.amplitude = 1;
     this.unit = modes.map((mode) => this.#unit(mode));
     this.buttons = modes.map((mode, k) =>
-      button("", `Swing in ${mode.name}`, () => this.choose(this.number === k ? -1 : k), { "aria-pressed": "false" }),
+      button("", `Swing in ${mode.name}`, () => this.choose(this.number === k ? -1 : k), {
+        "aria-pressed": "false",
+      }),
     );
-    this.buttons.forEach((each, k) => each.append(el("span", {}, modes[k].name), el("span", {}, this.#facts(modes[k]))));
+    this.buttons.forEach((each, k) =>
+      each.append(el("span", {}, modes[k].name), el("span", {}, this.#facts(modes[k]))),
+    );
     this.stop = button("back to the record", "End the mode shape", () => this.choose(-1));
     this.stop.hidden = true;
     const slider = logSlider({
@@ -52,7 +56,10 @@ export class Modes {
     };
     this.stage.pictures[0].data.bodies.forEach((_, k) => {
       const reach = solids.reachOf(k);
-      largest = Math.max(largest, size(mode.position, k) + size(mode.turn, k) * (reach || 0.1 * bounds.radius));
+      largest = Math.max(
+        largest,
+        size(mode.position, k) + size(mode.turn, k) * (reach || 0.1 * bounds.radius),
+      );
     });
     return largest > 0 ? (WIDTH * bounds.radius) / largest : 0;
   }

@@ -26,20 +26,28 @@ export class Orbit {
     this.pointers = new Map();
     element.addEventListener("pointerdown", (event) => this.#down(event));
     element.addEventListener("pointermove", (event) => this.#move(event));
-    for (const name of ["pointerup", "pointercancel"]) element.addEventListener(name, (event) => this.#release(event));
+    for (const name of ["pointerup", "pointercancel"])
+      element.addEventListener(name, (event) => this.#release(event));
     element.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     element.addEventListener("contextmenu", (event) => event.preventDefault());
   }
 
   /** World length of a pixel at the target [m]. */
   get pixel() {
-    return (2 * this.now.distance * Math.tan((this.camera.fov * Math.PI) / 360)) / Math.max(this.element.clientHeight, 1);
+    return (
+      (2 * this.now.distance * Math.tan((this.camera.fov * Math.PI) / 360)) /
+      Math.max(this.element.clientHeight, 1)
+    );
   }
 
   /** Direction from the target to the camera. */
   direction(state = this.now) {
     const c = Math.cos(state.elevation);
-    return new Vector3(c * Math.sin(state.azimuth), Math.sin(state.elevation), c * Math.cos(state.azimuth)).applyQuaternion(this.basis);
+    return new Vector3(
+      c * Math.sin(state.azimuth),
+      Math.sin(state.elevation),
+      c * Math.cos(state.azimuth),
+    ).applyQuaternion(this.basis);
   }
 
   /**
@@ -51,7 +59,10 @@ export class Orbit {
     if (distance) this.goal.distance = this.#clamped(distance);
     if (direction) {
       const d = direction.clone().normalize().applyQuaternion(this.basis.clone().invert());
-      this.goal.elevation = Math.max(-STEEPEST, Math.min(STEEPEST, Math.asin(Math.max(-1, Math.min(1, d.y)))));
+      this.goal.elevation = Math.max(
+        -STEEPEST,
+        Math.min(STEEPEST, Math.asin(Math.max(-1, Math.min(1, d.y)))),
+      );
       // straight down the azimuth is free: keep it
       if (Math.hypot(d.x, d.z) > 1e-6) {
         const azimuth = Math.atan2(d.x, d.z);
@@ -72,7 +83,11 @@ export class Orbit {
   step(dt) {
     const share = 1 - Math.exp(-dt / EASE);
     const { now, goal } = this;
-    const left = now.target.distanceTo(goal.target) / now.distance + Math.abs(now.azimuth - goal.azimuth) + Math.abs(now.elevation - goal.elevation) + Math.abs(Math.log(now.distance / goal.distance));
+    const left =
+      now.target.distanceTo(goal.target) / now.distance +
+      Math.abs(now.azimuth - goal.azimuth) +
+      Math.abs(now.elevation - goal.elevation) +
+      Math.abs(Math.log(now.distance / goal.distance));
     if (left < 1e-4) {
       if (left) this.settle();
       return false;
@@ -101,7 +116,11 @@ export class Orbit {
   #down(event) {
     if (event.button > 2) return;
     this.element.setPointerCapture?.(event.pointerId);
-    this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY, pan: event.button !== 0 || event.shiftKey || event.ctrlKey });
+    this.pointers.set(event.pointerId, {
+      x: event.clientX,
+      y: event.clientY,
+      pan: event.button !== 0 || event.shiftKey || event.ctrlKey,
+    });
   }
 
   #release(event) {
@@ -116,11 +135,14 @@ export class Orbit {
     const last = this.pointers.get(event.pointerId);
     if (!last) return;
     const others = [...this.pointers.entries()].filter(([id]) => id !== event.pointerId).map(([, p]) => p);
-    const dx = event.clientX - last.x, dy = event.clientY - last.y;
+    const dx = event.clientX - last.x,
+      dy = event.clientY - last.y;
     if (others.length) {
       const [o] = others;
-      const before = Math.hypot(last.x - o.x, last.y - o.y), after = Math.hypot(event.clientX - o.x, event.clientY - o.y);
-      if (before > 0 && after > 0) this.zoom(before / after, (event.clientX + o.x) / 2, (event.clientY + o.y) / 2);
+      const before = Math.hypot(last.x - o.x, last.y - o.y),
+        after = Math.hypot(event.clientX - o.x, event.clientY - o.y);
+      if (before > 0 && after > 0)
+        this.zoom(before / after, (event.clientX + o.x) / 2, (event.clientY + o.y) / 2);
       this.pan(dx / 2, dy / 2);
     } else if (last.pan) this.pan(dx, dy);
     else this.turn(dx, dy);
@@ -148,9 +170,15 @@ export class Orbit {
     this.goal.distance = this.#clamped(before * factor);
     if (x !== undefined) {
       const box = this.element.getBoundingClientRect();
-      const share = (this.pixel * before) / this.now.distance * (1 - this.goal.distance / before);
-      this.goal.target.addScaledVector(RIGHT.set(1, 0, 0).applyQuaternion(this.camera.quaternion), (x - box.left - this.middle(x - box.left)) * share);
-      this.goal.target.addScaledVector(RIGHT.set(0, 1, 0).applyQuaternion(this.camera.quaternion), (box.height / 2 - (y - box.top)) * share);
+      const share = ((this.pixel * before) / this.now.distance) * (1 - this.goal.distance / before);
+      this.goal.target.addScaledVector(
+        RIGHT.set(1, 0, 0).applyQuaternion(this.camera.quaternion),
+        (x - box.left - this.middle(x - box.left)) * share,
+      );
+      this.goal.target.addScaledVector(
+        RIGHT.set(0, 1, 0).applyQuaternion(this.camera.quaternion),
+        (box.height / 2 - (y - box.top)) * share,
+      );
     }
     this.changed();
   }
@@ -164,7 +192,11 @@ export class Orbit {
   #wheel(event) {
     event.preventDefault();
     const lines = event.deltaMode === 1 ? 33 : 1;
-    this.zoom(Math.exp(Math.max(-1, Math.min(1, event.deltaY * lines * 0.0015))), event.clientX, event.clientY);
+    this.zoom(
+      Math.exp(Math.max(-1, Math.min(1, event.deltaY * lines * 0.0015))),
+      event.clientX,
+      event.clientY,
+    );
   }
 }
 

@@ -16,7 +16,8 @@ import { Stage, graphics } from "./stage.js";
 import { Transport } from "./transport.js";
 import { Views } from "./views.js";
 
-const NO_WEBGL = "This browser or machine offers no WebGL 2, so the solids cannot be drawn; curves and time work.";
+const NO_WEBGL =
+  "This browser or machine offers no WebGL 2, so the solids cannot be drawn; curves and time work.";
 
 export class Page {
   /** @param {HTMLElement} root @param {any[]} scenes one, or two that are compared */
@@ -42,8 +43,19 @@ export class Page {
     this.panels = new Panels();
     this.host = el("div", { className: "ppv-view" });
     this.area = el("div", { className: "ppv-scene" }, this.host, this.panels.panel);
-    const title = [...new Set(scenes.map((scene) => scene.title))].join(" and "), subtitle = scenes.length > 1 ? "" : scenes[0].subtitle;
-    const head = el("div", { className: "ppv-head" }, el("div", { className: "ppv-title", title: `${title} ${subtitle}` }, el("b", {}, title), el("span", {}, subtitle)), this.panels.bar);
+    const title = [...new Set(scenes.map((scene) => scene.title))].join(" and "),
+      subtitle = scenes.length > 1 ? "" : scenes[0].subtitle;
+    const head = el(
+      "div",
+      { className: "ppv-head" },
+      el(
+        "div",
+        { className: "ppv-title", title: `${title} ${subtitle}` },
+        el("b", {}, title),
+        el("span", {}, subtitle),
+      ),
+      this.panels.bar,
+    );
     root.replaceChildren(head, this.area, this.transport.element, this.curves.element);
     this.#scene();
     this.#panels();
@@ -76,7 +88,9 @@ export class Page {
     const { stage } = this;
     stage.canvas.tabIndex = 0;
     stage.canvas.setAttribute("aria-label", "3-D scene: drag to turn, right button to shift, wheel to zoom");
-    stage.canvas.addEventListener("webglcontextlost", () => this.#say("The graphics card gave the scene up. Load the page again."));
+    stage.canvas.addEventListener("webglcontextlost", () =>
+      this.#say("The graphics card gave the scene up. Load the page again."),
+    );
     this.orbit = new Orbit(stage.camera, stage.canvas, () => this.changed(), this.scenes[0].up);
     this.orbit.pictures = stage.pictures.length;
     const { radius } = stage.bounds();
@@ -88,8 +102,20 @@ export class Page {
     this.scale = el("div", { className: "ppv-scale", "aria-hidden": "true" }, el("span"), el("i"));
     this.status = el("div", { className: "ppv-status", role: "status" });
     const names = namesOf(this.scenes);
-    const halves = this.legends.map((legend, k) => el("div", { className: "ppv-half" }, legend.element, names[k] && el("span", { className: "ppv-name" }, names[k])));
-    this.host.append(el("div", { className: "ppv-halves" }, ...halves), this.hover.label, this.scale, this.status);
+    const halves = this.legends.map((legend, k) =>
+      el(
+        "div",
+        { className: "ppv-half" },
+        legend.element,
+        names[k] && el("span", { className: "ppv-name" }, names[k]),
+      ),
+    );
+    this.host.append(
+      el("div", { className: "ppv-halves" }, ...halves),
+      this.hover.label,
+      this.scale,
+      this.status,
+    );
   }
 
   #panels() {
@@ -97,7 +123,8 @@ export class Page {
     if (stage) {
       panels.action("Fit", "Show all of it (f)", () => this.views.fit());
       panels.add("View", "Views, following a body, housing, meshes", viewRows(this));
-      if (this.scenes.some((scene) => scene.arrows.length)) panels.add("Forces", "Arrows of forces", forceRows(this));
+      if (this.scenes.some((scene) => scene.arrows.length))
+        panels.add("Forces", "Arrows of forces", forceRows(this));
       if (this.player.times.length > 1) panels.add("Vibration", "Magnify vibrations", vibrationRows(this));
       this.section = new SectionView(stage, () => this.changed());
       panels.add("Section", "Cut the solids by a plane", this.section.rows);
@@ -110,7 +137,8 @@ export class Page {
     }
     const notes = [...new Set(this.scenes.flatMap((scene) => scene.notes))];
     const help = [el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)]))];
-    if (notes.length) help.unshift(el("ul", { className: "ppv-notes" }, ...notes.map((note) => el("li", {}, note))));
+    if (notes.length)
+      help.unshift(el("ul", { className: "ppv-notes" }, ...notes.map((note) => el("li", {}, note))));
     panels.add(notes.length ? `Notes (${notes.length})` : "?", "Notes and keys", help);
   }
 
@@ -179,7 +207,9 @@ export class Page {
       picture.arrows.update(orbit.pixel);
     }
     stage.render(orbit);
-    stage.pictures.forEach(({ arrows }, k) => this.legends[k].update(arrows.now, arrows.shown, arrows.hidden));
+    stage.pictures.forEach(({ arrows }, k) =>
+      this.legends[k].update(arrows.now, arrows.shown, arrows.hidden),
+    );
     this.#scaleBar();
   }
 
@@ -190,7 +220,10 @@ export class Page {
     bar.style.width = `${size / this.orbit.pixel}px`;
     const body = this.views.body;
     const following = body >= 0 ? `following ${this.scenes[0].bodies[body].name}` : "";
-    const larger = this.stage.pictures[0].poses.magnification > 1 ? `vibrations × ${this.magnification.row.lastChild.textContent}` : "";
+    const larger =
+      this.stage.pictures[0].poses.magnification > 1
+        ? `vibrations × ${this.magnification.row.lastChild.textContent}`
+        : "";
     this.status.textContent = [following, larger, this.modes?.words].filter(Boolean).join(" · ");
   }
 
@@ -256,7 +289,9 @@ export function namesOf(scenes) {
 /** Marks of all results; those of two say whose they are. @param {any[]} scenes */
 function allMarks(scenes) {
   const names = namesOf(scenes);
-  return scenes.flatMap((scene, k) => scene.marks.map((mark) => ({ ...mark, what: [mark.what, names[k]].filter(Boolean).join(", ") })));
+  return scenes.flatMap((scene, k) =>
+    scene.marks.map((mark) => ({ ...mark, what: [mark.what, names[k]].filter(Boolean).join(", ") })),
+  );
 }
 
 /** Frames of all results in one ascending list. @param {any[]} scenes */

@@ -23,7 +23,12 @@ export class Panels {
 
   /** @param {string} text @param {string} title @param {Node[]} rows */
   add(text, title, rows) {
-    const made = button(text, title, () => (this.open === text ? this.close() : this.show(text, rows, made)), { "aria-expanded": "false" });
+    const made = button(
+      text,
+      title,
+      () => (this.open === text ? this.close() : this.show(text, rows, made)),
+      { "aria-expanded": "false" },
+    );
     this.bar.append(made);
     return made;
   }
@@ -33,7 +38,15 @@ export class Panels {
     this.open = text;
     this.opener = opener;
     opener.setAttribute("aria-expanded", "true");
-    this.panel.replaceChildren(el("div", { className: "ppv-panel-head" }, el("b", {}, text), button("×", "Close", () => this.close())), ...rows);
+    this.panel.replaceChildren(
+      el(
+        "div",
+        { className: "ppv-panel-head" },
+        el("b", {}, text),
+        button("×", "Close", () => this.close()),
+      ),
+      ...rows,
+    );
     this.panel.hidden = false;
   }
 
@@ -51,26 +64,59 @@ export class Panels {
 export function viewRows(page) {
   const { stage } = page;
   const data = stage.pictures[0].data;
-  const views = [["axis", "Along the axis"], ["front", "From the side"], ["top", "From above"], ["iso", "Oblique"]];
-  page.followed = choice("follow", [["-1", "nothing"], ...data.bodies.map((body, k) => [String(k), body.name])], (value) => page.follow(Number(value)), "Body that the camera follows (1 to 9, 0)");
+  const views = [
+    ["axis", "Along the axis"],
+    ["front", "From the side"],
+    ["top", "From above"],
+    ["iso", "Oblique"],
+  ];
+  page.followed = choice(
+    "follow",
+    [["-1", "nothing"], ...data.bodies.map((body, k) => [String(k), body.name])],
+    (value) => page.follow(Number(value)),
+    "Body that the camera follows (1 to 9, 0)",
+  );
   const turning = tick("turn with it", false, (on) => {
     page.views.turning = on;
     page.views.follow(page.views.body, on);
   });
   const covers = data.solids.some((solid) => solid.see_through)
-    ? choice("housing", [["see-through", "see-through"], ["solid", "solid"], ["hidden", "hidden"]], (how) => {
-        for (const picture of stage.pictures) picture.solids.cover(how);
-        page.changed();
-      }).row
+    ? choice(
+        "housing",
+        [
+          ["see-through", "see-through"],
+          ["solid", "solid"],
+          ["hidden", "hidden"],
+        ],
+        (how) => {
+          for (const picture of stage.pictures) picture.solids.cover(how);
+          page.changed();
+        },
+      ).row
     : null;
   const meshes = data.arrows.filter((arrow) => arrow.kind === "mesh");
-  const looks = meshes.map((arrow) => button(arrow.name.replaceAll("_", " "), `Look into the mesh ${arrow.name}, along its axis`, () => page.intoMesh(arrow)));
+  const looks = meshes.map((arrow) =>
+    button(arrow.name.replaceAll("_", " "), `Look into the mesh ${arrow.name}, along its axis`, () =>
+      page.intoMesh(arrow),
+    ),
+  );
   return [
-    el("div", { className: "ppv-buttons" }, ...views.map(([name, title]) => button(name, title, () => page.views.named(name)))),
+    el(
+      "div",
+      { className: "ppv-buttons" },
+      ...views.map(([name, title]) => button(name, title, () => page.views.named(name))),
+    ),
     page.followed.row,
     turning.row,
     covers,
-    looks.length ? el("div", {}, el("span", { className: "ppv-soft" }, "look into a mesh"), el("div", { className: "ppv-buttons" }, ...looks)) : null,
+    looks.length
+      ? el(
+          "div",
+          {},
+          el("span", { className: "ppv-soft" }, "look into a mesh"),
+          el("div", { className: "ppv-buttons" }, ...looks),
+        )
+      : null,
   ].filter(Boolean);
 }
 
@@ -134,7 +180,9 @@ export function saveRows(page) {
     el(
       "div",
       { className: "ppv-buttons" },
-      button("GLB, moving", "Solids and their motion, binary glTF", () => download(movingSolids(page), fileName(page, "glb"))),
+      button("GLB, moving", "Solids and their motion, binary glTF", () =>
+        download(movingSolids(page), fileName(page, "glb")),
+      ),
       button("STL", "Solids where they are now, metres", () => download(stl(page), fileName(page, "stl"))),
     ),
   ];
@@ -151,5 +199,12 @@ export function vibrationRows(page) {
     show: (x) => number(x < 10 ? Number(x.toPrecision(2)) : Math.round(x), x < 10 ? 2 : 5),
     changed: (x) => page.magnify(x),
   });
-  return [page.magnification.row, el("p", { className: "ppv-soft" }, "Displacements, tilts and torsion about their means; the turning itself is not magnified.")];
+  return [
+    page.magnification.row,
+    el(
+      "p",
+      { className: "ppv-soft" },
+      "Displacements, tilts and torsion about their means; the turning itself is not magnified.",
+    ),
+  ];
 }

@@ -72,7 +72,12 @@ export class Player {
 
   /** The body whose turns count: the followed one, else the first gear, else the first that turns. @param {number} followed */
   reference(followed, solids) {
-    const turns = (k) => this.poses && Math.abs(this.poses.angle(k, between(this.times, this.last)) - this.poses.angle(k, between(this.times, this.first))) > 0;
+    const turns = (k) =>
+      this.poses &&
+      Math.abs(
+        this.poses.angle(k, between(this.times, this.last)) -
+          this.poses.angle(k, between(this.times, this.first)),
+      ) > 0;
     if (followed >= 0 && turns(followed)) return followed;
     const gear = solids.find((solid) => solid.teeth && turns(solid.body));
     return gear ? gear.body : (this.poses?.bodies.findIndex((_, k) => turns(k)) ?? -1);
@@ -97,7 +102,8 @@ export class Player {
     if (swept < angle) return "The record is shorter than that.";
     // as late a start as leaves one whole piece
     let a = this.time;
-    if (Math.abs(at(this.last) - at(a)) < angle) a = this.#when((t) => Math.abs(at(this.last) - at(t)) <= angle, this.first, this.last);
+    if (Math.abs(at(this.last) - at(a)) < angle)
+      a = this.#when((t) => Math.abs(at(this.last) - at(t)) <= angle, this.first, this.last);
     const b = this.#when((t) => Math.abs(at(t) - at(a)) >= angle, a, this.last);
     this.loop = loop;
     this.body = body;

@@ -24,7 +24,8 @@ function shown(channel, table) {
 /** Piece of a channel at an instant. @param {any} channel @param {number} t */
 export function valueAt(channel, t) {
   const { times, least, most } = channel;
-  let low = 0, high = times.count;
+  let low = 0,
+    high = times.count;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
     if (times.data[middle] <= t) low = middle;
@@ -50,7 +51,12 @@ export class Plots {
     this.time = range[0];
     this.drawn = [];
     this.element = el("div", { className: "ppv-plots" });
-    this.names = new Set(channels.flat().filter((channel) => channel.first).map((channel) => channel.name));
+    this.names = new Set(
+      channels
+        .flat()
+        .filter((channel) => channel.first)
+        .map((channel) => channel.name),
+    );
     this.order = [...new Set(channels.flat().map((channel) => channel.name))];
     this.onRemove = () => {};
   }
@@ -82,7 +88,10 @@ export class Plots {
     const groups = this.#groups();
     this.ratio = window.devicePixelRatio || 1;
     // curves of force parts have their own colours, the others take turns
-    this.turns = [...groups.values()].flat().map(({ name }) => name).filter((name) => !isForce(name));
+    this.turns = [...groups.values()]
+      .flat()
+      .map(({ name }) => name)
+      .filter((name) => !isForce(name));
     for (const [unit, members] of groups) {
       const holder = el("div", { className: "ppv-plot" });
       const caption = el("div", { className: "ppv-caption" });
@@ -92,27 +101,56 @@ export class Plots {
       const made = this.#plot(unit, members, box, caption);
       this.drawn.push({ ...made, box });
     }
-    if (!groups.size) this.element.append(el("p", { className: "ppv-none" }, this.order.length ? "Choose a curve." : "This scene has no curves."));
+    if (!groups.size)
+      this.element.append(
+        el(
+          "p",
+          { className: "ppv-none" },
+          this.order.length ? "Choose a curve." : "This scene has no curves.",
+        ),
+      );
     this.resize();
     this.cursor(this.time);
   }
 
   #plot(unit, members, box, caption) {
-    const tables = [], series = [{}], bands = [], shows = [];
+    const tables = [],
+      series = [{}],
+      bands = [],
+      shows = [];
     const ink = getComputedStyle(this.element);
     members.forEach(({ name, found }) => {
       const colour = colourOfChannel(this.element, name, this.turns.indexOf(name));
       const values = el("output", {});
       const first = found.find(Boolean);
       caption.append(
-        el("span", { className: "ppv-curve" }, el("i", { style: `background:${colour}` }), el("span", {}, first.label ?? name), values, el("small", {}, unit === "1" ? "" : unit),
+        el(
+          "span",
+          { className: "ppv-curve" },
+          el("i", { style: `background:${colour}` }),
+          el("span", {}, first.label ?? name),
+          values,
+          el("small", {}, unit === "1" ? "" : unit),
           button("×", `Remove ${first.label ?? name}`, () => {
             this.show(name, false);
             this.onRemove();
-          })),
+          }),
+        ),
       );
       // as many decimals as four digits of the largest value have
-      const largest = Math.max(...found.filter(Boolean).map((channel) => (channel.scale ?? 1) * Math.max(...[channel.least, channel.most ?? channel.least].map(({ data }) => data.reduce((most, x) => Math.max(most, Math.abs(x)), 0)))));
+      const largest = Math.max(
+        ...found
+          .filter(Boolean)
+          .map(
+            (channel) =>
+              (channel.scale ?? 1) *
+              Math.max(
+                ...[channel.least, channel.most ?? channel.least].map(({ data }) =>
+                  data.reduce((most, x) => Math.max(most, Math.abs(x)), 0),
+                ),
+              ),
+          ),
+      );
       shows.push({ values, found, digits: fixed(largest) });
       found.forEach((channel, result) => {
         if (!channel) return;
@@ -121,18 +159,30 @@ export class Plots {
         const table = [middles(channel), shown(channel, channel.least)];
         if (channel.most) {
           table.push(shown(channel, channel.most));
-          bands.push({ series: [series.length + 1, series.length], fill: `color-mix(in srgb, ${colour} 30%, transparent)` });
+          bands.push({
+            series: [series.length + 1, series.length],
+            fill: `color-mix(in srgb, ${colour} 30%, transparent)`,
+          });
           series.push({ ...line, width: 1 });
         }
         series.push({ ...line, width: channel.most ? 1 : 1.4 });
         tables.push(table);
       });
     });
-    const same = tables.every(([x]) => x.length === tables[0][0].length && x.every((t, k) => t === tables[0][0][k]));
-    const data = same ? [tables[0][0], ...tables.flatMap(([, ...rest]) => rest)] : uPlot.join(tables.map((table) => table.map((column) => Array.from(column))));
+    const same = tables.every(
+      ([x]) => x.length === tables[0][0].length && x.every((t, k) => t === tables[0][0][k]),
+    );
+    const data = same
+      ? [tables[0][0], ...tables.flatMap(([, ...rest]) => rest)]
+      : uPlot.join(tables.map((table) => table.map((column) => Array.from(column))));
     const soft = ink.getPropertyValue("--v-soft").trim() || "#666";
     const grid = ink.getPropertyValue("--v-grid").trim() || "#ddd";
-    const axis = { stroke: soft, grid: { stroke: grid, width: 1 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
+    const axis = {
+      stroke: soft,
+      grid: { stroke: grid, width: 1 },
+      ticks: { show: false },
+      font: "11px system-ui, sans-serif",
+    };
     const plot = new uPlot(
       {
         width: 300,
@@ -188,7 +238,8 @@ export class Plots {
       (event) => {
         if (!event.ctrlKey && !event.shiftKey && event.deltaY > 0 && this.x === this.full) return; // the page scrolls
         event.preventDefault();
-        const t = at(event), factor = Math.exp(Math.max(-1, Math.min(1, (event.deltaY || event.deltaX) * 0.002)));
+        const t = at(event),
+          factor = Math.exp(Math.max(-1, Math.min(1, (event.deltaY || event.deltaX) * 0.002)));
         this.zoom([t + (this.x[0] - t) * factor, t + (this.x[1] - t) * factor]);
       },
       { passive: false },
@@ -207,8 +258,12 @@ export class Plots {
   resize() {
     const height = this.element.clientHeight;
     const caption = 20;
-    const each = Math.max(LOW, Math.min(260, Math.floor(height / Math.max(1, this.drawn.length)) - caption - 4));
-    for (const { plot, box } of this.drawn) plot.setSize({ width: Math.max(120, box.clientWidth), height: each });
+    const each = Math.max(
+      LOW,
+      Math.min(260, Math.floor(height / Math.max(1, this.drawn.length)) - caption - 4),
+    );
+    for (const { plot, box } of this.drawn)
+      plot.setSize({ width: Math.max(120, box.clientWidth), height: each });
     this.cursor(this.time);
   }
 
@@ -249,6 +304,8 @@ function labels(splits, unit = "") {
   if (decimals < 12 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
   return splits.map((value, k) => {
     const text = most >= 1e6 || (most > 0 && most < 1e-4) ? value.toExponential(2) : value.toFixed(decimals);
-    return (k === splits.length - 1 && unit ? `${text} ${unit}` : text).replace(/^-(0(\.0+)?)$/, "$1").replace("-", "\u2212");
+    return (k === splits.length - 1 && unit ? `${text} ${unit}` : text)
+      .replace(/^-(0(\.0+)?)$/, "$1")
+      .replace("-", "\u2212");
   });
 }

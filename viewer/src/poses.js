@@ -74,9 +74,18 @@ export class Poses {
       this.still[k].multiplyMatrices(this.#parent(this.world, k), body.frame);
       SHIFT.set(0, 0, 0);
       const mean = this.means[k];
-      if (body.position) SHIFT.set(large(body.position, mean.position, 0), large(body.position, mean.position, 1), large(body.position, mean.position, 2));
+      if (body.position)
+        SHIFT.set(
+          large(body.position, mean.position, 0),
+          large(body.position, mean.position, 1),
+          large(body.position, mean.position, 2),
+        );
       if (body.quaternion) {
-        ROTATION.set(...[0, 1, 2, 3].map((c) => body.quaternion.data[c + (body.quaternion.count > 1 ? 4 * where.low : 0)]));
+        ROTATION.set(
+          ...[0, 1, 2, 3].map(
+            (c) => body.quaternion.data[c + (body.quaternion.count > 1 ? 4 * where.low : 0)],
+          ),
+        );
         if (body.quaternion.count > 1 && where.share) {
           NEXT.set(...[4, 5, 6, 7].map((c) => body.quaternion.data[c + 4 * where.low]));
           ROTATION.slerp(NEXT, where.share);
@@ -84,7 +93,13 @@ export class Poses {
         ROTATION.normalize();
       } else {
         ROTATION.identity();
-        if (body.turn) fromRotationVector(ROTATION, large(body.turn, mean.turn, 0), large(body.turn, mean.turn, 1), large(body.turn, mean.turn, 2));
+        if (body.turn)
+          fromRotationVector(
+            ROTATION,
+            large(body.turn, mean.turn, 0),
+            large(body.turn, mean.turn, 1),
+            large(body.turn, mean.turn, 2),
+          );
         const angle = this.#gross(body, where) + (body.spin ? large(body.spin, mean.spin, 0) : 0);
         ROTATION.multiply(NEXT.setFromAxisAngle(Z, angle));
       }
@@ -99,8 +114,10 @@ export class Poses {
    * @param {any} mode @param {number} phase [rad] @param {number} amplitude
    */
   ofMode(mode, phase, amplitude) {
-    const c = amplitude * Math.cos(phase), s = -amplitude * Math.sin(phase);
-    const part = (table, k, column) => (table ? c * table.data[6 * k + column] + s * table.data[6 * k + 3 + column] : 0);
+    const c = amplitude * Math.cos(phase),
+      s = -amplitude * Math.sin(phase);
+    const part = (table, k, column) =>
+      table ? c * table.data[6 * k + column] + s * table.data[6 * k + 3 + column] : 0;
     this.bodies.forEach((_, k) => {
       fromRotationVector(ROTATION, part(mode.turn, k, 0), part(mode.turn, k, 1), part(mode.turn, k, 2));
       const rest = this.rest[k];

@@ -18,7 +18,10 @@ export function download(blob, name) {
 
 /** A name for files from the title. @param {import("./page.js").Page} page @param {string} ending */
 export function fileName(page, ending) {
-  const plain = page.scenes[0].title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+  const plain = page.scenes[0].title
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .replace(/^-|-$/g, "");
   return `${plain || "scene"}.${ending}`;
 }
 
@@ -41,7 +44,8 @@ export function png(page, times = 1) {
   const k = stage.ratio * times;
   pen.scale(k, k);
   const style = getComputedStyle(page.root);
-  const ink = style.getPropertyValue("--v-ink").trim() || "#222", soft = style.getPropertyValue("--v-soft").trim() || "#666";
+  const ink = style.getPropertyValue("--v-ink").trim() || "#222",
+    soft = style.getPropertyValue("--v-soft").trim() || "#666";
   const { width, height } = stage.size;
   pen.textBaseline = "top";
   pen.font = `600 14px ${style.fontFamily}`;
@@ -50,8 +54,12 @@ export function png(page, times = 1) {
   page.scenes.forEach((scene, n) => pen.fillText(scene.title, 12 + n * each, 10));
   pen.font = `12px ${style.fontFamily}`;
   pen.fillStyle = soft;
-  const when = page.modes?.active ? page.modes.words : `t = ${instant(page.player.time, page.transport.stepLength / 10)}`;
-  page.scenes.forEach((scene, n) => pen.fillText([scene.subtitle, when].filter(Boolean).join(", "), 12 + n * each, 28));
+  const when = page.modes?.active
+    ? page.modes.words
+    : `t = ${instant(page.player.time, page.transport.stepLength / 10)}`;
+  page.scenes.forEach((scene, n) =>
+    pen.fillText([scene.subtitle, when].filter(Boolean).join(", "), 12 + n * each, 28),
+  );
   page.legends.forEach((shown, n) => {
     if (!shown.element.hidden) legend(pen, page, n, (n + 1) * each, ink, style);
   });
@@ -79,13 +87,17 @@ function legend(pen, page, n, width, ink, style) {
     pen.fillStyle = colourOfForce(page.root, part);
     pen.fillText(part, width - 12 - 92 * (columns.length - 1 - c), 10);
   });
-  shown.lines(arrows.now, arrows.shown).slice(0, 20).forEach(({ name, values }, row) => {
-    const y = 27 + 16 * row;
-    pen.fillStyle = ink;
-    pen.font = `12px ${style.fontFamily}`;
-    pen.fillText(name, width - 12 - 92 * columns.length, y);
-    for (const { part, text } of values) pen.fillText(text, width - 12 - 92 * (columns.length - 1 - columns.indexOf(part)), y);
-  });
+  shown
+    .lines(arrows.now, arrows.shown)
+    .slice(0, 20)
+    .forEach(({ name, values }, row) => {
+      const y = 27 + 16 * row;
+      pen.fillStyle = ink;
+      pen.font = `12px ${style.fontFamily}`;
+      pen.fillText(name, width - 12 - 92 * columns.length, y);
+      for (const { part, text } of values)
+        pen.fillText(text, width - 12 - 92 * (columns.length - 1 - columns.indexOf(part)), y);
+    });
   pen.textAlign = "left";
 }
 
@@ -98,7 +110,8 @@ export function stl(page) {
   view.setUint32(80, count, true);
   let at = 84;
   const corners = [new Vector3(), new Vector3(), new Vector3()];
-  const normal = new Vector3(), edge = new Vector3();
+  const normal = new Vector3(),
+    edge = new Vector3();
   const put = (v) => {
     for (const x of [v.x, v.y, v.z]) {
       view.setFloat32(at, x, true);
@@ -107,7 +120,8 @@ export function stl(page) {
   };
   for (const { solid, geometry } of parts) {
     const matrix = page.stage.pictures[0].poses.ofSolid(solid);
-    const points = geometry.attributes.position.array, index = geometry.index.array;
+    const points = geometry.attributes.position.array,
+      index = geometry.index.array;
     for (let k = 0; k < index.length; k += 3) {
       corners.forEach((corner, i) => corner.fromArray(points, 3 * index[k + i]).applyMatrix4(matrix));
       normal.subVectors(corners[1], corners[0]).cross(edge.subVectors(corners[2], corners[0])).normalize();
@@ -130,7 +144,10 @@ export function movingSolids(page) {
   for (let k = 0; k < n; k += step) frames.push(k);
   // bodies turn many times between keys of a slow table: the least turn between two keys is what a reader of the
   // file assumes, so that there are as many as no body turns by more than a quarter in between
-  const times = denser(frames.map((k) => poses.times[k]), poses);
+  const times = denser(
+    frames.map((k) => poses.times[k]),
+    poses,
+  );
   const tracks = poses.world.map(() => []);
   for (const t of times) {
     poses.at(t);
@@ -162,13 +179,21 @@ function denser(times, poses) {
 /** A film of what the canvas shows until it is stopped; null where the browser cannot. @param {HTMLCanvasElement} canvas */
 export function film(canvas) {
   if (typeof MediaRecorder === "undefined" || !canvas.captureStream) return null;
-  const kinds = ["video/mp4;codecs=avc1.42E01E", "video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
+  const kinds = [
+    "video/mp4;codecs=avc1.42E01E",
+    "video/webm;codecs=vp9",
+    "video/webm;codecs=vp8",
+    "video/webm",
+  ];
   const type = kinds.find((kind) => MediaRecorder.isTypeSupported(kind));
   if (!type) return null;
   return {
     ending: type.slice(6, type.includes(";") ? type.indexOf(";") : undefined),
     start() {
-      const recorder = new MediaRecorder(canvas.captureStream(30), { mimeType: type, videoBitsPerSecond: 6e6 });
+      const recorder = new MediaRecorder(canvas.captureStream(30), {
+        mimeType: type,
+        videoBitsPerSecond: 6e6,
+      });
       const pieces = [];
       recorder.ondataavailable = ({ data }) => data.size && pieces.push(data);
       recorder.start(500);

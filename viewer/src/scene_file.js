@@ -30,7 +30,9 @@ function fromBase64(text) {
   try {
     binary = atob(text.trim());
   } catch {
-    throw new SceneError("The numbers of this scene cannot be read: they are not base64. The file may be damaged.");
+    throw new SceneError(
+      "The numbers of this scene cannot be read: they are not base64. The file may be damaged.",
+    );
   }
   const bytes = new Uint8Array(binary.length);
   for (let k = 0; k < bytes.length; k++) bytes[k] = binary.charCodeAt(k);
@@ -43,7 +45,9 @@ function fromBase64(text) {
  */
 async function unzip(packed) {
   if (typeof DecompressionStream === "undefined") {
-    throw new SceneError("This browser cannot unpack the numbers of the scene (no DecompressionStream); a newer one can.");
+    throw new SceneError(
+      "This browser cannot unpack the numbers of the scene (no DecompressionStream); a newer one can.",
+    );
   }
   try {
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
@@ -91,7 +95,10 @@ export function readTable(buffer, entry, what) {
  * @returns {any}
  */
 function withTables(node, buffer, what, known = new Map()) {
-  if (Array.isArray(node)) return node.map((item, k) => withTables(item, buffer, item?.name ? `${what} ${item.name}` : `${what} ${k + 1}`, known));
+  if (Array.isArray(node))
+    return node.map((item, k) =>
+      withTables(item, buffer, item?.name ? `${what} ${item.name}` : `${what} ${k + 1}`, known),
+    );
   if (node === null || typeof node !== "object") return node;
   if ("at" in node && "type" in node && "shape" in node) {
     // bodies share arrays: each is unpacked once
@@ -100,7 +107,8 @@ function withTables(node, buffer, what, known = new Map()) {
     return known.get(key);
   }
   const out = {};
-  for (const [key, value] of Object.entries(node)) out[key] = withTables(value, buffer, `${key} of ${what}`, known);
+  for (const [key, value] of Object.entries(node))
+    out[key] = withTables(value, buffer, `${key} of ${what}`, known);
   return out;
 }
 
@@ -112,26 +120,40 @@ function check(right, sentence) {
 /** @param {any} scene */
 function checkShapes(scene) {
   const n = scene.times?.count ?? 0;
-  const rows = (table, what) => check(!table || table.count === n || table.count === 1, `${what} has ${table?.count} rows for ${n} times`);
+  const rows = (table, what) =>
+    check(
+      !table || table.count === n || table.count === 1,
+      `${what} has ${table?.count} rows for ${n} times`,
+    );
   scene.bodies.forEach((body, k) => {
-    check(Number.isInteger(body.parent ?? -1) && (body.parent ?? -1) < k, `body ${body.name} comes before its parent`);
-    for (const part of ["position", "turn", "spin", "gross", "quaternion"]) rows(body[part], `${part} of body ${body.name}`);
+    check(
+      Number.isInteger(body.parent ?? -1) && (body.parent ?? -1) < k,
+      `body ${body.name} comes before its parent`,
+    );
+    for (const part of ["position", "turn", "spin", "gross", "quaternion"])
+      rows(body[part], `${part} of body ${body.name}`);
   });
   for (const solid of scene.solids) {
     check(solid.body >= -1 && solid.body < scene.bodies.length, `solid ${solid.name} belongs to no body`);
     check(solid.points?.width === 3 && solid.triangles?.width === 3, `solid ${solid.name} has no surface`);
-    for (const corner of solid.triangles.data) check(corner < solid.points.count, `solid ${solid.name} has a triangle without a point`);
-    for (const body of solid.skin?.bodies ?? []) check(body in scene.bodies, `the skin of ${solid.name} names a body that is not there`);
+    for (const corner of solid.triangles.data)
+      check(corner < solid.points.count, `solid ${solid.name} has a triangle without a point`);
+    for (const body of solid.skin?.bodies ?? [])
+      check(body in scene.bodies, `the skin of ${solid.name} names a body that is not there`);
   }
   for (const arrow of scene.arrows) {
     check(arrow.body >= -1 && arrow.body < scene.bodies.length, `arrow ${arrow.name} belongs to no body`);
-    for (const part of ["circumferential", "radial", "axial"]) rows(arrow.components?.[part], `the ${part} force ${arrow.name}`);
+    for (const part of ["circumferential", "radial", "axial"])
+      rows(arrow.components?.[part], `the ${part} force ${arrow.name}`);
     rows(arrow.at, `the place of arrow ${arrow.name}`);
     rows(arrow.state, `the state of arrow ${arrow.name}`);
   }
   for (const channel of scene.channels) {
     const k = channel.least?.count;
-    check(channel.times && k && channel.times.count === k && (channel.most?.count ?? k) === k, `channel ${channel.name} has times and values of different length`);
+    check(
+      channel.times && k && channel.times.count === k && (channel.most?.count ?? k) === k,
+      `channel ${channel.name} has times and values of different length`,
+    );
   }
 }
 
@@ -153,8 +175,23 @@ export async function readScene(suffix = "") {
     throw new SceneError(`This scene is of the format "${node?.format}"; this viewer reads "${FORMAT}".`);
   }
   const buffer = await unzip(fromBase64(numbers.textContent ?? ""));
-  const lists = { bodies: [], solids: [], arrows: [], channels: [], spectra: [], marks: [], modes: [], notes: [] };
-  const scene = { title: "", subtitle: "", up: [0, 1, 0], ...lists, ...withTables(node, buffer, "this scene") };
+  const lists = {
+    bodies: [],
+    solids: [],
+    arrows: [],
+    channels: [],
+    spectra: [],
+    marks: [],
+    modes: [],
+    notes: [],
+  };
+  const scene = {
+    title: "",
+    subtitle: "",
+    up: [0, 1, 0],
+    ...lists,
+    ...withTables(node, buffer, "this scene"),
+  };
   checkShapes(scene);
   return scene;
 }

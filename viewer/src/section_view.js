@@ -17,11 +17,26 @@ export class SectionView {
     this.at = 0;
     /** in the world as the camera sees it, which follows the world */
     this.plane = new Plane();
-    const [axis] = Object.entries(AXES).reduce((best, each) => (Math.abs(each[1].dot(stage.pictures[0].poses.axis())) > Math.abs(best[1].dot(stage.pictures[0].poses.axis())) ? each : best));
+    const [axis] = Object.entries(AXES).reduce((best, each) =>
+      Math.abs(each[1].dot(stage.pictures[0].poses.axis())) >
+      Math.abs(best[1].dot(stage.pictures[0].poses.axis()))
+        ? each
+        : best,
+    );
     this.enable = tick("cut the solids (s)", false, (on) => this.turn(on));
-    this.axis = choice("square to", [...Object.keys(AXES).map((name) => [name, name]), ["mesh", "axis of the mesh"]], (name) => this.along(name));
+    this.axis = choice(
+      "square to",
+      [...Object.keys(AXES).map((name) => [name, name]), ["mesh", "axis of the mesh"]],
+      (name) => this.along(name),
+    );
     this.axis.select.lastChild.hidden = true;
-    this.place = el("input", { type: "range", min: "0", max: "1000", title: "Place of the cut", "aria-label": "Place of the cut" });
+    this.place = el("input", {
+      type: "range",
+      min: "0",
+      max: "1000",
+      title: "Place of the cut",
+      "aria-label": "Place of the cut",
+    });
     this.place.addEventListener("input", () => this.#moved());
     this.said = el("output", {});
     this.flip = tick("other half", false, (on) => {
@@ -29,7 +44,12 @@ export class SectionView {
       this.update();
       changed();
     });
-    this.rows = [this.enable.row, this.axis.row, el("label", { className: "ppv-slider" }, el("span", {}, "place"), this.place, this.said), this.flip.row];
+    this.rows = [
+      this.enable.row,
+      this.axis.row,
+      el("label", { className: "ppv-slider" }, el("span", {}, "place"), this.place, this.said),
+      this.flip.row,
+    ];
     this.along(axis);
   }
 
@@ -58,9 +78,12 @@ export class SectionView {
   /** Least and largest place of the solids along the normal. */
   #ends() {
     const { low, high } = this.stage.pictures[0].bounds;
-    let least = Infinity, most = -Infinity;
+    let least = Infinity,
+      most = -Infinity;
     for (let k = 0; k < 8; k++) {
-      const corner = new Vector3(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z).dot(this.normal);
+      const corner = new Vector3(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z).dot(
+        this.normal,
+      );
       least = Math.min(least, corner);
       most = Math.max(most, corner);
     }

@@ -45,10 +45,16 @@ export class Skin {
       const w = weight.data[p];
       const m = drawn[first ? first.data[p] : 0].elements;
       const n = drawn[b].elements;
-      const x = this.points[3 * k], y = this.points[3 * k + 1], z = this.points[3 * k + 2];
-      const u = this.normals[3 * k], v = this.normals[3 * k + 1], s = this.normals[3 * k + 2];
+      const x = this.points[3 * k],
+        y = this.points[3 * k + 1],
+        z = this.points[3 * k + 2];
+      const u = this.normals[3 * k],
+        v = this.normals[3 * k + 1],
+        s = this.normals[3 * k + 2];
       for (let i = 0; i < 3; i++) {
-        const r0 = m[i] + w * (n[i] - m[i]), r1 = m[4 + i] + w * (n[4 + i] - m[4 + i]), r2 = m[8 + i] + w * (n[8 + i] - m[8 + i]);
+        const r0 = m[i] + w * (n[i] - m[i]),
+          r1 = m[4 + i] + w * (n[4 + i] - m[4 + i]),
+          r2 = m[8 + i] + w * (n[8 + i] - m[8 + i]);
         position.array[3 * k + i] = r0 * x + r1 * y + r2 * z + m[12 + i] + w * (n[12 + i] - m[12 + i]);
         normal.array[3 * k + i] = r0 * u + r1 * v + r2 * s;
       }

@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solids as meshes: one mesh each, or a few batches where there are hundreds of them.
-import { BatchedMesh, BufferAttribute, BufferGeometry, Color, DoubleSide, FrontSide, Mesh, MeshLambertMaterial, Vector3 } from "three";
+import {
+  BatchedMesh,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  FrontSide,
+  Mesh,
+  MeshLambertMaterial,
+  Vector3,
+} from "three";
 import { colourOfPart } from "./colours.js";
 import { creaseNormals } from "./crease_normals.js";
 import { Skin } from "./skin.js";
@@ -44,14 +54,29 @@ export class Solids {
     const orders = {};
     this.parts = scene.solids.map((solid) => {
       const order = (orders[solid.kind] = (orders[solid.kind] ?? -1) + 1);
-      const { points, normals, index, source } = creaseNormals(solid.points.data, solid.triangles.data, solid.creases ?? 40);
+      const { points, normals, index, source } = creaseNormals(
+        solid.points.data,
+        solid.triangles.data,
+        solid.creases ?? 40,
+      );
       const geometry = new BufferGeometry();
       geometry.setAttribute("position", new BufferAttribute(points, 3));
       geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-      geometry.setIndex(points.length / 3 < 65536 ? new BufferAttribute(Uint16Array.from(index), 1) : new BufferAttribute(index, 1));
+      geometry.setIndex(
+        points.length / 3 < 65536
+          ? new BufferAttribute(Uint16Array.from(index), 1)
+          : new BufferAttribute(index, 1),
+      );
       geometry.computeBoundingSphere();
       const skin = solid.skin ? new Skin(solid.skin, geometry, source, poses) : null;
-      return { solid, geometry, skin, colour: colourOfPart(solid.kind, order), radius: reach(points), rim: rim(points) };
+      return {
+        solid,
+        geometry,
+        skin,
+        colour: colourOfPart(solid.kind, order),
+        radius: reach(points),
+        rim: rim(points),
+      };
     });
     this.triangles = scene.solids.reduce((sum, solid) => sum + solid.triangles.count, 0);
     this.materials = [];
@@ -84,7 +109,12 @@ export class Solids {
       if (!parts.length) continue;
       const sum = (count) => parts.reduce((total, part) => total + count(part.geometry), 0);
       const shared = material("#ffffff", seeThrough);
-      const batch = new BatchedMesh(parts.length, sum((g) => g.attributes.position.count), sum((g) => g.index.count), shared);
+      const batch = new BatchedMesh(
+        parts.length,
+        sum((g) => g.attributes.position.count),
+        sum((g) => g.index.count),
+        shared,
+      );
       // bodies move all the time: to cull them one by one costs more than it saves
       batch.perObjectFrustumCulled = false;
       batch.frustumCulled = false;
@@ -133,7 +163,12 @@ export class Solids {
       const drawn = part.batch?.material ?? part.mesh.material;
       if (done.has(drawn)) continue;
       done.add(drawn);
-      Object.assign(drawn, how === "solid" ? { transparent: false, opacity: 1, depthWrite: true } : { transparent: true, opacity: 0.22, depthWrite: false });
+      Object.assign(
+        drawn,
+        how === "solid"
+          ? { transparent: false, opacity: 1, depthWrite: true }
+          : { transparent: true, opacity: 0.22, depthWrite: false },
+      );
       drawn.needsUpdate = true;
     }
   }
@@ -145,7 +180,11 @@ export class Solids {
       part: object.userData.part ?? object.userData.parts.find((part) => part.instance === batchId),
       point,
     }));
-    return found.find(({ part, point }) => !part.solid.see_through && this.#kept(point)) ?? found.find(({ point }) => this.#kept(point)) ?? null;
+    return (
+      found.find(({ part, point }) => !part.solid.see_through && this.#kept(point)) ??
+      found.find(({ point }) => this.#kept(point)) ??
+      null
+    );
   }
 
   #kept(point) {
@@ -155,7 +194,8 @@ export class Solids {
   /** Centre and radius of all solids at rest, without covers where there is anything else. */
   bounds() {
     const open = this.parts.filter((part) => !part.solid.see_through);
-    const low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
+    const low = new Vector3(Infinity, Infinity, Infinity),
+      high = low.clone().negate();
     const point = new Vector3();
     for (const part of open.length ? open : this.parts) {
       const matrix = this.poses.ofSolid(part.solid);
@@ -171,8 +211,14 @@ export class Solids {
         high.max(point);
       }
     }
-    if (!(high.x >= low.x)) return { centre: new Vector3(), radius: 1, low: new Vector3(-1, -1, -1), high: new Vector3(1, 1, 1) };
-    return { centre: low.clone().add(high).multiplyScalar(0.5), radius: Math.max(low.distanceTo(high) / 2, 1e-9), low, high };
+    if (!(high.x >= low.x))
+      return { centre: new Vector3(), radius: 1, low: new Vector3(-1, -1, -1), high: new Vector3(1, 1, 1) };
+    return {
+      centre: low.clone().add(high).multiplyScalar(0.5),
+      radius: Math.max(low.distanceTo(high) / 2, 1e-9),
+      low,
+      high,
+    };
   }
 
   /** Largest distance of a point of a body from its origin [m]. @param {number} body */
@@ -191,6 +237,7 @@ function rim(points) {
 /** Largest distance from the origin. @param {Float32Array} points */
 function reach(points) {
   let most = 0;
-  for (let k = 0; k < points.length; k += 3) most = Math.max(most, Math.hypot(points[k], points[k + 1], points[k + 2]));
+  for (let k = 0; k < points.length; k += 3)
+    most = Math.max(most, Math.hypot(points[k], points[k + 1], points[k + 2]));
   return most;
 }

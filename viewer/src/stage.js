@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The canvas: one picture a result, side by side, all with one camera; draws only when asked.
-import { Color, DirectionalLight, Group, HemisphereLight, Matrix4, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import {
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Matrix4,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
 import { Arrows } from "./arrows.js";
 import { Poses } from "./poses.js";
 import { Solids } from "./solids.js";
@@ -89,7 +101,12 @@ export class Stage {
   /** Centre and radius of what all pictures show, as the camera sees it. */
   bounds() {
     const radius = Math.max(...this.pictures.map((picture) => picture.bounds.radius));
-    return { centre: this.pictures[0].bounds.centre.clone().applyMatrix4(this.seen), radius, low: this.pictures[0].bounds.low, high: this.pictures[0].bounds.high };
+    return {
+      centre: this.pictures[0].bounds.centre.clone().applyMatrix4(this.seen),
+      radius,
+      low: this.pictures[0].bounds.low,
+      high: this.pictures[0].bounds.high,
+    };
   }
 
   /** @param {import("./orbit.js").Orbit} orbit */
@@ -137,7 +154,10 @@ export class Stage {
     const k = Math.floor((x - box.left) / width);
     const picture = this.pictures[k];
     if (!picture) return null;
-    const at = new Vector2(((x - box.left - k * width) / width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2);
+    const at = new Vector2(
+      ((x - box.left - k * width) / width) * 2 - 1,
+      1 - ((y - box.top) / box.height) * 2,
+    );
     const ray = new Raycaster();
     ray.setFromCamera(at, this.camera);
     const found = picture.solids.hit(ray);

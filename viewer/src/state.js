@@ -21,10 +21,20 @@ export function stateOf(page) {
     marks: page.transport.marks.length,
     message: page.area.querySelector(".ppv-message")?.textContent ?? null,
     drawn: stage?.drawn ?? 0,
-    section: page.section ? { on: page.section.on, normal: triple(page.section.normal), at: page.section.at } : null,
+    section: page.section
+      ? { on: page.section.on, normal: triple(page.section.normal), at: page.section.at }
+      : null,
     mode: page.modes?.number ?? -1,
     following: page.views?.body ?? -1,
-    camera: page.orbit ? { position: triple(stage.camera.position), target: triple(page.orbit.now.target), distance: page.orbit.now.distance, near: stage.camera.near, far: stage.camera.far } : null,
+    camera: page.orbit
+      ? {
+          position: triple(stage.camera.position),
+          target: triple(page.orbit.now.target),
+          distance: page.orbit.now.distance,
+          near: stage.camera.near,
+          far: stage.camera.far,
+        }
+      : null,
     pictures: (stage?.pictures ?? []).map((picture) => ({
       bodies: picture.poses.world.map((matrix) => [...matrix.elements]),
       seen: [...stage.seen.elements],
@@ -36,8 +46,15 @@ export function stateOf(page) {
         kind: force.kind,
         state: force.state,
         at: triple(force.at),
-        vectors: Object.fromEntries(Object.entries(force.vectors).map(([part, vector]) => [part, triple(vector)])),
-        lengths: Object.fromEntries(Object.entries(picture.arrows.drawn[k].parts).map(([part, mesh]) => [part, mesh.visible ? new Vector3().setFromMatrixColumn(mesh.matrix, 2).length() : 0])),
+        vectors: Object.fromEntries(
+          Object.entries(force.vectors).map(([part, vector]) => [part, triple(vector)]),
+        ),
+        lengths: Object.fromEntries(
+          Object.entries(picture.arrows.drawn[k].parts).map(([part, mesh]) => [
+            part,
+            mesh.visible ? new Vector3().setFromMatrixColumn(mesh.matrix, 2).length() : 0,
+          ]),
+        ),
       })),
     })),
   };

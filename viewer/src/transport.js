@@ -19,12 +19,25 @@ export class Transport {
     this.does = does;
     // the finest spacing decides how many digits a reader needs
     this.stepLength = Infinity;
-    for (let k = 1; k < player.times.length; k++) this.stepLength = Math.min(this.stepLength, player.times[k] - player.times[k - 1] || Infinity);
+    for (let k = 1; k < player.times.length; k++)
+      this.stepLength = Math.min(this.stepLength, player.times[k] - player.times[k - 1] || Infinity);
     if (!Number.isFinite(this.stepLength)) this.stepLength = 1;
     this.play = button("", "Play (space)", does.toggle, { className: "ppv-play" });
-    this.range = el("input", { type: "range", min: "0", max: String(FINE), step: "1", className: "ppv-range", title: "Time", "aria-label": "Time" });
+    this.range = el("input", {
+      type: "range",
+      min: "0",
+      max: String(FINE),
+      step: "1",
+      className: "ppv-range",
+      title: "Time",
+      "aria-label": "Time",
+    });
     this.range.addEventListener("input", () => does.seek(this.#time(Number(this.range.value) / FINE)));
-    this.strip = el("canvas", { className: "ppv-marks", role: "img", "aria-label": `${this.marks.length} marks` });
+    this.strip = el("canvas", {
+      className: "ppv-marks",
+      role: "img",
+      "aria-label": `${this.marks.length} marks`,
+    });
     this.tip = el("div", { className: "ppv-tip", hidden: true });
     this.strip.addEventListener("pointermove", (event) => this.#hover(event));
     this.strip.addEventListener("pointerleave", () => (this.tip.hidden = true));
@@ -42,14 +55,25 @@ export class Transport {
       show: speedWords,
       changed: does.speed,
     });
-    this.loop = choice("repeat", [["record", "whole record"], ["turn", "one turn"], ["cycle", "one mesh cycle"]], (what) => {
-      const wrong = does.loop(what);
-      this.loop.select.value = player.loop;
-      this.say(wrong);
-    });
+    this.loop = choice(
+      "repeat",
+      [
+        ["record", "whole record"],
+        ["turn", "one turn"],
+        ["cycle", "one mesh cycle"],
+      ],
+      (what) => {
+        const wrong = does.loop(what);
+        this.loop.select.value = player.loop;
+        this.say(wrong);
+      },
+    );
     this.said = el("span", { className: "ppv-said", role: "status" });
     this.jump = this.marks.length
-      ? [button("⟨", "Mark before ([)", () => this.toMark(-1)), button("⟩", "Next mark (])", () => this.toMark(1))]
+      ? [
+          button("⟨", "Mark before ([)", () => this.toMark(-1)),
+          button("⟩", "Next mark (])", () => this.toMark(1)),
+        ]
       : [];
     this.element = el(
       "div",
@@ -86,7 +110,9 @@ export class Transport {
     const t = this.#time(this.#share(event));
     const reach = (6 * (this.player.last - this.player.first)) / Math.max(box.width, 1);
     let best = null;
-    for (const mark of this.marks) if (Math.abs(mark.time - t) <= reach && (!best || Math.abs(mark.time - t) < Math.abs(best.time - t))) best = mark;
+    for (const mark of this.marks)
+      if (Math.abs(mark.time - t) <= reach && (!best || Math.abs(mark.time - t) < Math.abs(best.time - t)))
+        best = mark;
     return best;
   }
 
@@ -110,14 +136,18 @@ export class Transport {
   toMark(way) {
     const t = this.player.time;
     const least = 1e-9 * (this.player.last - this.player.first);
-    const found = way > 0 ? this.marks.find((mark) => mark.time > t + least) : this.marks.findLast((mark) => mark.time < t - least);
+    const found =
+      way > 0
+        ? this.marks.find((mark) => mark.time > t + least)
+        : this.marks.findLast((mark) => mark.time < t - least);
     if (found) this.does.seek(found.time);
   }
 
   /** Marks and the repeated piece. */
   draw() {
     const { strip, player } = this;
-    const width = strip.clientWidth, height = strip.clientHeight;
+    const width = strip.clientWidth,
+      height = strip.clientHeight;
     if (!width) return;
     const ratio = window.devicePixelRatio || 1;
     strip.width = width * ratio;
@@ -130,7 +160,12 @@ export class Transport {
     if (player.loop !== "record") {
       pen.fillStyle = style.getPropertyValue("--v-accent");
       pen.globalAlpha = 0.35;
-      pen.fillRect(x(player.window[0]), height - 4, Math.max(2, x(player.window[1]) - x(player.window[0])), 4);
+      pen.fillRect(
+        x(player.window[0]),
+        height - 4,
+        Math.max(2, x(player.window[1]) - x(player.window[0])),
+        4,
+      );
       pen.globalAlpha = 1;
     }
     for (const mark of this.marks) {

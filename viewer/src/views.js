@@ -25,7 +25,12 @@ export class Views {
     if (side.length() < 1e-3) side.crossVectors(new Vector3(0, 0, 1), axis);
     side.normalize();
     const third = new Vector3().crossVectors(axis, side);
-    return { axis, front: side, top: third, iso: axis.clone().addScaledVector(side, 0.75).addScaledVector(third, 0.55) };
+    return {
+      axis,
+      front: side,
+      top: third,
+      iso: axis.clone().addScaledVector(side, 0.75).addScaledVector(third, 0.55),
+    };
   }
 
   /** Distance from which a sphere fills the picture. @param {number} radius */
@@ -68,7 +73,9 @@ export class Views {
 
   #frame() {
     const world = this.poses.world[this.body];
-    return this.turning ? world.clone() : new Matrix4().setPosition(new Vector3().setFromMatrixPosition(world));
+    return this.turning
+      ? world.clone()
+      : new Matrix4().setPosition(new Vector3().setFromMatrixPosition(world));
   }
 
   /** The world as seen at the instant of the poses. */
@@ -80,7 +87,9 @@ export class Views {
   closeUp() {
     if (this.body < 0) return;
     const { solids } = this.stage.pictures[0];
-    const target = new Vector3().setFromMatrixPosition(this.poses.world[this.body]).applyMatrix4(this.stage.seen);
+    const target = new Vector3()
+      .setFromMatrixPosition(this.poses.world[this.body])
+      .applyMatrix4(this.stage.seen);
     const radius = solids.reachOf(this.body);
     this.orbit.look({ target, distance: radius > 0 ? this.distanceFor(1.15 * radius) : undefined });
   }
