@@ -127,7 +127,7 @@ def test_keys_and_buttons_move_time(tmp_path: Path, pair: tuple[str, str]) -> No
       out.first = S().time;
       const before = S().speed; press("+"); out.faster = S().speed / before; press("-"); press("-");
       out.slower = S().speed / before;
-      $(".ppv-play").click(); out.playing = S().playing; await wait(700); out.ran = S().time; press(" ");
+      $(".ppv-play").click(); out.playing = S().playing; await until(() => S().time > 0.02); out.ran = S().time; press(" ");
       out.paused = S().playing;
       out.label = $(".ppv-play").getAttribute("aria-label");
       V.seek(0.05); await wait(300);
@@ -155,7 +155,7 @@ def test_loops_last_one_turn_or_one_mesh_cycle(tmp_path: Path, pair: tuple[str, 
       for (const what of ["turn", "cycle"]) { const wrong = V.repeat(what);
       out.push([wrong, ...S().window]); }
       V.follow(1); const wrong = V.repeat("cycle"); out.push([wrong, ...S().window]);
-      V.play(); for (let k = 0; k < 5; k++) { await wait(150); out.push(S().time); }
+      V.play(); for (let k = 0; k < 5; k++) { V.advance(0.02); out.push(S().time); }
       return out;
     """
     turn, cycle, wheel, *later = fine(probed(tmp_path, script, pair))

@@ -27,7 +27,7 @@ def test_modes_swing_about_the_place_at_rest(tmp_path: Path, pair: tuple[str, st
     """Second body up, third down and twice as wide, a quarter of it a quarter period late."""
     script = """
       V.seek(0.07); V.draw(); const before = S(); V.mode(0); const out = [];
-      for (let k = 0; k < 12; k++) { await wait(120); out.push(S()); }
+      for (let k = 0; k < 12; k++) { V.advance(0.13); out.push(S()); }
       V.mode(1); V.draw(); const twist = S();
       V.mode(-1); V.draw(); return {before, out, twist, after: S()};
     """

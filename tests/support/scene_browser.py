@@ -25,9 +25,9 @@ LISTEN = """
   addEventListener("securitypolicyviolation", (event) => errors.push("policy: " + event.violatedDirective));
   for (const name of ["error", "warn"]) console[name] = (...words) => errors.push(words.join(" "));
 """
-# waits for pictures are kept short: software drawing takes a tenth of a second each
 PROBE = """
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+  const until = async (holds) => { for (let k = 0; k < 300 && !holds(); k++) await wait(50); };
   const press = (key, on = document.body) => on.dispatchEvent(new KeyboardEvent("keydown", {key,
     bubbles: true, cancelable: true}));
   const V = pitchpointViewer, S = () => V.state(), $ = (what) => document.querySelector(what);
@@ -61,7 +61,7 @@ def probed(
         *"--disable-background-networking --disable-component-update --disable-sync".split(),
         *"--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader".split(),
         f"--user-data-dir={tmp_path / 'profile'}",
-        "--virtual-time-budget=20000",
+        "--virtual-time-budget=60000",
         "--window-size=1000,700",
         *flags,
         "--dump-dom",

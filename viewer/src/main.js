@@ -54,6 +54,7 @@ window.pitchpointViewer = {
   pause: () => shown().toggle(false),
   step: (frames) => shown().step(frames),
   repeat: (what) => shown().loop(what),
+  advance: (dt) => shown().advance(dt),
   follow: (body) => shown().follow(body),
   view: (name) => shown().views?.named(name, true),
   show: (channel, on = true) => shown().curves.plots.show(channel, on),

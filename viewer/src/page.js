@@ -227,6 +227,14 @@ export class Page {
     this.status.textContent = [following, larger, this.modes?.words].filter(Boolean).join(" · ");
   }
 
+  /** As a frame that comes so much later does. @param {number} dt real time [s] */
+  advance(dt) {
+    this.player.advance(dt);
+    this.modes?.advance(dt);
+    this.update();
+    this.draw();
+  }
+
   /** @param {number} t [s] */
   seek(t) {
     this.player.seek(t);
