@@ -98,6 +98,7 @@ export class Curves {
   }
 
   turn() {
+    if (!this.spectra.names.length) return;
     const spectra = this.spectra.element.hidden;
     this.spectra.element.hidden = !spectra;
     this.plots.element.hidden = spectra;

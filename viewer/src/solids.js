@@ -197,12 +197,18 @@ export class Solids {
     const low = new Vector3(Infinity, Infinity, Infinity),
       high = low.clone().negate();
     const point = new Vector3();
+    /** some points of every solid, from which a view is fitted */
+    const outline = [];
     for (const part of open.length ? open : this.parts) {
       const matrix = this.poses.ofSolid(part.solid);
       const { center, radius } = part.geometry.boundingSphere;
       part.geometry.computeBoundingBox();
       const { min, max } = part.geometry.boundingBox;
       if (!(radius >= 0)) continue;
+      const points = part.geometry.attributes.position;
+      const step = Math.max(1, Math.ceil(points.count / (this.parts.length > MOST_MESHES ? 4 : 80)));
+      for (let k = 0; k < points.count; k += step)
+        outline.push(new Vector3().fromBufferAttribute(points, k).applyMatrix4(matrix));
       for (let corner = 0; corner < 8; corner++) {
         point.set(corner & 1 ? max.x : min.x, corner & 2 ? max.y : min.y, corner & 4 ? max.z : min.z);
         // a corner of a box reaches further than a round body does
@@ -212,12 +218,19 @@ export class Solids {
       }
     }
     if (!(high.x >= low.x))
-      return { centre: new Vector3(), radius: 1, low: new Vector3(-1, -1, -1), high: new Vector3(1, 1, 1) };
+      return {
+        centre: point.set(0, 0, 0),
+        radius: 1,
+        low: point.clone().set(-1, -1, -1),
+        high: point.clone().set(1, 1, 1),
+        outline,
+      };
     return {
       centre: low.clone().add(high).multiplyScalar(0.5),
       radius: Math.max(low.distanceTo(high) / 2, 1e-9),
       low,
       high,
+      outline,
     };
   }
 

@@ -43,7 +43,39 @@ export class Views {
   /** @param {boolean} atOnce */
   fit(atOnce = false) {
     const { centre, radius } = this.stage.bounds();
-    this.orbit.look({ target: centre, distance: this.distanceFor(0.92 * radius) }, atOnce);
+    const { camera, seen, pictures } = this.stage;
+    const toward = this.orbit.direction(this.orbit.goal);
+    const right = new Vector3().crossVectors(this.orbit.up, toward).normalize();
+    const above = new Vector3().crossVectors(toward, right);
+    const tall = 0.9 * Math.tan((camera.fov * Math.PI) / 360);
+    const wide = tall * camera.aspect;
+    // twice: the first look tells how far the middle of the picture is from the middle of the solids
+    const target = centre.clone();
+    let distance = this.distanceFor(radius);
+    const points = pictures.flatMap((picture) =>
+      picture.bounds.outline.map((point) => point.clone().applyMatrix4(seen)),
+    );
+    for (let round = 0; points.length && round < 3; round++) {
+      const ends = [Infinity, -Infinity, Infinity, -Infinity];
+      let least = 0;
+      for (const point of points) {
+        const from = point.clone().sub(target);
+        const [x, y, z] = [from.dot(right), from.dot(above), from.dot(toward)];
+        const depth = Math.max(distance - z, 1e-3 * radius);
+        ends[0] = Math.min(ends[0], x / depth);
+        ends[1] = Math.max(ends[1], x / depth);
+        ends[2] = Math.min(ends[2], y / depth);
+        ends[3] = Math.max(ends[3], y / depth);
+        least = Math.max(least, z + Math.abs(x) / wide, z + Math.abs(y) / tall);
+      }
+      if (round === 2) {
+        distance = least;
+        break;
+      }
+      target.addScaledVector(right, (distance * (ends[0] + ends[1])) / 2);
+      target.addScaledVector(above, (distance * (ends[2] + ends[3])) / 2);
+    }
+    this.orbit.look({ target, distance: Math.max(distance, 0.1 * radius) }, atOnce);
   }
 
   /** @param {"axis"|"front"|"top"|"iso"} name @param {boolean} atOnce */
