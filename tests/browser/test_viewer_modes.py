@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from tests.support.scene_browser import BROWSER, fine, matrix, probed
-from tests.support.scene_data import LENGTH, SPEED, TEETH, TIMES, gears, texts_of
+from tests.support.scene_data import LENGTH, SPEED, TEETH, TIMES, Block, box, gears, texts_of
 
 pytestmark = pytest.mark.skipif(
     BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
@@ -61,6 +61,45 @@ def test_look_into_a_mesh_cuts_it_where_it_acts(tmp_path: Path, pair: tuple[str,
     assert view / np.linalg.norm(view) == pytest.approx([0, 0, 1], abs=2e-3)
     assert state["camera"]["distance"] < 0.1 and state["camera"]["near"] < state["camera"]["distance"]
     assert state["section"] == {"on": True, "normal": [0, 0, 1], "at": pytest.approx(0, abs=1e-9)}
+
+
+def test_micrometres_are_seen(tmp_path: Path) -> None:
+    """A block of 0.1 m, a metre from the origin, moves by 5 µm in a picture that is 50 µm high."""
+    block = Block()
+    moved = [[0.0, 0.0, 0.0], [5e-6, 0.0, 0.0]]
+    points, triangles = box([-0.1, -0.1, -0.1], [0.0, 0.1, 0.1])
+    header = {
+        "format": "pitchpoint-scene-1",
+        "title": "",
+        "up": [0, 1, 0],
+        "bodies": [{"name": "b", "place": [1, 1, 1], "axes": [0, 0, 0, 1], "position": block.put(moved)}],
+        "solids": [
+            {
+                "name": "s",
+                "kind": "body",
+                "body": 0,
+                "points": block.put(points, "f4"),
+                "triangles": block.put(triangles, "u2"),
+            }
+        ],
+        "times": block.put([0.0, 1.0]),
+    }
+    script = """
+      const canvas = $(".ppv-canvas"), gl = canvas.getContext("webgl2"), found = [];
+      V.look([1, 1, 1.1], [0, 0, 1], 50e-6);
+      for (const t of [0, 0.5, 1]) {
+        V.seek(t); V.draw();
+        const row = new Uint8Array(4 * canvas.width);
+        gl.readPixels(0, canvas.height >> 1, canvas.width, 1, gl.RGBA, gl.UNSIGNED_BYTE, row);
+        let edge = 0; while (row[4 * edge] === row[0] && edge < canvas.width) edge++;
+        found.push(edge - canvas.width / 2);
+      }
+      return {found, height: canvas.height};
+    """
+    found = fine(probed(tmp_path, script, texts_of(header, block)))
+    pixel = 50e-6 / found["height"]
+    # single precision of 0.1 m in the frame of the body is 6 nm a corner, a tenth of a pixel
+    assert np.abs(np.array(found["found"]) * pixel - [0, 2.5e-6, 5e-6]).max() < 1.5 * pixel
 
 
 def test_two_results_share_time_camera_and_scale(tmp_path: Path, pair: tuple[str, str]) -> None:

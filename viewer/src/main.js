@@ -56,6 +56,8 @@ window.pitchpointViewer = {
   repeat: (what) => shown().loop(what),
   advance: (dt) => shown().advance(dt),
   follow: (body) => shown().follow(body),
+  /** Camera onto a point [m] from a direction, so that the picture is so high [m]. */
+  look: (target, direction, height) => shown().views?.look(target, direction, height),
   view: (name) => shown().views?.named(name, true),
   show: (channel, on = true) => shown().curves.plots.show(channel, on),
   magnify: (times) => shown().magnify(times),

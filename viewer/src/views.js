@@ -115,6 +115,15 @@ export class Views {
     if (this.body >= 0) this.stage.seen.multiplyMatrices(this.anchor, this.#frame().invert());
   }
 
+  /** @param {number[]} target @param {number[]} direction to the camera @param {number} height of what is seen there [m] */
+  look(target, direction, height) {
+    const distance = height / (2 * Math.tan((this.stage.camera.fov * Math.PI) / 360));
+    this.orbit.look(
+      { target: new Vector3(...target), direction: direction && new Vector3(...direction), distance },
+      true,
+    );
+  }
+
   /** Middle of the followed body, closer. */
   closeUp() {
     if (this.body < 0) return;
