@@ -179,11 +179,19 @@ export class Page {
     this.player.advance(dt);
     this.modes?.advance(dt);
     this.easing = this.orbit?.step(dt) ?? false;
+    this.#spare(dt, moving);
     this.update();
     this.draw();
     this.frames = (this.frames ?? 0) + 1;
     if (this.player.playing || this.easing || this.modes?.active) this.changed();
     else this.last = 0;
+  }
+
+  /** Below some twelve pictures a second a coarser one that moves is worth more than a fine one that jerks. */
+  #spare(dt, moving) {
+    const goesOn = this.player.playing || this.easing || this.modes?.active;
+    if (moving && goesOn) this.pace = 0.7 * (this.pace ?? dt) + 0.3 * dt;
+    this.stage?.coarsen(Boolean(goesOn) && this.pace > (this.stage.coarse ? 0.03 : 0.085));
   }
 
   /** Everything but the scene, which is drawn by draw. */

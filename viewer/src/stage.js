@@ -80,11 +80,21 @@ export class Stage {
     this.background = new Color("#ffffff");
     this.size = { width: 1, height: 1 };
     this.drawn = 0;
+    this.coarse = false;
     /** the world as the camera sees it: what follows a body turns the world instead of the camera */
     this.seen = new Matrix4();
   }
 
+  /** Fewer pixels while something moves, where drawing is slow. @param {boolean} on @returns {boolean} whether that is new */
+  coarsen(on) {
+    if (on === this.coarse) return false;
+    this.coarse = on;
+    this.resize();
+    return true;
+  }
+
   get ratio() {
+    if (this.coarse) return 0.6;
     return this.software ? 1 : Math.min(window.devicePixelRatio || 1, 2);
   }
 
