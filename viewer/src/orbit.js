@@ -23,6 +23,8 @@ export class Orbit {
     this.goal = { target: new Vector3(), azimuth: 0.6, elevation: 0.4, distance: 1 };
     this.nearest = 1e-6;
     this.farthest = 1e6;
+    /** whether somebody chose where to look: then no change of size chooses again */
+    this.chosen = false;
     this.pointers = new Map();
     element.addEventListener("pointerdown", (event) => this.#down(event));
     element.addEventListener("pointermove", (event) => this.#move(event));
@@ -55,6 +57,7 @@ export class Orbit {
    * @param {boolean} atOnce without easing
    */
   look({ target, direction, distance }, atOnce = false) {
+    this.chosen = true;
     if (target) this.goal.target.copy(target);
     if (distance) this.goal.distance = this.#clamped(distance);
     if (direction) {
@@ -151,6 +154,7 @@ export class Orbit {
   }
 
   turn(dx, dy) {
+    this.chosen = true;
     const each = (1.1 * Math.PI) / Math.max(this.element.clientHeight, 1);
     this.goal.azimuth -= each * dx;
     this.goal.elevation = Math.max(-STEEPEST, Math.min(STEEPEST, this.goal.elevation + each * dy));
@@ -158,6 +162,7 @@ export class Orbit {
   }
 
   pan(dx, dy) {
+    this.chosen = true;
     const pixel = this.pixel;
     this.goal.target.addScaledVector(RIGHT.set(1, 0, 0).applyQuaternion(this.camera.quaternion), -dx * pixel);
     this.goal.target.addScaledVector(RIGHT.set(0, 1, 0).applyQuaternion(this.camera.quaternion), dy * pixel);
@@ -166,6 +171,7 @@ export class Orbit {
 
   /** @param {number} factor of the distance @param {number} [x] @param {number} [y] what stays under the pointer */
   zoom(factor, x, y) {
+    this.chosen = true;
     const before = this.goal.distance;
     this.goal.distance = this.#clamped(before * factor);
     if (x !== undefined) {

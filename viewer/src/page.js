@@ -63,6 +63,8 @@ export class Page {
     this.watch = new ResizeObserver(() => this.resize());
     this.watch.observe(root);
     this.watch.observe(this.curves.body);
+    // a printer sees the canvas only if it was drawn just now
+    window.addEventListener("beforeprint", () => this.draw());
     this.dark = window.matchMedia("(prefers-color-scheme: dark)");
     this.dark.addEventListener("change", () => this.colours());
     this.resize();
@@ -155,10 +157,8 @@ export class Page {
     if (this.stage) {
       const first = this.stage.size.width === 1;
       this.stage.resize();
-      if (first) {
-        this.views.named("iso", true);
-        this.views.fit(true);
-      }
+      if (first) this.views.named("iso", true);
+      if (!this.orbit.chosen) this.views.fit(true);
       this.draw();
     }
     this.curves.resize();

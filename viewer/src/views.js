@@ -76,6 +76,7 @@ export class Views {
       target.addScaledVector(above, (distance * (ends[2] + ends[3])) / 2);
     }
     this.orbit.look({ target, distance: Math.max(distance, 0.1 * radius) }, atOnce);
+    this.orbit.chosen = false;
   }
 
   /** @param {"axis"|"front"|"top"|"iso"} name @param {boolean} atOnce */
