@@ -66,13 +66,21 @@ export class Arrows {
       ),
       ball: arrow.state ? add(ball, this.states[0]) : null,
     }));
+    this.largest = this.arrows.map((arrow) =>
+      Object.fromEntries(
+        FORCES.filter((part) => arrow.components?.[part]).map((part) => [
+          part,
+          longestRow(arrow.components[part].data),
+        ]),
+      ),
+    );
     // One scale for all, so that arrows can be compared by eye.
     this.size = Math.max(0, ...this.arrows.map((arrow) => arrow.size ?? 0));
   }
 
   /** Length of an arrow of the largest force [m]. */
   get longest() {
-    return 0.7 * this.radius * this.scale;
+    return 0.55 * this.radius * this.scale;
   }
 
   /** All forces at the instant of the poses. @returns {Force[]} */
@@ -111,6 +119,22 @@ export class Arrows {
     });
   }
 
+  /** Where arrows of the present directions end when they are longest, for a picture that holds them. */
+  ends() {
+    if (this.hidden || !(this.size > 0)) return [];
+    return this.forces().flatMap((force, k) =>
+      this.shown.has(force.kind)
+        ? Object.entries(force.vectors).map(([part, vector]) => {
+            const length = (this.longest * this.largest[k][part]) / this.size;
+            return vector
+              .clone()
+              .setLength(vector.length() ? length : 0)
+              .add(force.at);
+          })
+        : [],
+    );
+  }
+
   /** @param {number} visible world length of a pixel [m] */
   update(visible) {
     this.now = this.forces();
@@ -143,3 +167,11 @@ const TURN = new Matrix4();
 const TURNED = new Quaternion();
 const DIRECTION = new Vector3();
 const SIZE = new Vector3();
+
+/** Length of the longest of vectors. @param {import("./scene_file.js").Numbers} data */
+function longestRow(data) {
+  let most = 0;
+  for (let k = 0; k < data.length; k += 3)
+    most = Math.max(most, Math.hypot(data[k], data[k + 1], data[k + 2]));
+  return most;
+}

@@ -82,22 +82,26 @@ function legend(pen, page, n, width, ink, style) {
   const { arrows } = page.stage.pictures[n];
   const shown = page.legends[n];
   const { columns } = shown;
+  const lines = shown.lines(arrows.now, arrows.shown).slice(0, 20);
+  const wide =
+    92 * columns.length + 24 + Math.max(0, ...lines.map(({ name }) => pen.measureText(name).width));
+  pen.globalAlpha = 0.85;
+  pen.fillStyle = style.getPropertyValue("--v-paper").trim() || "#fff";
+  pen.fillRect(width - wide, 0, wide, 34 + 16 * lines.length);
+  pen.globalAlpha = 1;
   pen.textAlign = "right";
   columns.forEach((part, c) => {
     pen.fillStyle = colourOfForce(page.root, part);
     pen.fillText(part, width - 12 - 92 * (columns.length - 1 - c), 10);
   });
-  shown
-    .lines(arrows.now, arrows.shown)
-    .slice(0, 20)
-    .forEach(({ name, values }, row) => {
-      const y = 27 + 16 * row;
-      pen.fillStyle = ink;
-      pen.font = `12px ${style.fontFamily}`;
-      pen.fillText(name, width - 12 - 92 * columns.length, y);
-      for (const { part, text } of values)
-        pen.fillText(text, width - 12 - 92 * (columns.length - 1 - columns.indexOf(part)), y);
-    });
+  lines.forEach(({ name, values }, row) => {
+    const y = 27 + 16 * row;
+    pen.fillStyle = ink;
+    pen.font = `12px ${style.fontFamily}`;
+    pen.fillText(name, width - 12 - 92 * columns.length, y);
+    for (const { part, text } of values)
+      pen.fillText(text, width - 12 - 92 * (columns.length - 1 - columns.indexOf(part)), y);
+  });
   pen.textAlign = "left";
 }
 

@@ -53,7 +53,7 @@ export class Views {
     const target = centre.clone();
     let distance = this.distanceFor(radius);
     const points = pictures.flatMap((picture) =>
-      picture.bounds.outline.map((point) => point.clone().applyMatrix4(seen)),
+      [...picture.bounds.outline, ...picture.arrows.ends()].map((point) => point.clone().applyMatrix4(seen)),
     );
     for (let round = 0; points.length && round < 3; round++) {
       const ends = [Infinity, -Infinity, Infinity, -Infinity];
