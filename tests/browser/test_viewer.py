@@ -127,7 +127,8 @@ def test_keys_and_buttons_move_time(tmp_path: Path, pair: tuple[str, str]) -> No
       out.first = S().time;
       const before = S().speed; press("+"); out.faster = S().speed / before; press("-"); press("-");
       out.slower = S().speed / before;
-      $(".ppv-play").click(); out.playing = S().playing; await until(() => S().time > 0.02); out.ran = S().time; press(" ");
+      $(".ppv-play").click(); out.playing = S().playing; await until(() => S().time > 0.02);
+      out.ran = S().time; press(" ");
       out.paused = S().playing;
       out.label = $(".ppv-play").getAttribute("aria-label");
       V.seek(0.05); await wait(300);
@@ -198,6 +199,23 @@ def test_cursor_and_time_are_linked_both_ways(tmp_path: Path, pair: tuple[str, s
     assert "speed[pinion]" in out["shown"] and out["plots"] == 3 and out["fewer"] == 2
     assert out["list"] == ["radial force, stage_1"] and "radial_force[stage_1]" in out["added"]
     assert out["together"] == 2, "one plot a unit"
+
+
+def test_wheel_scrolls_a_longer_page_until_the_scene_is_clicked(
+    tmp_path: Path, pair: tuple[str, str]
+) -> None:
+    script = """
+      const canvas = $(".ppv-canvas");
+      const turn = () => {
+        const event = new WheelEvent("wheel", {deltaY: -300, clientX: 500, clientY: 150, cancelable: true});
+        canvas.dispatchEvent(event); V.draw();
+        return [event.defaultPrevented, S().camera.distance]; };
+      const out = [turn()]; canvas.focus(); out.push(turn()); return out;
+    """
+    small = fine(probed(tmp_path, script, pair, size="800px;height:400px"))
+    assert [taken for taken, _ in small] == [False, True] and small[1][1] < 0.8 * small[0][1]
+    alone = fine(probed(tmp_path, script, pair))
+    assert [taken for taken, _ in alone] == [True, True]
 
 
 def test_nothing_is_drawn_while_nothing_changes(tmp_path: Path, pair: tuple[str, str]) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.support.scene_browser import BROWSER, fine, matrix, probed
+from tests.support.scene_browser import BROWSER, about_z, fine, matrix, probed
 from tests.support.scene_data import LENGTH, SPEED, TEETH, TIMES, Block, box, gears, texts_of
 
 pytestmark = pytest.mark.skipif(
@@ -61,6 +61,76 @@ def test_look_into_a_mesh_cuts_it_where_it_acts(tmp_path: Path, pair: tuple[str,
     assert view / np.linalg.norm(view) == pytest.approx([0, 0, 1], abs=2e-3)
     assert state["camera"]["distance"] < 0.1 and state["camera"]["near"] < state["camera"]["distance"]
     assert state["section"] == {"on": True, "normal": [0, 0, 1], "at": pytest.approx(0, abs=1e-9)}
+
+
+def test_bodies_hang_on_bodies_tilt_and_tumble(tmp_path: Path) -> None:
+    """A carrier that turns, a planet on it that tilts, a stone that tumbles, an arrow at the planet."""
+    block = Block()
+    half = np.sqrt(0.5)
+    tilt = np.array([0.01, -0.02, 0.005])
+    points, triangles = box([-0.1, -0.1, -0.1], [0.1, 0.1, 0.1])
+    shape = {"points": block.put(points, "f4"), "triangles": block.put(triangles, "u2")}
+    header = {
+        "format": "pitchpoint-scene-1",
+        "title": "",
+        "up": [0, 1, 0],
+        "bodies": [
+            {
+                "name": "carrier",
+                "place": [1, 2, 3],
+                "axes": [half, 0, 0, half],
+                "gross": block.put([0.0, 2.0]),
+            },
+            {
+                "name": "planet",
+                "parent": 0,
+                "place": [0.5, 0, 0],
+                "axes": [0, 0, 0, 1],
+                "position": block.put([[0, 0, 0], [0.02, 0, 0]]),
+                "turn": block.put([tilt, tilt]),
+                "gross": block.put([0.0, 2.0]),
+                "ratio": -3.0,
+                "spin": block.put([0.1, 0.3]),
+            },
+            {
+                "name": "stone",
+                "place": [0, 0, 0],
+                "axes": [0, 0, 0, 1],
+                "quaternion": block.put([[0, 0, 0, 1], [half, 0, 0, half]]),
+            },
+        ],
+        "solids": [{"name": "s", "kind": "body", "body": k, **shape} for k in range(3)],
+        "times": block.put([0.0, 1.0]),
+        "arrows": [
+            {
+                "name": "pin",
+                "kind": "bearing",
+                "body": 1,
+                "at": block.put([[0.0, 0.1, 0.0]]),
+                "unit": "N",
+                "components": {"radial": block.put([[0, 5.0, 0], [0, 5.0, 0]])},
+                "size": 5.0,
+            }
+        ],
+    }
+    picture = fine(probed(tmp_path, "V.seek(0.5); V.draw(); return S();", texts_of(header, block)))[
+        "pictures"
+    ][0]
+    carrier, planet, stone = map(matrix, picture["bodies"])
+    about_x = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0.0]])
+    turned = about_x @ about_z(1.0)
+    assert np.abs(carrier[:3, :3] - turned).max() < 1e-12 and list(carrier[:3, 3]) == [1, 2, 3]
+    angle = np.linalg.norm(tilt)
+    x, y, z = tilt / angle
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    tilted = np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+    assert np.abs(planet[:3, :3] - turned @ tilted @ about_z(-3.0 + 0.2)).max() < 1e-12
+    assert np.abs(planet[:3, 3] - ([1, 2, 3] + turned @ [0.51, 0, 0])).max() < 1e-12
+    c, s = np.cos(np.pi / 4), np.sin(np.pi / 4)
+    assert np.abs(stone[:3, :3] - [[1, 0, 0], [0, c, -s], [0, s, c]]).max() < 1e-12
+    (pin,) = picture["arrows"]
+    assert pin["at"] == pytest.approx(list([1, 2, 3] + turned @ [0.5, 0.1, 0]), abs=1e-12)
+    assert pin["vectors"]["radial"] == pytest.approx(list(turned @ [0, 5.0, 0]), abs=1e-12)
 
 
 def test_micrometres_are_seen(tmp_path: Path) -> None:

@@ -40,7 +40,7 @@ export function keys(page) {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     const { target } = event;
     const inside = page.root.contains(target);
-    const fills = target === document.body && page.root.clientHeight > 0.8 * window.innerHeight;
+    const fills = target === document.body && page.fills;
     if (!inside && !fills) return;
     if (target.matches?.("select, input[type=search], input[type=text]")) return;
     const slider = target.matches?.("input[type=range]") && target !== page.transport.range;

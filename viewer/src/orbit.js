@@ -25,6 +25,8 @@ export class Orbit {
     this.farthest = 1e6;
     /** whether somebody chose where to look: then no change of size chooses again */
     this.chosen = false;
+    /** whether a turn of the wheel is meant for the scene. @type {(event: WheelEvent) => boolean} */
+    this.takesWheel = () => true;
     this.pointers = new Map();
     element.addEventListener("pointerdown", (event) => this.#down(event));
     element.addEventListener("pointermove", (event) => this.#move(event));
@@ -196,6 +198,7 @@ export class Orbit {
   }
 
   #wheel(event) {
+    if (!this.takesWheel(event)) return;
     event.preventDefault();
     const lines = event.deltaMode === 1 ? 33 : 1;
     this.zoom(

@@ -94,6 +94,12 @@ export class Page {
       this.#say("The graphics card gave the scene up. Load the page again."),
     );
     this.orbit = new Orbit(stage.camera, stage.canvas, () => this.changed(), this.scenes[0].up);
+    // within a longer page the wheel scrolls the page until the reader clicks the scene
+    this.orbit.takesWheel = (event) => {
+      const takes = this.fills || event.ctrlKey || document.activeElement === stage.canvas;
+      if (!takes) this.#hint("click the scene first, then the wheel zooms");
+      return takes;
+    };
     this.orbit.pictures = stage.pictures.length;
     const { radius } = stage.bounds();
     this.orbit.nearest = 2e-5 * radius;
@@ -191,6 +197,8 @@ export class Page {
   #spare(dt, moving) {
     const goesOn = this.player.playing || this.easing || this.modes?.active;
     if (moving && goesOn) this.pace = 0.7 * (this.pace ?? dt) + 0.3 * dt;
+    // a film has one size
+    if (this.filming) return;
     this.stage?.coarsen(Boolean(goesOn) && this.pace > (this.stage.coarse ? 0.03 : 0.085));
   }
 
@@ -233,6 +241,18 @@ export class Page {
         ? `vibrations × ${this.magnification.row.lastChild.textContent}`
         : "";
     this.status.textContent = [following, larger, this.modes?.words].filter(Boolean).join(" · ");
+  }
+
+  /** Whether the page is nothing but the viewer. */
+  get fills() {
+    return this.root.clientHeight > 0.8 * window.innerHeight;
+  }
+
+  /** @param {string} words shown for a moment */
+  #hint(words) {
+    this.status.textContent = words;
+    clearTimeout(this.hinted);
+    this.hinted = setTimeout(() => this.changed(), 2500);
   }
 
   /** As a frame that comes so much later does. @param {number} dt real time [s] */

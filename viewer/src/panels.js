@@ -158,6 +158,8 @@ export function saveRows(page) {
     ? button("film", `Film what is played, ${camera.ending}`, async () => {
         record.setAttribute("aria-pressed", String(!stop));
         if (!stop) {
+          page.filming = true;
+          stage.coarsen(false);
           stop = camera.start();
           record.textContent = "stop the film";
           page.toggle(true);
@@ -165,6 +167,7 @@ export function saveRows(page) {
         }
         const end = stop;
         stop = null;
+        page.filming = false;
         record.textContent = "film";
         download(await end(), fileName(page, camera.ending));
       })
