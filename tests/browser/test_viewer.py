@@ -297,7 +297,7 @@ def test_thousands_of_bodies_move(tmp_path: Path) -> None:
     script = "V.draw(); V.seek(0.5); V.draw(); return S();"
     state = fine(probed(tmp_path, script, texts_of(*crowd(5000))))
     picture = state["pictures"][0]
-    assert len(picture["bodies"]) == 5000 and picture["batches"] == 1 and state["drawn"] >= 2
+    assert len(picture["bodies"]) == 5000 and picture["crowds"] == 1 and state["drawn"] >= 2
     assert np.abs(matrix(picture["bodies"][4999])[:3, :3] - about_z(3.0)).max() < 1e-9
 
 

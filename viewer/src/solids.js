@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids as meshes: one mesh each, or a few batches where there are hundreds of them.
+// Solids as meshes: one mesh each, or one or two crowds where there are hundreds of them.
 import {
-  BatchedMesh,
   BufferAttribute,
   BufferGeometry,
-  Color,
   DoubleSide,
   FrontSide,
   Mesh,
@@ -12,6 +10,7 @@ import {
   Vector3,
 } from "three";
 import { colourOfPart } from "./colours.js";
+import { Crowd } from "./crowd.js";
 import { creaseNormals } from "./crease_normals.js";
 import { Skin } from "./skin.js";
 
@@ -81,8 +80,8 @@ export class Solids {
     this.triangles = scene.solids.reduce((sum, solid) => sum + solid.triangles.count, 0);
     this.materials = [];
     this.meshes = [];
-    this.batches = [];
-    if (this.parts.length > MOST_MESHES) this.#batch();
+    this.crowds = [];
+    if (this.parts.length > MOST_MESHES) this.#crowds();
     else this.#meshes();
     this.update(0);
   }
@@ -103,34 +102,17 @@ export class Solids {
     this.materials = [...known.values()];
   }
 
-  #batch() {
+  #crowds() {
     for (const seeThrough of [false, true]) {
       const parts = this.parts.filter((part) => Boolean(part.solid.see_through) === seeThrough);
       if (!parts.length) continue;
-      const sum = (count) => parts.reduce((total, part) => total + count(part.geometry), 0);
       const shared = material("#ffffff", seeThrough);
-      const batch = new BatchedMesh(
-        parts.length,
-        sum((g) => g.attributes.position.count),
-        sum((g) => g.index.count),
-        shared,
-      );
-      // bodies move all the time: to cull them one by one costs more than it saves
-      batch.perObjectFrustumCulled = false;
-      batch.frustumCulled = false;
-      batch.sortObjects = false;
-      const colour = new Color();
-      for (const part of parts) {
-        part.skin = null; // a batch has no room for what bends
-        part.batch = batch;
-        part.instance = batch.addInstance(batch.addGeometry(part.geometry));
-        batch.setColorAt(part.instance, colour.set(part.colour));
-      }
-      batch.renderOrder = seeThrough ? 1 : 0;
-      batch.userData.parts = parts;
+      const crowd = new Crowd(parts, shared);
+      parts.forEach((part, k) => Object.assign(part, { crowd, member: k, skin: null })); // a crowd does not bend
+      crowd.renderOrder = seeThrough ? 1 : 0;
       this.materials.push(shared);
-      this.batches.push(batch);
-      this.root.add(batch);
+      this.crowds.push(crowd);
+      this.root.add(crowd);
     }
   }
 
@@ -138,7 +120,7 @@ export class Solids {
   update(visible) {
     for (const part of this.parts) {
       const matrix = this.poses.ofSolid(part.solid);
-      if (part.batch) part.batch.setMatrixAt(part.instance, matrix);
+      if (part.crowd) part.crowd.place(part.member, matrix);
       else part.mesh.matrix.copy(matrix);
       part.skin?.update(visible, part.radius);
     }
@@ -158,9 +140,9 @@ export class Solids {
     const done = new Set();
     for (const part of this.parts) {
       if (!part.solid.see_through) continue;
-      if (part.batch) part.batch.visible = how !== "hidden";
+      if (part.crowd) part.crowd.visible = how !== "hidden";
       else part.mesh.visible = how !== "hidden";
-      const drawn = part.batch?.material ?? part.mesh.material;
+      const drawn = part.crowd?.material ?? part.mesh.material;
       if (done.has(drawn)) continue;
       done.add(drawn);
       Object.assign(
@@ -175,9 +157,9 @@ export class Solids {
 
   /** What a ray meets first, covers last. @param {import("three").Raycaster} ray */
   hit(ray) {
-    const hits = ray.intersectObjects([...this.meshes, ...this.batches].filter((object) => object.visible));
-    const found = hits.map(({ object, batchId, point }) => ({
-      part: object.userData.part ?? object.userData.parts.find((part) => part.instance === batchId),
+    const hits = ray.intersectObjects([...this.meshes, ...this.crowds].filter((object) => object.visible));
+    const found = hits.map(({ object, member, point }) => ({
+      part: object.userData.part ?? object.parts[member],
       point,
     }));
     return (
