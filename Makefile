@@ -16,7 +16,7 @@ help:
 	@echo "make demo      install, compile, run the main example, write a report"
 	@echo "make test      style, import contracts, types, all tests"
 	@echo "make bench     speed table, build/bench.json"
-	@echo "make validate  published cases as one page, docs/validation.md"
+	@echo "make validate  published cases as one page, docs/validation.md; long studies"
 	@echo "make viewer    the script of the 3-D scene, from viewer/src (needs Node.js 20)"
 	@echo "make docs      generated pages of the documentation, build/docs"
 	@echo "make lint      style, import contracts and types only"
@@ -55,8 +55,9 @@ lint: $(STAMP)
 	$(BIN)/lint-imports --no-logo
 	$(BIN)/mypy
 
+# studies run in validate
 pytest: $(STAMP)
-	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile tests --doctest-modules src/pitchpoint/geometry src/pitchpoint/contact src/pitchpoint/analysis src/pitchpoint/core
+	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile -m "not study" tests --doctest-modules src/pitchpoint/geometry src/pitchpoint/contact src/pitchpoint/analysis src/pitchpoint/core
 
 # the same kernels as plain Python: what the compiler accepts must also be right without it
 nojit: $(STAMP)
@@ -72,6 +73,7 @@ bench: $(STAMP)
 
 validate: $(STAMP)
 	$(BIN)/python tests/validation/render.py --output docs/validation.md
+	$(BIN)/python -m pytest -q -n $(JOBS) -m "study and not validation" tests
 
 # the built script is in the repository: nobody who does not change it needs Node.js
 viewer:

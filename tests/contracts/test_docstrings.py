@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Docstrings of the layers that carry equations: present, and with the parameters of the signature."""
+"""Docstrings: everywhere, and with the parameters of the signature in the layers that carry equations."""
 
 from __future__ import annotations
 
@@ -8,7 +8,16 @@ import re
 
 import pytest
 
-from tests.contracts.source import PACKAGE, functions, is_kernel, is_public, name_of, python_files
+from tests.contracts.source import (
+    PACKAGE,
+    Function,
+    functions,
+    is_kernel,
+    is_public,
+    name_of,
+    python_files,
+    tree,
+)
 
 LAYERS = ("geometry", "contact", "analysis", "core")
 FILES = [p for p in python_files("src") if p.relative_to(PACKAGE).parts[0] in LAYERS]
@@ -33,9 +42,16 @@ def parameters(function) -> list[str]:
     return [x.arg for x in every if x.arg not in ("self", "cls")]
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_public_functions_say_what_they_do(path):
-    silent = [n for n, f in functions(path) if is_public(n) and not ast.get_docstring(f)]
+@pytest.mark.parametrize("path", python_files("src"), ids=name_of)
+def test_all_public_names_say_what_they_are(path):
+    """Functions, kernels, classes and methods of the whole package, those inside functions among them."""
+    silent = [
+        f"{node.name} (line {node.lineno})"
+        for node in ast.walk(tree(path))
+        if isinstance(node, Function | ast.ClassDef)
+        and is_public(node.name)
+        and not (ast.get_docstring(node) or "").strip()
+    ]
     assert not silent
 
 

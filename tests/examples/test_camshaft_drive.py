@@ -288,6 +288,7 @@ def test_cam_torque_makes_the_gears_hammer(step):
         assert 45.0 < hardest.max() < 120.0
 
 
+@pytest.mark.study
 @outside_polynomial
 def test_hammering_settles_in_the_mean():
     """What the page says of 8 s does not depend on the step.

@@ -256,6 +256,15 @@ def test_observations_are_declared_and_finite(name):
     assert len({c.name for c in system.layout.channels}) == row.size
 
 
+@pytest.mark.parametrize("name", sorted(registry.MASSLESS & set(ON_FRAMES)))
+def test_kinds_without_inertia_observe_nothing_of_accelerations(name):
+    """Explicit methods let them say what they observe before the accelerations are known."""
+    system, state = build(name, tilt=0.1)
+    row = evaluate.observe(system, state)
+    state.a[:] = np.random.default_rng(3).normal(size=state.a.size)
+    np.testing.assert_array_equal(evaluate.observe(system, state), row)
+
+
 @pytest.mark.parametrize("name", MADE)
 def test_whole_turns_change_nothing(name):
     system, state = build(name)

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.geometry import GearPair
@@ -25,7 +26,9 @@ from tests.support.machines import compiled
 from tests.support.one_mesh import OneMesh, make_pair
 
 KINDS = ["level", "gap", "soft", "all"]
-LAWS = ["parabola", "table", "low load"]
+LAWS = ["parabola", "table", "low load", "hertz"]
+SMOOTH = ["parabola", "table"]
+"""Laws that three points integrate exactly; powers of the penetration are no polynomials."""
 every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
@@ -64,6 +67,7 @@ def faulty(pair, kind, shape="parabola", **laws):
 def turned_to_load(m, flank, depth=3e-5):
     """A place of the gears at which some, but not all of the force is lost."""
     whole = OneMesh(m.pair, m.laws, theta=m.theta)
+    least = 0.2 if m.row["power"] == 1.0 else 0.1  # powers of the penetration lose more
     for step in range(40):
         s = 0.37 * step * m.row["p_bt"]
         m.frames["phi"] = whole.frames["phi"] = [s / m.row["r_b1"], -s / m.row["r_b2"]]
@@ -72,7 +76,7 @@ def turned_to_load(m, flank, depth=3e-5):
         m.frames["phi"] = whole.frames["phi"]
         m.evaluate()
         left = m.get("mesh_force") / whole.get("mesh_force")
-        if 0.2 < left < 0.95:
+        if least < left < 0.95:
             return m
     raise AssertionError("no such place")
 
@@ -85,20 +89,34 @@ def test_power_balance(pair, flank, kind, laws):
     """Contact lines that run over edges, gaps and soft places of tilted gears. What the moving separation and
     compliance take is parametric power; the pieces end at stations over the width, and the curved lines
     between them leave 2e-5 of the powers."""
-    m = turned_to_load(shaken(faulty(pair, kind, **laws), 1e-4), flank)
+    balanced(turned_to_load(shaken(faulty(pair, kind, **laws), 1e-4), flank), 2e-5)
+
+
+@every_pair
+@both_flanks
+@pytest.mark.parametrize("laws", [dict(), dict(d_in=3e4, d_out=2e4, smooth=True), dict(chi=2.0)])
+def test_power_balance_of_cracks_behind_a_power(pair, flank, laws):
+    """Slices, which keep their places: no pieces whose integrals of x^1.5 are off, the balance is exact."""
+    m = faulty(pair, "soft", "hertz", slices=33, mu=0.05, **laws)
+    balanced(turned_to_load(shaken(m, 1e-4), flank), 2e-6)
+
+
+def balanced(m, most):
     twist = np.random.default_rng(3).normal(size=(2, 6)) * [0.03, 0.03, 0.05, 1.0, 1.0, 0.0]
     twist[:, 5] += np.array([40.0, -40.0 * m.row["r_b1"] / m.row["r_b2"]])
     gap, scale = power_gap(m, twist)
-    assert abs(gap) < 2e-5 * scale
+    assert abs(gap) < most * scale
     assert abs(m.get("parametric_power")) > 2e-4 * scale
 
 
 @every_pair
 @both_flanks
 @every_kind
-def test_the_wrench_is_the_slope_of_the_stored_energy(pair, flank, kind):
-    """At a stiffness that is even over the path, along motions that leave the phase as it is."""
-    m = turned_to_load(faulty(pair, kind), flank)
+@pytest.mark.parametrize("shape", ["parabola", "hertz"])
+def test_the_wrench_is_the_slope_of_the_stored_energy(pair, flank, kind, shape):
+    """At a stiffness that is even over the path, along motions that leave the phase as it is. Where x runs
+    out to zero at an edge, three points integrate x^1.5 and x^2.5 to 1e-4."""
+    m = turned_to_load(faulty(pair, kind, shape), flank)
     h = 1e-9
     energy = []
     for sign in (1, -1):
@@ -108,7 +126,9 @@ def test_the_wrench_is_the_slope_of_the_stored_energy(pair, flank, kind):
         energy.append(m.get("elastic_energy"))
     force = (energy[0] - energy[1]) / (2 * h)
     m.evaluate()
-    assert m.get("mesh_force") == pytest.approx(force, rel=2e-6)
+    assert m.get("mesh_force") == pytest.approx(
+        force, rel=2e-6 if shape in SMOOTH or kind == "soft" else 1e-4
+    )
 
 
 @every_pair
@@ -128,7 +148,7 @@ def test_tangent_is_the_derivative_of_the_force(pair, flank, kind, shape):
         fr["phi"] += sign * h * np.array([0.5 / r1, 0.5 / r2])
         slope -= m.evaluate(fr) * sign / (2 * h)
     column = K[:, :, 0, 5] * 0.5 / r1 + K[:, :, 1, 5] * 0.5 / r2
-    assert abs(column - slope).max() < (3e-4 if shape == "low load" else 2e-6) * abs(column).max()
+    assert abs(column - slope).max() < (2e-6 if shape in SMOOTH else 3e-4) * abs(column).max()
 
 
 @every_pair
@@ -143,7 +163,7 @@ def test_grids_of_nothing_change_nothing(pair, flank, shape):
     made = {k: [0.0 * g for g in v] for k, v in grids(m, "all").items()}
     made["level"] = [g - 1.0 for g in made["level"]]
     m.own(**made)
-    assert abs(m.evaluate() - F).max() < (5e-4 if shape == "low load" else 1e-12) * abs(F).max()
+    assert abs(m.evaluate() - F).max() < (1e-12 if shape in SMOOTH else 5e-4) * abs(F).max()
 
 
 @every_pair
@@ -252,6 +272,82 @@ def test_added_compliance_is_in_series():
         m.evaluate()
         total = 2e-11 * sum(g is not None for g in grids_)
         assert m.get("mesh_force") == pytest.approx(F / (1.0 + 14e9 * total), rel=1e-12)
+
+
+@pytest.mark.nojit
+@pytest.mark.parametrize("power", [1.0, 1.2, 1.5, 3.0])
+@pytest.mark.parametrize("beta", [0.0, 0.3])
+def test_a_crack_lies_in_series_with_a_power_of_the_overlap(power, beta):
+    """F = K (x - C F)^e for every pair: by a bracketing solver at the same share of the path. Continuous over
+    the exponent, so that a linear pair is no other law."""
+    depth, q = 2e-5, 4e-11
+    c = 14e9 * depth ** (1.0 - power)
+    shape = PairShape(c_prime=c, S_R=1.0, power=power)
+    m = OneMesh(make_pair(beta=beta), MeshLaws(stiffness=shape))
+    m.press(depth)
+    F = m.get("mesh_force")
+    m.own(soft=(np.full((2, 1, 3, 4), q), None))
+    m.evaluate(jac=1)
+    load = brentq(lambda f: c * (depth - q * f) ** power - f, 0.0, depth / q, xtol=1e-9, rtol=1e-14)
+    assert m.get("mesh_force") == pytest.approx(F * load / (c * depth**power), rel=1e-8)
+    u = depth - q * load
+    slope = 1.0 / (1.0 / (power * c * u ** (power - 1.0)) + q)
+    assert m.get("mesh_stiffness") == pytest.approx(F / (c * depth**power) * slope, rel=1e-8)
+    near = OneMesh(m.pair, MeshLaws(stiffness=PairShape(c_prime=c, S_R=1.0, power=power + 1e-9)))
+    near.frames["phi"] = m.frames["phi"]
+    near.own(soft=(np.full((2, 1, 3, 4), q), None))
+    near.evaluate()
+    assert near.get("mesh_force") == pytest.approx(m.get("mesh_force"), rel=1e-7)
+
+
+@pytest.mark.parametrize("power", [1.0, 1.5])
+@pytest.mark.parametrize("laws", [dict(d_in=4e4, d_out=2e4, s_0=4e-5), dict(chi=3.0)])
+@pytest.mark.parametrize("speed", [0.05, -0.05])
+def test_damping_acts_on_the_overlap_of_the_contact(power, laws, speed):
+    """Of a spur pair: elastic force at u, damping at u and at its rate, du/dx of that of the bodies; tangents
+    against differences."""
+    depth, q = 2e-5, 4e-11
+    c = 14e9 * depth ** (1.0 - power)
+    m = OneMesh(make_pair(beta=0.0), MeshLaws(stiffness=PairShape(c_prime=c, S_R=1.0, power=power), **laws))
+    m.own(soft=(np.full((2, 1, 3, 4), q), None))
+    m.press(depth)
+    F = m.get("mesh_force")
+    width = F / brentq(lambda f: c * (depth - q * f) ** power - f, 0.0, depth / q, rtol=1e-14)
+    u = depth - q * F / width
+    w = speed / (1.0 + q * power * c * u ** (power - 1.0))
+    m.frames["tw"][0, 5] = speed / m.row["r_b1"]
+    m.frames["spin"][0] = speed / m.row["r_b1"]
+    m.evaluate()
+    if "chi" in laws:
+        wanted = F * (1.0 + 3.0 * w)
+    else:
+        wanted = F + (4e4 if w > 0 else 2e4) * c * width / m.row["k_ref"] * u / 4e-5 * w
+    assert m.get("mesh_force") == pytest.approx(wanted, rel=1e-8)
+    assert abs(wanted - F) > 1e-3 * F
+    for ck, cd, key, size in ((1.0, 0.0, "phi", 1e-9), (0.0, 1.0, "tw", 1e-4)):
+        m.evaluate(jac=1, ck=ck, cd=cd)
+        found = m.tangent()[0, 5, 0, 5]
+        slope = 0.0
+        for sign in (1, -1):
+            fr = m.frames.copy()
+            if key == "phi":  # at the same phase
+                fr["phi"] += sign * size * np.array([0.5 / m.row["r_b1"], 0.5 / m.row["r_b2"]])
+            else:
+                fr["tw"][0, 5] += sign * size / m.row["r_b1"]
+            slope -= sign * m.evaluate(fr)[0, 5] / (2 * size) * m.row["r_b1"]
+        assert found == pytest.approx(slope, rel=1e-6)
+
+
+@pytest.mark.parametrize("shape", ["parabola", "hertz"])
+def test_cracked_teeth_never_pull(shape):
+    m = faulty("helical", "soft", shape, d_in=5e5, d_out=5e5)
+    for depth in (1e-9, 1e-7, 5e-6):
+        m.press(depth)
+        for speed in (-0.5, -0.01, 0.5):
+            fr = m.frames.copy()
+            fr["tw"][0, 5] = speed / m.row["r_b1"]
+            m.evaluate(fr)
+            assert m.get("mesh_force") >= 0.0
 
 
 FAULTS = {

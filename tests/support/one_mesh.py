@@ -106,7 +106,7 @@ class OneMesh:
             self.rec["n_t"][0, gear], self.rec["teeth"][0, gear] = n_t, self._keep(table)
             reach = abs(float(self.row[f"rho_a{gear + 1}"]))
             self.rec["roll"][0, gear] = 0.3 * reach, 1.1 * reach
-        self.rec["n_sep"] = 1
+        self.rec["n_sep"] = self.rec["stride"] = 1
         self.pool = np.concatenate([*self.kept, np.zeros(1)])
         self.rec["pool"] = self.pool.ctypes.data
 

@@ -30,18 +30,21 @@ def test_period_of_the_broken_tooth_without_noise() -> None:
 
 @pytest.mark.parametrize("width", [1.0, 0.5])
 @pytest.mark.parametrize("ratio", [0.0, -5.0])
-def test_period_of_the_broken_tooth_in_noise(ratio: float, width: float) -> None:
-    """Twenty of twenty seeds; both ends of the twenty."""
-    found = [search(noisy(bearing_force(1.5, width=width), ratio, seed)).period for seed in range(20)]
+@pytest.mark.parametrize("seeds", [2, pytest.param(20, marks=pytest.mark.study)])
+def test_period_of_the_broken_tooth_in_noise(seeds: int, ratio: float, width: float) -> None:
+    """Twenty of twenty seeds; both ends of the twenty. Two of them in every run of the tests, where the story
+    of the shovel gearbox has the other twenty."""
+    found = [search(noisy(bearing_force(1.5, width=width), ratio, seed)).period for seed in range(seeds)]
     shortest, longest = min(found), max(found)
     assert shortest == pytest.approx(3.383292, rel=5e-3)
     assert longest == pytest.approx(3.383292, rel=5e-3)
 
 
 @pytest.mark.parametrize("ratio", [0.0, -5.0])
-def test_the_healthy_gearbox_shows_nothing(ratio: float) -> None:
+@pytest.mark.parametrize("seeds", [5, pytest.param(100, marks=pytest.mark.study)])
+def test_the_healthy_gearbox_shows_nothing(seeds: int, ratio: float) -> None:
     """No alarm in 100 seeds, where a chance of 1 in 1000 each is allowed: 0.1 are expected at most."""
-    alarms = sum(search(noisy(bearing_force(), ratio, seed)).found for seed in range(100))
+    alarms = sum(search(noisy(bearing_force(), ratio, seed)).found for seed in range(seeds))
     assert alarms == pytest.approx(0, abs=0)
 
 

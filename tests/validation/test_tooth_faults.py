@@ -12,6 +12,7 @@ from functools import lru_cache
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from pitchpoint.contact.stiffness.root_crack import crack_compliance
 from pitchpoint.geometry.sliding import specific_sliding_at
@@ -164,6 +165,39 @@ def test_a_cracked_tooth_is_in_series_with_its_pair(z2, internal, gear, opens):
     assert seen > 5 or not opens
 
 
+@pytest.mark.parametrize("exponent", [1.0, 1.5, 2.0])
+@pytest.mark.parametrize("gear", [0, 1])
+def test_a_cracked_tooth_is_in_series_with_a_power_of_the_overlap(exponent, gear):
+    """F = K (delta - C F)^e of a spur pair with C = q/b at the place of contact, by bisection on the force:
+    the crack takes its share of the overlap whatever the law of the contact says."""
+    text = faults("b: {type: root_crack, tooth: 4, flank: left, depth: 2 mm, angle: 60 deg}")
+    model = machine(21, 24, *((text, "") if gear == 0 else ("", text)))
+    law = {"law": "hertz", "force": 300.0, "depth": 1e-6, "exponent": exponent}
+    model = model.replace("meshes.stage.stiffness", law)
+    system = compile_model(model)
+    pair = model.pairs["stage"]
+    form = tooth_form((pair.gear1, pair.gear2)[gear])
+    steel = dict(angle=math.radians(60.0), beta=0.0, E=206e9, nu=0.3)
+    K = 300.0 / 1e-6**exponent
+    least, seen = 1.0, 0
+    for angle in np.linspace(0.013, 2 * math.pi * (1.0 if gear == 0 else 24 / 21), 150):
+        force = whole = 0.0
+        for tooth in teeth_in_contact(model, angle):
+            C = 0.0
+            if tooth[gear] == 4:
+                rho = abs(pair.T1C + tooth[2] - (pair.T1T2 if gear else 0.0))
+                span = rho + np.array([0.0, 1e-6])
+                C = crack_compliance(form, span, np.array([2e-3]), **steel)[0, 0] / WIDTH
+                seen += 1
+            most = K * DEPTH**exponent
+            force += brentq(lambda F, C=C: K * max(DEPTH - C * F, 0.0) ** exponent - F, 0.0, most, rtol=1e-13)
+            whole += most
+        # straight lines between 129 stations over the roll
+        assert pressed(system, model, angle)["mesh_force[stage]"] == pytest.approx(force, rel=1e-4), angle
+        least = min(least, force / whole)
+    assert seen > 5 and least < 0.97
+
+
 LAWS = {
     "hertz": "law: hertz",
     "din3990": "law: din3990, tip_relief_factor: 0.5",
@@ -262,7 +296,8 @@ def error(one, law="din3990", two=""):
 
 
 @pytest.mark.parametrize(
-    ("law", "fault"), [*(("pair_table", name) for name in MODEL_FAULTS), *((name, "end") for name in LAWS)]
+    ("law", "fault"),
+    [*(("pair_table", name) for name in MODEL_FAULTS), *((name, "end") for name in LAWS), ("hertz", "crack")],
 )
 def test_severity_0_is_a_healthy_gear(law, fault):
     """To the last bit; half of the severity makes a difference."""

@@ -15,64 +15,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.bearing_tests import bearing_evidence
+from pitchpoint.analysis.findings import Evidence, Finding, findings_of
 from pitchpoint.analysis.line_tests import fine_spectrum, line_threshold
-from pitchpoint.analysis.mean_turns import mean_turn
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 from pitchpoint.analysis.shaft_tests import FEWEST_TURNS, HARMONICS, NEIGHBOURS, Measured, ShaftView
 from pitchpoint.analysis.turning_parts import Mesh, TurningParts
 
 MESH_PROBABILITY = 1e-4
 """Probability with which noise alone is taken for a mesh line."""
-CONCENTRATED, APART = 2.33, 2.0
-"""Normal score above which a comb counts as gathered about the mesh of one gear (1 % by chance), "
-"and how far those
-of the other gears of the shaft must be below it."""
-
-ONE_PLACE, GAUSSIAN = 2e-3, 3.0
-"""Part of signals of the same spectrum that may be more peaked than a mean turn with a local "
-"fault; the kurtosis that
-it exceeds in any case."""
-
-
-@dataclass(frozen=True)
-class Evidence:
-    """One test of one channel.
-
-    Attributes
-    ----------
-    channel
-        Name of the channel.
-    kind
-        `comb`, `low order`, `sidebands` or `bearing`.
-    shaft
-        Shaft, or the part of a bearing that is tested.
-    gear
-        Gear whose mesh is looked at, or the bearing; empty for the shaft itself.
-    value, threshold
-        Normal score for a comb, level over what lies beside the line in dB for others; what it must exceed.
-    probability
-        Probability that some test of a healthy record does as much [-]: already for all tests together.
-    order
-        Order of the strongest line [-], in turns of the reference shaft.
-    amplitude
-        Its amplitude, or that of the whole comb, in the unit of the channel.
-    sideband
-        Number of the sideband, 0 for others [-].
-    found
-        Whether the probability is below the one allowed.
-    """
-
-    channel: str
-    kind: str
-    shaft: str
-    gear: str
-    value: float
-    threshold: float
-    probability: float
-    order: float
-    amplitude: float
-    sideband: int
-    found: bool
 
 
 @dataclass(frozen=True)
@@ -98,31 +48,6 @@ class MeshLines:
     amplitude: Array
     seen: bool
     lost: tuple[int, ...]
-
-
-@dataclass(frozen=True)
-class Finding:
-    """What the evidence says.
-
-    Attributes
-    ----------
-    kind
-        `local fault`, `modulation`, `once per turn` or `bearing`.
-    shaft
-        The shaft, or the part of the bearing.
-    gears
-        Gears that come into question, or the bearing; empty if it is only the shaft.
-    channel
-        Channel of the strongest evidence.
-    probability
-        That of the strongest evidence [-].
-    """
-
-    kind: str
-    shaft: str
-    gears: tuple[str, ...]
-    channel: str
-    probability: float
 
 
 @dataclass(frozen=True)
@@ -246,32 +171,8 @@ def diagnose(
     if not tests:
         raise SignalError("record: is too short for any test; " + "; ".join(untested))
     evidence = tuple(_evidence(row, tests, allowed) for row in raw if row[4].lines > 0)
-    findings, spread = _findings(evidence, views, _Record(signals, rate, parts))
+    findings, spread = findings_of(evidence, views, signals, rate, parts)
     return Diagnosis(findings, evidence, meshes, (*untested, *spread), turns, tests, allowed)
-
-
-@dataclass(frozen=True)
-class _Record:
-    """What findings ask besides the evidence."""
-
-    signals: Mapping[str, ArrayLike]
-    samples_per_turn: float
-    parts: TurningParts
-
-    def at_one_place(self, channel: str, shaft: str) -> bool:
-        """Whether something in the mean turn happens at one place: its residual is more peaked "
-        "than by chance."""
-        counts = sorted({z for _, z in self.parts.gears_of(shaft).values()})
-        for teeth in counts:
-            try:
-                turn = mean_turn(
-                    self.signals[channel], self.samples_per_turn, self.parts, self.parts.shaft(shaft), teeth
-                )
-            except SignalError:
-                continue
-            value, limit, part = turn.indicators["kurtosis"]
-            return value > max(GAUSSIAN, limit) and part < ONE_PLACE
-        return False
 
 
 def _of_shafts(
@@ -330,7 +231,10 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
     if kind == "comb":
         value, threshold = found.score, float(norm.isf(each))
     else:
-        ratio = line_threshold(each / found.lines, NEIGHBOURS, (3 * NEIGHBOURS) // 4)
+        one = each / found.lines
+        # two of three harmonics of a bearing must be as unlikely
+        one = float(np.sqrt(one / 3.0)) if kind == "bearing" else one
+        ratio = line_threshold(one, NEIGHBOURS, (3 * NEIGHBOURS) // 4)
         value, threshold = 10.0 * np.log10(max(found.score, 1e-30)), 10.0 * np.log10(ratio)
     return Evidence(
         channel=channel,
@@ -345,54 +249,3 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
         sideband=found.sideband,
         found=together < allowed,
     )
-
-
-def _findings(
-    evidence: tuple[Evidence, ...], views: Mapping[tuple[str, str], ShaftView], record: _Record
-) -> tuple[tuple[Finding, ...], list[str]]:
-    """One finding per shaft at most, and one per part of a bearing; combs that are spread over the turn."""
-    found, spread, parts = [], [], record.parts
-    for shaft in parts.shafts:
-        mine = [e for e in evidence if e.shaft == shaft.name and e.kind != "bearing" and e.found]
-        mine.sort(key=lambda e: (e.probability, -e.value))
-        combs = [e for e in mine if e.kind == "comb"]
-        bands = [e for e in mine if e.kind == "sidebands"]
-        places = [e for e in combs if record.at_one_place(e.channel, shaft.name)]
-        if combs and not places:
-            spread.append(
-                f"all orders of {shaft.name} stand out in {combs[0].channel}, but evenly over its "
-                f"turn: meshes that "
-                "change each other do that, one damaged tooth does not"
-            )
-        combs = places
-        if combs:
-            best = combs[0]
-            gears = _gears(parts, [views[e.channel, shaft.name] for e in combs])
-            found.append(Finding("local fault", shaft.name, gears, best.channel, best.probability))
-        elif bands:
-            best = bands[0]
-            gears = tuple(dict.fromkeys(e.gear for e in bands))
-            local = record.at_one_place(best.channel, shaft.name)
-            kind = "local fault" if local else "modulation"
-            found.append(Finding(kind, shaft.name, gears, best.channel, best.probability))
-        elif mine:
-            found.append(Finding("once per turn", shaft.name, (), mine[0].channel, mine[0].probability))
-    for name in dict.fromkeys((e.gear, e.shaft) for e in evidence if e.kind == "bearing" and e.found):
-        best = min(
-            (e for e in evidence if e.found and e.kind == "bearing" and (e.gear, e.shaft) == name),
-            key=lambda e: e.probability,
-        )
-        found.append(Finding("bearing", best.shaft, (best.gear,), best.channel, best.probability))
-    return tuple(sorted(found, key=lambda finding: finding.probability)), spread
-
-
-def _gears(parts: TurningParts, views: list[ShaftView]) -> tuple[str, ...]:
-    """Gears of a shaft about whose mesh the comb gathers; all of them if that tells nothing."""
-    gears = parts.gears_of(views[0].shaft.name)
-    counts = sorted({teeth for _, teeth in gears.values()})
-    if len(counts) > 1:
-        scores = {z: max(view.concentration(z) for view in views) for z in counts}
-        first, second = sorted(scores.values(), reverse=True)[:2]
-        if first > CONCENTRATED and second < first - APART:
-            return tuple(gear for gear, (_, z) in gears.items() if scores[z] == first)
-    return tuple(gears)

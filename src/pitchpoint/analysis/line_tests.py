@@ -157,6 +157,7 @@ def line_threshold(probability: float, points: int, rank: int) -> float:
     from scipy.optimize import brentq
 
     def excess(log_ratio: float) -> float:
+        """Logarithm of the chance of a line so far above its neighbours, over the chance wanted [-]."""
         return float(np.log(line_probability(np.exp(log_ratio), points, rank) / probability))
 
     return float(np.exp(brentq(excess, -30.0, 60.0)))

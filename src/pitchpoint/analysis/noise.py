@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""White noise on a signal, at a stated distance from it and the same for the same seed."""
+"""White noise, at a stated level or distance from a signal, and the same for the same seed."""
 
 from __future__ import annotations
 
@@ -31,6 +31,49 @@ class NoisySignal:
     noise: Array
     signal_rms: float
     noise_deviation: float
+
+
+def white_noise(size: int, *, deviation: float, seed: int | Sequence[int]) -> Array:
+    """Draw Gaussian white noise of a stated level, whatever it is added to.
+
+    Parameters
+    ----------
+    size
+        Number of samples, at least 0.
+    deviation
+        Standard deviation to draw with, in any unit.
+    seed
+        Whole number from 0 on, or several of them (case, channel, ...).
+
+    Returns
+    -------
+    numpy.ndarray
+        Noise, shape (size,), in the unit of the deviation.
+
+    Raises
+    ------
+    SignalError
+        If the deviation is not finite or negative, or the seed is no whole number from 0 on.
+
+    Notes
+    -----
+    Independent normal samples of PCG64, see `with_white_noise`.
+
+    Examples
+    --------
+    >>> noise = white_noise(100_000, deviation=0.5, seed=1)
+    >>> noise.shape, round(float(noise.std()), 2)
+    ((100000,), 0.5)
+    """
+    level = finite(deviation, "deviation")
+    if level < 0.0:
+        raise SignalError(f"deviation: {level:g} is negative (limit >= 0)")
+    seeds = np.atleast_1d(np.asarray(seed, dtype=object)).tolist()
+    for one in seeds:
+        if isinstance(one, bool) or not isinstance(one, (int, np.integer)) or one < 0:
+            raise SignalError(f"seed: {one!r} (limit a whole number from 0 on)")
+    generator = np.random.Generator(np.random.PCG64([int(one) for one in seeds]))
+    return np.asarray(level * generator.standard_normal(size), float)
 
 
 def with_white_noise(values: ArrayLike, *, signal_to_noise: float, seed: int | Sequence[int]) -> NoisySignal:
@@ -80,12 +123,7 @@ def with_white_noise(values: ArrayLike, *, signal_to_noise: float, seed: int | S
     """
     x = as_signal(values)
     ratio = finite(signal_to_noise, "signal_to_noise")
-    seeds = np.atleast_1d(np.asarray(seed, dtype=object)).tolist()
-    for one in seeds:
-        if isinstance(one, bool) or not isinstance(one, (int, np.integer)) or one < 0:
-            raise SignalError(f"seed: {one!r} (limit a whole number from 0 on)")
     rms = float(np.sqrt(np.mean(alternating_part(x, "values") ** 2)))
     deviation = rms * float(10.0 ** (-ratio / 20.0))
-    generator = np.random.Generator(np.random.PCG64([int(one) for one in seeds]))
-    noise = deviation * generator.standard_normal(x.size)
+    noise = white_noise(x.size, deviation=deviation, seed=seed)
     return NoisySignal(x + noise, noise, rms, deviation)

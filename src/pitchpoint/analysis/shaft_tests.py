@@ -12,6 +12,7 @@ slower one too: the measure then also is the other orders of that one.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -42,6 +43,13 @@ FOLDED = 40
 """Harmonics of a mesh whose images are left out where the record was sampled without a filter."""
 NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
 SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
+PASSES, SLIP = 3, 0.01
+"""Passages of balls, of one bearing or of several, that stand beside mesh lines of healthy machines; how far
+they slip, as a part of their order."""
+TOGETHER = 3
+"""Kinds of bearings whose passages are combined."""
+OFF = 0.5
+"""How far the top of a line may be from an order that it belongs to, in lines of the record."""
 
 
 @dataclass(frozen=True)
@@ -94,6 +102,7 @@ class ShaftView:
     ) -> None:
         self.spectrum, self.parts, self.shaft, self.rms = spectrum, parts, shaft, rms
         self.folded = _images(parts, sampled)
+        self.passing = passing_balls(parts, spectrum.highest, harmonics=HARMONICS)
         self.order = float(shaft.order)
         self.turns = self.order / spectrum.resolution
         top = 0.9 * spectrum.highest
@@ -129,13 +138,18 @@ class ShaftView:
             apart &= np.minimum(*near) > 2.5 * line
         return apart
 
-    def comb(self, from_mesh: int = 2) -> Measured:
-        """Whether the orders stand above what is between them, away from mesh lines and their sidebands."""
+    def comb(self, from_mesh: int = 2, *, without: int = 0) -> Measured:
+        """Whether the orders stand above what is between them, away from mesh lines and their sidebands.
+
+        Multiples of `without` may be left out.
+        """
         number = np.arange(1, self.highest + 1)
         keep = self.free(number * self.order)
         for mesh, teeth in self.parts.gears_of(self.shaft.name).values():
             if teeth >= 4 * from_mesh and mesh:
                 keep &= _distance(number.astype(np.float64), float(teeth)) > from_mesh
+        if without:
+            keep &= number % without != 0
         number = number[keep & (number > LOW_ORDERS)]
         if number.size < FEWEST_LINES:
             return Measured(0.0, 1.0, self.order, 0.0, 0)
@@ -161,11 +175,11 @@ class ShaftView:
         for place, number, limit in zip(orders, sideband, limits, strict=True):
             if not 0.0 < place < 0.9 * self.spectrum.highest or not self.free(np.array([place]))[0]:
                 continue
-            one = self.line(float(place))
+            one = None if self._passed(float(place)) else self.line(float(place))
             if one is None:
                 continue
             looked += 1
-            if one.amplitude < limit:
+            if one.amplitude < limit or not self._has_its_top_at(float(place)):
                 one = replace(one, probability=1.0)
             if best is None or one.probability < best[0].probability:
                 best = one, int(number)
@@ -194,6 +208,19 @@ class ShaftView:
             probability = 1.0
         return Measured(score, probability, order, amplitude, 1)
 
+    def _passed(self, order: float) -> bool:
+        """Whether balls that pass may show there, within what the record resolves."""
+        off = np.abs(self.passing[:, 0] - order)
+        return bool(np.any(off < self.passing[:, 1] + 2.0 * self.spectrum.resolution))
+
+    def _has_its_top_at(self, order: float) -> bool:
+        """Whether what is seen at an order is a line there, and not the skirt of one beside it."""
+        spectrum = self.spectrum
+        reach = int(round(1.25 * spectrum.resolution / spectrum.step))
+        off = np.arange(-reach, reach + 1)
+        top = int(np.argmax(spectrum.power(order + off * spectrum.step)))
+        return bool(abs(off[top]) * spectrum.step <= (OFF + 0.01) * spectrum.resolution)
+
     def low_orders(self) -> Measured:
         """The first orders of the shaft."""
         number = np.arange(1, LOW_ORDERS + 1)
@@ -208,21 +235,6 @@ class ShaftView:
         mesh = np.sqrt(self.spectrum.power(harmonic * mesh_order))
         least = SMALLEST_SIDEBAND * np.repeat(mesh, beside_it.size)
         return self.lines(orders.ravel(), np.tile(beside_it, HARMONICS), least)
-
-    def concentration(self, teeth: int) -> float:
-        """Normal score of how far the orders next to harmonics of a gear stand above those farther "
-        "off [-]."""
-        number = np.arange(1, self.highest + 1)
-        near_own = _distance(number.astype(np.float64), float(teeth))
-        others = [z for _, z in self.parts.gears_of(self.shaft.name).values() if z != teeth]
-        keep = self.free(number * self.order) & (number > LOW_ORDERS) & (number <= (HARMONICS + 0.5) * teeth)
-        width = min(2, max(1, teeth // 6))
-        for z in others:
-            keep &= _distance(number.astype(np.float64), float(z)) > width
-        close, far = keep & (near_own <= width), keep & (near_own > width)
-        harmonic = np.rint(number / teeth)
-        power = self.spectrum.power(number * self.order)
-        return comb_score(power[close], power[far], harmonic[close], harmonic[far])
 
     def _between(self) -> tuple[Array, Array]:
         """Points between the orders: two lines or more from each of them."""
@@ -255,6 +267,62 @@ def _images(parts: TurningParts, sampled: float) -> Array:
         harmonic = harmonic[harmonic > 0.5 * sampled]
         found.append(np.abs(harmonic - np.rint(harmonic / sampled) * sampled))
     return np.sort(np.concatenate(found)) if found else np.empty(0)
+
+
+def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None = None) -> Array:
+    """Orders at which balls that pass under the load of healthy bearings may show.
+
+    Parameters
+    ----------
+    parts
+        What turns.
+    highest
+        Highest order [-].
+    harmonics
+        Harmonics of each mesh beside which they are looked for [-]; all if left out.
+
+    Returns
+    -------
+    ndarray
+        Shape (n, 2). Orders, and how far about them the slip of the rolling elements may take them [-].
+
+    Notes
+    -----
+    A bearing is a little stiffer with a ball below the load than between two: it shakes, and modulates all
+    meshes, as often as balls pass the outer ring [1]_; several bearings do so together, which counts where
+    there are at most three kinds (with more, no order would be free). Up to three passages and 1 % of slip.
+    Valid for bearings whose load stands still.
+
+    References
+    ----------
+    .. [1] C. S. Sunnersjö, Varying compliance vibrations of rolling bearings, Journal of Sound and Vibration
+       58(3), 1978, 363-373.
+
+    Examples
+    --------
+    >>> from pitchpoint.analysis.turning_parts import Bearing, train_parts
+    >>> parts = train_parts([(21, 40)], [Bearing("left", {"outer ring": 3.5})])
+    >>> passing_balls(parts, 22.0)[:, 0].tolist()
+    [3.5, 7.0, 10.5, 10.5, 14.0, 17.5]
+    """
+    rates = sorted({b.orders["outer ring"] for b in parts.bearings if "outer ring" in b.orders})
+    if not rates:
+        return np.empty((0, 2))
+    if len(rates) <= TOGETHER:
+        times = product(range(-PASSES, PASSES + 1), repeat=len(rates))
+        many = np.array([m for m in times if 0 < np.abs(m).sum() <= PASSES], dtype=np.float64)
+    else:
+        each = np.eye(len(rates))
+        many = np.concatenate([k * each for k in range(-PASSES, PASSES + 1) if k])
+    off, slip = many @ rates, SLIP * (np.abs(many) @ rates)
+    middle = {0.0}
+    for step in (parts.mesh_order(mesh) for mesh in parts.meshes):
+        last = int(highest / step) if harmonics is None else harmonics
+        middle |= {step * k for k in range(1, last + 1)}
+    place = np.add.outer(sorted(middle), off).ravel()
+    found = np.c_[place, np.tile(slip, len(middle))]
+    found = found[(place > 0.0) & (place < highest)]
+    return np.asarray(found[np.argsort(found[:, 0])], dtype=np.float64)
 
 
 def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array) -> Measured:

@@ -11,6 +11,11 @@ from numpy.typing import ArrayLike
 from pitchpoint.analysis.harmonics import apart_enough, kept_harmonics, read_tones
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive, whole
 
+_ABOVE = 3.0
+"""Times its background from which a line stands out."""
+_FLOOR = 1e-8
+"""Share of the largest sample below which nothing is a sideband: leakage of the window, and rounding."""
+
 
 @dataclass(frozen=True)
 class SidebandTable:
@@ -35,7 +40,8 @@ class SidebandTable:
     index
         Shape (n_harmonic,). Mean of the two sidebands j = -1, 1, in the unit of the signal.
     asymmetry
-        Shape (n_harmonic, J). Right less left over their sum, by |j| [-]: 1 if only the right one is there.
+        Shape (n_harmonic, J). Right less left over their sum, by |j| [-]: 1 if only the right one is there;
+        nan where neither stands out: two of noise, or of round-off, differ by chance.
     lost
         Mesh harmonics that were asked for and whose sidebands lie above half the sample rate [-].
     """
@@ -96,7 +102,9 @@ def sideband_table(
     -----
     Lines by `harmonics.read_tones`; where the mesh line is a peak, sidebands are looked for from there. Sum
     over mesh line as in [1]_; the asymmetry comes from amplitude and phase modulation that act together, and
-    from planets that pass the sensor [2]_. Valid for a steady speed.
+    from planets that pass the sensor [2]_. Valid for a steady speed. A sideband counts for the asymmetry if
+    it is three times its background and 1e-8 of the largest sample; below lie the leakage of the window and
+    the rounding of the transform.
 
     References
     ----------
@@ -128,7 +136,7 @@ def sideband_table(
         )
     number, lost = kept_harmonics(f_m, rate - 2.0 * most * gap, harmonics)
     carrier = read_tones(x, rate, number * f_m, reach=np.minimum(slack * number * f_m, 0.5 * gap))
-    seen = carrier.is_peak & (carrier.amplitude > 3.0 * carrier.background)
+    seen = carrier.is_peak & (carrier.amplitude > _ABOVE * carrier.background)
     middle = np.where(seen, carrier.frequency, number * f_m)
     order = np.arange(-most, most + 1.0)
     wanted = middle[:, None] + order[None, :] * gap
@@ -138,10 +146,13 @@ def sideband_table(
     amplitude = found.amplitude.reshape(shape)
     line = amplitude[:, most]
     left, right = amplitude[:, most - 1 :: -1], amplitude[:, most + 1 :]
+    floor = np.maximum(_ABOVE * found.background, _FLOOR * np.abs(x).max())
+    stands = (found.amplitude > floor).reshape(shape)
+    either = stands[:, most - 1 :: -1] | stands[:, most + 1 :]
     with np.errstate(divide="ignore", invalid="ignore"):
         level = 20.0 * np.log10(amplitude / line[:, None])
         ratio = (left.sum(axis=1) + right.sum(axis=1)) / line
-        asymmetry = (right - left) / (right + left)
+        asymmetry = np.where(either, (right - left) / (right + left), np.nan)
     return SidebandTable(
         harmonic=number,
         order=order,

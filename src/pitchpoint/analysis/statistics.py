@@ -205,6 +205,7 @@ def contact_statistics(
     total = float(clock[-1] - clock[0])
 
     def share(*states: int) -> float:
+        """Part of the time in some of the states of contact [-]."""
         return float(weights[np.isin(state, states)].sum()) / total
 
     separations, impacts = _events(clock, state, load)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pitchpoint.analysis.angle_spline import angle_between, edge_uncertainty
 from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_signal, same_length, whole
 
 HYSTERESIS = 0.25
@@ -92,6 +93,11 @@ def rising_edges(values: ArrayLike, time: ArrayLike, *, hysteresis: float = HYST
     >>> rising_edges([0.0, 0.2, 1.0, 1.0, 0.4, 0.6, 0.0, 0.0, 1.0], np.arange(9.0)).round(4)
     array([1.375, 7.5  ])
     """
+    return _edges(values, time, hysteresis)[0]
+
+
+def _edges(values: ArrayLike, time: ArrayLike, hysteresis: float) -> tuple[Array, float]:
+    """Times of rising edges, and how far they may be off [s]."""
     x = as_signal(values, "tacho")
     clock = as_increasing(time, "time")
     same_length(x, clock, "tacho, time")
@@ -108,7 +114,10 @@ def rising_edges(values: ArrayLike, time: ArrayLike, *, hysteresis: float = HYST
     rises = decided[1:][above[decided[1:]] & below[decided[:-1]]]
     step = (middle - x[rises - 1]) / (x[rises] - x[rises - 1])
     edges: Array = clock[rises - 1] + step * (clock[rises] - clock[rises - 1])
-    return edges
+    if not rises.size:
+        return edges, 0.0
+    sample = float(np.median(np.diff(clock)))
+    return edges, edge_uncertainty(x[rises - 1], x[rises], low, high, sample)
 
 
 def tacho_angle(
@@ -142,9 +151,9 @@ def tacho_angle(
     of all slopes [1]_, which is exact at constant acceleration and not moved by single bad pulses. An
     interval then holds (speed × duration) pulses: rounded, that is the number of pulses it counts for. At
     either end of the record a gap cannot be told from a slow start: what does not fit there is cut off.
-    Angle: cubic spline through the pulses (where that would turn back, a monotonic cubic), speed its
-    derivative [2]_. Valid while the speed changes little from pulse to pulse; what it does within one
-    interval stays unknown.
+    Angle: cubic spline through the pulses, or as near as the times of their edges are known (see
+    `angle_spline.angle_between`), speed its derivative [2]_. Valid while the speed changes little from pulse
+    to pulse; what it does within one interval stays unknown.
 
     References
     ----------
@@ -167,7 +176,7 @@ def tacho_angle(
     True
     """
     ppr = whole(pulses_per_revolution, "pulses_per_revolution")
-    edges = rising_edges(values, time, hysteresis=hysteresis)
+    edges, uncertainty = _edges(values, time, hysteresis)
     if edges.size < FEWEST_PULSES:
         raise SignalError(
             f"tacho: has {edges.size} pulses (limit {FEWEST_PULSES}); "
@@ -187,7 +196,7 @@ def tacho_angle(
     inside = np.flatnonzero((clock >= pulses[0]) & (clock <= pulses[-1]))
     if inside.size < 2:
         raise SignalError("tacho: fewer than two samples lie between its pulses; raise the sample rate")
-    angle, speed = _through_pulses(pulses, pulse_angle, clock[inside])
+    angle, speed = angle_between(pulses, pulse_angle, clock[inside], uncertainty=uncertainty)
     return ShaftAngle(
         time=clock[inside],
         angle=angle,
@@ -374,15 +383,3 @@ def _refuse_no_train(pulses: Array, share: Array, edges: int) -> None:
             f"were expected (limit {LONGEST_GAP}): the shaft stood still or the sensor failed; "
             "cut the record there"
         )
-
-
-def _through_pulses(pulses: Array, pulse_angle: Array, clock: Array) -> tuple[Array, Array]:
-    """Angle and speed between pulses."""
-    from scipy.interpolate import CubicSpline, PchipInterpolator
-
-    smooth = CubicSpline(pulses, pulse_angle)
-    speed = smooth(clock, 1)
-    if float(speed.min()) > 0.0:
-        return smooth(clock), speed
-    forward = PchipInterpolator(pulses, pulse_angle)
-    return forward(clock), forward(clock, 1)

@@ -100,6 +100,9 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
     return None
 
 
+_MOST = 100_000
+"""Values of a map that are printed as JSON, 2 MB; a file holds more."""
+
 _TARGETS = {"csv": "analysis", "html": "page"}
 
 
@@ -229,7 +232,14 @@ def _highlights(result: xr.Dataset) -> None:
 
 
 def _plain(result: xr.Dataset, notes: Sequence[str]) -> Mapping[str, Any]:
-    """What `--json` prints."""
+    """What `--json` prints; of maps larger than `_MOST` every n-th place in their longest direction."""
+    maps = [v for v in result.data_vars.values() if v.ndim > 1 and v.size > _MOST]
+    if maps:
+        largest = max(maps, key=lambda v: v.size)
+        dim = max(largest.sizes, key=lambda d: largest.sizes[d])
+        step, count = -(-largest.size // _MOST), result.sizes[dim]
+        result = result.isel({dim: slice(None, None, step)})
+        notes = [*notes, f"of {count} places in {dim} every {step}th is given; --csv FILE writes all of them"]
     variables = {
         str(name): {"dims": list(v.dims), "unit": v.attrs.get("units", ""), "values": v.values}
         for name, v in result.variables.items()

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -24,7 +25,7 @@ REFRESH = 10.0
 """How often the table is renewed while cases are computed [s]."""
 MOST_FAILURES = 5
 PROBE = 0.05
-"""Simulated time from which `--dry-run` extrapolates [s]."""
+"""Simulated time of the shorter of two pieces from which `--dry-run` extrapolates [s]."""
 
 
 def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int, int]:
@@ -147,11 +148,13 @@ def compute(
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.core.status import DIED, INTERRUPTED, OK, sentence
+    from pitchpoint.io.target import OutputError
     from pitchpoint.sweep.dataset import compute_cases
 
     digest = content_hash(model)
 
     def keep(record: CaseRecord) -> None:
+        """Write a case, unless it was cut short."""
         if record.status not in (INTERRUPTED, DIED):  # those are computed again
             folder.write(record, header_of(plan, model, digest, record), plan.sample_rate, plan.samples)
 
@@ -160,11 +163,19 @@ def compute(
         progress(0, len(todo))
 
         def take(record: CaseRecord) -> None:
+            """Count a case and show how far the set is."""
             table.put(record)
             failed = f"{table.failed} failed" if table.failed else ""
             progress(table.done, len(todo), failed)
 
-        whole = compute_cases(plan, model, todo, take, keep=keep, jobs=jobs)
+        try:
+            whole = compute_cases(plan, model, todo, take, keep=keep, jobs=jobs)
+        except OutputError as error:
+            with contextlib.suppress(OutputError):
+                table.write()
+            raise OutputError(
+                f"{error}; the cases before it are kept: mend this and call it again"
+            ) from error
     table.write()
     if not whole:
         return SolverError(f"{sentence(INTERRUPTED)}; call it again to go on", INTERRUPTED, str(folder.path))
@@ -290,15 +301,19 @@ def forecast(
     if not todo:
         return found | {"seconds": 0.0, "jobs": 0}
     case, key = todo[0]
-    piece = replace(plan, length=min(PROBE, plan.length), settle_time=0.0)
-    compute_case(piece, model, case, key)  # kernels are loaded here
-    begun = time.perf_counter()
-    tried = compute_case(piece, model, case, key)
-    spent = time.perf_counter() - begun
+    spent, sizes = [], []
+    for length in (PROBE, PROBE, 3.0 * PROBE):  # kernels are loaded in the first
+        piece = replace(plan, length=min(length, plan.length), settle_time=0.0)
+        begun = time.perf_counter()
+        tried = compute_case(piece, model, case, key)
+        spent.append(time.perf_counter() - begun)
+        sizes.append(lead(piece) + piece.samples + reach(piece))
     whole = lead(plan) + plan.samples + reach(plan)
-    share = whole / (lead(piece) + piece.samples + reach(piece))
+    # making a system takes as long for a long case as for a short one
+    slope = (spent[2] - spent[1]) / (sizes[2] - sizes[1]) if sizes[2] > sizes[1] else 0.0
+    each = spent[2] + max(slope, 0.0) * (whole - sizes[2])
     threads = min(jobs or os.cpu_count() or 1, len(todo))
-    found |= {"seconds": len(todo) * spent * share / threads, "jobs": threads}
+    found |= {"seconds": len(todo) * each / threads, "jobs": threads}
     return found | {"first_case": tried.sentence}
 
 

@@ -7,11 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, quantity, quiet
+from pitchpoint.cli.options import allow_code, as_json, debug, output, quantity, quiet
 from pitchpoint.cli.output import emit_json, show, table
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from pitchpoint.report.diagnosis_study import Study
+
+PAGE_ENDINGS = (".html", ".htm")
 
 
 @click.command()
@@ -58,6 +62,7 @@ if TYPE_CHECKING:
     help="White noise to add, so many dB below the signal; 20 for simulations, none for measured files.",
 )
 @quantity("--sample-rate", "frequency", "Sample rate, where the file does not say it.")
+@output("HTML page to write, with pictures of the evidence.")
 @as_json
 @allow_code
 @quiet
@@ -70,6 +75,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
     """
     from pitchpoint.report.diagnosis_machine import Request, diagnose_file
 
+    target = _page_target(options.pop("output"), [file, options["model"]])
     if options["pulses"] is not None and options["tacho"] is None:
         raise click.UsageError("--pulses says nothing without --tacho CHANNEL")
     if options["tacho"] is not None and options["pulses"] is None:
@@ -98,26 +104,49 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
         noise=options["noise"],
     )
     found = diagnose_file(request)
+    if target is not None:
+        from pitchpoint.io.target import write_file
+        from pitchpoint.report.diagnosis_page import diagnosis_page
+
+        write_file(target, diagnosis_page(found))
     if as_json:
         emit_json(found.as_data())
-    else:
-        _print(found, quiet)
+        return
+    _print(found, quiet)
+    if target is not None and not quiet:
+        show(f"report written to {target}")
+
+
+def _page_target(path: str | None, inputs: list[str | None]) -> Path | None:
+    """The page to write, looked at before anything is computed."""
+    from pitchpoint.core.errors import Problem
+    from pitchpoint.io.target import OutputError, check_target
+
+    if path is None:
+        return None
+    if not path.lower().endswith(PAGE_ENDINGS):
+        raise OutputError(
+            str(Problem("output", "is no HTML page", path, " or ".join(PAGE_ENDINGS), "name another file"))
+        )
+    return check_target(path, "page", [name for name in inputs if name])
 
 
 def _print(found: Study, quiet: bool) -> None:
     """Show findings and tests to people."""
-    from pitchpoint.report.diagnosis_words import percent, what_is_tested
+    from pitchpoint.report.diagnosis_words import percent, unit_of, what_is_tested
 
-    for text in found.sentences:
+    for number, text in enumerate(found.sentences):
         show(text)
+        if found.place_sentences and found.place_sentences[number]:
+            show(f"  {found.place_sentences[number]}")
     show()
     rows = [
         [
             e.shaft if e.kind != "bearing" else e.gear,
             what_is_tested(e),
             e.channel,
-            f"{e.value:.1f}{_unit(e.kind)}",
-            f"{e.threshold:.1f}{_unit(e.kind)}",
+            f"{e.value:.1f} {unit_of(e.kind)}",
+            f"{e.threshold:.1f} {unit_of(e.kind)}",
             percent(e.probability),
             "found" if e.found else "",
         ]
@@ -129,7 +158,3 @@ def _print(found: Study, quiet: bool) -> None:
         return
     for text in (*found.diagnosis.untested, *found.remarks):
         show(f"note: {text}")
-
-
-def _unit(kind: str) -> str:
-    return " σ" if kind == "comb" else " dB"

@@ -86,6 +86,7 @@ def show_warnings_plainly() -> None:
         file: object = None,
         line: str | None = None,
     ) -> None:
+        """Write a warning on validity; others stay silent."""
         from pitchpoint.core.errors import ValidityWarning
 
         if issubclass(category, ValidityWarning):

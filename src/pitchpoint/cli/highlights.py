@@ -100,14 +100,18 @@ def _period(result: xr.Dataset) -> list[list[str]]:
 def _evidence(result: xr.Dataset) -> list[list[str]]:
     """Chance of each period in noise alone."""
     columns = (result[n].values for n in ("period", "p_value", "turns", "lines"))
-    return [
-        [
-            f"chance in noise of {shown(float(period), 's')}",
-            number(float(chance), 3) if np.isfinite(chance) else "unknown",
-            f"{int(turns)} turns, {int(lines)} lines",
-        ]
-        for period, chance, turns, lines in zip(*columns, strict=True)
-    ]
+    rows = []
+    for period, chance, turns, lines in zip(*columns, strict=True):
+        seen = f"{turns} turn{'' if turns == 1 else 's'}, {lines} line{'' if lines == 1 else 's'}"
+        known = bool(np.isfinite(chance))
+        rows.append(
+            [
+                f"chance in noise of {shown(float(period), 's')}",
+                number(float(chance), 3) if known else "not known",
+                seen if known else f"{seen}: too few to say; a longer record has more",
+            ]
+        )
+    return rows
 
 
 def _tones(result: xr.Dataset) -> list[list[str]]:
@@ -151,7 +155,11 @@ def shown(value: float, unit: str) -> str:
     --------
     >>> shown(1.5e-6, "m"), shown(17.0, "1"), shown(3.0, "N^2/Hz")
     ('1.5 µm', '17', '3 N²/Hz')
+    >>> shown(float("nan"), "m")
+    'not known'
     """
+    if np.isnan(value):
+        return "not known"
     best = scale(unit, [value])
     return f"{number(value * best.factor, 5)} {best.unit}".rstrip()
 
@@ -163,6 +171,8 @@ def _words(name: object) -> str:
 def _top(result: xr.Dataset, name: str) -> list[str]:
     """Largest value of a curve or map, and where it is."""
     variable = result[name]
+    if np.isnan(variable.values).all():
+        return [f"largest {_words(name)}", "not known", ""]
     values = np.where(np.isnan(variable.values), -np.inf, variable.values)
     place = np.unravel_index(int(np.argmax(values)), variable.shape)
     at = [

@@ -132,6 +132,7 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
     least = ROUNDING * max((abs(row["frequency"]) for row in summary["modes"]), default=0.0)
 
     def told(frequency: float) -> float:
+        """Frequency as it is printed: what is only rounding of a rigid mode is zero [Hz]."""
         return 0.0 if abs(frequency) <= least else frequency
 
     cells = [
@@ -262,4 +263,4 @@ def store(path: Path, header: Header, found: Modes) -> None:
         axes.append(Axis("element", list(found.elements)))
         share = Quantity("potential_share", ("mode", "element"), "1", "share in the strain energy")
         filled.append((share, found.potential))
-    write_tables(path, header, axes, filled)
+    write_tables(path, header, axes, filled, notes=found.notes)

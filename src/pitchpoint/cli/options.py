@@ -44,6 +44,7 @@ def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
     """Make an option that takes a quantity with a unit and hands over SI."""
 
     def convert(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
+        """Read the text of the option as a quantity in SI; a bare number counts as SI."""
         from pitchpoint.core.errors import UnitError
         from pitchpoint.core.units import parse_quantity
 

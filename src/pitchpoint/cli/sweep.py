@@ -94,6 +94,7 @@ def compute(
     with SweepWriter(target, header, mesh, directions, speeds, frequencies, channels) as writer:
 
         def keep(point: dict[str, Any]) -> None:
+            """Write a point where its speed belongs."""
             nearest = min(range(len(speeds)), key=lambda k: abs(speeds[k] - point["speed"]))
             writer.put(point["direction"], nearest, point)
 
@@ -148,6 +149,7 @@ def _print(title: str, summary: dict[str, Any], body: str, per_speed: float | No
     """
 
     def place(frequency: float) -> str:
+        """Name a point of the sweep by its mesh frequency, or by the speed it stands for."""
         if per_speed is None:
             return shown(frequency, "frequency", 5)
         return shown(frequency / per_speed, "angular_speed", 5)

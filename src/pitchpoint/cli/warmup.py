@@ -82,9 +82,11 @@ def jobs(folder: Path) -> list[Job]:
     model = load_model(file)
 
     def kind(name: str) -> Job:
+        """Job that compiles one kind of element."""
         return f"element {name}", lambda: address(registry.find(name).load().entry)
 
     def time_response(name: str) -> Job:
+        """Job that runs one scenario and compiles what it meets on the way."""
         target = folder / f"{name}.h5"
         return name, lambda: run_command.compute(model, str(file), name, target, quiet=True)
 

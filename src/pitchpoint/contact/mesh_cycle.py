@@ -96,6 +96,7 @@ class _Line:
     eps_alpha: float
 
     def law(self, p: Array) -> Array:
+        """Stiffness of a pair over its maximum, at places p on the path in base pitches, shape (n,) [-]."""
         return self.shape.along(p, self.eps_alpha)
 
     def integral(self) -> float:

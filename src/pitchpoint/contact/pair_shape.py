@@ -145,6 +145,8 @@ def phase_stiffness(psi, form, n, cosine, sine):
     >>> round(float(k), 12), round(float(slope), 12)
     (1.1, 1.256637061436)
     """
+    if form == 0 and n == 0:
+        return 1.0, 0.0
     s = psi - math.floor(psi)
     if form == 0:
         w = 2.0 * math.pi

@@ -78,9 +78,11 @@ def ellipse(difference: float) -> tuple[float, float, float]:
     from scipy.special import ellipe, ellipkm1
 
     def integrals(log_k: float) -> tuple[float, float]:
+        """Complete elliptic integrals of both kinds for the axis ratio e^log_k, exact near the circle."""
         return float(ellipkm1(math.exp(-2.0 * log_k))), float(ellipe(-math.expm1(-2.0 * log_k)))
 
     def mismatch(log_k: float) -> float:
+        """Curvature difference of an ellipse with the axis ratio e^log_k, less the one wanted [-]."""
         first, second = integrals(log_k)
         squared = math.exp(2.0 * log_k)
         return ((squared + 1.0) * second - 2.0 * first) / ((squared - 1.0) * second) - difference

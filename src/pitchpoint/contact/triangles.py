@@ -52,6 +52,7 @@ def bounding_tree(low: FloatArray, high: FloatArray) -> tuple[FloatArray, IntArr
     order: list[int] = []
 
     def grow(members: IntArray) -> None:
+        """Add the box of some triangles and, unless it is a leaf, those of its two halves."""
         at = len(boxes)
         lo, hi = low[members].min(axis=0), high[members].max(axis=0)
         boxes.append([*lo, *hi, 0.0, float(len(order)), 0.0])

@@ -150,6 +150,21 @@ def pair_moments(p0, lam, b, eps_alpha, S_R, L, order):
 
 
 @kernel
+def _sums(psi, lam, b, eps_alpha, S_R, L, slope):
+    """Sum the moments of all pairs in contact, or their derivatives by psi."""
+    spread = 0.5 * abs(lam) * b
+    k0 = 0.0
+    k1 = 0.0
+    k2 = 0.0
+    for j in range(first_pair(psi, spread), last_pair(psi, spread, eps_alpha) + 1):
+        s0, s1, s2 = pair_moments(psi + j, lam, b, eps_alpha, S_R, L, slope)
+        k0 += s0
+        k1 += s1
+        k2 += s2
+    return k0, k1, k2
+
+
+@kernel
 def width_moments(psi, lam, b, eps_alpha, S_R, L):
     """Sum of `pair_moments` over all pairs in contact at the mesh phase psi: (K0, K1, K2).
 
@@ -160,16 +175,7 @@ def width_moments(psi, lam, b, eps_alpha, S_R, L):
     >>> round(float(k0), 12), round(float(k1), 12), round(float(k2) * 1e6, 9)
     (0.04, 0.0, 1.333333333)
     """
-    spread = 0.5 * abs(lam) * b
-    k0 = 0.0
-    k1 = 0.0
-    k2 = 0.0
-    for j in range(first_pair(psi, spread), last_pair(psi, spread, eps_alpha) + 1):
-        s0, s1, s2 = pair_moments(psi + j, lam, b, eps_alpha, S_R, L, 0)
-        k0 += s0
-        k1 += s1
-        k2 += s2
-    return k0, k1, k2
+    return _sums(psi, lam, b, eps_alpha, S_R, L, 0)
 
 
 @kernel
@@ -181,13 +187,4 @@ def width_moment_slopes(psi, lam, b, eps_alpha, S_R, L):
     >>> tuple(round(float(x), 9) for x in width_moment_slopes(0.1, 0.0, 1.0, 1.3, 1.0, 0.3))
     (0.0, 0.0, 0.0)
     """
-    spread = 0.5 * abs(lam) * b
-    k0 = 0.0
-    k1 = 0.0
-    k2 = 0.0
-    for j in range(first_pair(psi, spread), last_pair(psi, spread, eps_alpha) + 1):
-        s0, s1, s2 = pair_moments(psi + j, lam, b, eps_alpha, S_R, L, 1)
-        k0 += s0
-        k1 += s1
-        k2 += s2
-    return k0, k1, k2
+    return _sums(psi, lam, b, eps_alpha, S_R, L, 1)

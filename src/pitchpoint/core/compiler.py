@@ -169,6 +169,7 @@ def _standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
     customize = compiler._customize_flags
 
     def unfinished(flags: Any) -> Any:
+        """Flags of a compilation whose library stays open."""
         flags = customize(flags)
         flags.no_compile = True  # the library stays open for the function below
         return flags
@@ -199,6 +200,7 @@ def _thorough(library: Any) -> Callable[[], None]:
     optimise = library._optimize_final_module
 
     def optimise_twice() -> None:
+        """Optimise, and once more if exceptions are left."""
         optimise()
         if _raises(library._final_module):
             optimise()
@@ -248,6 +250,7 @@ def _caught(function: Any) -> Any:
     inner = njit(nogil=True, **_FLAGS)(getattr(function, "py_func", function))
 
     def law(t, x, p):
+        """The law, with NaN in place of an exception."""
         try:
             return float(inner(t, x, p))
         except Exception:
@@ -267,6 +270,7 @@ def _view(typingctx, where, shape, dtype):
     made = types.Array(dtype.dtype, n, "C")
 
     def generate(context, builder, signature, args):
+        """Machine code of a view: extents and address become an array."""
         extents = cgutils.unpack_tuple(builder, args[1]) if form is not types.int64 else [args[1]]
         item = context.get_abi_sizeof(context.get_data_type(made.dtype))
         strides = [context.get_constant(types.intp, item)]
@@ -285,6 +289,7 @@ def _call(typingctx, where, a, b, c):
     """Call an entry through its address."""
 
     def generate(context, builder, signature, args):
+        """Machine code of a call to an entry."""
         word = ir.IntType(64)
         function = builder.inttoptr(args[0], ir.FunctionType(word, [word] * 3).as_pointer())
         return builder.call(function, args[1:])
@@ -297,6 +302,7 @@ def _call_law(typingctx, where, t, x, p):
     """Call a user law through its address; p is the address of its parameters."""
 
     def generate(context, builder, signature, args):
+        """Machine code of a call to a law."""
         real = ir.DoubleType()
         form = ir.FunctionType(real, [real, real, real.as_pointer()])
         function = builder.inttoptr(args[0], form.as_pointer())

@@ -126,6 +126,7 @@ def _unit_end(text: str, at: int, variables: tuple[str, ...]) -> int:
     """Find where the unit behind a number ends (at the number if there is none)."""
 
     def unit_at(place: int) -> int:
+        """End of the unit that begins at a place of the text, with its power; -1 if none does."""
         match = _WORD.match(text, place)
         if match is None or match.group() in variables or match.group() not in UNITS:
             return -1

@@ -238,6 +238,7 @@ def _guarded(function: Any) -> Callable[..., float]:
     """A plain Python law as a callback; an exception becomes NaN, which the solver's guard reports."""
 
     def law(t: float, x: float, p: Any) -> float:
+        """The law, with NaN in place of an exception; Ctrl-C is kept for `invoke`."""
         try:
             return float(function(t, x, p))
         except KeyboardInterrupt as stop:  # goes on in `invoke`

@@ -14,9 +14,9 @@ from pitchpoint.elements.contact_record import RECORD, RESULTS
 from pitchpoint.elements.contact_wrench import place_markers
 from pitchpoint.elements.permanent_contact import FORCE, hold
 from pitchpoint.elements.point_surface import set_surface
-from pitchpoint.elements.surface_place import curvature_in_world, point_place, rotated
+from pitchpoint.elements.surface_place import curvature_in_world, point_place
 from pitchpoint.multibody.channels import constraint_args, constraint_rates, observations
-from pitchpoint.multibody.vectors import column, dot, plus, triple
+from pitchpoint.multibody.vectors import column, dot, into_world, plus, triple
 
 __all__ = ["BODY_FIXED", "OUTPUTS", "RECORD", "ROWS", "ball_on_surface", "entry", "set_surface"]
 
@@ -38,7 +38,7 @@ def ball_on_surface(rec, ctl, fr, q, g, G):
         b["side"] = 1.0
         phi, nx, ny, nz = distance(b["form_j"], b["size_j"], b["sense"], b["d"], b["V"])
         curvature_in_world(b["Ej"], b["V"], b["W"])
-        m = rotated(b["Ej"], (nx, ny, nz))
+        m = into_world(b["Ej"], (nx, ny, nz))
         point_place(b, f, o, triple(b["oi"], 0), m, phi - b["radius"], b["radius"], 1.0)
         lam = hold(b, c, f, o, g, gtt, Gf)
         if c["out"] != 0:

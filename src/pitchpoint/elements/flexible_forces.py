@@ -50,16 +50,6 @@ def put(x, k, a):
 
 
 @kernel
-def product(J, a):
-    """Matrix (3, 3) times a vector."""
-    return (
-        J[0, 0] * a[0] + J[0, 1] * a[1] + J[0, 2] * a[2],
-        J[1, 0] * a[0] + J[1, 1] * a[1] + J[1, 2] * a[2],
-        J[2, 0] * a[0] + J[2, 1] * a[1] + J[2, 2] * a[2],
-    )
-
-
-@kernel
 def coordinates(b, fr):
     """Read the modal coordinates, their rates and second rates."""
     for k in range(b["n"]):
@@ -128,7 +118,7 @@ def _modal(b, a, alpha, w):
     eta = b["eta"]
     for k in range(n):
         q = dot(column(b["P"], k), a) + dot(column(b["C"], k), alpha)
-        q -= 0.5 * dot(w, product(b["Jk"][k], w))
+        q -= 0.5 * dot(w, into_world(b["Jk"][k], w))
         for h in range(n):
             Kg = 0.0
             for r in range(9):
@@ -155,8 +145,8 @@ def loads(b, f):
     force = add(times(b["mass"], a), add(cross(alpha, s), cross(w, cross(w, s))))
     force = add(force, add(times(2.0, cross(w, row(b["s"], 1))), row(b["s"], 2)))
     n = b["n"]
-    moment = add(cross(s, a), add(product(b["J"], alpha), cross(w, product(b["J"], w))))
-    moment = add(moment, add(product(b["dJ"], w), combine(b["C"], b["eta"], 2, n)))
+    moment = add(cross(s, a), add(into_world(b["J"], alpha), cross(w, into_world(b["J"], w))))
+    moment = add(moment, add(into_world(b["dJ"], w), combine(b["C"], b["eta"], 2, n)))
     moment = add(moment, cross(w, combine(b["C"], b["eta"], 1, n)))
     for r in range(3):
         b["F"][r] = -force[r]

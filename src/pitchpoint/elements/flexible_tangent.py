@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.flexible_forces import column, combine, product, put, row
+from pitchpoint.elements.flexible_forces import column, combine, put, row
 from pitchpoint.multibody.vectors import add, cross, dot, into_body, into_world, less, times, triple, unit
 
 
@@ -28,13 +28,13 @@ def _swing(b):
         x = d[0, k]
         y = d[1, k]
         if x != 0.0 or y != 0.0:
-            by = product(b["Jk"][k], w)
-            ja = add(ja, times(x, product(b["Jk"][k], alpha)))
+            by = into_world(b["Jk"][k], w)
+            ja = add(ja, times(x, into_world(b["Jk"][k], alpha)))
             jw = add(jw, times(x, by))
             j1 = add(j1, times(y, by))
         if x != 0.0:
             for h in range(n):
-                j1 = add(j1, times(2.0 * x * eta[1, h], product(b["J2"][k, h], w)))
+                j1 = add(j1, times(2.0 * x * eta[1, h], into_world(b["J2"][k, h], w)))
                 A = (b["A"][k, 0, h], b["A"][k, 1, h], b["A"][k, 2, h])
                 c2 = add(c2, times(x * eta[2, h], A))
                 c1 = add(c1, times(x * eta[1, h], A))
@@ -49,11 +49,11 @@ def _modal(b, k, da, dalpha, dw):
     w = row(b["x"], 2)
     eta = b["eta"]
     d = b["d_eta"]
-    q = dot(column(b["P"], k), da) + dot(column(b["C"], k), dalpha) - dot(dw, product(b["Jk"][k], w))
+    q = dot(column(b["P"], k), da) + dot(column(b["C"], k), dalpha) - dot(dw, into_world(b["Jk"][k], w))
     for h in range(n):
         A = (b["A"][h, 0, k], b["A"][h, 1, k], b["A"][h, 2, k])
         if d[0, h] != 0.0:
-            q += d[0, h] * (dot(A, alpha) - dot(w, product(b["J2"][k, h], w)))
+            q += d[0, h] * (dot(A, alpha) - dot(w, into_world(b["J2"][k, h], w)))
         q += 2.0 * (dot(A, dw) * eta[1, h] + dot(A, w) * d[1, h])
         q += b["modal"][k, h] * d[2, h] + b["D"][k, h] * d[1, h] + (b["K"][k, h] + b["Kg"][k, h]) * d[0, h]
         Kg = 0.0
@@ -89,10 +89,10 @@ def _change(b):
     force = add(force, add(cross(dw, ws), cross(w, add(cross(dw, s), cross(w, ds)))))
     force = add(force, add(times(2.0, add(cross(dw, s1), cross(w, ds1))), ds2))
     ja, jw, j1, c2, c1 = _swing(b)
-    Jw = product(b["J"], w)
-    moment = add(add(cross(ds, a), cross(s, da)), add(product(b["J"], dalpha), ja))
-    moment = add(moment, add(cross(dw, Jw), cross(w, add(product(b["J"], dw), jw))))
-    moment = add(moment, add(product(b["dJ"], dw), add(j1, c2)))
+    Jw = into_world(b["J"], w)
+    moment = add(add(cross(ds, a), cross(s, da)), add(into_world(b["J"], dalpha), ja))
+    moment = add(moment, add(cross(dw, Jw), cross(w, add(into_world(b["J"], dw), jw))))
+    moment = add(moment, add(into_world(b["dJ"], dw), add(j1, c2)))
     moment = add(moment, add(cross(dw, combine(b["C"], b["eta"], 1, n)), cross(w, c1)))
     for r in range(3):
         b["dF"][r] = -force[r]

@@ -119,6 +119,7 @@ _EXCITATION = [
     ("n_sx", "i8", 4),  # stations over width and roll: gaps of gear 1, of gear 2, levels of gear 1, of gear 2
     ("sep", "i8", 4),  # offsets of the stacks of grids [row, width, roll], likewise
     ("roll", "f8", (2, 2)),  # lengths of roll that the grids of both gears span [m]
+    ("stride", "i8"),  # stations of gaps and compliances that one piece of a contact line spans
     ("sep_min", "f8"),  # smallest sum of both separations
 ]
 

@@ -23,8 +23,8 @@ from pitchpoint.contact.surface import PLANE, gap_of_length, of_length
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.contact_wrench import act
 from pitchpoint.elements.rod_place import rim_place
-from pitchpoint.elements.surface_place import curvature_in_world, point_place, rotated
-from pitchpoint.multibody.vectors import column, plus, triple
+from pitchpoint.elements.surface_place import curvature_in_world, point_place
+from pitchpoint.multibody.vectors import column, into_world, plus, triple
 
 GOLDEN = 0.3819660112501051
 STRAIGHT = 1e-24
@@ -59,7 +59,7 @@ def _place(b, f, g, x, weight):
     curvature_in_world(b["Ej"], b["V"], b["W"])
     Q = plus(triple(b["oi"], 0), x, column(b["Ei"], 2))
     b["side"] = 1.0
-    point_place(b, f, g, Q, rotated(b["Ej"], (nx, ny, nz)), phi - b["size_i"][0], b["size_i"][0], weight)
+    point_place(b, f, g, Q, into_world(b["Ej"], (nx, ny, nz)), phi - b["size_i"][0], b["size_i"][0], weight)
 
 
 @kernel

@@ -93,6 +93,24 @@ def _no_axes(b):
 
 
 @kernel
+def _parallel(b):
+    """Whether the axes are parallel to the last digit, which gears that only turn and shift keep for ever."""
+    dn = b["dn"]
+    skew = b["skew"]
+    return dn[0] == 0.0 and dn[1] == 0.0 and dn[2] == 0.0 and skew[0] == 0.0 and skew[1] == 0.0
+
+
+@kernel
+def _lean(B, q, R, side):
+    """Row 1 of the basis of one body between parallel axes: what `gradient` leaves of +-q . dn alone."""
+    for k in range(3):
+        k1 = (k + 1) % 3
+        k2 = (k + 2) % 3
+        B[1, k] = 0.0
+        B[1, 3 + k] = side * (R[k1, 2] * q[k2] - R[k2, 2] * q[k1])
+
+
+@kernel
 def normal_directions(b, f, g, flank):
     """Rows 0 and 1 of the wrench basis, -dx_0 and d(kappa), and kappa itself."""
     m = b["m"]
@@ -107,9 +125,14 @@ def normal_directions(b, f, g, flank):
     _no_axes(b)
     gradient(b, f, g, 0, -float(flank), sa, b["kappa"] * b["w_z"] - flank * b["tan_b"])
     for k in range(3):
+        b["q_n"][k] = ca * t[k] + sa * e[k]
+    if _parallel(b):
+        _lean(b["basis_i"], b["q_n"], f["R"], -1.0)
+        _lean(b["basis_j"], b["q_n"], g["R"], 1.0)
+        return
+    for k in range(3):
         k1 = (k + 1) % 3
         k2 = (k + 2) % 3
-        b["q_n"][k] = ca * t[k] + sa * e[k]
         b["q_e"][k] = ca * (dn[k1] * m[k2] - dn[k2] * m[k1]) + sa * dn[k]
         b["q_m"][k] = ca * (e[k1] * dn[k2] - e[k2] * dn[k1])
     # d(alpha) = cos(alpha) / (a sin(alpha)) da

@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.contact.damping import linear_ramp, ramp
-from pitchpoint.contact.elastic import low_load, power_force, stored_energy
+from pitchpoint.contact.elastic import low_load, power_force, series_energy, series_overlap, stored_energy
 from pitchpoint.contact.friction import static_dynamic
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.gear_mesh_record import NEAREST, ROLL
@@ -26,13 +26,14 @@ GAUSS = math.sqrt(0.6)
 
 
 @kernel
-def node(b, ctl, watch, x, x_rate, place, k, k_rate, limit, roll):
+def node(b, ctl, watch, x, x_rate, place, k, k_rate, limit, apart):
     """Add one node and return its normal force [N].
 
     `x` penetration [m] at the place (z, xi) [m], `k` stiffness [N/m^power], changing at `x_rate` [m/s] and
     `k_rate` per second where no force pushes: with the phase; `limit` force below which the pair softens [N].
-    `roll`: rate of the penetration where the contact runs over separated flanks [m/s], which damps like that
-    of the bodies, and its slope over xi; None on nominal flanks.
+    `apart`: None on nominal flanks; else the rate of the penetration where the contact runs over separated
+    flanks [m/s], which damps like that of the bodies, its slope over xi, a compliance in series [m/N] and its
+    rate. Contact damping acts on the overlap of the contact alone, u of x, and on its rate.
     """
     acc = b["acc"]
     if x <= 0.0 or k <= 0.0:
@@ -43,9 +44,18 @@ def node(b, ctl, watch, x, x_rate, place, k, k_rate, limit, roll):
     rate = b["rate"]
     y = z + b["flank"] * b["tan_b"] * xi
     w = rate[0] + rate[1] * y
-    if roll is not None:
-        w += roll[0]
-    f, kt = power_force(x, k, b["power"])
+    u = x
+    own = 1.0  # du/dx, which changes at `bent` over x
+    bent = 0.0
+    if apart is not None:
+        w += apart[0]
+        if apart[2] > 0.0:
+            u = series_overlap(x, k, b["power"], apart[2])
+    f, kt = power_force(u, k, b["power"])
+    if apart is not None and apart[2] > 0.0:
+        own = 1.0 / (1.0 + apart[2] * kt)
+        bent = (1.0 - b["power"]) * kt / u * apart[2] * own * own * own
+        kt *= own
     secant = f / x
     if limit > 0.0:
         force, tangent = low_load(f, limit)
@@ -56,24 +66,30 @@ def node(b, ctl, watch, x, x_rate, place, k, k_rate, limit, roll):
     d = (b["d_in"] if w > 0.0 else b["d_out"]) * k / b["k_ref"]
     if b["chi"] > 0.0:
         d = b["chi"] * f
-        f += d * w
-        kt *= 1.0 + b["chi"] * w
+        f += d * w * own
+        kt *= 1.0 + b["chi"] * w * own
     elif d > 0.0:
-        share, slope = ramp(x, b["s_0"]) if b["smooth"] == 1 else linear_ramp(x, b["s_0"])
+        share, slope = ramp(u, b["s_0"]) if b["smooth"] == 1 else linear_ramp(u, b["s_0"])
         full = d
         d *= share
-        f += d * w
-        kt += full * w * slope
+        f += d * w * own
+        kt += full * w * slope * own * own
+    if apart is not None:
+        kt += d * w * bent
+        d *= own
     if watch is not None:
         acc[NEAREST] = max(acc[NEAREST], f / secant)
     # a flank that would have to pull lets go, and the work of its elastic force is lost
     f = max(f, 0.0)
     if watch is not None:
-        energy, feed = stored_energy(x, k, b["power"], limit)
+        if apart is None:
+            energy, feed = stored_energy(x, k, b["power"], limit)
+            acc[23] += feed * k_rate + elastic * x_rate + energy * b["growth"]
+        else:
+            energy, feed, fall = series_energy(x, u, k, b["power"], apart[2], limit)
+            acc[23] += feed * k_rate + fall * apart[3] + elastic * x_rate + energy * b["growth"]
+            acc[23] += f * apart[0]
         acc[22] += (f - elastic) * w
-        acc[23] += feed * k_rate + elastic * x_rate + energy * b["growth"]
-        if roll is not None:
-            acc[23] += f * roll[0]
         acc[24] += energy
         if f > 0.0:
             acc[20] += stiffness
@@ -87,8 +103,8 @@ def node(b, ctl, watch, x, x_rate, place, k, k_rate, limit, roll):
         acc[6] += c * y
         acc[7] += c * y * y
     c_roll = 0.0
-    if roll is not None:
-        c_roll = ctl["cd"] * d * roll[1]
+    if apart is not None:
+        c_roll = ctl["cd"] * d * apart[1]
         acc[ROLL] += c_roll
         acc[ROLL + 1] += c_roll * y
     if b["mu"] > 0.0:
@@ -170,6 +186,11 @@ def phase_flank(b, ctl, watch, x_0, ratio, slope):
     hi = b["z_hi"]
     if b["tilt"] == 0.0 and b["fixed"] == 1:
         node(b, ctl, watch, x_0, 0.0, (0.5 * (lo + hi), 0.0), k, k_rate, 0.0, None)
+        return
+    if b["slices"] == 0 and b["tilt"] == 0.0 and b["rate"][1] == 0.0 and b["mu"] == 0.0:
+        # parallel axes: the same force all over the width, whose second moment is that of its length
+        node(b, ctl, watch, x_0, 0.0, (0.5 * (lo + hi), 0.0), k, k_rate, 0.0, None)
+        b["acc"][7] += b["acc"][5] * (hi - lo) * (hi - lo) / 12.0
         return
     if b["slices"] > 0:
         step = (hi - lo) / b["slices"]

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 
-from pitchpoint.contact.elastic import stored_energy
+from pitchpoint.contact.elastic import series_energy, series_overlap, stored_energy
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.gear_mesh_record import NEAREST
@@ -67,15 +67,13 @@ def _pair_node(b, ctl, watch, p_0, x_q, z, weight, apart):
     limit = b["load_limit"] * weight
     if apart is None:
         return node(b, ctl, watch, x, x_rate, (z, xi), c * scale, k_rate, limit, None)
+    if weight <= 0.0:  # a piece between two edges that fall together
+        return 0.0
     gap, gap_rate, slope, level, level_rate, q, q_rate = pair_separation(b, z, xi, z_rate, xi_rate)
-    k = c * scale
-    if q > 0.0:  # in series with the pair, per face width: c/(1 + c q)
-        share = 1.0 / (1.0 + c * b["c_prime"] * q)
-        k_rate = (k_rate - k * c * b["c_prime"] * q_rate) * share * share
-        k *= share
     # an edge that travels under the contact takes its energy along, but does not damp
     x_rate -= level_rate
-    return node(b, ctl, watch, x - gap - level, x_rate, (z, xi), k, k_rate, limit, (-gap_rate, -slope))
+    own = (-gap_rate, -slope, q / weight, q_rate / weight)  # a crack lies in series, per face width
+    return node(b, ctl, watch, x - gap - level, x_rate, (z, xi), c * scale, k_rate, limit, own)
 
 
 @kernel
@@ -157,15 +155,20 @@ def _split(b, gear, p_0, a, c):
 
 @kernel
 def _carried(b, ctl, watch, p_0, x_q, a, c, x_a, x_c):
-    """The part of a smooth piece on which the flanks touch; one that is open at both ends carries nothing.
+    """The part of a smooth piece on which the flanks touch; one open at both ends and in the middle is open.
 
     `x_a` and `x_c` are the penetrations at its ends.
     """
     if x_a <= 0.0 and x_c <= 0.0:
-        if watch is not None:
-            b["acc"][NEAREST] = max(b["acc"][NEAREST], max(x_a, x_c))
-        return 0.0
-    if x_a <= 0.0:
+        m = 0.5 * (a + c)
+        x_m = _over(b, 2, p_0, x_q, m)
+        if x_m <= 0.0:
+            if watch is not None:
+                b["acc"][NEAREST] = max(b["acc"][NEAREST], max(x_a, x_m, x_c))
+            return 0.0
+        a = _edge(b, 2, p_0, x_q, a, m, x_a, x_m)
+        c = _edge(b, 2, p_0, x_q, m, c, x_m, x_c)
+    elif x_a <= 0.0:
         a = _edge(b, 2, p_0, x_q, a, c, x_a, x_c)
     elif x_c <= 0.0:
         c = _edge(b, 2, p_0, x_q, a, c, x_a, x_c)
@@ -219,7 +222,7 @@ def exact_line(b, ctl, watch, p_0, x_q, apart):
             _moving_ends(b, x_q, u, v, apart)
         z_1 = (L - p_0) / lam
         z_2 = (eps - L - p_0) / lam
-        if b["mu"] > 0.0:
+        if b["mu"] > 0.0 or apart is not None:  # there sliding turns round, and wear has its kink
             z_4 = (-b["xi_A"] / b["p_bt"] - p_0) / lam
         a = max(a, min(u, v))
         end = min(end, max(u, v))
@@ -270,10 +273,14 @@ def _line_energy(b, x_q, z, xi, c, apart):
     """Energy per length of a contact line [J/m] at its end (z, xi), with the stiffness ratio `c`."""
     x = x_q - b["tilt"] * z
     k = b["c_prime"] * c
-    if apart is not None:
-        x -= gap_at(b, z, xi)
-        k /= 1.0 + k * softening_at(b, z, xi)
-    return stored_energy(x, k, b["power"], b["load_limit"])[0] if x > 0.0 and c > 0.0 else 0.0
+    if apart is None:
+        return stored_energy(x, k, b["power"], b["load_limit"])[0] if x > 0.0 and c > 0.0 else 0.0
+    x -= gap_at(b, z, xi)
+    if x <= 0.0 or c <= 0.0:
+        return 0.0
+    q = softening_at(b, z, xi)
+    u = series_overlap(x, k, b["power"], q)
+    return series_energy(x, u, k, b["power"], q, b["load_limit"])[0]
 
 
 @kernel

@@ -142,7 +142,10 @@ def softening_at(b, z, xi):
 
 @kernel
 def next_station(b, a, end):
-    """Where behind `a` a contact line crosses the next station over the width at which rows change."""
+    """Where behind `a` a contact line crosses the next station over the width at which rows change.
+
+    Of gaps and compliances, which are smooth, pieces span several stations (`stride`).
+    """
     for s in range(4):
         gear = s % 2
         first = b["rows"][gear, 3 + 2 * (s // 2)]
@@ -153,8 +156,10 @@ def next_station(b, a, end):
         shift = b["w1"] * b["dz"]
         if gear == 1:
             shift -= b["dz"]
-        i = max(first, int(math.floor((a + shift + zero) * b["per_z"][s] + _NEAR)) + 1)
-        if i <= last:
+        stride = b["stride"] if s < 2 else 1
+        here = (a + shift + zero) * b["per_z"][s] + _NEAR
+        i = min(max(first, (int(math.floor(here / stride)) + 1) * stride), last)
+        if i > here:
             stop = i / b["per_z"][s] - zero - shift
             if stop > a and stop < end:
                 end = stop

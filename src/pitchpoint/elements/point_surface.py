@@ -19,9 +19,9 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.contact_record import EVENTS, RECORD, RESULTS, set_triangles
 from pitchpoint.elements.contact_wrench import act, begin, finish
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.surface_place import curvature_in_world, point_place, rotated
+from pitchpoint.elements.surface_place import curvature_in_world, point_place
 from pitchpoint.multibody.channels import frame_args
-from pitchpoint.multibody.vectors import triple
+from pitchpoint.multibody.vectors import into_world, triple
 
 __all__ = ["BODY_FIXED", "EVENTS", "OUTPUTS", "RECORD", "entry", "point_surface", "set_mesh", "set_surface"]
 
@@ -92,7 +92,7 @@ def _on_analytic(b, c, f, g, kk):
     """A sphere against a surface of simple shape."""
     phi, nx, ny, nz = distance(b["form_j"], b["size_j"], b["sense"], b["d"], b["V"])
     curvature_in_world(b["Ej"], b["V"], b["W"])
-    m = rotated(b["Ej"], (nx, ny, nz))
+    m = into_world(b["Ej"], (nx, ny, nz))
     point_place(b, f, g, triple(b["oi"], 0), m, phi - b["radius"], b["radius"], 1.0)
     act(b, c, f, g, kk)
 
@@ -102,7 +102,7 @@ def _at_hit(b, c, f, g, kk, where):
     """A sphere at one place of a triangle surface."""
     phi, nx, ny, nz = signed_place(where, b["d"], b["hit"], b["V"])
     curvature_in_world(b["Ej"], b["V"], b["W"])
-    m = rotated(b["Ej"], (nx, ny, nz))
+    m = into_world(b["Ej"], (nx, ny, nz))
     point_place(b, f, g, triple(b["oi"], 0), m, phi - b["radius"], b["radius"], 1.0)
     act(b, c, f, g, kk)
 

@@ -106,6 +106,15 @@ _KINDS: dict[str, Kind] = {
         Kind("torsion_maxwell", _HERE + "torsion_maxwell", FRAME, WITH_STATE),
     )
 }
+MASSLESS = frozenset(
+    {
+        *("bearing", "bushing", "clearance_bearing", "coupling", "damping", "force", "gear_mesh", "gravity"),
+        *("rolling_bearing", "spring_damper", "torque"),
+        *("closure", "drive", "ratio"),
+    }
+)
+"""Kinds that are known to have no inertia of their own, so that no acceleration means anything to them; every
+other kind may have some."""
 
 
 def register(kind: Kind) -> None:

@@ -69,6 +69,12 @@ RECORD = np.dtype(
         ("uneven", "i8"),  # 1: the elements are not spaced evenly
         ("spacing", "i8"),  # what is added to the azimuth of every element [rad], offset in the pool
         ("pool", "i8"),  # address of the float array that holds all tables
+        ("known_n", "i8"),  # what the four below were computed for
+        ("known_angle", "f8"),
+        ("ca", "f8"),
+        ("sa", "f8"),  # cosine and sine of the contact angle
+        ("step_c", "f8"),
+        ("step_s", "f8"),  # and of the angle from one element to the next
         ("G", "f8", (4, 6)),  # scratch: gradients of radial and axial approach, of d, and across d
         ("H", "f8", (6, 6)),  # scratch: second derivative of d
         ("out", "i8"),
@@ -99,6 +105,18 @@ def roll_angle(share, turn, turns):
     """Angle that a body which turns by `share` of the inner ring stands at, less whole turns of it [rad]."""
     whole = math.floor(share)
     return whole * turn + cage_angle(share - whole, turn, turns)
+
+
+@kernel
+def _remember_angles(b):
+    """Compute what never changes only once."""
+    if b["known_n"] != b["n"] or b["known_angle"] != b["angle"]:
+        b["known_n"] = b["n"]
+        b["known_angle"] = b["angle"]
+        b["ca"] = math.cos(b["angle"])
+        b["sa"] = math.sin(b["angle"])
+        b["step_c"] = math.cos(TWO_PI / b["n"])
+        b["step_s"] = math.sin(TWO_PI / b["n"])
 
 
 @kernel
@@ -165,11 +183,8 @@ def _approach(b, c, s):
     x = b["x"]
     radial = x[0] * c + x[1] * s - b["gap"]
     axial = x[2] - 0.5 * b["pitch"] * (x[3] * c + x[4] * s)
-    ca = 1.0
-    sa = 0.0
-    if b["angle"] != 0.0:  # most have none, and this runs for every element
-        ca = math.cos(b["angle"])
-        sa = math.sin(b["angle"])
+    ca = b["ca"]
+    sa = b["sa"]
     A = b["grooves"]
     if A > 0.0:
         p = A * ca + radial
@@ -213,7 +228,7 @@ def _element(b, c, s, share, jac, loss):
 @kernel
 def _spun(b, turns):
     """Angle of the elements about their own axes, against the cage, and its derivative over the turn."""
-    gamma = b["element"] / b["pitch"] * math.cos(b["angle"])
+    gamma = b["element"] / b["pitch"] * b["ca"]
     share = -0.5 * b["pitch"] / b["element"] * (1.0 - gamma * gamma)
     return roll_angle(share, b["x"][5], turns), share
 
@@ -246,7 +261,8 @@ def rolling_bearing(rec, ctl, fr, kk):
         f = fr[b["i"]]
         g = fr[b["j"]]
         line = ring_motion(b, f, g)
-        share = 0.5 * (1.0 - b["element"] / b["pitch"] * math.cos(b["angle"]))
+        _remember_angles(b)
+        share = 0.5 * (1.0 - b["element"] / b["pitch"] * b["ca"])
         turns = whole_turns(f, g, b["j"], line, b["x"][5])
         cage = cage_angle(share, b["x"][5], turns)
         for r in range(6):
@@ -257,12 +273,12 @@ def rolling_bearing(rec, ctl, fr, kk):
                     b["D"][r, h] = 0.0
         c = math.cos(b["azimuth"] + cage)
         s = math.sin(b["azimuth"] + cage)
-        step_c = math.cos(TWO_PI / b["n"])
-        step_s = math.sin(TWO_PI / b["n"])
+        step_c = b["step_c"]
+        step_s = b["step_s"]
         whole = b["n_faults"] == 0 and b["uneven"] == 0
         forces_only = jac == 0 and whole
         if forces_only:
-            push_elements(b, c, s, step_c, step_s, share)
+            push_elements(b, c, s, share)
         spun = (0.0, 0.0)
         if b["n_faults"] > 0:
             spun = _spun(b, turns)

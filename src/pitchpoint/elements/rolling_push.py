@@ -13,17 +13,18 @@ from pitchpoint.core.kernel import kernel
 
 
 @kernel
-def push_elements(b, c, s, step_c, step_s, share):
+def push_elements(b, c, s, share):
     """Subtract what all elements carry from the forces in the scratch f.
 
-    c and s are cosine and sine of the azimuth of the first element, step_c and step_s those of the angle from
-    one to the next, share that of the cage.
+    c and s are cosine and sine of the azimuth of the first element, share is that of the cage.
     """
     x = b["x"]
     w = b["w"]
     half = 0.5 * b["pitch"]
-    ca0 = math.cos(b["angle"])
-    sa0 = math.sin(b["angle"])
+    ca0 = b["ca"]
+    sa0 = b["sa"]
+    step_c = b["step_c"]
+    step_s = b["step_s"]
     A = b["grooves"]
     gap = b["gap"]
     power = b["exponent"]

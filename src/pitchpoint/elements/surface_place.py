@@ -14,16 +14,6 @@ from pitchpoint.multibody.vectors import column, dot, plus, row, triple
 
 
 @kernel
-def rotated(E, x):
-    """Vector in axes of a marker, in world axes."""
-    return (
-        E[0, 0] * x[0] + E[0, 1] * x[1] + E[0, 2] * x[2],
-        E[1, 0] * x[0] + E[1, 1] * x[1] + E[1, 2] * x[2],
-        E[2, 0] * x[0] + E[2, 1] * x[1] + E[2, 2] * x[2],
-    )
-
-
-@kernel
 def curvature_in_world(E, V, W):
     """W = E V E^T."""
     for r in range(3):

@@ -21,8 +21,8 @@ from pitchpoint.contact.triangle_search import (
 )
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.contact_wrench import act
-from pitchpoint.elements.surface_place import curvature_in_world, local, point_place, rotated
-from pitchpoint.multibody.vectors import plus, triple
+from pitchpoint.elements.surface_place import curvature_in_world, local, point_place
+from pitchpoint.multibody.vectors import into_world, plus, triple
 
 
 @kernel
@@ -48,13 +48,13 @@ def _one_way(b, c, f, g, kk, side):
         )
         half = (middle[0] - tree[k, 0], middle[1] - tree[k, 1], middle[2] - tree[k, 2])
         reach = depth + math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2])
-        local(b, E_s, o_s, plus(triple(o, 0), 1.0, rotated(E, middle)))
+        local(b, E_s, o_s, plus(triple(o, 0), 1.0, into_world(E, middle)))
         if box_distance(boxes, 0, b["y"]) >= reach * reach:
             k = int(tree[k, 6])
             continue
         first = int(tree[k, 7])
         for h in range(first, first + int(tree[k, 8])):
-            Q = plus(triple(o, 0), 1.0, rotated(E, (points[h, 0], points[h, 1], points[h, 2])))
+            Q = plus(triple(o, 0), 1.0, into_world(E, (points[h, 0], points[h, 1], points[h, 2])))
             local(b, E_s, o_s, Q)
             if not nearest_place(where, b["y"], depth, b["hit"]):
                 continue
@@ -63,7 +63,7 @@ def _one_way(b, c, f, g, kk, side):
                 continue
             b["side"] = side
             curvature_in_world(E_s, b["V"], b["W"])
-            point_place(b, f, g, Q, rotated(E_s, (nx, ny, nz)), phi, 0.0, 0.5 * points[h, 3])
+            point_place(b, f, g, Q, into_world(E_s, (nx, ny, nz)), phi, 0.0, 0.5 * points[h, 3])
             act(b, c, f, g, kk)
         k += 1
 
@@ -99,19 +99,19 @@ def points_on_shape(b, c, f, g, kk):
         )
         half = (middle[0] - tree[k, 0], middle[1] - tree[k, 1], middle[2] - tree[k, 2])
         reach = math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2])
-        local(b, b["Ej"], b["oj"], plus(triple(b["oi"], 0), 1.0, rotated(b["Ei"], middle)))
+        local(b, b["Ej"], b["oj"], plus(triple(b["oi"], 0), 1.0, into_world(b["Ei"], middle)))
         phi, nx, ny, nz = _distance(b, b["V"])
         if phi - reach >= max(b["gap"], 0.0) or phi + reach < -b["depth"]:
             k = int(tree[k, 6])
             continue
         first = int(tree[k, 7])
         for h in range(first, first + int(tree[k, 8])):
-            Q = plus(triple(b["oi"], 0), 1.0, rotated(b["Ei"], (points[h, 0], points[h, 1], points[h, 2])))
+            Q = plus(triple(b["oi"], 0), 1.0, into_world(b["Ei"], (points[h, 0], points[h, 1], points[h, 2])))
             local(b, b["Ej"], b["oj"], Q)
             phi, nx, ny, nz = _distance(b, b["V"])
             if phi < -b["depth"] or (phi >= b["gap"] and phi >= 0.0):
                 continue
             curvature_in_world(b["Ej"], b["V"], b["W"])
-            point_place(b, f, g, Q, rotated(b["Ej"], (nx, ny, nz)), phi, 0.0, points[h, 3])
+            point_place(b, f, g, Q, into_world(b["Ej"], (nx, ny, nz)), phi, 0.0, points[h, 3])
             act(b, c, f, g, kk)
         k += 1

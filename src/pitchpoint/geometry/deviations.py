@@ -203,6 +203,7 @@ def _resample(values: ArrayLike, z: FloatArray, roll: FloatArray, gear: Cylindri
     root, tip = flank_range(gear)
 
     def weights(share: FloatArray, n: int) -> FloatArray:
+        """Weights of n stations at places given as shares of the length: hat functions, shape (m, n) [-]."""
         place = np.clip(share, 0.0, 1.0) * (n - 1)
         return np.maximum(0.0, 1.0 - np.abs(place[:, None] - np.arange(n)[None, :]))
 

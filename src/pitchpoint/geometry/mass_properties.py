@@ -78,10 +78,12 @@ def section_integrals(form: ToothForm) -> tuple[float, float]:
     slope = series.chebval(nodes, series.chebder(series.chebfit(nodes, angle, _DEGREE)))
 
     def along_fillet(values: np.ndarray) -> float:
+        """Integral over the angle of the fillet of values at its Chebyshev nodes."""
         primitive = series.chebint(series.chebfit(nodes, values * slope, _DEGREE))
         return float(series.chebval(1.0, primitive) - series.chebval(-1.0, primitive))
 
     def along_involute(square: bool) -> float:
+        """Integral of r^2, or r^4 if `square`, over the angle of the involute, in closed form [m^2, m^4]."""
         t = np.sqrt(np.array([form.r_Ff, form.r_Fa]) ** 2 / form.r_b**2 - 1.0 + 0.0)
         cubes = t**3 / 3.0 + (t**5 / 5.0 if square else 0.0)
         return float(-form.sign * (cubes[1] - cubes[0])) * form.r_b ** (4 if square else 2)

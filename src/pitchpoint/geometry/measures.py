@@ -309,6 +309,7 @@ def ideal_ball_diameter(gear: CylindricalGear) -> float:
     # Contact geometry gives tan α_K − tan α_v = D cos β_b / d_b, the involute gives inv α_K; eliminating D
     # leaves one equation in tan α_K whose residual falls monotonically.
     def residual(t: float) -> float:
+        """Equation of the roll angle t whose root is wanted [rad]."""
         return t - math.atan(t) - offset - (t - tan_v) / cos2
 
     low, high = (0.0, tan_v) if gear.is_internal else (tan_v, tan_v + 10.0)

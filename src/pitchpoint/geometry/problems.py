@@ -47,6 +47,7 @@ def _largest_shift(gear: CylindricalGear) -> str:
     limit, low = TIP_THICKNESS_LIMIT * gear.m_n, gear.x - 0.05
 
     def spare(x: float) -> float:
+        """Thickness at the tip above the limit, at a profile shift coefficient x [m]."""
         return tip_thickness(gear.replace(x=x)) - limit
 
     try:
@@ -83,6 +84,7 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
     found: list[Problem] = []
 
     def add(key: str, message: str, value: str, limit: str, remedy: str) -> None:
+        """Note a problem at a key of the gear."""
         found.append(Problem(_at(where, key), message, value, limit, remedy))
 
     if gear.rack.rho_fP_star_max(gear.alpha_n) < 0.0 and not gear.is_internal:

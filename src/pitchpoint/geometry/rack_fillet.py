@@ -134,6 +134,7 @@ def _undercut_crossing(
     """Fillet parameter and radius [m] at which an undercutting trochoid crosses the involute."""
 
     def clearance(theta: FloatArray | float) -> FloatArray:
+        """Angle from the fillet to the involute at the same radius, at parameters of the fillet [rad]."""
         r, delta = fillet.polar(theta)
         roll = np.sqrt(np.maximum(0.0, (r / r_b) ** 2 - 1.0))
         return np.asarray(half_pitch - delta - (psi_b - roll + np.arctan(roll)))

@@ -56,6 +56,7 @@ def _tooth_triangles(
     arc = np.arange(right[-1], left[-1] + 1)
 
     def fan(apex: int, line: IntArray) -> IntArray:
+        """Triangles from one point to all pieces of a line, shape (n - 1, 3)."""
         return np.stack([np.full(line.size - 1, apex), line[:-1], line[1:]], axis=1)
 
     strips = [
@@ -72,6 +73,7 @@ def _tooth_triangles(
     root = np.concatenate([np.arange(start), foot[:-1], np.arange(left[0], n_cell)])
 
     def everywhere(ids: IntArray) -> IntArray:
+        """Numbers of the points of the first tooth, for all teeth; negative ones stand on the foot circle."""
         tooth = np.arange(z).reshape((z,) + (1,) * ids.ndim)
         return np.where(ids < 0, n_all + n_foot * tooth - 1 - ids, (ids + n_cell * tooth) % n_all)
 

@@ -99,15 +99,18 @@ def _pieces(form: ToothForm) -> list[Curve]:
     tip = form.tip_half_angle
 
     def fillet(t: NDArray[np.float64]) -> ComplexArray:
+        """Points of the fillet, 0 at the root and 1 at the flank, complex [m]."""
         r, angle = form.fillet_polar(form.fillet.theta_root + t * (form.theta_form - form.fillet.theta_root))
         return np.asarray(r * np.exp(1j * angle))
 
     def involute(t: NDArray[np.float64]) -> ComplexArray:
+        """Points of the flank, 0 at its root end and 1 at its tip end, complex [m]."""
         roll = low + t * (high - low)
         angle = form.psi_b - form.sign * (roll - np.arctan(roll))
         return np.asarray(form.r_b * np.hypot(1.0, roll) * np.exp(1j * angle))
 
     def radial(t: NDArray[np.float64]) -> ComplexArray:
+        """Points of the straight piece from the flank to the tip circle, complex [m]."""
         return np.asarray((form.r_Fa + t * (form.r_a - form.r_Fa)) * np.exp(1j * tip))
 
     left: list[Curve] = [fillet, involute]

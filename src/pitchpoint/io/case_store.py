@@ -5,19 +5,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 
-from pitchpoint.io.container import FINISHED, Header
+from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
 from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
-from pitchpoint.io.tables import Axis, Quantity, TableWriter
+from pitchpoint.io.tables import Axis, FilledTable, Quantity, TableWriter
 
 LETTERS = 500
 """Bytes kept of the sentence of a case."""
 
 
-class CaseWriter:
+class CaseWriter(FilledTable):
     """Write the results of independent cases; the file may be read while it fills.
 
     Parameters
@@ -88,26 +87,6 @@ class CaseWriter:
         self._table.put("case_sentence", k, _letters(result.sentence))
         self._table.put("wall_s", k, result.wall_s)
         self._table.flush()
-
-    def finish(
-        self,
-        status: str = FINISHED,
-        sentence: str = "",
-        *,
-        code: int = 1,
-        steps: int = 0,
-        notes: Sequence[str] = (),
-    ) -> None:
-        """Write how the computation ended and close; a second call does nothing."""
-        self._table.finish(status, sentence, code=code, steps=steps, notes=notes)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._table.__exit__(kind, error, trace)
 
 
 def read_cases(path: str | os.PathLike[str]) -> list[dict[str, Any]]:

@@ -32,6 +32,11 @@ def is_held(path: Path) -> bool:
         return not _locked(file.fileno(), exclusive=True)
 
 
+def share(descriptor: int) -> bool:
+    """Keep a file from being replaced while it is read; False while HDF5 still makes its structure."""
+    return _locked(descriptor, exclusive=False)
+
+
 def make_way(path: Path) -> int | None:
     """Take an older file away, unless it is held; gives its permissions, None if there is no such file.
 

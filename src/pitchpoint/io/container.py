@@ -248,6 +248,10 @@ class Container:
         self.file.attrs.modify("steps", int(steps))
         self.file.attrs.modify("wall_s", float(wall_s))
         self._open = False
+        self._close()
+
+    def _close(self) -> None:
+        """Close the file and say whether it is still where it was made."""
         there = is_at(self.file.id.get_vfd_handle(), self._place)
         self.file.close()
         if not there:
@@ -258,6 +262,31 @@ class Container:
 
         dtype, length = self._text[name]
         self.file.attrs.modify(name, np.array(_cut(text, length), dtype=dtype))
+
+
+class MemoryContainer(Container):
+    """A result that is small and written at once: made in memory, its bytes are `image` when it is finished.
+
+    HDF5 gives back a file it could not finish, on a full disk, by a crash of the process.
+    """
+
+    image: bytes = b""
+
+    def _make_file(self) -> h5py.File:
+        import h5py
+
+        return h5py.File(
+            self.path, "w", driver="core", backing_store=False, libver="latest", rdcc_nbytes=_CHUNK_CACHE
+        )
+
+    def flush(self) -> None:
+        """Bring everything written so far into the image of the file."""
+        self.file.flush()
+
+    def _close(self) -> None:
+        self.file.flush()
+        self.image = self.file.id.get_file_image()
+        self.file.close()
 
 
 def _cut(text: str, length: int) -> bytes:
@@ -281,13 +310,30 @@ def clear_writer_flag(path: str | os.PathLike[str]) -> None:
     Ordinary readers may fail in the instant of a flush; those that open with swmr never do.
     """
     with Path(path).open("r+b", buffering=0) as raw:
-        block = bytearray(raw.read(48))
-        if block[:8] != b"\x89HDF\r\n\x1a\n" or block[8] < 2 or block[9] != 8 or block[11] == 0:
-            return
-        block[11] = 0
-        block[44:48] = lookup3(bytes(block[:44])).to_bytes(4, "little")
-        raw.seek(0)
-        raw.write(block)
+        block = raw.read(48)
+        plain = unmarked(block)
+        if plain != block:
+            raw.seek(0)
+            raw.write(plain)
+
+
+def unmarked(block: bytes) -> bytes:
+    """Superblock of an HDF5 file (48 bytes) without the mark 'open for writing'.
+
+    Given back as it is where there is no such mark, or where the checksum says that it is damaged.
+    """
+    if (
+        block[:8] != b"\x89HDF\r\n\x1a\n"
+        or len(block) < 48
+        or block[8] < 2
+        or block[9] != 8
+        or block[11] == 0
+    ):
+        return block
+    if lookup3(block[:44]) != int.from_bytes(block[44:48], "little"):
+        return block
+    plain = block[:11] + b"\0" + block[12:44]
+    return plain + lookup3(plain).to_bytes(4, "little")
 
 
 def lookup3(data: bytes, start: int = 0) -> int:
@@ -300,6 +346,7 @@ def lookup3(data: bytes, start: int = 0) -> int:
     """
 
     def turn(x: int, k: int) -> int:
+        """Rotate 32 bits to the left by k."""
         return ((x << k) | (x >> (32 - k))) & 0xFFFFFFFF
 
     m = 0xFFFFFFFF

@@ -19,13 +19,15 @@ from typing import Any
 
 from pitchpoint.core.status import OK
 from pitchpoint.io.claim import is_held
-from pitchpoint.io.container import FAILED, FINISHED, Container, Header
+from pitchpoint.io.container import FAILED, FINISHED, Header, MemoryContainer
 from pitchpoint.io.reading import header_in
 from pitchpoint.io.target import INDEX_HEAD, OutputError, cannot_be_written, check_target
 
 CASES = "cases"
 DRAFT = ".draft-"
 _ROWS = 8192
+ATTEMPTS = 3
+"""How often a draft that was taken away is written again."""
 
 
 class DatasetFolder:
@@ -98,40 +100,31 @@ class DatasetFolder:
         """Write one case: a `CaseRecord`, or anything with its attributes."""
         import numpy as np
 
-        target = self.file_of(record.key)
-        draft = self.cases / f"{DRAFT}{record.key}-{os.getpid()}-{threading.get_ident()}"
-        container = Container(draft, header)
+        container = MemoryContainer(self.cases / f"{DRAFT}{record.key}", header)
+        if record.channels:
+            clock = {"units": "s", "long_name": "time", "symbol": "t"}
+            time = container.dimension("time", np.arange(samples) / sample_rate, attributes=clock)
+            for name, channel in record.channels.items():
+                whole = np.issubdtype(channel.values.dtype, np.integer)
+                made = container.variable(
+                    name,
+                    [time],
+                    dtype="i1" if whole else "f4",
+                    chunks=(min(_ROWS, samples),),
+                    packed=True,
+                    attributes={"units": channel.unit, "long_name": channel.long_name},
+                )
+                made[...] = channel.values
+                made.attrs["noise_rms"] = channel.noise_rms
+            for name, begun in record.pulses.items():
+                words = {"units": "s", "long_name": f"times at which pulses of {name} begin"}
+                container.dimension(f"{name}_times", begun, attributes=words)
+        status = FINISHED if record.status == OK else FAILED
+        container.finish(status, record.sentence, code=record.status, steps=record.steps, notes=record.notes)
         try:
-            if record.channels:
-                clock = {"units": "s", "long_name": "time", "symbol": "t"}
-                times = np.arange(samples) / sample_rate
-                time = container.dimension("time", times, attributes=clock)
-                for name, channel in record.channels.items():
-                    whole = np.issubdtype(channel.values.dtype, np.integer)
-                    made = container.variable(
-                        name,
-                        [time],
-                        dtype="i1" if whole else "f4",
-                        chunks=(min(_ROWS, samples),),
-                        packed=True,
-                        attributes={"units": channel.unit, "long_name": channel.long_name},
-                    )
-                    made[...] = channel.values
-                    made.attrs["noise_rms"] = channel.noise_rms
-                for name, begun in record.pulses.items():
-                    words = {"units": "s", "long_name": f"times at which pulses of {name} begin"}
-                    container.dimension(f"{name}_times", begun, attributes=words)
-            status = FINISHED if record.status == OK else FAILED
-            container.finish(
-                status, record.sentence, code=record.status, steps=record.steps, notes=record.notes
-            )
-            _to_disk(draft)
-            draft.replace(target)
-        except BaseException:
-            with contextlib.suppress(OSError):
-                container.finish(FAILED, "not written to its end")
-                draft.unlink(missing_ok=True)
-            raise
+            _put(self.file_of(record.key), container.image)
+        except OSError as error:
+            raise OutputError(cannot_be_written(self.file_of(record.key), error)) from error
 
     def write_index(self, name: str, columns: Sequence[str], rows: Iterable[Mapping[str, Any]]) -> Path:
         """Write the table of the cases (CSV); what is missing in a row stays empty."""
@@ -149,14 +142,20 @@ class DatasetFolder:
 
 
 def _put(target: Path, data: bytes) -> None:
-    """Replace a file as a whole, or leave it."""
-    draft = target.parent / f"{DRAFT}{target.name}-{os.getpid()}"
-    draft.write_bytes(data)
-    _to_disk(draft)
-    draft.replace(target)
-
-
-def _to_disk(path: Path) -> None:
-    """Wait until a file is on the disk."""
-    with path.open("rb") as file:
-        os.fsync(file.fileno())
+    """Replace a file as a whole, or leave it; what was written is on the disk then."""
+    draft = target.parent / f"{DRAFT}{target.name}-{os.getpid()}-{threading.get_ident()}"
+    try:
+        for attempt in range(ATTEMPTS):
+            try:
+                with draft.open("wb") as file:
+                    file.write(data)
+                    file.flush()
+                    os.fsync(file.fileno())
+                draft.replace(target)
+                return
+            except FileNotFoundError:  # another run that begins took the draft for one that nobody writes
+                if attempt + 1 == ATTEMPTS:
+                    raise
+    finally:
+        with contextlib.suppress(OSError):
+            draft.unlink(missing_ok=True)

@@ -76,10 +76,12 @@ def drawing_dxf(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float =
     lines: list[str] = []
 
     def put(code: int, value: str | float | int) -> None:
+        """Write one pair of group code and value."""
         lines.append(str(code))
         lines.append(f"{value:.9f}" if isinstance(value, float) else str(value))
 
     def pairs(*items: tuple[int, str | float | int]) -> None:
+        """Write several of them."""
         for code, value in items:
             put(code, value)
 

@@ -8,12 +8,10 @@ from __future__ import annotations
 
 import json
 import os
-import time
-from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.io.container import FORMAT, ResultError
+from pitchpoint.io.container import ResultError
+from pitchpoint.io.opening import DAMAGE, damaged, open_file, opened
 from pitchpoint.io.writing import BLOCK_GROUP, EVENT_GROUP, STATISTICS
 
 if TYPE_CHECKING:
@@ -22,49 +20,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-PATIENCE = 5.0
-"""How long to wait for a writer that is just making its file [s]."""
-
-
-def _open(path: str | os.PathLike[str]) -> h5py.File:
-    """Open for reading, beside a writer if need be (swmr), and check that the file is one of ours."""
-    name = os.fspath(path)
-    if not Path(path).exists():
-        raise ResultError(f"{name}: there is no such result file")
-    try:
-        file = _open_beside_a_writer(name)
-    except BlockingIOError as error:
-        raise ResultError(f"{name}: is locked by another process; try again when it has begun") from error
-    except OSError as error:
-        raise ResultError(f"{name}: is no readable HDF5 file ({error})") from error
-    if file.attrs.get("format") != FORMAT:
-        file.close()
-        raise ResultError(f"{name}: is an HDF5 file, but not a result file of the format {FORMAT}")
-    return file
-
-
-def _open_beside_a_writer(name: str) -> h5py.File:
-    """Open with swmr; wait while a writer still holds the lock under which it makes the structure."""
-    import h5py
-
-    until = time.monotonic() + PATIENCE
-    while True:
-        try:
-            return h5py.File(name, "r", libver="latest", swmr=True)
-        except BlockingIOError:
-            if time.monotonic() > until:
-                raise
-            time.sleep(0.02)
-        except OSError:
-            # a file without content is one whose writer has only just begun
-            if Path(name).stat().st_size > 0 or time.monotonic() > until:
-                return h5py.File(name, "r")
-            time.sleep(0.02)
-
-
 def read_header(path: str | os.PathLike[str]) -> dict[str, Any]:
     """Read the attributes of a result file: title, status, sentence, solver, options, ..."""
-    with _open(path) as file:
+    with opened(path) as file:
         return header_in(file)
 
 
@@ -81,8 +39,8 @@ def header_in(file: h5py.File) -> dict[str, Any]:
 
 def open_table(path: str | os.PathLike[str], kind: str) -> h5py.File:
     """Open a result file of one kind (`sweep`, `modes`) through h5py; use it in a `with` block."""
-    file = _open(path)
-    found = file.attrs["kind"]
+    file = open_file(path)
+    found = file.attrs.get("kind")
     if found != kind:
         file.close()
         raise ResultError(f"{os.fspath(path)}: holds {found} results, not those of {kind}")
@@ -91,7 +49,7 @@ def open_table(path: str | os.PathLike[str], kind: str) -> h5py.File:
 
 def list_channels(path: str | os.PathLike[str]) -> list[str]:
     """Name the variables of a result file, without its dimensions."""
-    with _open(path) as file:
+    with opened(path) as file:
         return [name for name, item in file.items() if hasattr(item, "shape") and not item.is_scale]
 
 
@@ -109,7 +67,7 @@ def read_channel(
     start, stop, step
         Range of samples, as in a slice.
     """
-    with _open(path) as file:
+    with opened(path) as file:
         if "time" not in file:
             raise ResultError(f"{os.fspath(path)}: holds no time series but {file.attrs['kind']} results")
         if name not in file or name == BLOCK_GROUP:
@@ -119,9 +77,16 @@ def read_channel(
         return file["time"][rows], file[name][rows]
 
 
+def read_units(path: str | os.PathLike[str]) -> dict[str, str]:
+    """Units of all variables of a result file, by name."""
+    with opened(path) as file:
+        found = {name: item.attrs.get("units", "") for name, item in file.items() if hasattr(item, "shape")}
+    return {name: u.decode("utf-8") if isinstance(u, bytes) else str(u) for name, u in found.items()}
+
+
 def read_blocks(path: str | os.PathLike[str], name: str) -> dict[str, np.ndarray]:
     """Read `time`, `min`, `max`, `mean` and `rms` of each block of a channel, shape (n_blocks,)."""
-    with _open(path) as file:
+    with opened(path) as file:
         group = file.get(BLOCK_GROUP, {})
         if name not in group or name == "time":
             raise ResultError(f"{os.fspath(path)}: no block statistics of {name!r}; {_suggest(name, file)}")
@@ -148,41 +113,27 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
         `attrs["status"]` says finished, failed, interrupted or running, `attrs["notes"]` what is to be known.
         Close it, or use it in a `with` block.
     """
-    import h5netcdf
-    import xarray as xr
-
-    with _open(path) as file:
-        where = file[group] if group else file
-        lengths = [v.shape[0] for v in where.values() if hasattr(v, "maxshape") and v.maxshape[:1] == (None,)]
-        growing = "time" if "time" in where and lengths else ""
-        events = None if group else _events(file)
-    file = _open(path)
+    file = open_file(path)
     try:
-        store = xr.backends.H5NetCDFStore(h5netcdf.File(file, "r"), group=group)
-        dataset = xr.open_dataset(store, decode_times=False)
-    except (RuntimeError, KeyError, ValueError, OSError) as error:  # what HDF5 says of a damaged file
+        from pitchpoint.io.lazy import lazy_dataset
+
+        dataset = lazy_dataset(path, file, group)
+        for name, variable in ({} if group else _events(file)).items():
+            dataset[name] = variable
+    except DAMAGE as error:
         file.close()
-        raise ResultError(f"{os.fspath(path)}: is damaged ({error})") from error
-    if growing and dataset.sizes.get(growing, 0) > min(lengths, default=0):
-        dataset = dataset.isel({growing: slice(0, min(lengths))})
-    for name, variable in (events or {}).items():
-        dataset[name] = variable
+        raise damaged(path, error) from error
     dataset.encoding["source"] = os.fspath(path)
-    dataset.set_close(partial(_close, store, file))
+    dataset.set_close(file.close)
     return dataset
 
 
-def _close(*opened: Any) -> None:
-    for one in opened:
-        one.close()
-
-
-def _events(file: h5py.File) -> dict[str, Any] | None:
-    """Events of a run as variables, None for a file without them."""
+def _events(file: h5py.File) -> dict[str, Any]:
+    """Events of a run as variables, none for a file without them."""
     from pitchpoint.core.event_list import event_variables
 
     if EVENT_GROUP not in file:
-        return None
+        return {}
     group = file[EVENT_GROUP]
     n = min(group[name].shape[0] for name in ("time", "event", "direction"))
     names = group["event"].attrs["flag_meanings"].split(" ")

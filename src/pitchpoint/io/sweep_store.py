@@ -5,12 +5,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 
-from pitchpoint.io.container import FINISHED, Header
+from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
-from pitchpoint.io.tables import Axis, Quantity, TableWriter
+from pitchpoint.io.tables import Axis, FilledTable, Quantity, TableWriter
 
 STATISTICS = ("mean", "rms", "min", "max")
 QUANTITIES = (
@@ -24,7 +23,7 @@ SHARES = (
 )
 
 
-class SweepWriter:
+class SweepWriter(FilledTable):
     """Write a speed sweep that may be read while it runs.
 
     Parameters
@@ -105,26 +104,6 @@ class SweepWriter:
                 }
             )
         self._table.flush()
-
-    def finish(
-        self,
-        status: str = FINISHED,
-        sentence: str = "",
-        *,
-        code: int = 1,
-        steps: int = 0,
-        notes: Sequence[str] = (),
-    ) -> None:
-        """Write how the computation ended, what is to be known, and close; a second call does nothing."""
-        self._table.finish(status, sentence, code=code, steps=steps, notes=notes)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._table.__exit__(kind, error, trace)
 
 
 def read_sweep(path: str | os.PathLike[str]) -> dict[str, Any]:

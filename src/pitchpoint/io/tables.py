@@ -182,6 +182,35 @@ def _whole(values: Sequence[Any] | int) -> bool:
     return not isinstance(values, int) and all(isinstance(v, int) for v in values)
 
 
+class FilledTable:
+    """A result file that is filled point by point: the base of what knows what its points are.
+
+    Whoever derives from it makes `_table`.
+    """
+
+    _table: TableWriter
+
+    def finish(
+        self,
+        status: str = FINISHED,
+        sentence: str = "",
+        *,
+        code: int = st.OK,
+        steps: int = 0,
+        notes: Sequence[str] = (),
+    ) -> None:
+        """Write how the computation ended, what is to be known, and close; a second call does nothing."""
+        self._table.finish(status, sentence, code=code, steps=steps, notes=notes)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._table.__exit__(kind, error, trace)
+
+
 def write_tables(
     path: str | os.PathLike[str],
     header: Header,

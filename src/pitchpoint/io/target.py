@@ -11,10 +11,9 @@ import errno
 import os
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
 
 from pitchpoint.core.errors import PitchpointError, Problem
-from pitchpoint.io.claim import is_held
+from pitchpoint.io.claim import is_held, share
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
 HEAD = 1024
@@ -39,15 +38,17 @@ def _is_result(path: Path, head: bytes) -> bool:
         return True  # a run that was killed as it began
     import h5py
 
-    # the mark of a writer that was killed in the instant of a flush; swmr would also open a file cut short
-    killed = head[8] >= 3 and head[11] != 0
-    options: dict[str, Any] = {"libver": "latest", "swmr": True} if killed else {}
+    from pitchpoint.io.opening import DAMAGE, Still
+
     try:
-        with h5py.File(path, "r", **options) as file:
-            return str(file.attrs.get("format", "")).startswith("pitchpoint")
+        with Still(os.fspath(path)) as still:
+            if not share(still.fileno()):
+                raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
+            with h5py.File(still, "r") as file:
+                return str(file.attrs.get("format", "")).startswith("pitchpoint")
     except (BlockingIOError, FileNotFoundError):
         raise  # another process has just begun to write it, or has taken it away
-    except (OSError, KeyError, RuntimeError, ValueError):
+    except DAMAGE:
         return False
 
 

@@ -193,6 +193,7 @@ class _Watched:
         self._stream, self._size, self._progress = StringIO(text), len(text), progress
 
     def read(self, size: int) -> str:
+        """Hand the parser its next characters, and say how far the file is read."""
         self._progress(_COMPOSED * self._stream.tell(), self._size)
         return self._stream.read(size)
 

@@ -216,6 +216,7 @@ def _links(parts: Parts, report: Reader) -> dict[str, list[tuple[str, str]]]:
     links: dict[str, list[tuple[str, str]]] = {}
 
     def add(kind: str, link: str, ends: Iterable[str | None]) -> None:
+        """Note that a link of some kind hangs on its ends."""
         for end in ends:
             if end is not None:
                 links.setdefault(end, []).append((kind, link))

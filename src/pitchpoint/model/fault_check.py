@@ -15,7 +15,6 @@ from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
-    from pitchpoint.model.components.mesh import Mesh
     from pitchpoint.model.parts import Parts
 
 
@@ -132,8 +131,6 @@ def _wear_problems(gear: Gear, wear: Wear) -> list[Problem]:
 def check_fault_laws(parts: Parts, report: Reader) -> None:
     """Report faulty gears in meshes whose stiffness knows no single teeth."""
     for name, mesh in parts.meshes.items():
-        if mesh.stiffness.law in OF_PAIRS:
-            _check_cracks(parts, name, mesh, report)
         if mesh.stiffness.law in OF_PAIRS or ("meshes", name, "stiffness") in report.tainted:
             continue
         for gear in mesh.gears:
@@ -143,21 +140,5 @@ def check_fault_laws(parts: Parts, report: Reader) -> None:
                     f"has no effect in the mesh {name}, whose law {mesh.stiffness.law} is that of the whole "
                     "mesh and knows no single teeth",
                     remedy=f"use one of {', '.join(OF_PAIRS)} there",
-                    taint=False,
-                )
-
-
-def _check_cracks(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
-    """Report cracks in meshes whose force is a power of the overlap: there is no compliance to add to."""
-    if getattr(mesh.stiffness, "exponent", 1.0) == 1.0:
-        return
-    for gear in mesh.gears:
-        for label, fault in parts.gears[gear].faults.items() if gear in parts.gears else ():
-            if isinstance(fault, RootCrack):
-                report.problem(
-                    ("gears", gear, "faults", label),
-                    f"adds to the compliance of a tooth, and the law {mesh.stiffness.law} of the mesh {name} "
-                    "has none: its force is a power of the overlap",
-                    remedy="use din3990, energy or pair_table there, or exponent: 1",
                     taint=False,
                 )

@@ -152,6 +152,7 @@ def _sorted(parts: Parts, seats: Mapping[str, Seat]) -> dict[str, Seat]:
     out: dict[str, Seat] = {}
 
     def put(name: str) -> None:
+        """Put a body behind the one it hangs on."""
         if name != GROUND and name not in out:
             put(seats[name].parent)
             out[name] = seats[name]

@@ -25,7 +25,6 @@ from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.elastic_body import ElasticBody
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.joint import Joint
-from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.marker import Triple
 from pitchpoint.model.components.mesh import Mesh
@@ -39,9 +38,6 @@ from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSp
 from pitchpoint.model.components.unbalance import Unbalance
 from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import (
-    BAD,
-    TYPE,
-    Key,
     Place,
     component,
     defaults_of,
@@ -57,10 +53,10 @@ from pitchpoint.model.parts import Parts
 from pitchpoint.model.phasing import Phasing, assemble
 from pitchpoint.model.read import Reader
 from pitchpoint.model.recheck import recheck
+from pitchpoint.model.replace import replace_at
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.scenario_check import start_speeds, sweep_meshes
 from pitchpoint.model.shafts import own_bodies, station_names, stations_of
-from pitchpoint.model.show import shown
 from pitchpoint.model.validate import check
 
 if TYPE_CHECKING:
@@ -252,7 +248,7 @@ class Model:
             if rest and name in keys_of(Model):
                 part = tops.get(name, getattr(self, name))
                 part = own_bodies(part) if name == "bodies" else part
-                tops[name] = replace_at(part, tuple(rest), value, report, (name,))
+                tops[name] = replace_at(part, tuple(rest), value, report, (name,), keys_of(Model)[name])
             else:
                 whole = replace_at(self, (name, *rest), value, report)
                 if not report.problems:
@@ -319,61 +315,3 @@ class Model:
 
 GROUPS = tuple(name for name, found in keys_of(Model).items() if found.kind == "components")
 """Sections of a file that hold components by name."""
-
-
-def replace_at(part: Any, path: tuple[str, ...], value: Any, report: Reader, at: tuple[str, ...] = ()) -> Any:
-    """Copy of a component with the value at a path changed, by the rules of the reader."""
-    name = path[0]
-    here = (*at, name)
-    if isinstance(part, Mapping):
-        if name not in part and ".".join(path[:2]) in part:  # JOINT.COORDINATE is one name
-            path = (".".join(path[:2]), *path[2:])
-            name, here = path[0], (*at, path[0])
-        if name not in part:
-            report.problem(here, "does not exist", remedy=f"there are {', '.join(map(str, part)) or 'none'}")
-            return part
-        if len(path) == 1 and value is None:
-            return {k: v for k, v in part.items() if k != name}
-        if len(path) == 1:
-            forms = keys_of(Model)[at[0]].of if len(at) == 1 else type(part[name])
-            allowed = tuple(forms.values()) if isinstance(forms, dict) else (type(part[name]),)
-            if isinstance(value, Mapping) and isinstance(forms, dict):
-                new = report.chosen(forms, TYPE, value, here)
-            else:
-                new = report.component(allowed[0], value, here) if isinstance(value, Mapping) else value
-            if not isinstance(new, allowed) and new is not BAD:
-                report.problem(here, "is neither a mapping nor a component", value=shown(value))
-        else:
-            new = replace_at(part[name], path[1:], value, report, here)
-        return part if report.problems else {**part, name: new}
-    if not dataclasses.is_dataclass(part) or isinstance(part, type):
-        report.problem(here, "is below a key without keys", remedy="replace the whole value above it")
-        return part
-    keys = keys_of(type(part))
-    report.within = vars(part)
-    if name not in keys:
-        report.unknown({name: value}, keys, at)
-        return part
-    old = getattr(part, name)
-    if len(path) == 2 and isinstance(old, Mapping) and keys[name].kind != "components":
-        # numbers by name, such as speeds
-        kept = {k: v for k, v in old.items() if k != path[1]}
-        new = report.value(keys[name], kept if value is None else {**old, path[1]: value}, here)
-    elif len(path) > 1:
-        new = replace_at(old, path[1:], value, report, here)
-    elif value is None and defaults_of(type(part)).get(name, ...) is None:
-        new = None
-    elif _is_component(keys[name], value):
-        new = value
-    else:
-        new = report.value(keys[name], value, here)
-    return part if report.problems else dataclasses.replace(part, **{name: new})
-
-
-def _is_component(key: Key, value: Any) -> bool:
-    allowed = tuple(key.of.values()) if isinstance(key.of, dict) else (key.of,)
-    if isinstance(value, Constant | FormulaLaw | TableLaw | PythonLaw | Balance):
-        return key.kind == "law" or (key.kind == "code" and isinstance(value, PythonLaw))
-    if key.kind == "components":
-        return isinstance(value, Mapping) and all(isinstance(v, allowed) for v in value.values())
-    return any(cls is not None and isinstance(value, cls) for cls in allowed)

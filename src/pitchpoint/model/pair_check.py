@@ -51,6 +51,7 @@ def _pointed_by_tip(gear: Gear, problem: Problem) -> Problem:
     shape = gear.geometry
 
     def spare(d_a: float) -> float:
+        """Thickness at the tip above the limit, at a tip diameter [m]."""
         return tip_thickness(shape.replace(tip_diameter=d_a)) - TIP_THICKNESS_LIMIT * shape.m_n
 
     try:

@@ -46,6 +46,7 @@ class Parts:
         """Parts from mappings of names to components, by group; missing groups are empty."""
 
         def group(name: str) -> dict[str, Any]:
+            """Contents of one section; none if it is missing."""
             return dict(groups.get(name) or {})
 
         return cls(

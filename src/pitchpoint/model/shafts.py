@@ -121,6 +121,7 @@ def seats_on(machine: Any, shaft: str) -> Iterator[tuple[Place, float]]:
     origin, axes = body_frame(machine, shaft)
 
     def along(place: Array) -> float:
+        """Place along the axis of the shaft [m]."""
         return float(axes[:, 2] @ place) - (0.0 if origin is None else float(axes[:, 2] @ origin))
 
     for gear, place in body.gears.items():

@@ -60,6 +60,7 @@ class _Writer:
         """Component whose key is being written."""
 
     def component(self, part: Any) -> dict[str, Any]:
+        """Keys and values of a part that differ from its defaults."""
         defaults = defaults_of(type(part))
         out: dict[str, Any] = {}
         for name, key in keys_of(type(part)).items():
@@ -74,60 +75,77 @@ class _Writer:
         return out
 
     def value(self, key: Key, value: Any) -> Any:
+        """A value as its kind of key is written."""
         writer = _WRITERS.get(key.kind)
         return value if writer is None else writer(self, key, value)
 
     def quantity(self, key: Key, value: float) -> Any:
+        """A number with its unit."""
         return quantity_text(value, key.dimension)
 
     def quantities(self, key: Key, value: Any) -> list[Any]:
+        """Several of them."""
         return [quantity_text(v, key.dimension) for v in value]
 
     def grid(self, key: Key, value: Any) -> list[list[Any]]:
+        """Rows of them."""
         return [self.quantities(key, row) for row in value]
 
     def points(self, key: Key, value: Points) -> list[list[Any]]:
+        """Points as pairs of lengths."""
         return self.grid(key, value.xy)
 
     def pitch(self, key: Key, value: Any) -> Any:
+        """Pitch deviations: of both flanks, or one list for all."""
         return self.component(value) if isinstance(value, FlankPitch) else self.quantities(key, value)
 
     def matrix(self, key: Key, value: Any) -> list[list[float]]:
+        """Rows of plain numbers."""
         return [list(row) for row in value]
 
     def strings(self, key: Key, value: Any) -> list[str]:
+        """A list of names."""
         return list(value)
 
     def plain_list(self, key: Key, value: Any) -> list[float]:
+        """A list of plain numbers."""
         return list(value)
 
     def nested(self, key: Key, value: Any) -> dict[str, Any]:
+        """A part inside a part."""
         return self.component(value)
 
     def nested_list(self, key: Key, value: Any) -> list[dict[str, Any]]:
+        """Parts in a list."""
         return [self.component(v) for v in value]
 
     def nested_names(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
+        """Parts by name, with their type where there are several."""
         return {
             name: {**({TYPE: v.form} if isinstance(key.of, dict) else {}), **self.component(v)}
             for name, v in value.items()
         }
 
     def variant(self, key: Key, value: Any) -> dict[str, Any]:
+        """A part whose law says which it is."""
         return {"law": value.law, **self.component(value)}
 
     def speeds(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
+        """Quantities by name."""
         return {name: quantity_text(v, key.dimension) for name, v in value.items()}
 
     def gears(self, key: Key, value: Mapping[str, float]) -> Any:
+        """Gears of a body: their names, with places if one of them has one."""
         if not any(value.values()):
             return list(value)
         return {name: quantity_text(v, "length") for name, v in value.items()}
 
     def orders(self, key: Key, value: Any) -> dict[int, list[Any]]:
+        """Amplitudes and phases by order."""
         return {n: [quantity_text(a, "length"), quantity_text(p, "angle")] for n, a, p in value}
 
     def law(self, key: Key, value: Any) -> Any:
+        """A number, formula, table or Python law."""
         if isinstance(value, Constant):
             return quantity_text(value.value, key.dimension)
         if isinstance(value, FormulaLaw):
@@ -143,9 +161,11 @@ class _Writer:
         return "balance" if isinstance(value, Balance) else self.python(key, value)
 
     def laws(self, key: Key, value: Any) -> list[Any]:
+        """Several of them."""
         return [self.law(key, v) for v in value]
 
     def file(self, key: Key, value: str) -> str:
+        """A path as seen from the file that is written."""
         return self.relative(value)
 
     def relative(self, name: str) -> str:
@@ -154,18 +174,23 @@ class _Writer:
         return (file.relative_to(self.base) if file.is_relative_to(self.base) else file).as_posix()
 
     def center(self, key: Key, value: Any) -> Any:
+        """A center: one coordinate along the axis, or three."""
         return self.quantities(key, value) if isinstance(value, tuple) else self.quantity(key, value)
 
     def displacements(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
+        """Displacements by coordinate, each with its own unit."""
         return {name: quantity_text(v, self.within.dimension(name)) for name, v in value.items()}
 
     def rates(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
+        """Rates by coordinate, each with its own unit."""
         return {name: quantity_text(v, RATES[self.within.dimension(name)]) for name, v in value.items()}
 
     def mapping(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
+        """Names and values as they are."""
         return dict(value)
 
     def motions(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
+        """Laws by coordinate; several for one coordinate in a list."""
         out = {}
         for name, laws in value.items():
             found = [self.law(Key("law", "", dimension=DISPLACEMENTS[name]), law) for law in laws]
@@ -173,15 +198,18 @@ class _Writer:
         return out
 
     def terms(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
+        """Factors by name; those that are lever arms with their unit."""
         return {n: quantity_text(float(v), "length") if isinstance(v, Arm) else v for n, v in value.items()}
 
     def python(self, key: Key, value: PythonLaw) -> Any:
+        """File and function, and the parameters if there are any."""
         name = f"{self.relative(value.file)}:{value.function}"
         if key.kind in ("python", "code") and not value.parameters:
             return name
         return {"python": name, **({"parameters": list(value.parameters)} if value.parameters else {})}
 
     def material(self, key: Key, value: Any) -> Any:
+        """Name of a material, or its numbers."""
         if isinstance(value, str):
             return value
         return {

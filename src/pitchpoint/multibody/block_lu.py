@@ -189,39 +189,46 @@ def factorise(programme, A, T, order):
 
 @kernel(inline=True)
 def substitute(programme, A, x, y):
-    """Solve in place: x holds the right-hand side and becomes the solution; y is scratch of six."""
+    """Solve in place: x holds the right-hand side and becomes the solution; y is scratch of six.
+
+    Blocks with three or six columns, those of planar and of free bodies, have loops of their own.
+    """
     for row in range(programme.size):
         w = programme[row]
         m = w["blk"]
         to = w["to"]
         by = w["by"]
-        if w["op"] == SWEEP:
-            if w["nt"] == 6 and w["nb"] == 6:
-                for i in range(6):
-                    s = 0.0
-                    for c in range(6):
-                        s += A[m, i, c] * x[by + c]
-                    x[to + i] -= s
-            else:
-                for i in range(w["nt"]):
-                    s = 0.0
-                    for c in range(w["nb"]):
-                        s += A[m, i, c] * x[by + c]
-                    x[to + i] -= s
-        elif w["nt"] == 6:
-            for i in range(6):
-                s = 0.0
-                for c in range(6):
-                    s += A[m, i, c] * x[to + c]
-                y[i] = s
-            for i in range(6):
-                x[to + i] = y[i]
+        n = w["nt"]
+        sweep = w["op"] == SWEEP
+        if w["nb"] == 6:
+            x0 = x[by]
+            x1 = x[by + 1]
+            x2 = x[by + 2]
+            x3 = x[by + 3]
+            x4 = x[by + 4]
+            x5 = x[by + 5]
+            for i in range(n):
+                s = A[m, i, 0] * x0
+                s += A[m, i, 1] * x1
+                s += A[m, i, 2] * x2
+                s += A[m, i, 3] * x3
+                s += A[m, i, 4] * x4
+                s += A[m, i, 5] * x5
+                x[to + i] = x[to + i] - s if sweep else s
+        elif w["nb"] == 3:
+            x0 = x[by]
+            x1 = x[by + 1]
+            x2 = x[by + 2]
+            for i in range(n):
+                s = A[m, i, 0] * x0
+                s += A[m, i, 1] * x1
+                s += A[m, i, 2] * x2
+                x[to + i] = x[to + i] - s if sweep else s
         else:
-            n = w["nt"]
             for i in range(n):
                 s = 0.0
-                for c in range(n):
-                    s += A[m, i, c] * x[to + c]
+                for c in range(w["nb"]):
+                    s += A[m, i, c] * x[by + c]
                 y[i] = s
             for i in range(n):
-                x[to + i] = y[i]
+                x[to + i] = x[to + i] - y[i] if sweep else y[i]

@@ -43,7 +43,7 @@ def project_force(path, fr, J, R):
                 R[d + c] -= s
 
 
-@kernel
+@kernel(inline=True)
 def project_tangent(proj, J, kk, X, A, T):
     """A[block] += J_i^T kk[pair] X_j; X is J itself, or the rates of J for an exact linearisation.
 

@@ -18,18 +18,9 @@ from pitchpoint.multibody.vectors import add, cross, into_body, into_world, trip
 
 
 @kernel
-def _times_inertia(T, a):
-    return (
-        T[0, 0] * a[0] + T[0, 1] * a[1] + T[0, 2] * a[2],
-        T[1, 0] * a[0] + T[1, 1] * a[1] + T[1, 2] * a[2],
-        T[2, 0] * a[0] + T[2, 1] * a[1] + T[2, 2] * a[2],
-    )
-
-
-@kernel
 def _turned_inertia(o, f, a):
     """I a with the inertia turned into the world."""
-    return into_world(f["S"], _times_inertia(o["inertia"], into_body(f["S"], a)))
+    return into_world(f["S"], into_world(o["inertia"], into_body(f["S"], a)))
 
 
 @kernel

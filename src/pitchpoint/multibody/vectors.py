@@ -68,7 +68,7 @@ def unit(c):
 
 @kernel
 def into_world(S, a):
-    """Vector with components a (tuple) along the columns of S."""
+    """S a: vector with components a (tuple) along the columns of S, or any matrix (3, 3) times a vector."""
     return (
         S[0, 0] * a[0] + S[0, 1] * a[1] + S[0, 2] * a[2],
         S[1, 0] * a[0] + S[1, 1] * a[1] + S[1, 2] * a[2],

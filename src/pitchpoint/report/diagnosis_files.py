@@ -51,7 +51,7 @@ def read_record(path: str, sample_rate: float | None = None) -> Record:
         If it holds no time series.
     """
     from pitchpoint.io.container import ResultError
-    from pitchpoint.io.reading import read_channel, read_header
+    from pitchpoint.io.reading import read_channel, read_header, read_units
 
     try:
         header = read_header(path)
@@ -72,6 +72,8 @@ def read_record(path: str, sample_rate: float | None = None) -> Record:
         model_text=str(header.get("model_text", "")),
         scenario=str(header.get("scenario", "")),
         settle_time=settle,
+        units=read_units(path),
+        about={"format": "result of pitchpoint", "model": str(header.get("model_hash", ""))},
     )
 
 
@@ -85,4 +87,13 @@ def _measured(path: str, sample_rate: float | None) -> Record:
         for name, values in data.data_vars.items()
         if values.dims == ("time",)
     }
-    return Record(np.asarray(data["time"].values, dtype=np.float64), channels)
+    return Record(
+        np.asarray(data["time"].values, dtype=np.float64),
+        channels,
+        units={name: str(data[name].attrs.get("units", "")) for name in channels},
+        about={
+            "format": str(data.attrs.get("format", "")),
+            "SHA-256": str(data.attrs.get("sha256", ""))[:16],
+            "notes": str(data.attrs.get("notes", "")),
+        },
+    )

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts, train_parts
 from pitchpoint.core.errors import ModelError, Problem, UnitError
+from pitchpoint.report.diagnosis_origin import origin
 from pitchpoint.report.diagnosis_record import OverAngle, Record, at_speed, over_angle
 from pitchpoint.report.diagnosis_study import Study, preferred, study, usable
 
@@ -71,6 +72,7 @@ def diagnose_file(request: Request) -> Study:
     record = read_record(request.file, request.sample_rate)
     machine = _machine(request, record)
     chosen = _chosen(request, record)
+    _complete(request, record, chosen)
     signals, remarks = usable(chosen)
     if not signals:
         raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
@@ -79,12 +81,28 @@ def diagnose_file(request: Request) -> Study:
     signals = {name: values[part] for name, values in signals.items()}
     signals, noise = _noisy(request, record, signals)
     over = _over_angle(request, record, machine, signals)
-    return study(
+    found = study(
         over,
         machine.parts,
         false_alarm=request.false_alarm,
         remarks=[f"channels: {', '.join(signals)}", *noise, *machine.remarks, *remarks],
     )
+    return replace(
+        found,
+        file=request.file,
+        origin=origin(request, record, found, noise),
+        units={name: record.units.get(name, "") for name in signals},
+    )
+
+
+def _complete(request: Request, record: Record, chosen: Mapping[str, Array]) -> None:
+    """Refuse a file that grows while it is read: a run that is still going on."""
+    for name, values in chosen.items():
+        if values.size != record.time.size:
+            raise SignalError(
+                f"{request.file}: {name} has {values.size} samples for {record.time.size} times (limit: as "
+                "many); if the run still goes on, wait for its end"
+            )
 
 
 class _Part(Mapping[str, Array]):
@@ -245,6 +263,9 @@ def _chosen(request: Request, record: Record) -> dict[str, Array]:
     if not names:
         kept = [name for name in record.channels if name not in used]
         names = preferred(kept) if record.model_text else kept
+    if not names:
+        listed = ", ".join(list(record.channels)[:12])
+        raise SignalError(f"{request.file}: no channel to look at; choose with -c; there are: {listed}")
     return {name: record.channels[name] for name in names}
 
 
@@ -257,13 +278,16 @@ def _over_angle(request: Request, record: Record, machine: _Machine, signals: di
     cut = signals
     own = f"angle[{machine.reference}]"
     if request.tacho is not None:
+        name = request.tacho.partition("@")[0]
+        source, zero = f"tacho {name}, {request.pulses} pulses in one turn", f"the first pulse of {name}"
         shaft = tacho_angle(
-            record.channels[request.tacho.partition("@")[0]],
+            record.channels[name],
             time,
             pulses_per_revolution=int(request.pulses or 1),
         )
     elif request.angle is not None or (own in record.channels and not request.speeds):
         name = (request.angle or own).partition("@")[0]
+        source, zero = f"angle channel {name}", f"the zero of {name}"
         shaft = angle_channel(record.channels[name], time)
     elif math.isnan(machine.frequency):
         raise SignalError(
@@ -272,10 +296,42 @@ def _over_angle(request: Request, record: Record, machine: _Machine, signals: di
             "--pulses N, or --angle CHANNEL"
         )
     else:
-        return at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency)
+        source = ", ".join(f"--speed {text}" for text in request.speeds) or "scenario of the model"
+        over = at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency)
+        refined = ", then the mesh lines" if over.remarks else ""
+        return replace(over, source=source + refined, began=_began(record, 0))
     first, count = shaft.first_sample, shaft.angle.size
     cut = {name: values[first : first + count] for name, values in cut.items()}
-    return over_angle(cut, shaft.time, shaft.angle)
+    zeros = _zeros(record, machine, first, zero, shaft.angle)
+    began = _began(record, first)
+    return replace(over_angle(cut, shaft.time, shaft.angle), source=source, zeros=zeros, began=began)
+
+
+def _began(record: Record, first: int) -> str:
+    """Words for the first sample that is used."""
+    if first == 0 and not record.settle_time:
+        return "the start of the record"
+    return f"t = {float(record.time[first]):.6g} s"
+
+
+def _zeros(
+    record: Record, machine: _Machine, first: int, zero: str, angle: Array
+) -> dict[str, tuple[float, str]]:
+    """Angles that shafts have gone at the first sample, where a channel tells it."""
+    found = {}
+    own = machine.names.get(machine.reference, machine.reference)
+    for shaft in machine.parts.shafts:
+        name = f"angle[{shaft.name}]"
+        # shafts that turn equally fast are one here, and have two angles
+        if shaft.name == own and own == machine.reference:
+            turned, words = angle, zero
+        elif name in record.channels:
+            turned, words = record.channels[name][first:], f"the zero of {name}"
+        else:
+            continue
+        forward = 1.0 if turned[-1] >= turned[0] else -1.0
+        found[shaft.name] = (forward * float(turned[0]), words)
+    return found
 
 
 def _shaft_of(where: str, names: dict[str, str]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,10 @@ class Record:
         Scenario of a result.
     settle_time
         Time that does not count [s].
+    units
+        Unit of each channel, where it is known.
+    about
+        Format, fingerprint and notes of the file, by name.
     """
 
     time: Array
@@ -46,6 +50,8 @@ class Record:
     model_text: str = ""
     scenario: str = ""
     settle_time: float = 0.0
+    units: Mapping[str, str] = field(default_factory=dict)
+    about: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -64,6 +70,13 @@ class OverAngle:
         Samples in one turn with which the record was taken [-].
     remarks
         What was done.
+    zeros
+        By shaft: the angle that it has gone at the first sample, in its sense of rotation [rad], and since
+        what; a shaft that is not listed has gone nothing since `began`.
+    began
+        Words for the first sample.
+    source
+        What the speed comes from.
     """
 
     signals: dict[str, Array]
@@ -71,6 +84,9 @@ class OverAngle:
     frequency: float
     sampled_per_turn: float
     remarks: tuple[str, ...] = ()
+    zeros: Mapping[str, tuple[float, str]] = field(default_factory=dict)
+    began: str = "the start of the record"
+    source: str = ""
 
 
 def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverAngle:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
 from pitchpoint.analysis.sampled import SignalError, as_signal
 from pitchpoint.analysis.turning_parts import TurningParts
+from pitchpoint.report.diagnosis_places import GearTurn, local_turns, one_gear, place_sentence
 from pitchpoint.report.diagnosis_record import OverAngle, strongest_lines
 from pitchpoint.report.diagnosis_words import evidence_rows, mesh_remarks, nothing_found, sentence
 
@@ -44,6 +45,16 @@ class Study:
         One per finding, or that nothing was found.
     remarks
         What is to be known.
+    places
+        For each finding that is a local fault the mean turns of the gears in question.
+    place_sentences
+        What they say, for each finding; empty for those without.
+    file
+        The file.
+    origin
+        What was taken, its value, who said it.
+    units
+        Unit of each channel, where it is known.
     """
 
     diagnosis: Diagnosis
@@ -51,6 +62,11 @@ class Study:
     parts: TurningParts
     sentences: tuple[str, ...]
     remarks: tuple[str, ...]
+    places: tuple[tuple[GearTurn, ...], ...] = ()
+    place_sentences: tuple[str, ...] = ()
+    file: str = ""
+    origin: tuple[tuple[str, str, str], ...] = ()
+    units: Mapping[str, str] = field(default_factory=dict)
 
     def as_data(self) -> dict[str, Any]:
         """All of it as plain data."""
@@ -62,11 +78,20 @@ class Study:
                     "kind": finding.kind,
                     "shaft": finding.shaft,
                     "gears": list(finding.gears),
+                    "bearings": list(finding.bearings),
                     "channel": finding.channel,
                     "false_alarm": finding.probability,
                     "sentence": words,
+                    "mean_turn": [
+                        {"gears": list(turn.gears)}
+                        | turn.as_data(found.false_alarm, one_gear(finding, turns))
+                        for turn in turns
+                    ],
+                    "place": place,
                 }
-                for finding, words in zip(found.findings, self.sentences, strict=False)
+                for finding, words, turns, place in zip(
+                    found.findings, self.sentences, self.places, self.place_sentences, strict=False
+                )
             ],
             "sentences": list(self.sentences),
             "evidence": evidence_rows(found, hertz),
@@ -84,6 +109,7 @@ class Study:
                 for channel, rows in found.meshes.items()
             },
             "turns": dict(found.turns),
+            "origin": [list(row) for row in self.origin],
             "reference_frequency": hertz,
             "tests": found.tests,
             "allowed_false_alarm": found.false_alarm,
@@ -108,13 +134,42 @@ def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: 
         false_alarm=false_alarm,
         sampled_per_turn=over.sampled_per_turn,
     )
+    found, unnamed = _named(found, parts)
     strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
     about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
     if nothing:
         raise SignalError("; ".join(text for text in about_meshes if "no mesh line" in text))
     words = tuple(sentence(finding, found, parts, over.frequency) for finding in found.findings)
-    notes = (*over.remarks, *remarks, *about_meshes, *_whole_ratios(parts))
-    return Study(found, over, parts, words or (nothing_found(found),), tuple(dict.fromkeys(notes)))
+    notes = (*over.remarks, *remarks, *about_meshes, *unnamed, *_whole_ratios(parts))
+    places = local_turns(found, over, parts)
+    return Study(
+        diagnosis=found,
+        over=over,
+        parts=parts,
+        sentences=words or (nothing_found(found),),
+        remarks=tuple(dict.fromkeys(notes)),
+        places=places,
+        place_sentences=tuple(
+            place_sentence(finding, turns, found.false_alarm)
+            for finding, turns in zip(found.findings, places, strict=True)
+        ),
+    )
+
+
+def _named(found: Diagnosis, parts: TurningParts) -> tuple[Diagnosis, list[str]]:
+    """Findings without gears whose mesh does not show: their tooth counts are not confirmed."""
+    seen = {row.mesh for rows in found.meshes.values() for row in rows if row.seen}
+    shown = {gear for mesh in parts.meshes if mesh.name in seen for gear in mesh.gears}
+    findings, remarks = [], []
+    for one in found.findings:
+        unseen = [gear for gear in one.gears if one.kind != "bearing" and gear not in shown]
+        if unseen:
+            # one of several by its name alone would be a guess as well
+            remarks.append(
+                f"no gear of {one.shaft} is named: no line of the mesh of {', '.join(unseen)} is seen"
+            )
+        findings.append(replace(one, gears=()) if unseen else one)
+    return replace(found, findings=tuple(findings)), remarks
 
 
 def usable(channels: Mapping[str, Array]) -> tuple[dict[str, Array], list[str]]:
@@ -145,7 +200,9 @@ def preferred(names: Sequence[str]) -> list[str]:
     for group in PREFERRED:
         found = [name for quantity in group for name in names if name.partition("[")[0] == quantity]
         if found:
-            return found[:MOST]
+            # spread over the list: the first ones often belong to one shaft
+            count = min(MOST, len(found))
+            return [found[k * len(found) // count] for k in range(count)]
     return []
 
 

@@ -7,7 +7,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pitchpoint.analysis.diagnosis import Diagnosis, Evidence, Finding
+from pitchpoint.analysis.diagnosis import Diagnosis
+from pitchpoint.analysis.findings import Evidence, Finding
 from pitchpoint.analysis.turning_parts import TurningParts
 
 BEARING_WORDS = {
@@ -57,8 +58,8 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
         return f"{text} ({chance}){_cannot_tell(finding)}"
     if finding.kind == "modulation":
         return (
-            f"the mesh of {gears} changes over the turn of {shaft} ({turning}), as with eccentricity or "
-            f"misalignment, and not like one damaged tooth: seen {where} as {seen} ({chance})"
+            f"the mesh of {gears or 'its gear'} changes over the turn of {shaft} ({turning}), as with "
+            f"eccentricity or misalignment, and not like one damaged tooth: seen {where} as {seen} ({chance})"
         )
     return (
         f"{shaft} ({turning}) shows itself at its lowest orders, as with unbalance, misalignment or a "
@@ -147,6 +148,17 @@ def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]
     ]
 
 
+def unit_of(kind: str) -> str:
+    """Unit of the value of a test.
+
+    Examples
+    --------
+    >>> unit_of("comb"), unit_of("sidebands")
+    ('σ', 'dB')
+    """
+    return "σ" if kind == "comb" else "dB"
+
+
 def what_is_tested(e: Evidence) -> str:
     """A test in a few words."""
     if e.kind == "bearing":
@@ -173,10 +185,16 @@ def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
 
 
 def _cannot_tell(finding: Finding) -> str:
-    """Why more than one gear is named."""
+    """Why more than one gear is named, and bearings that may be meant as well."""
+    others = ""
+    if finding.bearings:
+        others = (
+            f"; or a local fault of a bearing: {' or '.join(finding.bearings)}, which strikes a whole "
+            "number of times in a turn: this record cannot tell them apart"
+        )
     if len(finding.gears) < 2:
-        return ""
-    return "; gears of one shaft turn together, and the comb gathers about the mesh of none of them alone"
+        return others
+    return f"{others}; gears of one shaft turn together, and a fault of one shakes the meshes of all"
 
 
 def _gears(gears: tuple[str, ...]) -> str:

@@ -45,7 +45,7 @@ def parts_of(
     Raises
     ------
     ModelError
-        If the reference does not turn, or nothing that turns has gears.
+        If the reference does not turn, nothing that turns has gears, or all meshes are those of planets.
     """
     from pitchpoint.report.frequencies import frequencies_of
 
@@ -63,6 +63,17 @@ def parts_of(
             continue
         orders[body] = order
     carried = [name for name, row in rows["meshes"].items() if row["carrier"] is not None]
+    if carried and len(carried) == len(rows["meshes"]):
+        raise ModelError(
+            [
+                Problem(
+                    "meshes",
+                    "all go round with a carrier: planets pass a sensor one after the other, and no test "
+                    "here knows their lines",
+                    remedy="`pitchpoint frequencies` tells where faults of sun, planets and ring show",
+                )
+            ]
+        )
     if carried:
         remarks.append(f"meshes on carriers are beyond this: {', '.join(carried)} left out")
     if not orders:

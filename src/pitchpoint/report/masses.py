@@ -106,6 +106,7 @@ def _of_shaft(shaft: Shaft) -> dict[str, Any]:
     from pitchpoint.geometry.shaft_solid import shaft_mass_properties
 
     def by_sections(density: float) -> dict[str, Any]:
+        """Mass, inertia and center of the sections of the shaft at a density [kg/m^3]."""
         total = shaft_mass_properties(shaft.dimensions, density)
         inertia = (total.polar_inertia, total.transverse_inertia)
         return _numbers(total.mass, *inertia, center=(0.0, 0.0, total.center))

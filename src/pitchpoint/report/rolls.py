@@ -114,6 +114,7 @@ def from_roll(
     from pitchpoint.analysis.load_sharing import share_along_path
 
     def channel(name: str) -> Array:
+        """One channel of the roll, shape (n,)."""
         values: Array = roll.rows[:, system.layout.channel(f"{name}[{mesh}]")]
         return values
 

@@ -211,11 +211,13 @@ def _approach(system: System, state: State, free: NDArray[np.intp], chosen: Any)
     from scipy.optimize import least_squares
 
     def off(q: Array) -> Array:
+        """Residual of the chosen rows at coordinates q."""
         state.q[free] = q
         _rows(system, state)
         return system.workspace.g[chosen].copy()
 
     def slope(q: Array) -> Array:
+        """Derivative of the chosen rows by the free coordinates."""
         state.q[free] = q
         return _rows(system, state)[0][chosen][:, free]
 

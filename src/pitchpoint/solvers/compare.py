@@ -209,6 +209,7 @@ def _attempt(
     end = time.monotonic() + limit_s
 
     def stop_in_time(done: float, total: float, note: str = "") -> None:
+        """End a run whose time is up, as Ctrl-C would."""
         if time.monotonic() > end:
             raise KeyboardInterrupt
 

@@ -28,6 +28,7 @@ from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
 from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
+from pitchpoint.solvers.missing import missing_tooth
 from pitchpoint.solvers.still import GROWTH, ROUNDING, inverse_of, rest_matrix, restless, step_on
 from pitchpoint.solvers.surfaces import Surface, crossed
 from pitchpoint.solvers.trains import complete, exchange, free_spins, is_independent
@@ -119,9 +120,13 @@ def find_equilibrium(
     free = np.setdiff1d(free, idle)
     if is_looped(system):
         mechanism = rest_of_mechanism(system, state, (*kept, *map(int, idle)), tolerance)
+        if words := missing_tooth(system, mechanism.state):
+            raise SolverError(words, DIVERGED, mechanism.state)
         reaction = mechanism.residual[list(kept)].copy()
         return Equilibrium(_wrapped(system, mechanism.state), kept, reaction, mechanism.steps)
     found, count, failure = _pseudo_time(system, state, free, tolerance)
+    if words := missing_tooth(system, found.state):
+        raise SolverError(words, DIVERGED, found.state)
     if failure:
         from pitchpoint.solvers.unheld import advice, unheld  # which needs this module
 

@@ -24,7 +24,7 @@ from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.start import without_friction
-from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, mesh_names, shift, split, touching
+from pitchpoint.solvers.stiffness_parts import NONE, TOUCH, Array, Parts, mesh_names, shift, split, touching
 from pitchpoint.solvers.still import LARGE
 from pitchpoint.solvers.trains import driven_coordinates, held_spins, rotations
 from pitchpoint.system import evaluate
@@ -111,6 +111,7 @@ def linearise(
             f"no load presses the flanks of {', '.join(loose)} together: "
             "they are taken as touching, on the front if nothing leans on the back"
         )
+        notes += _of_arbitrary_stiffness(own, loose)
     still = state.copy()
     still.v[:] = 0.0
     at_rest = split(own, still, point.held, mean and phase is None, loose, progress, state.v)
@@ -122,6 +123,19 @@ def linearise(
     basis = free_directions(own, state, states)
     rigid = rigid_rotations(own)
     return Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, tuple(notes))
+
+
+def _of_arbitrary_stiffness(system: System, loose: Sequence[str]) -> list[str]:
+    """Note on unloaded meshes whose stiffness grows with the load: at the point of touch they have none."""
+    records = zip(mesh_names(system), system.records.get("gear_mesh", ()), strict=True)
+    names = [name for name, record in records if name in loose and record["power"] > 1.0]
+    if not names:
+        return []
+    return [
+        f"the stiffness of {', '.join(names)} is zero where the flanks touch and grows with the load: "
+        f"without one it is that at {1e9 * TOUCH:g} nm of penetration, and frequencies in which these flanks "
+        "take part are arbitrary; give the scenario a load that presses them together"
+    ]
 
 
 def _of_one_position(system: System, state: State) -> tuple[str, ...]:

@@ -267,6 +267,7 @@ def _parts(system: System, condensed: Choice, kept: set[int]) -> list[list[int]]
     used: set[int] = set()
 
     def join(one: int, two: int) -> None:
+        """Put two bodies and all that goes with them into one group."""
         whole = group[one] | group[two]
         for b in whole:
             group[b] = whole

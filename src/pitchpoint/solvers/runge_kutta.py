@@ -29,9 +29,19 @@ from pitchpoint.solvers.dormand_prince import entry as adaptive_entry
 from pitchpoint.solvers.dormand_prince_pairs import EIGHTH, FIFTH, Pair
 from pitchpoint.solvers.explicit import OLD, ROWS, bring_state, keep_state, slope
 from pitchpoint.solvers.rows import rows_agree
-from pitchpoint.solvers.sampling import Chunk, advance_into, harvest_at, new_harvest, record_step
+from pitchpoint.solvers.sampling import (
+    Chunk,
+    advance_into,
+    due,
+    harvest_at,
+    keep,
+    new_harvest,
+    record_events,
+    take,
+)
 from pitchpoint.system import evaluate
-from pitchpoint.system.residual import wrap
+from pitchpoint.system.link import heard
+from pitchpoint.system.residual import ALL, SOONER, observe_later, wrap
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import MACH, STEPS, VALID
 
@@ -67,7 +77,10 @@ def _classical(at, t, h, rate, known):
 
 @kernel(inline=True)
 def advance_classical(at, t0, first, n, h, rate, harvest):
-    """Take n equal steps; arguments as in `generalized_alpha.advance`, rate pulls constraint drift back."""
+    """Take n equal steps; arguments as in `generalized_alpha.advance`, rate pulls constraint drift back.
+
+    Where a row is due, elements say what they observe while their forces are summed for the first slope.
+    """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     clock = view(m["clock"], 16, I8)
@@ -81,10 +94,26 @@ def advance_classical(at, t0, first, n, h, rate, harvest):
         clock[STEPS] += 1
         harvest.done[0] = k
         # the first slope of the next step: what is observed are the accelerations of this state
+        measure, sample = due(first + k, harvest)
+        shared = m["shares"] != 0 and (measure != 0 or sample != 0)
+        if shared:
+            c["out"] = m["row"]
+            m["part"] = SOONER
         status = slope(at, t, 0, rate)
+        c["out"] = 0
+        m["part"] = ALL
         if status != OK:
             return status
-        status = record_step(at, t, h, first + k, harvest)
+        if shared:
+            status = observe_later(at, t, m["row"])
+            if status != OK:
+                return status
+            keep(at, t, harvest, measure, sample)
+        elif measure != 0 or sample != 0:
+            status = take(at, t, harvest, measure, sample)
+            if status != OK:
+                return status
+        status = record_events(at, t, h, harvest)
         if status != OK:
             return status
     return OK
@@ -142,14 +171,26 @@ class ExplicitRun:
         statistics: NDArray[np.float64] | None = None,
         stride: int = 1,
         events: int = 0,
+        picked: NDArray[np.int64] | None = None,
     ) -> Chunk:
-        """Take n steps of the classical method; arguments as in `generalized_alpha.Run.advance`."""
+        """Take n steps of the classical method; arguments as in `generalized_alpha.Run.advance`.
+
+        The samples hold the channels `picked` alone, if any are.
+        """
         room = n // every + 1 if every else 0
         harvest = new_harvest(
-            self.system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
+            self.system.sizes["no"],
+            every=every,
+            stride=stride,
+            rows=room,
+            sums=statistics,
+            events=events,
+            picked=picked,
         )
         order = np.array([(self.t0, self.h, self.tolerances[RATE], self.steps, n)], ORDER)
-        done = advance_into(entry, self.system.workspace.at, order, harvest)
+        asked = picked if statistics is None else None
+        with heard(self.system.workspace, self.system.records, asked):
+            done = advance_into(entry, self.system.workspace.at, order, harvest)
         self.steps += done.steps
         self.t = self.t0 + self.steps * self.h
         return self._checked(done)

@@ -44,6 +44,8 @@ class Harvest(NamedTuple):
         Room for events (time, event function, direction), shape (n, 3); none looked for without rows.
     done
         Steps, samples and events of the chunk.
+    picked
+        Channels of the samples, in their order; all if there are none.
     """
 
     every: int
@@ -52,19 +54,29 @@ class Harvest(NamedTuple):
     sums: NDArray[np.float64]
     found: NDArray[np.float64]
     done: NDArray[np.int64]
+    picked: NDArray[np.int64]
 
 
 def new_harvest(
-    no: int, *, every: int = 0, stride: int = 1, rows: int = 0, sums: NDArray[np.float64] | None, events: int
+    no: int,
+    *,
+    every: int = 0,
+    stride: int = 1,
+    rows: int = 0,
+    sums: NDArray[np.float64] | None,
+    events: int,
+    picked: NDArray[np.int64] | None = None,
 ) -> Harvest:
-    """Buffers for a chunk: room for some samples of no channels and some events."""
+    """Buffers for a chunk: room for some samples of no channels, or of those picked, and some events."""
+    chosen = np.zeros(0, np.int64) if picked is None else picked
     return Harvest(
         every,
         stride,
-        np.empty((rows, no + 1)),
+        np.empty((rows, (len(chosen) or no) + 1)),
         np.zeros((0, 8)) if sums is None else sums,
         np.empty((events, EVENT_COLUMNS)),
         np.zeros(3, np.int64),
+        chosen,
     )
 
 
@@ -105,6 +117,8 @@ HARVEST = np.dtype(
             "found",
             "n_found",
             "done",
+            "picked",
+            "n_picked",
         )
     ],
     align=True,
@@ -132,7 +146,8 @@ def advance_into(entry: Any, at: int, order: NDArray[np.void], harvest: Harvest)
         harvest.stride,
         rows.shape[1],
     )
-    for name, array in (("rows", rows), ("sums", sums), ("found", found)):
+    buffers = (("rows", rows), ("sums", sums), ("found", found), ("picked", harvest.picked))
+    for name, array in buffers:
         record[0][name], record[0][f"n_{name}"] = array.ctypes.data, len(array)
     record[0]["done"] = done.ctypes.data
     status = invoke(entry, at, order.ctypes.data, record.ctypes.data)
@@ -151,6 +166,7 @@ def harvest_at(where):
         view(b["sums"], (b["n_sums"], 8), F8),
         view(b["found"], (b["n_found"], EVENT_COLUMNS), F8),
         view(b["done"], 3, I8),
+        view(b["picked"], b["n_picked"], I8),
     )
 
 
@@ -221,21 +237,30 @@ def accumulate(row, sums):
 @kernel
 def take(at, t, harvest, measure, sample):
     """Observe once; feed the statistics and store the row, each if asked and if there is room."""
+    status = observe(at, t, view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["row"])
+    if status == OK:
+        keep(at, t, harvest, measure, sample)
+    return status
+
+
+@kernel(inline=True)
+def keep(at, t, harvest, measure, sample):
+    """Feed the statistics with what was observed and store it, each if asked and if there is room."""
     c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    status = observe(at, t, m["row"])
-    if status != OK:
-        return status
-    row = view(m["row"], c["no"], F8)
+    row = view(view(c["mach"], 1, MACH)[0]["row"], c["no"], F8)
     if measure != 0:
         accumulate(row, harvest.sums)
     filled = harvest.done[1]
     if sample != 0 and filled < harvest.rows.shape[0]:
         harvest.rows[filled, 0] = t
-        for k in range(row.size):
-            harvest.rows[filled, k + 1] = row[k]
+        picked = harvest.picked
+        if picked.size > 0:
+            for k in range(picked.size):
+                harvest.rows[filled, k + 1] = row[picked[k]]
+        else:
+            for k in range(row.size):
+                harvest.rows[filled, k + 1] = row[k]
         harvest.done[1] += 1
-    return OK
 
 
 @kernel
@@ -276,16 +301,28 @@ def crossings(ev0, ev1, t0, h, found, n):
 
 
 @kernel(inline=True)
+def due(number, harvest):
+    """Whether statistics and whether a row are due after step `number` of a fixed-step loop: 0 or 1 each."""
+    measure = 1 if harvest.sums.shape[0] > 0 and number % harvest.stride == 0 else 0
+    return measure, 1 if harvest.every > 0 and number % harvest.every == 0 else 0
+
+
+@kernel(inline=True)
 def record_step(at, t, h, number, harvest):
     """What a fixed-step loop leaves behind after step `number` of its run, accepted at t; gives a status."""
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    sample = 1 if harvest.every > 0 and number % harvest.every == 0 else 0
-    measure = 1 if harvest.sums.shape[0] > 0 and number % harvest.stride == 0 else 0
+    measure, sample = due(number, harvest)
     if sample != 0 or measure != 0:
         status = take(at, t, harvest, measure, sample)
         if status != OK:
             return status
+    return record_events(at, t, h, harvest)
+
+
+@kernel(inline=True)
+def record_events(at, t, h, harvest):
+    """Record the sign changes of event functions in a step of h that ends at t; gives a status."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
     if harvest.found.shape[0] > 0 and c["ne"] > 0:
         status = evaluate_events(at, t, m["ev1"])
         if status != OK:

@@ -125,6 +125,7 @@ def _lanczos(m: Any, k: Any, lu: Any, shift: float, found: Array, count: int, tu
     carried = m @ found
 
     def solve(b: Array) -> Array:
+        """Solve with the factors, without the part along the rigid modes."""
         x = lu.solve(np.asarray(b, dtype=float).ravel())
         return np.asarray(x - found @ (carried.T @ x))
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -56,6 +57,7 @@ def run_time(
     sink: Sink | None = None,
     progress: Progress = silent,
     start: Start | None = None,
+    channels: Sequence[int] = (),
 ) -> TimeSummary:
     """Compute the time response of a scenario: up to its duration, whatever the step.
 
@@ -74,6 +76,8 @@ def run_time(
         Told the time reached after every chunk.
     start
         Where to begin; default the start of the scenario.
+    channels
+        Numbers of the channels that the sink takes, in their order; default all.
 
     Returns
     -------
@@ -90,7 +94,7 @@ def run_time(
         raise SolverError("the scenario has no duration; it is a sweep or a slow roll", NOT_FINITE)
     begun = time.perf_counter()
     begin = prepare_start(system, chosen) if start is None else start
-    loop = _Loop(begin, chosen, sink)
+    loop = _Loop(begin, chosen, sink, channels)
     status = loop.run(progress)
     return loop.summary(status, time.perf_counter() - begun)
 
@@ -111,8 +115,12 @@ def loop_of(method: str) -> Any:
 class _Loop:
     """One run: its integrator, its statistics, what it found so far."""
 
-    def __init__(self, start: Start, scenario: Scenario, sink: Sink | None) -> None:
+    def __init__(
+        self, start: Start, scenario: Scenario, sink: Sink | None, channels: Sequence[int] = ()
+    ) -> None:
         self.start, self.scenario, self.sink = start, scenario, sink
+        self.channels = np.array(channels, np.int64)
+        self.more: dict[str, Any] = {}  # arguments of a loop that picks the channels itself
         self.system = start.system
         self.t0 = start.state.t
         self.t_end = self.t0 + float(scenario.duration or 0.0)
@@ -155,6 +163,7 @@ class _Loop:
             self.run_.watch(self.watch.ends)
         elif scenario.method == "rk4":
             self.run_ = runge_kutta.start_classical(self.system, start.state, self.h)
+            self.more = {"picked": self.channels}
         else:
             form = scenario.chosen_form
             self.run_ = generalized_alpha.start(self.system, start.state, self.h, form=form)
@@ -178,9 +187,10 @@ class _Loop:
         return run
 
     def run(self, progress: Progress) -> int:
+        """Advance to the end of the scenario; gives the status."""
         if self.sink is not None:
             row = evaluate.observe(self.system, evaluate.store(self.system, self.t0))
-            self.sink.append(np.array([self.t0]), row[None, :])
+            self.sink.append(np.array([self.t0]), self._picked(row[None, :]))
         try:
             if self.sampler is not None and self.sampler.status != OK:
                 return self.sampler.status
@@ -202,7 +212,7 @@ class _Loop:
             sums = None if self.run_.steps < settle else self.sums
             every = self.every if self.sink is not None else 0
             chunk = self.run_.advance(
-                take, every=every, statistics=sums, events=MOST_EVENTS if self.watch else 0
+                take, every=every, statistics=sums, events=MOST_EVENTS if self.watch else 0, **self.more
             )
             status = self._take(chunk)
             if status != OK:
@@ -246,14 +256,20 @@ class _Loop:
         """Keep what a chunk found, call the controllers that are due; returns the status."""
         self.steps += chunk.steps
         if self.sink is not None and len(chunk.rows):
-            self.sink.append(chunk.rows[:, 0].copy(), chunk.rows[:, 1:])
+            values = chunk.rows[:, 1:]
+            self.sink.append(chunk.rows[:, 0].copy(), values if self.more else self._picked(values))
         if len(chunk.events):
             self.events.append(self.watch.pick(chunk.events))
         if chunk.status == OK and self.sampler is not None:
             return self.sampler.follow(self.run_)
         return int(chunk.status)
 
+    def _picked(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The channels asked for of rows of all."""
+        return values[:, self.channels] if len(self.channels) else values
+
     def summary(self, status: int, wall_s: float) -> TimeSummary:
+        """What a run was: status, times, statistics by channel, events, remarks."""
         found = read_statistics(self.sums)
         channels = {
             c.name: {

@@ -16,7 +16,7 @@ class Sink(Protocol):
     """Anything that takes samples as they come, such as a result file."""
 
     def append(self, t: NDArray[np.float64], values: NDArray[np.float64]) -> None:
-        """Take n samples: times [s], shape (n,), and all channels, shape (n, no)."""
+        """Take n samples: times [s], shape (n,), and all channels, or those asked for, shape (n, no)."""
 
 
 @dataclass

@@ -126,6 +126,7 @@ def run_cases(
     done: dict[int, CaseResult] = {}
 
     def take(result: CaseResult) -> None:
+        """Keep a case and say how far the study is."""
         done[result.index] = result
         if sink is not None:
             sink(result)
@@ -133,6 +134,7 @@ def run_cases(
         progress(len(done), len(todo), ended.get(result.status, f"case {result.index}: failed"))
 
     def work(case: tuple[int, Mapping[str, Any]], stop: threading.Event) -> CaseResult:
+        """Compute one case."""
         return run_case(model, case[1], scenario, case[0], stop)
 
     on_all_cores(work, todo, take, jobs)
@@ -162,10 +164,12 @@ def run_case(
     numbers: dict[str, tuple[float, str]] = {}
 
     def failed(status: int, words: str) -> CaseResult:
+        """Result of a case that has no numbers, or not all."""
         wall_s = time.perf_counter() - begun
         return CaseResult(index, dict(values), status, words, numbers, wall_s=wall_s)
 
     def listen(done: float, total: float, note: str = "") -> None:
+        """End a case when the study is stopped."""
         if stop is not None and stop.is_set():
             raise KeyboardInterrupt
 

@@ -18,10 +18,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.analysis.noise import white_noise, with_white_noise
 from pitchpoint.analysis.pulses import pulse_times, tacho_levels
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.thinning import DAMPING, PASS, REACH, STOP, thin_out
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import PitchpointError, SolverError
 from pitchpoint.core.provenance import content_hash, package_version
 from pitchpoint.core.status import OK, REFUSED
 from pitchpoint.model.dataset_plan import DatasetPlan, ObservedChannel, PlannedCase
@@ -139,6 +140,7 @@ def compute_case(
     """
 
     def listen(done: float, total: float, note: str = "") -> None:
+        """End a case when the set is stopped."""
         if stop is not None and stop.is_set():
             raise KeyboardInterrupt
 
@@ -162,22 +164,21 @@ def varied_model(plan: DatasetPlan, model: Model, case: PlannedCase) -> Model:
         number = number_at(changed, path)
         if number is None:
             raise SolverError(f"jitter: there is no number at {path} in this case", REFUSED)
-        normal = _generator(case.seed, path, combination).standard_normal()
+        [normal] = white_noise(1, deviation=1.0, seed=_seeds(case.seed, path, combination))
         shaken[path] = number[0] * (1.0 + share * float(normal))
     return changed.replace_all(shaken) if shaken else changed
 
 
-def _generator(*seeds: int | str) -> np.random.Generator:
-    """Random numbers that depend on nothing but the seeds."""
-    words = [s if isinstance(s, int) else zlib.crc32(s.encode()) for s in seeds]
-    return np.random.Generator(np.random.PCG64(np.random.SeedSequence(words)))
+def _seeds(*seeds: int | str) -> list[int]:
+    """Seeds as whole numbers, words by their checksums."""
+    return [s if isinstance(s, int) else zlib.crc32(s.encode()) for s in seeds]
 
 
-class _Columns:
-    """A sink that keeps some columns of the samples, from one of them on."""
+class _Tail:
+    """A sink that keeps the samples from one of them on."""
 
-    def __init__(self, columns: Sequence[int], first: int) -> None:
-        self.columns, self.first, self.seen = list(columns), first, 0
+    def __init__(self, columns: int, first: int) -> None:
+        self.columns, self.first, self.seen = columns, first, 0
         self.parts: list[NDArray[np.float64]] = []
 
     def append(self, t: NDArray[np.float64], values: NDArray[np.float64]) -> None:
@@ -185,11 +186,11 @@ class _Columns:
         skip = max(0, self.first - self.seen)
         self.seen += len(t)
         if skip < len(t):
-            self.parts.append(values[skip:, self.columns])
+            self.parts.append(values[skip:])
 
     def rows(self) -> NDArray[np.float64]:
         """All that was kept, shape (samples, columns)."""
-        return np.concatenate(self.parts) if self.parts else np.zeros((0, len(self.columns)))
+        return np.concatenate(self.parts) if self.parts else np.zeros((0, self.columns))
 
 
 def _compute(
@@ -223,8 +224,9 @@ def _compute(
     if missing:
         raise SolverError(f"nothing observes {', '.join(missing)} in this case", REFUSED)
     first = (before - margin) * times
-    sink = _Columns([known.index(c) for c in names.values()], first)
-    done = run_time(system, scenario, sink=sink, progress=listen)
+    asked = [known.index(c) for c in names.values()]
+    sink = _Tail(len(asked), first)
+    done = run_time(system, scenario, sink=sink, progress=listen, channels=asked)
     if done.status != OK:
         words = f"{done.sentence} (at t = {done.t_end:.6g} s)"
         return CaseRecord(case, key, done.status, words, numbers, steps=done.steps)
@@ -240,9 +242,8 @@ def _compute(
         if isinstance(channel, ObservedChannel):
             found = system.layout.channels[known.index(channel.channel)]
             clean = thin_out(recorded[name], times) if times > 1 else recorded[name][thinned]
-            noise = _noise(name, channel, clean, case.seed, key)
-            words = found.long_name or name
-            channels[name] = RecordedChannel(clean[: plan.samples] + noise[0], found.unit, words, noise[1])
+            values, noise = _noisy(name, channel, clean, case.seed, key)
+            channels[name] = RecordedChannel(values, found.unit, found.long_name or name, noise)
         else:
             levels = tacho_levels(recorded[name], channel.pulses)[thinned]
             words = f"tacho of {channel.body}, {channel.pulses} pulses per turn"
@@ -253,22 +254,20 @@ def _compute(
     return CaseRecord(case, key, OK, "finished", numbers, channels, pulses, done.steps, notes)
 
 
-def _noise(
+def _noisy(
     name: str, channel: ObservedChannel, clean: NDArray[np.float64], seed: int, key: str
-) -> tuple[NDArray[np.float64] | float, float]:
-    """Noise of a channel and the standard deviation it was drawn with."""
+) -> tuple[NDArray[np.float64], float]:
+    """A channel with its noise, and the standard deviation that was drawn with (0 = none)."""
     if channel.noise is None:
-        return 0.0, 0.0
+        return clean, 0.0
+    seeds = _seeds(seed, key, name)
     if channel.noise.rms is not None:
         rms = channel.noise.rms
-    else:
-        level = float(clean.std())
-        if level <= CONSTANT * float(np.abs(clean).max()):
-            raise SignalError(
-                f"channels.{name}: is constant, so snr means nothing; give the rms of the noise"
-            )
-        rms = level * 10.0 ** (-float(channel.noise.snr or 0.0) / 20.0)
-    return rms * _generator(seed, key, name).standard_normal(clean.size), rms
+        return clean + white_noise(clean.size, deviation=rms, seed=seeds), rms
+    if float(clean.std()) <= CONSTANT * float(np.abs(clean).max()):
+        raise SignalError(f"channels.{name}: is constant, so snr means nothing; give the rms of the noise")
+    noisy = with_white_noise(clean, signal_to_noise=float(channel.noise.snr or 0.0), seed=seeds)
+    return noisy.values, noisy.noise_deviation
 
 
 def compute_cases(
@@ -294,15 +293,30 @@ def compute_cases(
         Stores a case, in the thread that computed it.
     jobs
         Threads; default one per core.
+
+    Raises
+    ------
+    PitchpointError
+        If a case could not be stored; those under way are given up.
     """
 
-    def work(piece: tuple[PlannedCase, str], stop: threading.Event) -> CaseRecord:
-        record = compute_case(plan, model, *piece, stop)
+    def work(
+        piece: tuple[PlannedCase, str], stop: threading.Event
+    ) -> tuple[CaseRecord, PitchpointError | None]:
+        """Compute one case and write it; its record goes on without samples."""
+        record, lost = compute_case(plan, model, *piece, stop), None
         try:
             keep(record)
-        except Exception as error:  # noqa: BLE001 - a full disk is no reason to lose the table of the others
+        except Exception as error:  # noqa: BLE001 - said of the case; the others have their rows in the table
             status, words = how_it_failed(error)
             record = dataclasses.replace(record, status=status, sentence=words)
-        return dataclasses.replace(record, channels={}, pulses={})
+            lost = error if isinstance(error, PitchpointError) else None
+        return dataclasses.replace(record, channels={}, pulses={}), lost
 
-    return on_all_cores(work, cases, take, jobs)
+    def taken(result: tuple[CaseRecord, PitchpointError | None]) -> None:
+        """Hand over a record, and end everything if it could not be stored."""
+        take(result[0])
+        if result[1] is not None:  # a full disk: all that is computed from here on would be lost
+            raise result[1]
+
+    return on_all_cores(work, cases, taken, jobs)

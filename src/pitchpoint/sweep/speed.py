@@ -96,6 +96,7 @@ class _Plan:
     fastest: float
 
     def order(self) -> Iterator[tuple[str, float]]:
+        """Directions and speeds [rad/s] in the order in which they are run."""
         for direction in self.directions:
             for speed in self.speeds if direction == "up" else self.speeds[::-1]:
                 yield direction, float(speed)
@@ -176,6 +177,7 @@ class _Walk:
         self.run.change_step(self._step(speed))
 
     def advance(self, periods: int, sums: NDArray[np.float64] | None) -> int:
+        """Go on for some mesh periods, with statistics if there is a place for them; gives the status."""
         f = self._frequency(self.speed)
         left = periods * self.plan.steps_at(f, self.mode)
         while left > 0:
@@ -190,6 +192,7 @@ class _Walk:
         return OK
 
     def point(self, direction: str, sums: NDArray[np.float64]) -> dict[str, Any]:
+        """Numbers of one point of the sweep."""
         found = read_statistics(sums)
         channels = {
             c.name: {

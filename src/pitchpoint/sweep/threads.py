@@ -49,6 +49,7 @@ def on_all_cores(
     nothing = object()
 
     def serve() -> None:
+        """Take pieces and hand their results on, until there are none or all stop."""
         while not stop.is_set():
             with turn:
                 piece = next(waiting, nothing)

@@ -15,8 +15,14 @@ from pitchpoint.multibody.joint_rates import guided_geometry, joint_motions, joi
 from pitchpoint.multibody.projection import PROJ, project_geometry, project_tangent
 from pitchpoint.multibody.rigid_inertia import tree_attitude, tree_inertia
 from pitchpoint.multibody.tree import MOTION
-from pitchpoint.system.residual import EXACT, FORCES, residual, run_kinds, zero_blocks
+from pitchpoint.system.residual import COLUMNS, EXACT, FORCES, residual, run_kinds, zero
 from pitchpoint.system.workspace import MACH
+
+
+@kernel
+def _project(proj, J, kk, X, A, T):
+    """One copy of `project_tangent` for all its calls here."""
+    project_tangent(proj, J, kk, X, A, T)
 
 
 @kernel
@@ -45,18 +51,18 @@ def exact_rates(at, cm, cd, ck):
     joint_rates(
         body, view(m["path"], n, PATH), fr, view(m["motions"], c["nb"], MOTION), guides, (Tq, Av, Aq), v, a
     )
-    zero_blocks(kk)
+    zero(view(c["kk"], 36 * c["np"], F8))
     attitude(body, fr, kk, ck)
     tree_attitude(body, fr, kk, ck)
-    project_tangent(proj, J, kk, J, A, T)
-    zero_blocks(kk)
+    _project(proj, J, kk, J, A, T)
+    zero(view(c["kk"], 36 * c["np"], F8))
     inertia(body, fr, kk, EXACT, 0.0, 1.0)
     tree_inertia(body, fr, kk, EXACT, 0.0, 1.0)
     c["cm"] = 0.0
     c["ck"] = 0.0
     c["cd"] = 1.0
     c["jac"] = EXACT
-    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 1)
+    status = run_kinds(at, view(m["forces"], (m["nforces"], COLUMNS), I8), 1)
     if status != OK:
         return status
     for p in range(n):
@@ -64,17 +70,17 @@ def exact_rates(at, cm, cd, ck):
             for k in range(6):
                 Tq[p, i, k] *= ck
                 Aq[p, i, k] = cd * Av[p, i, k] + ck * Aq[p, i, k]
-    project_tangent(proj, J, kk, Tq, A, T)
-    zero_blocks(kk)
+    _project(proj, J, kk, Tq, A, T)
+    zero(view(c["kk"], 36 * c["np"], F8))
     inertia(body, fr, kk, EXACT, 1.0, 0.0)
     tree_inertia(body, fr, kk, EXACT, 1.0, 0.0)
     c["cm"] = 1.0  # elements with mass add theirs
     c["cd"] = 0.0
     c["jac"] = FORCES
-    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 1)
+    status = run_kinds(at, view(m["forces"], (m["nforces"], COLUMNS), I8), 1)
     if status != OK:
         return status
-    project_tangent(proj, J, kk, Aq, A, T)
+    _project(proj, J, kk, Aq, A, T)
     return OK
 
 

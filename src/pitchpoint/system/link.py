@@ -4,7 +4,8 @@ process."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,7 +28,7 @@ from pitchpoint.elements.signal_record import (
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
-from pitchpoint.system.residual import OBSERVER_CHANNEL
+from pitchpoint.system.residual import COLUMNS, EARLY, OBSERVER_CHANNEL
 
 if TYPE_CHECKING:
     from pitchpoint.system.workspace import Workspace
@@ -56,7 +57,7 @@ def link(
     pools: Mapping[str, NDArray[np.float64]],
     laws: Mapping[str, Sequence[Any]],
 ) -> dict[str, NDArray[np.int64]]:
-    """Make the address tables, rows (entry, records, count, channel).
+    """Make the address tables, rows (entry, records, count, channel, early).
 
     Kinds come in alphabetical order, so sums are reproducible. Addresses of pools and user laws are written
     into the records on the way.
@@ -73,9 +74,10 @@ def link(
             if law is not None:
                 bank[k]["law"] = law_address(law)
         channel = OBSERVER_CHANNEL if only_observes(name, bank) else _CHANNEL[kind.channel]
-        row = (address(kind.load().entry), bank.ctypes.data, bank.size, channel)
+        early = int(kind.channel == registry.FRAME and name in registry.MASSLESS)
+        row = (address(kind.load().entry), bank.ctypes.data, bank.size, channel, early)
         tables[_TABLE.get(kind.channel, "forces")].append(row)
-    return {name: np.array(rows, np.int64).reshape(-1, 4) for name, rows in tables.items()}
+    return {name: np.array(rows, np.int64).reshape(-1, COLUMNS) for name, rows in tables.items()}
 
 
 #: Parts of the core that every driver calls: fields of MACH and their kernels.
@@ -130,8 +132,29 @@ def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -
             continue
         if np.any(bank["op"] == CHANNEL):  # other elements say what they observe at every evaluation
             mach["watch"] = workspace.arrays["heard"].ctypes.data
+            mach["shares"] = 0  # they read all that the others say at once
         if np.any(np.isin(bank["op"], (ACCELERATION, ANGULAR_ACCELERATION))):
             mach["constant_mass"] = 0  # what follows accelerations may be part of the mass matrix
+
+
+@contextmanager
+def heard(
+    workspace: Workspace, records: Mapping[str, NDArray[np.void]], channels: NDArray[np.int64] | None
+) -> Iterator[None]:
+    """Let kinds that observe with the slope do so only if some of these channels are theirs; None: all do."""
+    early = workspace.tables["forces"][:, EARLY]
+    kept = early.copy()
+    if channels is not None and len(channels):
+        banks = [bank for bank in records.values() if "out" in (bank.dtype.names or ())]
+        firsts = np.array([bank["out"][0] for bank in banks])  # channels go kind by kind
+        for e in np.flatnonzero(early == 1):
+            first = records[kind_of_row(records, int(e))]["out"][0]
+            end = min(firsts[firsts > first], default=workspace.ctl[0]["no"])
+            early[e] = 1 if np.any((channels >= first) & (channels < end)) else 2
+    try:
+        yield
+    finally:
+        early[:] = kept
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:

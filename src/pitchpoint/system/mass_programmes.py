@@ -14,18 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.elements.registry import MASSLESS
 from pitchpoint.multibody.block_lu import FINISH, INVERT, INVERT_MASS
 from pitchpoint.system.link import only_observes
 
 NODE = 6
-MASSLESS = frozenset(
-    {
-        *("bearing", "bushing", "clearance_bearing", "coupling", "damping", "force", "gear_mesh", "gravity"),
-        *("rolling_bearing", "spring_damper", "torque"),
-        *("closure", "drive", "ratio"),
-    }
-)
-"""Kinds that are known to have no inertia of their own; every other kind may have some."""
 
 
 def mass_programmes(

@@ -24,6 +24,13 @@ FORCES, NEWTON, EXACT, MASS = 0, 1, 2, 3
 FRAME_CHANNEL, COORDINATE_CHANNEL = 0, 1
 OBSERVER_CHANNEL = 4
 """Channel of signals that nothing but results reads: they run only where somebody looks."""
+ENTRY, RECORDS, COUNT, CHANNEL, EARLY = range(5)
+COLUMNS = 5
+"""Columns of the tables of kinds: address, records, how many, channel; 1 if what the kind observes follows
+from places and rates alone, so that it can be told before the accelerations are known, and 2 if nobody asks
+for that (`link.heard`)."""
+ALL, SOONER, LATER = 0, 1, 2
+"""Which kinds observe: all, those that need no accelerations, the others (no other kind runs then)."""
 TWO_PI = 6.283185307179586
 MOST_TURN = 1e12  # largest turn in one step that is counted [rad]
 
@@ -36,28 +43,27 @@ def zero(x):
 
 
 @kernel
-def zero_blocks(x):
-    """Set 6 x 6 blocks to zero."""
-    for k in range(x.shape[0]):
-        for i in range(6):
-            for c in range(6):
-                x[k, i, c] = 0.0
-
-
-@kernel
 def run_kinds(at, table, frames_only):
     """Call the entries of a table of kinds; stop at the first that does not return OK and note its row."""
     c = view(at, 1, CTL)[0]
-    unseen = c["jac"] == FORCES and c["out"] == 0 and c["ev"] == 0
+    part = view(c["mach"], 1, MACH)[0]["part"]
+    out = c["out"]
+    unseen = c["jac"] == FORCES and (out == 0 or part == SOONER) and c["ev"] == 0
+    status = OK
     for e in range(table.shape[0]):
-        if unseen and table[e, 3] == OBSERVER_CHANNEL:
+        if unseen and table[e, CHANNEL] == OBSERVER_CHANNEL:
             continue
-        if frames_only == 0 or table[e, 3] == FRAME_CHANNEL:
-            status = call(table[e, 0], at, table[e, 1], table[e, 2])
+        if part == LATER and table[e, EARLY] != 0:
+            continue
+        if frames_only == 0 or table[e, CHANNEL] == FRAME_CHANNEL:
+            if part == SOONER:
+                c["out"] = out if table[e, EARLY] == 1 else 0
+            status = call(table[e, ENTRY], at, table[e, RECORDS], table[e, COUNT])
             if status != OK:
                 c["badkind"] = e
-                return status
-    return OK
+                break
+    c["out"] = out
+    return status
 
 
 @kernel
@@ -80,7 +86,7 @@ def constraints(at):
         for side in range(2):
             for k in range(6):
                 Gf[r, side, k] = 0.0
-    status = run_kinds(at, view(m["cons"], (m["ncons"], 4), I8), 0)
+    status = run_kinds(at, view(m["cons"], (m["ncons"], COLUMNS), I8), 0)
     if status != OK:
         c["badkind"] += m["nforces"]
         return status
@@ -115,8 +121,8 @@ def entry(at, jac, spare):
     kinematics(body, fr, J, view(c["q"], nd, F8), view(c["v"], nd, F8), view(c["a"], nd, F8))
     zero(R)
     if jac != FORCES:
-        zero_blocks(A)
-        zero_blocks(kk)
+        zero(view(c["A"], 36 * c["na"], F8))  # in one row, which the compiler makes one call
+        zero(view(c["kk"], 36 * c["np"], F8))
     else:
         c["cm"] = 0.0  # elements with mass go by this factor, also where nothing but masses is asked for
     inertia(body, fr, kk, jac, c["cm"], c["cd"])
@@ -125,23 +131,26 @@ def entry(at, jac, spare):
         status = call(m["tree"], at, jac, 0)
         if status != OK:
             return status
-    status = run_kinds(at, view(m["forces"], (m["nforces"], 4), I8), 0)
+    status = run_kinds(at, view(m["forces"], (m["nforces"], COLUMNS), I8), 0)
     if status != OK:
         return status
     if c["nc"] > 0:
         status = constraints(at)
         if status != OK:
             return status
+    if m["part"] == LATER:
+        return OK
     if m["nfrictions"] > 0:
-        status = run_kinds(at, view(m["frictions"], (m["nfrictions"], 4), I8), 0)
+        status = run_kinds(at, view(m["frictions"], (m["nfrictions"], COLUMNS), I8), 0)
         if status != OK:
             c["badkind"] += m["nforces"] + m["ncons"] + m["nguiding"]
             return status
     project_force(view(m["path"], n, PATH), fr, J, R)
-    if jac == MASS:
-        project_tangent(view(m["mass_proj"], m["nmass_proj"], PROJ), J, kk, J, A, view(m["T"], (6, 6), F8))
-    elif jac != FORCES:
-        project_tangent(view(m["proj"], m["nproj"], PROJ), J, kk, J, A, view(m["T"], (6, 6), F8))
+    if jac != FORCES:
+        proj = view(m["proj"], m["nproj"], PROJ)
+        if jac == MASS:
+            proj = view(m["mass_proj"], m["nmass_proj"], PROJ)
+        project_tangent(proj, J, kk, J, A, view(m["T"], (6, 6), F8))
     return OK
 
 
@@ -169,12 +178,40 @@ def residual(at, t, jac, cm, cd, ck):
 def observe(at, t, where):
     """Write all observations at the state in the workspace to the row at address `where`."""
     c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
     c["out"] = where
     status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
     c["out"] = 0
     if status != OK:
         return status
+    observe_bodies(at, where)
+    return OK
+
+
+@kernel
+def observe_later(at, t, where):
+    """Complete the row at address `where`, begun with `part` SOONER at the state in the workspace.
+
+    The accelerations and multipliers of the state are there by now.
+    """
+    m = view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]
+    status = OK
+    if m["later"] != 0:
+        c = view(at, 1, CTL)[0]
+        c["out"] = where
+        m["part"] = LATER
+        status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
+        m["part"] = ALL
+        c["out"] = 0
+    if status == OK:
+        observe_bodies(at, where)
+    return status
+
+
+@kernel
+def observe_bodies(at, where):
+    """Write the observations of the bodies to the row at address `where`."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
     table = view(m["body_out"], (m["nbody_out"], 4), I8)
     out = view(where, c["no"], F8)
     q = view(c["q"], c["nd"], F8)
@@ -188,7 +225,6 @@ def observe(at, t, where):
             out[table[e, 3]] = q[d] + TWO_PI * fr[table[e, 1]]["turns"]
         else:
             out[table[e, 3]] = v[d]
-    return OK
 
 
 @kernel

@@ -117,6 +117,7 @@ def with_lines(model: Model, error: ModelError) -> ModelError:
     places = {dotted(place): line for place, line in (model.lines or {}).items()}
 
     def line_of(where: str) -> int | None:
+        """Line of the key, or of the nearest one around it."""
         while where and where not in places:
             where = where.rpartition(".")[0]
         return places.get(where)

@@ -9,7 +9,7 @@ from pitchpoint.multibody.bodies import BODY, PATH
 from pitchpoint.multibody.channels import CTL, F8, FRAME, GUIDE, I8
 from pitchpoint.multibody.rigid_inertia import tree_inertia
 from pitchpoint.multibody.tree import MOTION, start_charts_afresh, tree_kinematics
-from pitchpoint.system.residual import run_kinds
+from pitchpoint.system.residual import COLUMNS, run_kinds
 from pitchpoint.system.workspace import MACH, RECHARTED
 
 
@@ -24,7 +24,7 @@ def entry(at, jac, spare):
     body = view(m["body"], nb, BODY)
     fr = view(c["fr"], nb, FRAME)
     if m["nguiding"] > 0:
-        status = run_kinds(at, view(m["guiding"], (m["nguiding"], 4), I8), 0)
+        status = run_kinds(at, view(m["guiding"], (m["nguiding"], COLUMNS), I8), 0)
         if status != OK:
             c["badkind"] += m["nforces"] + m["ncons"]
             return status

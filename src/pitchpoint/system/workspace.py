@@ -84,6 +84,9 @@ MACH = np.dtype(
             *("nguiding", "nfrictions", "ncharts"),
             *("residual", "factor_entry", "solve_entry"),  # addresses of the parts that all drivers share
             *("tree", "tumble"),  # and of those that only trees need, 0 without
+            "part",  # which kinds observe, see `residual.ALL`
+            "shares",  # 1: some of them may do so where the slope of the state is computed
+            "later",  # 1: and some only with the accelerations
             "watch",  # address of `heard` if signals read observations, else 0
             "constant_mass",  # 1: M does not depend on q
         )
@@ -103,7 +106,7 @@ class Workspace:
     sizes
         nb, nd, np, na, nc, no, ne.
     tables
-        Address tables of the kinds (`link.TABLES`): rows (entry, records, count, channel).
+        Address tables of the kinds (`link.TABLES`): rows (entry, records, count, channel, early).
     parts
         Addresses of the residual and of the linear algebra (`link.link_parts`).
     weight
@@ -163,6 +166,9 @@ class Workspace:
         mach["constant_mass"] = int(
             np.all(program["body"]["joint"] < 6) and not len(self.tables["frictions"])
         )
+        early = self.tables["forces"][:, -1] == 1
+        mach["shares"] = int(np.any(early) and not len(self.tables["frictions"]))
+        mach["later"] = int(not np.all(early) or len(self.tables["cons"]) > 0)
         ctl["mach"] = self.mach.ctypes.data
         ctl["at"] = self.ctl.ctypes.data
         ctl["bad"] = ctl["badkind"] = -1

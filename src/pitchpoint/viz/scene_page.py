@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from html import escape
 
+from pitchpoint.viz import theme
 from pitchpoint.viz.report_page import POLICY, asset
 from pitchpoint.viz.scene import Scene
 from pitchpoint.viz.scene_file import scene_texts
@@ -36,6 +37,7 @@ def scene_page(*scenes: Scene) -> str:
     if not 1 <= len(scenes) <= 2:
         raise ValueError(f"{len(scenes)} scenes do not fit on a page; give one or two")
     title = " and ".join(dict.fromkeys(s.title for s in scenes))
+    colours = "".join(f"--pp-force-{part}:{colour};" for part, colour in theme.FORCE_PARTS.items())
     compare = "true" if len(scenes) == 2 else "false"
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
@@ -43,7 +45,7 @@ def scene_page(*scenes: Scene) -> str:
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta name="generator" content="pitchpoint">'
         f"<title>{escape(title)}</title>"
-        "<style>html,body{margin:0;height:100%}#pp-view{height:100vh}</style></head>\n"
+        f"<style>:root{{{colours}}}html,body{{margin:0;height:100%}}#pp-view{{height:100vh}}</style></head>\n"
         f'<body><div id="pp-view"></div>\n{scene_elements(*scenes)}\n'
         f"<script>{asset('viewer.js')}</script>\n"
         f"<script>pitchpointViewer.mount(document.getElementById('pp-view'),{{compare:{compare}}});</script>"

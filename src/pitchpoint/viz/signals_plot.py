@@ -58,7 +58,7 @@ def plot_signals(
     rows
         Indices of the channels of each row; default those of `signal_rows`.
     over
-        `time` or `angle`.
+        `time`, `angle`, or words for the axis of numbers that are drawn as they are.
 
     Raises
     ------
@@ -70,7 +70,8 @@ def plot_signals(
     if len({c.unit for c in channels}) != 1:
         raise ValueError("channels: need one or more channels of one unit; plot other units on their own")
     shown = scale(channels[0].unit, np.concatenate([c.values for c in channels]))
-    clock = scale("s", time if time.size else [1.0]) if over == "time" else Scale("°", 180.0 / np.pi)
+    clocks = {"time": scale("s", time if time.size else [1.0]), "angle": Scale("°", 180.0 / np.pi)}
+    clock = clocks.get(over, Scale("", 1.0))
     rows = signal_rows(channels) if rows is None else rows
     y_title = shown.title(title or _common_name(channels))
     figure = go.Figure(layout=theme.layout(clock.title(over), y_title, height=ONE_ROW))

@@ -108,3 +108,69 @@ def test_too_few_turns_are_told_and_constant_channels_refused() -> None:
     assert "too few turns of shaft 4: 1.4, needs about 3" in found.untested
     with pytest.raises(SignalError, match="acc: is constant"):
         diagnose({"acc": np.ones(1000)}, 128.0, PAIR[0])
+
+
+def _struck(order: float, seed: int = 1) -> np.ndarray:
+    """A pair 21/40 in noise, struck without slip so many times in a turn of the input; each rings down."""
+    turned = np.arange(40_000) / 400.0
+    since = (turned * order + 0.3) % 1 / order
+    x = np.cos(2 * np.pi * 21 * turned) + 0.5 * np.cos(2 * np.pi * 42 * turned)
+    x += 0.4 * np.random.default_rng(seed).standard_normal(turned.size)
+    return x + 1.5 * np.exp(-20 * since) * np.sin(2 * np.pi * 130 * since)
+
+
+def _of_struck(order: float, passes: float) -> tuple[list[tuple[str, str, tuple, tuple]], tuple[str, ...]]:
+    """Findings where a bearing has its balls pass so many times in a turn; 100 turns."""
+    parts = train_parts([(21, 40)], [Bearing("left", {"outer ring": passes})])
+    found = diagnose({"acc": _struck(order)}, 400.0, parts)
+    return [(f.kind, f.shaft, f.gears, f.bearings) for f in found.findings], found.untested
+
+
+@pytest.mark.parametrize("passes", [3.57, 3.05])
+def test_a_bearing_without_slip_is_no_gear(passes: float) -> None:
+    assert _of_struck(passes, passes)[0] == [("bearing", "outer ring", ("left",), ())]
+    assert _of_struck(1.0, passes)[0] == [("local fault", "shaft 1", ("Z1",), ())]
+
+
+@pytest.mark.parametrize("passes", [1.0, 2.0, 3.0])
+def test_a_bearing_on_a_harmonic_of_a_shaft_is_named_with_the_gear(passes: float) -> None:
+    findings, untested = _of_struck(passes, passes)
+    assert findings == [("local fault", "shaft 1", ("Z1",), ("outer ring of left",))]
+    assert any(text.startswith("outer ring of left cannot be told from the turns") for text in untested)
+
+
+def test_a_tooth_is_not_a_bearing_that_strikes_three_times_in_a_turn() -> None:
+    assert _of_struck(1.0, 3.0)[0] == [("local fault", "shaft 1", ("Z1",), ())]
+
+
+def test_a_difference_that_the_record_does_not_resolve_is_told() -> None:
+    # 0.4 lines of a record of 100 turns
+    findings, untested = _of_struck(3.004, 3.004)
+    assert all(finding[0] != "bearing" for finding in findings)
+    assert any("cannot be told from the turns of a shaft" in text for text in untested)
+
+
+def test_passing_balls_of_a_healthy_bearing_are_neither_sidebands_nor_damage() -> None:
+    """Meshes modulated at 3.05 orders, as by a bearing that is stiffer with a ball below the load."""
+    machine = train_parts([(21, 40)], [Bearing("left", {"outer ring": 3.05})]), 128.0, 60.0
+    turned, x = _signal(machine, 6)
+    shaken = x * (1.0 + 0.2 * np.cos(2 * np.pi * 3.05 * turned))
+    assert _kinds(shaken, machine) == []
+    # what turns with the shaft itself is told, where no bearing may be the cause
+    assert _kinds(x * (1.0 + 0.2 * np.cos(2 * np.pi * 3.0 * turned)), (PAIR[0], 128.0, 60.0)) != []
+
+
+def test_equal_bearings_are_named_together() -> None:
+    parts = train_parts([(21, 40)], [Bearing(name, {"outer ring": 3.57}) for name in ("left", "right")])
+    found = diagnose({"acc": _struck(3.57)}, 400.0, parts)
+    assert [finding.gears for finding in found.findings] == [("left or right",)]
+
+
+def test_bearings_of_a_record_of_a_few_turns_are_not_tested_and_told() -> None:
+    """Three turns: lines of a healthy machine fill the spectrum, and nothing is left in which to look."""
+    bearings = [Bearing(f"b{k}", {"outer ring": order, "inner ring": 8 - order}) for k, order in
+                enumerate((3.0523, 1.0174, 0.6105))]  # fmt: skip
+    parts = train_parts([(32, 96), (48, 80)], bearings)
+    found = diagnose({"acc": _struck(1.0)[:1600]}, 400.0, parts)
+    assert any(text.startswith(("too few events", "bearings not tested")) for text in found.untested)
+    assert all(finding.kind != "bearing" for finding in found.findings)

@@ -131,3 +131,16 @@ def test_records_too_short_for_the_sidebands_are_refused() -> None:
     with pytest.raises(SignalError, match="loses all harmonics"):
         sideband_table(x, 1000.0, 490.0, 10.0, sidebands=3)
     assert sideband_table(x, 1000.0, 50.0, 10.0, harmonics=12).lost == 3
+
+
+def test_sidebands_that_are_not_there_have_no_asymmetry() -> None:
+    """A pure mesh line: what stands beside it is leakage and round-off, 1e-9 of it; in noise, noise."""
+    rate, t = 4000.0, np.arange(12000) / 4000.0
+    pure = np.cos(TAU * 400.0 * t)
+    for x in (pure, pure + 0.01 * np.random.default_rng(0).normal(size=t.size)):
+        table = sideband_table(x, rate, 400.0, 4.0, harmonics=2, sidebands=2)
+        assert np.isnan(table.asymmetry).all()
+    one = pure + 1e-4 * np.cos(TAU * 404.0 * t)
+    table = sideband_table(one, rate, 400.0, 4.0, harmonics=1, sidebands=2)
+    assert table.asymmetry[0, 0] == pytest.approx(1.0, abs=1e-3)
+    assert np.isnan(table.asymmetry[0, 1])

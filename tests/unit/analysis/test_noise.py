@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pitchpoint.analysis.noise import with_white_noise
+from pitchpoint.analysis.noise import white_noise, with_white_noise
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.spectra import power_spectral_density
 
@@ -50,6 +50,16 @@ def test_seed_decides_everything(seed: int, other: int, decibel: float) -> None:
     # another level scales the same noise; a longer record goes on where the shorter one ends
     louder = with_white_noise(x, signal_to_noise=decibel - 20.0, seed=seed)
     np.testing.assert_allclose(louder.noise, 10.0 * first.noise, rtol=1e-12)
+
+
+def test_noise_alone_is_that_on_a_signal() -> None:
+    noisy = with_white_noise(SIGNAL, signal_to_noise=7.0, seed=[5, 2])
+    alone = white_noise(SIGNAL.size, deviation=noisy.noise_deviation, seed=[5, 2])
+    np.testing.assert_array_equal(alone, noisy.noise)
+    assert white_noise(0, deviation=1.0, seed=1).shape == (0,)
+    for deviation, seed in ((-1.0, 1), (np.nan, 1), (1.0, -1), (1.0, True)):
+        with pytest.raises(SignalError, match="deviation|seed"):
+            white_noise(3, deviation=deviation, seed=seed)
 
 
 def test_noise_is_that_of_the_named_generator() -> None:

@@ -194,3 +194,24 @@ def test_orders_of_a_run_up_from_its_tacho() -> None:
     assert found.amplitude[top] == pytest.approx(2.0, rel=2e-3)
     m = order_map(x, shaft.angle, shaft.time, highest_order=30, revolutions=4)
     assert {float(m.order[k]) for k in m.amplitude.argmax(axis=1)} == {12.0}
+
+
+def test_a_tacho_of_two_levels_gives_no_sidebands() -> None:
+    """Read at 25.6 kHz, 371.4 pulses a second are late by anything up to a sample, 25 times a second anew:
+    as an angle that is followed exactly, that would be sidebands 25 Hz beside a mesh line, 27 dB below it
+    (modulation by a saw tooth of 39 us, 0.29 rad from end to end: first sideband 0.29/(2 pi))."""
+    rate, speed = 25600.0, 37.1377
+    time = np.arange(51200) / rate
+    pulses = (np.mod(10.0 * speed * time, 1.0) < 0.5).astype(float)
+    shaft = tacho_angle(pulses, time, pulses_per_revolution=10)
+    x = np.cos(32.0 * TURN * speed * shaft.time)
+    found = tracked_spectrum(x, shaft.angle, highest_order=40)
+    beside = np.abs(np.abs(found.frequency - 32.0) - 25.0 / speed) < 0.1
+    assert 20.0 * np.log10(found.amplitude[beside].max()) < -60.0
+    # a shaft that really turns to and fro, by more than pulses are late, is followed nearer than one of them
+    swing = 0.01 * np.sin(TURN * speed * time)
+    pulses = (np.mod(10.0 * (speed * time + swing / TURN), 1.0) < 0.5).astype(float)
+    shaft = tacho_angle(pulses, time, pulses_per_revolution=10)
+    first = shaft.first_sample
+    late = shaft.angle - (TURN * speed * time + swing)[first : first + shaft.angle.size]
+    assert np.std(late) < TURN * speed / rate / 12**0.5 < 0.4 * np.std(swing)

@@ -135,7 +135,7 @@ def test_a_period_is_found_or_not(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert "nothing found" in capsys.readouterr().out
     assert run_command(["analyse", rig, "period_evidence", "-c", "bad", "-O", "periods=3.3833,12"]) == 0
     shown = capsys.readouterr().out
-    assert "4 turns, 20 lines" in shown and "unknown" in shown
+    assert "4 turns, 20 lines" in shown and "not known" in shown
 
 
 def test_tones_are_told_with_their_frequencies(rig: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -156,3 +156,37 @@ def test_noise_is_written_as_a_record(rig: str, tmp_path: Path, capsys: pytest.C
     # half the power is signal, half noise; 6456 samples scatter by 1 %
     assert found["variables"]["rms"]["values"] == pytest.approx(1.0, rel=0.03)
     assert found["variables"]["rms"]["unit"] == "N"
+
+
+def test_maps_are_thinned_as_json_and_whole_in_a_file(
+    rig: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """6456 samples by some fifty frequencies: 300 000 values, 6 MB as text."""
+    whole = tmp_path / "map.csv"
+    command = ["analyse", rig, "scalogram", "-c", "middle"]
+    found = json_of([*command, "--csv", str(whole)], capsys)
+    times = found["variables"]["time"]["values"]
+    amplitude = np.array(found["variables"]["amplitude"]["values"])
+    assert amplitude.shape == (len(found["variables"]["frequency"]["values"]), len(times))
+    assert 30_000 < amplitude.size <= 110_000
+    (note,) = [n for n in found["notes"] if "places in time" in n]
+    step = int(note.split("every ")[1].split("th")[0])
+    np.testing.assert_allclose(times, TIME[::step], rtol=0, atol=1e-6)
+    rows = sum(1 for line in whole.read_text(encoding="utf-8").splitlines() if line[:1] != "#") - 1
+    assert rows == amplitude.shape[0] * SAMPLES
+
+
+def test_a_period_that_cannot_be_judged_is_told_in_words(
+    rig: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run_command(["analyse", rig, "period_evidence", "-c", "slow", "-O", "periods=15,1"]) == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert "nan" not in told
+    assert "chance in noise of 15 s not known 1 turn, 0 lines: too few to say" in told
+    # lines beside no sideband: a table of numbers, with none of round-off
+    assert run_command(
+        ["analyse", rig, "sideband_table", "-c", "fast", "-O", "mesh=135.6667", "-O", "spacing=20",
+         "-O", "harmonics=1"]
+    ) == 0  # fmt: skip
+    told = " ".join(capsys.readouterr().out.split())
+    assert "largest asymmetry not known" in told

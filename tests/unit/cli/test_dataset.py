@@ -105,6 +105,46 @@ def test_killed_at_any_instant_it_goes_on(tmp_path: Path, capsys: pytest.Capture
     assert contents(out) == contents(tmp_path / "whole")
 
 
+def test_two_runs_at_once_share_a_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Both may compute the same cases; files and table are those of one run."""
+    plan, out = written(tmp_path), tmp_path / "out"
+    command = [sys.executable, "-c", "from pitchpoint.cli.main import main; main()"]
+    command += ["dataset", plan, "-o", str(out), "-q"]
+    runs = [subprocess.Popen(command, env=os.environ, stderr=subprocess.PIPE) for _ in range(2)]
+    for run in runs:
+        said = run.communicate(timeout=120)[1]
+        assert (run.returncode, said) == (0, b"")
+    json_of(["dataset", plan, "-o", str(tmp_path / "whole")], capsys)
+    assert contents(out) == contents(tmp_path / "whole")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="limits of a process")
+def test_a_full_disk_ends_the_run_with_a_sentence(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Files of more than 20 kB are refused as on a full disk; a case of 2000 samples is larger."""
+    plan, out = written(tmp_path, PLAN.replace("length: 5 ms", "length: 100 ms")), tmp_path / "out"
+    code = (
+        "import resource, signal; signal.signal(signal.SIGXFSZ, signal.SIG_IGN);"
+        "resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000));"
+        "from pitchpoint.cli.main import main; main()"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", code, "dataset", plan, "-o", str(out), "-j", "1", "-q"],
+        env=os.environ,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert run.returncode == 2
+    assert "cannot be written" in run.stderr
+    assert "mend this and call it again" in run.stderr
+    assert "Traceback" not in run.stderr
+    ways = [r["status"] for r in table(out)]
+    assert (ways.count("failed"), ways.count("waiting")) == (1, CASES - 1)
+    assert not list(out.rglob("*.h5"))
+    assert not list(out.rglob(".draft-*"))
+    assert json_of(["dataset", plan, "-o", str(out)], capsys)["finished"] == CASES
+
+
 def test_shards_share_a_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     plan, out = written(tmp_path), tmp_path / "out"
     for part in (1, 2, 3):

@@ -5,46 +5,18 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
 from tests.support.cli_files import json_of, written
-
-MODEL = """
-gears:
-  pinion: {number_of_teeth: 21, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0,
-    faults: {stump: {type: broken_tooth, tooth: 12, at: end, width: 10 mm, severity: 1}}}
-  wheel: {number_of_teeth: 34, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-bodies:
-  shaft: {motion: torsion, inertia: 0.002 kg m^2, gears: [pinion]}
-  output: {motion: torsion, inertia: 0.02 kg m^2, gears: [wheel]}
-meshes:
-  stage: {gears: [pinion, wheel], center_distance: 82.7 mm, stiffness: {law: din3990}, damping: {ratio: 0.05}}
-loads:
-  motor: {body: shaft, torque: balance}
-  brake: {body: output, torque: 200 N m}
-scenarios:
-  steady: {speed: {shaft: 600 rpm}, duration: 1.6 s, settle_time: 0.2 s, sample_rate: 5003.7 Hz, step: 10 us}
-"""
-
-
-def _rig(folder: Path, fault: float = 2.0, rate: float = 5000.0) -> str:
-    """Two seconds of a pair 32/95 at 10 Hz, whose pinion has a damaged tooth."""
-    time = np.arange(int(2 * rate)) / rate
-    knock = np.exp(-((((time * 10 + 0.3) % 1 - 0.5) / 0.01) ** 2)) * np.cos(2 * np.pi * 1400 * time)
-    noise = 0.4 * np.random.default_rng(3).standard_normal(time.size)
-    x = np.cos(2 * np.pi * 320 * time) + 0.4 * np.cos(2 * np.pi * 640 * time) + noise + fault * knock
-    file = folder / "rig.csv"
-    np.savetxt(file, np.c_[time, x], delimiter=",", header="time [s],acc [m/s^2]", comments="", fmt="%.7g")
-    return str(file)
+from tests.support.rig_records import BROKEN_PAIR, rig_file
 
 
 @pytest.mark.parametrize("speed", ["10Hz", "600rpm", "9.95 Hz"])
 def test_a_measured_file_with_tooth_counts_and_speed(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], speed: str
 ) -> None:
-    found = json_of(["diagnose", _rig(tmp_path), "--train", "32/95", "--speed", speed, "--json"], capsys)
+    found = json_of(["diagnose", rig_file(tmp_path), "--train", "32/95", "--speed", speed, "--json"], capsys)
     (finding,) = found["findings"]
     assert (finding["kind"], finding["gears"]) == ("local fault", ["Z1"])
     assert finding["false_alarm"] < 0.01
@@ -52,7 +24,7 @@ def test_a_measured_file_with_tooth_counts_and_speed(
 
 
 def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run_command(["diagnose", _rig(tmp_path, 0.0), "--train", "32/95", "--speed", "10Hz"]) == 0
+    assert run_command(["diagnose", rig_file(tmp_path, 0.0), "--train", "32/95", "--speed", "10Hz"]) == 0
     assert "nothing found: none of 5 tests exceeds its limit" in capsys.readouterr().out
 
 
@@ -75,14 +47,14 @@ def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.C
 def test_what_is_missing_or_wrong_is_a_sentence(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], words: str
 ) -> None:
-    assert run_command(["diagnose", _rig(tmp_path), *options]) == 2
+    assert run_command(["diagnose", rig_file(tmp_path), *options]) == 2
     assert words in capsys.readouterr().err
 
 
 def test_harmonics_that_the_sample_rate_loses_are_told(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    file = _rig(tmp_path, 0.0, rate=1600.0)
+    file = rig_file(tmp_path, 0.0, rate=1600.0)
     found = json_of(["diagnose", file, "--train", "32/95", "--speed", "10Hz", "--json"], capsys)
     assert any("harmonics 3, 4, 5 of mesh 1 (320 Hz) lost" in text for text in found["remarks"])
 
@@ -91,7 +63,7 @@ def test_harmonics_that_the_sample_rate_loses_are_told(
 def test_a_run_with_and_without_a_broken_tooth(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], severity: str, kinds: list[str]
 ) -> None:
-    model = written(tmp_path, MODEL.replace("severity: 1", f"severity: {severity}"))
+    model = written(tmp_path, BROKEN_PAIR.replace("severity: 1", f"severity: {severity}"))
     result = str(tmp_path / "run.h5")
     assert run_command(["run", model, "-o", result, "-q"]) == 0
     capsys.readouterr()

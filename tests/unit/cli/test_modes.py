@@ -13,6 +13,7 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.elements import registry
 from pitchpoint.io.reading import open_result
 from tests.support.cli_files import TORSION, json_of, written
+from tests.support.machines import pair
 
 
 def test_torsional_pair(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -90,3 +91,23 @@ def test_warmup_runs_its_jobs(
     assert run_command(["warmup"]) == 0
     assert done == [1]
     assert "1 jobs in" in capsys.readouterr().out
+
+
+def test_a_mesh_whose_stiffness_begins_with_a_load_is_named_without_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """F = K d^1.5 has no tangent at d = 0: what stands in the list is that of a depth nobody chose."""
+    law, remedy = "{law: hertz, force: 10 kN, depth: 30 um}", "give the scenario a load"
+    file, target = written(tmp_path, pair(law, torque="0 N m")), tmp_path / "modes.h5"
+    found = json_of(["modes", file, "-o", str(target)], capsys)
+    (note,) = [n for n in found["notes"] if remedy in n]
+    assert "stiffness of stage is zero where the flanks touch" in note
+    assert "1 nm" in note
+    with open_result(target) as ds:
+        assert remedy in ds.attrs["notes"]
+    assert run_command(["modes", file]) == 0
+    assert remedy in " ".join(capsys.readouterr().out.split())
+    # k = 1.5 K d^0.5: the note is silent where a load chooses the depth, and where the stiffness needs none
+    for text in (pair(law), pair("{law: constant, value: 3e8 N/m}", torque="0 N m")):
+        notes = json_of(["modes", written(tmp_path, text)], capsys)["notes"]
+        assert not any(remedy in n for n in notes)

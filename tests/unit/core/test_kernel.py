@@ -271,47 +271,6 @@ def test_the_run_without_the_compiler_agrees():
     np.testing.assert_allclose(results[1], results[0], rtol=1e-12, atol=1e-12 * scale)
 
 
-SIGNATURES = """
-import importlib, sys
-from pitchpoint.core import kernel as door
-from pitchpoint.core.kernel import Kernel, address
-
-for entry in sys.argv[1:]:
-    module, name = entry.split(":")
-    address(getattr(importlib.import_module(module), name))
-for name, module in list(sys.modules.items()):
-    if name.startswith("pitchpoint.") and module is not door:
-        for key, value in vars(module).items():
-            if isinstance(value, Kernel) and value.py_func.__module__ == name:
-                for signature in value.signatures:
-                    print(name + "." + key, *(hash(a) if str(a) != "none" else "none" for a in signature))
-"""
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(not COMPILING, reason="needs the compiler")
-def test_every_kernel_has_one_signature_but_for_arguments_left_out(tmp_path):
-    """Compiled from nothing, so that what other tests left in the cache plays no part."""
-    entries = ["pitchpoint.elements.gear_mesh:entry", "pitchpoint.solvers.generalized_alpha:entry"]
-    done = subprocess.run(
-        [sys.executable, "-c", SIGNATURES, *entries],
-        env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    types = {}
-    for line in done.stdout.splitlines():
-        name, *signature = line.split()
-        for k, argument in enumerate(signature):
-            types.setdefault((name, k), set()).add(argument)
-    assert len(types) > 300
-    # parts of arrays of any record, too small to be compiled but into what asks for them
-    small = {(f"pitchpoint.multibody.vectors.{name}", 0) for name in ("column", "triple")}
-    several = {key: kinds for key, kinds in types.items() if len(kinds - {"none"}) > 1}
-    assert set(several) <= small
-
-
 class _Named:
     """Stands for an entry."""
 

@@ -98,15 +98,6 @@ def test_a_law_of_the_whole_mesh_knows_no_teeth():
         model("type: broken_tooth, tooth: 1", "law: constant, value: 4e8 N/m")
 
 
-def test_a_force_that_is_a_power_has_no_compliance_to_add_to():
-    crack = "type: root_crack, tooth: 1, flank: left, depth: 1 mm"
-    with pytest.raises(
-        ModelError, match=r"one \(line 8\): adds to the compliance .* law hertz .* exponent: 1"
-    ):
-        model(crack, "law: hertz")
-    model(crack, "law: hertz, exponent: 1, force: 1 kN, depth: 1 um")
-
-
 def test_faults_are_written_as_they_are_read():
     fault = "type: broken_tooth, tooth: 3, at: end, width: 5 mm, height: 2 mm, shape: corner, severity: 0.5"
     found = plain(model(fault))["gears"]["a"]["faults"]
@@ -130,7 +121,7 @@ def test_only_faulty_teeth_have_grids():
     found = compile_model(model("type: broken_tooth, tooth: 3")).records["gear_mesh"][0]
     assert found["n_sep"] == 1
     assert found["slices"] == 0
-    assert np.array_equal(found["n_sz"], [9, 9, 33, 33])
+    assert np.array_equal(found["n_sz"], [33, 33, 33, 33])
 
 
 def test_reports_list_faults():

@@ -3,12 +3,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
+import pytest
 
 from pitchpoint.core.status import OK
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.runge_kutta import start_classical
+from pitchpoint.solvers.sampling import new_statistics
 from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.unit.system.test_mass_programmes import SEEN, SHAFTS
@@ -41,3 +47,41 @@ def test_a_sample_holds_the_accelerations_of_its_state() -> None:
     assert evaluate.accelerations(anew, run.t, 200.0) == OK
     row = evaluate.observe(anew, evaluate.store(anew, run.t))
     np.testing.assert_allclose(chunk.rows[0, 1:], row, rtol=1e-12, atol=1e-12 * np.abs(row).max())
+
+
+def test_rows_told_with_the_slope_have_the_bits_of_rows_told_at_once() -> None:
+    """Elements that need no acceleration say what they observe while forces are summed, the others later."""
+    sensed = SEEN.partition("  heard")[0]  # what listens to others runs after all of them
+    system = compile_model(loads_model(SHAFTS + sensed), "driven")
+    start = prepare_start(system, system.scenario)  # type: ignore[arg-type]
+    found = []
+    for shares in (1, 0):
+        run = start_classical(start.system.copy(), start.state, 3e-6)
+        mach = run.system.workspace.mach[0]
+        assert (mach["shares"], mach["later"]) == (1, 1)
+        mach["shares"] = shares
+        sums = new_statistics(system.sizes["no"])
+        chunks = [run.advance(n, every=2, statistics=sums, stride=3, events=100) for n in (101, 7)]
+        run.change_step(2e-6)
+        chunks.append(run.advance(30, every=1))
+        assert all(chunk.status == OK for chunk in chunks)
+        found.append([*(c.rows for c in chunks), *(c.events for c in chunks), sums, run.state().q])
+    for told, whole in zip(*found, strict=True):
+        np.testing.assert_array_equal(told, whole)
+
+
+@pytest.mark.parametrize("seen", [SEEN, SEEN.partition("  heard")[0]])
+@pytest.mark.parametrize("method", ["rk4", "generalized_alpha", "runge_kutta"])
+def test_a_sink_gets_the_channels_that_it_asks_for(method: str, seen: str) -> None:
+    """Of all kinds, whether they observe with the slope or after it; those not asked for need not observe."""
+    model = loads_model(SHAFTS + seen)
+    scenario = replace(model.scenarios["driven"], method=method, step=3e-6, sample_rate=1e5, settle_time=1e-3)
+    rows = []
+    system = compile_model(model, scenario)
+    no = system.sizes["no"]
+    for channels in ((), (7, 2, 7), *((k, 0) for k in range(2, no, 3))):
+        sink = Memory()
+        done = run_time(system.copy(), scenario, sink=sink, channels=channels)
+        assert done.status == OK
+        rows.append(np.concatenate(sink.rows))
+        np.testing.assert_array_equal(rows[-1], rows[0][:, channels or slice(None)])

@@ -85,7 +85,8 @@ def flapping(model):
 
 
 @pytest.mark.parametrize(
-    ("speed", "first", "second"), [(0, 3.5160, 22.0345), (2, 4.1373, 22.6149), (6, 7.3604, 26.8091)]
+    ("speed", "first", "second"),
+    [(0, 3.5160, 22.0345), pytest.param(2, 4.1373, 22.6149, marks=pytest.mark.study), (6, 7.3604, 26.8091)],
 )
 def test_a_blade_stiffens_as_it_turns(tmp_path, speed, first, second):
     """Wright, Smith, Thresher, Wang, J. Appl. Mech. 49 (1982) 197-202, Table 1, hub radius 0; to 1e-3.

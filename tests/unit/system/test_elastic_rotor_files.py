@@ -171,6 +171,7 @@ def test_a_fine_pair_differs_by_the_reduction(tmp_path):
         np.testing.assert_allclose(a, b, rtol=0, atol=near)
 
 
+@pytest.mark.study
 def test_a_fine_pair_of_more_modes_differs_less(tmp_path):
     """Twelve modes with the nodes held beside the twelve static shapes: 0.1 % up to 5 kHz."""
     one, two = pair(tmp_path, "18 mm", lambda text: text.replace("modes: 12", "modes: 24"))

@@ -120,6 +120,7 @@ def fillet_section(form: ToothForm, theta: Array) -> tuple[Array, Array, Array]:
     h = 0.5e-5 * abs(form.theta_form - form.fillet.theta_root)
 
     def point(t: Array) -> tuple[Array, Array]:
+        """Half thickness and height over the root of the fillet at its parameter, shapes of t [m]."""
         r, angle = form.fillet_polar(t)
         return r * np.sin(angle), form.sign * (r * np.cos(angle) - _root_height(form))
 
@@ -140,6 +141,7 @@ def _cumulative_integrals(form: ToothForm, roll: Array) -> Array:
     """Integrals from the root up to each roll angle (ordered from root to tip), shape (4, n)."""
 
     def pieces(lower: Array, upper: Array, rule: tuple[Array, Array]) -> Array:
+        """Integrals over the pieces from `lower` to `upper`, shapes (n,), by one Gauss rule."""
         half = 0.5 * (upper - lower)
         t = (0.5 * (upper + lower))[:, None] + half[:, None] * rule[0]
         x, eta, slope = section(form, t)

@@ -27,21 +27,11 @@ from pitchpoint.io.measured.record import (
     key_of,
     refused,
 )
+from pitchpoint.io.opening import DAMAGE, heaps_end
 
 if TYPE_CHECKING:
     import h5py
 
-DAMAGE = (
-    OSError,
-    RuntimeError,
-    KeyError,
-    ValueError,
-    TypeError,
-    AttributeError,
-    OverflowError,
-    UnicodeDecodeError,
-)
-"""What HDF5 and its Python layer raise where a file contradicts itself."""
 _MOST_OBJECTS = 20_000
 _PACKED = 1100
 """How many times smaller than its contents a packed array can be (deflate packs 1032 to 1 at most)."""
@@ -49,7 +39,6 @@ _SMALL = 1 << 24
 _HEAD = 1 << 16
 _SLOWEST = 1e7
 """Bytes per second that even a slow disk reads."""
-_HEAP = b"GCOL\1\0\0\0"
 _KEPT = ("title", "scenario", "solver", "model_hash", "status", "notes", "kind")
 _UNIT_NAMES, _WORD_NAMES = ("units", "unit"), ("long_name", "description", "title")
 
@@ -61,7 +50,7 @@ def is_own(path: Path, data: bytes) -> bool:
     process of its own.
     """
     remedy = "copy it again from where it was recorded"
-    if not _heaps_end(data):
+    if not heaps_end(data):
         raise refused(path, "", "", "is damaged: its texts do not fit where they are stored", None, remedy)
     if data[8] == 3 and FORMAT.encode() in data[:_HEAD]:
         return True
@@ -111,28 +100,6 @@ def read_hdf5(path: Path, wanted: Wanted) -> Record:
         raise
     except DAMAGE as error:
         raise _damaged(path, error, "copy it again from where it was recorded") from error
-
-
-def _heaps_end(data: bytes) -> bool:
-    """Whether the texts of a file lie one behind the other up to the end of their heaps.
-
-    A heap is a chain of (index, length); HDF5 follows it without looking whether it leads on (HDF5 File
-    Format Specification 3.0, III.E).
-    """
-    heap = data.find(_HEAP)
-    while heap >= 0:
-        at, end = heap + 16, heap + int.from_bytes(data[heap + 8 : heap + 16], "little")
-        if end > len(data):
-            return False
-        while at + 16 <= end:
-            index, size = data[at : at + 2], int.from_bytes(data[at + 8 : at + 16], "little")
-            free = index == b"\0\0"
-            step = size if free else 16 + size + -size % 8
-            if step < 16 or at + step > end or (free and at + step != end):
-                return False
-            at += step
-        heap = data.find(_HEAP, heap + 8)
-    return True
 
 
 def _datasets(path: Path, file: h5py.File) -> Iterator[tuple[str, h5py.Dataset]]:

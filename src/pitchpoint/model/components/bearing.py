@@ -29,4 +29,6 @@ class Bearing:
         None,
     )
     damping: Damping6 | None = component(Damping6, "damping in the same directions, or a ratio")
-    faults: Mapping[str, LooseBearing] = key("components", "its faults by name", {}, of=SEAT_FAULTS)
+    faults: Mapping[str, LooseBearing] = key(
+        "components", "its faults by name", {}, apart=True, of=SEAT_FAULTS
+    )

@@ -5,49 +5,54 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import ClassVar, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 from pitchpoint.model.keys import integer, positive, quantity
 
-SEVERITY = "share of the fault that is there: 0 is healthy"
-LENGTH = "extent along the rolling direction; severity scales it"
-DEPTH = "depth of the floor; severity scales it. An element that spans the spall drops in less deep"
+
+def _severity() -> Any:
+    return quantity(
+        "dimensionless", "share of the fault that is there: 0 is healthy", 1.0, minimum=0.0, maximum=1.0
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
-class InnerRaceFault:
-    """Spall over the whole width of the track of the inner race."""
+class Spall:
+    """Spall over the whole width of a track: what races and elements have in common."""
+
+    angle: float = quantity(
+        "angle",
+        "its middle: on a race from the x axis of the outer ring as assembled, on an element from outwards",
+        0.0,
+    )
+    length: float = positive("length", "extent along the rolling direction; severity scales it")
+    depth: float = positive(
+        "length",
+        "depth of the floor; severity scales it. An element that spans the spall drops in less deep",
+    )
+    severity: float = _severity()
+
+
+@dataclass(frozen=True, kw_only=True)
+class InnerRaceFault(Spall):
+    """Spall over the whole width of the track of the inner race; its angle turns with the inner ring."""
 
     form: ClassVar[str] = "inner_race"
-    angle: float = quantity(
-        "angle", "its middle on the inner ring, from the x axis of the outer ring as assembled", 0.0
-    )
-    length: float = positive("length", LENGTH)
-    depth: float = positive("length", DEPTH)
-    severity: float = quantity("dimensionless", SEVERITY, 1.0, minimum=0.0, maximum=1.0)
 
 
 @dataclass(frozen=True, kw_only=True)
-class OuterRaceFault:
+class OuterRaceFault(Spall):
     """Spall over the whole width of the track of the outer race."""
 
     form: ClassVar[str] = "outer_race"
-    angle: float = quantity("angle", "its middle, from the x axis of the outer ring", 0.0)
-    length: float = positive("length", LENGTH)
-    depth: float = positive("length", DEPTH)
-    severity: float = quantity("dimensionless", SEVERITY, 1.0, minimum=0.0, maximum=1.0)
 
 
 @dataclass(frozen=True, kw_only=True)
-class ElementFault:
+class ElementFault(Spall):
     """Spall on the track of one rolling element: it meets both races, each once per turn of the element."""
 
     form: ClassVar[str] = "rolling_element"
     element: int = integer("number of the element; 0 starts at the x axis of the outer ring", 0, minimum=0)
-    angle: float = quantity("angle", "its middle, from outwards as assembled", 0.0)
-    length: float = positive("length", LENGTH)
-    depth: float = positive("length", DEPTH)
-    severity: float = quantity("dimensionless", SEVERITY, 1.0, minimum=0.0, maximum=1.0)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,7 +62,7 @@ class CageFault:
     form: ClassVar[str] = "cage"
     element: int = integer("number of the element behind which the gap widens", 0, minimum=0)
     widening: float = positive("angle", "how much wider the gap is; severity scales it")
-    severity: float = quantity("dimensionless", SEVERITY, 1.0, minimum=0.0, maximum=1.0)
+    severity: float = _severity()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,7 +75,7 @@ class LooseBearing:
         "in diameter: added to that of a rolling bearing; of the ring of a linear bearing in its seat; "
         "severity scales it",
     )
-    severity: float = quantity("dimensionless", SEVERITY, 1.0, minimum=0.0, maximum=1.0)
+    severity: float = _severity()
 
 
 SpallFault: TypeAlias = InnerRaceFault | OuterRaceFault | ElementFault

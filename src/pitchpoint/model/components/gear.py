@@ -122,7 +122,11 @@ class Gear:
     modifications: Modifications | None = component(Modifications, "flank modifications by side")
     deviations: Deviations | None = component(Deviations, "deviations of single teeth")
     faults: Mapping[str, ToothFault | SeatFault] = key(
-        "components", "faults of its teeth and of how it sits, by label", {}, of={**FAULTS, **SEAT_FAULTS}
+        "components",
+        "faults of its teeth and of how it sits, by label",
+        {},
+        apart=True,
+        of={**FAULTS, **SEAT_FAULTS},
     )
     tooth_profile: ToothProfile | None = key(
         "tooth_profile", "points of the real tooth, from a file", None, of=ToothProfile

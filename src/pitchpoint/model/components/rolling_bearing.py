@@ -51,7 +51,9 @@ class RollingBearing:
     damping: float = quantity(
         "dimensionless", "share of the force per speed of approach [s/m]", 0.0, minimum=0.0
     )
-    faults: Mapping[str, BearingFault] = key("components", "its faults by name", {}, of=BEARING_FAULTS)
+    faults: Mapping[str, BearingFault] = key(
+        "components", "its faults by name", {}, apart=True, of=BEARING_FAULTS
+    )
 
 
 @dataclass(frozen=True, kw_only=True)

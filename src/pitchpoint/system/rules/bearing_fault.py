@@ -21,7 +21,9 @@ def put_faults(row: Any, part: RollingBearing, pool: Pool) -> None:
     spalls = [fault for fault in part.faults.values() if not isinstance(fault, CageFault | LooseBearing)]
     rows = [one for fault in spalls for one in _spall(part, fault)]
     if rows:
-        row["n_faults"], row["faults"] = len(rows), pool.add(rows)
+        row["faults"] = pool.add(rows)
+        # spalls of no severity keep their rows, but nobody reads them: the bearing is as quick as a whole one
+        row["n_faults"] = len(rows) if any(drop > 0.0 for *_, drop in rows) else 0
     if any(isinstance(fault, CageFault) for fault in part.faults.values()):
         even = 2.0 * math.pi / part.elements * np.arange(part.elements)
         row["uneven"], row["spacing"] = 1, pool.add(element_angles(part) - even)

@@ -65,6 +65,7 @@ def net_of_model(
     number = body_numbers(model)
 
     def coordinate(name: str) -> tuple[int, int]:
+        """Numbers of body and coordinate that a sensor reads."""
         found = mechanism.coordinate(model.mechanism, model, name)
         if isinstance(found, str):
             raise CompileError(f"the sensor of {name} {found}")

@@ -49,6 +49,7 @@ def _worn(pair: GearPair, stiffness: Description, gear: Gear, number: int, offse
         return None
 
     def gap(front: int, flank: str, z: Array, roll: Array) -> Array:
+        """What all wear of the gear takes off a flank, along the base tangent [m]."""
         helix = math.tan(pair.gear1.beta_b) / pair.p_et * (1.0 if front == 0 else -1.0)
         pattern = wear_pattern(pair, stiffness, gear=number + 1, z=z - offset, roll=roll, helix=helix)
         depth = np.zeros_like(pattern)

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A result file as a lazy `xarray.Dataset`: structure now, samples when somebody asks for them.
+
+The general readers of netCDF ask every variable of a growing dimension for its length, for each variable
+anew: a minute for 168 channels. Here one table of lengths serves all.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.io.opening import DAMAGE, damaged
+
+if TYPE_CHECKING:
+    import h5py
+    import xarray as xr
+
+_OF_NETCDF = {"CLASS", "NAME", "REFERENCE_LIST", "DIMENSION_LIST", "DIMENSION_LABELS", "_Netcdf4Dimid"}
+_BARE = b"This is a netCDF dimension but not a netCDF variable"
+
+
+def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | None = None) -> xr.Dataset:
+    """Variables of an open result file over their dimensions, their samples not yet read.
+
+    Parameters
+    ----------
+    path
+        Name of the file, for errors.
+    file
+        The file; who closes it closes the dataset as well.
+    group
+        Group to show; None for the signals or tables themselves.
+    """
+    import h5py
+    import xarray as xr
+    from xarray.core.indexing import LazilyIndexedArray
+
+    name = os.fspath(path)
+    where = file[group] if group else file
+    arrays = {key: item for key, item in where.items() if isinstance(item, h5py.Dataset)}
+    over = {key: _dimensions(item) for key, item in arrays.items()}
+    lengths = _lengths(arrays, over)
+    variables = {}
+    for key, item in arrays.items():
+        if item.attrs.get("NAME", b"").startswith(_BARE):
+            continue
+        dims = over[key]
+        shape = tuple(lengths[dim] for dim in dims)
+        data = LazilyIndexedArray(_stored_array()(name, item, shape))
+        variable = xr.Variable(dims, data, _attributes(item.attrs))
+        if data.dtype.kind == "O":
+            variable.encoding["dtype"] = str
+        if item.chunks:
+            variable.encoding["preferred_chunks"] = dict(zip(dims, item.chunks, strict=True))
+        variables[key] = variable
+    coords = {key: v for key, v in variables.items() if v.dims == (key,)}
+    plain = {key: v for key, v in variables.items() if key not in coords}
+    return xr.decode_cf(xr.Dataset(plain, coords, _attributes(where.attrs)), decode_times=False)
+
+
+@functools.cache
+def _stored_array() -> Any:
+    """Give the class of samples on the disk; made here because its base is in xarray."""
+    from xarray.backends import BackendArray
+    from xarray.core import indexing
+
+    class StoredArray(BackendArray):
+        """Samples of one array of a file, up to a length on which all channels agree."""
+
+        def __init__(self, path: str, stored: h5py.Dataset, shape: tuple[int, ...]) -> None:
+            self.path, self.stored, self.shape = path, stored, shape
+            text = stored.dtype.kind == "O"
+            # xarray knows texts of any length by this mark
+            self.dtype = np.dtype("O", metadata={"element_type": str}) if text else stored.dtype
+
+        def __getitem__(self, key: Any) -> Any:
+            """Read a part: whole numbers, slices, and one list of places."""
+            support = indexing.IndexingSupport.OUTER_1VECTOR
+            return indexing.explicit_indexing_adapter(key, self.shape, support, self._read)
+
+        def _read(self, key: tuple[Any, ...]) -> Any:
+            within = tuple(
+                slice(*k.indices(n)) if isinstance(k, slice) else k
+                for k, n in zip(key, self.shape, strict=True)
+            )
+            try:
+                stored = self.stored.asstr() if self.dtype.kind == "O" else self.stored
+                return stored[within]
+            except DAMAGE as error:
+                raise damaged(self.path, error) from error
+
+    return StoredArray
+
+
+def _lengths(arrays: Mapping[str, h5py.Dataset], over: Mapping[str, tuple[str, ...]]) -> dict[str, int]:
+    """Length of every dimension: of one that grows, that of the channel which is furthest behind."""
+    found = {key: arrays[key].shape[0] for key, dims in over.items() if dims == (key,)}
+    for key, item in arrays.items():
+        for dim, length, limit in zip(over[key], item.shape, item.maxshape, strict=True):
+            if limit is None:
+                found[dim] = min(found[dim], length)
+    return found
+
+
+def _dimensions(item: h5py.Dataset) -> tuple[str, ...]:
+    """Names of the dimensions of an array; that of a dimension itself is its own."""
+    places = [item] if item.is_scale else [item.dims[axis][0] for axis in range(item.ndim)]
+    return tuple(str(place.name.rpartition("/")[2]) for place in places)
+
+
+def _attributes(stored: Mapping[str, Any]) -> dict[str, Any]:
+    """Attributes but those by which netCDF finds its dimensions; texts as texts, one number as a number."""
+    found: dict[str, Any] = {}
+    for key, value in stored.items():
+        if key in _OF_NETCDF:
+            continue
+        if isinstance(value, bytes):
+            value = value.decode("utf-8", "replace")
+        elif isinstance(value, np.ndarray) and value.size == 1:
+            value = value.reshape(-1)[0]
+        found[key] = value
+    return found

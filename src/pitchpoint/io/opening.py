@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Opening result files: whole ones, those that grow, those whose writer was killed, and damaged ones.
+
+In the mode for files that grow (SWMR) HDF5 reads a block whose check sum is wrong again and again, with
+pauses that double each time: of a damaged file it does not let go within a lifetime. Every file is therefore
+opened without that mode first, in which HDF5 says at once what is wrong. Only one that says that it is
+running is opened again with SWMR, after all its names, shapes, attributes and places of blocks have been
+looked through.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import mmap
+import os
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.io.claim import share
+from pitchpoint.io.container import FORMAT, RUNNING, ResultError, unmarked
+
+if TYPE_CHECKING:
+    import h5py
+
+PATIENCE = 5.0
+"""How long to wait for a writer that is just making its file, or in the midst of a block [s]."""
+_PAUSE = 0.02
+_LOOKS = 3
+"""A file that cannot be read and has not changed for so many looks is damaged, and not being written."""
+
+DAMAGE = (
+    OSError,
+    RuntimeError,
+    KeyError,
+    ValueError,
+    TypeError,
+    AttributeError,
+    IndexError,
+    OverflowError,
+    MemoryError,
+)
+"""What HDF5 and its Python layer raise where a file contradicts itself."""
+
+_HEAP = b"GCOL\1\0\0\0"
+_TEXTS_END = 1 << 24
+"""Texts are made before the first sample is written; behind these bytes stand samples."""
+
+
+@contextlib.contextmanager
+def opened(path: str | os.PathLike[str]) -> Iterator[h5py.File]:
+    """Open a result file for a `with` block; what is found damaged in the block is said in a sentence."""
+    file = open_file(path)
+    try:
+        yield file
+    except ResultError:
+        raise
+    except DAMAGE as error:
+        raise damaged(path, error) from error
+    finally:
+        file.close()
+
+
+def open_file(path: str | os.PathLike[str]) -> h5py.File:
+    """Open a result file for reading, beside its writer if need be, or say what is wrong with it.
+
+    Raises
+    ------
+    ResultError
+        If there is no such file, another process is just making it, it is not ours, or it is damaged.
+    """
+    name, before, same = os.fspath(path), None, 0
+    until = time.monotonic() + PATIENCE
+    while True:
+        try:
+            return _open_still(name)
+        except FileNotFoundError as error:
+            raise ResultError(f"{name}: there is no such result file") from error
+        except ResultError:
+            raise
+        except DAMAGE as error:
+            if isinstance(error, BlockingIOError):
+                if time.monotonic() > until:
+                    remedy = "try again when it has begun"
+                    raise ResultError(f"{name}: is locked by another process; {remedy}") from error
+            else:
+                now = _stamp(name)
+                same = same + 1 if now == before else 0
+                before, (size, changed) = now, now
+                if time.time() - changed > PATIENCE or (same >= _LOOKS and size > 0):
+                    raise damaged(name, error) from error
+            time.sleep(_PAUSE)
+
+
+def damaged(path: str | os.PathLike[str], error: Exception) -> ResultError:
+    """Make the error of a file that contradicts itself; what the library says of it is repeated."""
+    if isinstance(error, PermissionError):
+        return ResultError(f"{os.fspath(path)}: may not be read by this user")
+    said = " ".join(str(error).split())[:200] or type(error).__name__
+    return ResultError(f"{os.fspath(path)}: is no readable HDF5 file, damaged or cut off ({said}); run again")
+
+
+def heaps_end(data: Any, until: int | None = None) -> bool:
+    """Whether the texts of a file lie one behind the other up to the end of their heaps.
+
+    A heap is a chain of (index, length); HDF5 follows it without looking whether it leads on (HDF5 File
+    Format Specification 3.0, III.E). `data` are bytes, or a file mapped to memory; heaps are looked for up to
+    the byte `until`.
+    """
+    stop = len(data) if until is None else until
+    heap = data.find(_HEAP, 0, stop)
+    while heap >= 0:
+        at, end = heap + 16, heap + int.from_bytes(data[heap + 8 : heap + 16], "little")
+        if end > len(data):
+            return False
+        while at + 16 <= end:
+            index, size = data[at : at + 2], int.from_bytes(data[at + 8 : at + 16], "little")
+            free = index == b"\0\0"
+            step = size if free else 16 + size + -size % 8
+            if step < 16 or at + step > end or (free and at + step != end):
+                return False
+            at += step
+        heap = data.find(_HEAP, heap + 8, stop)
+    return True
+
+
+class Still(io.RawIOBase):
+    """A file as it stands, without the mark of a writer, with which HDF5 refuses it.
+
+    The library shares what two readers of one process open by name, and wants the same options of both; what
+    comes through here is nobody else's.
+    """
+
+    def __init__(self, name: str) -> None:
+        self._file = open(name, "rb", buffering=0)  # noqa: SIM115, closed with this object
+        self._head = unmarked(self._file.read(48))
+
+    def readinto(self, buffer: Any) -> int:
+        """Fill a buffer; what lies behind the end of the file reads as zero."""
+        at, view = self._file.tell(), memoryview(buffer).cast("B")
+        count = 0
+        while count < len(view):
+            got = self._file.readinto(view[count:])
+            if not got:
+                break
+            count += got
+        view[count:] = bytes(len(view) - count)
+        if at < len(self._head):
+            part = self._head[at : at + len(view)]
+            view[: len(part)] = part
+        return len(view)
+
+    def seek(self, offset: int, whence: int = os.SEEK_SET) -> int:
+        """Go to a place."""
+        return self._file.seek(offset, whence)
+
+    def tell(self) -> int:
+        """Place in the file."""
+        return self._file.tell()
+
+    def readable(self) -> bool:
+        """Whether this can be read."""
+        return True
+
+    def seekable(self) -> bool:
+        """Whether this has places."""
+        return True
+
+    def fileno(self) -> int:
+        """Descriptor of the file."""
+        return self._file.fileno()
+
+    def close(self) -> None:
+        """Let go of the file."""
+        self._file.close()
+        super().close()
+
+
+def _open_still(name: str) -> h5py.File:
+    """Open without SWMR and look through what stands there now."""
+    import h5py
+
+    still = Still(name)
+    try:
+        if not share(still.fileno()):
+            raise BlockingIOError
+        if not _texts_end(still.fileno()):
+            raise ValueError("texts do not fit where they are stored")
+        file = h5py.File(still, "r")
+    except BaseException:
+        still.close()
+        raise
+    try:
+        if _text(file.attrs.get("format")) != FORMAT:
+            raise ResultError(f"{name}: is an HDF5 file, but not a result file of the format {FORMAT}")
+        if _text(file.attrs.get("status")) != RUNNING:
+            return file
+        _look_through(file)
+        with contextlib.suppress(OSError):
+            growing = h5py.File(name, "r", libver="latest", swmr=True)
+            file.close()
+            return growing
+        return file
+    except BaseException:
+        file.close()
+        still.close()
+        raise
+
+
+def _texts_end(descriptor: int) -> bool:
+    if os.fstat(descriptor).st_size == 0:
+        return True
+    with mmap.mmap(descriptor, 0, access=mmap.ACCESS_READ) as data:
+        return heaps_end(data, _TEXTS_END)
+
+
+def _look_through(file: h5py.File) -> None:
+    """Touch every object, its attributes and the places of its blocks: what is damaged there raises."""
+    import h5py
+
+    size = file.id.get_filesize()
+    groups: list[h5py.Group] = [file]
+    while groups:
+        group = groups.pop()
+        for item in (group, *group.values()):
+            for name in item.attrs:
+                item.attrs[name]
+        for item in group.values():
+            if isinstance(item, h5py.Group):
+                groups.append(item)
+            elif isinstance(item, h5py.Dataset):
+                _look_at(item, size)
+
+
+def _look_at(item: h5py.Dataset, size: int) -> None:
+    """Whether an array can be what it says, in a file of this size."""
+    if item.id.get_storage_size() > size:
+        raise ValueError(f"{item.name} is larger than its file")
+    if item.chunks:
+        count = item.id.get_num_chunks()
+        most = 1
+        for length, step in zip(item.shape, item.chunks, strict=True):
+            most *= -(-length // step)
+        if count > most:
+            raise ValueError(f"{item.name} has {count} blocks where {most} have room")
+    for axis in range(item.ndim):
+        for scale in item.dims[axis].values():
+            scale.shape  # noqa: B018, HDF5 follows the reference
+
+
+def _text(value: Any) -> str:
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+
+
+def _stamp(name: str) -> tuple[int, float]:
+    """Size and time of the last change, which a writer changes."""
+    try:
+        found = Path(name).stat()
+    except OSError:
+        return 0, 0.0
+    return found.st_size, found.st_mtime

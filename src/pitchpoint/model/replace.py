@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One value of a model or of a part of it changed, by its path: `Model.replace`."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from typing import Any
+
+from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
+from pitchpoint.model.keys import BAD, TYPE, Key, defaults_of, keys_of
+from pitchpoint.model.read import Reader
+from pitchpoint.model.show import shown
+
+
+def replace_at(
+    part: Any,
+    path: tuple[str, ...],
+    value: Any,
+    report: Reader,
+    at: tuple[str, ...] = (),
+    held: Key | None = None,
+) -> Any:
+    """Copy of a component with the value at a path changed, by the rules of the reader.
+
+    `held` is the key that `part` stands under. Components by name inside a component, such as faults, can be
+    added; sections of a model cannot, where a name that is not there is a slip.
+    """
+    if isinstance(part, Mapping):
+        return _replace_named(part, path, value, report, at, held)
+    name = path[0]
+    here = (*at, name)
+    if not dataclasses.is_dataclass(part) or isinstance(part, type):
+        report.problem(here, "is below a key without keys", remedy="replace the whole value above it")
+        return part
+    keys = keys_of(type(part))
+    report.within = vars(part)
+    if name == TYPE and name not in keys and hasattr(part, "form"):
+        remedy = f"replace the whole mapping {'.'.join(at)}"
+        report.problem(here, "says which keys there are and cannot change alone", remedy=remedy)
+        return part
+    if name not in keys:
+        report.unknown({name: value}, keys, at)
+        return part
+    old = getattr(part, name)
+    if len(path) == 2 and isinstance(old, Mapping) and keys[name].kind != "components":
+        # numbers by name, such as speeds
+        kept = {k: v for k, v in old.items() if k != path[1]}
+        new = report.value(keys[name], kept if value is None else {**old, path[1]: value}, here)
+    elif len(path) > 1:
+        new = replace_at(old, path[1:], value, report, here, keys[name])
+    elif value is None and defaults_of(type(part)).get(name, ...) is None:
+        new = None
+    elif _is_component(keys[name], value):
+        new = value
+    else:
+        new = report.value(keys[name], value, here)
+    return part if report.problems else dataclasses.replace(part, **{name: new})
+
+
+def _replace_named(
+    part: Mapping[str, Any],
+    path: tuple[str, ...],
+    value: Any,
+    report: Reader,
+    at: tuple[str, ...],
+    held: Key | None,
+) -> Any:
+    """Copy of components by name with one of them changed, taken away, or, below a component, added."""
+    if path[0] not in part and ".".join(path[:2]) in part:  # JOINT.COORDINATE is one name
+        path = (".".join(path[:2]), *path[2:])
+    name = path[0]
+    here = (*at, name)
+    key = held if held is not None and held.kind == "components" else None
+    grows = key is not None and len(at) > 1
+    if name not in part and (not grows or len(path) > 1 or not _is_whole(key, value)):
+        more = f"; a new one is a whole mapping, as in {'.'.join(here)}: {_sample(key)}" if grows else ""
+        report.problem(
+            here, "does not exist", remedy=f"there are {', '.join(map(str, part)) or 'none'}{more}"
+        )
+        return part
+    if len(path) == 1 and value is None:
+        return {k: v for k, v in part.items() if k != name}
+    if len(path) > 1:
+        new = replace_at(part[name], path[1:], value, report, here)
+    else:
+        if name not in part:
+            report.good_name(name, at)
+        forms = type(part[name]) if key is None else key.of
+        allowed = tuple(forms.values()) if isinstance(forms, dict) else (forms,)
+        if isinstance(value, Mapping) and isinstance(forms, dict):
+            new = report.chosen(forms, TYPE, value, here)
+        else:
+            new = report.component(allowed[0], value, here) if isinstance(value, Mapping) else value
+        if not isinstance(new, allowed) and new is not BAD:
+            report.problem(here, "is neither a mapping nor a component", value=shown(value))
+    return part if report.problems else {**part, name: new}
+
+
+def _is_whole(key: Key | None, value: Any) -> bool:
+    """Whether a value may be a new component under a key."""
+    return isinstance(value, Mapping) or (key is not None and _is_component(key, {"new": value}))
+
+
+def _sample(key: Key | None) -> str:
+    """How a component under a key begins."""
+    forms = key.of if key is not None else None
+    return f"{{{TYPE}: {next(iter(forms))}, ...}}" if isinstance(forms, dict) else "{...}"
+
+
+def _is_component(key: Key, value: Any) -> bool:
+    allowed = tuple(key.of.values()) if isinstance(key.of, dict) else (key.of,)
+    if isinstance(value, Constant | FormulaLaw | TableLaw | PythonLaw | Balance):
+        return key.kind == "law" or (key.kind == "code" and isinstance(value, PythonLaw))
+    if key.kind == "components":
+        return isinstance(value, Mapping) and all(isinstance(v, allowed) for v in value.values())
+    return any(cls is not None and isinstance(value, cls) for cls in allowed)

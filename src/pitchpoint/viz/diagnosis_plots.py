@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pictures of a diagnosis: spectra with the lines that machines have, the mean turn of a shaft."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.line_tests import FineSpectrum
+from pitchpoint.analysis.mean_turns import MeanTurn
+from pitchpoint.analysis.spectra import Spectrum
+from pitchpoint.viz import theme
+from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.quantities import Array, Channel, scale
+from pitchpoint.viz.signals_plot import plot_signals
+from pitchpoint.viz.spectrum_plots import plot_spectrum
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+
+SYMBOLS = ("circle-open", "diamond-open", "square-open", "triangle-up-open", "cross-open", "hexagon-open")
+OCTAVE_POINTS = 500
+WIDE = 8.0
+"""Ratio of the highest to the lowest first line from which an axis is logarithmic."""
+LETTERS = 24
+"""Labels of one picture from which on they would touch each other."""
+DEPTH = -4.0
+"""Powers of ten below the largest amplitude at which a picture ends."""
+
+
+@dataclass(frozen=True)
+class Lines:
+    """Lines of one part of the machine.
+
+    Attributes
+    ----------
+    name
+        What the legend calls them.
+    places
+        Frequencies [Hz] or orders, rising, shape (n,).
+    labels
+        Texts above them, as many as places; none if empty.
+    look
+        Number of its colour and symbol: the same part looks the same in all pictures.
+    """
+
+    name: str
+    places: Array
+    labels: tuple[str, ...] = ()
+    look: int = 0
+
+
+def plot_lines(
+    spectrum: FineSpectrum,
+    lines: Sequence[Lines],
+    *,
+    unit: str,
+    quantity: str,
+    over: str = "frequency",
+    span: tuple[float, float] | None = None,
+) -> go.Figure:
+    """A spectrum in which the lines of parts of the machine are marked.
+
+    Parameters
+    ----------
+    spectrum
+        Amplitudes over frequency [Hz] or order.
+    lines
+        What is marked; what lies beyond the axis is left out.
+    unit
+        Unit of the amplitudes.
+    quantity
+        Name of the vertical axis.
+    over
+        `frequency` or `order`.
+    span
+        Ends of the horizontal axis [Hz, or orders]; default all that shows something. An axis from zero on is
+        logarithmic where the first lines of the parts are far apart.
+    """
+    frequency: Array = np.arange(spectrum.amplitude.size, dtype=np.float64) * spectrum.step
+    low, high = span or (0.0, _end(spectrum, lines))
+    first = [float(part.places[0]) for part in lines if part.places.size]
+    wide = bool(low == 0.0 and first and min(first) > 0.0 and high > 4.0 * WIDE * min(first))
+    if wide:
+        low = 0.3 * min(first)
+    shown = (frequency >= low) & (frequency <= high)
+    x, y = frequency[shown], np.asarray(spectrum.amplitude[shown], dtype=np.float64)
+    if wide:
+        kept = _by_octaves(x, y)
+        x, y = x[kept], y[kept]
+    # the first sample of a spectrum is the mean, which is not drawn
+    curve = Spectrum(np.r_[0.0, x], np.r_[0.0, y], 0.0, spectrum.resolution, 1.5)
+    figure = plot_spectrum({quantity: curve}, unit=unit, quantity=quantity, over=over, highest=high, labels=0)
+    figure.data[0].update(name="spectrum", line={"color": theme.GREY, "width": 1.1}, showlegend=False)
+    across = scale("Hz", [high]).factor if over == "frequency" else 1.0
+    up = scale(unit, [float(y.max())]).factor if y.size else 1.0
+    for part in lines:
+        _mark(figure, part, spectrum, (low, high), (across, up))
+    if wide:
+        ticks = [d * 10.0**k for k in range(-6, 7) for d in (1.0, 2.0, 5.0)]
+        ticks = [tick for tick in ticks if low * across <= tick <= high * across]
+        figure.update_xaxes(
+            type="log",
+            range=np.log10([low * across, high * across]).tolist(),
+            tickvals=ticks,
+            ticktext=[f"{tick:g}" for tick in ticks],
+        )
+    else:
+        figure.update_xaxes(range=[low * across, high * across])
+    if y.size and float(y.max()) > 0.0:
+        # as deep as what lies between the lines, not as its single zeros
+        floor = float(np.quantile(y, 0.02)) if span else 0.0
+        bottom, top = np.log10([max(floor, 10.0**DEPTH * float(y.max())) * up, float(y.max()) * up])
+        figure.update_yaxes(range=[bottom - 0.2, top + 0.5])
+        # above the curve, where nothing runs through them
+        texts = [(at, text) for part in lines for at, text in zip(part.places, part.labels, strict=False)]
+        texts = [(float(at) * across, text) for at, text in texts if text and low <= at <= high]
+        for at, text in texts:
+            figure.add_annotation(
+                x=at, y=1.0, yref="paper", yanchor="top", text=text, showarrow=False, font={"size": 11}
+            )
+    figure.update_layout(showlegend=bool(lines))
+    return figure
+
+
+def plot_mean_turn(
+    turn: MeanTurn,
+    *,
+    unit: str,
+    teeth: int | None,
+    zero: float,
+    since: str,
+    mark: tuple[float, float] | None = None,
+) -> go.Figure:
+    """Mean turn of a shaft above its residual, over teeth or degrees.
+
+    Parameters
+    ----------
+    turn
+        The mean turn.
+    unit
+        Unit of the signal.
+    teeth
+        Teeth in a turn; None draws degrees instead.
+    zero
+        Angle that the shaft has gone at the first sample [rad].
+    since
+        What the angle counts from.
+    mark
+        Middle and width of the tooth that stands out [rad], counted as the axis is; None if none does.
+    """
+    angle = np.mod(turn.angle + zero, 2.0 * np.pi)
+    order = np.argsort(angle, kind="stable")
+    per_turn = float(teeth) if teeth else 360.0
+    rows = [
+        Channel("mean turn, without its mean", (turn.average - turn.average.mean())[order], unit),
+        Channel("residual: without mesh harmonics and the two lowest orders", turn.residual[order], unit),
+    ]
+    words = "tooth pitches" if teeth else "angle [°]"
+    figure = plot_signals(
+        angle[order] / (2.0 * np.pi) * per_turn, rows, rows=[[0], [1]], over=f"{words} since {since}"
+    )
+    figure.update_xaxes(range=[0.0, per_turn])
+    if teeth is None:
+        figure.update_xaxes(dtick=45)
+    elif teeth <= 2 * LETTERS:
+        figure.update_xaxes(dtick=1 if teeth <= LETTERS else 2, tick0=0)
+    if mark is not None:
+        middle, half = (value / (2.0 * np.pi) * per_turn for value in (mark[0], 0.5 * mark[1]))
+        for turns in (-per_turn, 0.0, per_turn):
+            low, high = max(middle - half + turns, 0.0), min(middle + half + turns, per_turn)
+            for row in ("y", "y2") if high > low else ():
+                figure.add_shape(
+                    type="rect",
+                    x0=low,
+                    x1=high,
+                    y0=0.0,
+                    y1=1.0,
+                    yref=f"{row} domain",
+                    fillcolor=theme.RED,
+                    opacity=0.18,
+                    line={"width": 0},
+                    layer="below",
+                )
+    return figure
+
+
+def line_places(first: float, count: int, highest: float) -> Array:
+    """The first multiples of a frequency that lie below the highest one.
+
+    Examples
+    --------
+    >>> line_places(10.0, 5, 35.0).tolist()
+    [10.0, 20.0, 30.0]
+    """
+    found: Array = first * np.arange(1, count + 1, dtype=np.float64)
+    return found[found <= highest]
+
+
+def in_hertz(spectrum: FineSpectrum, frequency: float) -> FineSpectrum:
+    """A spectrum over orders as one over frequency [Hz]; orders stay where the speed is not known (NaN)."""
+    if not np.isfinite(frequency):
+        return spectrum
+    return replace(spectrum, step=spectrum.step * frequency, resolution=spectrum.resolution * frequency)
+
+
+def _mark(
+    figure: go.Figure,
+    part: Lines,
+    spectrum: FineSpectrum,
+    span: tuple[float, float],
+    factors: tuple[float, float],
+) -> None:
+    """Marks on the spectrum at the lines of one part."""
+    inside = (part.places >= span[0]) & (part.places <= span[1])
+    if not inside.any():
+        return
+    places = part.places[inside]
+    figure.add_scatter(
+        x=places * factors[0],
+        y=np.maximum(np.sqrt(spectrum.power(places)) * factors[1], 1e-30),
+        mode="markers",
+        name=part.name,
+        marker={
+            "color": theme.SERIES[part.look % len(theme.SERIES)],
+            "symbol": SYMBOLS[part.look % len(SYMBOLS)],
+            "size": 9,
+            "line": {"width": 1.8},
+        },
+        hovertemplate="%{x:.6g}: %{y:.4g}<extra>" + part.name + "</extra>",
+    )
+
+
+def _by_octaves(x: Array, y: Array) -> NDArray[np.int64]:
+    """Samples to draw over a logarithmic axis: equally many in each octave."""
+    kept, start = [], 0
+    while start < x.size:
+        end = max(int(np.searchsorted(x, 2.0 * x[start])), start + 1)
+        kept.append(start + kept_samples(y[start:end], OCTAVE_POINTS))
+        start = end
+    return np.unique(np.concatenate(kept)) if kept else np.empty(0, dtype=np.int64)
+
+
+def _end(spectrum: FineSpectrum, lines: Sequence[Lines]) -> float:
+    """Where the last line is that is not lost below the largest one, and the first mesh of every part."""
+    a = spectrum.amplitude
+    seen = np.flatnonzero(a[1:] >= 5e-3 * float(a[1:].max())) if a.size > 1 else np.empty(0)
+    last = (int(seen[-1]) + 1) * spectrum.step if seen.size else spectrum.highest
+    first = [float(part.places[0]) for part in lines if part.places.size]
+    return min(spectrum.highest, 1.25 * max([last, *first]) + 4.0 * spectrum.resolution)
