@@ -10,13 +10,14 @@ EXAMPLE := examples/backlash-oscillator
 export PYTHONUTF8 := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test lint types check-format pytest nojit bench validate docs clean
+.PHONY: help install demo test lint types check-format pytest nojit bench validate viewer docs clean
 
 help:
 	@echo "make demo      install, compile, run the main example, write a report"
 	@echo "make test      style, import contracts, types, all tests"
 	@echo "make bench     speed table, build/bench.json"
 	@echo "make validate  published cases as one page, docs/validation.md; long studies"
+	@echo "make viewer    the script of the 3-D scene, from viewer/src (needs Node.js 20)"
 	@echo "make docs      generated pages of the documentation, build/docs"
 	@echo "make lint      style, import contracts and types only"
 	@echo "make clean     remove build products (keeps $(VENV))"
@@ -73,6 +74,10 @@ bench: $(STAMP)
 validate: $(STAMP)
 	$(BIN)/python tests/validation/render.py --output docs/validation.md
 	$(BIN)/python -m pytest -q -n $(JOBS) -m "study and not validation" tests
+
+# the built script is in the repository: nobody who does not change it needs Node.js
+viewer:
+	cd viewer && npm ci && node build.mjs
 
 docs: $(STAMP)
 	@mkdir -p build/docs

@@ -34,6 +34,7 @@ COMMANDS = {
     "compare-solvers": "Accuracy against time of all integrators on one model.",
     "analyse": "Spectra, orders, indicators of any record.",
     "diagnose": "Damaged gears, shafts and bearings in a record.",
+    "view": "3-D scene of a model or result, one HTML file.",
     "report": "One HTML file with drawings and curves.",
     "examples": "List or copy the examples.",
     "warmup": "Compile everything once, so that later starts are quick.",

@@ -3,17 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from pitchpoint.cli.options import allow_code, debug, output, quiet
 from pitchpoint.cli.output import show
-
-if TYPE_CHECKING:
-    from pitchpoint.model.model import Model
 
 RESULT_ENDINGS = (".h5", ".nc", ".hdf5")
 
@@ -31,13 +27,14 @@ def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: 
     """
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.reading import read_model
+    from pitchpoint.report.kept_model import kept_model
     from pitchpoint.report.write import write_report
 
     results = [name for name in files if name.lower().endswith(RESULT_ENDINGS)]
     models = [name for name in files if name not in results]
     if len(models) > 1:
         raise click.UsageError(f"more than one model file: {', '.join(models)}")
-    model = read_model(models[0], allow_code, quiet) if models else _kept_model(results, allow_code)
+    model = read_model(models[0], allow_code, quiet) if models else kept_model(results[0], allow_code)
     target = Path(output) if output else Path(models[0] if models else results[0]).with_suffix(".html")
     with ProgressDisplay("report", "meshes", quiet=quiet) as progress:
         notes: list[str] = []
@@ -47,16 +44,3 @@ def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: 
         show(f"report written to {target}")
         for note in notes:
             show(f"note: {note}")
-
-
-def _kept_model(results: Sequence[str], allow_code: bool) -> Model:
-    """Load the text of the model that the first result file keeps."""
-    from pitchpoint.core.errors import ModelError, Problem
-    from pitchpoint.io.reading import read_header
-    from pitchpoint.io.yaml_model import loads_model
-
-    text = read_header(results[0])["model_text"]
-    if not text:
-        problem = Problem("model", "is not kept in this result file", remedy="name the model file as well")
-        raise ModelError([problem], results[0])
-    return loads_model(text, allow_code=allow_code, file=results[0])

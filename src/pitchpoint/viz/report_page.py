@@ -69,7 +69,7 @@ def page(title: str, facts: Sequence[tuple[str, str]], sections: Sequence[Sectio
     style = (
         f":root{{color-scheme:light dark;--pp-font:{theme.FONT};{variables['light']}}}"
         f"@media screen and (prefers-color-scheme:dark){{:root{{{variables['dark']}}}}}"
-        f"{_asset('report.css')}"
+        f"{asset('report.css')}"
     )
     items = "".join(f"<li>{escape(name)} <b>{escape(value)}</b></li>" for name, value in facts if value)
     links = "".join(f'<a href="#{s.anchor}">{escape(s.heading)}</a>' for s in shown)
@@ -94,11 +94,12 @@ def _scripts() -> str:
     colours = json.dumps({"light": theme.LIGHT, "dark": theme.DARK}, sort_keys=True)
     return (
         f'<script type="application/json" id="pp-colours">{colours}</script>\n'
-        f"<script>{get_plotlyjs()}</script>\n<script>{_asset('report.js')}</script>\n"
+        f"<script>{get_plotlyjs()}</script>\n<script>{asset('report.js')}</script>\n"
     )
 
 
-def _asset(name: str) -> str:
+def asset(name: str) -> str:
+    """Text of a file that belongs to the pages."""
     return (files("pitchpoint.viz") / "assets" / name).read_text(encoding="utf-8")
 
 

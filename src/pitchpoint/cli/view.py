@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint view`: the 3-D scene of a model or a result as one HTML file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from pitchpoint.cli.options import allow_code, debug, output, quiet
+from pitchpoint.cli.output import show
+
+
+@click.command()
+@click.argument("file", type=click.Path(exists=True, dir_okay=False))
+@click.argument("other", required=False, type=click.Path(exists=True, dir_okay=False))
+@output("HTML file to write; the name of FILE with .view.html if left out.")
+@allow_code
+@quiet
+@debug
+def view(file: str, other: str | None, output: str | None, allow_code: bool, quiet: bool) -> None:
+    """Write the 3-D scene of FILE, a result (.h5) or a model, as one HTML page for any browser.
+
+    With OTHER, two scenes stand side by side and share their time.
+    """
+    from pitchpoint.report.view import write_view
+
+    target = output or str(Path(file).with_suffix(".view.html"))
+    sources = [file] if other is None else [file, other]
+    written, notes = write_view(target, *sources, allow_code=allow_code)
+    if not quiet:
+        show(f"scene written to {written}, {written.stat().st_size / 1e6:.1f} MB; open it in a browser")
+        for note in notes:
+            show(f"note: {note}")

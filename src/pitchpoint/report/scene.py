@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Brings together the scene of a model, or of a result and the model that it keeps."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.report.scene_motion import Motion, motion, scene_bodies
+from pitchpoint.report.scene_solids import scene_solids
+from pitchpoint.viz.quantities import Channel, scale
+from pitchpoint.viz.scene import Scene, SceneArrow, SceneChannel
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+    from pitchpoint.system.system import System
+
+Array = NDArray[np.float64]
+
+MOST_FRAMES = 2000
+NUMBERS = 4e5
+"""Most numbers of all tracks: with more bodies there are fewer frames."""
+PIECES = 500
+"""Pieces of a record that a curve is drawn from."""
+PARTS = ("circumferential", "radial", "axial")
+FIRST = ("normal_force", "transmission_error")
+"""Quantities that are drawn without asking."""
+
+
+def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | None = None) -> Scene:
+    """The scene of a model at rest, or of a result over time.
+
+    Parameters
+    ----------
+    model
+        The model; of a result the one that it keeps.
+    result
+        Result of a time run.
+    scenario
+        Scenario of the result; that which it names, if left out.
+
+    Raises
+    ------
+    PitchpointError
+        If the model cannot be compiled.
+    """
+    from pitchpoint.system.compile import compile_model
+
+    chosen = scenario or (None if result is None else result.attrs.get("scenario")) or None
+    system = compile_model(model, chosen)
+    names = system.layout.bodies
+    still = motion(system, 1, lambda _: np.zeros(1), np.zeros(1))
+    record = _Record.of(result, len(names))
+    moved = motion(system, len(record.times), record.at_frames, record.times)
+    bodies = scene_bodies(system, moved, still)
+    solids, notes = scene_solids(model, {name: k for k, name in enumerate(names[1:])})
+    if result is not None and moved.unknown:
+        notes.append("not in the result, drawn at rest: " + ", ".join(moved.unknown))
+    arrows = [*_mesh_arrows(system, moved, record)]
+    return Scene(
+        title=model.title or "Gears",
+        subtitle="" if result is None else _subtitle(result),
+        bodies=bodies,
+        solids=solids,
+        times=record.times,
+        arrows=arrows,
+        channels=record.curves(),
+        notes=notes,
+    )
+
+
+def _subtitle(result: xr.Dataset) -> str:
+    """Scenario and span of a result in words."""
+    span = float(result["time"][-1] - result["time"][0])
+    name = result.attrs.get("scenario")
+    return f"scenario {name}, {span:.4g} s" if name else f"{span:.4g} s"
+
+
+@dataclass(frozen=True)
+class _Record:
+    """A result and the samples of it that become frames."""
+
+    result: xr.Dataset | None
+    samples: NDArray[np.int64]
+    times: Array
+
+    @classmethod
+    def of(cls, result: xr.Dataset | None, bodies: int) -> _Record:
+        if result is None:
+            return cls(None, np.zeros(1, np.int64), np.zeros(1))
+        time = np.asarray(result["time"].values, dtype=np.float64)
+        most = int(min(MOST_FRAMES, max(100.0, NUMBERS / (7.0 * bodies))))
+        step = max(1, -(-(time.size - 1) // (most - 1)))
+        samples = np.arange(0, time.size, step)
+        return cls(result, samples, time[samples])
+
+    def at_frames(self, name: str) -> Array | None:
+        """A channel at the frames; None where the result does not hold it."""
+        if self.result is None:
+            return np.zeros(1)
+        if name not in self.result:
+            return None
+        return np.asarray(self.result[name].values[self.samples], dtype=np.float64)
+
+    def curves(self) -> Sequence[SceneChannel]:
+        """Every channel over time, thinned to least and most of each piece."""
+        if self.result is None:
+            return []
+        time = np.asarray(self.result["time"].values, dtype=np.float64)
+        edges = np.unique(np.linspace(0, time.size, min(PIECES, time.size) + 1).round().astype(np.int64))[:-1]
+        found = []
+        for name, values in self.result.data_vars.items():
+            if values.dims != ("time",):
+                continue
+            x = np.asarray(values.values, dtype=np.float64)
+            if not np.isfinite(x).all():
+                continue
+            unit = str(values.attrs.get("units", "1"))
+            shown = scale(unit, x)
+            found.append(
+                SceneChannel(
+                    name=str(name),
+                    label=Channel(str(name), x).label,
+                    unit=unit,
+                    shown_unit=shown.unit,
+                    scale=shown.factor,
+                    times=time[edges],
+                    least=np.minimum.reduceat(x, edges),
+                    most=np.maximum.reduceat(x, edges),
+                    first=str(name).split("[")[0] in FIRST,
+                )
+            )
+        return found
+
+
+def _mesh_arrows(system: System, moved: Motion, record: _Record) -> list[SceneArrow]:
+    """Forces of all meshes on their second gears, at the pitch points."""
+    found = []
+    for m, name in enumerate(system.names.get("gear_mesh", ())):
+        parts = [record.at_frames(f"{part}_force[{name}]") for part in PARTS]
+        if record.result is None or any(part is None for part in parts):
+            continue
+        state = record.at_frames(f"contact_state[{name}]")
+        place = moved.pitch_points[:, m]
+        size = float(np.abs(place).max())
+        steady = np.ptp(place, axis=0).max() < 1e-3 * size
+        found.append(
+            SceneArrow(
+                name=name,
+                kind="mesh",
+                at=place[:1] if steady else place,
+                components={
+                    word: value[:, None] * moved.directions[:, m, row]
+                    for row, (word, value) in enumerate(zip(PARTS, parts, strict=True))
+                    if value is not None
+                },
+                state=None if state is None else np.rint(state).astype(np.int64),
+            )
+        )
+    return found

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A scene as a header and one block of numbers, see `docs/scene_format.md`.
+
+What moves little is kept in 16 bits between its smallest and largest value: 1/65535 of its range is less than
+a pixel however much it is magnified. Angles keep all their digits, since teeth are looked at from near.
+"""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import json
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.viz.scene import Scene, SceneArrow, SceneBody, SceneChannel, SceneSolid
+
+FORMAT = "pitchpoint-scene-1"
+_LEVELS = 65535
+_TYPES = {"f8": "<f8", "f4": "<f4", "u4": "<u4", "u2": "<u2", "u1": "u1"}
+
+
+class _Block:
+    """Numbers one after the other; the same array is written once."""
+
+    def __init__(self) -> None:
+        self.data = bytearray()
+        self.known: dict[tuple[str, tuple[int, ...], bytes], dict[str, Any]] = {}
+
+    def put(self, values: ArrayLike, kind: str) -> dict[str, Any]:
+        """Where an array lies."""
+        array = np.ascontiguousarray(values, dtype=_TYPES[kind])
+        key = (kind, array.shape, array.tobytes())
+        if key not in self.known:
+            self.data += b"\0" * (-len(self.data) % 8)
+            self.known[key] = {"at": len(self.data), "type": kind, "shape": list(array.shape)}
+            self.data += key[2]
+        return dict(self.known[key])
+
+    def put_coarse(self, values: ArrayLike) -> dict[str, Any]:
+        """The same in 16 bits, each column between its least and its largest value."""
+        array = np.asarray(values, dtype=np.float64)
+        columns = array.reshape(-1, array.shape[-1] if array.ndim > 1 else 1)
+        low, high = columns.min(axis=0), columns.max(axis=0)
+        step = (high - low) / _LEVELS
+        levels = np.rint((columns - low) / np.where(step > 0.0, step, 1.0))
+        found = self.put(levels.reshape(array.shape), "u2")
+        return {**found, "scale": step.tolist(), "offset": low.tolist()}
+
+
+def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
+    """Header and block of numbers of a scene.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite.
+    """
+    block = _Block()
+    header: dict[str, Any] = {
+        "format": FORMAT,
+        "title": scene.title,
+        "subtitle": scene.subtitle,
+        "up": list(scene.up),
+        "bodies": [_body(b, block) for b in scene.bodies],
+        "solids": [_solid(s, block) for s in scene.solids],
+        "times": block.put(scene.times, "f8"),
+        "arrows": [_arrow(a, block) for a in scene.arrows],
+        "channels": [_channel(c, block) for c in scene.channels],
+        "spectra": [],
+        "marks": [{"time": m.time, "kind": m.kind, "what": m.what} for m in scene.marks],
+        "modes": [],
+        "notes": list(scene.notes),
+    }
+    return header, bytes(block.data)
+
+
+def scene_texts(scene: Scene) -> tuple[str, str]:
+    """Header as JSON, and numbers as base64 of gzip, for the elements of a page; the same bits each time."""
+    header, data = scene_parts(scene)
+    text = json.dumps(header, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    packed = gzip.compress(data, compresslevel=9, mtime=0)
+    return text.replace("</", "<\\/"), base64.b64encode(packed).decode("ascii")
+
+
+def _finite(values: NDArray[np.float64], what: str) -> NDArray[np.float64]:
+    if not np.isfinite(values).all():
+        raise ValueError(f"{what}: holds numbers that are not finite")
+    return values
+
+
+def quaternion(axes: NDArray[np.float64]) -> list[float]:
+    """Quaternion (x, y, z, w) of a right-handed frame, shape (3, 3), columns are its axes.
+
+    Examples
+    --------
+    >>> quaternion(np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]))
+    [0.0, 0.0, 0.7071067811865476, 0.7071067811865476]
+    """
+    r = np.asarray(axes, dtype=np.float64)
+    trace = float(np.trace(r))
+    squares = np.array([2.0 * r[0, 0] - trace, 2.0 * r[1, 1] - trace, 2.0 * r[2, 2] - trace, trace]) + 1.0
+    k = int(np.argmax(squares))
+    s = 2.0 * math.sqrt(squares[k])
+    if k == 3:
+        found = [(r[2, 1] - r[1, 2]) / s, (r[0, 2] - r[2, 0]) / s, (r[1, 0] - r[0, 1]) / s, 0.25 * s]
+    else:
+        i, j = (k + 1) % 3, (k + 2) % 3
+        found = [0.0, 0.0, 0.0, (r[j, i] - r[i, j]) / s]
+        found[k] = 0.25 * s
+        found[i] = (r[i, k] + r[k, i]) / s
+        found[j] = (r[j, k] + r[k, j]) / s
+    return [float(x) for x in found]
+
+
+def _body(body: SceneBody, block: _Block) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "name": body.name,
+        "parent": body.parent,
+        "place": [float(x) for x in body.place],
+        "axes": quaternion(body.axes),
+    }
+    for key, track in (("position", body.position), ("turn", body.turn)):
+        if track is not None and np.any(_finite(track, body.name)):
+            found[key] = block.put_coarse(track)
+    if body.angle is not None:
+        angle = _finite(body.angle, body.name)
+        gross = np.zeros_like(angle) if body.gross is None else body.gross * body.ratio
+        if body.gross is not None and np.any(gross):
+            found["gross"], found["ratio"] = block.put(body.gross, "f8"), body.ratio
+        if np.any(angle - gross):
+            found["spin"] = block.put_coarse(angle - gross)
+    return found
+
+
+def _solid(solid: SceneSolid, block: _Block) -> dict[str, Any]:
+    few = len(solid.points) <= _LEVELS + 1
+    found: dict[str, Any] = {
+        "name": solid.name,
+        "kind": solid.kind,
+        "body": solid.body,
+        "points": block.put(_finite(solid.points, solid.name), "f4"),
+        "triangles": block.put(solid.triangles, "u2" if few else "u4"),
+        "creases": solid.creases,
+        "see_through": solid.see_through,
+    }
+    if solid.teeth:
+        found["teeth"] = solid.teeth
+    if solid.skin is not None:
+        found["skin"] = {
+            "bodies": list(solid.skin.bodies),
+            "first": block.put(solid.skin.first, "u2"),
+            "second": block.put(solid.skin.second, "u2"),
+            "weight": block.put(solid.skin.weight, "f4"),
+        }
+    return found
+
+
+def _arrow(arrow: SceneArrow, block: _Block) -> dict[str, Any]:
+    total = np.sum([_finite(v, arrow.name) for v in arrow.components.values()], axis=0)
+    found: dict[str, Any] = {
+        "name": arrow.name,
+        "kind": arrow.kind,
+        "body": arrow.body,
+        "at": block.put(arrow.at, "f4"),
+        "unit": "N",
+        "components": {role: block.put_coarse(v) for role, v in arrow.components.items()},
+        "size": float(np.linalg.norm(total, axis=1).max(initial=0.0)),
+    }
+    if arrow.state is not None:
+        # one byte a frame: -1 becomes 255
+        found["state"] = block.put(np.where(arrow.state < 0, 255, arrow.state), "u1")
+    return found
+
+
+def _channel(channel: SceneChannel, block: _Block) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "name": channel.name,
+        "label": channel.label,
+        "unit": channel.unit,
+        "shown_unit": channel.shown_unit,
+        "scale": channel.scale,
+        "times": block.put(channel.times, "f8"),
+        "least": block.put_coarse(_finite(channel.least, channel.name)),
+        "first": channel.first,
+    }
+    if np.any(channel.least != channel.most):
+        found["most"] = block.put_coarse(_finite(channel.most, channel.name))
+    return found

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reads a scene as docs/scene_format.md says, with nothing of the package: what the viewer would see."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import json
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+
+class Seen:
+    """A scene read from its two texts."""
+
+    def __init__(self, header: str, numbers: str) -> None:
+        self.header: dict[str, Any] = json.loads(header)
+        self.data = gzip.decompress(base64.b64decode(numbers))
+        assert self.header["format"] == "pitchpoint-scene-1"
+
+    def array(self, where: dict[str, Any]) -> np.ndarray:
+        kind = {"f8": "<f8", "f4": "<f4", "u4": "<u4", "u2": "<u2", "u1": "u1"}[where["type"]]
+        shape = tuple(where["shape"])
+        assert where["at"] % 8 == 0
+        found = np.frombuffer(self.data, kind, int(np.prod(shape)), where["at"]).reshape(shape)
+        if "scale" in where:
+            return np.asarray(where["offset"]) + np.asarray(where["scale"]) * found
+        return found
+
+    @property
+    def times(self) -> np.ndarray:
+        return self.array(self.header["times"])
+
+    def body(self, name: str) -> int:
+        return [b["name"] for b in self.header["bodies"]].index(name)
+
+    def pose(self, b: int, frame: int) -> tuple[np.ndarray, np.ndarray]:
+        """Origin and spinning axes of a body in the world."""
+        if b < 0:
+            return np.zeros(3), np.eye(3)
+        body = self.header["bodies"][b]
+
+        def track(key: str, zero: Any) -> Any:
+            return self.array(body[key])[frame] if key in body else zero
+
+        axes = Rotation.from_quat(body["axes"]).as_matrix()
+        place = np.array(body["place"]) + axes @ track("position", np.zeros(3))
+        angle = body.get("ratio", 1.0) * track("gross", 0.0) + track("spin", 0.0)
+        turn = Rotation.from_rotvec(track("turn", np.zeros(3))) * Rotation.from_rotvec([0.0, 0.0, angle])
+        origin, base = self.pose(body["parent"], frame)
+        return origin + base @ place, base @ axes @ turn.as_matrix()
+
+    def solid(self, name: str) -> dict[str, Any]:
+        return next(s for s in self.header["solids"] if s["name"] == name)
+
+    def placed(self, name: str, frame: int) -> np.ndarray:
+        """Corners of a solid in the world."""
+        solid = self.solid(name)
+        points = self.array(solid["points"]).astype(float)
+        if "skin" not in solid:
+            origin, axes = self.pose(solid["body"], frame)
+            return origin + points @ axes.T
+        skin = solid["skin"]
+        poses = [self.pose(b, frame) for b in skin["bodies"]]
+        rests = [self.rest(b) for b in skin["bodies"]]
+        at_rest = rests[0][0] + points @ rests[0][1].T
+        moved = np.stack([p + (at_rest - r) @ q @ a.T for (p, a), (r, q) in zip(poses, rests, strict=True)])
+        rows = np.arange(len(points))
+        w = self.array(skin["weight"])[:, None]
+        return (1.0 - w) * moved[self.array(skin["first"]), rows] + w * moved[
+            self.array(skin["second"]), rows
+        ]
+
+    def rest(self, b: int) -> tuple[np.ndarray, np.ndarray]:
+        if b < 0:
+            return np.zeros(3), np.eye(3)
+        body = self.header["bodies"][b]
+        origin, base = self.rest(body["parent"])
+        axes = Rotation.from_quat(body["axes"]).as_matrix()
+        return origin + base @ np.array(body["place"]), base @ axes
+
+    def arrow(self, name: str) -> dict[str, Any]:
+        return next(a for a in self.header["arrows"] if a["name"] == name)
+
+    def force(self, name: str, frame: int) -> np.ndarray:
+        """Sum of the components of an arrow."""
+        return sum(self.array(c)[frame] for c in self.arrow(name)["components"].values())

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint view`: one page from a model, a result or two results, and what it refuses."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from pitchpoint.cli.main import run_command
+from tests.support.model_files import TORSIONAL_PAIR
+from tests.support.scene_reader import Seen
+
+
+@pytest.fixture(scope="module")
+def result(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("view")
+    model = folder / "pair.yaml"
+    model.write_text(TORSIONAL_PAIR.replace("duration: 0.5 s", "duration: 0.05 s"), encoding="utf-8")
+    out = folder / "pair.h5"
+    assert run_command(["run", str(model), "--scenario", "steady", "-o", str(out), "-q"]) == 0
+    return out
+
+
+def scenes(page: Path) -> list[Seen]:
+    text = page.read_text(encoding="utf-8")
+    found = []
+    for mark in ("", "-2"):
+        parts = [
+            re.search(rf'id="{name}{mark}">(.*?)</script>', text, re.DOTALL)
+            for name in ("pp-scene", "pp-scene-numbers")
+        ]
+        if all(parts):
+            found.append(Seen(*(part.group(1).replace("<\\/", "</") for part in parts if part)))
+    return found
+
+
+def test_a_result_keeps_its_model(result: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    page = result.with_name("scene.html")
+    assert run_command(["view", str(result), "-o", str(page)]) == 0
+    assert "scene written to" in capsys.readouterr().out
+    (scene,) = scenes(page)
+    assert {s["name"] for s in scene.header["solids"] if s["kind"] == "gear"} == {"g1", "g2"}
+    assert [a["name"] for a in scene.header["arrows"]] == ["stage"]
+    assert len(scene.times) > 500
+    text = page.read_text(encoding="utf-8")
+    # nothing is fetched: no element with a source of its own, and a policy that forbids it
+    assert not re.search(r"<(script|link|img|iframe)[^>]*(src|href)=", text)
+    assert "default-src 'none'" in text
+    assert page.stat().st_size < 3e6
+
+
+def test_a_model_alone_and_two_side_by_side(result: Path) -> None:
+    model, page = result.with_name("pair.yaml"), result.with_name("both.html")
+    assert run_command(["view", str(model), "-q"]) == 0
+    (alone,) = scenes(model.with_suffix(".view.html"))
+    assert len(alone.times) == 1
+    assert run_command(["view", str(model), str(result), "-o", str(page), "-q"]) == 0
+    assert [len(s.times) > 1 for s in scenes(page)] == [False, True]
+
+
+def test_what_does_not_move_is_refused(result: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    modes = result.with_name("modes.h5")
+    model = str(result.with_name("pair.yaml"))
+    assert run_command(["modes", model, "-o", str(modes), "-q"]) == 0
+    capsys.readouterr()
+    assert run_command(["view", str(modes), "-o", str(result.with_name("no.html"))]) == 2
+    assert "holds nothing that moves over time (modes); view a time run" in capsys.readouterr().err
+
+
+def test_a_truncated_result_and_a_page_in_place_of_a_file(
+    result: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cut = tmp_path / "cut.h5"
+    cut.write_bytes(result.read_bytes()[:5000])
+    assert run_command(["view", str(cut), "-o", str(tmp_path / "cut.html")]) == 2
+    assert "cut.h5" in capsys.readouterr().err
+    other = tmp_path / "mine.html"
+    other.write_text("mine", encoding="utf-8")
+    assert run_command(["view", str(result), "-o", str(other)]) == 2
+    assert other.read_text(encoding="utf-8") == "mine"

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// One script for every page: src/main.js with three.js and uPlot, minified, licences at its head.
+import { readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const notice = readFileSync(join(here, "LICENSES.txt"), "utf8").trim();
+if (notice.includes("*/")) throw new Error("LICENSES.txt would end the comment it becomes");
+
+/** three.js from its sources, so that what is not used stays out, and its shaders without comments and indents. */
+const lean = {
+  name: "lean-three",
+  setup(build) {
+    build.onLoad(
+      { filter: /three\/src\/renderers\/shaders\/Shader(Chunk|Lib)\/.*\.glsl\.js$/ },
+      ({ path }) => {
+        const text = readFileSync(path, "utf8");
+        const contents = text.replace(/`([^`]*)`/g, (_, glsl) => {
+          const bare = glsl.replace(/\/\*[\s\S]*?\*\//g, "").replace(/\/\/.*$/gm, "");
+          return "`" + bare.replace(/^[ \t]+|[ \t]+$/gm, "").replace(/\n{2,}/g, "\n") + "`";
+        });
+        return { contents, loader: "js" };
+      },
+    );
+  },
+};
+
+const result = await build({
+  absWorkingDir: here,
+  entryPoints: ["src/main.js"],
+  bundle: true,
+  alias: { three: join(here, "node_modules/three/src/Three.js") },
+  plugins: [lean],
+  minify: true,
+  write: false,
+  format: "iife",
+  target: "es2022",
+  loader: { ".css": "text" },
+  legalComments: "none",
+  // escapes keep the script readable to pages that declare no encoding
+  charset: "ascii",
+  banner: { js: `/*!\n${notice}\n*/` },
+});
+// A page carries the script inside <script>: none of these may appear in it.
+const text = result.outputFiles[0].text.replace(/<\/script/gi, "<\\/script").replace(/<!--/g, "<\\!--");
+const out = join(here, "../src/pitchpoint/viz/assets/viewer.js");
+writeFileSync(out, text);
+console.log(`${out}: ${(text.length / 1000).toFixed(0)} kB`);

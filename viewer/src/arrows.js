@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forces as arrows: three parts in three colours at one point, drawn over the solids so that none is hidden.
+import {
+  BufferGeometry,
+  ConeGeometry,
+  CylinderGeometry,
+  Float32BufferAttribute,
+  Matrix4,
+  Mesh,
+  MeshLambertMaterial,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+} from "three";
+import { FORCES, STATES, colourOfForce } from "./colours.js";
+import { lerp } from "./frames.js";
+import { Z } from "./poses.js";
+
+/** An arrow of length 1 along z, 1 thick at its head. */
+function arrowShape() {
+  const shaft = new CylinderGeometry(0.19, 0.19, 0.72, 12, 1, false).translate(0, 0.36, 0);
+  const head = new ConeGeometry(0.5, 0.3, 16, 1, false).translate(0, 0.85, 0);
+  const parts = [shaft.toNonIndexed(), head.toNonIndexed()];
+  const join = (name) => parts.flatMap((part) => [...part.attributes[name].array]);
+  const shape = new BufferGeometry();
+  shape.setAttribute("position", new Float32BufferAttribute(join("position"), 3));
+  shape.setAttribute("normal", new Float32BufferAttribute(join("normal"), 3));
+  return shape.rotateX(Math.PI / 2);
+}
+
+/**
+ * Value of an arrow at an instant.
+ * @typedef {{name: string, kind: string, unit: string, state: number|null, vectors: Record<string, Vector3>, at: Vector3, values: Record<string, number>, total: number}} Force
+ */
+
+export class Arrows {
+  /**
+   * @param {any} scene @param {import("three").Group} root of what is drawn over the solids
+   * @param {import("./poses.js").Poses} poses @param {Element} element @param {number} radius of the scene [m]
+   */
+  constructor(scene, root, poses, element, radius) {
+    this.arrows = scene.arrows;
+    this.poses = poses;
+    this.radius = radius;
+    this.scale = 1;
+    this.kinds = new Set(this.arrows.map((arrow) => arrow.kind));
+    this.shown = new Set(this.kinds);
+    this.hidden = false;
+    const shape = arrowShape();
+    const ball = new SphereGeometry(0.5, 14, 10);
+    const lit = (colour) =>
+      new MeshLambertMaterial({ color: colour, emissive: colour, emissiveIntensity: 0.35 });
+    const materials = Object.fromEntries(FORCES.map((part) => [part, lit(colourOfForce(element, part))]));
+    this.states = Object.fromEntries(
+      Object.entries(STATES).map(([state, { colour }]) => [state, lit(colour)]),
+    );
+    const add = (geometry, material) => {
+      const mesh = new Mesh(geometry, material);
+      mesh.matrixAutoUpdate = false;
+      root.add(mesh);
+      return mesh;
+    };
+    this.drawn = this.arrows.map((arrow) => ({
+      parts: Object.fromEntries(
+        FORCES.filter((part) => arrow.components?.[part]).map((part) => [part, add(shape, materials[part])]),
+      ),
+      ball: arrow.state ? add(ball, this.states[0]) : null,
+    }));
+    this.largest = this.arrows.map((arrow) =>
+      Object.fromEntries(
+        FORCES.filter((part) => arrow.components?.[part]).map((part) => [
+          part,
+          longestRow(arrow.components[part].data),
+        ]),
+      ),
+    );
+    // One scale for all, so that arrows can be compared by eye.
+    this.size = Math.max(0, ...this.arrows.map((arrow) => arrow.size ?? 0));
+  }
+
+  /** Length of an arrow of the largest force [m]. */
+  get longest() {
+    return 0.55 * this.radius * this.scale;
+  }
+
+  /** All forces at the instant of the poses. @returns {Force[]} */
+  forces() {
+    const { where } = this.poses;
+    return this.arrows.map((arrow) => {
+      const frame = arrow.body < 0 ? null : this.poses.still[arrow.body];
+      const at = new Vector3(lerp(arrow.at, where, 0), lerp(arrow.at, where, 1), lerp(arrow.at, where, 2));
+      if (frame) at.applyMatrix4(frame);
+      const vectors = {},
+        values = {};
+      const sum = new Vector3();
+      for (const part of FORCES) {
+        const table = arrow.components?.[part];
+        if (!table) continue;
+        const vector = new Vector3(lerp(table, where, 0), lerp(table, where, 1), lerp(table, where, 2));
+        values[part] = vector.length();
+        sum.add(vector);
+        if (frame) (TURN.extractRotation(frame), vector.applyMatrix4(TURN));
+        vectors[part] = vector;
+      }
+      // states do not blend: that of the frame before counts
+      const row = arrow.state ? (where.share === 1 ? where.low + 1 : where.low) : 0;
+      const byte = arrow.state ? arrow.state.data[arrow.state.count > 1 ? row : 0] : null;
+      const state = byte === 255 ? -1 : byte;
+      return {
+        name: arrow.name,
+        kind: arrow.kind,
+        unit: arrow.unit ?? "N",
+        state,
+        vectors,
+        values,
+        at,
+        total: sum.length(),
+      };
+    });
+  }
+
+  /** Where arrows of the present directions end when they are longest, for a picture that holds them. */
+  ends() {
+    if (this.hidden || !(this.size > 0)) return [];
+    return this.forces().flatMap((force, k) =>
+      this.shown.has(force.kind)
+        ? Object.entries(force.vectors).map(([part, vector]) => {
+            const length = (this.longest * this.largest[k][part]) / this.size;
+            return vector
+              .clone()
+              .setLength(vector.length() ? length : 0)
+              .add(force.at);
+          })
+        : [],
+    );
+  }
+
+  /** @param {number} visible world length of a pixel [m] */
+  update(visible) {
+    this.now = this.forces();
+    this.now.forEach((force, k) => {
+      const on = !this.hidden && this.shown.has(force.kind);
+      const { parts, ball } = this.drawn[k];
+      const thick = Math.min(0.055 * this.radius * Math.sqrt(this.scale), 22 * visible || Infinity);
+      for (const [part, mesh] of Object.entries(parts)) {
+        const vector = force.vectors[part];
+        const length = this.size > 0 ? (this.longest * vector.length()) / this.size : 0;
+        mesh.visible = on && length > 2 * visible && length > 0;
+        if (!mesh.visible) continue;
+        const width = Math.min(thick, 0.5 * length);
+        DIRECTION.copy(vector).normalize();
+        mesh.matrix.compose(
+          force.at,
+          TURNED.setFromUnitVectors(Z, DIRECTION),
+          SIZE.set(width, width, length),
+        );
+      }
+      if (!ball) return;
+      ball.visible = on;
+      ball.material = this.states[force.state] ?? this.states[0];
+      ball.matrix.makeScale(0.6 * thick, 0.6 * thick, 0.6 * thick).setPosition(force.at);
+    });
+  }
+}
+
+const TURN = new Matrix4();
+const TURNED = new Quaternion();
+const DIRECTION = new Vector3();
+const SIZE = new Vector3();
+
+/** Length of the longest of vectors. @param {import("./scene_file.js").Numbers} data */
+function longestRow(data) {
+  let most = 0;
+  for (let k = 0; k < data.length; k += 3)
+    most = Math.max(most, Math.hypot(data[k], data[k + 1], data[k + 2]));
+  return most;
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colours of parts, forces and curves; forces follow the CSS variables that plots of the page use too.
+
+export const FORCES = ["circumferential", "radial", "axial"];
+
+const FORCE_DEFAULTS = { circumferential: "#d55e00", radial: "#0072b2", axial: "#009e73" };
+
+/** What the flank in contact is called and how it looks: 1 front, -1 back, 2 both, 0 none. */
+export const STATES = {
+  1: { word: "front flank", colour: "#e8b400" },
+  "-1": { word: "back flank", colour: "#b0489a" },
+  2: { word: "both flanks", colour: "#7a5a2a" },
+  0: { word: "no contact", colour: "#8a8f98" },
+};
+
+// Mates differ in hue, never by much: arrows are what should stand out.
+const GEARS = ["#93a9c1", "#c1ab8b", "#93b5a0", "#ad9fc2", "#c4a0a0", "#8cb0bb"];
+const KINDS = {
+  shaft: "#b3b9bf",
+  bearing: "#6b7885",
+  housing: "#9fb3c6",
+  carrier: "#b9b39c",
+  body: "#a9b6c0",
+};
+
+/** @param {string} kind @param {number} order which of its kind */
+export function colourOfPart(kind, order) {
+  return kind === "gear" ? GEARS[order % GEARS.length] : (KINDS[kind] ?? KINDS.body);
+}
+
+/** @param {Element} element @param {string} part */
+export function colourOfForce(element, part) {
+  return getComputedStyle(element).getPropertyValue(`--pp-force-${part}`).trim() || FORCE_DEFAULTS[part];
+}
+
+// Apart from the three of forces, of middle lightness: they stand out on white and on near-black alike.
+const CURVES = ["#3a8fd4", "#8a68c4", "#a88a1e", "#2296a0", "#d2484f", "#6b8e23", "#8a8f98"];
+
+/** @param {string} name of a channel */
+export const isForce = (name) => FORCES.some((part) => name.startsWith(`${part}_force`));
+
+/** Colour of a channel: that of its force part where its name says so. @param {Element} element @param {string} name @param {number} order */
+export function colourOfChannel(element, name, order) {
+  const part = FORCES.find((word) => name.startsWith(`${word}_force`));
+  return part ? colourOfForce(element, part) : CURVES[order % CURVES.length];
+}
+
+const MARKS = ["#d2484f", "#a88a1e", "#8a68c4", "#2296a0", "#2f9e62"];
+
+/** @param {string[]} kinds @param {string} kind */
+export function colourOfMark(kinds, kind) {
+  return MARKS[Math.max(kinds.indexOf(kind), 0) % MARKS.length];
+}

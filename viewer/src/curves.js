@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel below the scene: which channels are drawn, chosen from a list one can search, and spectra.
+import { button, el } from "./dom.js";
+import { Plots } from "./plots.js";
+import { Spectra } from "./spectra.js";
+
+export class Curves {
+  /** @param {any[]} scenes @param {number[]} range @param {any[]} marks @param {(t: number) => void} seek */
+  constructor(scenes, range, marks, seek) {
+    const channels = scenes.map((scene) => scene.channels);
+    this.plots = new Plots(channels, marks, range, seek);
+    this.spectra = new Spectra(
+      scenes.map((scene) => scene.spectra),
+      channels,
+    );
+    this.labels = new Map(channels.flat().map((channel) => [channel.name, channel.label ?? channel.name]));
+    this.search = el("input", {
+      type: "search",
+      placeholder: `add a curve (${this.labels.size})`,
+      "aria-label": "Search channels",
+      title: "Channels, by any words of their names",
+    });
+    this.list = el("div", { className: "ppv-list", role: "listbox", "aria-label": "Channels", hidden: true });
+    this.search.addEventListener("focus", () => this.fill());
+    this.search.addEventListener("input", () => this.fill());
+    this.search.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") this.close();
+      if (event.key === "Enter" || event.key === "ArrowDown") {
+        const first = this.list.querySelector("button");
+        if (event.key === "Enter") first?.click();
+        else first?.focus();
+        event.preventDefault();
+      }
+      event.stopPropagation();
+    });
+    this.list.addEventListener("keydown", (event) => {
+      const way = { ArrowDown: "nextElementSibling", ArrowUp: "previousElementSibling" }[event.key];
+      if (way) (document.activeElement?.[way] ?? this.search).focus();
+      if (event.key === "Escape") this.close();
+      if (way || event.key === "Escape") event.preventDefault();
+      event.stopPropagation();
+    });
+    this.picker = el("div", { className: "ppv-picker" }, this.search, this.list);
+    this.picker.addEventListener("focusout", (event) => {
+      if (!this.picker.contains(event.relatedTarget)) this.close();
+    });
+    this.tab = button("Spectrum", "Curves over time or spectrum", () => this.turn());
+    this.tab.hidden = !this.spectra.names.length;
+    this.plots.onRemove = () => this.list.hidden || this.fill();
+    this.body = el("div", { className: "ppv-curves-body" }, this.plots.element, this.spectra.element);
+    this.element = el(
+      "div",
+      { className: "ppv-curves" },
+      el("div", { className: "ppv-bar" }, this.picker, this.tab),
+      this.body,
+    );
+    this.element.hidden = !this.labels.size && !this.spectra.names.length;
+  }
+
+  /** Channels that hold all words of the search. */
+  matches() {
+    const wanted = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    return [...this.labels].filter(([name, label]) => {
+      const text = `${name} ${label}`.toLowerCase();
+      return wanted.every((word) => text.includes(word));
+    });
+  }
+
+  fill() {
+    const all = this.matches();
+    this.list.replaceChildren(
+      ...all.slice(0, 200).map(([name, label]) => {
+        const on = this.plots.names.has(name);
+        return el(
+          "button",
+          {
+            type: "button",
+            role: "option",
+            "aria-selected": String(on),
+            title: name,
+            onclick: (event) => {
+              this.plots.show(name, !this.plots.names.has(name));
+              event.currentTarget.setAttribute("aria-selected", String(this.plots.names.has(name)));
+            },
+          },
+          label,
+        );
+      }),
+    );
+    if (!all.length) this.list.append(el("p", {}, "No channel has these words."));
+    if (all.length > 200)
+      this.list.append(el("p", {}, `${all.length - 200} more: search for words of their names.`));
+    this.list.hidden = false;
+  }
+
+  close() {
+    this.list.hidden = true;
+  }
+
+  turn() {
+    if (!this.spectra.names.length) return;
+    const spectra = this.spectra.element.hidden;
+    this.spectra.element.hidden = !spectra;
+    this.plots.element.hidden = spectra;
+    this.tab.textContent = spectra ? "Curves" : "Spectrum";
+    this.picker.style.visibility = spectra ? "hidden" : "";
+    if (spectra) this.spectra.build();
+    else this.resize();
+  }
+
+  build() {
+    if (this.element.hidden) return;
+    this.plots.build();
+    if (!this.spectra.element.hidden) this.spectra.build();
+  }
+
+  resize() {
+    if (this.element.hidden) return;
+    if (!this.plots.element.hidden) this.plots.resize();
+    this.spectra.resize();
+  }
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The name of the part under the pointer; a double click follows its body.
+import { el } from "./dom.js";
+
+export class Hover {
+  /** @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit @param {(body: number) => void} follow */
+  constructor(stage, orbit, follow) {
+    this.stage = stage;
+    this.label = el("div", { className: "ppv-label", hidden: true });
+    this.at = null;
+    this.waiting = false;
+    const { canvas } = stage;
+    canvas.addEventListener("pointermove", (event) => {
+      this.at =
+        orbit.dragging || event.pointerType === "touch" ? null : { x: event.clientX, y: event.clientY };
+      // a ray through 30 000 triangles costs milliseconds: once a pause is enough
+      if (!this.waiting) setTimeout(() => this.#look(), 60);
+      this.waiting = true;
+    });
+    canvas.addEventListener("pointerleave", () => {
+      this.at = null;
+      this.label.hidden = true;
+    });
+    canvas.addEventListener("dblclick", (event) => {
+      const found = stage.hit(event.clientX, event.clientY);
+      if (found) follow(found.part.solid.body);
+    });
+  }
+
+  #look() {
+    this.waiting = false;
+    const found = this.at && this.stage.hit(this.at.x, this.at.y);
+    this.label.hidden = !found;
+    if (!found) return;
+    const { solid } = found.part;
+    this.label.textContent = words(solid);
+    const box = this.stage.canvas.getBoundingClientRect();
+    const x = Math.min(this.at.x - box.left + 14, box.width - this.label.offsetWidth - 4);
+    this.label.style.transform = `translate(${x}px, ${Math.max(0, this.at.y - box.top - 26)}px)`;
+  }
+}
+
+/** @param {any} solid */
+export function words(solid) {
+  const name = solid.name.replaceAll("_", " ");
+  return solid.teeth
+    ? `${name}, ${solid.kind} of ${solid.teeth} teeth`
+    : name === solid.kind
+      ? name
+      : `${name}, ${solid.kind}`;
+}

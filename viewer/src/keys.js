@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys of the viewer. They work where the focus is inside it, or anywhere on a page that it fills.
+import { round125, SLOWEST } from "./player.js";
+
+export const KEYS = [
+  ["space", "play, pause"],
+  ["← →", "one frame back, on"],
+  ["Home, End", "start, end"],
+  ["+ −", "faster, slower"],
+  ["[ ]", "mark before, next mark"],
+  ["f", "show all"],
+  ["1 … 9, 0", "follow a body, none"],
+  ["s", "section"],
+  ["m", "vibrations ×1, ×10, ×100, ×1000"],
+  ["drag", "turn; right button or shift: move"],
+  ["wheel", "zoom to the pointer"],
+  ["double click", "follow the body of a part"],
+];
+
+/** @param {import("./page.js").Page} page */
+export function keys(page) {
+  const does = {
+    " ": () => page.toggle(),
+    ArrowLeft: () => page.step(-1),
+    ArrowRight: () => page.step(1),
+    Home: () => page.seek(page.player.window[0]),
+    End: () => page.seek(page.player.window[1]),
+    "+": () => speed(page, 2.1),
+    "=": () => speed(page, 2.1),
+    "-": () => speed(page, 1 / 2.1),
+    "[": () => page.transport.toMark(-1),
+    "]": () => page.transport.toMark(1),
+    f: () => page.views?.fit(),
+    s: () => page.section?.turn(!page.section.on),
+    m: () => magnify(page),
+    Escape: () => page.panels.close(),
+  };
+  page.root.tabIndex = -1;
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    const { target } = event;
+    const inside = page.root.contains(target);
+    const fills = target === document.body && page.fills;
+    if (!inside && !fills) return;
+    if (target.matches?.("select, input[type=search], input[type=text]")) return;
+    const slider = target.matches?.("input[type=range]") && target !== page.transport.range;
+    if (slider && /^(Arrow|Home|End)/.test(event.key)) return;
+    // a button that has the focus is pressed by the space bar
+    if (event.key === " " && target.matches?.("button, input[type=checkbox]")) return;
+    if (/^[0-9]$/.test(event.key)) page.follow(Number(event.key) - 1);
+    else if (does[event.key]) does[event.key]();
+    else return;
+    event.preventDefault();
+  });
+}
+
+function speed(page, factor) {
+  const { player, transport } = page;
+  player.speed = Math.max(SLOWEST, Math.min(1, round125(player.speed * factor)));
+  transport.speed.set(player.speed);
+}
+
+function magnify(page) {
+  if (!page.magnification) return;
+  const now = page.stage.pictures[0].poses.magnification;
+  const next = now >= 1000 ? 1 : now >= 100 ? 1000 : now >= 10 ? 100 : 10;
+  page.magnification.set(next);
+  page.magnify(next);
+}

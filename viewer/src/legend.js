@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the arrows are worth right now, in words and numbers, in their colours.
+import { FORCES, STATES } from "./colours.js";
+import { el } from "./dom.js";
+import { force } from "./numbers.js";
+
+export class Legend {
+  /** @param {any[]} arrows of a scene */
+  constructor(arrows) {
+    this.arrows = arrows;
+    this.columns = FORCES.filter((part) => arrows.some((arrow) => arrow.components?.[part]));
+    this.rows = arrows.map((arrow) => {
+      const state = arrow.state ? el("span", { className: "ppv-state" }) : null;
+      const cells = this.columns.map((part) => el("td", { className: `ppv-${part}` }));
+      const name = arrow.name.replaceAll("_", " ");
+      return {
+        state,
+        cells,
+        said: null,
+        row: el("tr", {}, el("th", { scope: "row", title: `${arrow.kind} ${name}` }, state, name), ...cells),
+      };
+    });
+    const head = el(
+      "tr",
+      {},
+      el("td"),
+      ...this.columns.map((part) => el("th", { scope: "col", className: `ppv-${part}` }, el("i"), part)),
+    );
+    this.states = el("div", { className: "ppv-states" });
+    if (arrows.some((arrow) => arrow.state)) {
+      const seen = new Set(
+        arrows
+          .flatMap((arrow) => [...(arrow.state?.data ?? [])])
+          .map((state) => (state === 255 ? -1 : state)),
+      );
+      for (const { word, colour } of [1, -1, 2, 0]
+        .filter((state) => seen.has(state))
+        .map((state) => STATES[state])) {
+        this.states.append(el("span", {}, el("i", { style: `background:${colour}` }), word));
+      }
+    }
+    this.element = el(
+      "div",
+      { className: "ppv-legend", tabindex: "0", role: "region", "aria-label": "Forces now" },
+      el("table", {}, el("thead", {}, head), el("tbody", {}, ...this.rows.map(({ row }) => row))),
+      this.states,
+    );
+    this.element.hidden = !arrows.length;
+  }
+
+  /** @param {import("./arrows.js").Force[]} forces @param {Set<string>} shown kinds @param {boolean} hidden */
+  update(forces, shown, hidden) {
+    this.element.hidden = hidden || !forces.some((each) => shown.has(each.kind));
+    if (this.element.hidden) return;
+    forces.forEach((each, k) => {
+      const { row, cells, state } = this.rows[k];
+      row.hidden = !shown.has(each.kind);
+      if (row.hidden) return;
+      this.columns.forEach((part, c) => {
+        const text =
+          part in each.values
+            ? force(each.values[part], each.unit, this.arrows[k].size || each.values[part])
+            : "";
+        if (cells[c].textContent !== text) cells[c].textContent = text;
+      });
+      if (state && this.rows[k].said !== each.state) {
+        const { word, colour } = STATES[each.state] ?? STATES[0];
+        this.rows[k].said = each.state;
+        state.style.background = colour;
+        state.title = word;
+        state.setAttribute("aria-label", word);
+      }
+    });
+  }
+
+  /** Lines for a picture that is saved. @param {import("./arrows.js").Force[]} forces @param {Set<string>} shown */
+  lines(forces, shown) {
+    return forces
+      .map((each, k) => ({ each, size: this.arrows[k].size }))
+      .filter(({ each }) => shown.has(each.kind))
+      .map(({ each, size }) => ({
+        name: each.name.replaceAll("_", " "),
+        values: this.columns
+          .filter((part) => part in each.values)
+          .map((part) => ({ part, text: force(each.values[part], each.unit, size || each.values[part]) })),
+      }));
+  }
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way in: pitchpointViewer.mount(element, {compare}) fills an element with the scene of its page.
+import uplotStyle from "uplot/dist/uPlot.min.css";
+import style from "./style.css";
+import { el } from "./dom.js";
+import { Page } from "./page.js";
+import { movingSolids, png, stl } from "./save.js";
+import { SceneError, readScene } from "./scene_file.js";
+import { stateOf } from "./state.js";
+
+/** @type {Page|null} the viewer that was mounted last */
+let page = null;
+
+/**
+ * @param {HTMLElement} element to be filled; it decides the size
+ * @param {{compare?: boolean}} options compare: the page holds two scenes
+ * @returns {Promise<boolean>} whether there is a scene; otherwise a sentence in its place says why not
+ */
+async function mount(element, { compare = false } = {}) {
+  if (!document.getElementById("ppv-style"))
+    document.head.append(el("style", { id: "ppv-style" }, uplotStyle + style));
+  const root = el("div", { className: "ppv" });
+  const said = el("p", {}, "Reading the scene …");
+  root.append(el("div", { className: "ppv-message", role: "status" }, said));
+  element.replaceChildren(root);
+  try {
+    const scenes = [await readScene()];
+    if (compare) scenes.push(await readScene("-2"));
+    page = new Page(root, scenes);
+    root.dataset.ready = "scene";
+    return true;
+  } catch (error) {
+    said.textContent =
+      error instanceof SceneError
+        ? error.message
+        : `The viewer failed: ${error instanceof Error ? error.message : error}.`;
+    root.replaceChildren(el("div", { className: "ppv-message", role: "alert" }, said));
+    root.dataset.ready = "failed";
+    if (!(error instanceof SceneError)) console.error(error);
+    return false;
+  }
+}
+
+const shown = () => {
+  if (!page) throw new Error("no scene is shown");
+  return page;
+};
+
+window.pitchpointViewer = {
+  mount,
+  state: () => (page ? stateOf(page) : null),
+  seek: (t) => shown().seek(t),
+  play: () => shown().toggle(true),
+  pause: () => shown().toggle(false),
+  step: (frames) => shown().step(frames),
+  repeat: (what) => shown().loop(what),
+  advance: (dt) => shown().advance(dt),
+  follow: (body) => shown().follow(body),
+  /** Camera onto a point [m] from a direction, so that the picture is so high [m]. */
+  look: (target, direction, height) => shown().views?.look(target, direction, height),
+  view: (name) => shown().views?.named(name, true),
+  show: (channel, on = true) => shown().curves.plots.show(channel, on),
+  magnify: (times) => shown().magnify(times),
+  mode: (number) => shown().modes.choose(number),
+  /** @param {"png"|"glb"|"stl"} kind @returns {Blob} */
+  file: (kind, times = 1) =>
+    kind === "png" ? png(shown(), times) : kind === "glb" ? movingSolids(shown()) : stl(shown()),
+  /** At once, where the camera is going. */
+  draw: () => {
+    shown().orbit?.settle();
+    shown().draw();
+  },
+};

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+// The viewer of one element: scene, time, curves and panels, and what connects them.
+import { Curves } from "./curves.js";
+import { el } from "./dom.js";
+import { Hover } from "./hover.js";
+import { keys, KEYS } from "./keys.js";
+import { Legend } from "./legend.js";
+import { length } from "./numbers.js";
+import { Modes } from "./modes.js";
+import { Orbit } from "./orbit.js";
+import { Panels, forceRows, saveRows, vibrationRows, viewRows } from "./panels.js";
+import { Player, round125 } from "./player.js";
+import { Poses } from "./poses.js";
+import { SectionView } from "./section_view.js";
+import { Stage, graphics } from "./stage.js";
+import { Transport } from "./transport.js";
+import { Views } from "./views.js";
+
+const NO_WEBGL =
+  "This browser or machine offers no WebGL 2, so the solids cannot be drawn; curves and time work.";
+
+export class Page {
+  /** @param {HTMLElement} root @param {any[]} scenes one, or two that are compared */
+  constructor(root, scenes) {
+    this.root = root;
+    this.scenes = scenes;
+    this.last = 0;
+    this.waiting = 0;
+    this.stage = null;
+    const times = allTimes(scenes);
+    this.poses = new Poses(scenes[0]);
+    this.player = new Player(times, this.poses);
+    const marks = allMarks(scenes);
+    const range = [this.player.first, this.player.last];
+    this.curves = new Curves(scenes, range, marks, (t) => this.seek(t));
+    this.transport = new Transport(this.player, marks, {
+      seek: (t) => this.seek(t),
+      toggle: () => this.toggle(),
+      step: (n) => this.step(n),
+      speed: (x) => (this.player.speed = x),
+      loop: (what) => this.loop(what),
+    });
+    this.panels = new Panels();
+    this.host = el("div", { className: "ppv-view" });
+    this.area = el("div", { className: "ppv-scene" }, this.host, this.panels.panel);
+    const title = [...new Set(scenes.map((scene) => scene.title))].join(" and "),
+      subtitle = scenes.length > 1 ? "" : scenes[0].subtitle;
+    const head = el(
+      "div",
+      { className: "ppv-head" },
+      el(
+        "div",
+        { className: "ppv-title", title: `${title} ${subtitle}` },
+        el("b", {}, title),
+        el("span", {}, subtitle),
+      ),
+      this.panels.bar,
+    );
+    root.replaceChildren(head, this.area, this.transport.element, this.curves.element);
+    this.#scene();
+    this.#panels();
+    keys(this);
+    this.watch = new ResizeObserver(() => this.resize());
+    this.watch.observe(root);
+    this.watch.observe(this.curves.body);
+    // a printer sees the canvas only if it was drawn just now
+    window.addEventListener("beforeprint", () => this.draw());
+    this.dark = window.matchMedia("(prefers-color-scheme: dark)");
+    this.dark.addEventListener("change", () => this.colours());
+    this.resize();
+    this.curves.build();
+    this.colours();
+  }
+
+  #say(words) {
+    this.area.append(el("div", { className: "ppv-message", role: "alert" }, el("p", {}, words)));
+  }
+
+  #scene() {
+    if (!this.scenes.some((scene) => scene.solids.length)) {
+      this.#say("This scene holds no solids: the model gives no shapes, or the result none that moves.");
+      return;
+    }
+    const found = graphics();
+    if (!found) {
+      this.#say(NO_WEBGL);
+      return;
+    }
+    this.stage = new Stage(this.host, this.scenes, found.software);
+    const { stage } = this;
+    stage.canvas.tabIndex = 0;
+    stage.canvas.setAttribute("aria-label", "3-D scene: drag to turn, right button to shift, wheel to zoom");
+    stage.canvas.addEventListener("webglcontextlost", () =>
+      this.#say("The graphics card gave the scene up. Load the page again."),
+    );
+    this.orbit = new Orbit(stage.camera, stage.canvas, () => this.changed(), this.scenes[0].up);
+    // within a longer page the wheel scrolls the page until the reader clicks the scene
+    this.orbit.takesWheel = (event) => {
+      const takes = this.fills || event.ctrlKey || document.activeElement === stage.canvas;
+      if (!takes) this.#hint("click the scene first, then the wheel zooms");
+      return takes;
+    };
+    this.orbit.pictures = stage.pictures.length;
+    const { radius } = stage.bounds();
+    this.orbit.nearest = 2e-5 * radius;
+    this.orbit.farthest = 40 * radius;
+    this.views = new Views(stage, this.orbit);
+    this.hover = new Hover(stage, this.orbit, (body) => this.follow(body));
+    this.legends = this.scenes.map((scene) => new Legend(scene.arrows));
+    this.scale = el("div", { className: "ppv-scale", "aria-hidden": "true" }, el("span"), el("i"));
+    this.status = el("div", { className: "ppv-status", role: "status" });
+    const names = namesOf(this.scenes);
+    const halves = this.legends.map((legend, k) =>
+      el(
+        "div",
+        { className: "ppv-half" },
+        legend.element,
+        names[k] && el("span", { className: "ppv-name" }, names[k]),
+      ),
+    );
+    this.host.append(
+      el("div", { className: "ppv-halves" }, ...halves),
+      this.hover.label,
+      this.scale,
+      this.status,
+    );
+  }
+
+  #panels() {
+    const { panels, stage } = this;
+    if (stage) {
+      panels.action("Fit", "Show all of it (f)", () => this.views.fit());
+      panels.add("View", "Views, following a body, housing, meshes", viewRows(this));
+      if (this.scenes.some((scene) => scene.arrows.length))
+        panels.add("Forces", "Arrows of forces", forceRows(this));
+      if (this.player.times.length > 1) panels.add("Vibration", "Magnify vibrations", vibrationRows(this));
+      this.section = new SectionView(stage, () => this.changed());
+      panels.add("Section", "Cut the solids by a plane", this.section.rows);
+      const { modes } = this.scenes[0];
+      if (modes.length && !this.scenes[1]) {
+        this.modes = new Modes(modes, stage, () => this.changed());
+        panels.add("Modes", "Mode shapes", this.modes.rows);
+      }
+      panels.add("Save", "Picture, solids, film", saveRows(this));
+    }
+    const notes = [...new Set(this.scenes.flatMap((scene) => scene.notes))];
+    const help = [el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)]))];
+    if (notes.length)
+      help.unshift(el("ul", { className: "ppv-notes" }, ...notes.map((note) => el("li", {}, note))));
+    panels.add(notes.length ? `Notes (${notes.length})` : "?", "Notes and keys", help);
+  }
+
+  /** Colours that scripts draw with follow the page. */
+  colours() {
+    this.stage?.background.set(getComputedStyle(this.area).backgroundColor);
+    this.curves.build();
+    this.transport.draw();
+    this.changed();
+  }
+
+  resize() {
+    if (!this.root.clientWidth || !this.root.clientHeight) return;
+    if (this.stage) {
+      const first = this.stage.size.width === 1;
+      this.stage.resize();
+      if (first) this.views.named("iso", true);
+      if (!this.orbit.chosen) this.views.fit(true);
+      this.draw();
+    }
+    this.curves.resize();
+    this.transport.draw();
+    this.update();
+  }
+
+  /** Something is to be drawn again, once, when the browser next draws. */
+  changed() {
+    if (!this.waiting) this.waiting = requestAnimationFrame((now) => this.#frame(now));
+  }
+
+  #frame(now) {
+    this.waiting = 0;
+    const moving = this.player.playing || this.easing || this.modes?.active;
+    const dt = moving && this.last ? Math.min(0.25, Math.max(0, (now - this.last) / 1000)) : 1 / 60;
+    this.last = now;
+    this.player.advance(dt);
+    this.modes?.advance(dt);
+    this.easing = this.orbit?.step(dt) ?? false;
+    this.#spare(dt, moving);
+    this.update();
+    this.draw();
+    this.frames = (this.frames ?? 0) + 1;
+    if (this.player.playing || this.easing || this.modes?.active) this.changed();
+    else this.last = 0;
+  }
+
+  /** Below some twelve pictures a second a coarser one that moves is worth more than a fine one that jerks. */
+  #spare(dt, moving) {
+    const goesOn = this.player.playing || this.easing || this.modes?.active;
+    if (moving && goesOn) this.pace = 0.7 * (this.pace ?? dt) + 0.3 * dt;
+    // a film has one size
+    if (this.filming) return;
+    this.stage?.coarsen(Boolean(goesOn) && this.pace > (this.stage.coarse ? 0.03 : 0.085));
+  }
+
+  /** Everything but the scene, which is drawn by draw. */
+  update() {
+    this.transport.update();
+    this.curves.plots.cursor(this.player.time);
+  }
+
+  draw() {
+    const { stage, orbit } = this;
+    if (!stage || stage.size.width === 1) return;
+    for (const picture of stage.pictures) {
+      if (this.modes?.active) this.modes.pose(picture);
+      else picture.poses.at(this.player.time);
+    }
+    if (!this.modes?.active) this.views.update();
+    this.section?.update();
+    for (const picture of stage.pictures) {
+      picture.solids.update(0.25 * orbit.pixel);
+      picture.arrows.hidden = Boolean(this.modes?.active);
+      picture.arrows.update(orbit.pixel);
+    }
+    stage.render(orbit);
+    stage.pictures.forEach(({ arrows }, k) =>
+      this.legends[k].update(arrows.now, arrows.shown, arrows.hidden),
+    );
+    this.#scaleBar();
+  }
+
+  #scaleBar() {
+    const size = round125(90 * this.orbit.pixel);
+    const [text, bar] = this.scale.children;
+    text.textContent = length(size);
+    bar.style.width = `${size / this.orbit.pixel}px`;
+    const body = this.views.body;
+    const following = body >= 0 ? `following ${this.scenes[0].bodies[body].name}` : "";
+    const larger =
+      this.stage.pictures[0].poses.magnification > 1
+        ? `vibrations × ${this.magnification.row.lastChild.textContent}`
+        : "";
+    this.status.textContent = [following, larger, this.modes?.words].filter(Boolean).join(" · ");
+  }
+
+  /** Whether the page is nothing but the viewer. */
+  get fills() {
+    return this.root.clientHeight > 0.8 * window.innerHeight;
+  }
+
+  /** @param {string} words shown for a moment */
+  #hint(words) {
+    this.status.textContent = words;
+    clearTimeout(this.hinted);
+    this.hinted = setTimeout(() => this.changed(), 2500);
+  }
+
+  /** As a frame that comes so much later does. @param {number} dt real time [s] */
+  advance(dt) {
+    this.player.advance(dt);
+    this.modes?.advance(dt);
+    this.update();
+    this.draw();
+  }
+
+  /** @param {number} t [s] */
+  seek(t) {
+    this.player.seek(t);
+    this.update();
+    this.changed();
+  }
+
+  toggle(on = !this.player.playing) {
+    this.player.playing = on && this.player.last > this.player.first;
+    this.transport.update();
+    this.changed();
+  }
+
+  /** @param {number} frames */
+  step(frames) {
+    this.player.step(frames);
+    this.update();
+    this.changed();
+  }
+
+  /** @param {string} what @returns {string} what is wrong with it */
+  loop(what) {
+    const wrong = this.player.repeat(what, this.views?.body ?? -1, this.scenes[0].solids);
+    this.transport.loop.select.value = this.player.loop;
+    this.transport.draw();
+    this.changed();
+    return wrong;
+  }
+
+  /** @param {number} body -1 none */
+  follow(body) {
+    if (body >= this.scenes[0].bodies.length || !this.stage) return;
+    this.views.follow(body);
+    if (body >= 0) this.views.closeUp();
+    this.followed.select.value = String(body);
+    this.changed();
+  }
+
+  /** @param {number} times */
+  magnify(times) {
+    for (const picture of this.stage.pictures) picture.poses.magnification = times;
+    this.changed();
+  }
+
+  /** @param {any} arrow of a mesh */
+  intoMesh(arrow) {
+    const { point, axis } = this.views.intoMesh(arrow);
+    this.section.through(point, axis);
+  }
+}
+
+/** What tells two results apart; nothing where there is one. @param {any[]} scenes @returns {string[]} */
+export function namesOf(scenes) {
+  if (scenes.length < 2) return [""];
+  const [first, second] = scenes;
+  if (first.title !== second.title) return [first.title, second.title];
+  return first.subtitle === second.subtitle ? ["first", "second"] : [first.subtitle, second.subtitle];
+}
+
+/** Marks of all results; those of two say whose they are. @param {any[]} scenes */
+function allMarks(scenes) {
+  const names = namesOf(scenes);
+  return scenes.flatMap((scene, k) =>
+    scene.marks.map((mark) => ({ ...mark, what: [mark.what, names[k]].filter(Boolean).join(", ") })),
+  );
+}
+
+/** Frames of all results in one ascending list. @param {any[]} scenes */
+function allTimes(scenes) {
+  const lists = scenes.map((scene) => scene.times?.data ?? []);
+  if (lists.length === 1) return lists[0];
+  return Float64Array.from(new Set(lists.flatMap((list) => [...list]))).sort();
+}

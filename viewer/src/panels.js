@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// The row of buttons and what each opens: one panel at a time, over the corner of the scene.
+import { button, choice, el, logSlider, tick } from "./dom.js";
+import { number } from "./numbers.js";
+import { download, fileName, film, movingSolids, png, stl } from "./save.js";
+
+export class Panels {
+  constructor() {
+    this.bar = el("div", { className: "ppv-tools", role: "toolbar", "aria-label": "Scene" });
+    this.panel = el("div", { className: "ppv-panel", hidden: true });
+    this.open = null;
+    this.panel.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") this.close();
+    });
+  }
+
+  /** @param {string} text @param {string} title @param {() => void} onclick */
+  action(text, title, onclick) {
+    const made = button(text, title, onclick);
+    this.bar.append(made);
+    return made;
+  }
+
+  /** @param {string} text @param {string} title @param {Node[]} rows */
+  add(text, title, rows) {
+    const made = button(
+      text,
+      title,
+      () => (this.open === text ? this.close() : this.show(text, rows, made)),
+      { "aria-expanded": "false" },
+    );
+    this.bar.append(made);
+    return made;
+  }
+
+  show(text, rows, opener) {
+    this.close();
+    this.open = text;
+    this.opener = opener;
+    opener.setAttribute("aria-expanded", "true");
+    this.panel.replaceChildren(
+      el(
+        "div",
+        { className: "ppv-panel-head" },
+        el("b", {}, text),
+        button("×", "Close", () => this.close()),
+      ),
+      ...rows,
+    );
+    this.panel.hidden = false;
+  }
+
+  close() {
+    if (!this.open) return;
+    const inside = this.panel.contains(document.activeElement);
+    this.open = null;
+    this.panel.hidden = true;
+    this.opener.setAttribute("aria-expanded", "false");
+    if (inside) this.opener.focus();
+  }
+}
+
+/** Rows of the panel of views. @param {import("./page.js").Page} page */
+export function viewRows(page) {
+  const { stage } = page;
+  const data = stage.pictures[0].data;
+  const views = [
+    ["axis", "Along the axis"],
+    ["front", "From the side"],
+    ["top", "From above"],
+    ["iso", "Oblique"],
+  ];
+  page.followed = choice(
+    "follow",
+    [["-1", "nothing"], ...data.bodies.map((body, k) => [String(k), body.name])],
+    (value) => page.follow(Number(value)),
+    "Body that the camera follows (1 to 9, 0)",
+  );
+  const turning = tick("turn with it", false, (on) => {
+    page.views.turning = on;
+    page.views.follow(page.views.body, on);
+  });
+  const covers = data.solids.some((solid) => solid.see_through)
+    ? choice(
+        "housing",
+        [
+          ["see-through", "see-through"],
+          ["solid", "solid"],
+          ["hidden", "hidden"],
+        ],
+        (how) => {
+          for (const picture of stage.pictures) picture.solids.cover(how);
+          page.changed();
+        },
+      ).row
+    : null;
+  const meshes = data.arrows.filter((arrow) => arrow.kind === "mesh");
+  const looks = meshes.map((arrow) =>
+    button(arrow.name.replaceAll("_", " "), `Look into the mesh ${arrow.name}, along its axis`, () =>
+      page.intoMesh(arrow),
+    ),
+  );
+  return [
+    el(
+      "div",
+      { className: "ppv-buttons" },
+      ...views.map(([name, title]) => button(name, title, () => page.views.named(name))),
+    ),
+    page.followed.row,
+    turning.row,
+    covers,
+    looks.length
+      ? el(
+          "div",
+          {},
+          el("span", { className: "ppv-soft" }, "look into a mesh"),
+          el("div", { className: "ppv-buttons" }, ...looks),
+        )
+      : null,
+  ].filter(Boolean);
+}
+
+/** Rows of the panel of forces. @param {import("./page.js").Page} page */
+export function forceRows(page) {
+  const all = page.stage.pictures.map((picture) => picture.arrows);
+  const kinds = [...new Set(all.flatMap((arrows) => [...arrows.kinds]))];
+  const scale = logSlider({
+    label: "length",
+    title: "Length of the arrows",
+    least: 0.05,
+    most: 20,
+    value: 1,
+    show: (x) => `× ${number(x, 2)}`,
+    changed: (x) => {
+      for (const arrows of all) arrows.scale = x;
+      page.changed();
+    },
+  });
+  return [
+    ...kinds.map(
+      (kind) =>
+        tick({ mesh: "mesh forces", bearing: "bearing forces", load: "loads" }[kind] ?? kind, true, (on) => {
+          for (const arrows of all) on ? arrows.shown.add(kind) : arrows.shown.delete(kind);
+          page.changed();
+        }).row,
+    ),
+    scale.row,
+  ];
+}
+
+/** Rows of the panel of files. @param {import("./page.js").Page} page */
+export function saveRows(page) {
+  const { stage } = page;
+  const picture = (times) => download(png(page, times), fileName(page, "png"));
+  const camera = film(stage.canvas);
+  let stop = null;
+  const record = camera
+    ? button("film", `Film what is played, ${camera.ending}`, async () => {
+        record.setAttribute("aria-pressed", String(!stop));
+        if (!stop) {
+          page.filming = true;
+          stage.coarsen(false);
+          stop = camera.start();
+          record.textContent = "stop the film";
+          page.toggle(true);
+          return;
+        }
+        const end = stop;
+        stop = null;
+        page.filming = false;
+        record.textContent = "film";
+        download(await end(), fileName(page, camera.ending));
+      })
+    : null;
+  return [
+    el(
+      "div",
+      { className: "ppv-buttons" },
+      button("picture", "PNG of the scene with title, time and forces", () => picture(1)),
+      button("picture × 2", "The same with twice as many pixels each way", () => picture(2)),
+      record,
+    ),
+    el(
+      "div",
+      { className: "ppv-buttons" },
+      button("GLB, moving", "Solids and their motion, binary glTF", () =>
+        download(movingSolids(page), fileName(page, "glb")),
+      ),
+      button("STL", "Solids where they are now, metres", () => download(stl(page), fileName(page, "stl"))),
+    ),
+  ];
+}
+
+/** Rows of the panel of vibrations. @param {import("./page.js").Page} page */
+export function vibrationRows(page) {
+  page.magnification = logSlider({
+    label: "× ",
+    title: "How much vibrations are magnified; turning is not (m)",
+    least: 1,
+    most: 1e4,
+    value: 1,
+    show: (x) => number(x < 10 ? Number(x.toPrecision(2)) : Math.round(x), x < 10 ? 2 : 5),
+    changed: (x) => page.magnify(x),
+  });
+  return [
+    page.magnification.row,
+    el(
+      "p",
+      { className: "ppv-soft" },
+      "Displacements, tilts and torsion about their means; the turning itself is not magnified.",
+    ),
+  ];
+}

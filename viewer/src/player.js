@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time of the scene: where it is, how fast it runs, which piece of the record it repeats.
+import { between } from "./frames.js";
+
+export const SLOWEST = 1e-4;
+
+/** Nearest of 1, 2, 5, 10, ... times a power of ten. @param {number} value */
+export function round125(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  const head = value / power;
+  return power * (head < 1.5 ? 1 : head < 3.5 ? 2 : head < 7.5 ? 5 : 10);
+}
+
+export class Player {
+  /**
+   * @param {ArrayLike<number>} times of the frames, of all results
+   * @param {import("./poses.js").Poses|null} poses of the first result
+   */
+  constructor(times, poses) {
+    this.times = times;
+    this.poses = poses;
+    this.first = times.length ? times[0] : 0;
+    this.last = times.length ? times[times.length - 1] : 0;
+    this.time = this.first;
+    this.playing = false;
+    this.loop = "record";
+    this.window = [this.first, this.last];
+    this.body = -1;
+    this.speed = this.#pleasant();
+  }
+
+  /** A speed at which the fastest body turns about once in three seconds, or the record lasts ten. */
+  #pleasant() {
+    const length = this.last - this.first;
+    let fastest = 0;
+    const ends = [between(this.times, this.first), between(this.times, this.last)];
+    this.poses?.bodies.forEach((_, k) => {
+      fastest = Math.max(fastest, Math.abs(this.poses.angle(k, ends[1]) - this.poses.angle(k, ends[0])));
+    });
+    const speed = length > 0 ? (fastest > 1 ? (2 * Math.PI * length) / fastest / 3 : length / 10) : 1;
+    return round125(Math.max(SLOWEST, Math.min(1, speed)));
+  }
+
+  /** @param {number} t */
+  seek(t) {
+    this.time = Math.max(this.first, Math.min(this.last, t));
+  }
+
+  /** @param {number} dt real time [s] */
+  advance(dt) {
+    if (!this.playing) return;
+    const [a, b] = this.window;
+    let t = this.time + dt * this.speed;
+    if (t < a) t = a;
+    if (t > b) t = b > a ? a + ((t - a) % (b - a)) : a;
+    this.time = t;
+  }
+
+  /** To the next frame but one, and so on. @param {number} frames */
+  step(frames) {
+    this.playing = false;
+    const { low, share } = between(this.times, this.time);
+    const here = low + share;
+    const next = frames > 0 ? Math.floor(here + 1e-9) + frames : Math.ceil(here - 1e-9) + frames;
+    this.time = this.times[Math.max(0, Math.min(this.times.length - 1, next))] ?? 0;
+  }
+
+  get frame() {
+    const { low, share } = between(this.times, this.time);
+    return low + share;
+  }
+
+  /** The body whose turns count: the followed one, else the first gear, else the first that turns. @param {number} followed */
+  reference(followed, solids) {
+    const turns = (k) =>
+      this.poses &&
+      Math.abs(
+        this.poses.angle(k, between(this.times, this.last)) -
+          this.poses.angle(k, between(this.times, this.first)),
+      ) > 0;
+    if (followed >= 0 && turns(followed)) return followed;
+    const gear = solids.find((solid) => solid.teeth && turns(solid.body));
+    return gear ? gear.body : (this.poses?.bodies.findIndex((_, k) => turns(k)) ?? -1);
+  }
+
+  /**
+   * Repeat the whole record, one turn, or one mesh cycle from here on.
+   * @param {"record"|"turn"|"cycle"} loop @param {number} followed body @param {any[]} solids
+   * @returns {string} what is wrong with it, or ""
+   */
+  repeat(loop, followed, solids) {
+    this.loop = "record";
+    this.window = [this.first, this.last];
+    if (loop === "record") return "";
+    const body = this.reference(followed, solids);
+    if (body < 0) return "No body of this scene turns.";
+    const teeth = solids.find((solid) => solid.body === body && solid.teeth)?.teeth;
+    if (loop === "cycle" && !teeth) return "The followed body is not a gear.";
+    const angle = (2 * Math.PI) / (loop === "cycle" ? teeth : 1);
+    const at = (t) => this.poses.angle(body, between(this.times, t));
+    const swept = Math.abs(at(this.last) - at(this.first));
+    if (swept < angle) return "The record is shorter than that.";
+    // as late a start as leaves one whole piece
+    let a = this.time;
+    if (Math.abs(at(this.last) - at(a)) < angle)
+      a = this.#when((t) => Math.abs(at(this.last) - at(t)) <= angle, this.first, this.last);
+    const b = this.#when((t) => Math.abs(at(t) - at(a)) >= angle, a, this.last);
+    this.loop = loop;
+    this.body = body;
+    this.window = [a, b];
+    this.seek(a);
+    return "";
+  }
+
+  /** First instant at which something holds that then goes on to hold. */
+  #when(holds, low, high) {
+    for (let k = 0; k < 60; k++) {
+      const middle = (low + high) / 2;
+      if (holds(middle)) high = middle;
+      else low = middle;
+    }
+    return high;
+  }
+}

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+// Curves below the scene: one plot a unit, bands between least and most, a cursor tied to the time of the scene.
+import uPlot from "uplot";
+import { button, el } from "./dom.js";
+import { colourOfChannel, colourOfMark, isForce } from "./colours.js";
+import { fixed } from "./numbers.js";
+
+const LOW = 84; // least height of a plot [px]
+
+/** Instants at which the pieces of a channel are drawn: their starts where each is one sample, else their middles. @param {any} channel */
+export function middles(channel) {
+  const { data: starts } = channel.times;
+  if (!channel.most || starts.length < 2) return Float64Array.from(starts);
+  const n = starts.length;
+  return Float64Array.from(starts, (t, k) => t + (k < n - 1 ? starts[k + 1] - t : t - starts[k - 1]) / 2);
+}
+
+/** A table in the unit that is shown. @param {any} channel @param {any} table */
+function shown(channel, table) {
+  const scale = channel.scale ?? 1;
+  return Float64Array.from(table.data, (value) => value * scale);
+}
+
+/** Piece of a channel at an instant. @param {any} channel @param {number} t */
+export function valueAt(channel, t) {
+  const { times, least, most } = channel;
+  let low = 0,
+    high = times.count;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times.data[middle] <= t) low = middle;
+    else high = middle;
+  }
+  const scale = channel.scale ?? 1;
+  return { least: least.data[low] * scale, most: (most ?? least).data[low] * scale };
+}
+
+export class Plots {
+  /**
+   * @param {any[][]} channels of each result
+   * @param {any[]} marks @param {number[]} range of time
+   * @param {(t: number) => void} seek
+   */
+  constructor(channels, marks, range, seek) {
+    this.channels = channels;
+    this.marks = marks;
+    this.kinds = [...new Set(marks.map((mark) => mark.kind))];
+    this.full = range;
+    this.x = range;
+    this.seek = seek;
+    this.time = range[0];
+    this.drawn = [];
+    this.element = el("div", { className: "ppv-plots" });
+    this.names = new Set(
+      channels
+        .flat()
+        .filter((channel) => channel.first)
+        .map((channel) => channel.name),
+    );
+    this.order = [...new Set(channels.flat().map((channel) => channel.name))];
+    this.onRemove = () => {};
+  }
+
+  /** @param {string} name @param {boolean} on */
+  show(name, on) {
+    if (on) this.names.add(name);
+    else this.names.delete(name);
+    this.build();
+  }
+
+  /** Chosen channels in groups of one unit. */
+  #groups() {
+    const groups = new Map();
+    for (const name of this.order) {
+      if (!this.names.has(name)) continue;
+      const found = this.channels.map((list) => list.find((channel) => channel.name === name));
+      const unit = (found.find(Boolean).shown_unit ?? found.find(Boolean).unit) || "1";
+      if (!groups.has(unit)) groups.set(unit, []);
+      groups.get(unit).push({ name, found });
+    }
+    return groups;
+  }
+
+  build() {
+    for (const { plot } of this.drawn) plot.destroy();
+    this.drawn = [];
+    this.element.replaceChildren();
+    const groups = this.#groups();
+    this.ratio = window.devicePixelRatio || 1;
+    // curves of force parts have their own colours, the others take turns
+    this.turns = [...groups.values()]
+      .flat()
+      .map(({ name }) => name)
+      .filter((name) => !isForce(name));
+    for (const [unit, members] of groups) {
+      const holder = el("div", { className: "ppv-plot" });
+      const caption = el("div", { className: "ppv-caption" });
+      const box = el("div", { className: "ppv-box" });
+      holder.append(caption, box);
+      this.element.append(holder);
+      const made = this.#plot(unit, members, box, caption);
+      this.drawn.push({ ...made, box });
+    }
+    if (!groups.size)
+      this.element.append(
+        el(
+          "p",
+          { className: "ppv-none" },
+          this.order.length ? "Choose a curve." : "This scene has no curves.",
+        ),
+      );
+    this.resize();
+    this.cursor(this.time);
+  }
+
+  #plot(unit, members, box, caption) {
+    const tables = [],
+      series = [{}],
+      bands = [],
+      shows = [];
+    const ink = getComputedStyle(this.element);
+    members.forEach(({ name, found }) => {
+      const colour = colourOfChannel(this.element, name, this.turns.indexOf(name));
+      const values = el("output", {});
+      const first = found.find(Boolean);
+      caption.append(
+        el(
+          "span",
+          { className: "ppv-curve" },
+          el("i", { style: `background:${colour}` }),
+          el("span", {}, first.label ?? name),
+          values,
+          el("small", {}, unit === "1" ? "" : unit),
+          button("×", `Remove ${first.label ?? name}`, () => {
+            this.show(name, false);
+            this.onRemove();
+          }),
+        ),
+      );
+      // as many decimals as four digits of the largest value have
+      const largest = Math.max(
+        ...found
+          .filter(Boolean)
+          .map(
+            (channel) =>
+              (channel.scale ?? 1) *
+              Math.max(
+                ...[channel.least, channel.most ?? channel.least].map(({ data }) =>
+                  data.reduce((most, x) => Math.max(most, Math.abs(x)), 0),
+                ),
+              ),
+          ),
+      );
+      shows.push({ values, found, digits: fixed(largest) });
+      found.forEach((channel, result) => {
+        if (!channel) return;
+        const dash = result ? [6, 4] : undefined;
+        const line = { stroke: colour, width: 1.4, dash, points: { show: false }, spanGaps: true };
+        const table = [middles(channel), shown(channel, channel.least)];
+        if (channel.most) {
+          table.push(shown(channel, channel.most));
+          bands.push({
+            series: [series.length + 1, series.length],
+            fill: `color-mix(in srgb, ${colour} 30%, transparent)`,
+          });
+          series.push({ ...line, width: 1 });
+        }
+        series.push({ ...line, width: channel.most ? 1 : 1.4 });
+        tables.push(table);
+      });
+    });
+    const same = tables.every(
+      ([x]) => x.length === tables[0][0].length && x.every((t, k) => t === tables[0][0][k]),
+    );
+    const data = same
+      ? [tables[0][0], ...tables.flatMap(([, ...rest]) => rest)]
+      : uPlot.join(tables.map((table) => table.map((column) => Array.from(column))));
+    const soft = ink.getPropertyValue("--v-soft").trim() || "#666";
+    const grid = ink.getPropertyValue("--v-grid").trim() || "#ddd";
+    const axis = {
+      stroke: soft,
+      grid: { stroke: grid, width: 1 },
+      ticks: { show: false },
+      font: "11px system-ui, sans-serif",
+    };
+    const plot = new uPlot(
+      {
+        width: 300,
+        height: LOW,
+        padding: [6, 30, 0, 0],
+        series,
+        bands,
+        legend: { show: false },
+        cursor: { show: false },
+        scales: { x: { time: false, range: () => this.x }, y: { range: (_, low, high) => range(low, high) } },
+        axes: [
+          { ...axis, size: 22, gap: 3, values: (_, splits) => labels(splits, "s") },
+          { ...axis, size: 62, gap: 4, space: 24, values: (_, splits) => labels(splits) },
+        ],
+        hooks: { draw: [(self) => this.#drawMarks(self)] },
+      },
+      data,
+      box,
+    );
+    const line = el("div", { className: "ppv-cursor" });
+    plot.over.append(line);
+    this.#pointer(plot);
+    return { plot, line, shows };
+  }
+
+  #drawMarks(plot) {
+    const { left, top, width } = plot.bbox;
+    let last = -9;
+    for (const mark of this.marks) {
+      const x = plot.valToPos(mark.time, "x", true);
+      if (x < left || x > left + width || x - last < 1) continue;
+      last = x;
+      plot.ctx.fillStyle = colourOfMark(this.kinds, mark.kind);
+      plot.ctx.fillRect(x - this.ratio / 2, top, 1.2 * this.ratio, 6 * this.ratio);
+    }
+  }
+
+  #pointer(plot) {
+    const { over } = plot;
+    const at = (event) => plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x");
+    let down = false;
+    over.addEventListener("pointerdown", (event) => {
+      if (event.button) return;
+      down = true;
+      over.setPointerCapture?.(event.pointerId);
+      this.seek(at(event));
+    });
+    over.addEventListener("pointermove", (event) => down && this.seek(at(event)));
+    for (const name of ["pointerup", "pointercancel"]) over.addEventListener(name, () => (down = false));
+    over.addEventListener("dblclick", () => this.zoom(this.full));
+    over.addEventListener(
+      "wheel",
+      (event) => {
+        if (!event.ctrlKey && !event.shiftKey && event.deltaY > 0 && this.x === this.full) return; // the page scrolls
+        event.preventDefault();
+        const t = at(event),
+          factor = Math.exp(Math.max(-1, Math.min(1, (event.deltaY || event.deltaX) * 0.002)));
+        this.zoom([t + (this.x[0] - t) * factor, t + (this.x[1] - t) * factor]);
+      },
+      { passive: false },
+    );
+  }
+
+  /** Piece of time that all plots show. @param {number[]} range */
+  zoom([a, b]) {
+    const [first, last] = this.full;
+    const out = b - a >= last - first;
+    this.x = out ? this.full : [Math.max(first, a), Math.min(last, b)];
+    for (const { plot } of this.drawn) plot.setData(plot.data);
+    this.cursor(this.time);
+  }
+
+  resize() {
+    const height = this.element.clientHeight;
+    const caption = 20;
+    const each = Math.max(
+      LOW,
+      Math.min(260, Math.floor(height / Math.max(1, this.drawn.length)) - caption - 4),
+    );
+    for (const { plot, box } of this.drawn)
+      plot.setSize({ width: Math.max(120, box.clientWidth), height: each });
+    this.cursor(this.time);
+  }
+
+  /** @param {number} t */
+  cursor(t) {
+    this.time = t;
+    for (const { plot, line, shows } of this.drawn) {
+      const x = plot.valToPos(t, "x");
+      line.hidden = !(x >= -0.5 && x <= plot.over.clientWidth + 0.5);
+      line.style.transform = `translateX(${x}px)`;
+      for (const { values, found, digits } of shows) {
+        const text = found
+          .filter(Boolean)
+          .map((channel) => {
+            const { least, most } = valueAt(channel, t);
+            return least === most ? digits(least) : `${digits(least)} … ${digits(most)}`;
+          })
+          .join(" | ");
+        if (values.textContent !== text) values.textContent = text;
+      }
+    }
+  }
+}
+
+/** A range with air, that is never empty. */
+function range(low, high) {
+  if (!(high >= low)) return [0, 1];
+  const air = 0.06 * (high - low || Math.abs(high) || 1);
+  return [low - air, high + air];
+}
+
+/** Labels of an axis; large and small numbers share one power of ten. @param {number[]} splits @param {string} unit of the last one */
+function labels(splits, unit = "") {
+  const most = Math.max(...splits.map(Math.abs));
+  const step = splits.length > 1 ? Math.abs(splits[1] - splits[0]) : most;
+  let decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(step || 1) + 1e-9)));
+  // 2.5 has one more digit than 2
+  if (decimals < 12 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
+  return splits.map((value, k) => {
+    const text = most >= 1e6 || (most > 0 && most < 1e-4) ? value.toExponential(2) : value.toFixed(decimals);
+    return (k === splits.length - 1 && unit ? `${text} ${unit}` : text)
+      .replace(/^-(0(\.0+)?)$/, "$1")
+      .replace("-", "\u2212");
+  });
+}

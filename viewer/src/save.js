@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that the reader keeps: picture, solids, moving solids, film.
+import { Matrix4, Vector3 } from "three";
+import { el } from "./dom.js";
+import { glb } from "./glb.js";
+import { colourOfForce } from "./colours.js";
+import { instant } from "./numbers.js";
+
+/** @param {Blob} blob @param {string} name */
+export function download(blob, name) {
+  const address = URL.createObjectURL(blob);
+  const link = el("a", { href: address, download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(address), 60000);
+}
+
+/** A name for files from the title. @param {import("./page.js").Page} page @param {string} ending */
+export function fileName(page, ending) {
+  const plain = page.scenes[0].title
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .replace(/^-|-$/g, "");
+  return `${plain || "scene"}.${ending}`;
+}
+
+/**
+ * The scene as it stands, with title, time and forces written on it.
+ * @param {import("./page.js").Page} page @param {number} times as many pixels @returns {Blob}
+ */
+export function png(page, times = 1) {
+  const { stage } = page;
+  const { renderer, canvas } = stage;
+  renderer.setPixelRatio(stage.ratio * times);
+  renderer.setSize(stage.size.width, stage.size.height);
+  page.draw();
+  const paper = el("canvas", { width: canvas.width, height: canvas.height });
+  const pen = paper.getContext("2d");
+  // at once: what a canvas of WebGL shows is gone after the frame
+  pen.drawImage(canvas, 0, 0);
+  stage.resize();
+  page.draw();
+  const k = stage.ratio * times;
+  pen.scale(k, k);
+  const style = getComputedStyle(page.root);
+  const ink = style.getPropertyValue("--v-ink").trim() || "#222",
+    soft = style.getPropertyValue("--v-soft").trim() || "#666";
+  const { width, height } = stage.size;
+  pen.textBaseline = "top";
+  pen.font = `600 14px ${style.fontFamily}`;
+  pen.fillStyle = ink;
+  const each = width / page.scenes.length;
+  page.scenes.forEach((scene, n) => pen.fillText(scene.title, 12 + n * each, 10));
+  pen.font = `12px ${style.fontFamily}`;
+  pen.fillStyle = soft;
+  const when = page.modes?.active
+    ? page.modes.words
+    : `t = ${instant(page.player.time, page.transport.stepLength / 10)}`;
+  page.scenes.forEach((scene, n) =>
+    pen.fillText([scene.subtitle, when].filter(Boolean).join(", "), 12 + n * each, 28),
+  );
+  page.legends.forEach((shown, n) => {
+    if (!shown.element.hidden) legend(pen, page, n, (n + 1) * each, ink, style);
+  });
+  const [text, bar] = page.scale.children;
+  pen.fillStyle = pen.strokeStyle = soft;
+  pen.fillText(text.textContent, 12, height - 30);
+  const length = parseFloat(bar.style.width);
+  pen.beginPath();
+  pen.moveTo(12, height - 15);
+  pen.lineTo(12, height - 10);
+  pen.lineTo(12 + length, height - 10);
+  pen.lineTo(12 + length, height - 15);
+  pen.stroke();
+  const bytes = atob(paper.toDataURL("image/png").split(",")[1]);
+  return new Blob([Uint8Array.from(bytes, (letter) => letter.charCodeAt(0))], { type: "image/png" });
+}
+
+/** Rows of the forces, in their colours, at the right edge. */
+function legend(pen, page, n, width, ink, style) {
+  const { arrows } = page.stage.pictures[n];
+  const shown = page.legends[n];
+  const { columns } = shown;
+  const lines = shown.lines(arrows.now, arrows.shown).slice(0, 20);
+  const wide =
+    92 * columns.length + 24 + Math.max(0, ...lines.map(({ name }) => pen.measureText(name).width));
+  pen.globalAlpha = 0.85;
+  pen.fillStyle = style.getPropertyValue("--v-paper").trim() || "#fff";
+  pen.fillRect(width - wide, 0, wide, 34 + 16 * lines.length);
+  pen.globalAlpha = 1;
+  pen.textAlign = "right";
+  columns.forEach((part, c) => {
+    pen.fillStyle = colourOfForce(page.root, part);
+    pen.fillText(part, width - 12 - 92 * (columns.length - 1 - c), 10);
+  });
+  lines.forEach(({ name, values }, row) => {
+    const y = 27 + 16 * row;
+    pen.fillStyle = ink;
+    pen.font = `12px ${style.fontFamily}`;
+    pen.fillText(name, width - 12 - 92 * columns.length, y);
+    for (const { part, text } of values)
+      pen.fillText(text, width - 12 - 92 * (columns.length - 1 - columns.indexOf(part)), y);
+  });
+  pen.textAlign = "left";
+}
+
+/** All solids where they are now, binary STL, metres. @param {import("./page.js").Page} page */
+export function stl(page) {
+  const parts = page.stage.pictures[0].solids.parts;
+  const count = parts.reduce((sum, part) => sum + part.geometry.index.count / 3, 0);
+  const bytes = new ArrayBuffer(84 + 50 * count);
+  const view = new DataView(bytes);
+  view.setUint32(80, count, true);
+  let at = 84;
+  const corners = [new Vector3(), new Vector3(), new Vector3()];
+  const normal = new Vector3(),
+    edge = new Vector3();
+  const put = (v) => {
+    for (const x of [v.x, v.y, v.z]) {
+      view.setFloat32(at, x, true);
+      at += 4;
+    }
+  };
+  for (const { solid, geometry } of parts) {
+    const matrix = page.stage.pictures[0].poses.ofSolid(solid);
+    const points = geometry.attributes.position.array,
+      index = geometry.index.array;
+    for (let k = 0; k < index.length; k += 3) {
+      corners.forEach((corner, i) => corner.fromArray(points, 3 * index[k + i]).applyMatrix4(matrix));
+      normal.subVectors(corners[1], corners[0]).cross(edge.subVectors(corners[2], corners[0])).normalize();
+      put(normal);
+      corners.forEach(put);
+      at += 2;
+    }
+  }
+  return new Blob([bytes], { type: "model/stl" });
+}
+
+const MOST_KEYS = 1000;
+
+/** All solids with their motion over the record. @param {import("./page.js").Page} page */
+export function movingSolids(page) {
+  const { solids, poses, data } = page.stage.pictures[0];
+  const n = poses.times.length;
+  const step = Math.max(1, Math.ceil((n - 1) / (MOST_KEYS - 1)));
+  const frames = [];
+  for (let k = 0; k < n; k += step) frames.push(k);
+  // bodies turn many times between keys of a slow table: the least turn between two keys is what a reader of the
+  // file assumes, so that there are as many as no body turns by more than a quarter in between
+  const times = denser(
+    frames.map((k) => poses.times[k]),
+    poses,
+  );
+  const tracks = poses.world.map(() => []);
+  for (const t of times) {
+    poses.at(t);
+    poses.world.forEach((matrix, k) => tracks[k].push(new Matrix4().copy(matrix)));
+  }
+  poses.at(page.player.time);
+  page.changed();
+  return new Blob([glb(solids.parts, data.bodies, tracks, times)], { type: "model/gltf-binary" });
+}
+
+/** @param {number[]} times @param {import("./poses.js").Poses} poses */
+function denser(times, poses) {
+  const angles = (t) => {
+    poses.at(t);
+    return poses.bodies.map((_, k) => poses.angle(k));
+  };
+  const out = [times[0]];
+  let before = angles(times[0]);
+  for (let k = 1; k < times.length && out.length < 8 * MOST_KEYS; k++) {
+    const after = angles(times[k]);
+    const most = Math.max(0, ...after.map((angle, b) => Math.abs(angle - before[b])));
+    const parts = Math.min(64, Math.max(1, Math.ceil(most / (Math.PI / 2))));
+    for (let p = 1; p <= parts; p++) out.push(times[k - 1] + ((times[k] - times[k - 1]) * p) / parts);
+    before = after;
+  }
+  return out;
+}
+
+/** A film of what the canvas shows until it is stopped; null where the browser cannot. @param {HTMLCanvasElement} canvas */
+export function film(canvas) {
+  if (typeof MediaRecorder === "undefined" || !canvas.captureStream) return null;
+  const kinds = [
+    "video/mp4;codecs=avc1.42E01E",
+    "video/webm;codecs=vp9",
+    "video/webm;codecs=vp8",
+    "video/webm",
+  ];
+  const type = kinds.find((kind) => MediaRecorder.isTypeSupported(kind));
+  if (!type) return null;
+  return {
+    ending: type.slice(6, type.includes(";") ? type.indexOf(";") : undefined),
+    start() {
+      const recorder = new MediaRecorder(canvas.captureStream(30), {
+        mimeType: type,
+        videoBitsPerSecond: 6e6,
+      });
+      const pieces = [];
+      recorder.ondataavailable = ({ data }) => data.size && pieces.push(data);
+      recorder.start(500);
+      return () =>
+        new Promise((done) => {
+          recorder.onstop = () => done(new Blob(pieces, { type: type.split(";")[0] }));
+          recorder.stop();
+        });
+    },
+  };
+}

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads the two elements of a page (docs/scene_format.md) into typed arrays, or says in a sentence why it cannot.
+
+export const FORMAT = "pitchpoint-scene-1";
+
+const TYPES = {
+  f8: Float64Array,
+  f4: Float32Array,
+  i4: Int32Array,
+  u4: Uint32Array,
+  i2: Int16Array,
+  u2: Uint16Array,
+  u1: Uint8Array,
+};
+
+/** What is wrong with a scene, as a sentence for the reader of the page. */
+export class SceneError extends Error {}
+
+/**
+ * @typedef {Float64Array|Float32Array|Int32Array|Uint32Array|Int16Array|Uint16Array|Uint8Array} Numbers
+ * @typedef {{data: Numbers, shape: number[], width: number, count: number}} Table  count rows of width numbers
+ */
+
+/**
+ * @param {string} text base64
+ * @returns {Uint8Array}
+ */
+function fromBase64(text) {
+  let binary;
+  try {
+    binary = atob(text.trim());
+  } catch {
+    throw new SceneError(
+      "The numbers of this scene cannot be read: they are not base64. The file may be damaged.",
+    );
+  }
+  const bytes = new Uint8Array(binary.length);
+  for (let k = 0; k < bytes.length; k++) bytes[k] = binary.charCodeAt(k);
+  return bytes;
+}
+
+/**
+ * @param {Uint8Array} packed
+ * @returns {Promise<ArrayBuffer>}
+ */
+async function unzip(packed) {
+  if (typeof DecompressionStream === "undefined") {
+    throw new SceneError(
+      "This browser cannot unpack the numbers of the scene (no DecompressionStream); a newer one can.",
+    );
+  }
+  try {
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return await new Response(stream).arrayBuffer();
+  } catch {
+    throw new SceneError("The numbers of this scene cannot be unpacked: the file is truncated or damaged.");
+  }
+}
+
+/**
+ * @param {ArrayBuffer} buffer
+ * @param {any} entry one array of the header
+ * @param {string} what its name in a sentence
+ * @returns {Table}
+ */
+export function readTable(buffer, entry, what) {
+  const Type = TYPES[entry?.type];
+  const shape = entry?.shape;
+  if (!Type || !Array.isArray(shape) || !shape.length || shape.some((n) => !Number.isInteger(n) || n < 0)) {
+    throw new SceneError(`This scene cannot be read: ${what} has no type or shape that this viewer knows.`);
+  }
+  const length = shape.reduce((product, n) => product * n, 1);
+  const at = entry.at;
+  if (!Number.isInteger(at) || at < 0 || at % 8 || at + length * Type.BYTES_PER_ELEMENT > buffer.byteLength) {
+    throw new SceneError(`This scene is truncated: ${what} lies beyond the end of the numbers.`);
+  }
+  const stored = new Type(buffer, at, length);
+  const last = shape[shape.length - 1];
+  const width = shape.length > 1 ? length / Math.max(shape[0], 1) : 1;
+  const count = shape[0];
+  if (!entry.scale && !entry.offset) return { data: stored, shape, width, count };
+  const each = shape.length > 1 ? last : 1;
+  const scale = entry.scale ?? Array(each).fill(1);
+  const offset = entry.offset ?? Array(each).fill(0);
+  const data = new Float64Array(length);
+  for (let k = 0; k < length; k++) data[k] = offset[k % each] + scale[k % each] * stored[k];
+  return { data, shape, width, count };
+}
+
+/**
+ * A header with every array in it replaced by a Table.
+ * @param {any} node
+ * @param {ArrayBuffer} buffer
+ * @param {string} what
+ * @returns {any}
+ */
+function withTables(node, buffer, what, known = new Map()) {
+  if (Array.isArray(node))
+    return node.map((item, k) =>
+      withTables(item, buffer, item?.name ? `${what} ${item.name}` : `${what} ${k + 1}`, known),
+    );
+  if (node === null || typeof node !== "object") return node;
+  if ("at" in node && "type" in node && "shape" in node) {
+    // bodies share arrays: each is unpacked once
+    const key = JSON.stringify(node);
+    if (!known.has(key)) known.set(key, readTable(buffer, node, what));
+    return known.get(key);
+  }
+  const out = {};
+  for (const [key, value] of Object.entries(node))
+    out[key] = withTables(value, buffer, `${key} of ${what}`, known);
+  return out;
+}
+
+/** @param {boolean} right @param {string} sentence */
+function check(right, sentence) {
+  if (!right) throw new SceneError(`This scene cannot be read: ${sentence}.`);
+}
+
+/** @param {any} scene */
+function checkShapes(scene) {
+  const n = scene.times?.count ?? 0;
+  const rows = (table, what) =>
+    check(
+      !table || table.count === n || table.count === 1,
+      `${what} has ${table?.count} rows for ${n} times`,
+    );
+  scene.bodies.forEach((body, k) => {
+    check(
+      Number.isInteger(body.parent ?? -1) && (body.parent ?? -1) < k,
+      `body ${body.name} comes before its parent`,
+    );
+    for (const part of ["position", "turn", "spin", "gross", "quaternion"])
+      rows(body[part], `${part} of body ${body.name}`);
+  });
+  for (const solid of scene.solids) {
+    check(solid.body >= -1 && solid.body < scene.bodies.length, `solid ${solid.name} belongs to no body`);
+    check(solid.points?.width === 3 && solid.triangles?.width === 3, `solid ${solid.name} has no surface`);
+    for (const corner of solid.triangles.data)
+      check(corner < solid.points.count, `solid ${solid.name} has a triangle without a point`);
+    for (const body of solid.skin?.bodies ?? [])
+      check(body in scene.bodies, `the skin of ${solid.name} names a body that is not there`);
+  }
+  for (const arrow of scene.arrows) {
+    check(arrow.body >= -1 && arrow.body < scene.bodies.length, `arrow ${arrow.name} belongs to no body`);
+    for (const part of ["circumferential", "radial", "axial"])
+      rows(arrow.components?.[part], `the ${part} force ${arrow.name}`);
+    rows(arrow.at, `the place of arrow ${arrow.name}`);
+    rows(arrow.state, `the state of arrow ${arrow.name}`);
+  }
+  for (const channel of scene.channels) {
+    const k = channel.least?.count;
+    check(
+      channel.times && k && channel.times.count === k && (channel.most?.count ?? k) === k,
+      `channel ${channel.name} has times and values of different length`,
+    );
+  }
+}
+
+/**
+ * @param {string} suffix "" or "-2"
+ * @returns {Promise<any>} the header with tables, every list present
+ */
+export async function readScene(suffix = "") {
+  const header = document.getElementById(`pp-scene${suffix}`);
+  const numbers = document.getElementById(`pp-scene-numbers${suffix}`);
+  if (!header || !numbers) throw new SceneError("This page holds no scene.");
+  let node;
+  try {
+    node = JSON.parse(header.textContent ?? "");
+  } catch {
+    throw new SceneError("The header of this scene cannot be read: the file is truncated or damaged.");
+  }
+  if (node?.format !== FORMAT) {
+    throw new SceneError(`This scene is of the format "${node?.format}"; this viewer reads "${FORMAT}".`);
+  }
+  const buffer = await unzip(fromBase64(numbers.textContent ?? ""));
+  const lists = {
+    bodies: [],
+    solids: [],
+    arrows: [],
+    channels: [],
+    spectra: [],
+    marks: [],
+    modes: [],
+    notes: [],
+  };
+  const scene = {
+    title: "",
+    subtitle: "",
+    up: [0, 1, 0],
+    ...lists,
+    ...withTables(node, buffer, "this scene"),
+  };
+  checkShapes(scene);
+  return scene;
+}

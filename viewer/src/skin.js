@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// A solid that bends between several bodies: every point lies between two of them.
+import { Matrix4 } from "three";
+
+export class Skin {
+  /**
+   * @param {{bodies: number[], first?: any, second: any, weight: any}} skin
+   * @param {import("three").BufferGeometry} geometry whose points are moved
+   * @param {Uint32Array} source point of the solid behind each point of the geometry
+   * @param {import("./poses.js").Poses} poses
+   */
+  constructor(skin, geometry, source, poses) {
+    this.skin = skin;
+    this.geometry = geometry;
+    this.source = source;
+    this.poses = poses;
+    this.points = geometry.attributes.position.array.slice();
+    this.normals = geometry.attributes.normal.array.slice();
+    // from the frame at rest of the first body to that of each other one
+    const first = poses.rest[skin.bodies[0]];
+    this.toBody = skin.bodies.map((body) => poses.rest[body].clone().invert().multiply(first));
+    this.moved = skin.bodies.map(() => new Matrix4());
+    this.drawn = skin.bodies.map(() => new Matrix4());
+  }
+
+  /** @param {number} visible [m] @param {number} reach largest distance of a point [m] */
+  update(visible, reach) {
+    const { skin, poses, moved, drawn } = this;
+    const inverse = poses.world[skin.bodies[0]].clone().invert();
+    let change = 0;
+    moved.forEach((matrix, k) => {
+      matrix.multiplyMatrices(inverse, poses.world[skin.bodies[k]]).multiply(this.toBody[k]);
+      for (let i = 0; i < 16; i++) {
+        change = Math.max(change, Math.abs(matrix.elements[i] - drawn[k].elements[i]) * (i < 12 ? reach : 1));
+      }
+    });
+    // most shafts bend by less than a pixel: then nothing is sent to the graphics card
+    if (change <= visible) return;
+    moved.forEach((matrix, k) => drawn[k].copy(matrix));
+    const { position, normal } = this.geometry.attributes;
+    const { first, second, weight } = skin;
+    for (let k = 0; k < this.source.length; k++) {
+      const p = this.source[k];
+      const b = second.data[p];
+      const w = weight.data[p];
+      const m = drawn[first ? first.data[p] : 0].elements;
+      const n = drawn[b].elements;
+      const x = this.points[3 * k],
+        y = this.points[3 * k + 1],
+        z = this.points[3 * k + 2];
+      const u = this.normals[3 * k],
+        v = this.normals[3 * k + 1],
+        s = this.normals[3 * k + 2];
+      for (let i = 0; i < 3; i++) {
+        const r0 = m[i] + w * (n[i] - m[i]),
+          r1 = m[4 + i] + w * (n[4 + i] - m[4 + i]),
+          r2 = m[8 + i] + w * (n[8 + i] - m[8 + i]);
+        position.array[3 * k + i] = r0 * x + r1 * y + r2 * z + m[12 + i] + w * (n[12 + i] - m[12 + i]);
+        normal.array[3 * k + i] = r0 * u + r1 * v + r2 * s;
+      }
+    }
+    position.needsUpdate = normal.needsUpdate = true;
+    this.geometry.computeBoundingSphere();
+  }
+}

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The canvas: one picture a result, side by side, all with one camera; draws only when asked.
+import {
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Matrix4,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { Arrows } from "./arrows.js";
+import { Poses } from "./poses.js";
+import { Solids } from "./solids.js";
+
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+/** What draws, or null where there is no WebGL 2. @returns {{software: boolean}|null} */
+export function graphics() {
+  try {
+    const gl = document.createElement("canvas").getContext("webgl2");
+    if (!gl) return null;
+    const info = gl.getExtension("WEBGL_debug_renderer_info");
+    const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+    gl.getExtension("WEBGL_lose_context")?.loseContext();
+    return { software: SOFTWARE.test(name) };
+  } catch {
+    return null;
+  }
+}
+
+class Picture {
+  /** @param {any} data one scene @param {Element} element */
+  constructor(data, element) {
+    this.data = data;
+    this.scene = new Scene();
+    this.over = new Scene();
+    this.root = new Group();
+    this.overRoot = new Group();
+    this.root.matrixAutoUpdate = this.overRoot.matrixAutoUpdate = false;
+    this.scene.add(this.root);
+    this.over.add(this.overRoot);
+    this.lights = [this.scene, this.over].map((scene) => {
+      const light = new DirectionalLight("#ffffff", 2.1);
+      const sky = new HemisphereLight("#ffffff", "#8f98a3", 1.25);
+      scene.add(light, light.target, sky);
+      return { light, sky };
+    });
+    this.poses = new Poses(data);
+    this.solids = new Solids(data, this.root, this.poses);
+    this.bounds = this.solids.bounds();
+    this.arrows = new Arrows(data, this.overRoot, this.poses, element, this.bounds.radius);
+  }
+}
+
+export class Stage {
+  /**
+   * @param {HTMLElement} host @param {any[]} scenes @param {boolean} software
+   */
+  constructor(host, scenes, software) {
+    this.host = host;
+    this.software = software;
+    // software drawing with antialiasing falls from 12 to 3 pictures a second
+    this.renderer = new WebGLRenderer({ antialias: !software, powerPreference: "high-performance" });
+    this.renderer.autoClear = false;
+    this.renderer.localClippingEnabled = true;
+    this.canvas = this.renderer.domElement;
+    this.canvas.className = "ppv-canvas";
+    host.append(this.canvas);
+    this.camera = new PerspectiveCamera(28, 1, 0.01, 100);
+    this.pictures = scenes.map((scene) => new Picture(scene, host));
+    // arrows of results that are compared have one scale, so that the eye compares forces
+    const size = Math.max(...this.pictures.map((picture) => picture.arrows.size));
+    const radius = Math.max(...this.pictures.map((picture) => picture.bounds.radius));
+    for (const { arrows } of this.pictures) Object.assign(arrows, { size, radius });
+    this.background = new Color("#ffffff");
+    this.size = { width: 1, height: 1 };
+    this.drawn = 0;
+    this.coarse = false;
+    /** the world as the camera sees it: what follows a body turns the world instead of the camera */
+    this.seen = new Matrix4();
+  }
+
+  /** Fewer pixels while something moves, where drawing is slow. @param {boolean} on @returns {boolean} whether that is new */
+  coarsen(on) {
+    if (on === this.coarse) return false;
+    this.coarse = on;
+    this.resize();
+    return true;
+  }
+
+  get ratio() {
+    if (this.coarse) return 0.6;
+    return this.software ? 1 : Math.min(window.devicePixelRatio || 1, 2);
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    if (!width || !height) return;
+    this.size = { width, height };
+    this.renderer.setPixelRatio(this.ratio);
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / this.pictures.length / height;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** Centre and radius of what all pictures show, as the camera sees it. */
+  bounds() {
+    const radius = Math.max(...this.pictures.map((picture) => picture.bounds.radius));
+    return {
+      centre: this.pictures[0].bounds.centre.clone().applyMatrix4(this.seen),
+      radius,
+      low: this.pictures[0].bounds.low,
+      high: this.pictures[0].bounds.high,
+    };
+  }
+
+  /** @param {import("./orbit.js").Orbit} orbit */
+  render(orbit) {
+    const { renderer, camera } = this;
+    const { centre, radius } = this.bounds();
+    const { distance, target } = orbit.now;
+    const away = target.distanceTo(centre);
+    camera.near = Math.max(0.01 * distance, distance - away - 1.3 * radius);
+    camera.far = distance + away + 2.5 * radius;
+    camera.updateProjectionMatrix();
+    this.setLights();
+    renderer.setScissorTest(true);
+    const width = this.size.width / this.pictures.length;
+    this.pictures.forEach((picture, k) => {
+      renderer.setViewport(k * width, 0, width, this.size.height);
+      renderer.setScissor(k * width, 0, width, this.size.height);
+      renderer.setClearColor(this.background, 1);
+      renderer.clear();
+      picture.root.matrix.copy(this.seen);
+      picture.overRoot.matrix.copy(this.seen);
+      renderer.render(picture.scene, camera);
+      if (picture.arrows.hidden || !picture.arrows.shown.size) return;
+      renderer.clearDepth();
+      renderer.render(picture.over, camera);
+    });
+    this.drawn++;
+  }
+
+  setLights() {
+    const light = new Vector3(-0.45, 0.7, 0.9).applyQuaternion(this.camera.quaternion);
+    const above = new Vector3(0, 1, 0).applyQuaternion(this.camera.quaternion);
+    for (const picture of this.pictures) {
+      for (const each of picture.lights) {
+        each.light.position.copy(light);
+        each.sky.position.copy(above);
+      }
+    }
+  }
+
+  /** What is under a point of the window. @param {number} x @param {number} y */
+  hit(x, y) {
+    const box = this.canvas.getBoundingClientRect();
+    const width = box.width / this.pictures.length;
+    const k = Math.floor((x - box.left) / width);
+    const picture = this.pictures[k];
+    if (!picture) return null;
+    const at = new Vector2(
+      ((x - box.left - k * width) / width) * 2 - 1,
+      1 - ((y - box.top) / box.height) * 2,
+    );
+    const ray = new Raycaster();
+    ray.setFromCamera(at, this.camera);
+    const found = picture.solids.hit(ray);
+    return found && { ...found, picture: k };
+  }
+
+  /** Place in the window of a point of the world. @param {Vector3} point @param {number} picture */
+  onScreen(point, picture = 0) {
+    const p = point.clone().applyMatrix4(this.seen).project(this.camera);
+    const width = this.size.width / this.pictures.length;
+    return { x: (picture + (p.x + 1) / 2) * width, y: ((1 - p.y) / 2) * this.size.height, front: p.z < 1 };
+  }
+}

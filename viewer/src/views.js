@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Named views, following a body, and the look into a mesh.
+import { Matrix4, Vector3 } from "three";
+
+export class Views {
+  /** @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit */
+  constructor(stage, orbit) {
+    this.stage = stage;
+    this.orbit = orbit;
+    this.body = -1;
+    this.turning = false;
+    this.anchor = new Matrix4();
+  }
+
+  get poses() {
+    return this.stage.pictures[0].poses;
+  }
+
+  /** Directions from the scene to the camera. */
+  directions() {
+    const axis = this.poses.axis().transformDirection(this.stage.seen);
+    const up = this.orbit.up;
+    const side = new Vector3().crossVectors(up, axis);
+    if (side.length() < 1e-3) side.crossVectors(new Vector3(1, 0, 0), axis);
+    if (side.length() < 1e-3) side.crossVectors(new Vector3(0, 0, 1), axis);
+    side.normalize();
+    const third = new Vector3().crossVectors(axis, side);
+    return {
+      axis,
+      front: side,
+      top: third,
+      iso: axis.clone().addScaledVector(side, 0.75).addScaledVector(third, 0.55),
+    };
+  }
+
+  /** Distance from which a sphere fills the picture. @param {number} radius */
+  distanceFor(radius) {
+    const { camera } = this.stage;
+    const half = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(1, camera.aspect));
+    return radius / Math.sin(half);
+  }
+
+  /** @param {boolean} atOnce */
+  fit(atOnce = false) {
+    const { centre, radius } = this.stage.bounds();
+    const { camera, seen, pictures } = this.stage;
+    const toward = this.orbit.direction(this.orbit.goal);
+    const right = new Vector3().crossVectors(this.orbit.up, toward).normalize();
+    const above = new Vector3().crossVectors(toward, right);
+    const tall = 0.9 * Math.tan((camera.fov * Math.PI) / 360);
+    const wide = tall * camera.aspect;
+    // twice: the first look tells how far the middle of the picture is from the middle of the solids
+    const target = centre.clone();
+    let distance = this.distanceFor(radius);
+    const points = pictures.flatMap((picture) =>
+      [...picture.bounds.outline, ...picture.arrows.ends()].map((point) => point.clone().applyMatrix4(seen)),
+    );
+    for (let round = 0; points.length && round < 3; round++) {
+      const ends = [Infinity, -Infinity, Infinity, -Infinity];
+      let least = 0;
+      for (const point of points) {
+        const from = point.clone().sub(target);
+        const [x, y, z] = [from.dot(right), from.dot(above), from.dot(toward)];
+        const depth = Math.max(distance - z, 1e-3 * radius);
+        ends[0] = Math.min(ends[0], x / depth);
+        ends[1] = Math.max(ends[1], x / depth);
+        ends[2] = Math.min(ends[2], y / depth);
+        ends[3] = Math.max(ends[3], y / depth);
+        least = Math.max(least, z + Math.abs(x) / wide, z + Math.abs(y) / tall);
+      }
+      if (round === 2) {
+        distance = least;
+        break;
+      }
+      target.addScaledVector(right, (distance * (ends[0] + ends[1])) / 2);
+      target.addScaledVector(above, (distance * (ends[2] + ends[3])) / 2);
+    }
+    this.orbit.look({ target, distance: Math.max(distance, 0.1 * radius) }, atOnce);
+    this.orbit.chosen = false;
+  }
+
+  /** @param {"axis"|"front"|"top"|"iso"} name @param {boolean} atOnce */
+  named(name, atOnce = false) {
+    this.orbit.look({ direction: this.directions()[name] }, atOnce);
+    this.fit(atOnce);
+  }
+
+  /**
+   * Keep a body where it is in the picture.
+   * @param {number} body -1 none @param {boolean} turning also its rotation
+   */
+  follow(body, turning = this.turning) {
+    this.body = body;
+    this.turning = turning;
+    if (body < 0) {
+      // back to the world: the camera keeps its distance, what it looked at stays in the middle
+      const target = this.orbit.goal.target.clone().applyMatrix4(this.stage.seen.clone().invert());
+      this.stage.seen.identity();
+      this.anchor.identity();
+      this.orbit.look({ target }, true);
+      return;
+    }
+    this.anchor.multiplyMatrices(this.stage.seen, this.#frame());
+    this.orbit.changed();
+  }
+
+  #frame() {
+    const world = this.poses.world[this.body];
+    return this.turning
+      ? world.clone()
+      : new Matrix4().setPosition(new Vector3().setFromMatrixPosition(world));
+  }
+
+  /** The world as seen at the instant of the poses. */
+  update() {
+    if (this.body >= 0) this.stage.seen.multiplyMatrices(this.anchor, this.#frame().invert());
+  }
+
+  /** @param {number[]} target @param {number[]} direction to the camera @param {number} height of what is seen there [m] */
+  look(target, direction, height) {
+    const distance = height / (2 * Math.tan((this.stage.camera.fov * Math.PI) / 360));
+    this.orbit.look(
+      { target: new Vector3(...target), direction: direction && new Vector3(...direction), distance },
+      true,
+    );
+  }
+
+  /** Middle of the followed body, closer. */
+  closeUp() {
+    if (this.body < 0) return;
+    const { solids } = this.stage.pictures[0];
+    const target = new Vector3()
+      .setFromMatrixPosition(this.poses.world[this.body])
+      .applyMatrix4(this.stage.seen);
+    const radius = solids.reachOf(this.body);
+    this.orbit.look({ target, distance: radius > 0 ? this.distanceFor(1.15 * radius) : undefined });
+  }
+
+  /** The gear whose rim a point is nearest to: arrows of meshes count in the world and name no gear. @param {Vector3} point */
+  #gearAt(point) {
+    let best = null;
+    for (const part of this.stage.pictures[0].solids.parts) {
+      if (!part.solid.teeth) continue;
+      const frame = this.poses.ofSolid(part.solid);
+      const axis = new Vector3().setFromMatrixColumn(frame, 2);
+      const arm = point.clone().sub(new Vector3().setFromMatrixPosition(frame));
+      const radius = arm.addScaledVector(axis, -arm.dot(axis)).length();
+      const off = Math.abs(part.rim - radius) / part.rim;
+      if (!best || off < best.off) best = { off, axis, pitch: (2 * Math.PI * radius) / part.solid.teeth };
+    }
+    return best;
+  }
+
+  /**
+   * Along the axis of its gear on the point where a mesh acts.
+   * @param {any} arrow @returns {{point: Vector3, axis: Vector3}} in the world, for a section through it
+   */
+  intoMesh(arrow) {
+    const { poses, arrows } = this.stage.pictures[0];
+    const force = arrows.forces()[this.stage.pictures[0].data.arrows.indexOf(arrow)];
+    const gear = this.#gearAt(force.at);
+    const axis = gear ? gear.axis : poses.axis();
+    const pitch = gear ? gear.pitch : 0.1 * this.stage.bounds().radius;
+    this.orbit.look({
+      target: force.at.clone().applyMatrix4(this.stage.seen),
+      direction: axis.clone().transformDirection(this.stage.seen),
+      distance: (1.6 * pitch) / (2 * Math.tan((this.stage.camera.fov * Math.PI) / 360)),
+    });
+    return { point: force.at, axis };
+  }
+}
