@@ -190,7 +190,8 @@ def _approach(b, c, s):
         p = A * ca + radial
         q = A * sa + axial
         length = math.sqrt(p * p + q * q)
-        return length - A, p / length, q / length, 1.0 / length
+        inverse = 1.0 / length
+        return length - A, p * inverse, q * inverse, inverse
     return radial * ca + axial * sa, ca, sa, 0.0
 
 

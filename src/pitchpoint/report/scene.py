@@ -92,6 +92,7 @@ class _Record:
 
     @classmethod
     def of(cls, result: xr.Dataset | None, bodies: int) -> _Record:
+        """Choose frames: fewer where there are many bodies; one, at rest, without a result."""
         if result is None:
             return cls(None, np.zeros(1, np.int64), np.zeros(1))
         time = np.asarray(result["time"].values, dtype=np.float64)
