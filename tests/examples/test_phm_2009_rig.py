@@ -212,7 +212,7 @@ def test_half_the_step_changes_little(rig: tuple[DatasetPlan, Model], condition:
     """rms below 1 %, as the README says, also where flanks part and land again."""
     changes = PARTS.get(condition, {})
     usual = computed(rig, changes)
-    finer = computed(rig, {**changes, "scenarios.rig.step": 9.8e-6})
+    finer = computed(rig, {**changes, "scenarios.rig.step": 4.9e-6})
     for name, channel in usual.channels.items():
         if name != "tacho":
             assert finer.channels[name].values.std() == pytest.approx(channel.values.std(), rel=1e-2)

@@ -146,6 +146,8 @@ def halved(method, n, duration, reference):
         h = duration / steps
         if method == "runge_kutta":
             run = runge_kutta.start_classical(system, system.initial_state(), h)
+        elif method == "adams":
+            run = runge_kutta.start_adams(system, system.initial_state(), h)
         else:
             run = generalized_alpha.start(system, system.initial_state(), h, tolerance=1e-15)
         assert run.advance(steps).status == OK
@@ -153,7 +155,9 @@ def halved(method, n, duration, reference):
     return found, run.state()
 
 
-@pytest.mark.parametrize(("method", "order"), [("generalized_alpha", 2.0), ("runge_kutta", 4.0)])
+@pytest.mark.parametrize(
+    ("method", "order"), [("generalized_alpha", 2.0), ("runge_kutta", 4.0), ("adams", 4.0)]
+)
 def test_the_order_of_equal_steps(method, order, reference):
     """Before the turns start afresh: where they do lies on the grid of the steps, no smooth function."""
     found, state = halved(method, 100, 0.1, reference)

@@ -79,7 +79,9 @@ def test_an_explicit_method():
     assert lost(system, run).max() < 1e-9
 
 
-@pytest.mark.parametrize(("method", "order"), [("generalized_alpha", 2.0), ("runge_kutta", 4.0)])
+@pytest.mark.parametrize(
+    ("method", "order"), [("generalized_alpha", 2.0), ("runge_kutta", 4.0), ("adams", 4.0)]
+)
 def test_equal_steps_lose_by_their_order(method, order):
     """Over four halvings: new charts begin on the grid of the steps, so that one halving is not smooth."""
     found = []
@@ -87,6 +89,8 @@ def test_equal_steps_lose_by_their_order(method, order):
         system = chain()
         if method == "runge_kutta":
             run = runge_kutta.start_classical(system, system.initial_state(), DURATION / n)
+        elif method == "adams":
+            run = runge_kutta.start_adams(system, system.initial_state(), DURATION / n)
         else:
             run = generalized_alpha.start(system, system.initial_state(), DURATION / n, tolerance=1e-15)
         assert run.advance(n).status == OK

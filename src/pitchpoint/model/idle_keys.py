@@ -18,7 +18,7 @@ from pitchpoint.model.frames import ALONG, GROUND, body_frame, split
 from pitchpoint.model.joint_check import ends_of
 from pitchpoint.model.keys import defaults_of
 from pitchpoint.model.mechanism import coordinate
-from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
+from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.model.signal_words import idle_signals
 
 if TYPE_CHECKING:
@@ -291,7 +291,7 @@ def _scenarios(model: Model) -> Iterator[str]:
                 f"scenarios.{name}.tolerance: has no effect with method: {scenario.method}, which takes "
                 "equal steps; step sets them, or write method: runge_kutta"
             )
-        if "form" in keys and scenario.method in ("runge_kutta", "rk4"):
+        if "form" in keys and scenario.method in EXPLICIT_METHODS:
             yield (
                 f"scenarios.{name}.form: has no effect with method: {scenario.method}, which holds "
                 "constraints on accelerations"

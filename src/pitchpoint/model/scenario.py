@@ -10,7 +10,9 @@ from pitchpoint.model.keys import choice, component, integer, key, positive, qua
 
 STIFF_METHODS = ("gstiff", "wstiff", "dassl", "constant_bdf")
 """Backward differentiation formulas: fixed, variable coefficients, fixed leading one, fixed step."""
-METHODS = ("generalized_alpha", "runge_kutta", "rk4", *STIFF_METHODS, "kinematics")
+EXPLICIT_METHODS = ("runge_kutta", "rk4", "adams")
+"""Methods that solve for accelerations, whose stability the highest natural frequency limits."""
+METHODS = ("generalized_alpha", *EXPLICIT_METHODS, *STIFF_METHODS, "kinematics")
 ERROR_METHODS = ("runge_kutta", "gstiff", "wstiff", "dassl")
 """Methods that choose their steps by an error, which `tolerance` limits."""
 FORMS = ("I3", "SI2", "SI1")

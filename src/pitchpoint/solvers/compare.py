@@ -20,7 +20,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import address
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, OK
-from pitchpoint.model.scenario import ERROR_METHODS, FORMS, STIFF_METHODS
+from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, FORMS, STIFF_METHODS
 from pitchpoint.solvers.start import Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step
 from pitchpoint.solvers.time import loop_of, run_time
@@ -110,7 +110,7 @@ class _Case:
 def cases_of(rows: int, step: float) -> Iterator[_Case]:
     """Methods, forms and settings that are compared on a system with so many constraint rows."""
     methods = [("generalized_alpha", form) for form in ("I3", "SI2")]
-    methods += [("rk4", ""), ("runge_kutta", "")]
+    methods += [(method, "") for method in EXPLICIT_METHODS]
     methods += [(method, form) for method in STIFF_METHODS for form in FORMS]
     known = set()
     for method, form in methods:

@@ -17,14 +17,14 @@ from pitchpoint.core.status import DIED, NOT_FINITE, OK, STEP_UNDERFLOW
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.dormand_prince_events import events_up_to, find_events, interpolate
 from pitchpoint.solvers.dormand_prince_pairs import Pair
-from pitchpoint.solvers.explicit import DENSE, NEW, OLD, ROWS, bring_state, keep_state, slope
+from pitchpoint.solvers.explicit import DENSE, NEW, OLD, ROWS, SLOPE_AT, bring_state, keep_state, slope
 from pitchpoint.solvers.sampling import harvest_at, samples_up_to, take
 from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STEPS, VALID
 
 # slots of `real` that outlive a call
-STEP_SIZE, LAST_ERROR, TIME, SLOPE_AT = 2, 3, 4, 5
+STEP_SIZE, LAST_ERROR, TIME = 2, 3, 4
 # places in the tolerances: relative, of positions, of rates; pull on constraint drift, largest step
 RTOL, ATOL, ATOL_RATE, RATE, LARGEST = range(5)
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.model.scenario import EXPLICIT_METHODS
 from pitchpoint.solvers.start import Start, drive_records, speeds_of
 from pitchpoint.solvers.step_modes import counted_frequency
 from pitchpoint.solvers.trains import mesh_rates
@@ -78,7 +79,7 @@ def shortest_period(start: Start, scenario: Scenario) -> float:
     Of the modes of finite elements those count that something excites: see `step_modes`.
     """
     fastest = max(
-        counted_frequency(start, scenario.method in ("rk4", "runge_kutta")),
+        counted_frequency(start, scenario.method in EXPLICIT_METHODS),
         fastest_mesh(start.system, scenario),
         *(mesh_mode(row, start.system) for row in start.system.records.get("gear_mesh", ())),
         10.0 / (scenario.duration or 1.0),

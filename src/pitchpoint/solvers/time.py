@@ -14,7 +14,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
-from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
+from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.event_watch import EventWatch
 from pitchpoint.solvers.rows import explain, row_notes
@@ -107,9 +107,9 @@ def loop_of(method: str) -> Any:
         from pitchpoint.solvers import multistep
 
         return multistep.entry
-    from pitchpoint.solvers import dormand_prince, runge_kutta  # only those who use them wait for them
+    from pitchpoint.solvers import dormand_prince, equal_steps  # only those who use them wait for them
 
-    return runge_kutta.entry if method == "rk4" else dormand_prince.entry
+    return dormand_prince.entry if method == "runge_kutta" else equal_steps.entry
 
 
 class _Loop:
@@ -161,8 +161,10 @@ class _Loop:
                 largest_step=largest_step(start, scenario),
             )
             self.run_.watch(self.watch.ends)
-        elif scenario.method == "rk4":
-            self.run_ = runge_kutta.start_classical(self.system, start.state, self.h)
+        elif scenario.method in EXPLICIT_METHODS:
+            several = scenario.method == "adams"
+            begin = runge_kutta.start_adams if several else runge_kutta.start_classical
+            self.run_ = begin(self.system, start.state, self.h)
             self.more = {"picked": self.channels}
         else:
             form = scenario.chosen_form

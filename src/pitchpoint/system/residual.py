@@ -189,21 +189,19 @@ def observe(at, t, where):
 
 @kernel
 def observe_later(at, t, where):
-    """Complete the row at address `where`, begun with `part` SOONER at the state in the workspace.
+    """Complete what elements say in the row at address `where`, begun with `part` SOONER at the same state.
 
-    The accelerations and multipliers of the state are there by now.
+    The accelerations and multipliers of the state are there by now. Bodies follow with `observe_bodies`.
     """
     m = view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]
-    status = OK
-    if m["later"] != 0:
-        c = view(at, 1, CTL)[0]
-        c["out"] = where
-        m["part"] = LATER
-        status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
-        m["part"] = ALL
-        c["out"] = 0
-    if status == OK:
-        observe_bodies(at, where)
+    if m["later"] == 0:
+        return OK
+    c = view(at, 1, CTL)[0]
+    c["out"] = where
+    m["part"] = LATER
+    status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
+    m["part"] = ALL
+    c["out"] = 0
     return status
 
 

@@ -238,13 +238,13 @@ def test_poles_and_response_of_a_speed_loop():
     np.testing.assert_allclose(response, 1.0 / (J * s**2 + KP * s + KI), rtol=1e-9)
 
 
-METHODS = ["generalized_alpha", "rk4", "runge_kutta", "gstiff", "wstiff", "dassl", "constant_bdf"]
+METHODS = ["generalized_alpha", "rk4", "adams", "runge_kutta", "gstiff", "wstiff", "dassl", "constant_bdf"]
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_every_method_runs_a_speed_loop(method):
     """J e' + kp e + ki int e = 0 from e = 3 with an empty integral."""
-    fine = method in ("generalized_alpha", "rk4", "constant_bdf")
+    fine = method in ("generalized_alpha", "rk4", "adams", "constant_bdf")
     keys = "step: 0.5 ms" if fine else "tolerance: 1e-9"
     text = ROTOR + f"  u: {{type: pid, input: error, proportional: {KP}, integral: {KI}}}\n"
     text += "actuators: {motor: {type: torque, signal: u, bodies: [rotor]}}\n"
@@ -266,7 +266,7 @@ controllers:
 
 @pytest.mark.parametrize("method", METHODS)
 def test_every_method_calls_a_sampled_controller(method):
-    fine = method in ("generalized_alpha", "rk4", "constant_bdf")
+    fine = method in ("generalized_alpha", "rk4", "adams", "constant_bdf")
     keys = "step: 0.5 ms" if fine else "tolerance: 1e-9"
     text = ROTOR + SAMPLED % "" + "actuators: {motor: {type: torque, signal: u, bodies: [rotor]}}\n"
     text += RUN.format(duration="0.4 s", method=method, keys=keys)

@@ -22,7 +22,7 @@ from pitchpoint.system.controller import SampledController, sampled_pid
 from pitchpoint.system.signals import assemble_controlled
 
 PERIOD = 0.02
-METHODS = ["generalized_alpha", "rk4", "runge_kutta", "gstiff", "wstiff", "dassl", "constant_bdf"]
+METHODS = ["generalized_alpha", "rk4", "adams", "runge_kutta", "gstiff", "wstiff", "dassl", "constant_bdf"]
 
 
 def rotor(function, *, delay=0.0, state=None, parameters=None, period=PERIOD):
@@ -45,7 +45,7 @@ def pi(delay=0.0):
 def go(system, method="generalized_alpha", duration=0.5, **more):
     memory = Memory()
     more.setdefault("step", 5e-4)
-    if method not in ("generalized_alpha", "rk4", "constant_bdf"):
+    if method not in ("generalized_alpha", "rk4", "adams", "constant_bdf"):
         more.setdefault("tolerance", 1e-10)
     scenario = Scenario(duration=duration, method=method, settle_time=0.0, **more)
     done = run_time(system, scenario, sink=memory, start=Start(system, system.initial_state()))

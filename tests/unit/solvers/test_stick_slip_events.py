@@ -33,6 +33,7 @@ scenarios:
 METHODS = (
     "generalized_alpha, step: 10 us",
     "rk4, step: 20 us",
+    "adams, step: 20 us",
     "runge_kutta, tolerance: 1e-7",
     "gstiff, tolerance: 1e-6",
     "wstiff, tolerance: 1e-6",

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The classical method: no bit depends on how steps are cut into chunks, samples are of their state."""
+"""Equal explicit steps: no bit depends on how steps are cut into chunks, samples are of their state."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from pitchpoint.core.status import OK
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.runge_kutta import start_classical
+from pitchpoint.solvers.runge_kutta import start_adams, start_classical
 from pitchpoint.solvers.sampling import new_statistics
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.time import run_time
@@ -19,13 +20,16 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.unit.system.test_mass_programmes import SEEN, SHAFTS
 
+BOTH = pytest.mark.parametrize("begin", [start_classical, start_adams])
 
-def test_chunks_change_no_bit() -> None:
+
+@BOTH
+def test_chunks_change_no_bit(begin: Any) -> None:
     system = compile_model(loads_model(SHAFTS + SEEN), "driven")
     start = prepare_start(system, system.scenario)  # type: ignore[arg-type]
     found = []
     for sizes in ([300], [1, 99, 7, 193]):
-        run = start_classical(start.system.copy(), start.state, 3e-6)
+        run = begin(start.system.copy(), start.state, 3e-6)
         chunks = [run.advance(n, every=1) for n in sizes]
         assert all(chunk.status == OK for chunk in chunks)
         found.append((np.concatenate([c.rows for c in chunks]), run.state()))
@@ -49,14 +53,31 @@ def test_a_sample_holds_the_accelerations_of_its_state() -> None:
     np.testing.assert_allclose(chunk.rows[0, 1:], row, rtol=1e-12, atol=1e-12 * np.abs(row).max())
 
 
-def test_rows_told_with_the_slope_have_the_bits_of_rows_told_at_once() -> None:
+def test_rates_told_are_those_of_the_state() -> None:
+    """Adams' method foretells rates for the forces; what a row says of bodies are those that follow."""
+    system = compile_model(loads_model(SHAFTS + SEEN), "driven")
+    start = prepare_start(system, system.scenario)  # type: ignore[arg-type]
+    run = start_adams(start.system, start.state, 3e-6)
+    chunk = run.advance(50, every=50)
+    reached = run.state()
+    row = evaluate.observe(start.system, reached)
+    names = [c.name for c in system.layout.channels]
+    places = [k for k, name in enumerate(names) if name.startswith(("speed[", "velocity["))]
+    assert places
+    np.testing.assert_array_equal(chunk.rows[0, 1:][places], row[places])
+    # and forces differ from those at these rates by what foretelling is off
+    np.testing.assert_allclose(chunk.rows[0, 1:], row, rtol=1e-6, atol=1e-6 * np.abs(row).max())
+
+
+@BOTH
+def test_rows_told_with_the_slope_have_the_bits_of_rows_told_at_once(begin: Any) -> None:
     """Elements that need no acceleration say what they observe while forces are summed, the others later."""
     sensed = SEEN.partition("  heard")[0]  # what listens to others runs after all of them
     system = compile_model(loads_model(SHAFTS + sensed), "driven")
     start = prepare_start(system, system.scenario)  # type: ignore[arg-type]
     found = []
     for shares in (1, 0):
-        run = start_classical(start.system.copy(), start.state, 3e-6)
+        run = begin(start.system.copy(), start.state, 3e-6)
         mach = run.system.workspace.mach[0]
         assert (mach["shares"], mach["later"]) == (1, 1)
         mach["shares"] = shares
@@ -71,7 +92,7 @@ def test_rows_told_with_the_slope_have_the_bits_of_rows_told_at_once() -> None:
 
 
 @pytest.mark.parametrize("seen", [SEEN, SEEN.partition("  heard")[0]])
-@pytest.mark.parametrize("method", ["rk4", "generalized_alpha", "runge_kutta"])
+@pytest.mark.parametrize("method", ["rk4", "adams", "generalized_alpha", "runge_kutta"])
 def test_a_sink_gets_the_channels_that_it_asks_for(method: str, seen: str) -> None:
     """Of all kinds, whether they observe with the slope or after it; those not asked for need not observe."""
     model = loads_model(SHAFTS + seen)
