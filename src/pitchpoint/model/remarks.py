@@ -15,6 +15,7 @@ from pitchpoint.model.beam_remarks import ends_left_behind
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.idle_keys import idle_keys
+from pitchpoint.model.place_remarks import places_left_open
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -136,12 +137,13 @@ def odd_shapes(model: Model) -> tuple[str, ...]:
 
 
 def warn_of_remarks(model: Model) -> None:
-    """Issue all sentences of this module, of `beam_remarks` and `idle_keys` as `ValidityWarning`."""
+    """Issue the sentences of this module and of those that it imports them from as `ValidityWarning`."""
     remarks = (
         ignored_flanks,
         negative_backlash,
         jumping_ramps,
         bushings_apart,
+        places_left_open,
         ends_left_behind,
         idle_keys,
     )

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Planet sets whose places are left open: what is placed where nobody wants it is told."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from pitchpoint.core.errors import ValidityWarning
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.place_remarks import places_left_open
+from pitchpoint.model.remarks import warn_of_remarks
+
+GEAR = "normal_module: 4 mm, face_width: 40 mm, profile_shift_coefficient: 0"
+SET = f"""
+gears:
+  sun: {{number_of_teeth: 21, {GEAR}}}
+  ring: {{number_of_teeth: 99, {GEAR}, type: internal}}
+  p0: {{number_of_teeth: 39, {GEAR}}}
+  p1: {{number_of_teeth: 39, {GEAR}}}
+bodies:
+  sun: {{gears: [sun], position: [0, 0, 0]}}
+  ring: {{gears: [ring], motion: fixed, position: [0, 0, 0]}}
+  b0: {{gears: [p0], position: [120 mm, 0, 0]}}
+  b1: {{gears: [p1], position: [-120 mm, 0, 0]}}
+  carrier: {{inertia: 0.5 kg m^2, mass: 10 kg, position: [0, 0, 0]}}
+joints:
+  pin0: {{type: revolute, bodies: [carrier, b0]}}
+  pin1: {{type: revolute, bodies: [carrier, b1]}}
+meshes:
+  s0: {{gears: [sun, p0]}}
+  r0: {{gears: [p0, ring]}}
+  s1: {{gears: [sun, p1]}}
+  r1: {{gears: [p1, ring]}}
+"""
+
+
+def told(text: str) -> tuple[str, ...]:
+    return places_left_open(loads_model(text))
+
+
+def test_nothing_is_said_where_places_are_given() -> None:
+    assert told(SET) == ()
+
+
+def test_a_carrier_without_a_place_would_turn_about_a_pin() -> None:
+    text = SET.replace("mass: 10 kg, position: [0, 0, 0]", "mass: 10 kg")
+    (sentence,) = told(text)
+    assert sentence == (
+        "bodies.carrier: has no position and takes that of joints.pin0, [120 mm, 0 mm, 0 mm], so that it "
+        "turns about an axis there; if its axis is another one, give position: [x, y, z]"
+    )
+    with pytest.warns(ValidityWarning, match="takes that of joints.pin0"):
+        warn_of_remarks(loads_model(text))
+
+
+def test_planets_without_directions_stand_in_each_other() -> None:
+    bare = re.sub(r"(b\d: .*), position: \[[^]]*\]", r"\1", SET)
+    (sentence,) = told(bare)
+    assert sentence.startswith("bodies.b1: p1 stands in p0 of b0, on the same axis")
+    turned = bare.replace("s1: {gears: [sun, p1]}", "s1: {gears: [sun, p1], direction: 180 deg}")
+    assert told(turned) == ()
+
+
+@pytest.mark.parametrize(("offset", "heard"), [("39.9 mm", 1), ("40.1 mm", 0)])
+def test_gears_side_by_side_on_one_axis_are_none_in_each_other(offset: str, heard: int) -> None:
+    """Face widths of 40 mm; the second sun's planet lies on the axis of the first, further along."""
+    text = f"""
+gears:
+  a: {{number_of_teeth: 20, {GEAR}}}
+  b: {{number_of_teeth: 30, {GEAR}}}
+bodies:
+  one: {{gears: [a], position: [0, 0, 0]}}
+  two: {{gears: [b], position: [0, 0, {offset}]}}
+couplings:
+  joint: {{bodies: [one, two], stiffness: {{torsion: 1e5}}}}
+"""
+    assert len(told(text)) == heard
