@@ -5,35 +5,24 @@ from __future__ import annotations
 
 import html
 import re
-import shutil
-import subprocess
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from pitchpoint.viz.report import report_html
+from tests.support.chromium import BROWSER, chromium, window
 from tests.support.report_data import report_model, report_results
 
-BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 pytestmark = pytest.mark.skipif(
     BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
 )
 
 
-def in_browser(page: Path, profile: Path, *flags: str) -> str:
-    """The document after its scripts have run."""
-    assert BROWSER is not None
-    command = [
-        BROWSER,
-        *"--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-extensions".split(),
-        *"--disable-background-networking --disable-component-update --disable-sync".split(),
-        f"--user-data-dir={profile}",
-        "--virtual-time-budget=20000",
-        *flags,
-    ]
-    return subprocess.run(
-        [*command, "--dump-dom", page.as_uri()], capture_output=True, text=True, timeout=180, check=True
-    ).stdout
+def in_browser(page: Path, _: Path, *flags: str) -> str:
+    """The document after its scripts have run; flags are those of the window."""
+    show = chromium("--disable-gpu").show
+    return str(show(page, "document.documentElement.outerHTML", budget=20_000, wait=True, **window(*flags)))
 
 
 @pytest.fixture(scope="module")
@@ -41,6 +30,13 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     page = tmp_path_factory.mktemp("report") / "report.html"
     page.write_text(report_html(report_model(), report_results()), encoding="utf-8")
     return page
+
+
+@pytest.fixture(scope="module")
+def drawn(report: Path) -> Iterator[Callable[[str], str]]:
+    """What a script finds in the report on a phone, which is drawn once."""
+    with chromium("--disable-gpu").opened(report, budget=20_000, size=(500, 900)) as value_of:
+        yield lambda script: str(value_of(f"(() => {{ {script} }})()"))
 
 
 def with_probe(report: Path, script: str) -> Path:
@@ -59,14 +55,14 @@ def found(dom: str) -> str:
     return html.unescape(match.group(1))
 
 
-def test_every_plot_is_drawn(report: Path, tmp_path: Path) -> None:
-    dom = in_browser(report, tmp_path)
+def test_every_plot_is_drawn(report: Path, drawn: Callable[[str], str]) -> None:
+    dom = drawn("return document.documentElement.outerHTML;")
     expected = report.read_text(encoding="utf-8").count('<div class="plot"')
     assert re.search(r'data-ready="(\d+)"', dom).group(1) == str(expected)  # type: ignore[union-attr]
     assert len(re.findall(r'class="plot js-plotly-plot"', dom)) == expected
 
 
-def test_no_plot_is_empty_and_nothing_is_wider_than_the_page(report: Path, tmp_path: Path) -> None:
+def test_no_plot_is_empty_and_nothing_is_wider_than_the_page(drawn: Callable[[str], str]) -> None:
     script = """
       const bad = [];
       for (const node of document.querySelectorAll(".plot")) {
@@ -76,23 +72,20 @@ def test_no_plot_is_empty_and_nothing_is_wider_than_the_page(report: Path, tmp_p
       const page = document.documentElement;
       const over = page.scrollWidth - page.clientWidth;
       if (over > 0) bad.push("wider than the page by " + over);
-      document.getElementById("found").textContent = bad.join("; ") || "fine";
+      return bad.join("; ") || "fine";
     """
-    assert found(in_browser(with_probe(report, script), tmp_path, "--window-size=500,900")) == "fine"
+    assert drawn(script) == "fine"
 
 
-def test_dark_mode_has_light_ink(report: Path, tmp_path: Path) -> None:
-    script = """
-      document.getElementById("found").textContent = document.querySelector(".plot").layout.font.color
-        + " " + getComputedStyle(document.body).backgroundColor;
-    """
-    page = with_probe(report, script)
-    assert found(in_browser(page, tmp_path / "a")) == "#1f2933 rgb(255, 255, 255)"
-    dark = found(in_browser(page, tmp_path / "b", "--blink-settings=preferredColorScheme=0"))
+def test_dark_mode_has_light_ink(report: Path, drawn: Callable[[str], str]) -> None:
+    ink = 'document.querySelector(".plot").layout.font.color'
+    script = f'{ink} + " " + getComputedStyle(document.body).backgroundColor'
+    assert drawn(f"return {script};") == "#1f2933 rgb(255, 255, 255)"
+    dark = chromium("--disable-gpu").show(report, script, budget=20_000, wait=True, dark=True)
     assert dark == "#e6e9ed rgb(20, 24, 29)"
 
 
-def test_reader_chooses_whose_orders_a_picture_shows(report: Path, tmp_path: Path) -> None:
+def test_reader_chooses_whose_orders_a_picture_shows(drawn: Callable[[str], str]) -> None:
     """The driven shaft turns half as fast in these data: orders double, speeds halve, titles follow."""
     script = """
       const look = (node) => [node._fullData[0].x[10], node.layout.xaxis.range[1],
@@ -109,8 +102,8 @@ def test_reader_chooses_whose_orders_a_picture_shows(report: Path, tmp_path: Pat
         select.dispatchEvent(new Event("change"));
         if (String(look(node)) !== String(before)) said.push("not back");
       }
-      document.getElementById("found").textContent = said.join("; ");
+      return said.join("; ");
     """
-    said = found(in_browser(with_probe(report, script), tmp_path)).split("; ")
+    said = drawn(script).split("; ")
     title = "order [per revolution of driven]"
     assert said == [f"{title} 2.00 2.00 2.00 1.00"] * 2 + [f"{title} 2.00 2.00 - 0.50"] * 2

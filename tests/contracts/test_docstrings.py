@@ -6,8 +6,6 @@ from __future__ import annotations
 import ast
 import re
 
-import pytest
-
 from tests.contracts.source import (
     PACKAGE,
     Function,
@@ -42,11 +40,11 @@ def parameters(function) -> list[str]:
     return [x.arg for x in every if x.arg not in ("self", "cls")]
 
 
-@pytest.mark.parametrize("path", python_files("src"), ids=name_of)
-def test_all_public_names_say_what_they_are(path):
+def test_all_public_names_say_what_they_are():
     """Functions, kernels, classes and methods of the whole package, those inside functions among them."""
     silent = [
-        f"{node.name} (line {node.lineno})"
+        f"{name_of(path)}:{node.lineno}: {node.name}"
+        for path in python_files("src")
         for node in ast.walk(tree(path))
         if isinstance(node, Function | ast.ClassDef)
         and is_public(node.name)
@@ -55,8 +53,8 @@ def test_all_public_names_say_what_they_are(path):
     assert not silent
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_documented_parameters_are_those_of_the_signature(path):
+def undocumented(path):
+    """Public functions of a file whose documented parameters are not those of their signature."""
     wrong = []
     for name, function in functions(path):
         doc = ast.get_docstring(function)
@@ -67,7 +65,11 @@ def test_documented_parameters_are_those_of_the_signature(path):
         # a single parameter may be explained by the summary line
         needed = "." not in name and not is_kernel(function) and len(names) > 1
         if found is None and needed:
-            wrong.append(f"{name}: no Parameters section")
+            wrong.append(f"{name_of(path)}: {name}: no Parameters section")
         elif found is not None and found != names:
-            wrong.append(f"{name}: documented {found}, signature {names}")
-    assert not wrong
+            wrong.append(f"{name_of(path)}: {name}: documented {found}, signature {names}")
+    return wrong
+
+
+def test_documented_parameters_are_those_of_the_signature():
+    assert not [line for path in FILES for line in undocumented(path)]

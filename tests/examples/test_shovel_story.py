@@ -122,8 +122,10 @@ def test_the_comb_in_a5_outlasts_the_other_indicators(modules, forces):
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:profile shifts")  # x of stage 3 lies outside the polynomial of DIN 3990
-def test_page_holds_the_numbers_and_where_they_come_from(modules):
-    """Few seeds and short runs of the laws; the page is the same."""
+def test_page_holds_the_numbers_and_where_they_come_from(modules, runs, frictionless, monkeypatch):
+    """Few seeds and short runs of the laws; the page is the same. Its runs are those of the tests above."""
+    monkeypatch.setattr(modules["story"], "healthy_and_faulty", lambda: runs)
+    monkeypatch.setattr(modules["story"], "without_friction", lambda: frictionless)
     told = modules["story"].tell(law_seconds=1.5, seeds=2, healthy_seeds=19, elastic=False)
     text = modules["story"].html(told)
     assert [int(n) for n in re.findall(r"<h2>(\d) ", text)] == list(range(1, 10))

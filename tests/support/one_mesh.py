@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One mesh element on two frames, called directly: no tree, no solver."""
+"""One mesh element on two frames, called by itself: no tree, no solver.
+
+It is called by the entry that solvers call, so that tests need not compile it a second time.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +11,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK
 from pitchpoint.elements import gear_mesh_record as layout
-from pitchpoint.elements.gear_mesh import gear_mesh
+from pitchpoint.elements.gear_mesh import entry
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
@@ -72,6 +76,7 @@ class OneMesh:
         self.ctl["no"] = self.out.size
         self.ctl["out"] = self.out.ctypes.data
         self.kk = np.zeros((4, 6, 6))
+        self.ctl["kk"], self.ctl["np"] = self.kk.ctypes.data, len(self.kk)
 
     def _keep(self, array):
         offset = sum(a.size for a in self.kept)
@@ -121,7 +126,8 @@ class OneMesh:
         self.kk[:] = 0.0
         self.out[:] = 0.0
         self.ctl["jac"], self.ctl["ck"], self.ctl["cd"] = jac, ck, cd
-        assert gear_mesh(self.rec, self.ctl, fr, self.kk) == OK
+        self.ctl["fr"], self.ctl["nb"] = fr.ctypes.data, fr.size
+        assert invoke(entry, self.ctl.ctypes.data, self.rec.ctypes.data, 1) == OK
         return fr["F"].copy()
 
     def get(self, name):

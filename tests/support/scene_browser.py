@@ -3,19 +3,18 @@
 
 from __future__ import annotations
 
-import html
 import json
-import re
-import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from tests.support.chromium import BROWSER, SOFTWARE_3D, chromium
 from tests.support.scene_data import page_of
 
-BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+__all__ = ["BROWSER", "STATES", "about_z", "fine", "matrix", "probed"]
+
+FOUND = 'document.getElementById("found")?.textContent'
 
 # errors of scripts and of the policy end in the page, where a test reads them
 LISTEN = """
@@ -52,25 +51,11 @@ def probed(
     size: str = "1000px;height:650px",
 ) -> dict[str, Any]:
     """What a script of the test finds in a page with scenes."""
-    assert BROWSER is not None
     page = tmp_path / "scene.html"
     page.write_text(page_of(*texts, before=LISTEN, script=PROBE % script, size=size), encoding="utf-8")
-    command = [
-        BROWSER,
-        *"--headless --no-sandbox --disable-quic --no-first-run --disable-extensions".split(),
-        *"--disable-background-networking --disable-component-update --disable-sync".split(),
-        *"--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader".split(),
-        f"--user-data-dir={tmp_path / 'profile'}",
-        "--virtual-time-budget=60000",
-        "--window-size=1000,700",
-        *flags,
-        "--dump-dom",
-        page.as_uri(),
-    ]
-    dom = subprocess.run(command, capture_output=True, text=True, timeout=180, check=True).stdout
-    match = re.search(r'<pre id="found">(.*?)</pre>', dom, re.DOTALL)
-    assert match and match.group(1), dom[-2000:]
-    return json.loads(html.unescape(match.group(1)))
+    said = chromium(*SOFTWARE_3D, *flags).show(page, FOUND, budget=60_000, wait=False)
+    assert said, "the script of the test has said nothing"
+    return dict(json.loads(said))
 
 
 def fine(found: dict[str, Any]) -> Any:

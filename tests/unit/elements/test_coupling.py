@@ -19,6 +19,10 @@ TWO_PI = 2.0 * np.pi
 PAIRS = [(1, 0), (3, 0), (1, 2), (2, 3), (2, 4), (3, 4), (1, 4)]
 
 
+def drag(t, x, p):
+    return -p[0] * x * abs(x)
+
+
 def one(i, j, form="linear", kind=coupling):
     """One coupling, or one torque, with a law of some form."""
     record, pool = np.zeros(1, kind.RECORD), sig.Pool()
@@ -34,7 +38,7 @@ def one(i, j, form="linear", kind=coupling):
         )
     elif form == "rate":
         sig.set_law(record[0], pool, (4.0,), sig.OVER_SPEED)
-        laws = [lambda t, x, p: -p[0] * x * abs(x)]
+        laws = [drag]
     return {
         "banks": {kind.__name__.rsplit(".", 1)[1]: record},
         "pools": {kind.__name__.rsplit(".", 1)[1]: pool.array()},

@@ -171,6 +171,10 @@ def test_observations_of_other_elements_can_be_heard():
 # ------------------------------------------------------------------------------------- tangents and balance
 
 
+def bent(t, x, p):
+    return x + p[0] * x * x
+
+
 def closed(bodies, quantity, i, j, rng, blocks=True):
     """A sensor, some of every block, and all actuators between bodies i and j, and others."""
     net = SignalNet(bodies)
@@ -182,7 +186,7 @@ def closed(bodies, quantity, i, j, rng, blocks=True):
         net.saturation("kept", "sum", -80.0, 80.0)
         net.table("curve", "kept", [-100.0, 0.0, 100.0], [-90.0, 3.0, 140.0])
         net.formula("mixed", Formula.parse("x + 0.1*sin(y)*t", ("x", "y", "t")), ("curve", "memory", "t"))
-        net.law("bent", "mixed", lambda t, x, p: x + p[0] * x * x, (0.01,))
+        net.law("bent", "mixed", bent, (0.01,))
         net.low_pass("memory", "bent", 0.5)
         last = "bent"
     else:

@@ -45,6 +45,11 @@ def inside(points: np.ndarray, polygon: np.ndarray) -> np.ndarray:
     """Even-odd test of points against a closed polygon."""
     (x0, y0), (x1, y1) = polygon[:-1].T, polygon[1:].T
     px, py = points[:, :1], points[:, 1:]
+    # edges above, below or to the left of all points are crossed by no ray towards +x
+    met = (
+        (np.maximum(y0, y1) >= py.min()) & (np.minimum(y0, y1) <= py.max()) & (np.maximum(x0, x1) >= px.min())
+    )
+    x0, y0, x1, y1 = (c[met] for c in (x0, y0, x1, y1))
     crosses = (y0 > py) != (y1 > py)
     with np.errstate(divide="ignore", invalid="ignore"):
         at = x0 + (py - y0) * (x1 - x0) / (y1 - y0)
