@@ -12,11 +12,13 @@ from pitchpoint.analysis.bearing_tests import alike
 from pitchpoint.analysis.mean_turns import mean_turn
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.shaft_tests import SLIP, ShaftView
+from pitchpoint.analysis.tooth_energy import peaked_as_trains
 from pitchpoint.analysis.turning_parts import TurningParts
 
-ONE_PLACE, GAUSSIAN = 2e-3, 3.0
-"""Part of signals of the same spectrum that may be more peaked than a mean turn with a local fault; the
-kurtosis that it exceeds in any case."""
+ONE_PLACE, ONE_TOOTH, GAUSSIAN = 2e-3, 1e-2, 3.0
+"""Part of signals of the same spectrum that may be more peaked than a mean turn with a local fault, and of
+trains with strikes at all teeth; the kurtosis that it exceeds in any case. A gear of 11 teeth has five ways of
+its teeth to differ: that their random phases agree by chance is no rarer than one in some hundred."""
 
 
 @dataclass(frozen=True)
@@ -97,7 +99,10 @@ class _Record:
     parts: TurningParts
 
     def at_one_place(self, channel: str, shaft: str) -> bool:
-        """Whether something in the mean turn is at one place: its residual is more peaked than by chance."""
+        """Whether something in the mean turn is at one place: its residual is more peaked than by chance.
+
+        Chance are signals of the same spectrum, and trains with a strike at every tooth of each gear.
+        """
         counts = sorted({z for _, z in self.parts.gears_of(shaft).values()})
         for teeth in counts:
             try:
@@ -107,7 +112,9 @@ class _Record:
             except SignalError:
                 continue
             value, limit, part = turn.indicators["kurtosis"]
-            return value > max(GAUSSIAN, limit) and part < ONE_PLACE
+            if value <= max(GAUSSIAN, limit) or part >= ONE_PLACE:
+                return False
+            return all(peaked_as_trains(turn.residual, teeth=z) < ONE_TOOTH for z in turn.counts)
         return False
 
 
@@ -168,9 +175,8 @@ def findings_of(
         places = [e for e in combs if record.at_one_place(e.channel, shaft.name)]
         if combs and not places:
             spread.append(
-                f"all orders of {shaft.name} stand out in {combs[0].channel}, but evenly over its "
-                f"turn: meshes that "
-                "change each other do that, one damaged tooth does not"
+                f"all orders of {shaft.name} stand out in {combs[0].channel}, but not at one place of its "
+                "turn: meshes that change each other do that, one damaged tooth does not"
             )
         combs = places
         if combs:

@@ -45,6 +45,8 @@ class MeanTurn:
         exceeds this value [-].
     energy
         Energy in the angle of one tooth.
+    counts
+        Orders of the shaft that are mesh orders, and as such not in the residual [-].
     """
 
     angle: Array
@@ -53,6 +55,7 @@ class MeanTurn:
     averages: int
     indicators: dict[str, tuple[float, float, float]]
     energy: ToothEnergy
+    counts: tuple[int, ...]
 
 
 def mean_turn(
@@ -138,6 +141,7 @@ def mean_turn(
         averages=mean.averages,
         indicators=indicators,
         energy=tooth_energy(signals.residual, teeth=teeth),
+        counts=tuple(counts),
     )
 
 
