@@ -129,11 +129,11 @@ def peaked_as_trains(residual: ArrayLike, *, teeth: int) -> float:
     -----
     A healthy pair strikes at each tooth, and other meshes change its strikes from tooth to tooth: such a mean
     turn is as peaked as one strike, but at z places. Its orders fall into classes k mod z: each is a train of
-    strikes with one cosine over the teeth, and the causes of two classes have nothing in common. So the trains
-    to compare with are made as signals of the same spectrum are [1]_, but with one random phase for a class:
-    the shape of the strikes stays, and only how they differ from tooth to tooth changes. A local fault has all
-    classes in phase at one tooth, which random phases do not bring about. Valid where the classes that matter
-    are three or more.
+    strikes with one cosine over the teeth, and the causes of two classes have nothing in common. So trains
+    are made to compare with as signals of the same spectrum are [1]_, but with one random phase for a class:
+    the shape of the strikes stays, and only how they differ from tooth to tooth changes. A local fault has
+    all classes in phase at one tooth, which random phases do not bring about. Valid where the classes that
+    matter are three or more.
 
     References
     ----------
