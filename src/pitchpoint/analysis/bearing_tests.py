@@ -8,12 +8,12 @@ from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import ArrayLike
 
+from pitchpoint.analysis.bearing_signals import envelope_band, whitened, without_healthy_lines
 from pitchpoint.analysis.envelope import band_envelope
-from pitchpoint.analysis.kurtogram import kurtogram
 from pitchpoint.analysis.line_tests import FineSpectrum, beside, fine_spectrum, line_probability
-from pitchpoint.analysis.sampled import Array, as_signal
+from pitchpoint.analysis.remarks import Note
+from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.shaft_tests import (
     FEWEST_NEIGHBOURS,
     NEIGHBOURS,
@@ -21,8 +21,8 @@ from pitchpoint.analysis.shaft_tests import (
     SLIP,
     Measured,
     ShaftView,
-    passing_balls,
 )
+from pitchpoint.analysis.tones import without_tones
 from pitchpoint.analysis.turning_parts import Bearing, Shaft, TurningParts
 
 HARMONICS = 3
@@ -33,12 +33,71 @@ NOTHING = 1e-9
 """What is left of a signal, as a part of it, that is round-off."""
 FEWEST_SAMPLES = 1024
 
+FROM_SHAFTS = "{} cannot be told from the turns of a shaft: the record does not resolve their harmonics"
+FROM_MESHES = (
+    "{}: lines in the envelope that few lines of the signal make: meshes that passing balls modulate do "
+    "that, impacts do not"
+)
+
 Row = tuple[str, str, Measured]
+
+
+class BearingView:
+    """Envelopes of one channel in which the parts of bearings are looked for.
+
+    Parameters
+    ----------
+    values
+        Signal over the angle of the reference shaft, shape (n,), any unit.
+    samples_per_turn
+        Samples in one turn of the reference shaft [-].
+    parts
+        What turns.
+    """
+
+    def __init__(self, values: Array, samples_per_turn: float, parts: TurningParts) -> None:
+        self.samples_per_turn, self.parts = samples_per_turn, parts
+        x = without_healthy_lines(values, samples_per_turn, parts)
+        self.empty = float(x.std()) <= NOTHING * float(np.std(values))
+        low, high = (0.0, 0.0) if self.empty else envelope_band(x, samples_per_turn, parts)
+        self.signals = [values]
+        if not self.empty:
+            self.signals += [
+                band_envelope(y, samples_per_turn, band=(low, high)).envelope ** 2
+                for y in (x, whitened(values))
+            ]
+        self.spectra = [fine_spectrum(y, samples_per_turn) for y in self.signals]
+        # the envelope holds nothing above the width of its band, and little close to it
+        self.end = min(self.spectra[0].highest, 0.8 * (high - low))
+
+    def part(self, order: float, known: Sequence[Array] = ()) -> tuple[Measured, bool]:
+        """Test of a part, and whether impacts may make its lines; lines that are known are taken out before.
+
+        `known` are orders for the signal, for its envelope and for that of the whitened signal.
+        """
+        lines, envelope, white = self._without(known) if known else self.spectra
+        found = _part(envelope, order, self.parts, self.end)
+        if found.probability >= IMPACTS:
+            return found, True
+        impacts = _part(white, order, self.parts, self.end).probability
+        if min(impacts, _comb(lines, order, self.parts, self.samples_per_turn)) > IMPACTS:
+            return replace(found, probability=1.0), False
+        return found, True
+
+    def resolves(self, order: float) -> bool:
+        """Whether two of the harmonics of a part are apart from the orders of all shafts."""
+        harmonic = order * np.arange(1.0, HARMONICS + 1)
+        return int(np.sum(_free(harmonic, self.spectra[0], self.parts))) >= 2
+
+    def _without(self, known: Sequence[Array]) -> list[FineSpectrum]:
+        rate = self.samples_per_turn
+        pairs = zip(self.signals, known, strict=True)
+        return [fine_spectrum(without_tones(x, rate, lines), rate) for x, lines in pairs]
 
 
 def bearing_evidence(
     values: Array, samples_per_turn: float, parts: TurningParts
-) -> tuple[list[Row], list[str]]:
+) -> tuple[list[Row], list[Note], BearingView | None]:
     """Lines of all parts of all bearings in the spectrum of the squared envelope.
 
     Parameters
@@ -54,8 +113,10 @@ def bearing_evidence(
     -------
     list of tuples
         Bearing, part, test.
-    list of str
+    list of Note
         What could not be tested.
+    BearingView or None
+        The envelopes, if there are any.
 
     Notes
     -----
@@ -80,54 +141,37 @@ def bearing_evidence(
     >>> noise = np.random.default_rng(1).standard_normal(turned.size)
     >>> since = turned * 3.57 % 1
     >>> knock = np.exp(-20 * since) * np.sin(2 * np.pi * 42 * since)
-    >>> rows, _ = bearing_evidence(2 * knock + 0.3 * noise, 500.0, parts)
+    >>> rows, _, _ = bearing_evidence(2 * knock + 0.3 * noise, 500.0, parts)
     >>> rows[0][1], bool(rows[0][2].probability < 1e-6), round(rows[0][2].order / 3.57) in (1, 2, 3)
     ('outer ring', True, True)
     """
     if not parts.bearings:
-        return [], []
+        return [], [], None
+    few = f"needs about {FEWEST_EVENTS:g}"
     if values.size < FEWEST_SAMPLES:
-        return [], [f"record: {values.size} samples are too few for bearings, needs about {FEWEST_SAMPLES}"]
+        text = f"record: {values.size} samples are too few for bearings, needs about {FEWEST_SAMPLES}"
+        return [], [Note(text)], None
     turns = values.size / samples_per_turn
     if all(order * turns < FEWEST_EVENTS for bearing in parts.bearings for order in bearing.orders.values()):
-        return [], [f"too few events of all bearings, needs about {FEWEST_EVENTS:g} of each"]
-    x = without_healthy_lines(values, samples_per_turn, parts)
-    if float(x.std()) <= NOTHING * float(np.std(values)):
-        return [], ["bearings not tested: lines of a healthy machine fill the spectrum of so short a record"]
-    low, high = envelope_band(x, samples_per_turn, parts)
-    spectrum, white = (
-        fine_spectrum(band_envelope(y, samples_per_turn, band=(low, high)).envelope ** 2, samples_per_turn)
-        for y in (x, whitened(values))
-    )
-    # the envelope holds nothing above the width of its band, and little close to it
-    end = min(spectrum.highest, 0.8 * (high - low))
-    lines = fine_spectrum(values, samples_per_turn)
+        return [], [Note(f"too few events of all bearings, {few} of each")], None
+    view = BearingView(values, samples_per_turn, parts)
+    if view.empty:
+        text = "bearings not tested: lines of a healthy machine fill the spectrum of so short a record"
+        return [], [Note(text)], None
     rows, remarks = [], []
     for bearing in alike(parts.bearings):
         for part, order in bearing.orders.items():
-            if order / spectrum.resolution < FEWEST_EVENTS:
-                count = order / spectrum.resolution
-                remarks.append(
-                    f"too few events of {bearing.name}, {part}: {count:.2g}, needs about {FEWEST_EVENTS:g}"
-                )
+            whose = f"{part} of {bearing.name}"
+            if order * turns < FEWEST_EVENTS:
+                remarks.append(Note(f"too few events of {{}}; {few}", f"{whose} ({order * turns:.2g})"))
                 continue
-            harmonic = order * np.arange(1.0, HARMONICS + 1)
-            if np.sum(_free(harmonic, spectrum, parts)) < 2:
-                remarks.append(
-                    f"{part} of {bearing.name} cannot be told from the turns of a shaft: the record does not "
-                    "resolve their harmonics"
-                )
-            found = _part(spectrum, order, parts, end)
-            if found.probability < IMPACTS:
-                impacts = _part(white, order, parts, end).probability
-                if min(impacts, _comb(lines, order, parts, samples_per_turn)) > IMPACTS:
-                    remarks.append(
-                        f"{part} of {bearing.name}: its lines in the envelope are made by few of the signal: "
-                        "meshes that passing balls modulate do that, impacts do not"
-                    )
-                    found = replace(found, probability=1.0)
+            if not view.resolves(order):
+                remarks.append(Note(FROM_SHAFTS, whose))
+            found, impacts = view.part(order)
+            if not impacts:
+                remarks.append(Note(FROM_MESHES, whose))
             rows.append((bearing.name, part, found))
-    return rows, remarks
+    return rows, remarks, view
 
 
 def alike(bearings: Sequence[Bearing]) -> list[Bearing]:
@@ -158,134 +202,6 @@ def alike(bearings: Sequence[Bearing]) -> list[Bearing]:
         key = tuple(sorted((part, f"{order:.9e}") for part, order in bearing.orders.items()))
         groups.setdefault(key, []).append(bearing)
     return [replace(group[0], name=" or ".join(b.name for b in group)) for group in groups.values()]
-
-
-def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -> tuple[float, float]:
-    """Band of the largest kurtosis among those that are wide enough for the orders of the bearings.
-
-    Parameters
-    ----------
-    values
-        Signal over the angle, shape (n,), any unit.
-    samples_per_turn
-        Samples in one turn of the reference shaft [-].
-    parts
-        What turns.
-
-    Returns
-    -------
-    tuple of float
-        Edges of the band, as orders of the reference shaft [-].
-
-    Notes
-    -----
-    Bands of the kurtogram [1]_ from three times the highest order on; all of the signal if none is. Valid for
-    impacts that ring in one band.
-
-    References
-    ----------
-    .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical
-    Systems
-       and Signal Processing 21(1), 2007, 108-124.
-
-    Examples
-    --------
-    >>> from pitchpoint.analysis.turning_parts import Bearing, train_parts
-    >>> parts = train_parts([(21, 40)], [Bearing("left", {"outer ring": 3.57})])
-    >>> turned = np.arange(50_000) / 500.0
-    >>> noise = np.random.default_rng(1).standard_normal(turned.size)
-    >>> knock = np.exp(-20 * (turned * 3.57 % 1)) * np.sin(2 * np.pi * 150 * turned)
-    >>> low, high = envelope_band(2 * knock + 0.3 * noise, 500.0, parts)
-    >>> low < 150 < high
-    True
-    """
-    found = kurtogram(values, samples_per_turn)
-    highest = max(order for bearing in parts.bearings for order in bearing.orders.values())
-    wide = found.high - found.low >= 3.0 * highest
-    if not wide.any():
-        return 0.0, 0.5 * samples_per_turn
-    best = int(np.argmax(np.where(wide, found.kurtosis, -np.inf)))
-    return float(found.low[best]), float(found.high[best])
-
-
-def without_healthy_lines(values: ArrayLike, samples_per_turn: float, parts: TurningParts) -> Array:
-    """Signal without the lines of a healthy machine: mesh harmonics, passing balls, and both together.
-
-    Parameters
-    ----------
-    values
-        Signal over the angle of the reference shaft, shape (n,), any unit.
-    samples_per_turn
-        Samples in one turn of the reference shaft [-].
-    parts
-        What turns.
-
-    Notes
-    -----
-    Five lines about each are set to zero [1]_, more where balls may slip: were only the mesh taken out, its
-    sidebands would beat with each other as often as balls pass. Valid for a steady mesh.
-
-    References
-    ----------
-    .. [1] R. B. Randall, Vibration-based Condition Monitoring, Wiley, 2011.
-
-    Examples
-    --------
-    >>> from pitchpoint.analysis.turning_parts import train_parts
-    >>> turned = np.arange(5000) / 100.0
-    >>> x = np.cos(2 * np.pi * 21 * turned)
-    >>> bool(np.abs(without_healthy_lines(x, 100.0, train_parts([(21, 40)]))).max() < 1e-9)
-    True
-    """
-    lines = np.fft.rfft(as_signal(values))
-    lines[0] = 0.0
-    per_order = np.size(values) / samples_per_turn
-    highest = 0.5 * samples_per_turn
-    meshes = [parts.mesh_order(mesh) for mesh in parts.meshes]
-    places = [(k * step, 0.0) for step in meshes for k in range(1, int(highest / step) + 1)]
-    middle, reach = np.array([*places, *passing_balls(parts, highest)]).reshape(-1, 2).T
-    first = np.clip(np.rint((middle - reach) * per_order).astype(np.int64) - 2, 0, lines.size)
-    last = np.clip(np.rint((middle + reach) * per_order).astype(np.int64) + 3, 0, lines.size)
-    depth = np.zeros(lines.size + 1)
-    np.add.at(depth, first, 1.0)
-    np.add.at(depth, last, -1.0)
-    lines[np.cumsum(depth[:-1]) > 0.0] = 0.0
-    return np.asarray(np.fft.irfft(lines, np.size(values)), dtype=np.float64)
-
-
-def whitened(values: ArrayLike) -> Array:
-    """Signal with lines of one size, but with their phases.
-
-    Parameters
-    ----------
-    values
-        Signal, shape (n,), any unit.
-
-    Notes
-    -----
-    Cepstrum pre-whitening [1]_: meshes, their sidebands and what modulates them are few lines and lose their
-    weight, impacts fill a band and keep it. Valid for impacts that fill a band with many lines.
-
-    References
-    ----------
-    .. [1] P. Borghesani, P. Pennacchi, R. B. Randall, N. Sawalhi, R. Ricci, Application of cepstrum
-       pre-whitening for the diagnosis of bearing faults under variable speed conditions, Mechanical Systems
-       and Signal Processing 36(2), 2013, 370-384.
-
-    Examples
-    --------
-    A single pulse is white already:
-
-    >>> pulse = np.zeros(8)
-    >>> pulse[3] = 2.0
-    >>> (np.abs(whitened(pulse) + 1 / 8) > 1e-9).tolist().index(True)
-    3
-    """
-    lines = np.fft.rfft(as_signal(values))
-    lines[0] = 0.0
-    size = np.abs(lines)
-    lines /= np.where(size > 0.0, size, 1.0)
-    return np.asarray(np.fft.irfft(lines, np.size(values)), dtype=np.float64)
 
 
 def _comb(lines: FineSpectrum, order: float, parts: TurningParts, samples_per_turn: float) -> float:

@@ -15,8 +15,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.bearing_tests import bearing_evidence
+from pitchpoint.analysis.explaining import Channel, explain
 from pitchpoint.analysis.findings import Evidence, Finding, findings_of
 from pitchpoint.analysis.line_tests import fine_spectrum, line_threshold
+from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 from pitchpoint.analysis.shaft_tests import FEWEST_TURNS, HARMONICS, NEIGHBOURS, Measured, ShaftView
 from pitchpoint.analysis.turning_parts import Mesh, TurningParts
@@ -148,31 +150,39 @@ def diagnose(
     rate = positive(samples_per_turn, "samples_per_turn")
     allowed = positive(false_alarm, "false_alarm")
     raw: list[tuple[str, str, str, str, Measured]] = []
-    views: dict[tuple[str, str], ShaftView] = {}
-    meshes, untested, turns = {}, [], {}
+    channels: dict[str, Channel] = {}
+    meshes, turns = {}, {}
+    untested: list[Note] = []
     for name, values in signals.items():
         x = as_signal(values, name, 64)
         if float(np.ptp(x)) == 0.0:
             raise SignalError(f"{name}: is constant; nothing can be read from it")
         spectrum, rms = fine_spectrum(x, rate), float(x.std())
         mine = {s.name: ShaftView(spectrum, parts, s, rms, sampled_per_turn or rate) for s in parts.shafts}
-        views |= {(name, shaft): view for shaft, view in mine.items()}
         turns = {shaft: view.turns for shaft, view in mine.items()}
         meshes[name] = tuple(_mesh_lines(mine, parts, mesh) for mesh in parts.meshes)
         raw += [(name, *row) for row in _of_shafts(mine, parts, meshes[name])]
-        bearings, remarks = bearing_evidence(x, rate, parts)
+        bearings, remarks, envelopes = bearing_evidence(x, rate, parts)
+        channels[name] = Channel(x, rate, mine, envelopes)
         raw += [(name, "bearing", part, bearing, found) for bearing, part, found in bearings]
         untested += remarks
-    untested += [_not_looked_at(row) for row in raw if row[4].lines == 0]
-    few = {shaft: count for shaft, count in turns.items() if count < FEWEST_TURNS}
-    turned = [f"too few turns of {s}: {n:.2g}, needs about {FEWEST_TURNS:g}" for s, n in few.items()]
-    untested = [*turned, *dict.fromkeys(untested)]
+    told = {note.subject for note in untested}
+    unseen = [_not_looked_at(row) for row in raw if row[4].lines == 0]
+    untested += [note for note in unseen if note.subject not in told]
+    few = [
+        Note(f"too few turns of {{}}; needs about {FEWEST_TURNS:g}", f"{shaft} ({count:.2g})")
+        for shaft, count in turns.items()
+        if count < FEWEST_TURNS
+    ]
     tests = sum(1 for row in raw if row[4].lines > 0)
     if not tests:
-        raise SignalError("record: is too short for any test; " + "; ".join(untested))
+        raise SignalError("record: is too short for any test; " + "; ".join(grouped([*few, *untested])))
     evidence = tuple(_evidence(row, tests, allowed) for row in raw if row[4].lines > 0)
+    evidence, explained = explain(evidence, channels, parts, tests)
+    views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
     findings, spread = findings_of(evidence, views, signals, rate, parts)
-    return Diagnosis(findings, evidence, meshes, (*untested, *spread), turns, tests, allowed)
+    notes = grouped([*few, *untested, *explained, *spread])
+    return Diagnosis(findings, evidence, meshes, tuple(notes), turns, tests, allowed)
 
 
 def _of_shafts(
@@ -211,13 +221,14 @@ def _mesh_lines(views: Mapping[str, ShaftView], parts: TurningParts, mesh: Mesh)
     return MeshLines(mesh.name, order, np.sqrt(power), seen, lost)
 
 
-def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> str:
+def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> Note:
     """Sentence about a test without a line that it could look at."""
     _, kind, shaft, gear, _ = row
-    what = {"comb": "orders", "low order": "lowest orders", "sidebands": "sidebands"}.get(kind, "events")
-    whose = f"{gear} ({shaft})" if gear else shaft
-    return (
-        f"no test of the {what} of {whose}: above the record's highest frequency, or too near to other lines"
+    what = {"comb": "orders", "low order": "lowest orders", "sidebands": "sidebands"}.get(kind, shaft)
+    whose = gear if kind == "bearing" else f"{gear} ({shaft})" if gear else shaft
+    return Note(
+        "no test of {}: above the record's highest frequency, or too near to other lines",
+        f"{what} of {whose}",
     )
 
 
@@ -248,4 +259,5 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
         amplitude=found.amplitude,
         sideband=found.sideband,
         found=together < allowed,
+        allowed=allowed,
     )

@@ -10,13 +10,16 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.bearing_tests import alike
 from pitchpoint.analysis.mean_turns import mean_turn
+from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.shaft_tests import SLIP, ShaftView
+from pitchpoint.analysis.tooth_energy import peaked_as_trains
 from pitchpoint.analysis.turning_parts import TurningParts
 
-ONE_PLACE, GAUSSIAN = 2e-3, 3.0
-"""Part of signals of the same spectrum that may be more peaked than a mean turn with a local fault; the
-kurtosis that it exceeds in any case."""
+ONE_PLACE, ONE_TOOTH, GAUSSIAN = 2e-3, 1e-2, 3.0
+"""Part of signals of the same spectrum that may be more peaked than a mean turn with a local fault, and of
+trains with strikes at all teeth; the kurtosis that it exceeds in any case. The teeth of a gear of 11 differ
+in five ways: that random phases of these agree by chance is no rarer than one in some hundred."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +47,11 @@ class Evidence:
     sideband
         Number of the sideband, 0 for others [-].
     found
-        Whether the probability is below the one allowed.
+        Whether the probability is below the one allowed, and nothing surer explains it.
+    allowed
+        The probability that is allowed [-].
+    explained
+        What explains it, such as a part of a bearing whose lines it is made of; empty if nothing does.
     """
 
     channel: str
@@ -58,6 +65,8 @@ class Evidence:
     amplitude: float
     sideband: int
     found: bool
+    allowed: float = 0.0
+    explained: str = ""
 
 
 @dataclass(frozen=True)
@@ -97,7 +106,11 @@ class _Record:
     parts: TurningParts
 
     def at_one_place(self, channel: str, shaft: str) -> bool:
-        """Whether something in the mean turn is at one place: its residual is more peaked than by chance."""
+        """Whether something in the mean turn is at one place: its residual is more peaked than by chance.
+
+        Chance are signals of the same spectrum and, where products of meshes fill the orders of the shaft,
+        trains with a strike at every tooth.
+        """
         counts = sorted({z for _, z in self.parts.gears_of(shaft).values()})
         for teeth in counts:
             try:
@@ -107,7 +120,9 @@ class _Record:
             except SignalError:
                 continue
             value, limit, part = turn.indicators["kurtosis"]
-            return value > max(GAUSSIAN, limit) and part < ONE_PLACE
+            if value <= max(GAUSSIAN, limit) or part >= ONE_PLACE:
+                return False
+            return all(peaked_as_trains(turn.residual, teeth=z) < ONE_TOOTH for z in turn.trains)
         return False
 
 
@@ -117,7 +132,7 @@ def findings_of(
     signals: Mapping[str, ArrayLike],
     samples_per_turn: float,
     parts: TurningParts,
-) -> tuple[tuple[Finding, ...], list[str]]:
+) -> tuple[tuple[Finding, ...], list[Note]]:
     """One finding per shaft at most, and one per part of a bearing.
 
     Parameters
@@ -137,7 +152,7 @@ def findings_of(
     -------
     tuple of Finding
         The most certain first.
-    list of str
+    list of Note
         What stands out and is no finding, and why.
 
     Notes
@@ -168,9 +183,11 @@ def findings_of(
         places = [e for e in combs if record.at_one_place(e.channel, shaft.name)]
         if combs and not places:
             spread.append(
-                f"all orders of {shaft.name} stand out in {combs[0].channel}, but evenly over its "
-                f"turn: meshes that "
-                "change each other do that, one damaged tooth does not"
+                Note(
+                    "all orders stand out of {}, but not at one place of the turn: meshes that change each "
+                    "other do that, one damaged tooth does not",
+                    f"{shaft.name} (in {combs[0].channel})",
+                )
             )
         combs = places
         if combs:
@@ -192,8 +209,8 @@ def findings_of(
     return tuple(sorted(found, key=lambda finding: finding.probability)), spread
 
 
-def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list[Finding], list[str]]:
-    """Parts of bearings, but of those with common harmonics only the most certain one."""
+def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list[Finding], list[Note]]:
+    """Parts of bearings, but none whose harmonics all are those of a more certain one."""
     told: list[Evidence] = []
     found, spread = [], []
     orders = _orders(parts)
@@ -203,10 +220,8 @@ def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list
         own = orders[e.gear, e.shaft]
         same = [other for other in told if _whole(own, orders[other.gear, other.shaft])]
         if same:
-            spread.append(
-                f"{same[0].shaft} of {same[0].gear} and {e.shaft} of {e.gear} share harmonics; only the "
-                "more certain one is told"
-            )
+            cause = f"{same[0].shaft} of {same[0].gear}"
+            spread.append(Note(f"all harmonics are those of {cause} as well: {{}}", f"{e.shaft} of {e.gear}"))
             continue
         told.append(e)
         found.append(Finding("bearing", e.shaft, (e.gear,), e.channel, e.probability))
@@ -236,8 +251,8 @@ def _of_bearings(
 
 def _whole(one: float, other: float) -> bool:
     """Whether one order is a multiple of the other, within what rolling elements slip."""
-    ratio = max(one, other) / min(one, other)
-    return abs(ratio - round(ratio)) < SLIP * ratio
+    ratio = one / other
+    return ratio > 0.5 and abs(ratio - round(ratio)) < SLIP * ratio
 
 
 def _like_bearings(parts: TurningParts, views: list[ShaftView], threshold: float) -> tuple[str, ...]:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import gcd
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike
 from pitchpoint.analysis.gear_signals import FEWEST_TEETH, gear_signals
 from pitchpoint.analysis.indicators import standardised_moment
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal
+from pitchpoint.analysis.shaft_tests import FOLDED
 from pitchpoint.analysis.synchronous_average import synchronous_average
 from pitchpoint.analysis.tooth_energy import ToothEnergy, tooth_energy
 from pitchpoint.analysis.turning_parts import Shaft, TurningParts
@@ -45,6 +47,9 @@ class MeanTurn:
         exceeds this value [-].
     energy
         Energy in the angle of one tooth.
+    trains
+        Tooth counts of trains of strikes that meshes make unequal by each other [-]: empty where all products
+        of meshes are mesh orders, as these are not in the residual.
     """
 
     angle: Array
@@ -53,6 +58,7 @@ class MeanTurn:
     averages: int
     indicators: dict[str, tuple[float, float, float]]
     energy: ToothEnergy
+    trains: tuple[int, ...]
 
 
 def mean_turn(
@@ -121,6 +127,8 @@ def mean_turn(
     # meshes of other shafts that are whole orders of this one stay in its average as well
     ratios = [parts.shaft(mesh.shafts[0]).order * mesh.teeth[0] / shaft.order for mesh in parts.meshes]
     whole = {int(ratio) for ratio in ratios if ratio.denominator == 1 and ratio >= FEWEST_TEETH}
+    # harmonics of a mesh that are whole orders, if they are not too high to matter
+    steps = [ratio.numerator for ratio in ratios if ratio.denominator <= FOLDED]
     counts = sorted({teeth} | {z for z in whole if 2 * z < wanted})
     mean = synchronous_average(x, turned, ratio=shaft.order, samples_per_turn=wanted)
     signals = gear_signals(mean.values, teeth=counts)
@@ -138,6 +146,7 @@ def mean_turn(
         averages=mean.averages,
         indicators=indicators,
         energy=tooth_energy(signals.residual, teeth=teeth),
+        trains=() if gcd(*steps) in counts else tuple(counts),
     )
 
 

@@ -100,7 +100,7 @@ class ShaftView:
     def __init__(
         self, spectrum: FineSpectrum, parts: TurningParts, shaft: Shaft, rms: float, sampled: float
     ) -> None:
-        self.spectrum, self.parts, self.shaft, self.rms = spectrum, parts, shaft, rms
+        self.spectrum, self.parts, self.shaft, self.rms, self.sampled = spectrum, parts, shaft, rms, sampled
         self.folded = _images(parts, sampled)
         self.passing = passing_balls(parts, spectrum.highest, harmonics=HARMONICS)
         self.order = float(shaft.order)

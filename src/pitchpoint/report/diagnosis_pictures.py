@@ -9,7 +9,7 @@ from html import escape
 
 import numpy as np
 
-from pitchpoint.analysis.bearing_tests import envelope_band, without_healthy_lines
+from pitchpoint.analysis.bearing_signals import envelope_band, without_healthy_lines
 from pitchpoint.analysis.envelope import band_envelope
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators

@@ -83,7 +83,7 @@ def parts_of(
         groups.setdefault(order, []).append(body)
     names = {body: " or ".join(bodies) for bodies in groups.values() for body in bodies}
     shafts = tuple(Shaft(" or ".join(bodies), order) for order, bodies in groups.items())
-    parts = TurningParts(shafts, _meshes(model, rows["meshes"], names), _bearings(model, rows, base))
+    parts = TurningParts(shafts, _meshes(model, rows["meshes"], names), _bearings(model, rows, base, names))
     return parts, names, remarks
 
 
@@ -109,14 +109,20 @@ def _meshes(
     )
 
 
-def _bearings(model: Model, rows: Mapping[str, Mapping[str, object]], base: float) -> tuple[Bearing, ...]:
-    """Rolling bearings by the orders of their parts."""
+def _bearings(
+    model: Model, rows: Mapping[str, Mapping[str, object]], base: float, names: Mapping[str, str]
+) -> tuple[Bearing, ...]:
+    """Rolling bearings by the orders of their parts, with the shaft that turns in them."""
     import math
+
+    from pitchpoint.model.frames import split
 
     found = []
     for name, row in rows["rolling_bearings"].items():
         rates = {part: row[key] * math.tau / base for part, key in BEARING_PARTS.items()}  # type: ignore[index]
         orders = {part: float(rate) for part, rate in rates.items() if rate > 0.0}
         if orders:
-            found.append(Bearing(name, orders))
+            bodies = [split(end)[0] for end in model.rolling_bearings[name].ends]
+            shaft = next((names[body] for body in bodies if body in names), "")
+            found.append(Bearing(name, orders, shaft))
     return tuple(found)

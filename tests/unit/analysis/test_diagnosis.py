@@ -105,7 +105,7 @@ def test_healthy_signals_raise_no_more_alarms_than_allowed(machine: tuple) -> No
 def test_too_few_turns_are_told_and_constant_channels_refused() -> None:
     _, x = _signal(SHOVEL, 5)
     found = diagnose({"acc": x}, SHOVEL[1], SHOVEL[0])
-    assert "too few turns of shaft 4: 1.4, needs about 3" in found.untested
+    assert "too few turns of shaft 4 (1.4); needs about 3" in found.untested
     with pytest.raises(SignalError, match="acc: is constant"):
         diagnose({"acc": np.ones(1000)}, 128.0, PAIR[0])
 
@@ -174,3 +174,28 @@ def test_bearings_of_a_record_of_a_few_turns_are_not_tested_and_told() -> None:
     found = diagnose({"acc": _struck(1.0)[:1600]}, 400.0, parts)
     assert any(text.startswith(("too few events", "bearings not tested")) for text in found.untested)
     assert all(finding.kind != "bearing" for finding in found.findings)
+
+
+def _strikes(turned: np.ndarray, amplitude: np.ndarray, teeth: int) -> np.ndarray:
+    """A knock that rings down at each tooth of shaft 2 (12/68), as large as `amplitude` says there."""
+    since = (turned * 12 / 68 * teeth + 0.4) % 1 / teeth
+    return amplitude * np.exp(-900.0 * since) * np.sin(2 * np.pi * 1500.0 * since)
+
+
+@pytest.mark.parametrize("one", [0.0, 6.0])
+def test_teeth_that_another_mesh_makes_unequal_are_not_one_damaged_tooth(one: float) -> None:
+    """With 68 and 11 teeth on a shaft, products of both meshes are on all of its orders, and peaked."""
+    parts, rate = train_parts([(12, 68), (11, 36)]), 1200.0
+    turned = np.arange(int(rate * 120)) / rate
+    wheel = turned * 12 / 68
+    number = np.floor((wheel * 11 + 0.4) % 11)
+    unequal = 1.0 + 0.3 * np.cos(2 * np.pi * 68 * wheel) + 0.25 * np.sin(4 * np.pi * 68 * wheel)
+    x = 0.05 * np.random.default_rng(8).standard_normal(turned.size) + 0.2 * np.cos(2 * np.pi * 12 * turned)
+    x += _strikes(turned, unequal + one * (number == 3), 11)
+    found = diagnose({"acc": x}, rate, parts)
+    (comb,) = [e for e in found.evidence if (e.kind, e.shaft) == ("comb", "shaft 2")]
+    assert comb.found
+    assert [(f.kind, f.shaft) for f in found.findings] == ([("local fault", "shaft 2")] if one else [])
+    assert any(t.startswith("all orders stand out of shaft 2 (in acc), but not") for t in found.untested) == (
+        not one
+    )

@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Evidence that a surer finding brings about: what is left of it without the lines of that finding?
+
+The strikes of a damaged bearing are a pulse train. What changes their size (the load zone through which the
+damage goes) and what they shake (the meshes) puts lines beside their harmonics, and a long train has so many
+of them that some lie on lines of other parts. They are known to a fraction of a line of the record. So they
+are taken out of the signal, and the test of the other part is made again on what is left.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pitchpoint.analysis.bearing_tests import HARMONICS as TESTED
+from pitchpoint.analysis.bearing_tests import BearingView, alike
+from pitchpoint.analysis.findings import Evidence
+from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
+from pitchpoint.analysis.remarks import Note
+from pitchpoint.analysis.sampled import Array
+from pitchpoint.analysis.shaft_tests import HARMONICS, LOW_ORDERS, SIDEBANDS, SLIP, Measured, ShaftView
+from pitchpoint.analysis.tones import without_tones
+from pitchpoint.analysis.turning_parts import Bearing, TurningParts
+
+BESIDE = 3
+"""Lines on either side of a harmonic of the strikes, at the turns of what carries it through the load."""
+REACH = 2.0
+"""How far about lines that are tested others are taken out, in lines of the record: a tone is no wider."""
+COARSE, FINE = 8, 64
+"""Harmonics by which the rate of the strikes is found, first within the slip, then about that."""
+MOST_LINES = 1200
+
+
+@dataclass(frozen=True)
+class Channel:
+    """What tests of one channel look at.
+
+    Attributes
+    ----------
+    values
+        Signal over the angle of the reference shaft, shape (n,), any unit.
+    samples_per_turn
+        Samples in one turn of the reference shaft [-].
+    shafts
+        Orders by shaft.
+    bearings
+        Envelopes, if there are bearings to look for.
+    """
+
+    values: Array
+    samples_per_turn: float
+    shafts: Mapping[str, ShaftView]
+    bearings: BearingView | None
+
+
+@dataclass(frozen=True)
+class Strikes:
+    """Lines that the strikes of one part of a bearing have.
+
+    Attributes
+    ----------
+    rate
+        Strikes in one turn of the reference shaft [-].
+    beside
+        Turns of what carries the damage through the load [-]; 0 if nothing does.
+    meshes
+        Orders of the mesh harmonics that the strikes shake, shape (n,) [-].
+    cage
+        Whether it is the cage that carries the damage: its turns then show without strikes as well.
+    """
+
+    rate: float
+    beside: float
+    meshes: Array
+    cage: bool = False
+
+    def lines(self, highest: float) -> tuple[Array, Array]:
+        """Orders of the lines up to a highest one, and how many causes meet in each, shapes (n,) each."""
+        count = int(highest / self.rate) + 1
+        strike = np.arange(-count, count + 1)
+        side = np.arange(-BESIDE, BESIDE + 1) if self.beside else np.zeros(1, dtype=np.int64)
+        mesh = np.concatenate([[0.0], self.meshes])
+        place = mesh[:, None, None] + strike[:, None] * self.rate + side * self.beside
+        order = (mesh > 0.0)[:, None, None] * 100 + np.abs(strike)[:, None] + np.abs(side)
+        # without a strike it is a line of the shaft or of the mesh itself; nothing else turns with a cage
+        alone = (mesh == 0.0)[:, None, None] & (side != 0) & self.cage
+        keep = (place > 0.0) & (place < highest) & (alone | (strike != 0)[:, None])
+        return place[keep], order[keep]
+
+
+def explain(
+    evidence: tuple[Evidence, ...],
+    channels: Mapping[str, Channel],
+    parts: TurningParts,
+    tests: int,
+) -> tuple[tuple[Evidence, ...], list[Note]]:
+    """Evidence without that which surer bearings bring about.
+
+    Parameters
+    ----------
+    evidence
+        All tests.
+    channels
+        What they looked at, by channel.
+    parts
+        What turns.
+    tests
+        Number of tests that share the false alarms [-].
+
+    Returns
+    -------
+    tuple of Evidence
+        The same, with what is explained no longer found.
+    list of Note
+        What was explained, and by what.
+
+    Notes
+    -----
+    From the surest bearing on, its lines k f ± j n, alone and about mesh harmonics, are fitted to signal and
+    envelopes by least squares and taken out; tests that no longer exceed their limit are explained. The
+    strike rate f is where these lines are strongest; n is the speed of what carries the damage through the
+    load: the shaft for the rings, the cage for a ball [1]_. A tone at a fraction d of a line of the record
+    from one of those keeps 1 - sinc²(d) of its power, so that a second fault stays found unless it lies on
+    them. Valid for strikes whose rate does not wander by more than the record resolves.
+
+    References
+    ----------
+    .. [1] P. D. McFadden, J. D. Smith, Model for the vibration produced by a single point defect in a rolling
+       element bearing, Journal of Sound and Vibration 96(1), 1984, 69-82.
+
+    Examples
+    --------
+    >>> from pitchpoint.analysis.turning_parts import train_parts
+    >>> explain((), {}, train_parts([(21, 40)]), 1)
+    ((), [])
+    """
+    left, notes = list(evidence), []
+    told: dict[tuple[str, str], Strikes] = {}
+    bearings = [k for k, e in enumerate(evidence) if e.kind == "bearing"]
+    for number in sorted(bearings, key=lambda k: evidence[k].probability):
+        now = left[number]
+        if not now.found or (now.gear, now.shaft) in told:
+            continue
+        told[now.gear, now.shaft] = strikes_of(now, channels[now.channel], parts)
+        for k, e in enumerate(left):
+            if not e.found or e.probability <= now.probability or (e.gear, e.shaft) in told:
+                continue
+            rest = _again(e, channels[e.channel], parts, list(told.values()))
+            chance = float(-np.expm1(tests * np.log1p(-min(rest.probability, 1.0 - 1e-16))))
+            if chance < e.allowed:
+                continue
+            cause = f"{now.shaft} of {now.gear}"
+            left[k] = replace(e, found=False, explained=cause)
+            notes.append(
+                Note(f"explained by {cause}, without whose lines nothing of it stands out: {{}}", _what(e))
+            )
+    return tuple(left), notes
+
+
+def strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
+    """Strikes of a part that was found, with the rate at which their lines are strongest.
+
+    Parameters
+    ----------
+    e
+        The test that found it.
+    channel
+        What it looked at.
+    parts
+        What turns.
+    """
+    bearing = next(b for b in alike(parts.bearings) if b.name == e.gear)
+    nominal = bearing.orders[e.shaft]
+    beside = _carried(bearing, e.shaft, parts)
+    meshes = {h * parts.mesh_order(mesh) for mesh in parts.meshes for h in range(1, HARMONICS + 1)}
+    spectra = [] if channel.bearings is None else channel.bearings.spectra[:2]
+    rate, reach = nominal, SLIP
+    for harmonics in (COARSE, FINE):
+        step = 0.25 * spectra[0].resolution / (harmonics * nominal)
+        tried = rate * (1.0 + step * np.arange(-np.ceil(reach / step), np.ceil(reach / step) + 1))
+        gain = sum(_gain(one, tried, beside, harmonics) for one in spectra)
+        rate, reach = float(tried[int(np.argmax(gain))]), 2.0 * step
+    # a spot on a ball meets one ring after the other, and need not strike both alike
+    ball = e.shaft == "rolling element"
+    return Strikes(0.5 * rate if ball else rate, beside, np.array(sorted(meshes)), ball)
+
+
+def _carried(bearing: Bearing, part: str, parts: TurningParts) -> float:
+    """Turns of what carries a damage through the load."""
+    if part == "rolling element":
+        return bearing.orders.get("cage", 0.0)
+    return float(parts.shaft(bearing.shaft).order) if bearing.shaft else 0.0
+
+
+def _gain(spectrum: FineSpectrum, tried: Array, beside: float, harmonics: int) -> Array:
+    """Sum of the levels at the lines of strikes, for each rate that is tried."""
+    total = np.zeros(tried.size)
+    for k in range(1, harmonics + 1):
+        for side in (-beside, 0.0, beside):
+            place = k * tried + side
+            if place[0] > 0.0 and place[-1] < 0.9 * spectrum.highest:
+                total += np.log(np.maximum(spectrum.power(place), 1e-300))
+    return total
+
+
+def _again(e: Evidence, channel: Channel, parts: TurningParts, told: list[Strikes]) -> Measured:
+    """The test of a part on what is left without the lines of those that are told."""
+    rate = channel.samples_per_turn
+    if e.kind == "bearing":
+        assert channel.bearings is not None
+        order = next(b for b in alike(parts.bearings) if b.name == e.gear).orders[e.shaft]
+        highest, line = 0.5 * rate, channel.bearings.spectra[0].resolution
+        comb = _near(told, highest, order * np.arange(1, int(highest / order)), REACH * line)
+        tested = order * np.arange(1, TESTED + 1)
+        envelope = _near(told, highest, tested, SLIP * tested + REACH * line)
+        return channel.bearings.part(order, (comb, envelope, envelope))[0]
+    view = channel.shafts[e.shaft]
+    order = view.order * np.arange(1, view.highest + 1)
+    mesh, teeth = parts.gears_of(e.shaft).get(e.gear, (None, 0))
+    if e.kind == "low order":
+        order = order[:LOW_ORDERS]
+    elif mesh is not None:
+        about = parts.mesh_order(mesh) * np.arange(1, HARMONICS + 1)
+        off = np.abs(order[:, None] - about).min(axis=1)
+        order = order[off < (SIDEBANDS + 0.5) * view.order]
+    known = _near(told, 0.5 * rate, order, REACH * view.spectrum.resolution)
+    spectrum = fine_spectrum(without_tones(channel.values, rate, known), rate)
+    rest = ShaftView(spectrum, parts, view.shaft, view.rms, view.sampled)
+    if e.kind == "comb":
+        return rest.comb()
+    return rest.low_orders() if mesh is None else rest.sidebands(parts.mesh_order(mesh), teeth)
+
+
+def _near(told: list[Strikes], highest: float, tested: Array, reach: float | Array) -> Array:
+    """Lines of strikes near to lines that are tested, shape (n,); the simplest ones if they are too many."""
+    found = [strikes.lines(0.999 * highest) for strikes in told]
+    place, causes = (np.concatenate(rows) for rows in zip(*found, strict=True))
+    limit = np.broadcast_to(np.asarray(reach, dtype=np.float64), tested.shape)
+    at = np.searchsorted(tested, place)
+    near = np.zeros(place.size, dtype=bool)
+    for k in (at - 1, at):
+        k = np.clip(k, 0, tested.size - 1)
+        near |= np.abs(place - tested[k]) <= limit[k]
+    order = np.argsort(causes[near], kind="stable")[:MOST_LINES]
+    return np.sort(place[near][order])
+
+
+def _what(e: Evidence) -> str:
+    """A test in a few words."""
+    if e.kind == "sidebands":
+        return f"sidebands of {e.gear} at the turns of {e.shaft} in {e.channel}"
+    what = {"comb": "all orders", "low order": "lowest orders"}.get(e.kind, e.shaft)
+    return f"{what} of {e.gear or e.shaft} in {e.channel}"
