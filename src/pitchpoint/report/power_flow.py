@@ -37,7 +37,7 @@ WITHOUT_POWER = {"signal", "guide", "closure", "shaft_beam", "linear_hold", "lin
 """Kinds that give and take none on the mean, or that stand within one block."""
 ROUND_OFF = 1e-12
 """Share of the power of a link below which what it loses is none."""
-KINDS = {"rolling_bearing": "rolling bearings", "loose_bearing": "bearings with play"}
+KINDS = {"bearing": "bearings", "rolling_bearing": "rolling bearings", "loose_bearing": "bearings with play"}
 
 
 class NoPowerFlowError(PitchpointError):
@@ -199,7 +199,7 @@ class _Machine:
         records = self.system.records.get("bearing", ())
         for record, name in zip(records, self.system.names.get("bearing", ()), strict=False):
             pair = int(record["i"]), int(record["j"])
-            if f"coupling_force[{name}.mz]" in self.result and set(pair) <= set(self.block_of):
+            if not record["housed"] and set(pair) <= set(self.block_of):
                 found = self.between(name, pair, f"coupling_force[{name}.mz]")
                 yield _with_losses(found, {"damping": found.given - found.taken})
 
@@ -269,15 +269,19 @@ class _Machine:
             blocks=[PowerBlock(name=self.blocks[k], speed=speed[k], stored=self.stored(k)) for k in kept],
             links=[_numbered(link, number) for link in links],
             elastic=sum(float(e[-1] - e[0]) for e in energies) / span,
-            unfollowed=_unfollowed(self.system),
+            unfollowed=_unfollowed(self.system, len([link for link in links if link.kind == "coupling"])),
         )
 
 
-def _unfollowed(system: System) -> list[str]:
+def _unfollowed(system: System, couplings: int) -> list[str]:
     """Elements that may take or give power and are none of the links, in words."""
-    kinds = [k for k in system.records if len(system.records[k]) and k not in FOLLOWED | WITHOUT_POWER]
-    found = [KINDS.get(kind, kind.replace("_", " ")) for kind in kinds]
-    return [*found, "bearings"] if len(system.records.get("bearing", ())) else found
+    found = []
+    for kind, records in system.records.items():
+        # couplings in six directions are bearings between two bodies that turn
+        alike = len(records) - (couplings - sum(len(system.records.get(k, ())) for k in TORQUES))
+        if (kind == "bearing" and alike) or (len(records) and kind not in FOLLOWED | WITHOUT_POWER):
+            found.append(KINDS.get(kind, kind.replace("_", " ")))
+    return found
 
 
 def _with_losses(link: PowerLink, losses: Mapping[str, float]) -> PowerLink:

@@ -12,7 +12,7 @@ from pitchpoint.viz.report import SourceData
 
 KINDS = {"time": "time response", "quasi_static": "slow roll", "sweep": "speed sweep", "cases": "cases"}
 UNITS = {"duration": "s", "settle_time": "s", "step": "s", "sample_rate": "Hz", "speed": "rad/s"}
-EMPTY = ("", None, [], {}, ())
+EMPTY: tuple[Any, ...] = ("", None, [], {}, ())
 
 
 def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str = "") -> SourceData:
@@ -69,6 +69,7 @@ def _text(key: str, value: Any) -> str:
     if isinstance(value, list | tuple):
         return ", ".join(_text(key, v) for v in value)
     if isinstance(value, bool) or not isinstance(value, int | float):
-        return str(value).replace("_", " ")
+        # laws stand in the file of the model; what is left of them here is no text for people
+        return "" if "(" in str(value) else str(value).replace("_", " ")
     shown = scale(UNITS.get(key, ""), [float(value)])
     return f"{number(value * shown.factor)} {shown.unit}".rstrip()

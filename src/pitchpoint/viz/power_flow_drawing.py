@@ -162,14 +162,31 @@ def _band(link: PowerLink, start: _Box, end: _Box, width: float, unit: Scale, x:
     colour = COLOURS.get(link.kind, theme.TEAL)
     parts = [f'<path class="pp-band" fill="{colour}" d="{path}"/>']
     if not start.outside and not end.outside:
-        # bands that fan out are apart towards their ends
-        fans = abs(yb - ya) > 0.5 * width
-        x_mid, y_mid = (0.3 * a + 0.7 * b, 0.2 * ya + 0.8 * yb) if fans else (0.5 * (a + b), 0.5 * (ya + yb))
-        parts.append(text(x_mid, y_mid - h - 19.0, link.name, "pp-halo"))
-        parts.append(text(x_mid, y_mid - h - 5.0, _amount(link.given, unit), "pp-small"))
-        if link.lost > 0.0:
-            parts.append(_drop(x_mid, y_mid + h, max(THINNEST, width * link.lost / link.given), link.lost))
+        straight = abs(yb - ya) <= 0.5 * width
+        parts.append(
+            _named(link, unit, 0.5 * (a + b), ya, width) if straight else _beside(link, unit, b, yb, ya, h)
+        )
     return "".join(parts)
+
+
+def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> str:
+    """Name and power above a straight band, and what is lost falling out of it."""
+    words = text(x, y - 0.5 * width - 19.0, link.name, "pp-halo")
+    words += text(x, y - 0.5 * width - 5.0, _amount(link.given, unit), "pp-small")
+    if link.lost > 0.0:
+        words += _drop(x, y + 0.5 * width, max(THINNEST, width * link.lost / link.given), link.lost)
+    return words
+
+
+def _beside(link: PowerLink, unit: Scale, x: float, y: float, from_y: float, half: float) -> str:
+    """Name, power and loss at the end of a band that bends, on the side that it does not come from."""
+    lost = f"−{_amount(link.lost, scale('W', [link.lost]))}" if link.lost > 0.0 else ""
+    lines = [line for line in (link.name, _amount(link.given, unit), lost) if line]
+    top = y + half + 15.0 if from_y < y else y - half - 6.0 - 14.0 * (len(lines) - 1)
+    return "".join(
+        text(x - 6.0, top + 14.0 * k, line, "pp-small" if k else "pp-halo", "end")
+        for k, line in enumerate(lines)
+    )
 
 
 def _drop(x: float, y: float, width: float, lost: float) -> str:

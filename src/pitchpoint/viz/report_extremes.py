@@ -15,8 +15,6 @@ from pitchpoint.viz.report_page import Section
 from pitchpoint.viz.run_record import FORCE_PARTS, TIME_QUANTITIES, listed, settled_part
 from pitchpoint.viz.tables import MOST_ROWS, plain_table
 
-HEAD = ("channel", "unit", "mean", "rms (alternating)", "minimum", "at", "maximum", "at")
-
 
 def extreme_section(runs: Mapping[str, Any], seen: str = "") -> Section:
     """Tables of extremes.
@@ -64,10 +62,12 @@ def _add_table(
         moments = [float(time[k(channel.values[settled])]) for k in (np.argmin, np.argmax)]
         rows.append(_row(channel, values, shown, [_time(t, clock, linked) for t in moments]))
     if rows:
-        section.add(plain_table(HEAD, rows[:MOST_ROWS]))
+        at = f"at [{clock.unit}]"
+        head = ("channel", "unit", "mean", "rms (alternating)", "minimum", at, "maximum", at)
+        section.add(plain_table(head, rows[:MOST_ROWS]))
         more = rows[MOST_ROWS:]
-        words = f"<details><summary>{len(more)} more channels</summary>{plain_table(HEAD, more)}</details>"
-        section.add(words if more else "")
+        folded = f"<details><summary>{len(more)} more channels</summary>{plain_table(head, more)}</details>"
+        section.add(folded if more else "")
     zeros, others = len(wanted) - len(moving), len(found) - len(wanted)
     words = [f"{zeros} {_channels(zeros)} zero throughout"] if zeros else []
     words += [f"{others} {_channels(others)} of other quantities"] if others else []
@@ -88,8 +88,11 @@ def _row(channel: Channel, values: Mapping[str, float], shown: Scale, moments: l
 
 def _time(moment: float, clock: Scale, linked: bool) -> str:
     """An instant; of the run in the scene a button that goes there."""
-    text = f"{number(moment * clock.factor, 5)} {clock.unit}"
-    return f'<button type="button" class="when" data-time="{moment!r}">{text}</button>' if linked else text
+    text = number(moment * clock.factor, 5)
+    if not linked:
+        return text
+    words = f"show the scene at {text} {clock.unit}"
+    return f'<button type="button" class="when" data-time="{moment!r}" title="{words}">{text}</button>'
 
 
 def _channels(count: int) -> str:

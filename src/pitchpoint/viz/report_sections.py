@@ -38,6 +38,8 @@ from pitchpoint.viz.tables import (
 
 MOST_LINES = 8
 DETAIL_PERIODS = 12
+WIDE, HALF = 5000, 3000
+"""Points of a line across the page, and of one of two beside each other: more than a bucket a pixel."""
 
 
 def gear_section(
@@ -133,7 +135,8 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
             shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in tooth]
             where = "over the last periods" if part.start is not None else "over the whole run"
             section.add_figure(
-                plot_force_parts(time[part], shown), f"Parts of the tooth force of {mesh}, {where}."
+                plot_force_parts(time[part], shown, points=WIDE),
+                f"Parts of the tooth force of {mesh}, {where}.",
             )
         section.add("</div>" if name == seen else "")
     return section
@@ -154,8 +157,10 @@ def _add_signals(
         last = [replace(c, values=c.values[part]) for c in drawn]
         # the end has settled: its ranges tell which lines can share an axis
         rows = signal_rows(last)
-        end = plot_signals(time[part], last, contact_state=None if state is None else state[part], rows=rows)
-    whole = plot_signals(time, drawn, contact_state=state, rows=rows)
+        shown = None if state is None else state[part]
+        end = plot_signals(time[part], last, contact_state=shown, points=HALF, rows=rows)
+    points = WIDE if end is None else HALF
+    whole = plot_signals(time, drawn, contact_state=state, points=points, rows=rows)
     section.add_figure(whole, _caption(group), beside=end)
 
 

@@ -29,7 +29,7 @@
   function apply(mode, printing) {
     for (const { node, height } of plots) {
       const size = printing
-        ? { width: paperWidth(node), height, autosize: false }
+        ? { width: paperWidth(node), height: Math.round(0.8 * height), autosize: false }
         : { width: null, height, autosize: true };
       Plotly.relayout(node, Object.assign(look(node.layout, mode), size));
     }
