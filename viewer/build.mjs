@@ -1,13 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// One script for every page: src/main.js with three.js and uPlot, minified, licences at its head.
+// The scripts that pages carry, licences at their heads: viewer.js, which is src/main.js with three.js and uPlot, and
+// plots.js, which is plotly.js for Cartesian axes as it is published.
 import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const notice = readFileSync(join(here, "LICENSES.txt"), "utf8").trim();
-if (notice.includes("*/")) throw new Error("LICENSES.txt would end the comment it becomes");
+
+/** The notice at the head of a script. @param {string} file */
+function banner(file) {
+  const notice = readFileSync(join(here, file), "utf8").trim();
+  if (notice.includes("*/")) throw new Error(`${file} would end the comment it becomes`);
+  return `/*!\n${notice}\n*/`;
+}
+
+/** @param {string} name of the script @param {string} script */
+function write(name, script) {
+  // A page carries the script inside <script>: none of these may appear in it.
+  const text = script.replace(/<\/script/gi, "<\\/script").replace(/<!--/g, "<\\!--");
+  const out = join(here, "../src/pitchpoint/viz/assets", name);
+  writeFileSync(out, text);
+  console.log(`${out}: ${(text.length / 1000).toFixed(0)} kB`);
+}
 
 /** three.js from its sources, so that what is not used stays out, and its shaders without comments and indents. */
 const lean = {
@@ -41,10 +56,12 @@ const result = await build({
   legalComments: "none",
   // escapes keep the script readable to pages that declare no encoding
   charset: "ascii",
-  banner: { js: `/*!\n${notice}\n*/` },
+  banner: { js: banner("LICENSES.txt") },
 });
-// A page carries the script inside <script>: none of these may appear in it.
-const text = result.outputFiles[0].text.replace(/<\/script/gi, "<\\/script").replace(/<!--/g, "<\\!--");
-const out = join(here, "../src/pitchpoint/viz/assets/viewer.js");
-writeFileSync(out, text);
-console.log(`${out}: ${(text.length / 1000).toFixed(0)} kB`);
+write("viewer.js", result.outputFiles[0].text);
+
+const plots = readFileSync(
+  join(here, "node_modules/plotly.js-cartesian-dist-min/plotly-cartesian.min.js"),
+  "utf8",
+);
+write("plots.js", `${banner("LICENSES-plots.txt")}\n${plots}`);

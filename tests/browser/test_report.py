@@ -1,97 +1,184 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report in a real browser: every plot is drawn, nothing fails, nothing overflows on a phone."""
+"""The report in a real browser: every plot is drawn, scene and curves share their time, nothing is asked of a
+network, nothing overflows on a phone or on paper, and it works by keys, in the dark and without WebGL.
+
+One run of the browser answers the questions of several tests.
+"""
 
 from __future__ import annotations
 
 import html
+import json
 import re
-from collections.abc import Callable, Iterator
+import subprocess
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from pitchpoint.viz.report import report_html
-from tests.support.chromium import BROWSER, chromium, window
 from tests.support.report_data import report_model, report_results
+from tests.support.scene_browser import BROWSER, LISTEN
 
 pytestmark = pytest.mark.skipif(
     BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
 )
 
-
-def in_browser(page: Path, _: Path, *flags: str) -> str:
-    """The document after its scripts have run; flags are those of the window."""
-    show = chromium("--disable-gpu").show
-    return str(show(page, "document.documentElement.outerHTML", budget=20_000, wait=True, **window(*flags)))
+SOFTWARE = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+NO_WEBGL = ("--disable-gpu", "--disable-3d-apis")
+READY = """
+  const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+  const until = async (holds) => { for (let k = 0; k < 400 && !holds(); k++) await wait(50); };
+  const $ = (what) => document.querySelector(what), all = (what) => [...document.querySelectorAll(what)];
+  (async () => {
+    await until(() => document.documentElement.dataset.ready && $(".ppv[data-ready]"));
+    let found = null;
+    try { found = await (async () => { %s })(); } catch (error) { errors.push(String(error.stack)); }
+    $("#found").textContent = JSON.stringify({errors, found});
+  })();
+"""
 
 
 @pytest.fixture(scope="module")
-def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    page = tmp_path_factory.mktemp("report") / "report.html"
-    page.write_text(report_html(report_model(), report_results()), encoding="utf-8")
-    return page
+def report() -> str:
+    return report_html(report_model(), report_results())
+
+
+def found(folder: Path, report: str, script: str, *flags: str) -> Any:
+    """What a script of the test finds in the report, after everything has been drawn without an error."""
+    assert BROWSER is not None
+    page = folder / "report.html"
+    text = report.replace("<style>", f"<script>{LISTEN}</script><style>", 1)
+    probe = f"<pre id='found' hidden></pre><script>{READY % script}</script></body>"
+    page.write_text(text.replace("</body>", probe), encoding="utf-8")
+    command = [
+        BROWSER,
+        *"--headless --no-sandbox --disable-quic --no-first-run --disable-extensions".split(),
+        *"--disable-background-networking --disable-component-update --disable-sync".split(),
+        f"--user-data-dir={folder / 'profile'}",
+        "--virtual-time-budget=60000",
+        *flags,
+    ]
+    command += ["--dump-dom", page.as_uri()]
+    dom = subprocess.run(command, capture_output=True, text=True, timeout=180, check=True).stdout
+    match = re.search(r"<pre id=['\"]found['\"][^>]*>(.+?)</pre>", dom, re.DOTALL)
+    assert match, dom[-2000:]
+    answer = json.loads(html.unescape(match.group(1)))
+    assert answer["errors"] == []
+    return answer["found"]
+
+
+WIDE = """
+  const drawn = all(".plot.js-plotly-plot").length;
+  const empty = all(".plot").filter((node) =>
+    !node.querySelectorAll(".scatterlayer path, .heatmaplayer image").length).length;
+  const asked = performance.getEntriesByType("resource").map((e) => e.name)
+    .filter((name) => !/^(data|blob):/.test(name));
+  const colours = [$(".plot").layout.font.color, getComputedStyle(document.body).backgroundColor];
+
+  // the scene moves the cursor of the curves of its run, at the place where their axis has that time
+  const lines = () => all(".linked .plot .now").filter((line) => !line.hidden);
+  pitchpointViewer.seek(0.15);
+  const [line] = lines(), node = line.parentNode;
+  const at = () => {
+    const box = node.querySelector(".nsewdrag").getBoundingClientRect();
+    const share = (line.getBoundingClientRect().left + 0.75 - box.left) / box.width;
+    const [a, b] = node.layout.xaxis.range;
+    return [a + share * (b - a), node.layout.xaxis.title.text];
+  };
+  const cursor = at(), others = all(".plot:not(.linked *) .now").length;
+  // a click into a curve moves the scene, a drag does not
+  const box = node.querySelector(".nsewdrag").getBoundingClientRect();
+  const press = (kind, x) => node.dispatchEvent(new PointerEvent(kind, {bubbles: true, clientX: x,
+    clientY: box.top + 20}));
+  press("pointerdown", box.left + 0.25 * box.width); press("pointerup", box.left + 0.25 * box.width);
+  const clicked = pitchpointViewer.state().time, [a, b] = node.layout.xaxis.range;
+  press("pointerdown", box.left + 0.5 * box.width); press("pointerup", box.left + 0.6 * box.width);
+  const dragged = pitchpointViewer.state().time;
+  const button = $(".when"), wanted = Number(button.dataset.time);
+  button.click();
+  const sought = pitchpointViewer.state().time;
+
+  // paper: everything folded is open, the scene is a picture, no table is wider than the page
+  dispatchEvent(new Event("beforeprint"));
+  const still = $("#pp-still").src.slice(0, 22), folded = all("details:not([open])").length;
+  dispatchEvent(new Event("afterprint"));
+
+  // keys: the skip link comes first, every link of the bar leads to a section, what has the focus shows it
+  const stops = all("a[href], button, input, select, summary, [tabindex='0']").filter((e) =>
+    e.checkVisibility() && !e.disabled && e.tabIndex >= 0);
+  stops[0].focus({focusVisible: true});
+  const shown = getComputedStyle(stops[0]).outlineStyle, place = stops[0].getBoundingClientRect().left;
+  const order = stops.slice(0, 3).map((e) => e.getAttribute("href"));
+  const lost = all("nav a, .skip").filter((link) => !$(link.getAttribute("href"))).length;
+  const nameless = stops.filter((e) => !(e.textContent.trim() || e.title || e.labels?.length
+    || e.ariaLabel)).length;
+  const {ready} = document.documentElement.dataset, count = all(".plot").length;
+  return {drawn, count, ready, empty, asked, colours, cursor, others, clicked, expected: (a + 0.25 * (b - a)) / node.layout.meta.clock, dragged, wanted, sought,
+    still, folded, shown, place, order, lost, nameless};
+"""
 
 
 @pytest.fixture(scope="module")
-def drawn(report: Path) -> Iterator[Callable[[str], str]]:
-    """What a script finds in the report on a phone, which is drawn once."""
-    with chromium("--disable-gpu").opened(report, budget=20_000, size=(500, 900)) as value_of:
-        yield lambda script: str(value_of(f"(() => {{ {script} }})()"))
+def wide(report: str, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    flags = (*SOFTWARE, "--window-size=1280,900")
+    answer: dict[str, Any] = found(tmp_path_factory.mktemp("wide"), report, WIDE, *flags)
+    return answer
 
 
-def with_probe(report: Path, script: str) -> Path:
-    """The report with a script of the test at its end."""
-    text = report.read_text(encoding="utf-8")
-    page = report.with_name("probed.html")
-    page.write_text(
-        text.replace("</body>", f"<pre id='found'></pre><script>{script}</script></body>"), encoding="utf-8"
-    )
-    return page
+def test_every_plot_is_drawn_and_none_is_empty(wide: dict[str, Any], report: str) -> None:
+    assert wide["count"] == wide["drawn"] == int(wide["ready"]) == report.count('<div class="plot"') > 15
+    assert wide["empty"] == 0
 
 
-def found(dom: str) -> str:
-    match = re.search(r"<pre id=['\"]found['\"]>(.*?)</pre>", dom, re.DOTALL)
-    assert match
-    return html.unescape(match.group(1))
+def test_nothing_is_asked_of_a_network(wide: dict[str, Any]) -> None:
+    """The policy of the page forbids it; `found` sees that the policy had nothing to forbid."""
+    assert wide["asked"] == []
 
 
-def test_every_plot_is_drawn(report: Path, drawn: Callable[[str], str]) -> None:
-    dom = drawn("return document.documentElement.outerHTML;")
-    expected = report.read_text(encoding="utf-8").count('<div class="plot"')
-    assert re.search(r'data-ready="(\d+)"', dom).group(1) == str(expected)  # type: ignore[union-attr]
-    assert len(re.findall(r'class="plot js-plotly-plot"', dom)) == expected
+def test_scene_and_curves_share_their_time(wide: dict[str, Any]) -> None:
+    assert wide["cursor"][1] == "time [ms]"
+    assert wide["cursor"][0] == pytest.approx(150.0, abs=0.3)  # a pixel of 700
+    assert wide["others"] == 0  # the run-up is not in the scene
+    assert wide["clicked"] == pytest.approx(wide["expected"], abs=1e-4)
+    assert wide["dragged"] == wide["clicked"]
+    assert wide["sought"] == pytest.approx(wide["wanted"], abs=1e-9)
 
 
-def test_no_plot_is_empty_and_nothing_is_wider_than_the_page(drawn: Callable[[str], str]) -> None:
+def test_paper_gets_a_picture_of_the_scene_and_all_tables(wide: dict[str, Any]) -> None:
+    assert wide["still"] == "data:image/png;base64,"
+    assert wide["folded"] == 0
+
+
+def test_keys_reach_everything(wide: dict[str, Any]) -> None:
+    assert wide["order"][:2] == ["#content", "#summary"]
+    assert wide["shown"] != "none" and wide["place"] >= 0.0  # the skip link comes into view
+    assert wide["lost"] == wide["nameless"] == 0
+
+
+def test_a_narrow_page_in_the_dark_without_webgl(report: str, tmp_path: Path, wide: dict[str, Any]) -> None:
     script = """
-      const bad = [];
-      for (const node of document.querySelectorAll(".plot")) {
-        const marks = node.querySelectorAll(".scatterlayer path, .heatmaplayer image").length;
-        if (!marks) bad.push("empty: " + node.layout.yaxis.title.text);
-      }
       const page = document.documentElement;
-      const over = page.scrollWidth - page.clientWidth;
-      if (over > 0) bad.push("wider than the page by " + over);
-      return bad.join("; ") || "fine";
+      return {over: page.scrollWidth - page.clientWidth, said: $(".ppv-message")?.textContent,
+        colours: [$(".plot").layout.font.color, getComputedStyle(document.body).backgroundColor],
+        drawn: all(".plot.js-plotly-plot").length};
     """
-    assert drawn(script) == "fine"
+    flags = (*NO_WEBGL, "--window-size=500,900", "--blink-settings=preferredColorScheme=0")
+    narrow = found(tmp_path, report, script, *flags)
+    assert narrow["over"] <= 0
+    assert "no WebGL" in narrow["said"]
+    assert narrow["drawn"] == wide["drawn"]
+    assert wide["colours"] == ["#1f2933", "rgb(255, 255, 255)"]
+    assert narrow["colours"] == ["#e6e9ed", "rgb(20, 24, 29)"]
 
 
-def test_dark_mode_has_light_ink(report: Path, drawn: Callable[[str], str]) -> None:
-    ink = 'document.querySelector(".plot").layout.font.color'
-    script = f'{ink} + " " + getComputedStyle(document.body).backgroundColor'
-    assert drawn(f"return {script};") == "#1f2933 rgb(255, 255, 255)"
-    dark = chromium("--disable-gpu").show(report, script, budget=20_000, wait=True, dark=True)
-    assert dark == "#e6e9ed rgb(20, 24, 29)"
-
-
-def test_reader_chooses_whose_orders_a_picture_shows(drawn: Callable[[str], str]) -> None:
+def test_reader_chooses_whose_orders_a_picture_shows(report: str, tmp_path: Path) -> None:
     """The driven shaft turns half as fast in these data: orders double, speeds halve, titles follow."""
     script = """
       const look = (node) => [node._fullData[0].x[10], node.layout.xaxis.range[1],
         (node.layout.annotations || []).map((a) => Number(a.text))[0] || 0, node._fullData[0].y[3]];
       const said = [];
-      for (const select of document.querySelectorAll(".shaft select")) {
+      for (const select of all(".shaft select")) {
         const node = select.parentNode.nextElementSibling;
         const before = look(node);
         select.value = "driven";
@@ -102,8 +189,8 @@ def test_reader_chooses_whose_orders_a_picture_shows(drawn: Callable[[str], str]
         select.dispatchEvent(new Event("change"));
         if (String(look(node)) !== String(before)) said.push("not back");
       }
-      return said.join("; ");
+      return said;
     """
-    said = drawn(script).split("; ")
     title = "order [per revolution of driven]"
+    said = found(tmp_path, report, script, *NO_WEBGL)
     assert said == [f"{title} 2.00 2.00 2.00 1.00"] * 2 + [f"{title} 2.00 2.00 - 0.50"] * 2

@@ -14,6 +14,7 @@ import numpy as np
 
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.gear_pair import GearPair
+from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
 from pitchpoint.viz.quantities import Channel
 from pitchpoint.viz.report import (
     CampbellData,
@@ -22,8 +23,11 @@ from pitchpoint.viz.report import (
     ModeData,
     ReportModel,
     ReportResults,
+    SceneData,
+    SourceData,
     TimeRun,
 )
+from pitchpoint.viz.scene import Scene, SceneBody, SceneSolid
 from pitchpoint.viz.tables import GEAR_ROWS, MESH_ROWS
 
 TEETH, MASS, STIFFNESS, GAP, FORCE = 50, 1.158, 4.0e8, 25e-6, 2128.0
@@ -132,6 +136,32 @@ def cases() -> CaseTable:
     return CaseTable(cases=found, units={path: "N m"})
 
 
+def scene() -> Scene:
+    """A wedge that turns once in the time of the steady run."""
+    points = np.array([[0.0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    times = np.linspace(0.0, 0.2, 101)
+    turned = 2.0 * np.pi * times / 0.2
+    body = SceneBody(name="driver", place=np.zeros(3), axes=np.eye(3), angle=turned, gross=turned)
+    solid = SceneSolid(name="wedge", kind="body", body=0, points=points, triangles=faces)
+    return Scene(title="wedge", bodies=[body], solids=[solid], times=times)
+
+
+def power() -> PowerFlow:
+    """A motor on two shafts that meet again, with losses in a mesh, and something small beside it."""
+    blocks = [PowerBlock(name=n, speed=v) for n, v in (("one <1>", 100.0), ("two", -50.0), ("three", -50.0))]
+    rows = (
+        ("motor", "drive", OUTSIDE, 0, 1000.0, 1000.0, {}),
+        ("a", "mesh", 0, 1, 600.0, 590.0, {"friction": 8.0, "damping": 1.0}),
+        ("b", "mesh", 0, 2, 400.0, 395.0, {"friction": 5.0}),
+        ("c", "coupling", 1, 2, 590.0, 590.0, {}),
+        ("brake", "load", 2, OUTSIDE, 984.0, 984.0, {}),
+    )
+    keys = ("name", "kind", "start", "end", "given", "taken", "losses")
+    links = [PowerLink(**dict(zip(keys, row, strict=True))) for row in rows]  # type: ignore[arg-type]
+    return PowerFlow(span=(0.04, 0.2), blocks=blocks, links=links)
+
+
 def report_model() -> ReportModel:
     stage = pair()
     return ReportModel(
@@ -142,6 +172,7 @@ def report_model() -> ReportModel:
         meshes={"stage": values_of(stage, MESH_ROWS)},
         pairs={"stage": (stage, "g1", "g2")},
         shafts={"stage": "driver"},
+        counts=[("gears: 2", "g1 (50), g2 (50)")],
         warnings=["stage: a warning with <brackets>"],
         assumptions=["Bearings are rigid."],
         sources=["ISO 21771"],
@@ -170,6 +201,13 @@ def report_results() -> ReportResults:
             names=["rigid rotation", "mesh mode"], frequency=[0.0, 2958.0], damping_ratio=[float("nan"), 0.05]
         ),
         cases={"steady": cases()},
+        powers={"steady": power(), "run-up": "No power flow of run-up: it is <not> known."},
+        scene=SceneData(scene=scene(), run="steady", words="The scene shows <steady>."),
+        sources=[
+            SourceData(name="steady", kind="time response", sentence="finished", rows=[("solver", "<rk4>")]),
+            SourceData(name="run-up", kind="time response", finished=False, sentence="failed: a force <x>"),
+            SourceData(name="sweep", kind="speed sweep", sentence="finished"),
+        ],
         campbell=CampbellData(
             speed=np.linspace(0.0, 400.0, 21),
             mode_frequencies=[2958.0],

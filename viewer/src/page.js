@@ -206,6 +206,14 @@ export class Page {
   update() {
     this.transport.update();
     this.curves.plots.cursor(this.player.time);
+    this.#tell();
+  }
+
+  /** The page around the viewer hears where time is. */
+  #tell() {
+    if (this.player.time === this.told) return;
+    this.told = this.player.time;
+    this.root.dispatchEvent(new CustomEvent("pp-time", { bubbles: true, detail: this.told }));
   }
 
   draw() {

@@ -14,7 +14,15 @@ import numpy as np
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
-from pitchpoint.viz.report import CaseTable, MeshCycleData, ReportModel, ReportResults, RollData, TimeRun
+from pitchpoint.viz.report import (
+    CaseTable,
+    MeshCycleData,
+    ReportModel,
+    ReportResults,
+    RollData,
+    SourceData,
+    TimeRun,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -39,6 +47,7 @@ def describe(model: Model) -> ReportModel:
     from pitchpoint.report.defaults import defaults
     from pitchpoint.report.flanks import flank_lines
     from pitchpoint.report.numbers import geometry_of_model
+    from pitchpoint.report.overview import counts_of
 
     numbers = geometry_of_model(model)
     bodies = {name: model.body_of(mesh.gears[0]) for name, mesh in model.meshes.items()}
@@ -51,6 +60,7 @@ def describe(model: Model) -> ReportModel:
         flanks=flank_lines(model),
         pairs={name: (pair, *model.meshes[name].gears) for name, pair in model.pairs.items()},
         shafts={mesh: body for mesh, body in bodies.items() if body},
+        counts=counts_of(model),
         signals=signal_lines(model),
         assumptions=[f"{key}: {value}" for key, value in defaults(model)],
         sources=SOURCES if model.meshes else SOURCES[:1] if model.gears else (),
@@ -65,6 +75,7 @@ class _Found:
     sweeps: dict[str, dict[str, Any]] = field(default_factory=dict)
     cases: dict[str, CaseTable] = field(default_factory=dict)
     rolls: dict[str, RollData] = field(default_factory=dict)
+    sources: list[SourceData] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
 
 
@@ -73,6 +84,7 @@ def collect(
 ) -> tuple[ReportResults, list[str]]:
     """Collect what a report shows: what follows from the model, the results given, and remarks."""
     from pitchpoint.report.numbers import C_PRIME_B, MEAN, cycles_of_model
+    from pitchpoint.report.overview import power_part, scene_part
     from pitchpoint.report.statics import linear_parts, with_rolls
 
     found = _Found()
@@ -81,7 +93,7 @@ def collect(
         if isinstance(result, str | os.PathLike):
             _add_file(found, os.fspath(result), model)
         else:
-            _add_dataset(found, result)
+            _add_dataset(found, result, model)
     cycles = {
         name: (
             MeshCycleData(stiffness=cycle, stiffness_unit=words.get(relative_to, relative_to)),
@@ -99,6 +111,9 @@ def collect(
         runs=found.runs,
         sweeps=found.sweeps,
         cases=found.cases,
+        powers=power_part(model, found.runs),
+        scene=scene_part(model, found.runs),
+        sources=found.sources,
     )
     return shown, [*notes, *more, *found.remarks]
 
@@ -110,17 +125,25 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
     from pitchpoint.io.case_store import read_cases
     from pitchpoint.io.reading import open_result, read_header
     from pitchpoint.io.sweep_store import read_sweep
+    from pitchpoint.report.provenance import source_of
 
     header = read_header(file)
     if str(header.get("model_hash", "")) not in ("", content_hash(model)):
         found.remarks.append(f"{Path(file).name} was computed with another state of the model.")
     name, own = str(header["scenario"] or Path(file).stem), Path(file).name
+
+    def take(kind: dict[str, Any]) -> str:
+        """A free name among the results of a kind; where it comes from is noted."""
+        key = _free(name, own, kind)
+        found.sources.append(source_of(key, header, content_hash(model), own))
+        return key
+
     if header["kind"] == "sweep":
-        found.sweeps[_free(name, own, found.sweeps)] = read_sweep(file)
+        found.sweeps[take(found.sweeps)] = read_sweep(file)
     elif header["kind"] == "cases":
         cases = read_cases(file)
         units = header["options"].get("vary_units", {})
-        found.cases[_free(name, own, found.cases)] = CaseTable(cases=cases, units=units)
+        found.cases[take(found.cases)] = CaseTable(cases=cases, units=units)
         for case in cases:
             if case["points"]:
                 words = ", ".join(f"{path} = {text}" for path, text in case["values"].items())
@@ -136,11 +159,10 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         with open_result(file) as data:
             data.load()
         if header["kind"] == "quasi_static":
-            found.rolls[_free(name, own, found.rolls)] = given_roll(data, note)
+            found.rolls[take(found.rolls)] = given_roll(data, note)
             return
         settle = float(header["options"].get("settle_time", 0.0))
-        key = _free(name, own, found.runs)
-        found.runs[key] = TimeRun(data=data, settle_time=settle, note=note)
+        found.runs[take(found.runs)] = TimeRun(data=data, settle_time=settle, note=note)
     else:
         kind = str(header["kind"]).replace("_", "-")
         found.remarks.append(
@@ -148,8 +170,11 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         )
 
 
-def _add_dataset(found: _Found, data: xr.Dataset) -> None:
+def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     """Put a time response, a speed sweep or a slow roll where the report looks for it."""
+    from pitchpoint.core.provenance import content_hash
+    from pitchpoint.report.provenance import source_of
+
     dimensions = set(getattr(data, "dims", ()))
     if "time" in dimensions:
         time = data["time"].values
@@ -160,13 +185,15 @@ def _add_dataset(found: _Found, data: xr.Dataset) -> None:
         name = _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
         found.sweeps[name] = _sweep_of(data)
     elif POSITION in dimensions:
-        found.rolls[_free("slow roll", str(len(found.rolls) + 1), found.rolls)] = given_roll(data)
+        name = _free("slow roll", str(len(found.rolls) + 1), found.rolls)
+        found.rolls[name] = given_roll(data)
     else:
         kind = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
         raise PitchpointError(
             f"results: {kind} has no place in a report; "
             "give a dataset of solve_time, solve_quasistatic or sweep_speed, or the name of a result file"
         )
+    found.sources.append(source_of(name, data.attrs, content_hash(model)))
 
 
 def _sweep_of(data: xr.Dataset) -> dict[str, Any]:

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`report_html`: everything known about a model and its results as one HTML page to look at, print and send
-on.
+"""`report_html`: everything known about a model and its results as one HTML page to look at, print, send on.
 
 It takes data, not models or files: `pitchpoint.report` collects them. Sections appear only when their data
 are there.
@@ -15,10 +14,15 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from pitchpoint.viz import report_sections as parts
+from pitchpoint.viz.power_flow import PowerFlow
 from pitchpoint.viz.report_cycles import mesh_cycle_section, roll_section
+from pitchpoint.viz.report_extremes import extreme_section
+from pitchpoint.viz.report_overview import provenance_section, scene_section, summary_section
 from pitchpoint.viz.report_page import page
+from pitchpoint.viz.report_power import power_section
 from pitchpoint.viz.report_spectra import spectrum_section
 from pitchpoint.viz.report_tables import case_section, mode_section, signal_section
+from pitchpoint.viz.scene import Scene
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,6 +45,8 @@ class ReportModel:
         `GearPair` and the names of its two gears, by the name of the mesh; these are drawn.
     shafts
         Body of gear 1 by the name of the mesh: orders of a mesh refer to it at first.
+    counts
+        What there is of each part, words and text, for the summary.
     signals
         Sensors, blocks, controllers and actuators: signal, what it is, what it is made of, who reads it.
     warnings, assumptions, sources
@@ -56,10 +62,55 @@ class ReportModel:
     flanks: Sequence[Sequence[str]] = ()
     pairs: Mapping[str, tuple[Any, str, str]] = field(default_factory=dict)
     shafts: Mapping[str, str] = field(default_factory=dict)
+    counts: Sequence[tuple[str, str]] = ()
     signals: Sequence[Sequence[str]] = ()
     warnings: Sequence[str] = ()
     assumptions: Sequence[str] = ()
     sources: Sequence[str] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class SourceData:
+    """Where a result comes from.
+
+    Attributes
+    ----------
+    name
+        Its name in the report.
+    kind
+        Time response, slow roll, speed sweep, cases.
+    finished
+        Whether it came to its end.
+    sentence
+        How it ended.
+    rows
+        All that is known, words and text.
+    """
+
+    name: str
+    kind: str = ""
+    finished: bool = True
+    sentence: str = ""
+    rows: Sequence[tuple[str, str]] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class SceneData:
+    """The 3-D scene of a report.
+
+    Attributes
+    ----------
+    scene
+        What it shows; None where there is nothing to show.
+    run
+        Name of the time response that it shows; empty at rest.
+    words
+        What it shows, or why there is none.
+    """
+
+    scene: Scene | None = None
+    run: str = ""
+    words: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -207,6 +258,12 @@ class ReportResults:
         Modes about the loaded state.
     cases
         Independent cases by the name of the scenario.
+    powers
+        Power flow of a time response by its name, or a sentence that says why there is none.
+    scene
+        The 3-D scene.
+    sources
+        Where the results come from.
     """
 
     mesh_cycles: Mapping[str, MeshCycleData] = field(default_factory=dict)
@@ -216,6 +273,9 @@ class ReportResults:
     campbell: CampbellData | None = None
     modes: ModeData | None = None
     cases: Mapping[str, CaseTable] = field(default_factory=dict)
+    powers: Mapping[str, PowerFlow | str] = field(default_factory=dict)
+    scene: SceneData = field(default_factory=SceneData)
+    sources: Sequence[SourceData] = ()
 
 
 def report_html(model: ReportModel, results: ReportResults) -> str:
@@ -224,7 +284,11 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
     # a little more than three mesh orders, so that the third one does not stand on the frame
     highest = 3.2 * max(teeth) if teeth else 100.0
+    seen = results.scene.run if results.scene.scene is not None else ""
     sections = [
+        summary_section(model.counts, results),
+        scene_section(results.scene),
+        power_section(results.powers),
         parts.gear_section(model.gears, model.meshes, model.flanks),
         parts.drawing_section(model.pairs),
         signal_section(model.signals),
@@ -234,11 +298,14 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         parts.campbell_section(results.campbell),
         parts.sweep_section(results.sweeps),
         case_section(results.cases),
-        parts.time_section(results.runs),
+        parts.time_section(results.runs, seen),
         spectrum_section(results.runs, highest, model.shafts),
+        extreme_section(results.runs, seen),
+        provenance_section(results.sources),
         parts.notes_section(model.warnings, model.assumptions, model.sources),
     ]
     footer = f"Made by pitchpoint {model.version}".rstrip()
     if model.model_hash:
         footer += f" from the model {model.model_hash}"
-    return page(model.title, facts, sections, footer + ".")
+    alerts = [f"{s.name} is not complete: {s.sentence}." for s in results.sources if not s.finished]
+    return page(model.title, facts, sections, footer + ".", alerts)

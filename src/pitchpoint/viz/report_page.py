@@ -58,8 +58,28 @@ def figure_html(figure: go.Figure, caption: str = "") -> str:
     )
 
 
-def page(title: str, facts: Sequence[tuple[str, str]], sections: Sequence[Section], footer: str) -> str:
-    """The complete document."""
+def page(
+    title: str,
+    facts: Sequence[tuple[str, str]],
+    sections: Sequence[Section],
+    footer: str,
+    alerts: Sequence[str] = (),
+) -> str:
+    """The complete document.
+
+    Parameters
+    ----------
+    title
+        Head of the page.
+    facts
+        Words and text for the line below it; those without text are left out.
+    sections
+        What it holds; those without parts are left out.
+    footer
+        Last line.
+    alerts
+        Sentences that nobody may miss.
+    """
     shown = [s for s in sections if s.parts]
     with_plots = any('<div class="plot"' in part for s in shown for part in s.parts)
     variables = {
@@ -73,8 +93,11 @@ def page(title: str, facts: Sequence[tuple[str, str]], sections: Sequence[Sectio
     )
     items = "".join(f"<li>{escape(name)} <b>{escape(value)}</b></li>" for name, value in facts if value)
     links = "".join(f'<a href="#{s.anchor}">{escape(s.heading)}</a>' for s in shown)
+    told = "".join(f'<p class="alert" role="note">{escape(sentence)}</p>' for sentence in alerts)
     body = "".join(
-        f'<section id="{s.anchor}"><h2>{escape(s.heading)}</h2>{"".join(s.parts)}</section>' for s in shown
+        f'<section id="{s.anchor}" aria-labelledby="{s.anchor}-head">'
+        f'<h2 id="{s.anchor}-head">{escape(s.heading)}</h2>{"".join(s.parts)}</section>'
+        for s in shown
     )
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
@@ -82,19 +105,21 @@ def page(title: str, facts: Sequence[tuple[str, str]], sections: Sequence[Sectio
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta name="generator" content="pitchpoint">'
         f"<title>{escape(title)}</title><style>{style}</style></head>\n<body>"
-        f'<header><h1>{escape(title)}</h1><ul class="facts">{items}</ul><nav>{links}</nav></header>\n'
-        f"<main>{body}</main>\n<footer>{escape(footer)}</footer>\n"
-        f"{_scripts() if with_plots else ''}</body></html>\n"
+        '<a class="skip" href="#content">Skip to the content</a>'
+        f'<header><h1>{escape(title)}</h1><ul class="facts">{items}</ul>{told}</header>\n'
+        f'<nav aria-label="Sections">{links}</nav>\n'
+        f'<main id="content" tabindex="-1">{body}</main>\n<footer>{escape(footer)}</footer>\n'
+        f"{_scripts(with_plots)}</body></html>\n"
     )
 
 
-def _scripts() -> str:
-    from plotly.offline import get_plotlyjs
-
+def _scripts(with_plots: bool) -> str:
+    """What the page does by itself; the library for plots only where there are some."""
     colours = json.dumps({"light": theme.LIGHT, "dark": theme.DARK}, sort_keys=True)
+    library = f"<script>{asset('plots.js')}</script>\n" if with_plots else ""
     return (
         f'<script type="application/json" id="pp-colours">{colours}</script>\n'
-        f"<script>{get_plotlyjs()}</script>\n<script>{asset('report.js')}</script>\n"
+        f"{library}<script>{asset('report.js')}</script>\n"
     )
 
 

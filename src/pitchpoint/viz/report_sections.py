@@ -11,12 +11,21 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.analysis.spectra import amplitude_spectrum
-from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
+from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
 from pitchpoint.viz.quantities import Array, Channel, channels, number, scale
 from pitchpoint.viz.report_page import Section
-from pitchpoint.viz.run_record import changes_speed, owner, settled_part, turning_angle, uniform
+from pitchpoint.viz.run_record import (
+    FORCE_PARTS,
+    TIME_QUANTITIES,
+    changes_speed,
+    listed,
+    owner,
+    settled_part,
+    turning_angle,
+    uniform,
+)
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals, signal_rows
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
 from pitchpoint.viz.tables import (
@@ -25,30 +34,12 @@ from pitchpoint.viz.tables import (
     MESH_ROWS,
     plain_table,
     quantity_table,
-    statistics_table,
 )
 
-# Quantities that are drawn over time, in this order; a report shows what is read most, the result file holds
-# all.
-TIME_QUANTITIES = (
-    "deflection",
-    "transmission_error",
-    "mesh_force",
-    "mesh_stiffness",
-    "speed",
-    "displacement",
-    "slip_speed",
-    "contact_force",
-    "tension",
-    "bearing_force",
-    "coupling_force",
-    "torque",
-    "friction_power",
-    "signal",
-)
-FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
 MOST_LINES = 8
 DETAIL_PERIODS = 12
+WIDE, HALF = 5000, 3000
+"""Points of a line across the page, and of one of two beside each other: more than a bucket a pixel."""
 
 
 def gear_section(
@@ -106,8 +97,16 @@ def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
     return section
 
 
-def time_section(runs: Mapping[str, Any]) -> Section:
-    """Signals, statistics and contact times of the time responses."""
+def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
+    """Signals and contact times of the time responses.
+
+    Parameters
+    ----------
+    runs
+        Time responses by name.
+    seen
+        The one that the scene of this page shows: its curves share the time of the scene.
+    """
     section = Section("time", "Time response")
     for name, run in runs.items():
         time, found = channels(run.data)
@@ -115,14 +114,14 @@ def time_section(runs: Mapping[str, Any]) -> Section:
             continue
         section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
+        section.add('<div class="linked">' if name == seen else "")
         settled = settled_part(time, run.settle_time)
         steady = not changes_speed(time[settled], turning_angle(run, found), settled)
-        _add_statistics(section, time[settled], found, settled)
         states = {owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
         section.add(_contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled))
         for quantity in TIME_QUANTITIES:
             # what is zero throughout (friction without friction) is in the table and needs no picture
-            group = [c for c in found.values() if _listed(c, quantity) and np.any(c.values != 0.0)]
+            group = [c for c in found.values() if listed(c, quantity) and np.any(c.values != 0.0)]
             for unit in dict.fromkeys(c.unit for c in group):
                 same = [c for c in group if c.unit == unit]
                 state = states.get(owner(same[0])) if len(same) == 1 and quantity == "mesh_force" else None
@@ -136,32 +135,11 @@ def time_section(runs: Mapping[str, Any]) -> Section:
             shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in tooth]
             where = "over the last periods" if part.start is not None else "over the whole run"
             section.add_figure(
-                plot_force_parts(time[part], shown), f"Parts of the tooth force of {mesh}, {where}."
+                plot_force_parts(time[part], shown, points=WIDE),
+                f"Parts of the tooth force of {mesh}, {where}.",
             )
+        section.add("</div>" if name == seen else "")
     return section
-
-
-def _listed(channel: Channel, quantity: str) -> bool:
-    """Whether a channel is of a quantity, and no inner signal of a block such as `control.integral`."""
-    return channel.quantity == quantity and (quantity != "signal" or "." not in owner(channel))
-
-
-def _add_statistics(section: Section, time: Array, found: Mapping[str, Channel], settled: np.ndarray) -> None:
-    """Table of the channels that are read most, and a sentence about all others."""
-    listed = [
-        c
-        for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
-        for c in found.values()
-        if _listed(c, quantity) and np.all(np.isfinite(c.values))
-    ]
-    moving = [c for c in listed if np.any(c.values != 0.0)]
-    rows = [(c, c.statistics or vars(signal_statistics(c.values[settled], time))) for c in moving]
-    section.add(statistics_table(rows))
-    zeros, others = len(listed) - len(moving), len(found) - len(listed)
-    words = [f"{zeros} {_channels(zeros)} zero throughout"] if zeros else []
-    words += [f"{others} {_channels(others)} of other quantities"] if others else []
-    if words:
-        section.add(f"<p>Not listed, but in the result: {' and '.join(words)}.</p>")
 
 
 def _channels(count: int) -> str:
@@ -179,8 +157,10 @@ def _add_signals(
         last = [replace(c, values=c.values[part]) for c in drawn]
         # the end has settled: its ranges tell which lines can share an axis
         rows = signal_rows(last)
-        end = plot_signals(time[part], last, contact_state=None if state is None else state[part], rows=rows)
-    whole = plot_signals(time, drawn, contact_state=state, rows=rows)
+        shown = None if state is None else state[part]
+        end = plot_signals(time[part], last, contact_state=shown, points=HALF, rows=rows)
+    points = WIDE if end is None else HALF
+    whole = plot_signals(time, drawn, contact_state=state, points=points, rows=rows)
     section.add_figure(whole, _caption(group), beside=end)
 
 

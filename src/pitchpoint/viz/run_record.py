@@ -11,6 +11,24 @@ import numpy as np
 from pitchpoint.analysis.sampled import SignalError, sample_rate_of
 from pitchpoint.viz.quantities import Array, Channel
 
+# Quantities that are drawn over time and listed, in this order: what is read most; the file holds all.
+TIME_QUANTITIES = (
+    "deflection",
+    "transmission_error",
+    "mesh_force",
+    "mesh_stiffness",
+    "speed",
+    "displacement",
+    "slip_speed",
+    "contact_force",
+    "tension",
+    "bearing_force",
+    "coupling_force",
+    "torque",
+    "friction_power",
+    "signal",
+)
+FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
 # Relative change of speed from which a run counts as a run-up: maps instead of one spectrum.
 RUN_UP = 0.05
 # Relative change of the ratio of two shafts up to which one is geared to the other.
@@ -20,6 +38,11 @@ GEARED = 0.01
 def owner(channel: Channel) -> str:
     """Element that a channel belongs to: `shaft` of `displacement[shaft.x]`."""
     return channel.name.partition("[")[2].rstrip("]").partition(".")[0]
+
+
+def listed(channel: Channel, quantity: str) -> bool:
+    """Whether a channel is of a quantity, and no inner signal of a block such as `control.integral`."""
+    return channel.quantity == quantity and (quantity != "signal" or "." not in owner(channel))
 
 
 def settled_part(time: Array, settle_time: float) -> np.ndarray:

@@ -98,6 +98,9 @@ def plot_signals(
         _shade(figure, time * clock.factor, contact_state, f"y{len(rows) + 1}")
     # lines are named above their row; a legend is left for the bands of contact
     figure.update_layout(showlegend=len(channels) == 1 and len(figure.data) > 1)
+    if over == "time":
+        # a page with a scene puts its time on this axis
+        figure.update_layout(meta={"clock": clock.factor})
     return figure
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from pitchpoint.core.nomenclature import Entry, lookup
 from pitchpoint.core.units import display_unit, in_unit
-from pitchpoint.viz.quantities import Channel, number, pretty, scale
+from pitchpoint.viz.quantities import number, pretty
 
 # What a table shows, in this order; symbol, words and unit of each come from the nomenclature.
 GEAR_ROWS = (
@@ -116,37 +116,6 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
         '<div class="scroll"><table><thead><tr><th scope="col">quantity</th><th scope="col">symbol</th>'
         f'<th scope="col">unit</th>{head}</tr></thead><tbody>{"".join(body)}</tbody></table></div>'
     )
-
-
-def statistics_table(rows: Sequence[tuple[Channel, Mapping[str, float]]]) -> str:
-    """Mean, rms, minimum and maximum per channel; channels of one SI unit share their display unit.
-
-    Rows beyond `MOST_ROWS` fold away; a browser opens them.
-    """
-    body = []
-    extent: dict[str, list[float]] = {}
-    for channel, values in rows:
-        extent.setdefault(channel.unit, []).extend((values["min"], values["max"]))
-    for channel, values in rows:
-        shown = scale(channel.unit, extent[channel.unit])
-        # the alternating part of a constant is round-off, not a result
-        noise = 1e-10 * max(abs(values["min"]), abs(values["max"]))
-        known = {**values, "rms": values["rms"] if values["rms"] > noise else 0.0}
-        cells = "".join(
-            f'<td class="num">{number(known[key] * shown.factor)}</td>'
-            for key in ("mean", "rms", "min", "max")
-        )
-        body.append(
-            f'<tr><th scope="row">{escape(channel.label)}</th><td class="unit">{shown.unit}</td>{cells}</tr>'
-        )
-    if not body:
-        return ""
-    head = ("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum")
-    text = plain_table(head, body[:MOST_ROWS])
-    more = body[MOST_ROWS:]
-    if more:
-        text += f"<details><summary>{len(more)} more channels</summary>{plain_table(head, more)}</details>"
-    return text
 
 
 def plain_table(head: Sequence[str], body: Sequence[str], *, numbers: bool = True) -> str:

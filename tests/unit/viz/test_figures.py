@@ -16,7 +16,7 @@ from pitchpoint.viz.quantities import Channel, channels, number, scale
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
 from pitchpoint.viz.spectrum_plots import plot_order_map, plot_spectrum, plot_time_frequency
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
-from pitchpoint.viz.tables import quantity_table, statistics_table
+from pitchpoint.viz.tables import quantity_table
 from tests.support.report_data import cycle, sweep
 
 TIME = np.arange(20_000) / 1e5
@@ -228,33 +228,6 @@ def test_campbell_labels_equal_orders_once_and_names_the_shaft() -> None:
     assert figure.layout.xaxis.title.text == "speed of crank [rpm]"
     crossings = next(t for t in figure.data if t.name == "crossings")
     assert len(set(crossings.x)) == len(crossings.x)
-
-
-def test_statistics_of_one_quantity_share_their_unit() -> None:
-    rows = [
-        (
-            Channel(f"deflection[{name}]", np.zeros(1), "m"),
-            {"mean": 0.0, "rms": 0.0, "min": -size, "max": size},
-        )
-        for name, size in (("a", 9e-5), ("b", 2e-4))
-    ]
-    text = statistics_table(rows)
-    assert text.count(">mm<") == 2
-    assert ">0.09<" in text
-
-
-def test_channels_of_one_unit_share_it_and_rows_beyond_thirty_fold_away() -> None:
-    numbers = {"mean": 0.0, "rms": 0.0, "min": -9e-5, "max": 9e-5}
-    rows = [(Channel("transmission_error[a]", np.zeros(1), "m"), numbers)]
-    rows += [
-        (Channel(f"deflection[{k}]", np.zeros(1), "m"), {**numbers, "max": 2e-4, "min": 0.0})
-        for k in range(40)
-    ]
-    text = statistics_table(rows)
-    assert text.count(">mm<") == 41
-    assert "µm" not in text
-    assert text.count("<tr>") == 41 + 2
-    assert "<summary>11 more channels</summary>" in text
 
 
 def test_rows_of_one_letter_share_a_unit() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 from dataclasses import replace
 from html.parser import HTMLParser
 from typing import Any
@@ -12,17 +13,22 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pitchpoint.viz.power_flow import PowerBlock, PowerFlow, PowerLink
+from pitchpoint.viz.power_flow_drawing import power_flow_svg
+from pitchpoint.viz.quantities import Channel
 from pitchpoint.viz.report import (
     MeshCycleData,
     ReportModel,
     ReportResults,
     RollData,
+    SceneData,
     TimeRun,
     report_html,
 )
 from pitchpoint.viz.report_cycles import mesh_cycle_section
+from pitchpoint.viz.report_extremes import extreme_section
 from pitchpoint.viz.tables import symbol_html
-from tests.support.report_data import run
+from tests.support.report_data import power, run
 
 VOID = {"meta", "link", "br", "img", "input", "hr", "rect", "circle", "line", "path"}
 
@@ -35,17 +41,20 @@ class Page(HTMLParser):
         self.open: list[str] = []
         self.addresses: list[str] = []
         self.sections: list[str] = []
+        self.ids: list[str] = []
         self.headings: list[str] = []
         self.figures: list[dict[str, object]] = []
         self._json = False
         self.feed(text)
         assert self.open == []
+        assert len(set(self.ids)) == len(self.ids)
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         found = dict(attrs)
         self.addresses += [str(found[k]) for k in ("src", "href", "data", "action") if found.get(k)]
         if tag == "section":
             self.sections.append(str(found["id"]))
+        self.ids += [str(found["id"])] if "id" in found else []
         self._json = tag == "script" and found.get("type") == "application/json" and "id" not in found
         if tag not in VOID:
             self.open.append(tag)
@@ -71,7 +80,8 @@ def text(model: ReportModel, results: ReportResults) -> str:
 
 def test_report_has_every_section(text: str) -> None:
     page = Page(text)
-    assert page.sections == ("gears drawing cycle modes campbell sweep cases time spectra notes".split())
+    first, last = "summary scene power gears drawing cycle modes campbell sweep", "extremes provenance notes"
+    assert page.sections == [*first.split(), "cases", "time", "spectra", *last.split()]
     assert page.headings[0] == "Pair <50/50> & its resonance"
     assert len(page.figures) >= 15
 
@@ -81,7 +91,7 @@ def test_report_is_self_contained(text: str) -> None:
     assert page.addresses
     assert all(a.startswith("#") for a in page.addresses)
     assert "default-src 'none'" in text
-    assert text.count("plotly.js v") == 1
+    assert text.count("Licensed under the MIT license") == 1
 
 
 def test_every_figure_has_data_and_titles_with_units(text: str) -> None:
@@ -97,7 +107,7 @@ def test_every_figure_has_data_and_titles_with_units(text: str) -> None:
 
 def test_same_input_same_text_and_no_date(model: ReportModel, results: ReportResults, text: str) -> None:
     assert report_html(model, results) == text
-    assert len(text.encode()) < 8e6
+    assert len(text.encode()) < 4e6
 
 
 def test_orders_refer_to_the_shaft_of_gear_1_and_offer_the_others(model: ReportModel) -> None:
@@ -112,7 +122,7 @@ def test_orders_refer_to_the_shaft_of_gear_1_and_offer_the_others(model: ReportM
     results = ReportResults(runs={"r": TimeRun(data=data)})
     for shafts, chosen in (({"stage": "driver"}, "driver"), ({"stage": "driven"}, "driven"), ({}, "driver")):
         figures: list[Any] = Page(report_html(replace(model, shafts=shafts), results)).figures
-        offers = [f["layout"]["meta"]["orders"] for f in figures if "meta" in f["layout"]]
+        offers = [f["layout"]["meta"]["orders"] for f in figures if "orders" in f["layout"].get("meta", {})]
         assert len(offers) == 2
         for offer in offers:
             assert offer["shaft"] == chosen
@@ -125,9 +135,9 @@ def test_only_gears_gives_only_gears() -> None:
         ReportModel(title="bare", gears={"g": {"z": 17, "m_n": 0.003}}, date="2026-11-21"), ReportResults()
     )
     page = Page(text)
-    assert page.sections == ["gears"]
+    assert page.sections == ["gears"]  # no empty head of anything else
     assert page.figures == []
-    assert "Plotly" not in text
+    assert "plotly.js (" not in text
     assert "2026-11-21" in text
     assert "normal module" in text
 
@@ -251,3 +261,67 @@ def test_a_map_over_time_starts_where_the_settled_part_does(model: ReportModel) 
         x = plotted(figure["data"][0]["x"])
         assert 100.0 < x[0] < 130.0
         assert 470.0 < x[-1] < 500.0
+
+
+def test_the_summary_says_how_every_result_ended(text: str) -> None:
+    assert '<p class="alert" role="note">run-up is not complete: failed: a force &lt;x&gt;.</p>' in text
+    summary = text[text.index('id="summary"') : text.index('id="scene"')]
+    cells = [cell.rpartition(">")[2] for cell in summary.split("</td>")[:-1]]
+    assert cells[:2] == ["finished", "1000 W"]
+    assert cells[5:7] == ["failed: a force &lt;x&gt;", "–"]
+    assert "Speed sweep <b>sweep</b>: finished" in summary
+
+
+def test_power_closes_and_is_drawn(text: str) -> None:
+    """1000 W in, 984 W out, 14 W lost: 2 W are left, a five-hundredth of the largest power."""
+    flow = power()
+    assert (flow.put_in, flow.taken_out, flow.lost, flow.remainder) == (1000.0, 984.0, 14.0, 2.0)
+    assert "put in 1000 W, taken out 984 W, lost 14 W; remainder 2 W, 0.2 % of the largest power." in text
+    section = text[text.index('<section id="power"') : text.index('<section id="gears"')]
+    drawn = [float(w) for w in re.findall(r"V(-?[\d.]+)", section)]
+    assert section.count('class="pp-band"') == 5 == len(drawn)
+    assert section.count('class="pp-block"') == 3
+    assert "−9 W" in section
+    assert "No power flow of run-up: it is &lt;not&gt; known." in section
+
+
+def test_blocks_stand_behind_what_feeds_them_and_apart() -> None:
+    svg = power_flow_svg(power())
+    found = re.findall(r'pp-block" rx="5" x="([\d.]+)" y="([\d.]+)" width="\d+" height="([\d.]+)"', svg)
+    (x1, *_), (x2, *_), (x3, *_) = ([float(v) for v in row] for row in found)
+    assert x1 < x2 < x3  # the third is fed by both others
+    assert power_flow_svg(PowerFlow(span=(0.0, 1.0), blocks=[], links=[])) == ""
+    circle = [
+        PowerLink(name=n, kind="mesh", start=a, end=1 - a, given=1.0, taken=1.0) for a, n in enumerate("ab")
+    ]
+    blocks = [PowerBlock(name=n, speed=1.0) for n in "xy"]
+    assert power_flow_svg(PowerFlow(span=(0.0, 1.0), blocks=blocks, links=circle)).count("pp-band") == 3
+
+
+def extremes(sizes: dict[str, float], seen: str = "") -> str:
+    """Section about channels that swing once between plus and minus their size [m]."""
+    time = np.linspace(0.0, 1.0, 101)
+    data: dict[str, Any] = {"time": time}
+    data |= {n: Channel(n, size * np.sin(2 * np.pi * time), "m") for n, size in sizes.items()}
+    return "".join(extreme_section({"r": TimeRun(data=data)}, seen).parts)
+
+
+def test_extremes_of_one_unit_share_it_and_tell_when() -> None:
+    text = extremes({"deflection[a]": 9e-5, "deflection[b]": 2e-4}, seen="r")
+    assert text.count(">mm<") == 2
+    assert "−0.09<" in text
+    moments = [float(t) for t in re.findall(r'data-time="([\d.]+)"', text)]
+    assert moments == pytest.approx([0.75, 0.25] * 2)
+    assert "data-time" not in extremes({"deflection[a]": 9e-5})
+
+
+def test_rows_beyond_thirty_fold_away() -> None:
+    text = extremes({f"deflection[{k}]": 9e-5 for k in range(41)})
+    assert text.count("<tr>") == 41 + 2
+    assert "<summary>11 more channels</summary>" in text
+
+
+def test_without_a_scene_a_sentence_stands_in_its_place(model: ReportModel) -> None:
+    text = report_html(model, ReportResults(scene=SceneData(words="There is no scene: no <shapes>.")))
+    assert "<p>There is no scene: no &lt;shapes&gt;.</p>" in text
+    assert "pp-scene" not in text

@@ -29,7 +29,7 @@
   function apply(mode, printing) {
     for (const { node, height } of plots) {
       const size = printing
-        ? { width: paperWidth(node), height, autosize: false }
+        ? { width: paperWidth(node), height: Math.round(0.8 * height), autosize: false }
         : { width: null, height, autosize: true };
       Plotly.relayout(node, Object.assign(look(node.layout, mode), size));
     }
@@ -74,7 +74,10 @@
     });
   }
 
-  for (const node of document.querySelectorAll(".plot")) {
+  // Plots are drawn one after the other, those in sight first, so that a long page answers from the start.
+  function draw(node) {
+    if (node.dataset.drawn) return;
+    node.dataset.drawn = "1";
     const text = node.nextElementSibling.textContent;
     const figure = JSON.parse(text);
     const config = { responsive: true, displaylogo: false, displayModeBar: hovering ? "hover" : false,
@@ -82,12 +85,95 @@
     if (figure.layout.template === undefined) figure.layout.template = {};
     Plotly.newPlot(node, figure.data, figure.layout, config);
     plots.push({ node, height: figure.layout.height });
+    const { meta } = figure.layout;
     // the library writes into the figure it is given; what is offered starts from an untouched one
-    if (figure.layout.meta && figure.layout.meta.orders) offerShafts(node, JSON.parse(text));
+    if (meta && meta.orders) offerShafts(node, JSON.parse(text));
+    if (meta && meta.clock && node.closest(".linked")) link(node, meta.clock);
+    Plotly.relayout(node, look(node.layout, current()));
   }
-  apply(current());
+
+  // The time of the scene stands in every curve of its run, and a click into a curve moves the scene.
+  const lines = [];
+  let time = null;
+
+  function link(node, clock) {
+    const line = document.createElement("div");
+    line.className = "now";
+    node.append(line);
+    lines.push({ node, clock, line });
+    let from = null;
+    node.addEventListener("pointerdown", (event) => (from = event.button ? null : event.clientX), true);
+    window.addEventListener("pointerup", (event) => {
+      const { xaxis, _size } = node._fullLayout;
+      const x = event.clientX - node.getBoundingClientRect().left - _size.l;
+      const still = from !== null && Math.abs(event.clientX - from) < 4;
+      from = null;
+      if (still && x >= 0 && x <= xaxis._length && window.pitchpointViewer)
+        pitchpointViewer.seek(xaxis.p2l(x) / clock);
+    }, true);
+    node.on("plotly_afterplot", place);
+    place();
+  }
+
+  function place() {
+    for (const { node, clock, line } of lines) {
+      const { xaxis, _size } = node._fullLayout;
+      const x = time === null ? NaN : xaxis.l2p(time * clock);
+      line.hidden = !(x >= 0 && x <= xaxis._length);
+      if (line.hidden) continue;
+      Object.assign(line.style, { left: `${_size.l + x}px`, top: `${_size.t}px`, height: `${_size.h}px` });
+    }
+  }
+
+  document.addEventListener("pp-time", (event) => {
+    time = event.detail;
+    place();
+  });
+  for (const button of document.querySelectorAll(".when")) {
+    button.addEventListener("click", () => {
+      pitchpointViewer.seek(Number(button.dataset.time));
+      document.getElementById("scene").scrollIntoView();
+    });
+  }
+
+  // Paper gets the scene as the picture it is at that moment, and everything that is folded.
+  const still = document.getElementById("pp-still");
+  function keepStill() {
+    const canvas = document.querySelector(".ppv-canvas");
+    if (!still || !canvas || !window.pitchpointViewer) return;
+    pitchpointViewer.draw();
+    still.src = canvas.toDataURL("image/png");
+    still.hidden = false;
+  }
+
+  const waiting = [...document.querySelectorAll(".plot")];
+  function rest() {
+    for (const node of waiting.splice(0)) draw(node);
+  }
+  function next() {
+    const sight = waiting.findIndex((node) => {
+      const box = node.getBoundingClientRect();
+      return box.bottom > 0 && box.top < window.innerHeight;
+    });
+    const [node] = waiting.splice(Math.max(0, sight), 1);
+    if (node) draw(node);
+    if (waiting.length) setTimeout(next);
+    else document.documentElement.dataset.ready = String(plots.length);
+  }
+
   dark.addEventListener("change", () => apply(current()));
-  window.addEventListener("beforeprint", () => apply("light", true));
-  window.addEventListener("afterprint", () => apply(current()));
-  document.documentElement.dataset.ready = String(plots.length);
+  window.addEventListener("beforeprint", () => {
+    keepStill();
+    rest();
+    for (const folded of document.querySelectorAll("details:not([open])")) {
+      folded.open = true;
+      folded.dataset.folded = "1";
+    }
+    apply("light", true);
+  });
+  window.addEventListener("afterprint", () => {
+    for (const node of document.querySelectorAll("[data-folded]")) node.open = false;
+    apply(current());
+  });
+  next();
 })();

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a report begins with: what the model has, its scene, and where the power of its runs goes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.viz.report import SceneData, TimeRun
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+    from pitchpoint.viz.power_flow import PowerFlow
+
+NO_PARTS = ("lines", "pairs")
+"""Mappings of a model that are no sections of its file."""
+MOST_NAMES = 6
+"""Names that are written out; of more the first of them."""
+
+
+def counts_of(model: Model) -> list[tuple[str, str]]:
+    """What there is of each part of a model, with names."""
+    found = []
+    for field in fields(model):
+        section, parts = field.name, getattr(model, field.name)
+        if isinstance(parts, Mapping) and parts and section not in NO_PARTS:
+            names = [_named(model, section, name) for name in list(parts)[:MOST_NAMES]]
+            more = f" and {len(parts) - MOST_NAMES} more" if len(parts) > MOST_NAMES else ""
+            found.append((f"{section.replace('_', ' ')}: {len(parts)}", f"{', '.join(names)}{more}"))
+    return found
+
+
+def _named(model: Model, section: str, name: str) -> str:
+    """Name of a part; of a gear with its teeth, of a mesh with those of both gears."""
+    if section == "gears":
+        return f"{name} ({model.gears[name].number_of_teeth})"
+    if section == "meshes":
+        teeth = "/".join(str(model.gears[gear].number_of_teeth) for gear in model.meshes[name].gears)
+        return f"{name} ({teeth})"
+    return str(name)
+
+
+def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
+    """The scene of the first run that came to its end, else of the first, else of the model at rest."""
+    from pitchpoint.report.scene import scene_of
+
+    names = [*(name for name, run in runs.items() if not run.note), *runs]
+    words = ""
+    for name in names[:1]:
+        data, lost = _finite(runs[name].data)
+        try:
+            scene = scene_of(model, data)
+        except PitchpointError as error:
+            words = f"The motion of {name} cannot be shown: {error}"
+            break
+        if scene.solids:
+            notes = [f"The scene shows {name}; a click into a curve of this run moves its time.", lost]
+            notes.append("" if len(runs) < 2 else "The command view shows other runs, and two side by side.")
+            return SceneData(scene=scene, run=name, words=" ".join(filter(None, notes)))
+    try:
+        scene = scene_of(model)
+    except PitchpointError as error:
+        return SceneData(words=f"There is no scene: {error}")
+    if not scene.solids:
+        return SceneData(
+            words="There is no scene: the model gives no shapes, neither gears on bodies nor files."
+        )
+    at_rest = "The scene shows the machine at rest."
+    return SceneData(scene=replace(scene, channels=()), words=f"{words} {at_rest}".strip())
+
+
+def _finite(data: xr.Dataset) -> tuple[xr.Dataset, str]:
+    """A result up to where a run that failed left numbers that are none, and a sentence about it."""
+    fine = np.ones(data.sizes["time"], dtype=bool)
+    for values in data.data_vars.values():
+        if values.dims == ("time",) and values.dtype.kind == "f":
+            fine &= np.isfinite(values.values)
+    if fine.all():
+        return data, ""
+    end = int(np.argmin(fine))
+    words = (
+        f"It ends where the numbers of the result are no longer finite, at {float(data['time'][end]):.6g} s."
+    )
+    return data.isel(time=slice(0, max(end, 1))), words
+
+
+def power_part(model: Model, runs: Mapping[str, TimeRun]) -> dict[str, Any]:
+    """Power flow of every run, or a sentence that says why there is none; nothing where none can flow."""
+    from pitchpoint.report.power_flow import power_flow
+
+    found: dict[str, PowerFlow | str] = {}
+    for name, run in runs.items():
+        try:
+            flow = power_flow(model, _finite(run.data)[0], run.settle_time)
+        except PitchpointError as error:
+            found[name] = f"No power flow of {name}: {error}."
+            continue
+        if flow is not None and flow.links:
+            found[name] = flow
+    return found

@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the power of a run goes: from drives through meshes and couplings to loads, and what is lost.
+
+Powers are means of force or torque times speed over the samples of a result. Speeds of a pitch point follow
+from those of the body and of all that carry it, with the place and directions that the mesh has at rest:
+power of vibration across the axis is not followed and stays in the remainder, which is stated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.report.scene_motion import Motion, motion
+from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+    from pitchpoint.system.system import System
+
+Array = NDArray[np.float64]
+
+PARTS = ("circumferential", "radial", "axial")
+LOSSES = {"friction": "friction_power", "damping": "damping_power"}
+TORQUES = {"coupling": "damping", "torsion_maxwell": "damping", "friction_clutch": "friction"}
+"""Kinds that put a torque on their first body about its axis and the opposite one on their second, and where
+what does not arrive has gone."""
+FOLLOWED = {"gear_mesh", "torque", "drive", "ratio", "bearing", *TORQUES}
+WITHOUT_POWER = {"signal", "guide", "closure", "shaft_beam", "linear_hold", "linear_modes"}
+"""Kinds that give and take none on the mean, or that stand within one block."""
+ROUND_OFF = 1e-12
+"""Share of the power of a link below which what it loses is none."""
+KINDS = {"bearing": "bearings", "rolling_bearing": "rolling bearings", "loose_bearing": "bearings with play"}
+
+
+class NoPowerFlowError(PitchpointError):
+    """A result does not hold what a power flow needs."""
+
+
+def power_flow(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> PowerFlow | None:
+    """Mean powers of a time run from its settled beginning on; none where nothing joins bodies that turn.
+
+    Parameters
+    ----------
+    model
+        The model that was run.
+    result
+        Its result, loaded.
+    settle_time
+        Start of the span, after the first sample [s].
+
+    Raises
+    ------
+    NoPowerFlowError
+        If the result does not hold what is needed.
+    """
+    from pitchpoint.system.compile import compile_model
+
+    system = compile_model(model, result.attrs.get("scenario") or None)
+    if not any(len(system.names.get(kind, ())) for kind in ("gear_mesh", "ratio", *TORQUES)):
+        return None
+    machine = _Machine(model, system, result, settle_time)
+    links = [*machine.sources(), *machine.meshes(), *machine.torques(), *machine.ratios()]
+    links += machine.carried(links)
+    return machine.flow(links)
+
+
+class _Machine:
+    """Speeds of all bodies over the samples, and the blocks that they belong to."""
+
+    def __init__(self, model: Model, system: System, result: xr.Dataset, settle_time: float) -> None:
+        self.system, self.result = system, result
+        time = np.asarray(result["time"].values, dtype=np.float64)
+        inside = time >= time[0] + settle_time if time.size else np.zeros(0, bool)
+        self.inside = inside if inside.sum() > 1 else np.ones(time.size, bool)
+        self.time = time[self.inside]
+        if self.time.size < 2:
+            raise NoPowerFlowError("the run has fewer than two samples")
+        self.names = system.layout.bodies
+        self.parent = [0, *(int(one.parent) for one in system.bodies)]
+        rest: Motion = motion(system, 1, lambda _: np.zeros(1), np.zeros(1))
+        self.place, self.axis = rest.place[0], rest.axes[0][:, :, 2]
+        self.pitch_points, self.directions = rest.pitch_points[0], rest.directions[0]
+        self.spin: dict[int, Array] = {}
+        for b, one in enumerate(system.bodies, start=1):
+            if not one.state and any(name == "spin" for name, _ in one.coordinates):
+                self.spin[b] = self.channel(f"speed[{self.names[b]}]")
+        self.blocks, self.block_of = self._blocks(model)
+
+    def channel(self, name: str) -> Array:
+        """A channel over the span."""
+        if name not in self.result:
+            raise NoPowerFlowError(f"the result does not hold {name}")
+        return np.asarray(self.result[name].values, dtype=np.float64)[self.inside]
+
+    def _blocks(self, model: Model) -> tuple[list[str], dict[int, int]]:
+        """Names of the blocks, and the block of all that turns: the stations of a shaft are one."""
+        from pitchpoint.model.shafts import station_names
+
+        shafts = model.stations.items()
+        shaft_of = {s: name for name, places in shafts for s in station_names(name, len(places))}
+        blocks: list[str] = []
+        block_of = {}
+        for b in range(1, len(self.names)):
+            own = next(self.carriers(b), 0)
+            if own:
+                name = shaft_of.get(self.names[own], self.names[own])
+                if name not in blocks:
+                    blocks.append(name)
+                block_of[b] = blocks.index(name)
+        return blocks, block_of
+
+    def mean(self, values: Array | float) -> float:
+        """Mean over the span, in which samples may be spaced unevenly."""
+        shown = np.broadcast_to(values, self.time.shape)
+        return float(np.trapezoid(shown, self.time) / (self.time[-1] - self.time[0]))
+
+    def mean_of(self, name: str) -> float:
+        """Mean of a channel: that of all steps, if the run has left it; samples may keep step with teeth."""
+        sampled = self.mean(self.channel(name))
+        numbers = self.result[name].attrs.get("statistics")
+        return sampled if numbers is None or not np.isfinite(numbers[0]) else float(numbers[0])
+
+    def power(self, name: str, speed: Array | float) -> float:
+        """Mean power of a force or torque at a speed."""
+        force = self.channel(name)
+        return self.mean(force * speed) + (self.mean_of(name) - self.mean(force)) * self.mean(speed)
+
+    def carriers(self, b: int) -> Iterator[int]:
+        """A body and all that carry it, as far as they turn."""
+        while b:
+            if b in self.spin:
+                yield b
+            b = self.parent[b]
+
+    def turning(self, b: int, axis: Array) -> Array | float:
+        """Speed of a body about an axis at rest [rad/s]."""
+        return sum(float(axis @ self.axis[a]) * self.spin[a] for a in self.carriers(b))
+
+    def at_point(self, b: int, point: Array, direction: Array) -> Array | float:
+        """Speed of a point of a body in a direction, both at rest [m/s]."""
+        arms = ((a, np.cross(self.axis[a], point - self.place[a])) for a in self.carriers(b))
+        return sum(float(direction @ arm) * self.spin[a] for a, arm in arms)
+
+    def link(self, name: str, kind: str, pair: tuple[int, int], powers: tuple[float, float]) -> PowerLink:
+        """Power from one body to another out of the powers on both; it goes where it is positive."""
+        (i, j), (on_i, on_j) = (self.block_of.get(b, OUTSIDE) for b in pair), powers
+        if on_j >= on_i:
+            return PowerLink(name=name, kind=kind, start=i, end=j, given=-on_i, taken=on_j)
+        return PowerLink(name=name, kind=kind, start=j, end=i, given=-on_j, taken=on_i)
+
+    def sources(self) -> Iterator[PowerLink]:
+        """Drives and loads, and reactions of loads on other bodies."""
+        for kind, word in (("drive", "drive"), ("torque", "load")):
+            records = self.system.records.get(kind, ())
+            for record, name in zip(records, self.system.names.get(kind, ()), strict=False):
+                i, j = int(record["i"]), int(record["j"])
+                if kind == "drive" and record["linear"]:
+                    continue
+                on_i = self.power(f"torque[{name}]", self.turning(i, self.axis[i]))
+                on_j = -self.power(f"torque[{name}]", self.turning(j, self.axis[i]))
+                if on_i:
+                    yield self.link(name, word, (0, i), (-on_i, on_i))
+                if on_j:
+                    yield self.link(f"reaction of {name}", word, (0, j), (-on_j, on_j))
+
+    def meshes(self) -> Iterator[PowerLink]:
+        """Meshes; their friction counts for the gear that drives."""
+        records = self.system.records.get("gear_mesh", ())
+        for m, (record, name) in enumerate(
+            zip(records, self.system.names.get("gear_mesh", ()), strict=False)
+        ):
+            pair, on = (int(record["i"]), int(record["j"])), [0.0, 0.0]
+            for row, part in enumerate(PARTS):
+                for side, sign in enumerate((-1.0, 1.0)):
+                    speed = self.at_point(pair[side], self.pitch_points[m], self.directions[m, row])
+                    on[side] += sign * self.power(f"{part}_force[{name}]", speed)
+            losses = {word: self.mean_of(f"{what}[{name}]") for word, what in LOSSES.items()}
+            on[int(on[1] < on[0])] -= losses["friction"]
+            found = _with_losses(self.link(name, "mesh", pair, (on[0], on[1])), losses)
+            fed = self.mean_of(f"parametric_power[{name}]")
+            yield replace(found, fed=fed if abs(fed) > ROUND_OFF * found.given else 0.0)
+
+    def torques(self) -> Iterator[PowerLink]:
+        """Couplings and clutches: what does not arrive is lost in them."""
+        for kind, word in TORQUES.items():
+            records = self.system.records.get(kind, ())
+            for record, name in zip(records, self.system.names.get(kind, ()), strict=False):
+                pair = int(record["i"]), int(record["j"])
+                found = self.between(name, pair, f"torque[{name}]")
+                yield _with_losses(found, {word: found.given - found.taken})
+        records = self.system.records.get("bearing", ())
+        for record, name in zip(records, self.system.names.get("bearing", ()), strict=False):
+            pair = int(record["i"]), int(record["j"])
+            if not record["housed"] and set(pair) <= set(self.block_of):
+                found = self.between(name, pair, f"coupling_force[{name}.mz]")
+                yield _with_losses(found, {"damping": found.given - found.taken})
+
+    def between(self, name: str, pair: tuple[int, int], channel: str) -> PowerLink:
+        """A torque on the first of two bodies, the opposite one on the second."""
+        first, second = (self.power(channel, self.turning(b, self.axis[pair[0]])) for b in pair)
+        return self.link(name, "coupling", pair, (first, -second))
+
+    def ratios(self) -> Iterator[PowerLink]:
+        """Ratios without teeth, which lose nothing; of three bodies the first shares with two."""
+        records = self.system.records.get("ratio", ())
+        for record, name in zip(records, self.system.names.get("ratio", ()), strict=False):
+            i = int(record["i"])
+            if record["linear"] or i not in self.spin:
+                continue
+            for end in "jk":
+                b, share = int(record[end]), float(record[f"c_{end}"]) / float(record["c_i"])
+                if share and b in self.spin:
+                    on = share * self.power(f"torque[{name}]", self.spin[b])
+                    yield self.link(name, "ratio", (i, b), (-on, on))
+
+    def carried(self, links: list[PowerLink]) -> list[PowerLink]:
+        """What blocks hand to those that carry them and turn: all that they get and do not store."""
+        on = [0.0] * len(self.blocks)
+        for link in links:
+            for block, power in ((link.start, -link.given), (link.end, link.taken)):
+                if block != OUTSIDE:
+                    on[block] += power
+        found = []
+        for block in range(len(self.blocks) - 1, -1, -1):
+            own = next(b for b, k in self.block_of.items() if k == block)
+            above = next((a for a in self.carriers(own) if self.block_of[a] != block), 0)
+            if above:
+                handed = on[block] - self.stored(block)
+                on[self.block_of[above]] += handed
+                name = f"{self.blocks[block]} on {self.blocks[self.block_of[above]]}"
+                found.append(self.link(name, "carrier", (own, above), (-handed, handed)))
+        return found
+
+    def stored(self, block: int) -> float:
+        """Mean rate of the energy of rotation of a block, and of its way about what carries it [W]."""
+        energy = np.zeros(2)
+        for b in (b for b, k in self.block_of.items() if k == block):
+            record = self.system.program["body"][b]
+            inertia = float(record["i_p"]) or float(record["inertia"][2, 2])
+            energy += 0.5 * inertia * self._ends(self.turning(b, self.axis[b])) ** 2
+            for axis in np.eye(3):
+                ends = self._ends(self.at_point(b, self.place[b], axis))
+                energy += 0.5 * float(record["mass"]) * ends**2
+        return float(energy[1] - energy[0]) / float(self.time[-1] - self.time[0])
+
+    def _ends(self, values: Array | float) -> Array:
+        """First and last value of the span."""
+        return np.array(np.broadcast_to(values, self.time.shape)[[0, -1]])
+
+    def flow(self, links: list[PowerLink]) -> PowerFlow:
+        """All of it."""
+        own = {block: b for b, block in reversed(self.block_of.items())}
+        speed = {block: self.mean(self.turning(b, self.axis[b])) for block, b in own.items()}
+        span = float(self.time[-1] - self.time[0])
+        energies = [self.channel(f"elastic_energy[{m}]") for m in self.system.names.get("gear_mesh", ())]
+        touched = {block for link in links for block in (link.start, link.end)}
+        kept = [k for k in range(len(self.blocks)) if k in touched]
+        number = {k: new for new, k in enumerate(kept)} | {OUTSIDE: OUTSIDE}
+        return PowerFlow(
+            span=(float(self.time[0]), float(self.time[-1])),
+            blocks=[PowerBlock(name=self.blocks[k], speed=speed[k], stored=self.stored(k)) for k in kept],
+            links=[_numbered(link, number) for link in links],
+            elastic=sum(float(e[-1] - e[0]) for e in energies) / span,
+            unfollowed=_unfollowed(self.system, len([link for link in links if link.kind == "coupling"])),
+        )
+
+
+def _unfollowed(system: System, couplings: int) -> list[str]:
+    """Elements that may take or give power and are none of the links, in words."""
+    found = []
+    for kind, records in system.records.items():
+        # couplings in six directions are bearings between two bodies that turn
+        alike = len(records) - (couplings - sum(len(system.records.get(k, ())) for k in TORQUES))
+        if (kind == "bearing" and alike) or (len(records) and kind not in FOLLOWED | WITHOUT_POWER):
+            found.append(KINDS.get(kind, kind.replace("_", " ")))
+    return found
+
+
+def _with_losses(link: PowerLink, losses: Mapping[str, float]) -> PowerLink:
+    known = {word: loss for word, loss in losses.items() if abs(loss) > ROUND_OFF * link.given}
+    return replace(link, losses=known)
+
+
+def _numbered(link: PowerLink, number: Mapping[int, int]) -> PowerLink:
+    return replace(link, start=number[link.start], end=number[link.end])

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where a result comes from: its file, the state of the model, solver, options, how it ended."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.report import SourceData
+
+KINDS = {"time": "time response", "quasi_static": "slow roll", "sweep": "speed sweep", "cases": "cases"}
+UNITS = {"duration": "s", "settle_time": "s", "step": "s", "sample_rate": "Hz", "speed": "rad/s"}
+EMPTY: tuple[Any, ...] = ("", None, [], {}, ())
+
+
+def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str = "") -> SourceData:
+    """What is known about a result.
+
+    Parameters
+    ----------
+    name
+        Its name in the report.
+    header
+        Attributes of its file or dataset.
+    model_hash
+        Fingerprint of the model that the report is about.
+    file
+        Name of the file, if it comes from one.
+    """
+    options = header.get("options") or {}
+    if isinstance(options, str):
+        options = json.loads(options)
+    status = str(header.get("status", ""))
+    sentence = str(header.get("sentence", ""))
+    theirs = str(header.get("model_hash", ""))
+    same = "" if not theirs else " (this model)" if theirs == model_hash else " (another state of the model)"
+    kind = str(header.get("kind", ""))
+    rows = [
+        ("file", file),
+        ("kind", KINDS.get(kind, kind.replace("_", " "))),
+        ("scenario", str(header.get("scenario", ""))),
+        ("status", f"{status}: {sentence}" if sentence not in ("", status) else status),
+        ("solver", str(header.get("solver", "")).replace("_", " ")),
+        ("steps", _text("steps", header.get("steps"))),
+        ("computing time", _text("duration", header.get("wall_s"))),
+        ("computed", str(header.get("created", ""))),
+        ("by", str(header.get("source", ""))),
+        ("model", f"{theirs}{same}"),
+        ("remarks", str(header.get("notes", ""))),
+        *((key.replace("_", " "), _text(key, value)) for key, value in sorted(options.items())),
+    ]
+    return SourceData(
+        name=name,
+        kind=KINDS.get(kind, kind.replace("_", " ")),
+        finished=status in ("", "finished"),
+        sentence=f"{status}: {sentence}" if sentence else status,
+        rows=[(key, text) for key, text in rows if text],
+    )
+
+
+def _text(key: str, value: Any) -> str:
+    """An option as people write it; nothing for what is not set."""
+    if any(value is x or (type(value) is type(x) and value == x) for x in EMPTY):
+        return ""
+    if isinstance(value, Mapping):
+        return ", ".join(f"{k}: {_text(key, v)}" for k, v in value.items())
+    if isinstance(value, list | tuple):
+        return ", ".join(_text(key, v) for v in value)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        # laws stand in the file of the model; what is left of them here is no text for people
+        return "" if "(" in str(value) else str(value).replace("_", " ")
+    shown = scale(UNITS.get(key, ""), [float(value)])
+    return f"{number(value * shown.factor)} {shown.unit}".rstrip()

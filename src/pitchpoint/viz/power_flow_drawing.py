@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Power flow as a drawing: blocks that turn, bands as wide as the power between them, losses as drops."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from html import escape
+
+import numpy as np
+
+from pitchpoint.viz import theme
+from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
+from pitchpoint.viz.quantities import Scale, number, scale
+from pitchpoint.viz.svg import document, text
+
+WIDTH_BLOCK, STEP = 104.0, 218.0
+"""Width of a block, and way from one column to the next [pixels]."""
+WIDEST, THINNEST = 54.0, 1.5
+"""Width of the band of the largest power, and of any that is drawn at all [pixels]."""
+GAP, HEAD, LEAST = 62.0, 26.0, 46.0
+"""Way between two blocks of a column, room above them, and height of a block [pixels]."""
+NEGLIGIBLE = 1e-6
+"""Share of the largest power below which a band is not drawn."""
+
+
+@dataclass
+class _Box:
+    """A block, or the place outside where a power comes from or goes to."""
+
+    column: int
+    height: float
+    words: tuple[str, ...]
+    outside: bool = False
+    y: float = 0.0
+    used: list[float] = field(default_factory=lambda: [0.0, 0.0])
+
+    def port(self, side: int, width: float) -> float:
+        """Middle of the next band at the left (0) or right (1) side."""
+        at = self.y + self.used[side] + 0.5 * width
+        self.used[side] += width
+        return at
+
+
+_Joined = tuple[PowerLink, _Box, _Box, float]
+"""A link, the boxes at its ends, and the width of its band [pixels]."""
+
+
+def power_flow_svg(flow: PowerFlow) -> str:
+    """The flow from left to right as HTML; bands that go back to an earlier block are drawn as arcs."""
+    most = max((link.given for link in flow.links), default=0.0)
+    links = [link for link in flow.links if link.given > NEGLIGIBLE * most]
+    if not links:
+        return ""
+    unit = scale("W", [most])
+    columns = _columns(len(flow.blocks), links)
+    boxes = [
+        _Box(column, LEAST, (block.name, _speed(block.speed)))
+        for column, block in zip(columns, flow.blocks, strict=True)
+    ]
+    ends: list[_Joined] = []
+    for link in links:
+        width = max(THINNEST, WIDEST * link.given / most)
+        words = (link.name, _amount(link.given, unit))
+        start = boxes[link.start] if link.start != OUTSIDE else None
+        end = boxes[link.end] if link.end != OUTSIDE else None
+        if start is None and end is not None:
+            start = _Box(end.column - 1, 34.0, words, outside=True)
+            boxes.append(start)
+        elif end is None and start is not None:
+            end = _Box(start.column + 1, 34.0, words, outside=True)
+            boxes.append(end)
+        if start is not None and end is not None:
+            ends.append((link, start, end, width))
+    for box in boxes:
+        widest = max(_load(box, ends, side) for side in (0, 1))
+        box.height = max(box.height, widest + (0.0 if box.outside else 8.0))
+    height = _stack(boxes, ends)
+    first = min(box.column for box in boxes)
+    span = max(box.column for box in boxes) - first
+    x = {id(box): 10.0 + STEP * (box.column - first) for box in boxes}
+    for box in boxes:
+        box.used = [0.5 * (box.height - _load(box, ends, side)) for side in (0, 1)]
+    order = sorted(ends, key=lambda e: (e[1].y, e[2].y))
+    parts = [_band(link, start, end, width, unit, x) for link, start, end, width in order]
+    parts += [_block(box, x[id(box)]) for box in boxes]
+    title = f"power flow, {_amount(flow.put_in, unit)} put in"
+    width = 20.0 + STEP * span + WIDTH_BLOCK
+    drawing = document(width, height, [f"<style>{STYLE}</style>", *parts], title)
+    size = f"min-width:{0.6 * width:.0f}px;max-width:{width:.0f}px"
+    return f'<div class="scroll"><div style="{size}">{drawing}</div></div>'
+
+
+STYLE = (
+    ".pp-band{fill-opacity:.55;stroke:none}.pp-block{fill:var(--pp-gear);stroke:var(--pp-edge);stroke-width:1.1}"
+    f".pp-drop{{stroke:{theme.RED};stroke-linecap:butt}}.pp-name{{font-weight:600;fill:var(--pp-ink)}}"
+)
+COLOURS = {"mesh": theme.BLUE, "drive": theme.GREEN, "load": theme.GREEN, "carrier": theme.PURPLE}
+
+
+def _columns(count: int, links: Sequence[PowerLink]) -> list[int]:
+    """Column of every block: one behind all that feed it, unless power runs in a circle."""
+    after: dict[int, list[int]] = {k: [] for k in range(count)}
+    fed = {link.end for link in links if link.start != OUTSIDE}
+    for link in links:
+        if OUTSIDE not in (link.start, link.end):
+            after[link.start].append(link.end)
+    columns = [0] * count
+
+    def go(k: int, path: tuple[int, ...]) -> None:
+        for other in after[k]:
+            if other not in path and columns[other] <= columns[k]:
+                columns[other] = columns[k] + 1
+                go(other, (*path, other))
+
+    for k in sorted(range(count), key=lambda k: k in fed):
+        go(k, (k,))
+    return columns
+
+
+def _stack(boxes: Sequence[_Box], ends: Sequence[_Joined]) -> float:
+    """Put the boxes of each column one below the other, near to what feeds them; gives the height needed."""
+    columns = sorted({box.column for box in boxes})
+    for sweep in range(3):
+        for column in columns if sweep % 2 == 0 else reversed(columns):
+            own = [box for box in boxes if box.column == column]
+            near = {id(box): _near(box, ends) for box in own}
+            own.sort(key=lambda box: near[id(box)])
+            total = sum(box.height + GAP for box in own) - GAP
+            y = float(np.mean([near[id(box)] for box in own])) - 0.5 * total if sweep else -0.5 * total
+            for box in own:
+                box.y = y
+                y += box.height + GAP
+    low = min(box.y for box in boxes)
+    for box in boxes:
+        box.y += HEAD - low
+    return max(box.y + box.height for box in boxes) + 34.0
+
+
+def _load(box: _Box, ends: Sequence[_Joined], side: int) -> float:
+    """Width of all bands at the left (0) or right (1) side of a box."""
+    return sum(e[3] for e in ends if e[2 - side] is box)
+
+
+def _near(box: _Box, ends: Sequence[_Joined]) -> float:
+    """Mean height of what a box is joined to."""
+    joined = [e[1] for e in ends if e[2] is box] + [e[2] for e in ends if e[1] is box]
+    return float(np.mean([other.y + 0.5 * other.height for other in joined])) if joined else 0.0
+
+
+def _band(link: PowerLink, start: _Box, end: _Box, width: float, unit: Scale, x: dict[int, float]) -> str:
+    """Band between two boxes with its name, and a drop for what is lost."""
+    a, b = x[id(start)] + WIDTH_BLOCK, x[id(end)]
+    ya, yb = start.port(1, width), end.port(0, width)
+    reach = 0.5 * (b - a) if b > a else 90.0
+    h = 0.5 * width
+    there, back = a + reach, b - reach
+    path = (
+        f"M{a:.1f} {ya - h:.1f}C{there:.1f} {ya - h:.1f} {back:.1f} {yb - h:.1f} {b:.1f} {yb - h:.1f}"
+        f"V{yb + h:.1f}C{back:.1f} {yb + h:.1f} {there:.1f} {ya + h:.1f} {a:.1f} {ya + h:.1f}Z"
+    )
+    colour = COLOURS.get(link.kind, theme.TEAL)
+    parts = [f'<path class="pp-band" fill="{colour}" d="{path}"/>']
+    if not start.outside and not end.outside:
+        straight = abs(yb - ya) <= 0.5 * width
+        parts.append(
+            _named(link, unit, 0.5 * (a + b), ya, width) if straight else _beside(link, unit, b, yb, ya, h)
+        )
+    return "".join(parts)
+
+
+def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> str:
+    """Name and power above a straight band, and what is lost falling out of it."""
+    words = text(x, y - 0.5 * width - 19.0, link.name, "pp-halo")
+    words += text(x, y - 0.5 * width - 5.0, _amount(link.given, unit), "pp-small")
+    if link.lost > 0.0:
+        words += _drop(x, y + 0.5 * width, max(THINNEST, width * link.lost / link.given), link.lost)
+    return words
+
+
+def _beside(link: PowerLink, unit: Scale, x: float, y: float, from_y: float, half: float) -> str:
+    """Name, power and loss at the end of a band that bends, on the side that it does not come from."""
+    lost = f"−{_amount(link.lost, scale('W', [link.lost]))}" if link.lost > 0.0 else ""
+    lines = [line for line in (link.name, _amount(link.given, unit), lost) if line]
+    top = y + half + 15.0 if from_y < y else y - half - 6.0 - 14.0 * (len(lines) - 1)
+    return "".join(
+        text(x - 6.0, top + 14.0 * k, line, "pp-small" if k else "pp-halo", "end")
+        for k, line in enumerate(lines)
+    )
+
+
+def _drop(x: float, y: float, width: float, lost: float) -> str:
+    """What is lost, falling out of the band."""
+    shown = scale("W", [lost])
+    line = (
+        f'<line class="pp-drop" stroke-width="{min(width, 40.0):.1f}" '
+        f'x1="{x:.1f}" x2="{x:.1f}" y1="{y:.1f}" y2="{y + 12.0:.1f}"/>'
+    )
+    return line + text(x, y + 26.0, f"−{number(lost * shown.factor, 3)} {shown.unit}", "pp-small")
+
+
+def _block(box: _Box, x: float) -> str:
+    """A block with its name and speed, or the words of what lies outside."""
+    middle = box.y + 0.5 * box.height
+    if box.outside:
+        shape = ""
+    else:
+        shape = (
+            f'<rect class="pp-block" rx="5" x="{x:.1f}" y="{box.y:.1f}" '
+            f'width="{WIDTH_BLOCK:.0f}" height="{box.height:.1f}"/>'
+        )
+    name = box.words[0] if len(box.words[0]) <= 15 else f"{box.words[0][:14]}…"
+    full = f"<title>{escape(box.words[0])}</title>" if name != box.words[0] else ""
+    return (
+        f"<g>{full}{shape}{text(x + 0.5 * WIDTH_BLOCK, middle - 2.0, name, 'pp-name')}"
+        f"{text(x + 0.5 * WIDTH_BLOCK, middle + 14.0, box.words[1], 'pp-small')}</g>"
+    )
+
+
+def _amount(power: float, unit: Scale) -> str:
+    return f"{number(power * unit.factor, 4)} {unit.unit}"
+
+
+def _speed(speed: float) -> str:
+    shown = scale("rad/s", [speed])
+    return f"{number(speed * shown.factor, 4)} {shown.unit}"
