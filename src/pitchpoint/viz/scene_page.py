@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A scene, or two side by side, as a part of a page or as a page of its own: it needs no network, no server."""
+"""A scene, or two side by side, as part of a page or as a page of its own: no network, no server."""
 
 from __future__ import annotations
 
