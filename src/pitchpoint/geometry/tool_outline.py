@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The tool that generates a gear, drawn in the space that it cuts: a tooth of a rack or of a pinion-type cutter.
+"""The tool that generates a gear, in the space that it cuts: a tooth of a rack or of a pinion-type cutter.
 
 Frame: the axis of the gear in the origin, the middle of the space on the +x axis, points x + iy [m] in the
 transverse section. Turning the gear by φ, the tool goes with it as `ToolTooth.at` says.

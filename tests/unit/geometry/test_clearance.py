@@ -141,7 +141,7 @@ def test_swapped_gears_swap_their_clearances() -> None:
 
 
 def test_a_real_tooth_counts() -> None:
-    """A left flank that lacks 1 mrad stands r_b mrad farther from the flank of gear 2, the right one does not."""
+    """A left flank that lacks 1 mrad stands r_b mrad farther from its mate, the right one does not."""
     pair = PAIRS["spur"]
     form = tooth_form(pair.gear1)
     r, half, n = form.flank(120)
