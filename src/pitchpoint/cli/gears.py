@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of
 from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
@@ -82,19 +82,7 @@ def _chosen(model: Model, name: str | None) -> str:
     names = list(model.gears)
     if name is None and len(names) == 1:
         return names[0]
-    return _known(name, names, "gear")
-
-
-def _known(name: str | None, names: list[str], what: str) -> str:
-    """Find a name, or say which ones there are."""
-    if name is None or name not in names:
-        import difflib
-
-        near = difflib.get_close_matches(name or "", names, n=1)
-        hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(names) or 'none'}"
-        said = f"say which {what}" if name is None else f"no {what} {name!r}"
-        raise click.BadParameter(f"{said}; {hint}", param_hint=f"--{what}")
-    return name
+    return one_of(name, names, "gear")
 
 
 def _profiles(model: Model, file: str) -> list[Path]:
@@ -138,7 +126,7 @@ def _kind(target: Path) -> str:
 
 def _export_shaft(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> str:
     """Write the solid of one elastic shaft; gives its name."""
-    known = _known(name, list(model.shafts), "shaft")
+    known = one_of(name, list(model.shafts), "shaft")
     if target.suffix.lower() not in SHAFT_FORMATS:
         raise click.BadParameter(
             f"{target.name} has no ending of a solid; use {', '.join(SHAFT_FORMATS)}", param_hint="--export"

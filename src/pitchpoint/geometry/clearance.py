@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.geometry.outline_distance import FILLET, FLANK, ROOT, TIP, Outline, gear_line
+from pitchpoint.geometry.outline_distance import FILLET, FLANK, TIP, Outline, gear_line
 from pitchpoint.geometry.placement import mesh_offset
 
 if TYPE_CHECKING:
@@ -25,7 +26,8 @@ ComplexArray = NDArray[np.complex128]
 FloatArray = NDArray[np.float64]
 
 FRONT, BACK = "front_flanks", "back_flanks"
-KINDS = (FRONT, BACK, "tip_1_root_2", "tip_2_root_1", "tip_1_fillet_2", "tip_2_fillet_1", "tips")
+TIP_1_ROOT_2, TIP_2_ROOT_1 = "tip_1_root_2", "tip_2_root_1"
+KINDS = (FRONT, BACK, TIP_1_ROOT_2, TIP_2_ROOT_1, "tip_1_fillet_2", "tip_2_fillet_1", "tips")
 """What may come near each other; `tips` of internal pairs, beside the path of contact."""
 ACCURACY = 1e-4
 """Error of a distance in normal modules, at most: chords of the fillets on both gears."""
@@ -127,6 +129,12 @@ def clearances(pair: GearPair) -> dict[str, Clearance]:
     >>> [round(1e6 * found[kind].distance, 2) for kind in ("front_flanks", "tip_1_root_2")]
     [37.59, 554.95]
     """
+    return dict(_found(pair))
+
+
+@lru_cache(maxsize=64)
+def _found(pair: GearPair) -> tuple[tuple[str, Clearance], ...]:
+    """Kinds and clearances; the planets of a set are looked at once."""
     gears = (pair.gear1, pair.gear2)
     mesh = _Mesh(
         pair,
@@ -136,18 +144,35 @@ def clearances(pair: GearPair) -> dict[str, Clearance]:
     middle = _rolled(mesh, 0.0)
     found = {kind: middle[kind] for kind in (FRONT, BACK) if kind in middle}
     found = {kind: _refined(mesh, kind, 0.0, best) for kind, best in found.items()}
+    found |= _tips_to_roots(mesh)
     plays = [0.0]
     for kind, way in ((FRONT, 1.0), (BACK, -1.0)):
         if kind in found and found[kind].distance > 0.0:
             plays.append(way * found[kind].distance / pair.gear2.r_b)
     rolled = [(play, middle if play == 0.0 else _rolled(mesh, play)) for play in plays]
-    for kind in KINDS[2:]:
+    for kind in KINDS[4:]:
         if kind == "tips" and not pair.is_internal:
             continue
         near = [(best[kind], play) for play, best in rolled if kind in best]
         if near:
             best, play = min(near, key=lambda one: one[0].distance)
             found[kind] = _refined(mesh, kind, play, best)
+    return tuple(found.items())
+
+
+def _tips_to_roots(mesh: _Mesh) -> dict[str, Clearance]:
+    """Tips that point to the axis of the mate, and the bottom of its space there."""
+    pair = mesh.pair
+    one, two = (np.abs(line.pitch) for line in mesh.fine)
+    side = pair.gear2.sign
+    found = {}
+    for kind, phi1, r1, r2 in (
+        (TIP_1_ROOT_2, 0.0, one.max(), two.min() if side > 0 else two.max()),
+        (TIP_2_ROOT_1, math.pi / pair.gear1.z, one.min(), two.max() if side > 0 else two.min()),
+    ):
+        x1, x2 = float(r1), float(pair.a_w - side * r2)
+        phi2 = -phi1 * pair.gear1.z / pair.gear2.z
+        found[kind] = Clearance(x2 - x1, phi1, phi2, (x1, 0.0), (x2, 0.0))
     return found
 
 
@@ -226,8 +251,6 @@ def _kinds(
     return {
         FRONT: flanks & (beside > 0.0),
         BACK: flanks & (beside <= 0.0),
-        "tip_1_root_2": (one == TIP) & (two == ROOT),
-        "tip_2_root_1": (two == TIP) & (one == ROOT),
         "tip_1_fillet_2": (one == TIP) & (two == FILLET),
         "tip_2_fillet_1": (two == TIP) & (one == FILLET),
         "tips": tips,

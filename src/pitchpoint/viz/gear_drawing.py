@@ -58,7 +58,7 @@ def gear_svg(gear: Any, *, name: str = "gear", n_flank: int = 10) -> str:
     view = View(np.array([-reach, -reach]) * 1.04, WIDTH / (2.08 * reach), WIDTH)
     middle = view([0.0, 0.0])
     parts = [
-        _body(gear, view, outline, "pp-gear"),
+        body(gear, view, outline, "pp-gear"),
         svg.circle(middle, abs(gear.d) / 2.0 * view.scale, "pp-thin pp-pitch"),
         _cross(middle),
         svg.text(WIDTH / 2.0, WIDTH + 18.0, _caption(gear, name)),
@@ -87,8 +87,8 @@ def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flan
     height = 1.06 * size[1] * drawn
     view = View(low - 0.03 * size, drawn, height)
     parts = [
-        _body(pair.gear2, view, two, "pp-gear"),
-        _body(pair.gear1, view, one, "pp-gear pp-mate"),
+        body(pair.gear2, view, two, "pp-gear"),
+        body(pair.gear1, view, one, "pp-gear pp-mate"),
         svg.line(view([0.0, 0.0]), view([pair.a_w, 0.0]), "pp-thin pp-pitch"),
     ]
     for x, d_w in ((0.0, pair.d_w1), (pair.a_w, pair.d_w2)):
@@ -123,8 +123,8 @@ def mesh_zone_svg(pair: Any, *, n_flank: int = 40) -> str:
     view = View(middle - half, WIDTH / (2.0 * half), WIDTH)
     low, high = middle - 1.05 * half, middle + 1.05 * half
     parts = [
-        _body(pair.gear2, view, svg.clip(two, low, high), "pp-gear", window=(low, high)),
-        _body(pair.gear1, view, svg.clip(one, low, high), "pp-gear pp-mate", window=(low, high)),
+        body(pair.gear2, view, svg.clip(two, low, high), "pp-gear", window=(low, high)),
+        body(pair.gear1, view, svg.clip(one, low, high), "pp-gear pp-mate", window=(low, high)),
     ]
     for x, gear, d_w in ((0.0, pair.gear1, pair.d_w1), (pair.a_w, pair.gear2, pair.d_w2)):
         center = view([x, 0.0])
@@ -162,8 +162,22 @@ def _outer_radius(gear: Any) -> float:
     return abs(gear.d_f) / 2.0 + RIM_MODULES * gear.m_n
 
 
-def _body(gear: Any, view: View, outline: Array, css: str, window: tuple[Array, Array] | None = None) -> str:
-    """The material of a gear: inside its outline, or for an internal gear between outline and rim."""
+def body(gear: Any, view: View, outline: Array, css: str, window: tuple[Array, Array] | None = None) -> str:
+    """The material of a gear: inside its outline, or for an internal gear between outline and rim.
+
+    Parameters
+    ----------
+    gear
+        A `CylindricalGear`.
+    view
+        Where points go in the picture.
+    outline
+        Its outline, shape (n, 2) [m].
+    css
+        Class of the shape.
+    window
+        Lower left and upper right corner of what is shown, to which the outline is cut [m].
+    """
     if gear.z > 0:
         return svg.polygon(view(outline), css)
     if window is None:

@@ -31,6 +31,10 @@ STYLE = (
     f".pp-path{{stroke:{theme.RED};stroke-width:3.2;stroke-linecap:round;fill:none}}"
     f".pp-dot{{fill:var(--pp-paper);stroke:{theme.RED};stroke-width:2}}"
     f".pp-pole{{fill:{theme.RED};stroke:{theme.RED};stroke-width:2}}"
+    f".pp-good{{stroke:{theme.GREEN};fill:{theme.GREEN}}}.pp-bad{{stroke:{theme.RED};fill:{theme.RED}}}"
+    ".pp-good,.pp-bad{stroke-width:1.6}text.pp-good,text.pp-bad{stroke:none;font-size:13px}"
+    ".pp-scale{stroke:var(--pp-ink);stroke-width:3}.pp-tiny{font-size:12px;font-weight:400}"
+    ".pp-frame{fill:none;stroke:var(--pp-soft);stroke-width:1}.pp-head{fill:var(--pp-ink);font-weight:600}"
     ".pp-text{fill:var(--pp-ink)}.pp-small{font-size:13px;fill:var(--pp-soft)}"
     # a halo in the colour of the paper keeps letters readable on top of lines
     ".pp-halo{fill:var(--pp-ink);stroke:var(--pp-paper);stroke-width:4;paint-order:stroke;font-weight:600}"
