@@ -27,6 +27,8 @@ ComplexArray = NDArray[np.complex128]
 RACK, CUTTER = "rack", "pinion-type cutter"
 _ABOVE = 0.25
 """How far a rack is drawn beyond the tip circle of the gear, in modules."""
+_HEIGHT = 2.5
+"""Height of the teeth of a cutter as they are drawn, in modules."""
 
 
 @dataclass(frozen=True)
@@ -117,7 +119,7 @@ def _rack(gear: CylindricalGear, fillet: RackFillet, r_a: float, n: int) -> Tool
 
 
 def _cutter(gear: CylindricalGear, fillet: CutterFillet, n: int) -> ToolTooth:
-    """Tip land and rounding of the fillet, involutes down to the base circle of the cutter."""
+    """Tip land and rounding of the fillet, involutes, and straight lines below the base circle."""
     assert gear.cutter is not None
     axis = fillet.r_w2 - fillet.r_w0
     r_b0 = fillet.ratio * abs(gear.r_b)
@@ -127,8 +129,11 @@ def _cutter(gear: CylindricalGear, fillet: CutterFillet, n: int) -> ToolTooth:
     rounding = center + fillet.rho * np.exp(1j * (fillet.psi_c + theta))
     r_end, angle = abs(rounding[-1]), float(np.angle(rounding[-1]))
     psi_b0 = angle + inv(math.acos(min(1.0, r_b0 / r_end)))
-    roll = np.linspace(math.sqrt(max(0.0, (r_end / r_b0) ** 2 - 1.0)), 0.0, n)[1:]
+    r_root = fillet.r_c + fillet.rho - _HEIGHT * gear.m_n
+    start, end = (math.sqrt(max(0.0, (r / r_b0) ** 2 - 1.0)) for r in (r_end, r_root))
+    roll = np.linspace(start, end, n)[1:]
     flank = r_b0 * np.hypot(1.0, roll) * np.exp(1j * (psi_b0 - roll + np.arctan(roll)))
-    half = axis + np.concatenate([land, rounding, flank])
+    foot = flank[-1:] / abs(flank[-1]) * min(r_root, r_b0)
+    half = axis + np.concatenate([land, rounding, flank, foot])
     points = np.concatenate([half[:0:-1].conj(), half])
     return ToolTooth(CUTTER, points, 2.0 * math.pi / gear.cutter.z_0, axis, 1.0 / fillet.ratio)

@@ -42,13 +42,14 @@ def attach() -> None:
 
 
 def gear_html(gear: Any) -> str:
-    """Drawing and data of one gear."""
+    """Drawing, teeth with their tool, and data of one gear."""
     from pitchpoint.viz.gear_drawing import gear_svg
     from pitchpoint.viz.tables import GEAR_ROWS, quantity_table
+    from pitchpoint.viz.tooth_drawing import tooth_svg
 
     name = "internal gear" if gear.z < 0 else "gear"
     table = quantity_table(GEAR_ROWS, {name: _known(gear, GEAR_ROWS)})
-    return _framed(gear_svg(gear, name=name), table)
+    return _framed(gear_svg(gear, name=name), tooth_svg(gear, name=name), table)
 
 
 def component_html(gear: Any) -> str:
