@@ -32,7 +32,7 @@ KINDS = (FRONT, BACK, TIP_1_ROOT_2, TIP_2_ROOT_1, "tip_1_fillet_2", "tip_2_fille
 ACCURACY = 1e-4
 """Error of a distance in normal modules, at most: chords of the fillets on both gears."""
 TIP_ROOT = 0.1
-"""Least usual clearance between tip and root in normal modules: the lower end of 0.1 to 0.4 of DIN 867."""
+"""Least clearance between tip and root in normal modules; basic racks of ISO 53 leave 0.25 to 0.4."""
 
 _MOVED = 60
 """Points of a flank that are taken to the mate: their places between two of them follow from rolling."""
