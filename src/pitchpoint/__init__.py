@@ -125,9 +125,9 @@ def __dir__() -> list[str]:
     return sorted(__all__)
 
 
-# In a notebook gears and models show themselves; without IPython nothing is imported here.
+# In a notebook gears, models and results show themselves; without IPython nothing is imported here.
 if "IPython" in sys.modules:
-    from pitchpoint.viz.notebook import register
+    from pitchpoint.report.notebook import register
 
     register()
     del register

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of
 from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
@@ -36,13 +36,25 @@ SHAFT_FORMATS = (".stl", ".step", ".stp")
     type=click.Path(dir_okay=False),
     help="Write a drawing (dxf, svg), points (csv) or a solid (stl, step).",
 )
+@click.option(
+    "--preview",
+    metavar="OUT",
+    type=click.Path(dir_okay=False),
+    help="Draw the teeth (svg): tool, circles by name, active flanks.",
+)
 @click.option("--gear", "only", metavar="NAME", help="The gear to draw; the only one if left out.")
 @click.option("--shaft", metavar="NAME", help="An elastic shaft to export instead, as stl or step.")
 @as_json
 @allow_code
 @debug
 def gears(
-    file: str, target: str | None, only: str | None, shaft: str | None, as_json: bool, allow_code: bool
+    file: str,
+    target: str | None,
+    preview: str | None,
+    only: str | None,
+    shaft: str | None,
+    as_json: bool,
+    allow_code: bool,
 ) -> None:
     """Show the geometry of gears and pairs of FILE (ISO 21771), and stiffness by DIN 3990 / ISO 6336."""
     from pitchpoint.cli.reading import read_model
@@ -52,7 +64,14 @@ def gears(
         raise click.BadParameter(
             "is for --export" if target is None else "stands beside --gear", param_hint="--shaft"
         )
-    if target is not None:
+    if preview is not None:
+        if target is not None:
+            raise click.BadParameter("stands beside --export; one of them at a time", param_hint="--preview")
+        _preview(model, _chosen(model, only), Path(preview), [file, *_profiles(model, file)])
+        if not as_json:
+            show(f"teeth of {only or next(iter(model.gears))} drawn in {preview}")
+            return
+    elif target is not None:
         inputs: list[str | Path] = [file, *_profiles(model, file)]
         if shaft is not None:
             name = _export_shaft(model, shaft, Path(target), inputs)
@@ -82,19 +101,7 @@ def _chosen(model: Model, name: str | None) -> str:
     names = list(model.gears)
     if name is None and len(names) == 1:
         return names[0]
-    return _known(name, names, "gear")
-
-
-def _known(name: str | None, names: list[str], what: str) -> str:
-    """Find a name, or say which ones there are."""
-    if name is None or name not in names:
-        import difflib
-
-        near = difflib.get_close_matches(name or "", names, n=1)
-        hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(names) or 'none'}"
-        said = f"say which {what}" if name is None else f"no {what} {name!r}"
-        raise click.BadParameter(f"{said}; {hint}", param_hint=f"--{what}")
-    return name
+    return one_of(name, names, "gear")
 
 
 def _profiles(model: Model, file: str) -> list[Path]:
@@ -131,6 +138,23 @@ def _export(model: Model, name: str, target: Path, inputs: Sequence[str | Path])
     )
 
 
+def _preview(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> None:
+    """Draw the teeth of one gear."""
+    if target.suffix.lower() != ".svg":
+        raise click.BadParameter(f"{target.name} does not end in .svg", param_hint="--preview")
+    from pitchpoint.io.target import SVG_MARK, check_target, write_file
+    from pitchpoint.viz.tooth_drawing import tooth_svg
+
+    check_target(target, "svg", inputs)
+    meshes = {
+        mesh: (model.pairs[mesh], 1 + part.gears.index(name))
+        for mesh, part in model.meshes.items()
+        if name in part.gears
+    }
+    text = tooth_svg(model.gears[name].geometry, name=name, meshes=meshes)
+    write_file(target, text.replace(">", f">{SVG_MARK}", 1))
+
+
 def _kind(target: Path) -> str:
     """Name of the kind of file that an ending means."""
     return target.suffix.lower()[1:].replace("stp", "step")
@@ -138,7 +162,7 @@ def _kind(target: Path) -> str:
 
 def _export_shaft(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> str:
     """Write the solid of one elastic shaft; gives its name."""
-    known = _known(name, list(model.shafts), "shaft")
+    known = one_of(name, list(model.shafts), "shaft")
     if target.suffix.lower() not in SHAFT_FORMATS:
         raise click.BadParameter(
             f"{target.name} has no ending of a solid; use {', '.join(SHAFT_FORMATS)}", param_hint="--export"

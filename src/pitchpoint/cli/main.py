@@ -22,6 +22,7 @@ from pitchpoint.cli.interrupt import end_at_the_second_interrupt
 COMMANDS = {
     "check": "Read a model file and say what will be simulated.",
     "gears": "Geometry of gears and pairs; drawings.",
+    "clearance": "Room between the teeth of a stage, with pictures.",
     "mass": "Mass and inertia: geometry, solids, given values.",
     "mesh": "Mesh stiffness over the mesh cycle.",
     "frequencies": "Frequencies of shafts, teeth, planets, bearings.",

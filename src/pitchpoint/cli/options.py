@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 import click
@@ -60,3 +60,15 @@ def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
             raise click.BadParameter(str(error)) from None
 
     return click.option(flag, metavar="QUANTITY", callback=convert, help=description)
+
+
+def one_of(name: str | None, names: Sequence[str], what: str) -> str:
+    """Find the name that an option gives, or say which ones there are."""
+    if name is None or name not in names:
+        import difflib
+
+        near = difflib.get_close_matches(name or "", names, n=1)
+        hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(names) or 'none'}"
+        said = f"say which {what}" if name is None else f"no {what} {name!r}"
+        raise click.BadParameter(f"{said}; {hint}", param_hint=f"--{what}")
+    return name

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.nomenclature import symbol
 from pitchpoint.core.provenance import content_hash, provenance
 from pitchpoint.core.status import OK
+from pitchpoint.model.write import model_text
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -25,13 +26,13 @@ if TYPE_CHECKING:
 def attributes(
     system: System, solver: str, status: int = OK, wall_s: float = 0.0, **options: Any
 ) -> dict[str, Any]:
-    """Attributes of a result: where it comes from and how it ended."""
+    """Attributes of a result: where it comes from, the model it is of, and how it ended."""
     model = system.model
-    title = "" if model is None else model.title
+    title, text = ("", "") if model is None else (model.title, model_text(model))
     found = provenance(
         model_hash=content_hash(model), solver=solver, options=options, status=status, wall_s=wall_s
     )
-    return {"title": title, **found}
+    return {"title": title, "model_text": text, **found}
 
 
 def channel_attributes(channel: Any) -> dict[str, str]:

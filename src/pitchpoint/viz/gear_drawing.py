@@ -9,6 +9,7 @@ counter-clockwise, so contact runs along the line of action from A to E.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import cos, pi, sin
 from typing import Any
 
@@ -19,6 +20,10 @@ from pitchpoint.viz.quantities import number
 from pitchpoint.viz.svg import Array
 
 WIDTH = 480.0
+CHORD = 0.15
+"""Distance of chords from the tooth in pixels: nobody sees it, and files stay small."""
+FEWEST = 8
+_TRIED = 24
 # Radial thickness of the ring drawn around an internal gear without a known rim, in modules below the root
 # circle.
 RIM_MODULES = 2.5
@@ -39,7 +44,39 @@ class View:
         return np.stack([x, y], axis=-1)
 
 
-def gear_svg(gear: Any, *, name: str = "gear", n_flank: int = 10) -> str:
+@lru_cache(maxsize=256)
+def points_for(gear: Any, chord: float) -> int:
+    """Points per flank whose chords stay within a distance of the tooth, 400 at most.
+
+    Parameters
+    ----------
+    gear
+        A `CylindricalGear`.
+    chord
+        The distance [m].
+
+    Notes
+    -----
+    Chords lie off by the square of their length, which says about how many points it takes; then some more
+    are taken until the points of a fine tooth keep the distance. Points of a real tooth stay as they are.
+    """
+    from pitchpoint.geometry.outline_distance import N_FLANK, gear_line
+
+    if gear.outline is not None:
+        return FEWEST
+    fine = gear_line(gear).pitch
+
+    def error(n: int) -> float:
+        """Largest distance of the fine tooth from one of so many points."""
+        return float(np.abs(gear_line(gear, n).nearest(fine).distance).max())
+
+    n = int(np.clip(_TRIED * np.sqrt(error(_TRIED) / chord), FEWEST, N_FLANK))
+    while n < N_FLANK and error(n) > chord:
+        n = min(int(np.ceil(1.15 * n)), N_FLANK)
+    return n
+
+
+def gear_svg(gear: Any, *, name: str = "gear", n_flank: int | None = None) -> str:
     """Drawing of one gear.
 
     Parameters
@@ -49,16 +86,16 @@ def gear_svg(gear: Any, *, name: str = "gear", n_flank: int = 10) -> str:
     name
         What to write below it.
     n_flank
-        Points per flank.
+        Points per flank; as many as the size of the drawing needs if left out.
     """
     from pitchpoint.geometry.tooth_form import gear_outline
 
-    outline = gear_outline(gear, n_flank)
     reach = _outer_radius(gear)
     view = View(np.array([-reach, -reach]) * 1.04, WIDTH / (2.08 * reach), WIDTH)
+    outline = gear_outline(gear, n_flank or points_for(gear, CHORD / view.scale))
     middle = view([0.0, 0.0])
     parts = [
-        _body(gear, view, outline, "pp-gear"),
+        body(gear, view, outline, "pp-gear"),
         svg.circle(middle, abs(gear.d) / 2.0 * view.scale, "pp-thin pp-pitch"),
         _cross(middle),
         svg.text(WIDTH / 2.0, WIDTH + 18.0, _caption(gear, name)),
@@ -66,7 +103,7 @@ def gear_svg(gear: Any, *, name: str = "gear", n_flank: int = 10) -> str:
     return svg.document(WIDTH, WIDTH + 30.0, parts, name)
 
 
-def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flank: int = 6) -> str:
+def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flank: int | None = None) -> str:
     """Both gears of a pair in mesh, seen along their axes.
 
     Parameters
@@ -76,19 +113,19 @@ def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flan
     names
         Names of gear 1 and gear 2.
     n_flank
-        Points per flank; few, as a whole gear is drawn small.
+        Points per flank; as many as the size of the drawing needs if left out.
     """
-    one, two = _outlines(pair, n_flank)
     r1, r2 = _outer_radius(pair.gear1), _outer_radius(pair.gear2)
     low = np.array([min(-r1, pair.a_w - r2), -max(r1, r2)])
     high = np.array([max(r1, pair.a_w + r2), max(r1, r2)])
     size = high - low
     drawn = WIDTH / (1.06 * size[0])
+    one, two = _outlines(pair, n_flank, CHORD / drawn)
     height = 1.06 * size[1] * drawn
     view = View(low - 0.03 * size, drawn, height)
     parts = [
-        _body(pair.gear2, view, two, "pp-gear"),
-        _body(pair.gear1, view, one, "pp-gear pp-mate"),
+        body(pair.gear2, view, two, "pp-gear"),
+        body(pair.gear1, view, one, "pp-gear pp-mate"),
         svg.line(view([0.0, 0.0]), view([pair.a_w, 0.0]), "pp-thin pp-pitch"),
     ]
     for x, d_w in ((0.0, pair.d_w1), (pair.a_w, pair.d_w2)):
@@ -103,17 +140,16 @@ def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flan
     return svg.document(WIDTH, height + 46.0, parts, f"{names[0]} and {names[1]} in mesh")
 
 
-def mesh_zone_svg(pair: Any, *, n_flank: int = 40) -> str:
-    """The mesh zone: flanks, base and pitch circles, line of action, path of contact with A, B, C, D, E.
+def mesh_zone_svg(pair: Any, *, n_flank: int | None = None) -> str:
+    """The mesh zone: flanks with what of them is active, circles, line of action, path of contact A to E.
 
     Parameters
     ----------
     pair
         A `GearPair` whose gears touch (contact ratio above zero).
     n_flank
-        Points per flank.
+        Points per flank; as many as the size of the drawing needs if left out.
     """
-    one, two = _outlines(pair, n_flank)
     along = np.array([sin(pair.alpha_wt), cos(pair.alpha_wt)])
     pole = np.array([pair.d_w1 / 2.0, 0.0])
     foot = pole - pair.T1C * along
@@ -121,15 +157,18 @@ def mesh_zone_svg(pair: Any, *, n_flank: int = 40) -> str:
     middle = 0.5 * (where["A"] + where["E"])
     half = max(0.72 * abs(pair.g_alpha), 1.9 * pair.gear1.m_t)
     view = View(middle - half, WIDTH / (2.0 * half), WIDTH)
+    one, two = _outlines(pair, n_flank, CHORD / view.scale)
     low, high = middle - 1.05 * half, middle + 1.05 * half
     parts = [
-        _body(pair.gear2, view, svg.clip(two, low, high), "pp-gear", window=(low, high)),
-        _body(pair.gear1, view, svg.clip(one, low, high), "pp-gear pp-mate", window=(low, high)),
+        body(pair.gear2, view, svg.clip(two, low, high), "pp-gear", window=(low, high)),
+        body(pair.gear1, view, svg.clip(one, low, high), "pp-gear pp-mate", window=(low, high)),
     ]
     for x, gear, d_w in ((0.0, pair.gear1, pair.d_w1), (pair.a_w, pair.gear2, pair.d_w2)):
         center = view([x, 0.0])
         parts.append(svg.circle(center, abs(gear.d_b) / 2.0 * view.scale, "pp-thin pp-base"))
         parts.append(svg.circle(center, abs(d_w) / 2.0 * view.scale, "pp-thin pp-pitch"))
+    for number_of, flank in enumerate(_active_flanks(pair), start=1):
+        parts.append(svg.polyline(view(flank), f"pp-active{number_of}"))
     end = foot + pair.T1T2 * along
     parts.append(svg.line(view(foot), view(end), "pp-action"))
     for tangent, name in ((foot, "T1"), (end, "T2")):
@@ -139,21 +178,59 @@ def mesh_zone_svg(pair: Any, *, n_flank: int = 40) -> str:
             parts.append(svg.text(spot[0] - 10.0, spot[1] + 5.0, name, "pp-halo", "end"))
     parts.append(svg.line(view(where["A"]), view(where["E"]), "pp-path"))
     parts.extend(_marks(view, where, along))
-    parts.append(_legend(WIDTH))
-    return svg.document(WIDTH, WIDTH + 52.0, parts, "mesh zone with path of contact")
+    parts.append(_legend(WIDTH, pair))
+    return svg.document(WIDTH, WIDTH + 92.0, parts, "mesh zone with path of contact")
 
 
-def _outlines(pair: Any, n_flank: int) -> tuple[Array, Array]:
+def _outlines(pair: Any, n_flank: int | None, chord: float) -> tuple[Array, Array]:
     """Both outlines [m] in one plane, turned so that the front flanks just touch."""
     from pitchpoint.geometry.tooth_form import gear_outline
 
+    first, second = (n_flank or points_for(gear, chord) for gear in (pair.gear1, pair.gear2))
     touch = 0.5 * pair.j_bt / (0.5 * pair.gear1.d_b)
-    one = gear_outline(pair.gear1, n_flank, rotation=touch)
+    one = gear_outline(pair.gear1, first, rotation=touch)
     # a space of gear 2 faces tooth 0 of gear 1: on its left side for an external pair, on its right for a
     # ring
     facing = 0.0 if pair.a_w < 0.0 else pi
-    two = gear_outline(pair.gear2, n_flank, rotation=facing + pi / abs(pair.gear2.z))
+    two = gear_outline(pair.gear2, second, rotation=facing + pi / abs(pair.gear2.z))
     return one, two + np.array([pair.a_w, 0.0])
+
+
+def active_diameters(pair: Any, which: int) -> tuple[float, float]:
+    """Diameters between which the flanks of a gear touch [m], positive: start and end of its active profile.
+
+    Parameters
+    ----------
+    pair
+        A `GearPair` whose gears touch.
+    which
+        1 or 2.
+
+    Notes
+    -----
+    From d_Nf to d_Na, but no deeper than the root form circle, where the involute ends.
+    """
+    gear = pair.gear1 if which == 1 else pair.gear2
+    root, tip = (pair.d_Nf1, pair.d_Na1) if which == 1 else (pair.d_Nf2, pair.d_Na2)
+    return abs(max(root, gear.d_Ff)), abs(tip)
+
+
+def _active_flanks(pair: Any) -> tuple[Array, Array]:
+    """Active parts of the two flanks that touch in the drawing, [m]."""
+    from pitchpoint.geometry.tooth_form import tooth_form
+
+    found = []
+    inside = pair.a_w < 0.0
+    # the left flank of tooth 0 of gear 1 meets a left flank of an external gear, a right one of a ring
+    touch, next_tooth = 0.5 * pair.j_bt / (0.5 * pair.gear1.d_b), pi / abs(pair.gear2.z)
+    places = ((pair.gear1, touch, 1.0, 0.0), (pair.gear2, pi - next_tooth, 1.0, pair.a_w))
+    if inside:
+        places = (places[0], (pair.gear2, next_tooth, -1.0, pair.a_w))
+    for which, (gear, turn, side, axis) in enumerate(places, start=1):
+        r = 0.5 * np.linspace(*active_diameters(pair, which), 40)
+        angle = turn + side * tooth_form(gear).involute_half_angle(r)
+        found.append(np.column_stack([axis + r * np.cos(angle), r * np.sin(angle)]))
+    return found[0], found[1]
 
 
 def _outer_radius(gear: Any) -> float:
@@ -162,8 +239,22 @@ def _outer_radius(gear: Any) -> float:
     return abs(gear.d_f) / 2.0 + RIM_MODULES * gear.m_n
 
 
-def _body(gear: Any, view: View, outline: Array, css: str, window: tuple[Array, Array] | None = None) -> str:
-    """The material of a gear: inside its outline, or for an internal gear between outline and rim."""
+def body(gear: Any, view: View, outline: Array, css: str, window: tuple[Array, Array] | None = None) -> str:
+    """The material of a gear: inside its outline, or for an internal gear between outline and rim.
+
+    Parameters
+    ----------
+    gear
+        A `CylindricalGear`.
+    view
+        Where points go in the picture.
+    outline
+        Its outline, shape (n, 2) [m].
+    css
+        Class of the shape.
+    window
+        Lower left and upper right corner of what is shown, to which the outline is cut [m].
+    """
     if gear.z > 0:
         return svg.polygon(view(outline), css)
     if window is None:
@@ -205,17 +296,24 @@ def _marks(view: View, where: dict[str, Array], along: Array) -> list[str]:
     return parts
 
 
-def _legend(top: float) -> str:
-    """What the kinds of line mean, in two rows below the drawing."""
-    entries = (
+def _legend(top: float, pair: Any) -> str:
+    """What the kinds of line mean, and between which diameters the flanks are active."""
+    parts = [f'<rect class="pp-paper" x="0" y="{top:.0f}" width="{WIDTH:.0f}" height="92"/>']
+    entries = [
         ("pp-path", "path of contact A to E"),
         ("pp-action", "line of action"),
         ("pp-thin pp-base", "base circles"),
         ("pp-thin pp-pitch", "working pitch circles"),
-    )
-    parts = [f'<rect class="pp-paper" x="0" y="{top:.0f}" width="{WIDTH:.0f}" height="52"/>']
+    ]
+    for which in (1, 2):
+        root, tip = (number(1e3 * d, 6) for d in active_diameters(pair, which))
+        entries += [
+            (f"pp-active{which}", f"active flank, gear {which}"),
+            ("", f"diameters {root} to {tip} mm"),
+        ]
     for k, (css, words) in enumerate(entries):
         x, y = 14.0 + (k % 2) * 0.5 * WIDTH, top + 18.0 + (k // 2) * 20.0
-        parts.append(svg.line(np.array([x, y - 4.0]), np.array([x + 34.0, y - 4.0]), css))
-        parts.append(svg.text(x + 44.0, y, words, "pp-small", "start"))
+        if css:
+            parts.append(svg.line(np.array([x, y - 4.0]), np.array([x + 34.0, y - 4.0]), css))
+        parts.append(svg.text(x + (44.0 if css else 0.0), y, words, "pp-small", "start"))
     return "".join(parts)

@@ -2,9 +2,8 @@
 """What notebooks show for a gear, a pair and a model: a drawing and a short table.
 
 Geometry and model know nothing of pictures. The package attaches `_repr_html_` to their classes when it hands
-out the first of its public names, so every notebook that knows this method shows them. IPython also lets
-others say how a class is displayed, and by the class's *name*, so registering imports neither those classes
-nor plotly; both happen when the first gear is shown.
+out the first of its public names, so every notebook that knows this method shows them. IPython is also told
+by `pitchpoint.report.notebook`, which adds the scene.
 """
 
 from __future__ import annotations
@@ -21,7 +20,8 @@ SHOWN = {
 }
 # Notebooks centre and embolden the heads of rows; these tables are read from left to right.
 STYLE = (
-    "<style>.pp-shown th{font-weight:400;text-align:left}.pp-shown th.num,.pp-shown td.num{text-align:right}"
+    "<style>.pp-shown table th,.pp-shown table td{font-weight:400;text-align:left}"
+    ".pp-shown table .num{text-align:right}"
     ".pp-shown .pp-row{display:flex;flex-wrap:wrap;gap:16px}"
     ".pp-shown .pp-row>*{flex:1 1 300px;max-width:480px}"
     "</style>"
@@ -33,24 +33,6 @@ def _framed(*parts: str) -> str:
     return f'{STYLE}<div class="pp-shown"><div class="pp-row">{inner}</div></div>'
 
 
-def register() -> bool:
-    """Tell a running IPython how to show gears, pairs and models; does nothing elsewhere.
-
-    Returns
-    -------
-    bool
-        Whether there was an IPython to tell.
-    """
-    ipython = sys.modules.get("IPython")
-    shell = ipython.get_ipython() if ipython is not None and hasattr(ipython, "get_ipython") else None
-    if shell is None:
-        return False
-    formatter = shell.display_formatter.formatters["text/html"]
-    for (module, name), function in SHOWN.items():
-        formatter.for_type_by_name(module, name, globals()[function])
-    return True
-
-
 def attach() -> None:
     """Give the gears and pairs that are imported by now a `_repr_html_`; a model has its own."""
     for (module, name), function in SHOWN.items():
@@ -60,13 +42,14 @@ def attach() -> None:
 
 
 def gear_html(gear: Any) -> str:
-    """Drawing and data of one gear."""
+    """Drawing, teeth with their tool, and data of one gear."""
     from pitchpoint.viz.gear_drawing import gear_svg
     from pitchpoint.viz.tables import GEAR_ROWS, quantity_table
+    from pitchpoint.viz.tooth_drawing import tooth_svg
 
     name = "internal gear" if gear.z < 0 else "gear"
     table = quantity_table(GEAR_ROWS, {name: _known(gear, GEAR_ROWS)})
-    return _framed(gear_svg(gear, name=name), table)
+    return _framed(gear_svg(gear, name=name), tooth_svg(gear, name=name), table)
 
 
 def component_html(gear: Any) -> str:

@@ -29,8 +29,17 @@ STYLE = (
     ".pp-base{stroke-dasharray:7 4}.pp-pitch{stroke-dasharray:10 3 2 3}"
     f".pp-action{{stroke:{theme.RED};stroke-width:1.1;stroke-dasharray:4 3;fill:none}}"
     f".pp-path{{stroke:{theme.RED};stroke-width:3.2;stroke-linecap:round;fill:none}}"
+    ".pp-active1,.pp-active2{fill:none;stroke-width:4;stroke-linecap:butt}"
+    f".pp-active1{{stroke:{theme.BLUE}}}.pp-active2{{stroke:{theme.ORANGE}}}"
+    f".pp-tool{{fill:{theme.OCHRE};fill-opacity:.16;stroke:{theme.OCHRE};stroke-width:1.4}}"
+    ".pp-form{stroke-dasharray:2 3}.pp-leader{fill:none;stroke:var(--pp-soft);stroke-width:.8}"
+    ".pp-leader-dot{fill:var(--pp-soft)}"
     f".pp-dot{{fill:var(--pp-paper);stroke:{theme.RED};stroke-width:2}}"
     f".pp-pole{{fill:{theme.RED};stroke:{theme.RED};stroke-width:2}}"
+    f".pp-good{{stroke:{theme.GREEN};fill:{theme.GREEN}}}.pp-bad{{stroke:{theme.RED};fill:{theme.RED}}}"
+    ".pp-good,.pp-bad{stroke-width:1.6}text.pp-good,text.pp-bad{stroke:none;font-size:13px}"
+    ".pp-scale{stroke:var(--pp-ink);stroke-width:3}.pp-tiny{font-size:12px;font-weight:400}"
+    ".pp-frame{fill:none;stroke:var(--pp-soft);stroke-width:1}.pp-head{fill:var(--pp-ink);font-weight:600}"
     ".pp-text{fill:var(--pp-ink)}.pp-small{font-size:13px;fill:var(--pp-soft)}"
     # a halo in the colour of the paper keeps letters readable on top of lines
     ".pp-halo{fill:var(--pp-ink);stroke:var(--pp-paper);stroke-width:4;paint-order:stroke;font-weight:600}"
@@ -55,6 +64,12 @@ def polygon(points: Array, css: str, hole: Array | None = None) -> str:
         "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in _distinct(ring)) + "Z" for ring in rings if len(ring)
     )
     return f'<path class="{css}" d="{path}"/>'
+
+
+def polyline(points: Array, css: str) -> str:
+    """Open line through `points`, shape (n, 2), in pixels."""
+    path = "L".join(f"{x:.2f} {y:.2f}" for x, y in points)
+    return f'<path class="{css}" d="M{path}"/>'
 
 
 def circle(center: Array, radius: float, css: str) -> str:

@@ -93,27 +93,6 @@ def test_show_and_save(tmp_path: Any) -> None:
         show(3)
 
 
-def test_registering_tells_ipython_by_name_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    told: dict[tuple[str, str], Any] = {}
-    formatter = types.SimpleNamespace(for_type_by_name=lambda m, n, f: told.update({(m, n): f}))
-    shell = types.SimpleNamespace(
-        display_formatter=types.SimpleNamespace(formatters={"text/html": formatter})
-    )
-    module = types.ModuleType("IPython")
-    module.get_ipython = lambda: shell  # type: ignore[attr-defined]
-    monkeypatch.setitem(sys.modules, "IPython", module)
-    assert notebook.register()
-    assert set(told) == set(notebook.SHOWN)
-    stage = pair()
-    assert "<svg" in told[type(stage).__module__, type(stage).__name__](stage)
-    assert "number of teeth" in told[type(stage.gear1).__module__, type(stage.gear1).__name__](stage.gear1)
-
-
-def test_registering_without_ipython_does_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delitem(sys.modules, "IPython", raising=False)
-    assert not notebook.register()
-
-
 def test_a_model_shows_tables_and_its_pairs() -> None:
     stage = pair()
     model = types.SimpleNamespace(

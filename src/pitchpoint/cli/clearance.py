@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint clearance`: the room between the teeth of a stage, in numbers and pictures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of, output
+from pitchpoint.cli.output import emit_json, show, shown, table
+
+if TYPE_CHECKING:
+    from pitchpoint.report.clearances import Room, Stage
+
+
+@click.command()
+@model_file
+@output("Picture to write (svg): every place, magnified, where the teeth come nearest.")
+@click.option("--mesh", "only", metavar="NAME", help="One mesh; all if left out.")
+@as_json
+@allow_code
+@debug
+def clearance(file: str, output: str | None, only: str | None, as_json: bool, allow_code: bool) -> None:
+    """Check the room that the gears of FILE leave each other when they are put together.
+
+    Flanks, tips, roots and fillets of every mesh are rolled through one pitch, as solids without
+    modifications; gears that do not mesh, and shafts beside gears, are looked at as cylinders.
+    """
+    from pitchpoint.cli.reading import read_model
+    from pitchpoint.io.target import check_target
+    from pitchpoint.report.clearances import clearance_numbers, neighbours, stage_of
+
+    model = read_model(file, allow_code)
+    names = list(model.meshes) if only is None else [one_of(only, list(model.meshes), "mesh")]
+    if output is not None and Path(output).suffix.lower() != ".svg":
+        raise click.BadParameter(f"{Path(output).name} does not end in .svg", param_hint="--output")
+    target = None if output is None else check_target(output, "svg", [file])
+    stages = {name: stage_of(model, name) for name in names}
+    others = neighbours(model) if only is None else []
+    if target is not None:
+        _draw(stages, target)
+    if as_json:
+        emit_json(clearance_numbers(stages, others))
+        return
+    for name, stage in stages.items():
+        _print(f"Mesh {name}: {' / '.join(stage.gears)}", list(stage.rooms.values()), stage.notes)
+    if others:
+        _print("Parts that do not mesh", others)
+    if not stages and not others:
+        show(f"{file}: has no meshes, and no gears beside each other")
+    tight = [room for stage in stages.values() for room in stage.rooms.values() if not room.fine]
+    tight += [room for room in others if not room.fine]
+    hit = sum(room.distance < -room.slack for room in tight)
+    if tight:
+        show(f"{len(tight)} of the distances below their limits, {hit} of them overlaps")
+    if target is not None:
+        show(f"picture written to {target}")
+
+
+def _draw(stages: dict[str, Stage], target: Path) -> None:
+    """Write the pictures of all meshes below each other."""
+    from pitchpoint.io.target import SVG_MARK, write_file
+    from pitchpoint.viz.clearance_drawing import Place, clearances_svg
+
+    places = {
+        f"{name}: {' / '.join(stage.gears)}": (
+            stage.pair,
+            [
+                Place(room.words, room.distance, room.limit, room.fine, room.where)
+                for room in stage.rooms.values()
+                if room.where is not None
+            ],
+        )
+        for name, stage in stages.items()
+    }
+    text = clearances_svg(places)
+    write_file(target, text.replace(">", f">{SVG_MARK}", 1))
+
+
+def _print(title: str, rooms: list[Room], notes: tuple[str, ...] = ()) -> None:
+    rows = []
+    for room in rooms:
+        small = abs(room.distance) <= room.slack
+        judged = "fine" if room.fine else "overlap" if room.distance < 0.0 else "below the limit"
+        distance = "0 µm" if small else shown(room.distance, "length", 5)
+        limit = "0 µm" if room.limit == 0.0 else shown(room.limit, "length", 5)
+        rows.append([room.words, distance, limit, judged])
+    table(title, ["between", "distance", "limit", "judged"], rows, notes)

@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How much room the gears of a model leave each other when they are put together, judged by limits.
+
+Within a mesh the teeth count as solids without modifications; gears that do not mesh, and shafts beside them,
+count as their tip circles and sections, where the file places them.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.geometry.clearance import (
+    ACCURACY,
+    BACK,
+    FRONT,
+    TIP_1_ROOT_2,
+    TIP_2_ROOT_1,
+    TIP_ROOT,
+    Clearance,
+    clearances,
+)
+from pitchpoint.model.frames import body_frame
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.geometry.gear_pair import GearPair
+    from pitchpoint.model.model import Model
+
+FACE = "face"
+_PARALLEL = 1e-6
+
+
+@dataclass(frozen=True)
+class Room:
+    """A distance and its limit.
+
+    Attributes
+    ----------
+    words
+        What it is between.
+    distance, limit
+        [m].
+    slack
+        Error of the distance [m]: so much below the limit is fine.
+    where
+        The place and position of the gears, of teeth in mesh.
+    """
+
+    words: str
+    distance: float
+    limit: float = 0.0
+    slack: float = 0.0
+    where: Clearance | None = None
+
+    @property
+    def fine(self) -> bool:
+        """Whether the limit is kept."""
+        return self.distance >= self.limit - self.slack
+
+
+@dataclass(frozen=True)
+class Stage:
+    """The clearances of one mesh.
+
+    Attributes
+    ----------
+    pair
+        Its gears, with teeth as thin as the backlash of the mesh asks for.
+    gears
+        Their names.
+    rooms
+        Distances by kind, see `pitchpoint.geometry.clearance.KINDS`, and `FACE`: the common face width, whose
+        limit is the narrower face.
+    notes
+        Remarks.
+    """
+
+    pair: GearPair
+    gears: tuple[str, str]
+    rooms: dict[str, Room]
+    notes: tuple[str, ...] = ()
+
+
+def stage_of(model: Model, mesh: str) -> Stage:
+    """The clearances of a mesh as it is put together.
+
+    Parameters
+    ----------
+    model
+        The model.
+    mesh
+        Name of the mesh.
+
+    Raises
+    ------
+    GeometryError
+        If a gear has no tooth.
+    """
+    pair, notes = _pair_as_built(model, mesh)
+    first, second = names = model.meshes[mesh].gears
+    words = {
+        FRONT: "front flanks",
+        BACK: "back flanks",
+        TIP_1_ROOT_2: f"tip of {first} to root of {second}",
+        TIP_2_ROOT_1: f"tip of {second} to root of {first}",
+        "tip_1_fillet_2": f"tip of {first} to fillet of {second}",
+        "tip_2_fillet_1": f"tip of {second} to fillet of {first}",
+        "tips": f"tip of {first} to tip of {second}",
+    }
+    m_n = pair.gear1.m_n
+    found = clearances(pair)
+    limits = dict.fromkeys((TIP_1_ROOT_2, TIP_2_ROOT_1), TIP_ROOT * m_n)
+    rooms = {
+        kind: Room(words[kind], found[kind].distance, limits.get(kind, 0.0), ACCURACY * m_n, found[kind])
+        for kind in words
+        if kind in found
+    }
+    narrower = min(model.gears[name].face_width for name in names)
+    width = model.meshes[mesh].b_w
+    rooms[FACE] = Room("common face width", pair.b_w if width is None else width, narrower, 1e-9 * narrower)
+    return Stage(pair, names, rooms, notes)
+
+
+def _pair_as_built(model: Model, mesh: str) -> tuple[GearPair, tuple[str, ...]]:
+    """The pair whose teeth are thinned, both alike, to the backlash of the mesh; roots stay as they are."""
+    from dataclasses import replace
+
+    pair = model.pairs[mesh]
+    more = model.backlash(mesh) - pair.j_bt
+    if abs(more) < 1e-12:
+        return pair, ()
+    if pair.gear1.outline is not None or pair.gear2.outline is not None:
+        return pair, ("the real teeth count, not the backlash that the file gives",)
+    thinner = 0.5 * more * math.cos(pair.gear1.beta) / math.cos(pair.gear1.alpha_t)
+
+    def thinned(gear: CylindricalGear) -> CylindricalGear:
+        """The gear with thinner teeth, no deeper root and the same tip."""
+        allowance = gear.thickness_allowance - thinner
+        return replace(gear, thickness_allowance=allowance, root_diameter=gear.d_fE, tip_diameter=gear.d_a)
+
+    return replace(pair, gear1=thinned(pair.gear1), gear2=thinned(pair.gear2)), ()
+
+
+def neighbours(model: Model) -> list[Room]:
+    """Room between gears that do not mesh, and between gears and shafts beside them, nearest first.
+
+    Parameters
+    ----------
+    model
+        The model, with bodies. Parts count that lie side by side on parallel axes, nearer to each other than
+        half of the smaller tip diameter, where the file places them.
+    """
+    rounds = _gears(model) + _sections(model)
+    mates = {frozenset(mesh.gears) for mesh in model.meshes.values()}
+    found: dict[tuple[str, str], Room] = {}
+    for one, two in combinations(rounds, 2):
+        if one.body == two.body or frozenset((one.name, two.name)) in mates:
+            continue
+        if not (one.is_gear or two.is_gear) or np.linalg.norm(np.cross(one.axis, two.axis)) > _PARALLEL:
+            continue
+        apart = two.middle - one.middle
+        along = float(apart @ one.axis)
+        if abs(along) >= 0.5 * (one.width + two.width):
+            continue
+        distance = float(np.linalg.norm(apart - along * one.axis)) - one.radius - two.radius
+        sizes = [part.radius for part in (one, two) if part.is_gear]
+        key = (one.name, two.name)
+        if distance < min(sizes) and (key not in found or distance < found[key].distance):
+            words = " to ".join(f"{'tip of ' if p.is_gear else 'shaft '}{p.name}" for p in (one, two))
+            found[key] = Room(words, distance)
+    return sorted(found.values(), key=lambda room: room.distance)
+
+
+@dataclass(frozen=True)
+class _Round:
+    """A tip cylinder or a section of a shaft."""
+
+    name: str
+    body: str
+    is_gear: bool
+    middle: NDArray[np.float64]
+    axis: NDArray[np.float64]
+    radius: float
+    width: float
+
+
+def _gears(model: Model) -> list[_Round]:
+    """Tip cylinders of the external gears that sit on bodies with a place."""
+    found = []
+    for name, gear in model.gears.items():
+        body = model.body_of(name)
+        if body is None or gear.type == "internal":
+            continue
+        origin, axes = body_frame(model, body)
+        if origin is not None:
+            middle = origin + model.bodies[body].gears[name] * axes[:, 2]
+            radius = 0.5 * gear.geometry.d_a
+            found.append(_Round(name, body, True, middle, axes[:, 2], radius, gear.face_width))
+    return found
+
+
+def _sections(model: Model) -> list[_Round]:
+    """Sections of the elastic shafts."""
+    found = []
+    for name, shaft in model.shafts.items():
+        origin, axes = body_frame(model, name)
+        if origin is None:
+            continue
+        start = 0.0
+        for section in shaft.sections:
+            middle = origin + (start + 0.5 * section.length) * axes[:, 2]
+            radius = 0.5 * section.diameter
+            found.append(_Round(name, name, False, middle, axes[:, 2], radius, section.length))
+            start += section.length
+    return found
+
+
+def clearance_numbers(stages: dict[str, Stage], others: list[Room]) -> dict[str, Any]:
+    """Collect what `clearance --json` prints.
+
+    Parameters
+    ----------
+    stages
+        Clearances by mesh.
+    others
+        Room between parts that do not mesh.
+    """
+    meshes = {}
+    for name, stage in stages.items():
+        rows = {kind: _numbers(room) for kind, room in stage.rooms.items()}
+        for kind in (FRONT, BACK):
+            if kind in rows:
+                rows[kind]["normal"] = stage.rooms[kind].distance * math.cos(stage.pair.gear1.beta_b)
+        meshes[name] = {"gears": list(stage.gears), "clearances": rows, "notes": list(stage.notes)}
+    rooms = [room for stage in stages.values() for room in stage.rooms.values()] + others
+    return {
+        "meshes": meshes,
+        "neighbours": [_numbers(room) for room in others],
+        "fine": all(room.fine for room in rooms),
+    }
+
+
+def _numbers(room: Room) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "between": room.words,
+        "distance": room.distance,
+        "limit": room.limit,
+        "fine": room.fine,
+    }
+    if room.where is not None:
+        found["places"] = [list(room.where.place1), list(room.where.place2)]
+        found["rotations"] = [room.where.phi1, room.where.phi2]
+    return found

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What notebooks show for models and results: tables or a summary, and the 3-D scene in a frame.
+
+Results are plain datasets of xarray, so nothing is put into that class: IPython is told how to display it,
+and whatever is not a result of pitchpoint gets the display that xarray has for it. Registering goes by the
+names of classes and imports nothing.
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Callable
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.viz import notebook as drawings
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+    from pitchpoint.viz.scene import Scene
+
+HEIGHT, WITH_CURVES = "480px", "640px"
+"""Height of a scene among the cells, alone and with curves below it."""
+MOST_BYTES = 8_000_000
+"""Largest scene that goes into a notebook, the viewer of 0.7 MB included; the file holds a copy of each."""
+FIRST = (
+    "mesh_force",
+    "transmission_error",
+    "deflection",
+    "bearing_force",
+    "contact_force",
+    "torque",
+    "speed",
+    "angle",
+)
+"""Quantities that a summary begins with."""
+MOST_ROWS = 8
+
+
+def register() -> bool:
+    """Tell a running IPython how to show gears, pairs, models and results; does nothing elsewhere.
+
+    Returns
+    -------
+    bool
+        Whether there was an IPython to tell.
+    """
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython is not None and hasattr(ipython, "get_ipython") else None
+    if shell is None:
+        return False
+    formatter = shell.display_formatter.formatters["text/html"]
+    for (module, name), function in shown().items():
+        formatter.for_type_by_name(module, name, function)
+    return True
+
+
+def shown() -> dict[tuple[str, str], Callable[[Any], str]]:
+    """What makes the HTML of an object, by module and name of its class."""
+    found: dict[tuple[str, str], Callable[[Any], str]] = {
+        key: getattr(drawings, function) for key, function in drawings.SHOWN.items()
+    }
+    found["pitchpoint.model.model", "Model"] = model_html
+    found["xarray.core.dataset", "Dataset"] = dataset_html
+    return found
+
+
+def model_html(model: Model) -> str:
+    """The tables of a model, a drawing of every pair of gears in it, and its scene at rest."""
+    from pitchpoint.report.scene_rest import rest_scene
+
+    return drawings.model_html(model) + _frame(lambda: rest_scene(model))
+
+
+def is_result(data: xr.Dataset) -> bool:
+    """Whether a dataset says of itself that pitchpoint has computed it."""
+    source = str(data.attrs.get("source", ""))
+    return "pitchpoint_version" in data.attrs or source.startswith("pitchpoint ")
+
+
+def dataset_html(data: xr.Dataset) -> str:
+    """Summary, scene and variables of a result; any other dataset as xarray shows it."""
+    own = str(data._repr_html_())
+    if not is_result(data):
+        return own
+    folded = f"<details><summary>all {len(data.data_vars)} variables</summary>{own}</details>"
+    return _summary(data) + _frame(lambda: _scene(data)) + folded
+
+
+def _frame(scene: Callable[[], Scene]) -> str:
+    """A scene in a frame of its own, or a sentence that says why there is none."""
+    from pitchpoint.core.errors import PitchpointError, ValidityWarning
+    from pitchpoint.viz.scene_page import scene_frame
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ValidityWarning)  # it was said when model or result were made
+            made = scene()
+        if not made.solids:
+            return _sentence("no scene: the model holds no body with gears, shafts or a solid to draw")
+        frame = scene_frame(made, height=WITH_CURVES if made.channels else HEIGHT)
+    except (PitchpointError, ValueError, OSError) as error:
+        return _sentence(f"no scene: {error}")
+    if len(frame) > MOST_BYTES:
+        size = f"{len(frame) / 1e6:.0f} MB of at most {MOST_BYTES / 1e6:.0f} MB"
+        return _sentence(f"no scene: it has {size} for a notebook; `pitchpoint view` writes it as a page")
+    notes = "".join(_sentence(note) for note in made.notes)
+    return frame + notes
+
+
+def _sentence(text: str) -> str:
+    first, _, rest = text.strip().partition("\n")
+    more = f"<br>{escape(rest.strip())}" if rest.strip() else ""
+    return f'<p style="opacity:.75">{escape(first)}{more}</p>'
+
+
+def _scene(data: xr.Dataset) -> Scene:
+    """The scene of a result over time, or of its machine at rest where nothing moves."""
+    from pitchpoint.core.errors import PitchpointError
+    from pitchpoint.io.yaml_model import loads_model
+    from pitchpoint.report.scene import scene_of
+    from pitchpoint.report.scene_rest import rest_scene
+
+    text = str(data.attrs.get("model_text", ""))
+    if not text:
+        raise PitchpointError("this result does not keep its model")
+    model = loads_model(text, file=str(data.encoding.get("source", "result")))
+    if "time" in data.dims and data.sizes["time"] > 1:
+        return scene_of(model, data)
+    return rest_scene(model)
+
+
+def _summary(data: xr.Dataset) -> str:
+    """Title, where the result comes from, how it ended, and the first of its channels in numbers."""
+    attrs = data.attrs
+    bold = escape(str(attrs.get("title") or "Result"))
+    return f"<p><b>{bold}</b><br>{escape('; '.join(_facts(data)))}</p>{_ending(data)}{_numbers(data)}"
+
+
+def _facts(data: xr.Dataset) -> list[str]:
+    attrs = data.attrs
+    words, name = str(attrs.get("kind", "")).replace("_", " "), attrs.get("scenario")
+    facts = [f"{words or 'result'} of scenario {name}"] if name else [words] if words else []
+    facts += [f"solver {str(attrs['solver']).replace('_', ' ')}"] if attrs.get("solver") else []
+    if "time" in data.dims and data.sizes["time"] > 1:
+        time = data["time"]
+        facts.append(f"{data.sizes['time']} samples from {float(time[0]):.6g} to {float(time[-1]):.6g} s")
+    version = attrs.get("pitchpoint_version") or attrs.get("package_version")
+    made = [f"pitchpoint {version}"] if version else []
+    if attrs.get("created"):
+        made.append(str(attrs["created"]))
+    return [*facts, ", ".join(made)] if made else facts
+
+
+def _ending(data: xr.Dataset) -> str:
+    """A sentence about a result that did not come to its end."""
+    from pitchpoint.core.status import OK
+
+    status, attrs = data.attrs.get("status", OK), data.attrs
+    if status in (OK, "finished"):
+        return ""
+    said = attrs.get("status_text") or attrs.get("sentence") or ""
+    words = f"not finished, status {status}" + (f": {said}" if said else "")
+    return f"<p><b>{escape(words)}</b></p>"
+
+
+def _numbers(data: xr.Dataset) -> str:
+    """Mean, alternating rms, least and greatest value of the first channels over the whole record."""
+    import numpy as np
+
+    from pitchpoint.viz.quantities import Channel
+    from pitchpoint.viz.tables import statistics_table
+
+    if "time" not in data.dims or data.sizes["time"] < 2:
+        return ""
+    rows: list[tuple[Channel, dict[str, float]]] = []
+    for quantity in FIRST:
+        for name, values in data.data_vars.items():
+            if values.dims != ("time",) or str(name).partition("[")[0] != quantity or len(rows) >= MOST_ROWS:
+                continue
+            x = np.asarray(values.values, dtype=np.float64)
+            if not np.isfinite(x).all():
+                continue
+            channel = Channel(str(name), x, str(values.attrs.get("units", "")))
+            spread = {"mean": x.mean(), "rms": x.std(), "min": x.min(), "max": x.max()}
+            rows.append((channel, {key: float(value) for key, value in spread.items()}))
+    table = statistics_table(rows)
+    return f'{drawings.STYLE}<div class="pp-shown">{table}</div>' if table else ""
