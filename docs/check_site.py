@@ -54,7 +54,7 @@ class Addresses(HTMLParser):
 def problems(site: Path) -> list[str]:
     """What is wrong with a built site, one line each."""
     found = []
-    for page in sorted(site.rglob("*.html")):
+    for page in sorted(path for path in site.rglob("*.html") if "_static" not in path.parts):
         text = page.read_text(encoding="utf-8")
         addresses = Addresses()
         addresses.feed(text)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
@@ -76,3 +77,6 @@ html_theme_options = {
 }
 html_sidebars = {"index": [], "gallery/index": [], "changelog": []}
 html_context = {"default_mode": "auto"}
+
+# notebooks call the commands of this environment
+os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])

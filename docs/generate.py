@@ -110,6 +110,10 @@ def copy_written(target: Path) -> None:
         HERE, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("make_*.py", "__pycache__")
     )
     (target / "generate.py").unlink()
+    for folder in ("tutorials", "howto"):
+        # what notebooks of an earlier build have written would be in the way of this one
+        shutil.rmtree(target / folder, ignore_errors=True)
+        shutil.copytree(HERE / folder, target / folder)
     for name in ("CHANGELOG", "CONTRIBUTING"):
         text = (ROOT / f"{name}.md").read_text(encoding="utf-8")
         write(target / f"{name.lower()}.md", text.replace("](docs/", "](").replace("`docs/", "`docs/"))
@@ -117,6 +121,8 @@ def copy_written(target: Path) -> None:
     for name, (start, end) in PARTS_OF_README.items():
         part = readme[readme.index(start) + len(start) : readme.index(end)]
         write(target / "_parts" / f"{name}.md", part.strip() + "\n")
+    first = readme.index("```yaml\n") + len("```yaml\n")
+    write(target / "howto" / "pair.yaml", readme[first : readme.index("```", first)])
 
 
 def write(path: Path, text: str) -> None:
