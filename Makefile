@@ -5,6 +5,7 @@ PYTHON ?= python3
 VENV   ?= .venv
 BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed
+DOCS_STAMP := $(VENV)/.installed-docs
 JOBS   ?= 2
 EXAMPLE := examples/backlash-oscillator
 export PYTHONUTF8 := 1
@@ -18,7 +19,7 @@ help:
 	@echo "make bench     speed table, build/bench.json"
 	@echo "make validate  published cases as one page, docs/validation.md; long studies"
 	@echo "make viewer    the script of the 3-D scene, from viewer/src (needs Node.js 20)"
-	@echo "make docs      generated pages of the documentation, build/docs"
+	@echo "make docs      the documentation as a site, build/docs/html"
 	@echo "make lint      style, import contracts and types only"
 	@echo "make clean     remove build products (keeps $(VENV))"
 
@@ -30,6 +31,10 @@ $(BIN)/python:
 
 $(STAMP): pyproject.toml constraints.txt | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[dev]"
+	@touch $@
+
+$(DOCS_STAMP): $(STAMP)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[dev,docs]"
 	@touch $@
 
 install: $(STAMP)
@@ -82,9 +87,12 @@ validate: $(STAMP)
 viewer:
 	cd viewer && npm ci && node build.mjs
 
-docs: $(STAMP)
-	@mkdir -p build/docs
-	$(BIN)/python docs/generate.py build/docs
+# a fresh environment each time: notebooks and the reference follow from the package, which Sphinx does not watch
+docs: $(DOCS_STAMP)
+	$(BIN)/python docs/generate.py build/docs/source
+	$(BIN)/python -m sphinx -b html -E -W --keep-going -q -j $(JOBS) build/docs/source build/docs/html
+	$(BIN)/python docs/check_site.py build/docs/html
+	@echo "The documentation is ready, open it in a browser: $(CURDIR)/build/docs/html/index.html"
 
 clean:
 	rm -rf build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pages of the documentation that are made from the package itself: keys, names, units, commands.
+"""Source of the documentation site: the written pages, and those made from the package and its examples.
 
-Usage: ``python docs/generate.py build/docs``. The written pages of this folder are copied beside them.
+Usage: ``python docs/generate.py build/docs/source``. `make docs` builds the site from it with Sphinx.
 """
 
 from __future__ import annotations
@@ -14,6 +14,9 @@ from pathlib import Path
 from typing import Any
 
 import click
+import make_api
+import make_drawings
+import make_gallery
 
 from pitchpoint.cli.main import COMMANDS, EPILOG, pitchpoint
 from pitchpoint.core.nomenclature import markdown_table
@@ -22,6 +25,14 @@ from pitchpoint.core.units import display_unit
 from pitchpoint.model.schema import json_schema, reference_page
 
 HERE = Path(__file__).parent
+ROOT = HERE.parent
+# parts of the first page of the repository that the site shows too: from this heading, to that one
+PARTS_OF_README = {
+    "install": ("## What you need\n", "## The first five minutes\n"),
+    "first_steps": ("## The first five minutes\n", "## What is in the box\n"),
+    "contents": ("## What is in the box\n", "## What is not\n"),
+    "limits": ("## What is not\n", "## Where to read on\n"),
+}
 
 
 def nomenclature() -> str:
@@ -93,32 +104,48 @@ def _help(context: click.Context) -> list[str]:
     return ["```", context.get_help(), "```", ""]
 
 
-def index(target: Path) -> str:
-    """List of all pages of a folder, the decision records below."""
-    lines = ["# Documentation of pitchpoint", ""]
-    for path in sorted(p for p in target.glob("*.md") if p.name != "index.md"):
-        lines.append(f"- [{_title(path)}]({path.name})")
-    lines += ["- [JSON schema of a model file](model-file.schema.json)", "", "## Decisions", ""]
-    for path in sorted((target / "decisions").glob("*.md")):
-        lines.append(f"- [{_title(path)}](decisions/{path.name})")
-    return "\n".join(lines) + "\n"
+def copy_written(target: Path) -> None:
+    """Copy the pages of this folder and those of the root; a page that did not change keeps its time."""
+    shutil.copytree(
+        HERE, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("make_*.py", "__pycache__")
+    )
+    (target / "generate.py").unlink()
+    for folder in ("tutorials", "howto"):
+        # what notebooks of an earlier build have written would be in the way of this one
+        shutil.rmtree(target / folder, ignore_errors=True)
+        shutil.copytree(HERE / folder, target / folder)
+    for name in ("CHANGELOG", "CONTRIBUTING"):
+        text = (ROOT / f"{name}.md").read_text(encoding="utf-8")
+        write(target / f"{name.lower()}.md", text.replace("](docs/", "](").replace("`docs/", "`docs/"))
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    for name, (start, end) in PARTS_OF_README.items():
+        part = readme[readme.index(start) + len(start) : readme.index(end)]
+        write(target / "_parts" / f"{name}.md", part.strip() + "\n")
+    first = readme.index("```yaml\n") + len("```yaml\n")
+    write(target / "howto" / "pair.yaml", readme[first : readme.index("```", first)])
 
 
-def _title(path: Path) -> str:
-    return path.read_text(encoding="utf-8").splitlines()[0].removeprefix("# ")
+def write(path: Path, text: str) -> None:
+    """Write a page, only if it is new or changed: Sphinx reads again what has a new time."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.exists() or path.read_text(encoding="utf-8") != text:
+        path.write_text(text, encoding="utf-8")
 
 
 def main(target: Path) -> None:
     """Write all pages below a folder."""
-    shutil.copytree(HERE, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.py", "__pycache__"))
+    copy_written(target)
+    reference = target / "reference"
     pages = {"nomenclature": nomenclature, "units": units, "commands": commands, "model-file": reference_page}
     for name, page in pages.items():
-        (target / f"{name}.md").write_text(page().rstrip() + "\n", encoding="utf-8")
+        write(reference / f"{name}.md", page().rstrip() + "\n")
     schema = json.dumps(json_schema(), indent=2, ensure_ascii=False)
-    (target / "model-file.schema.json").write_text(schema + "\n", encoding="utf-8")
-    (target / "index.md").write_text(index(target), encoding="utf-8")
+    write(target / "_extra" / "model-file.schema.json", schema + "\n")
+    make_api.write_pages(reference / "api")
+    make_drawings.write_drawings(target / "images" / "conventions")
+    make_gallery.write_gallery(target)
     print(f"{target} written")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "build/docs"))
+    main(Path(sys.argv[1] if len(sys.argv) > 1 else "build/docs/source"))
