@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Instants of a result worth looking at: contact lost and regained, back flanks, faulty teeth in mesh.
+"""Instants of a result worth looking at: contact lost and regained, the other flanks, faulty teeth in mesh.
 
 They come from the samples that the result keeps, and instants between two samples from straight lines; where
 teeth go by faster than that can see, it is said.
@@ -30,8 +30,8 @@ MOST = 100
 """Marks of one kind in one mesh; of more, the longest or the strongest."""
 SEEN = 0.25
 """Tooth pairs from sample to sample up to which what happens in between is seen."""
-BACK = (-1, 2)
-"""Contact states in which back flanks touch."""
+BOTH = 2
+"""Contact state in which front and back flanks touch."""
 
 
 def scene_marks(
@@ -89,7 +89,7 @@ def _passing(contact: SceneContact, frames: Array) -> float:
 
 
 def contact_marks(result: xr.Dataset, contact: SceneContact, time: Array) -> list[tuple[SceneMark, float]]:
-    """Marks of lost contact, impacts and back flanks of one mesh, each with its weight [s, m/s].
+    """Marks of lost contact, impacts and the other flanks of one mesh, each with its weight [s, m/s].
 
     Parameters
     ----------
@@ -117,14 +117,18 @@ def contact_marks(result: xr.Dataset, contact: SceneContact, time: Array) -> lis
             side = back if state[end] == -1 else front
             word = "back flank" if state[end] == -1 else "front flank"
             regained, speed = _impact(time, side, start, end)
-            said = f"{name}, {word}, closing at {format_quantity(speed, 'velocity')}"
+            said = f"{name}, {word}, closing at {format_quantity(speed, 'speed')}"
             found.append((SceneMark(regained, "impact", said), speed))
         if start > 0:
             found.append((SceneMark(gone, "contact_loss", name, regained), regained - gone))
-    for start, end in _runs(np.isin(state, BACK)):
-        begins = time[0] if start == 0 else _crossing(time, back, start)
-        ends = time[-1] if end == time.size else _crossing(time, back, end)
-        found.append((SceneMark(float(begins), "back_flank", name, float(ends)), float(ends - begins)))
+    # a mesh works on the flanks that touch most of the time; the others are the ones to be told of
+    other, kind, side = -1, "back_flank", back
+    if np.count_nonzero(state == -1) > np.count_nonzero(state == 1):
+        other, kind, side = 1, "front_flank", front
+    for start, end in _runs((state == other) | (state == BOTH)):
+        begins = time[0] if start == 0 else _crossing(time, side, start)
+        ends = time[-1] if end == time.size else _crossing(time, side, end)
+        found.append((SceneMark(float(begins), kind, name, float(ends)), float(ends - begins)))
     return found
 
 

@@ -167,7 +167,7 @@ class SceneMark:
     time
         When it is or begins [s].
     kind
-        contact_loss, impact, back_flank or faulty_tooth.
+        contact_loss, impact, back_flank or front_flank (where the other one works), faulty_tooth.
     what
         Where, in words.
     until
