@@ -53,7 +53,10 @@ export class ContactLines {
 
   /** @param {import("./contacts.js").Line[]} lines @param {boolean} on @param {number} visible world length of a pixel [m] @param {number} greatest load of the colours */
   update(lines, on, visible, greatest) {
-    const drawn = on ? lines.slice(0, MOST) : [];
+    // of flanks that carry nothing only the nearer ones are shown
+    const both = this.contact.penetration();
+    const nearer = both[1] >= both[-1] ? 1 : -1;
+    const drawn = on ? lines.filter((line) => line.force || line.side === nearer).slice(0, MOST) : [];
     this.rods.visible = drawn.length > 0;
     this.balls.forEach((ball) => (ball.visible = false));
     const { position, color } = this.rods.geometry.attributes;

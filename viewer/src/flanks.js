@@ -27,6 +27,8 @@ export class Flanks {
     this.greatest = Math.max(0, ...this.meshes.map(({ contact }) => contact.greatest));
     this.showsLines = true;
     this.mode = "off";
+    /** whether the colours of a mesh go up to its own largest load */
+    this.own = false;
     /** mesh whose gauge is shown */
     this.gauged = -1;
     this.hidden = false;
@@ -74,8 +76,9 @@ export class Flanks {
   /** @param {number} visible world length of a pixel [m] */
   update(visible) {
     this.meshes.forEach(({ contact, rods, pattern, gauge, lines }, k) => {
-      rods.update(lines, this.showsLines && !this.hidden, visible, this.greatest);
-      pattern.update(contact.greatest > 0 ? this.mode : "off", this.hidden, this.greatest);
+      const greatest = this.own ? contact.greatest : this.greatest;
+      rods.update(lines, this.showsLines && !this.hidden, visible, greatest);
+      pattern.update(contact.greatest > 0 ? this.mode : "off", this.hidden, greatest);
       gauge.update(k === this.gauged && !this.hidden);
     });
   }
@@ -130,13 +133,14 @@ export class FlankBox {
   constructor(flanks) {
     this.flanks = flanks;
     this.now = el("span", {});
+    this.end = el("span", {});
     this.gap = el("div", { className: "ppv-gap" });
     this.bar = el(
       "div",
       { hidden: !(flanks.greatest > 0) },
       el("span", {}, "load on flanks"),
       el("i", { style: `background:${gradient()}` }),
-      el("div", { className: "ppv-ends" }, el("span", {}, "0"), this.now, el("span", {}, perWidth(flanks.greatest))),
+      el("div", { className: "ppv-ends" }, el("span", {}, "0"), this.now, this.end),
     );
     this.element = el("div", { className: "ppv-flanks", role: "status" }, this.bar, this.gap);
   }
@@ -149,6 +153,7 @@ export class FlankBox {
     if (this.element.hidden) return;
     const most = Math.max(0, ...flanks.meshes.flatMap(({ lines }) => lines.flatMap(({ loads }) => [...loads])));
     this.now.textContent = most > 0 ? `now ${perWidth(most)}` : "now none";
+    this.end.textContent = flanks.own ? "largest of the mesh" : perWidth(flanks.greatest);
     this.gap.hidden = !gauge;
     if (!gauge) return;
     const both = gauge.contact.penetration();
@@ -198,10 +203,12 @@ export function flankRows(page) {
     (k) => page.gauge(Number(k)),
     "Mesh whose gap is shown, magnified",
   );
+  const own = tick("colours of each mesh by itself", false, (on) => set((flanks) => (flanks.own = on)));
   page.flankRows = { lines, pattern, gauge, times };
   return [
     lines.row,
     greatest > 0 ? pattern.row : null,
+    greatest > 0 && meshes.length > 1 ? own.row : null,
     gauge.row,
     times.row,
     el(

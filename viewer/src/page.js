@@ -328,6 +328,11 @@ export class Page {
   /** @param {(flanks: import("./flanks.js").Flanks) => void} change */
   flanks(change) {
     for (const { flanks } of this.stage.pictures) change(flanks);
+    const { showsLines, mode } = this.stage.pictures[0].flanks;
+    if (this.flankRows) {
+      this.flankRows.lines.input.checked = showsLines;
+      this.flankRows.pattern.select.value = mode;
+    }
     this.changed();
   }
 

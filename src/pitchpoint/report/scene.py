@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.provenance import content_hash
 from pitchpoint.report.scene_contacts import ContactLines, scene_contacts
 from pitchpoint.report.scene_forces import force_arrows
 from pitchpoint.report.scene_marks import scene_marks
@@ -71,7 +72,7 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
         arrows, said = force_arrows(system, moved, record.at_frames)
         contacts, lacking = scene_contacts(model, system, lines, moved, record.at_frames)
         marks, coarse = scene_marks(model, result, contacts, record.times)
-        notes += [*said, *lacking, *coarse]
+        notes += [*_another_state(model, result), *said, *lacking, *coarse]
     return Scene(
         title=model.title or "Gears",
         subtitle="" if result is None else _subtitle(result),
@@ -84,6 +85,17 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
         marks=marks,
         notes=notes,
     )
+
+
+def _another_state(model: Model, result: xr.Dataset) -> list[str]:
+    """A sentence where the result was computed with other values than the model has."""
+    known = str(result.attrs.get("model_hash", ""))
+    if known in ("", content_hash(model)):
+        return []
+    return [
+        "computed with another state of the model than the one that is kept: faults, patterns and teeth are "
+        "drawn as the latter has them"
+    ]
 
 
 def _subtitle(result: xr.Dataset) -> str:

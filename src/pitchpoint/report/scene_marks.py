@@ -111,7 +111,11 @@ def contact_marks(result: xr.Dataset, contact: SceneContact, time: Array) -> lis
     back = np.where(x >= 0.0, farther, nearer)
     found = []
     for start, end in _runs(state == 0):
-        gone = time[0] if start == 0 else _crossing(time, back if state[start - 1] == -1 else front, start)
+        gone = (
+            float(time[0])
+            if start == 0
+            else _crossing(time, back if state[start - 1] == -1 else front, start)
+        )
         regained = float(time[-1])
         if end < time.size:
             side = back if state[end] == -1 else front
@@ -126,9 +130,9 @@ def contact_marks(result: xr.Dataset, contact: SceneContact, time: Array) -> lis
     if np.count_nonzero(state == -1) > np.count_nonzero(state == 1):
         other, kind, side = 1, "front_flank", front
     for start, end in _runs((state == other) | (state == BOTH)):
-        begins = time[0] if start == 0 else _crossing(time, side, start)
-        ends = time[-1] if end == time.size else _crossing(time, side, end)
-        found.append((SceneMark(float(begins), kind, name, float(ends)), float(ends - begins)))
+        begins = float(time[0]) if start == 0 else _crossing(time, side, start)
+        ends = float(time[-1]) if end == time.size else _crossing(time, side, end)
+        found.append((SceneMark(begins, kind, name, ends), ends - begins))
     return found
 
 
@@ -226,7 +230,7 @@ def _stays(time: Array, y: Array, low: float, high: float) -> list[Span]:
     instants = [float(time[0]), float(time[-1])]
     for level in (low, high):
         k = np.flatnonzero((y[:-1] > level) != (y[1:] > level))
-        instants += list(time[k] + (level - y[k]) / (y[k + 1] - y[k]) * (time[k + 1] - time[k]))
+        instants += (time[k] + (level - y[k]) / (y[k + 1] - y[k]) * (time[k + 1] - time[k])).tolist()
     instants.sort()
     found: list[Span] = []
     for a, b in zip(instants, instants[1:], strict=False):
