@@ -100,6 +100,7 @@ export class Flanks {
         name: contact.name,
         penetration: contact.penetration(),
         magnified: gauge.times,
+        plates: gauge.shown(),
         lines: lines.map(({ pair, side, force, from, to, loads }) => ({
           pair,
           side,

@@ -40,6 +40,13 @@ export class Gauge {
     return Math.max(1, power * (wanted / power >= 5 ? 5 : wanted / power >= 2 ? 2 : 1));
   }
 
+  /** Places of the plates in the world: front flank before and behind its gap, back flank likewise. */
+  shown() {
+    return (this.plates ?? [])
+      .filter(({ mesh }) => mesh.visible)
+      .map(({ mesh }) => new Vector3().setFromMatrixPosition(mesh.matrix).toArray());
+  }
+
   /** @param {boolean} on */
   update(on) {
     if (!on && !this.plates) return;
