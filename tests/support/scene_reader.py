@@ -87,3 +87,37 @@ class Seen:
     def force(self, name: str, frame: int) -> np.ndarray:
         """Sum of the components of an arrow."""
         return sum(self.array(c)[frame] for c in self.arrow(name)["components"].values())
+
+    def contact(self, name: str) -> dict[str, Any]:
+        return next(c for c in self.header["contacts"] if c["name"] == name)
+
+    def mesh_frame(self, contact: dict[str, Any], frame: int) -> tuple[np.ndarray, np.ndarray, float]:
+        """Pitch point, axes as columns (towards gear 2, tangent, axis) and pressure angle of a mesh."""
+
+        def row(key: str) -> Any:
+            table = self.array(contact[key])
+            return table[frame if len(table) > 1 else 0]
+
+        return row("at"), Rotation.from_quat(row("axes")).as_matrix(), float(row("pressure_angle"))
+
+    def lines(self, contact: dict[str, Any], side: int, frame: int) -> dict[int, dict[str, Any]]:
+        """Contact lines of one side by the number of their pair: points in the world, force, loads."""
+        flank = next(f for f in contact["flanks"] if f["side"] == side)
+        origin, axes, alpha = self.mesh_frame(contact, frame)
+        travel = self.array(flank["travel"])[frame]
+        forces, loads = self.array(flank["forces"])[frame], self.array(flank["loads"])[frame]
+        slope = side * np.tan(contact["base_helix"])
+        normal = axes @ [np.sin(alpha), side * np.cos(alpha), 0.0]
+        (low, high), (start, end) = contact["width"], contact["path"]
+        found = {}
+        for pair in range(int(travel / contact["base_pitch"]) - 9, int(travel / contact["base_pitch"]) + 10):
+            place = travel - pair * contact["base_pitch"]
+            z = np.linspace(low, high, 4001)
+            z = z[(place + slope * z >= start) & (place + slope * z <= end)]
+            if z.size < 2:
+                continue
+            z = np.linspace(z[0], z[-1], loads.shape[1])
+            points = origin + np.outer(z, axes[:, 2]) + np.outer(place + slope * z, normal)
+            slot = pair % len(forces)
+            found[pair] = {"z": z, "points": points, "force": forces[slot], "loads": loads[slot]}
+        return found

@@ -16,6 +16,8 @@ import { FORCES, STATES, colourOfForce } from "./colours.js";
 import { lerp } from "./frames.js";
 import { Z } from "./poses.js";
 
+const MOST_BEARINGS = 8; // whose forces are shown without asking
+
 /** An arrow of length 1 along z, 1 thick at its head. */
 function arrowShape() {
   const shaft = new CylinderGeometry(0.19, 0.19, 0.72, 12, 1, false).translate(0, 0.36, 0);
@@ -44,7 +46,11 @@ export class Arrows {
     this.radius = radius;
     this.scale = 1;
     this.kinds = new Set(this.arrows.map((arrow) => arrow.kind));
+    // forces of single pairs repeat those of the meshes, and many bearings hide what they hold
     this.shown = new Set(this.kinds);
+    this.shown.delete("pair");
+    if (this.arrows.filter((arrow) => arrow.kind === "bearing").length > MOST_BEARINGS)
+      this.shown.delete("bearing");
     this.hidden = false;
     const shape = arrowShape();
     const ball = new SphereGeometry(0.5, 14, 10);
@@ -62,12 +68,15 @@ export class Arrows {
     };
     this.drawn = this.arrows.map((arrow) => ({
       parts: Object.fromEntries(
-        FORCES.filter((part) => arrow.components?.[part]).map((part) => [part, add(shape, materials[part])]),
+        FORCES.filter((part) => (arrow.components ?? arrow.largest)?.[part]).map((part) => [
+          part,
+          add(shape, materials[part]),
+        ]),
       ),
       ball: arrow.state ? add(ball, this.states[0]) : null,
     }));
     this.largest = this.arrows.map((arrow) =>
-      Object.fromEntries(
+      arrow.largest ?? Object.fromEntries(
         FORCES.filter((part) => arrow.components?.[part]).map((part) => [
           part,
           longestRow(arrow.components[part].data),
@@ -87,6 +96,7 @@ export class Arrows {
   forces() {
     const { where } = this.poses;
     return this.arrows.map((arrow) => {
+      if (arrow.now) return { name: arrow.name, kind: arrow.kind, unit: arrow.unit, ...arrow.now() };
       const frame = arrow.body < 0 ? null : this.poses.still[arrow.body];
       const at = new Vector3(lerp(arrow.at, where, 0), lerp(arrow.at, where, 1), lerp(arrow.at, where, 2));
       if (frame) at.applyMatrix4(frame);
@@ -125,7 +135,7 @@ export class Arrows {
     return this.forces().flatMap((force, k) =>
       this.shown.has(force.kind)
         ? Object.entries(force.vectors).map(([part, vector]) => {
-            const length = (this.longest * this.largest[k][part]) / this.size;
+            const length = (this.longest * (this.largest[k][part] ?? 0)) / this.size;
             return vector
               .clone()
               .setLength(vector.length() ? length : 0)

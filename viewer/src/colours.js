@@ -47,7 +47,15 @@ export function colourOfChannel(element, name, order) {
 
 const MARKS = ["#d2484f", "#a88a1e", "#8a68c4", "#2296a0", "#2f9e62"];
 
+const MARK_KINDS = {
+  contact_loss: "#8a8f98",
+  impact: "#d2484f",
+  back_flank: "#b0489a",
+  front_flank: "#e8b400",
+  faulty_tooth: "#2296a0",
+};
+
 /** @param {string[]} kinds @param {string} kind */
 export function colourOfMark(kinds, kind) {
-  return MARKS[Math.max(kinds.indexOf(kind), 0) % MARKS.length];
+  return MARK_KINDS[kind] ?? MARKS[Math.max(kinds.indexOf(kind), 0) % MARKS.length];
 }

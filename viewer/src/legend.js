@@ -8,7 +8,9 @@ export class Legend {
   /** @param {any[]} arrows of a scene */
   constructor(arrows) {
     this.arrows = arrows;
-    this.columns = FORCES.filter((part) => arrows.some((arrow) => arrow.components?.[part]));
+    this.columns = FORCES.filter((part) =>
+      arrows.some((arrow) => (arrow.components ?? arrow.largest)?.[part]),
+    );
     this.rows = arrows.map((arrow) => {
       const state = arrow.state ? el("span", { className: "ppv-state" }) : null;
       const cells = this.columns.map((part) => el("td", { className: `ppv-${part}` }));
@@ -54,7 +56,8 @@ export class Legend {
     if (this.element.hidden) return;
     forces.forEach((each, k) => {
       const { row, cells, state } = this.rows[k];
-      row.hidden = !shown.has(each.kind);
+      // pairs out of mesh have no line
+      row.hidden = !shown.has(each.kind) || (each.kind === "pair" && !each.total);
       if (row.hidden) return;
       this.columns.forEach((part, c) => {
         const text =
@@ -77,7 +80,7 @@ export class Legend {
   lines(forces, shown) {
     return forces
       .map((each, k) => ({ each, size: this.arrows[k].size }))
-      .filter(({ each }) => shown.has(each.kind))
+      .filter(({ each }) => shown.has(each.kind) && (each.kind !== "pair" || each.total))
       .map(({ each, size }) => ({
         name: each.name.replaceAll("_", " "),
         values: this.columns

@@ -61,6 +61,13 @@ window.pitchpointViewer = {
   view: (name) => shown().views?.named(name, true),
   show: (channel, on = true) => shown().curves.plots.show(channel, on),
   magnify: (times) => shown().magnify(times),
+  /** @param {string} kind of arrows: mesh, pair or bearing */
+  arrows: (kind, on = true) => shown().arrows(kind, on),
+  lines: (on = true) => shown().flanks((flanks) => (flanks.showsLines = on)),
+  /** @param {"off"|"all"|"each"} mode */
+  pattern: (mode) => shown().flanks((flanks) => (flanks.mode = mode)),
+  /** @param {number} mesh -1 none @param {number} times */
+  gauge: (mesh, times) => shown().gauge(mesh, times),
   mode: (number) => shown().modes.choose(number),
   /** @param {"png"|"glb"|"stl"} kind @returns {Blob} */
   file: (kind, times = 1) =>

@@ -3,9 +3,11 @@
 import { Curves } from "./curves.js";
 import { el } from "./dom.js";
 import { Hover } from "./hover.js";
+import { FlankBox, flankRows } from "./flanks.js";
 import { keys, KEYS } from "./keys.js";
 import { Legend } from "./legend.js";
 import { length } from "./numbers.js";
+import { markRows } from "./marks_panel.js";
 import { Modes } from "./modes.js";
 import { Orbit } from "./orbit.js";
 import { Panels, forceRows, saveRows, vibrationRows, viewRows } from "./panels.js";
@@ -106,7 +108,8 @@ export class Page {
     this.orbit.farthest = 40 * radius;
     this.views = new Views(stage, this.orbit);
     this.hover = new Hover(stage, this.orbit, (body) => this.follow(body));
-    this.legends = this.scenes.map((scene) => new Legend(scene.arrows));
+    this.legends = stage.pictures.map(({ arrows }) => new Legend(arrows.arrows));
+    this.boxes = stage.pictures.map(({ flanks }) => new FlankBox(flanks));
     this.scale = el("div", { className: "ppv-scale", "aria-hidden": "true" }, el("span"), el("i"));
     this.status = el("div", { className: "ppv-status", role: "status" });
     const names = namesOf(this.scenes);
@@ -115,6 +118,7 @@ export class Page {
         "div",
         { className: "ppv-half" },
         legend.element,
+        this.boxes[k].element,
         names[k] && el("span", { className: "ppv-name" }, names[k]),
       ),
     );
@@ -133,6 +137,8 @@ export class Page {
       panels.add("View", "Views, following a body, housing, meshes", viewRows(this));
       if (this.scenes.some((scene) => scene.arrows.length))
         panels.add("Forces", "Arrows of forces", forceRows(this));
+      if (this.scenes.some((scene) => scene.contacts.length))
+        panels.add("Flanks", "Contact lines, pattern and gap of the teeth", flankRows(this));
       if (this.player.times.length > 1) panels.add("Vibration", "Magnify vibrations", vibrationRows(this));
       this.section = new SectionView(stage, () => this.changed());
       panels.add("Section", "Cut the solids by a plane", this.section.rows);
@@ -143,6 +149,8 @@ export class Page {
       }
       panels.add("Save", "Picture, solids, film", saveRows(this));
     }
+    if (this.transport.marks.length)
+      panels.add("Marks", "Instants worth looking at", markRows(this));
     const notes = [...new Set(this.scenes.flatMap((scene) => scene.notes))];
     const help = [el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)]))];
     if (notes.length)
@@ -227,13 +235,16 @@ export class Page {
     this.section?.update();
     for (const picture of stage.pictures) {
       picture.solids.update(0.25 * orbit.pixel);
-      picture.arrows.hidden = Boolean(this.modes?.active);
+      picture.arrows.hidden = picture.flanks.hidden = Boolean(this.modes?.active);
+      picture.flanks.look();
+      picture.flanks.update(orbit.pixel);
       picture.arrows.update(orbit.pixel);
     }
     stage.render(orbit);
     stage.pictures.forEach(({ arrows }, k) =>
       this.legends[k].update(arrows.now, arrows.shown, arrows.hidden),
     );
+    for (const box of this.boxes) box.update();
     this.#scaleBar();
   }
 
@@ -313,6 +324,44 @@ export class Page {
   magnify(times) {
     for (const picture of this.stage.pictures) picture.poses.magnification = times;
     this.changed();
+  }
+
+  /** @param {string} kind @param {boolean} on */
+  arrows(kind, on) {
+    for (const { arrows } of this.stage.pictures) on ? arrows.shown.add(kind) : arrows.shown.delete(kind);
+    if (this.kinds?.[kind]) this.kinds[kind].input.checked = on;
+    this.changed();
+  }
+
+  /** @param {(flanks: import("./flanks.js").Flanks) => void} change */
+  flanks(change) {
+    for (const { flanks } of this.stage.pictures) change(flanks);
+    const { showsLines, mode } = this.stage.pictures[0].flanks;
+    if (this.flankRows) {
+      this.flankRows.lines.input.checked = showsLines;
+      this.flankRows.pattern.select.value = mode;
+    }
+    this.changed();
+  }
+
+  /** Show the gap of a mesh, magnified. @param {number} mesh -1 none @param {number} times */
+  gauge(mesh, times = this.stage.pictures[0].flanks.meshes[mesh]?.gauge.fitting() ?? 1) {
+    this.flanks((flanks) => {
+      flanks.gauged = mesh;
+      for (const { gauge } of flanks.meshes) gauge.times = times;
+    });
+    this.flankRows?.times.set(times);
+    if (this.flankRows) this.flankRows.gauge.select.value = String(mesh);
+  }
+
+  /** Along the axis on the mesh whose gap is shown. */
+  intoGap() {
+    const { flanks, data } = this.stage.pictures[0];
+    const mesh = flanks.meshes[Math.max(0, flanks.gauged)];
+    const arrow = data.arrows.find(({ kind, name }) => kind === "mesh" && name === mesh?.contact.name);
+    if (!arrow) return;
+    if (flanks.gauged < 0) this.gauge(0);
+    this.intoMesh(arrow);
   }
 
   /** @param {any} arrow of a mesh */

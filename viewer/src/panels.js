@@ -120,6 +120,13 @@ export function viewRows(page) {
   ].filter(Boolean);
 }
 
+const NAMES = {
+  mesh: "mesh forces",
+  pair: "forces of tooth pairs",
+  bearing: "bearing forces",
+  load: "loads",
+};
+
 /** Rows of the panel of forces. @param {import("./page.js").Page} page */
 export function forceRows(page) {
   const all = page.stage.pictures.map((picture) => picture.arrows);
@@ -136,16 +143,13 @@ export function forceRows(page) {
       page.changed();
     },
   });
-  return [
-    ...kinds.map(
-      (kind) =>
-        tick({ mesh: "mesh forces", bearing: "bearing forces", load: "loads" }[kind] ?? kind, true, (on) => {
-          for (const arrows of all) on ? arrows.shown.add(kind) : arrows.shown.delete(kind);
-          page.changed();
-        }).row,
-    ),
-    scale.row,
-  ];
+  page.kinds = Object.fromEntries(
+    kinds.map((kind) => [
+      kind,
+      tick(NAMES[kind] ?? kind, all.some((arrows) => arrows.shown.has(kind)), (on) => page.arrows(kind, on)),
+    ]),
+  );
+  return [...Object.values(page.kinds).map(({ row }) => row), scale.row];
 }
 
 /** Rows of the panel of files. @param {import("./page.js").Page} page */

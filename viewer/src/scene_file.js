@@ -148,12 +148,34 @@ function checkShapes(scene) {
     rows(arrow.at, `the place of arrow ${arrow.name}`);
     rows(arrow.state, `the state of arrow ${arrow.name}`);
   }
+  for (const contact of scene.contacts) checkContact(scene, contact, rows);
   for (const channel of scene.channels) {
     const k = channel.least?.count;
     check(
       channel.times && k && channel.times.count === k && (channel.most?.count ?? k) === k,
       `channel ${channel.name} has times and values of different length`,
     );
+  }
+}
+
+/** @param {any} scene @param {any} contact @param {(table: any, what: string) => void} rows */
+function checkContact(scene, contact, rows) {
+  const { name } = contact;
+  for (const part of ["at", "axes", "pressure_angle", "penetration"]) {
+    check(contact[part], `contact ${name} has no ${part}`);
+    rows(contact[part], `${part} of contact ${name}`);
+  }
+  check(contact.width?.length === 2 && contact.path?.length === 2, `contact ${name} has no place`);
+  check(contact.base_pitch > 0 && contact.flanks?.length, `contact ${name} has no flanks`);
+  for (const flank of contact.flanks) {
+    check(flank.travel?.count === scene.times.count, `contact ${name} has no travel for each time`);
+    for (const part of ["forces", "loads"]) rows(flank[part], `${part} of contact ${name}`);
+    check(Boolean(flank.forces) === Boolean(flank.loads), `contact ${name} has forces or loads alone`);
+    for (const surface of flank.surfaces ?? [])
+      check(
+        surface.body in scene.bodies && surface.points?.shape.length === 3 && surface.teeth > 0,
+        `a flank of contact ${name} is on no body`,
+      );
   }
 }
 
@@ -179,6 +201,7 @@ export async function readScene(suffix = "") {
     bodies: [],
     solids: [],
     arrows: [],
+    contacts: [],
     channels: [],
     spectra: [],
     marks: [],

@@ -111,7 +111,8 @@ export class SectionView {
   turn(on) {
     this.on = on;
     this.enable.input.checked = on;
-    for (const picture of this.stage.pictures) picture.solids.cut(on ? [this.plane] : []);
+    for (const { solids, flanks } of this.stage.pictures)
+      for (const part of [solids, flanks]) part.cut(on ? [this.plane] : []);
     this.update();
     this.changed();
   }

@@ -14,6 +14,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { Arrows } from "./arrows.js";
+import { Flanks } from "./flanks.js";
 import { Poses } from "./poses.js";
 import { Solids } from "./solids.js";
 
@@ -53,7 +54,8 @@ class Picture {
     this.poses = new Poses(data);
     this.solids = new Solids(data, this.root, this.poses);
     this.bounds = this.solids.bounds();
-    this.arrows = new Arrows(data, this.overRoot, this.poses, element, this.bounds.radius);
+    this.flanks = new Flanks(data, this.root, this.overRoot, this.poses);
+    this.arrows = new Arrows({ arrows: [...data.arrows, ...this.flanks.pairs()] }, this.overRoot, this.poses, element, this.bounds.radius);
   }
 }
 
@@ -139,7 +141,7 @@ export class Stage {
       picture.root.matrix.copy(this.seen);
       picture.overRoot.matrix.copy(this.seen);
       renderer.render(picture.scene, camera);
-      if (picture.arrows.hidden || !picture.arrows.shown.size) return;
+      if ((picture.arrows.hidden || !picture.arrows.shown.size) && !picture.flanks.over) return;
       renderer.clearDepth();
       renderer.render(picture.over, camera);
     });

@@ -41,6 +41,7 @@ export function stateOf(page) {
       magnification: picture.poses.magnification,
       triangles: picture.solids.triangles,
       crowds: picture.solids.crowds.length,
+      contacts: picture.flanks.state(),
       arrows: (picture.arrows.now ?? []).map((force, k) => ({
         name: force.name,
         kind: force.kind,

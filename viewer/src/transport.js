@@ -2,6 +2,7 @@
 // The bar of time: play, step, where, how fast, what repeats, and marks that one can jump to.
 import { colourOfMark } from "./colours.js";
 import { button, choice, el, logSlider } from "./dom.js";
+import { nameOfMark } from "./marks_panel.js";
 import { duration, instant, speedWords } from "./numbers.js";
 import { SLOWEST } from "./player.js";
 
@@ -121,7 +122,7 @@ export class Transport {
     this.tip.hidden = !mark;
     this.strip.style.cursor = "pointer";
     if (!mark) return;
-    this.tip.textContent = `${mark.kind.replaceAll("_", " ")}${mark.what ? `, ${mark.what}` : ""}, ${instant(mark.time, this.stepLength / 10)}`;
+    this.tip.textContent = `${nameOfMark(mark.kind)}${mark.what ? `, ${mark.what}` : ""}, ${instant(mark.time, this.stepLength / 10)}`;
     const box = this.strip.getBoundingClientRect();
     const left = event.clientX - box.left;
     this.tip.style.left = `${Math.max(0, Math.min(box.width - 180, left))}px`;
@@ -170,6 +171,9 @@ export class Transport {
     }
     for (const mark of this.marks) {
       pen.fillStyle = colourOfMark(this.kinds, mark.kind);
+      pen.globalAlpha = 0.3;
+      if (mark.until > mark.time) pen.fillRect(x(mark.time), 3, x(mark.until) - x(mark.time), height - 9);
+      pen.globalAlpha = 1;
       pen.fillRect(x(mark.time) - 0.75, 1, 1.5, height - 5);
     }
   }

@@ -111,6 +111,18 @@ def _lean(B, q, R, side):
 
 
 @kernel
+def flank_tilt(b, flank):
+    """Tilt of the axes against each other along t and e; how a flank opens over its lever goes to kappa."""
+    dn = b["dn"]
+    e = b["e"]
+    t = b["t"]
+    tilt_t = dn[0] * t[0] + dn[1] * t[1] + dn[2] * t[2] + b["skew"][0]
+    tilt_e = dn[0] * e[0] + dn[1] * e[1] + dn[2] * e[2] + b["skew"][1]
+    b["kappa"] = flank * b["cos_a"] * tilt_t + b["sin_a"] * tilt_e
+    return tilt_t, tilt_e
+
+
+@kernel
 def normal_directions(b, f, g, flank):
     """Rows 0 and 1 of the wrench basis, -dx_0 and d(kappa), and kappa itself."""
     m = b["m"]
@@ -119,9 +131,7 @@ def normal_directions(b, f, g, flank):
     dn = b["dn"]
     ca = flank * b["cos_a"]
     sa = b["sin_a"]
-    tilt_t = dn[0] * t[0] + dn[1] * t[1] + dn[2] * t[2] + b["skew"][0]
-    tilt_e = dn[0] * e[0] + dn[1] * e[1] + dn[2] * e[2] + b["skew"][1]
-    b["kappa"] = ca * tilt_t + sa * tilt_e
+    tilt_t, tilt_e = flank_tilt(b, flank)
     _no_axes(b)
     gradient(b, f, g, 0, -float(flank), sa, b["kappa"] * b["w_z"] - flank * b["tan_b"])
     for k in range(3):

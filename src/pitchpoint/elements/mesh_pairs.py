@@ -43,7 +43,7 @@ _TRIES = 60
 
 
 @kernel
-def _pair_node(b, ctl, watch, p_0, x_q, z, weight, apart):
+def pair_node(b, ctl, watch, p_0, x_q, z, weight, apart):
     """One node of the pair whose contact line is p_0 + lam z; `x_q` is its penetration at z = 0 [m]."""
     p = p_0 + b["lam"] * z
     if b["n_table"] > 0:
@@ -98,9 +98,9 @@ def _gauss(b, ctl, watch, p_0, x_q, z_a, z_c, apart):
     z = 0.5 * (z_a + z_c)
     half = 0.5 * (z_c - z_a)
     r = GAUSS * half
-    f = _pair_node(b, ctl, watch, p_0, x_q, z - r, half * (5.0 / 9.0), apart)
-    f += _pair_node(b, ctl, watch, p_0, x_q, z, half * (8.0 / 9.0), apart)
-    return f + _pair_node(b, ctl, watch, p_0, x_q, z + r, half * (5.0 / 9.0), apart)
+    f = pair_node(b, ctl, watch, p_0, x_q, z - r, half * (5.0 / 9.0), apart)
+    f += pair_node(b, ctl, watch, p_0, x_q, z, half * (8.0 / 9.0), apart)
+    return f + pair_node(b, ctl, watch, p_0, x_q, z + r, half * (5.0 / 9.0), apart)
 
 
 @kernel
@@ -284,7 +284,7 @@ def _line_energy(b, x_q, z, xi, c, apart):
 
 
 @kernel
-def _teeth(b, q):
+def pair_teeth(b, q):
     """Tooth of gear 1 and space of gear 2 that make the pair q; internal gears count the other way round."""
     flank = b["flank"]
     side = 1 if b["z2"] > 0 else -1
@@ -299,12 +299,12 @@ def sliced_line(b, ctl, watch, p_0, x_q, apart):
     step = (b["z_hi"] - b["z_lo"]) / n
     f = 0.0
     for s in range(n):
-        f += _pair_node(b, ctl, watch, p_0, x_q, b["z_lo"] + (s + 0.5) * step, step, apart)
+        f += pair_node(b, ctl, watch, p_0, x_q, b["z_lo"] + (s + 0.5) * step, step, apart)
     return f
 
 
 @kernel
-def _line(b, ctl, watch, p_0, x_q, apart):
+def pair_line(b, ctl, watch, p_0, x_q, apart):
     """Sum over one contact line."""
     if b["slices"] == 0:
         return exact_line(b, ctl, watch, p_0, x_q, apart)
@@ -322,10 +322,10 @@ def profile_flank(b, ctl, watch, x_0):
     while q <= last:
         p_0 = b["psi"] + q
         x_q = x_0 - b["kappa"] * fh * (b["xi_A"] + p_0 * b["p_bt"])
-        if b["n_sep"] > 0 and find_rows(b, _teeth(b, q)):
-            f = _line(b, ctl, watch, p_0, x_q, 1)
+        if b["n_sep"] > 0 and find_rows(b, pair_teeth(b, q)):
+            f = pair_line(b, ctl, watch, p_0, x_q, 1)
         else:
-            f = _line(b, ctl, watch, p_0, x_q, None)
+            f = pair_line(b, ctl, watch, p_0, x_q, None)
         if watch is not None and b["n_pair"] > 0:
             b["pair"][(b["tooth"] - int(q)) % b["n_pair"]] += b["flank"] * f
         q += 1.0

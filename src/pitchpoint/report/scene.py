@@ -10,16 +10,19 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.report.scene_motion import Motion, motion, scene_bodies
+from pitchpoint.core.provenance import content_hash
+from pitchpoint.report.scene_contacts import ContactLines, scene_contacts
+from pitchpoint.report.scene_forces import force_arrows
+from pitchpoint.report.scene_marks import scene_marks
+from pitchpoint.report.scene_motion import motion, scene_bodies
 from pitchpoint.report.scene_solids import scene_solids
 from pitchpoint.viz.quantities import Channel, scale
-from pitchpoint.viz.scene import Scene, SceneArrow, SceneChannel
+from pitchpoint.viz.scene import Scene, SceneArrow, SceneChannel, SceneContact, SceneMark
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.model import Model
-    from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
 
@@ -28,7 +31,6 @@ NUMBERS = 4e5
 """Most numbers of all tracks: with more bodies there are fewer frames."""
 PIECES = 500
 """Pieces of a record that a curve is drawn from."""
-PARTS = ("circumferential", "radial", "axial")
 FIRST = ("normal_force", "transmission_error")
 """Quantities that are drawn without asking."""
 
@@ -57,12 +59,20 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
     names = system.layout.bodies
     still = motion(system, 1, lambda _: np.zeros(1), np.zeros(1))
     record = _Record.of(result, len(names))
-    moved = motion(system, len(record.times), record.at_frames, record.times)
+    lines = ContactLines(system, record.at_frames, len(record.times))
+    moved = motion(system, len(record.times), record.at_frames, record.times, lines.look)
     bodies = scene_bodies(system, moved, still)
     solids, notes = scene_solids(model, {name: k for k, name in enumerate(names[1:])})
     if result is not None and moved.unknown:
         notes.append("not in the result, drawn at rest: " + ", ".join(moved.unknown))
-    arrows = [*_mesh_arrows(system, moved, record)]
+    arrows: list[SceneArrow] = []
+    contacts: list[SceneContact] = []
+    marks: list[SceneMark] = []
+    if result is not None:
+        arrows, said = force_arrows(system, moved, record.at_frames)
+        contacts, lacking = scene_contacts(model, system, lines, moved, record.at_frames)
+        marks, coarse = scene_marks(model, result, contacts, record.times)
+        notes += [*_another_state(model, result), *said, *lacking, *coarse]
     return Scene(
         title=model.title or "Gears",
         subtitle="" if result is None else _subtitle(result),
@@ -70,9 +80,22 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
         solids=solids,
         times=record.times,
         arrows=arrows,
+        contacts=contacts,
         channels=record.curves(),
+        marks=marks,
         notes=notes,
     )
+
+
+def _another_state(model: Model, result: xr.Dataset) -> list[str]:
+    """A sentence where the result was computed with other values than the model has."""
+    known = str(result.attrs.get("model_hash", ""))
+    if known in ("", content_hash(model)):
+        return []
+    return [
+        "computed with another state of the model than the one that is kept: faults, patterns and teeth are "
+        "drawn as the latter has them"
+    ]
 
 
 def _subtitle(result: xr.Dataset) -> str:
@@ -138,30 +161,3 @@ class _Record:
                 )
             )
         return found
-
-
-def _mesh_arrows(system: System, moved: Motion, record: _Record) -> list[SceneArrow]:
-    """Forces of all meshes on their second gears, at the pitch points."""
-    found = []
-    for m, name in enumerate(system.names.get("gear_mesh", ())):
-        parts = [record.at_frames(f"{part}_force[{name}]") for part in PARTS]
-        if record.result is None or any(part is None for part in parts):
-            continue
-        state = record.at_frames(f"contact_state[{name}]")
-        place = moved.pitch_points[:, m]
-        size = float(np.abs(place).max())
-        steady = np.ptp(place, axis=0).max() < 1e-3 * size
-        found.append(
-            SceneArrow(
-                name=name,
-                kind="mesh",
-                at=place[:1] if steady else place,
-                components={
-                    word: value[:, None] * moved.directions[:, m, row]
-                    for row, (word, value) in enumerate(zip(PARTS, parts, strict=True))
-                    if value is not None
-                },
-                state=None if state is None else np.rint(state).astype(np.int64),
-            )
-        )
-    return found

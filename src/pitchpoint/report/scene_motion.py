@@ -37,6 +37,8 @@ class Motion:
         axial of the forces on gear 2, shape (n, nm, 3, 3), rows.
     unknown
         Coordinates that the result does not hold.
+    observed
+        All observations of the bodies in these places, at rest, shape (n, no): forces without damping.
     """
 
     place: Array
@@ -45,9 +47,24 @@ class Motion:
     pitch_points: Array
     directions: Array
     unknown: tuple[str, ...]
+    observed: Array
+
+    def spinning(self, b: int) -> Array:
+        """Axes that are fixed to a body, shape (n, 3, 3)."""
+        c, s = np.cos(self.angle[:, b]), np.sin(self.angle[:, b])
+        turned = self.axes[:, b].copy()
+        turned[:, :, 0] = c[:, None] * self.axes[:, b, :, 0] + s[:, None] * self.axes[:, b, :, 1]
+        turned[:, :, 1] = c[:, None] * self.axes[:, b, :, 1] - s[:, None] * self.axes[:, b, :, 0]
+        return turned
 
 
-def motion(system: System, n: int, read: Callable[[str], Array | None], times: Array) -> Motion:
+def motion(
+    system: System,
+    n: int,
+    read: Callable[[str], Array | None],
+    times: Array,
+    look: Callable[[int], None] | None = None,
+) -> Motion:
     """Frames at n times.
 
     Parameters
@@ -60,6 +77,8 @@ def motion(system: System, n: int, read: Callable[[str], Array | None], times: A
         Gives a channel of the result at these times, shape (n,), or None where it has none.
     times
         The times [s], shape (n,).
+    look
+        Called with the number of each time when the system stands there.
     """
     layout, body = system.layout, system.program["body"]
     q = np.tile(system.initial_state().q * 0.0, (n, 1))
@@ -90,6 +109,7 @@ def motion(system: System, n: int, read: Callable[[str], Array | None], times: A
         np.zeros((n, count, 3)),
         np.zeros((n, count, 3, 3)),
         tuple(unknown),
+        np.zeros((n, system.sizes["no"])),
     )
     state = system.initial_state()
     spins = body["spin"]
@@ -99,13 +119,15 @@ def motion(system: System, n: int, read: Callable[[str], Array | None], times: A
         state.q[:] = q[i]
         state.turns[spinning] = np.rint(q[i, spins[spinning]] / TWO_PI)
         state.q[spins[spinning]] -= TWO_PI * state.turns[spinning]
-        evaluate.residual(system, state)
+        found.observed[i] = evaluate.observe(system, state)
         frames = system.workspace.fr
         found.place[i], found.axes[i] = frames["r"], frames["R"]
         if meshes is not None:
             found.pitch_points[i] = meshes["P"]
             for row, field in enumerate("tem"):
                 found.directions[i, :, row] = meshes[field]
+        if look is not None:
+            look(i)
     return found
 
 
@@ -151,11 +173,7 @@ def _in_parent(moved: Motion, b: int, parent: int) -> tuple[Array, Array]:
     """Places (n, 3) and axes (n, 3, 3) of a body in the spinning frame of its parent."""
     if parent == 0:
         return moved.place[:, b], moved.axes[:, b]
-    c, s = np.cos(moved.angle[:, parent]), np.sin(moved.angle[:, parent])
-    turned = moved.axes[:, parent].copy()
-    turned[:, :, 0] = c[:, None] * moved.axes[:, parent, :, 0] + s[:, None] * moved.axes[:, parent, :, 1]
-    turned[:, :, 1] = c[:, None] * moved.axes[:, parent, :, 1] - s[:, None] * moved.axes[:, parent, :, 0]
-    inverse = np.swapaxes(turned, 1, 2)
+    inverse = np.swapaxes(moved.spinning(parent), 1, 2)
     place = np.einsum("nij,nj->ni", inverse, moved.place[:, b] - moved.place[:, parent])
     return place, inverse @ moved.axes[:, b]
 

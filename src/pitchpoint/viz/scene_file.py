@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.viz.scene import Scene, SceneArrow, SceneBody, SceneChannel, SceneSolid
+from pitchpoint.viz.scene import Scene, SceneArrow, SceneBody, SceneChannel, SceneMark, SceneSolid
+from pitchpoint.viz.scene_contact_file import contact_entry
 
 FORMAT = "pitchpoint-scene-1"
 _LEVELS = 65535
@@ -69,9 +70,10 @@ def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
         "solids": [_solid(s, block) for s in scene.solids],
         "times": block.put(scene.times, "f8"),
         "arrows": [_arrow(a, block) for a in scene.arrows],
+        "contacts": [contact_entry(c, block) for c in scene.contacts],
         "channels": [_channel(c, block) for c in scene.channels],
         "spectra": [],
-        "marks": [{"time": m.time, "kind": m.kind, "what": m.what} for m in scene.marks],
+        "marks": [_mark(m) for m in scene.marks],
         "modes": [],
         "notes": list(scene.notes),
     }
@@ -173,6 +175,13 @@ def _arrow(arrow: SceneArrow, block: _Block) -> dict[str, Any]:
     if arrow.state is not None:
         # one byte a frame: -1 becomes 255
         found["state"] = block.put(np.where(arrow.state < 0, 255, arrow.state), "u1")
+    return found
+
+
+def _mark(mark: SceneMark) -> dict[str, Any]:
+    found: dict[str, Any] = {"time": mark.time, "kind": mark.kind, "what": mark.what}
+    if mark.until is not None:
+        found["until"] = mark.until
     return found
 
 

@@ -8,38 +8,11 @@ import pytest
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.scene import scene_of
-from pitchpoint.solvers.time import solve_time
 from pitchpoint.system import evaluate
-from pitchpoint.system.compile import compile_model
 from pitchpoint.viz.scene_file import scene_texts
+from tests.support.scene_models import CARRIER, PAIR, seen
 from tests.support.scene_reader import Seen
-
-PAIR = """\
-title: helical pair in bearings
-gears:
-  a: {{number_of_teeth: 23, normal_module: 3 mm, helix_angle: 15 deg, hand: left, face_width: 30 mm, profile_shift_coefficient: 0.2}}
-  b: {{number_of_teeth: 41, normal_module: 3 mm, helix_angle: 15 deg, hand: right, face_width: 30 mm, profile_shift_coefficient: 0}}
-bodies:
-  first: {{gears: [a], motion: free, axes: {{z: {z}, x: {x}}}, position: [10 mm, 20 mm, 30 mm]}}
-  second: {{gears: [b], motion: free}}
-meshes:
-  m: {{gears: [a, b], direction: 25 deg, stiffness: {{law: din3990}}, damping: {{ratio: 0.1}}, backlash: {{normal: 0.1 mm}}}}
-bearings:
-  s1: {{body: first, stiffness: {{radial: 2e8 N/m, axial: 1e8 N/m, tilt: 1e6 N m/rad}}, damping: {{ratio: 0.1}}}}
-  s2: {{body: second, stiffness: {{radial: 2e8 N/m, axial: 1e8 N/m, tilt: 1e6 N m/rad}}, damping: {{ratio: 0.1}}}}
-loads:
-  in: {{body: first, torque: 100 N m}}
-  out: {{body: second, torque: balance}}
-scenarios:
-  on: {{speed: {{first: 600 rpm}}, duration: 0.2 s, sample_rate: 2 kHz}}
-"""  # noqa: E501
-
-
-def seen(text: str, scenario: str = "on"):
-    model = loads_model(text)
-    system = compile_model(model, scenario)
-    result = solve_time(system)
-    return Seen(*scene_texts(scene_of(model, result))), system, result
+from tests.support.scene_shapes import depth, end_face, inside
 
 
 @pytest.fixture(scope="module", params=["upright", "lying"])
@@ -75,34 +48,6 @@ def test_bodies_stand_where_the_kernels_have_them(pair):
             place, turned = scene.pose(scene.body(name), frame)
             assert np.allclose(place, places[b], atol=2e-9)
             assert np.allclose(turned, axes[b], atol=2e-6)
-
-
-def end_face(scene, name, frame, origin, axes):
-    """Edges of a gear's upper end face, shape (n, 2, 2), in the plane across the axes: those of triangles of
-    the flanks, which have their third corner elsewhere."""
-    solid = scene.solid(name)
-    height = scene.array(solid["points"])[:, 2]
-    triangles = scene.array(solid["triangles"]).astype(int)
-    at_end = np.isclose(height, height.max(), atol=1e-9)[triangles]
-    flanks = at_end.sum(axis=1) == 2
-    pairs = triangles[flanks][at_end[flanks]].reshape(-1, 2)
-    return ((scene.placed(name, frame) - origin) @ axes)[:, :2][pairs]
-
-
-def inside(points, edges):
-    """Which points lie inside of closed lines (even-odd rule)."""
-    x, y = points[:, :1], points[:, 1:]
-    (x0, y0), (x1, y1) = edges[:, 0].T, edges[:, 1].T
-    rise = np.where(y1 == y0, 1.0, y1 - y0)
-    return (((y0 > y) != (y1 > y)) & (x < x0 + (y - y0) / rise * (x1 - x0))).sum(axis=1) % 2 == 1
-
-
-def depth(point, edges):
-    """Distance of a point from the nearest edge [m]."""
-    start, along = edges[:, 0], edges[:, 1] - edges[:, 0]
-    length = (along**2).sum(axis=1)
-    share = np.clip(((point - start) * along).sum(axis=1) / np.where(length > 0.0, length, 1.0), 0.0, 1.0)
-    return np.hypot(*(start + share[:, None] * along - point).T).min()
 
 
 def test_drawn_teeth_mesh_without_cutting_into_each_other(pair):
@@ -148,30 +93,6 @@ def test_the_same_scene_has_the_same_bits(pair):
     scene, system, result = pair
     again = scene_texts(scene_of(system.model, result))
     assert again == scene_texts(scene_of(system.model, result))
-
-
-CARRIER = """\
-title: planets on a carrier
-gears:
-  sun: {number_of_teeth: 24, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-  p1: {number_of_teeth: 18, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-  ring: {type: internal, number_of_teeth: 60, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0, tip_diameter: 118 mm}
-bodies:
-  sun: {gears: [sun], motion: torsion, position: [0, 0, 0], inertia: 0.01 kg m^2}
-  carrier: {motion: torsion, position: [0, 0, 0], inertia: 0.05 kg m^2, mass: 2 kg}
-  planet: {gears: [p1], inertia: 0.001 kg m^2, mass: 0.5 kg}
-  rim: {gears: [ring], motion: fixed, position: [0, 0, 0]}
-joints:
-  pin: {type: revolute, bodies: [carrier, planet], position: [42 mm, 0, 0]}
-meshes:
-  sp: {gears: [sun, p1], stiffness: {law: constant, value: 3e8 N/m}, backlash: {base_tangent: 0.05 mm}, damping: {ratio: 0.05}}
-  pr: {gears: [p1, ring], stiffness: {law: constant, value: 3e8 N/m}, backlash: {base_tangent: 0.05 mm}, damping: {ratio: 0.05}}
-loads:
-  in: {body: sun, torque: 20 N m}
-  out: {body: carrier, torque: balance}
-scenarios:
-  on: {speed: {sun: 300 rpm}, duration: 0.4 s, sample_rate: 1 kHz}
-"""  # noqa: E501
 
 
 def test_planets_go_round_with_their_carrier():

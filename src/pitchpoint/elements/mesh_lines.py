@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Contact lines of one flank of a mesh: where they lie and what they carry, for pictures.
+
+No solver asks for them. The mesh was observed before, so its record holds the line of action; loads come from
+the nodes that `mesh_pairs` sums, one by one. With the bodies at rest they are the elastic part.
+
+A pair of teeth keeps its number N while in mesh: its contact line is p(z) = phase - N + lam z from
+the start A of the path, in base pitches. Slot N mod n_pair is that of its channel `pair_force`.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.elements.gear_mesh_record import N_ACC, PROFILE, RECORD
+from pitchpoint.elements.mesh_gradient import flank_tilt
+from pitchpoint.elements.mesh_line import flank_phase
+from pitchpoint.elements.mesh_pairs import pair_line, pair_node, pair_teeth
+from pitchpoint.elements.mesh_separation import begin_separation, find_rows
+from pitchpoint.multibody.channels import CTL, F8
+
+#: One question about one flank, and its answer.
+LINES = np.dtype(
+    [
+        ("record", "i8"),  # address of the record of the mesh
+        ("flank", "i8"),  # 1 front, -1 back
+        ("deflection", "f8"),  # travel of the gears along the base tangent less its excitation [m]
+        ("stations", "i8"),  # places along each line, at least 2
+        ("pairs", "i8"),  # answer: whole pairs that went by, and
+        ("psi", "f8"),  # the rest: pairs + psi is the phase of the flank
+        ("forces", "i8"),  # address of the forces of the slots [n_pair], base tangent, front positive [N]
+        ("loads", "i8"),  # address of their loads [n_pair, stations], per width [N/m]
+    ],
+    align=True,
+)
+
+_INSIDE = 1e-9
+"""Part of a line that its first and last station are away from its ends, where loads may jump."""
+
+
+@kernel
+def _begin(b, flank, deflection):
+    """What the nodes of a flank read, into the scratch, for bodies at rest; gives its penetration."""
+    b["flank"] = flank
+    psi = flank_phase(b, flank)
+    whole = math.floor(psi)
+    b["psi"] = psi - whole
+    b["tooth"] = int(whole) + flank * b["turn"]
+    b["lam"] = flank * b["tan_b"] / b["p_bt"]
+    b["kappa"] = 0.0
+    if b["fixed"] == 0:
+        flank_tilt(b, flank)
+    b["tilt"] = b["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
+    b["growth"] = 0.0
+    for k in range(5):
+        b["rate"][k] = 0.0
+    for k in range(N_ACC):
+        b["acc"][k] = 0.0
+    if b["n_sep"] > 0:
+        begin_separation(b)
+    return flank * deflection - 0.5 * b["gap"]
+
+
+@kernel
+def _loads(b, c, p_0, x_q, apart, loads):
+    """Loads per width at even places on the part of a contact line that lies on the flanks."""
+    a = b["z_lo"]
+    end = b["z_hi"]
+    lam = b["lam"]
+    if lam != 0.0:
+        u = -p_0 / lam
+        v = (b["eps"] - p_0) / lam
+        a = max(a, min(u, v))
+        end = min(end, max(u, v))
+    n = loads.size
+    for s in range(n):
+        share = _INSIDE + (1.0 - 2.0 * _INSIDE) * s / (n - 1)
+        loads[s] = pair_node(b, c, None, p_0, x_q, a + share * (end - a), 1.0, apart)
+
+
+@kernel
+def contact_lines(b, c, question):
+    """Forces and loads of all pairs of one flank."""
+    n = b["n_pair"]
+    stations = question["stations"]
+    forces = view(question["forces"], n, F8)
+    loads = view(question["loads"], (n, stations), F8)
+    flank = question["flank"]
+    x_0 = _begin(b, flank, question["deflection"])
+    question["pairs"] = b["tooth"]
+    question["psi"] = b["psi"]
+    for k in range(n):
+        forces[k] = 0.0
+        for s in range(stations):
+            loads[k, s] = 0.0
+    if b["source"] != PROFILE or n == 0 or b["eps"] <= 0.0 or b["z_hi"] <= b["z_lo"]:
+        return
+    middle = b["psi"] + 0.5 * b["lam"] * (b["z_lo"] + b["z_hi"])
+    reach = 0.5 * abs(b["lam"]) * (b["z_hi"] - b["z_lo"])
+    q = float(math.ceil(-middle - reach))
+    last = math.floor(b["eps"] - middle + reach)
+    while q <= last:
+        p_0 = b["psi"] + q
+        x_q = x_0 - b["kappa"] * flank * b["tan_b"] * (b["xi_A"] + p_0 * b["p_bt"])
+        slot = (b["tooth"] - int(q)) % n
+        if b["n_sep"] > 0 and find_rows(b, pair_teeth(b, q)):
+            forces[slot] += flank * pair_line(b, c, None, p_0, x_q, 1)
+            _loads(b, c, p_0, x_q, 1, loads[slot])
+        else:
+            forces[slot] += flank * pair_line(b, c, None, p_0, x_q, None)
+            _loads(b, c, p_0, x_q, None, loads[slot])
+        q += 1.0
+
+
+@kernel
+def entry(ctl, where, n):
+    """Answer n questions about flanks; `where` is the address of the first."""
+    c = view(ctl, 1, CTL)[0]
+    questions = view(where, n, LINES)
+    for k in range(n):
+        contact_lines(view(questions[k]["record"], 1, RECORD)[0], c, questions[k])
+    return OK

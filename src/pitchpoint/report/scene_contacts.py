@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where and how teeth touch over the frames of a scene: contact lines and their loads, from the kernels.
+
+The state of each frame is put back into the compiled system (`scene_motion`), which is then asked for the
+contact lines (`elements/mesh_lines`). A result does not keep all velocities, so these loads are elastic;
+that they add up to the pair forces of the result, damping included, is seen to by one factor a pair.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.kernel import invoke
+from pitchpoint.core.status import OK, sentence
+from pitchpoint.elements import mesh_lines
+from pitchpoint.elements.gear_mesh_record import PROFILE
+from pitchpoint.elements.mesh_pairs import pair_teeth
+from pitchpoint.viz.scene import ContactFlank, FlankSurface, SceneContact
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+    from pitchpoint.report.scene_motion import Motion
+    from pitchpoint.system.system import System
+
+Array = NDArray[np.float64]
+Read = Callable[[str], Array | None]
+
+STATIONS = 9
+"""Places along a contact line at which its load is kept."""
+GRID = (13, 13)
+"""Points of a painted flank over its width and along the path."""
+STEADY = 2e-8
+"""Motion of a pitch point [m], and turn of its directions times the path, below which one row is enough."""
+
+
+class ContactLines:
+    """Answers of all meshes, frame by frame, while a motion goes through them.
+
+    Parameters
+    ----------
+    system
+        The machine.
+    read
+        Gives a channel of the result at the frames, or None.
+    n
+        Number of frames.
+    """
+
+    def __init__(self, system: System, read: Read, n: int) -> None:
+        self.system = system
+        self.names = tuple(system.names.get("gear_mesh", ()))
+        self.deflection = [read(f"deflection[{name}]") for name in self.names]
+        self.found = [_Mesh(system.records["gear_mesh"][m : m + 1], n) for m in range(len(self.names))]
+        self.questions = np.zeros(2 * len(self.names), mesh_lines.LINES)
+        for m, mesh in enumerate(self.found):
+            for k, flank in enumerate((1, -1)):
+                one = self.questions[2 * m + k]
+                one["record"], one["flank"], one["stations"] = mesh.record.ctypes.data, flank, STATIONS
+
+    def look(self, frame: int) -> None:
+        """Ask all meshes where the system stands now.
+
+        Raises
+        ------
+        SolverError
+            If the core refuses.
+        """
+        if not self.names:
+            return
+        for m, mesh in enumerate(self.found):
+            b, channel = mesh.record[0], self.deflection[m]
+            travel = b["u"] - b["e_t"] if channel is None else channel[frame]
+            for k in range(2):
+                one = self.questions[2 * m + k]
+                one["deflection"] = travel
+                one["forces"] = mesh.forces[frame, k].ctypes.data
+                one["loads"] = mesh.loads[frame, k].ctypes.data
+        where, at = self.questions.ctypes.data, self.system.workspace.at
+        status = invoke(mesh_lines.entry, at, where, len(self.questions))
+        if status != OK:
+            raise SolverError(sentence(status), int(status))
+        for m, mesh in enumerate(self.found):
+            mesh.keep(frame, self.questions[2 * m : 2 * m + 2])
+
+
+class _Mesh:
+    """What one mesh answered."""
+
+    def __init__(self, record: NDArray[np.void], n: int) -> None:
+        self.record = record
+        self.pairs = int(record[0]["n_pair"])
+        self.forces = np.zeros((n, 2, self.pairs))
+        self.loads = np.zeros((n, 2, self.pairs, STATIONS))
+        self.travel = np.zeros((n, 2))
+        self.deflection = np.zeros(n)
+        self.line = np.zeros((n, 6))
+        self.first: Any = None
+
+    def keep(self, frame: int, answers: NDArray[np.void]) -> None:
+        """Take over what is not written in place."""
+        b = self.record[0]
+        self.travel[frame] = b["xi_A"] + (answers["pairs"] + answers["psi"]) * b["p_bt"]
+        self.deflection[frame] = answers[0]["deflection"]
+        ends = b["xi_A"], b["xi_A"] + b["eps"] * b["p_bt"], b["z_lo"], b["z_hi"]
+        self.line[frame] = (*ends, math.atan2(b["sin_a"], b["cos_a"]), b["gap"])
+        if frame == 0:
+            self.first = self.record.copy()[0]
+
+
+def scene_contacts(
+    model: Model, system: System, lines: ContactLines, moved: Motion, read: Read
+) -> tuple[list[SceneContact], list[str]]:
+    """Contacts of all meshes, and what they do not show.
+
+    Parameters
+    ----------
+    model, system
+        The machine.
+    lines
+        What its meshes answered.
+    moved
+        Where its bodies are over the same frames.
+    read
+        Gives a channel of the result at the frames, or None.
+    """
+    found, notes = [], []
+    for m, (name, mesh) in enumerate(zip(lines.names, lines.found, strict=True)):
+        if mesh.first["source"] != PROFILE:
+            notes.append(
+                f"mesh {name}: its stiffness law knows no single tooth pairs, so none carry a load here"
+            )
+        forces, loads = _as_kept(name, mesh, read)
+        at = moved.pitch_points[:, m]
+        axes = np.swapaxes(moved.directions[:, m][:, (1, 0, 2)], 1, 2)
+        path = tuple(float(x) for x in mesh.line[0, :2])
+        steady = max(_moves(at), _moves(axes) * max(abs(x) for x in path)) < STEADY
+        rows = slice(0, 1) if steady else slice(None)
+        state = read(f"contact_state[{name}]")
+        back = bool(np.any(forces[:, 1])) or (state is not None and bool(np.any(np.isin(state, (-1.0, 2.0)))))
+        found.append(
+            SceneContact(
+                name=name,
+                at=at[rows],
+                axes=axes[rows],
+                pressure_angle=mesh.line[rows, 4],
+                base_helix=math.atan(float(mesh.first["tan_b"])),
+                base_pitch=float(mesh.first["p_bt"]),
+                width=(float(mesh.line[0, 2]), float(mesh.line[0, 3])),
+                path=(path[0], path[1]),
+                penetration=_penetration(name, mesh, read),
+                flanks=[
+                    ContactFlank(
+                        side=side,
+                        travel=mesh.travel[:, k],
+                        forces=forces[:, k],
+                        loads=loads[:, k],
+                        surfaces=_surfaces(model, name, mesh, side, moved),
+                    )
+                    for k, side in enumerate((1, -1))
+                    if side == 1 or back
+                ],
+            )
+        )
+    return found, notes
+
+
+def _moves(values: Array) -> float:
+    return float(np.ptp(values, axis=0).max())
+
+
+def _as_kept(name: str, mesh: _Mesh, read: Read) -> tuple[Array, Array]:
+    """Forces and loads of all slots, brought to the forces that the result keeps, damping included."""
+    kept = [read(f"pair_force[{name}.{k}]") for k in range(mesh.pairs)]
+    if any(one is None for one in kept) or not kept:
+        return mesh.forces, mesh.loads
+    both = np.stack([np.asarray(one) for one in kept], axis=1)
+    forces = np.stack([np.maximum(both, 0.0), np.minimum(both, 0.0)], axis=1)
+    factor = np.divide(forces, mesh.forces, out=np.zeros_like(forces), where=mesh.forces != 0.0)
+    return forces, mesh.loads * factor[..., None]
+
+
+def _penetration(name: str, mesh: _Mesh, read: Read) -> Array:
+    """Of the front and the back flanks [m]: channels tell that of the nearer one, and on which side it is."""
+    nearer = read(f"penetration[{name}]")
+    cos_b = math.cos(math.atan(float(mesh.first["tan_b"])))
+    x = mesh.deflection
+    if nearer is None:
+        nearer = (np.abs(x) - 0.5 * mesh.line[:, 5]) * cos_b
+    farther = nearer - 2.0 * np.abs(x) * cos_b
+    front = x >= 0.0
+    return np.stack([np.where(front, nearer, farther), np.where(front, farther, nearer)], axis=1)
+
+
+def _surfaces(model: Model, name: str, mesh: _Mesh, side: int, moved: Motion) -> list[FlankSurface]:
+    """Flanks of both gears where the path of contact reaches them: what the kernel's lines sweep over.
+
+    At a width z the flanks of pair 0 stand at `line` on the line of action, half of the penetration before
+    and behind it; a flank comes to another place of the path when its gear turns by the way over its base
+    radius.
+    """
+    b = mesh.first
+    k = 0 if side > 0 else 1
+    width = np.linspace(mesh.line[0, 2], mesh.line[0, 3], GRID[0])[:, None]
+    path = np.linspace(mesh.line[0, 0], mesh.line[0, 1], GRID[1])[None, :]
+    line = mesh.travel[0, k] + side * float(b["tan_b"]) * width
+    half = 0.5 * (side * mesh.deflection[0] - 0.5 * mesh.line[0, 5])
+    normal = side * b["cos_a"] * b["t"] + b["sin_a"] * b["e"]
+    points = b["P"] + width[..., None] * b["m"] + path[..., None] * normal
+    found = []
+    pair_0 = b.copy()
+    pair_0["flank"], pair_0["tooth"] = side, 0
+    teeth = pair_teeth.py_func(pair_0, 0)
+    for gear, (field, sign) in enumerate((("i", 1.0), ("j", -1.0))):
+        body, z = int(b[field]), int(b[f"z{gear + 1}"])
+        turn = sign * side * (path - line - sign * half) / float(b[f"r_b{gear + 1}"])
+        here = (points - moved.place[0, body]) @ moved.axes[0, body]
+        angle = -(moved.angle[0, body] + turn)
+        c, s = np.cos(angle), np.sin(angle)
+        placed = np.stack(
+            [c * here[..., 0] - s * here[..., 1], s * here[..., 0] + c * here[..., 1], here[..., 2]], axis=-1
+        )
+        found.append(
+            FlankSurface(
+                body=body - 1,
+                gear=model.meshes[name].gears[gear],
+                teeth=abs(z),
+                points=placed,
+                turn=-sign * side * 2.0 * math.pi / z,
+                tooth=int(teeth[gear]) % abs(z),
+                step=-side if gear == 0 else side * (1 if z > 0 else -1),
+            )
+        )
+    return found

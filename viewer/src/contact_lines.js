@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact lines as thin rods in the colours of their loads; balls at their ends tell front from back flanks.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  Mesh,
+  MeshBasicMaterial,
+  SphereGeometry,
+  Vector3,
+} from "three";
+import { STATES } from "./colours.js";
+import { litColour } from "./load_colours.js";
+
+const AROUND = 6; // corners of a rod
+const MOST = 24; // lines of a mesh that are drawn
+
+export class ContactLines {
+  /** @param {import("./contacts.js").Contact} contact @param {import("three").Group} root of what is drawn over the solids */
+  constructor(contact, root) {
+    this.contact = contact;
+    this.stations = contact.contact.flanks[0].loads?.shape[2] ?? 2;
+    const corners = MOST * this.stations * AROUND;
+    const geometry = new BufferGeometry();
+    for (const name of ["position", "color"])
+      geometry.setAttribute(
+        name,
+        new BufferAttribute(new Float32Array(3 * corners), 3).setUsage(DynamicDrawUsage),
+      );
+    const index = [];
+    for (let line = 0; line < MOST; line++)
+      for (let s = 0; s < this.stations - 1; s++)
+        for (let k = 0; k < AROUND; k++) {
+          const a = (line * this.stations + s) * AROUND + k,
+            b = (line * this.stations + s) * AROUND + ((k + 1) % AROUND);
+          index.push(a, b, a + AROUND, b, b + AROUND, a + AROUND);
+        }
+    geometry.setIndex(index);
+    this.rods = new Mesh(geometry, new MeshBasicMaterial({ vertexColors: true }));
+    this.rods.frustumCulled = false;
+    root.add(this.rods);
+    const ball = new SphereGeometry(1, 12, 8);
+    this.paints = Object.fromEntries(
+      [1, -1].map((side) => [side, new MeshBasicMaterial({ color: STATES[side].colour })]),
+    );
+    this.balls = Array.from({ length: 2 * MOST }, () => {
+      const mesh = new Mesh(ball, this.paints[1]);
+      mesh.visible = false;
+      root.add(mesh);
+      return mesh;
+    });
+  }
+
+  /** @param {import("./contacts.js").Line[]} lines @param {boolean} on @param {number} visible world length of a pixel [m] @param {number} greatest load of the colours */
+  update(lines, on, visible, greatest) {
+    // of flanks that carry nothing only the nearer ones are shown
+    const both = this.contact.penetration();
+    const nearer = both[1] >= both[-1] ? 1 : -1;
+    const drawn = on ? lines.filter((line) => line.force || line.side === nearer).slice(0, MOST) : [];
+    this.rods.visible = drawn.length > 0;
+    this.balls.forEach((ball) => (ball.visible = false));
+    const { position, color } = this.rods.geometry.attributes;
+    const thick = Math.min(2.6 * visible || Infinity, 0.07 * this.contact.contact.base_pitch);
+    drawn.forEach((line, n) => {
+      const carries = line.force !== 0;
+      const radius = carries ? thick : 0.4 * thick;
+      ALONG.subVectors(line.to, line.from);
+      ACROSS.set(0, 0, 1).cross(ALONG);
+      if (ACROSS.lengthSq() < 1e-12 * ALONG.lengthSq()) ACROSS.set(1, 0, 0).cross(ALONG);
+      ACROSS.normalize();
+      THIRD.crossVectors(ALONG, ACROSS).normalize();
+      for (let s = 0; s < this.stations; s++) {
+        const colour = carries ? litColour(greatest > 0 ? line.loads[s] / greatest : 0) : NONE;
+        POINT.copy(line.from).addScaledVector(ALONG, s / (this.stations - 1));
+        for (let k = 0; k < AROUND; k++) {
+          const angle = (2 * Math.PI * k) / AROUND;
+          const at = (n * this.stations + s) * AROUND + k;
+          position.setXYZ(
+            at,
+            POINT.x + radius * (Math.cos(angle) * ACROSS.x + Math.sin(angle) * THIRD.x),
+            POINT.y + radius * (Math.cos(angle) * ACROSS.y + Math.sin(angle) * THIRD.y),
+            POINT.z + radius * (Math.cos(angle) * ACROSS.z + Math.sin(angle) * THIRD.z),
+          );
+          color.setXYZ(at, ...colour);
+        }
+      }
+      if (!carries) return;
+      for (const [k, point] of [line.from, line.to].entries()) {
+        const ball = this.balls[2 * n + k];
+        ball.visible = true;
+        ball.material = this.paints[line.side];
+        ball.position.copy(point);
+        ball.scale.setScalar(1.9 * thick);
+      }
+    });
+    position.needsUpdate = color.needsUpdate = true;
+    this.rods.geometry.setDrawRange(0, drawn.length * (this.stations - 1) * AROUND * 6);
+  }
+}
+
+const ALONG = new Vector3();
+const ACROSS = new Vector3();
+const THIRD = new Vector3();
+const POINT = new Vector3();
+const NONE = [0.29, 0.31, 0.36];

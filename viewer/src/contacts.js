@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the teeth of a mesh touch at an instant: straight lines in the plane of action, and what they carry.
+import { Matrix4, Quaternion, Vector3 } from "three";
+import { lerp } from "./frames.js";
+
+/**
+ * A contact line: two ends in the world, its pair and side, force along the base tangent and loads along it.
+ * @typedef {{pair: number, slot: number, side: number, from: Vector3, to: Vector3, force: number, loads: Float64Array, centre: Vector3, share: (z: number) => number}} Line
+ */
+
+const modulo = (a, n) => ((a % n) + n) % n;
+
+/** Pairs whose lines reach the face at a travel, and the part of the width where they do. @param {any} contact @param {any} flank @param {number} travel */
+export function reached(contact, flank, travel) {
+  const slope = flank.side * Math.tan(contact.base_helix);
+  const [low, high] = contact.width,
+    [start, end] = contact.path,
+    pitch = contact.base_pitch;
+  const ends = [slope * low, slope * high];
+  const found = [];
+  const first = Math.ceil((travel + Math.min(...ends) - end) / pitch);
+  const last = Math.floor((travel + Math.max(...ends) - start) / pitch);
+  for (let pair = first; pair <= last; pair++) {
+    const place = travel - pair * pitch;
+    const limits = slope ? [(start - place) / slope, (end - place) / slope] : [low, high];
+    if (!slope && (place < start || place > end)) continue;
+    const from = Math.max(low, Math.min(...limits)),
+      to = Math.min(high, Math.max(...limits));
+    if (to >= from) found.push({ pair, place, slope, from, to });
+  }
+  return found;
+}
+
+export class Contact {
+  /** @param {any} contact of a scene @param {import("./poses.js").Poses} poses */
+  constructor(contact, poses) {
+    this.contact = contact;
+    this.poses = poses;
+    this.name = contact.name;
+    this.greatest = Math.max(0, ...contact.flanks.map((flank) => most(flank.loads)));
+    this.pairs = Math.max(0, ...contact.flanks.map((flank) => flank.forces?.width ?? 0));
+    this.matrix = new Matrix4();
+  }
+
+  /** Mesh frame in the world at the instant of the poses: towards gear 2, along the tangent, along the axis. */
+  frame() {
+    const { contact, poses } = this;
+    const { where } = poses;
+    TURN.set(...[0, 1, 2, 3].map((c) => lerp(contact.axes, where, c))).normalize();
+    POINT.set(...[0, 1, 2].map((c) => lerp(contact.at, where, c)));
+    return this.matrix.compose(POINT, TURN, ONE);
+  }
+
+  /** Direction of the line of action of one side, in the mesh frame. @param {number} side */
+  normal(side) {
+    const alpha = lerp(this.contact.pressure_angle, this.poses.where);
+    return new Vector3(Math.sin(alpha), side * Math.cos(alpha), 0);
+  }
+
+  /** Contact lines of all pairs in reach. @returns {Line[]} */
+  lines() {
+    const frame = this.frame();
+    return this.contact.flanks.flatMap((flank) => {
+      const travel = lerp(flank.travel, this.poses.where);
+      const normal = this.normal(flank.side);
+      const point = (place, slope, z) =>
+        normal
+          .clone()
+          .multiplyScalar(place + slope * z)
+          .setZ(z)
+          .applyMatrix4(frame);
+      return reached(this.contact, flank, travel).map(({ pair, place, slope, from, to }) => {
+        const { force, loads } = this.#carried(flank, pair);
+        const weight = loads.reduce((sum, load) => sum + load, 0);
+        const middle = weight
+          ? loads.reduce((sum, load, k) => sum + (load * k) / (loads.length - 1), 0) / weight
+          : 0.5;
+        return {
+          pair,
+          side: flank.side,
+          slot: modulo(pair, Math.max(1, this.pairs)),
+          from: point(place, slope, from),
+          to: point(place, slope, to),
+          centre: point(place, slope, from + middle * (to - from)),
+          force,
+          loads,
+        };
+      });
+    });
+  }
+
+  /** Force and loads of a pair between two frames; in a frame in which another pair has its slot, it has none. */
+  #carried(flank, pair) {
+    const loads = new Float64Array(flank.loads ? flank.loads.shape[2] : 2);
+    let force = 0;
+    if (!flank.loads) return { force, loads };
+    const slot = modulo(pair, flank.forces.width);
+    const { low, share } = this.poses.where;
+    const rows = share ? [low, low + 1] : [low];
+    rows.forEach((row, k) => {
+      const weight = k ? share : 1 - share;
+      const travel = flank.travel.data[row];
+      if (!reached(this.contact, flank, travel).some((one) => one.pair === pair)) return;
+      force += weight * flank.forces.data[row * flank.forces.width + slot];
+      const at = row * flank.loads.width + slot * loads.length;
+      for (let s = 0; s < loads.length; s++) loads[s] += weight * flank.loads.data[at + s];
+    });
+    return { force, loads };
+  }
+
+  /** Penetration of front and back flanks, below 0 their distance [m]. */
+  penetration() {
+    const { penetration } = this.contact;
+    return { 1: lerp(penetration, this.poses.where, 0), "-1": lerp(penetration, this.poses.where, 1) };
+  }
+
+  /** Forces of single pairs, as arrows. @param {Line[]} lines */
+  pairForces(lines) {
+    const frame = this.matrix;
+    const alpha = lerp(this.contact.pressure_angle, this.poses.where);
+    const tangent = Math.tan(this.contact.base_helix);
+    const parts = (force) => ({
+      circumferential: new Vector3(0, force * Math.cos(alpha), 0),
+      radial: new Vector3(Math.abs(force) * Math.sin(alpha), 0, 0),
+      axial: new Vector3(0, 0, -force * tangent),
+    });
+    return Array.from({ length: this.pairs }, (_, slot) => {
+      const line = lines.find((one) => one.slot === slot && one.force);
+      const vectors = parts(line?.force ?? 0);
+      const values = {};
+      for (const [part, vector] of Object.entries(vectors)) {
+        values[part] = vector.length();
+        vector.transformDirection(frame).setLength(values[part]);
+      }
+      const total = Math.hypot(...Object.values(values));
+      const at = line ? line.centre : new Vector3().setFromMatrixPosition(frame);
+      return { state: line ? line.side : 0, vectors, values, at, total };
+    });
+  }
+}
+
+/** Largest number of a table. @param {any} table */
+function most(table) {
+  let found = 0;
+  for (const x of table?.data ?? []) if (x > found) found = x;
+  return found;
+}
+
+const TURN = new Quaternion();
+const POINT = new Vector3();
+const ONE = new Vector3(1, 1, 1);

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// All contacts of a picture: lines, patterns, gauges, forces of pairs; and what the reader is told about them.
+import { button, choice, el, logSlider, tick } from "./dom.js";
+import { Contact } from "./contacts.js";
+import { ContactLines } from "./contact_lines.js";
+import { Gauge } from "./gauge.js";
+import { gradient } from "./load_colours.js";
+import { length, number } from "./numbers.js";
+import { Pattern } from "./pattern.js";
+
+export class Flanks {
+  /**
+   * @param {any} scene @param {import("three").Group} root of the solids
+   * @param {import("three").Group} over root of what is drawn over them @param {import("./poses.js").Poses} poses
+   */
+  constructor(scene, root, over, poses) {
+    this.meshes = scene.contacts.map((each) => {
+      const contact = new Contact(each, poses);
+      return {
+        contact,
+        rods: new ContactLines(contact, over),
+        pattern: new Pattern(contact, root, poses),
+        gauge: new Gauge(contact, over),
+        lines: [],
+      };
+    });
+    this.greatest = Math.max(0, ...this.meshes.map(({ contact }) => contact.greatest));
+    this.showsLines = true;
+    this.mode = "off";
+    /** whether the colours of a mesh go up to its own largest load */
+    this.own = false;
+    /** mesh whose gauge is shown */
+    this.gauged = -1;
+    this.hidden = false;
+  }
+
+  /** Whether anything is drawn over the solids. */
+  get over() {
+    return !this.hidden && this.meshes.length > 0 && (this.showsLines || this.gauged >= 0);
+  }
+
+  /** Arrows of the pairs of all meshes, for Arrows: one a slot. */
+  pairs() {
+    return this.meshes.flatMap((mesh) =>
+      Array.from({ length: mesh.contact.pairs }, (_, slot) => {
+        const size = this.#size(mesh.contact, slot);
+        return {
+          name: `${mesh.contact.name}, pair ${slot + 1}`,
+          kind: "pair",
+          unit: "N",
+          size,
+          now: () => mesh.forces?.[slot] ?? mesh.contact.pairForces([])[slot],
+          largest: largest(mesh.contact.contact, size),
+        };
+      }),
+    );
+  }
+
+  /** Largest force of a slot, all parts together [N]. */
+  #size(contact, slot) {
+    let most = 0;
+    for (const { forces } of contact.contact.flanks)
+      for (let k = slot; forces && k < forces.data.length; k += forces.width)
+        most = Math.max(most, Math.abs(forces.data[k]));
+    return most / Math.cos(contact.contact.base_helix);
+  }
+
+  /** What arrows need, before they ask. */
+  look() {
+    for (const mesh of this.meshes) {
+      mesh.lines = mesh.contact.lines();
+      mesh.forces = mesh.contact.pairForces(mesh.lines);
+    }
+  }
+
+  /** @param {number} visible world length of a pixel [m] */
+  update(visible) {
+    this.meshes.forEach(({ contact, rods, pattern, gauge, lines }, k) => {
+      const greatest = this.own ? contact.greatest : this.greatest;
+      rods.update(lines, this.showsLines && !this.hidden, visible, greatest);
+      pattern.update(contact.greatest > 0 ? this.mode : "off", this.hidden, greatest);
+      gauge.update(k === this.gauged && !this.hidden);
+    });
+  }
+
+  /** @param {import("three").Plane[]} planes */
+  cut(planes) {
+    for (const { pattern } of this.meshes) pattern.cut(planes);
+  }
+
+  /** For tests and pages that steer the viewer. */
+  state() {
+    const triple = (v) => [v.x, v.y, v.z];
+    return {
+      lines: this.showsLines,
+      pattern: this.mode,
+      gauge: this.gauged,
+      greatest: this.greatest,
+      meshes: this.meshes.map(({ contact, lines, pattern, gauge }) => ({
+        name: contact.name,
+        penetration: contact.penetration(),
+        magnified: gauge.times,
+        plates: gauge.shown(),
+        lines: lines.map(({ pair, side, force, from, to, loads }) => ({
+          pair,
+          side,
+          force,
+          from: triple(from),
+          to: triple(to),
+          loads: [...loads],
+        })),
+        pattern: this.mode === "off" ? [] : pattern.words(),
+      })),
+    };
+  }
+}
+
+/** Largest length of each part of a pair force. @param {any} contact @param {number} size */
+function largest(contact, size) {
+  const base = size * Math.cos(contact.base_helix);
+  const alpha = contact.pressure_angle.data[0];
+  return {
+    circumferential: base * Math.cos(alpha),
+    radial: base * Math.sin(alpha),
+    axial: base * Math.abs(Math.tan(contact.base_helix)),
+  };
+}
+
+const perWidth = (load) => `${number(load / 1000, 3)}\u2009N/mm`;
+
+/** The box that tells colours and gaps. */
+export class FlankBox {
+  /** @param {Flanks} flanks */
+  constructor(flanks) {
+    this.flanks = flanks;
+    this.now = el("span", {});
+    this.end = el("span", {});
+    this.gap = el("div", { className: "ppv-gap" });
+    this.bar = el(
+      "div",
+      { hidden: !(flanks.greatest > 0) },
+      el("span", {}, "load on flanks"),
+      el("i", { style: `background:${gradient()}` }),
+      el("div", { className: "ppv-ends" }, el("span", {}, "0"), this.now, this.end),
+    );
+    this.element = el("div", { className: "ppv-flanks", role: "status" }, this.bar, this.gap);
+  }
+
+  update() {
+    const { flanks } = this;
+    const gauge = flanks.meshes[flanks.gauged];
+    this.element.hidden =
+      flanks.hidden || !flanks.meshes.length || (!flanks.showsLines && flanks.mode === "off" && !gauge);
+    if (this.element.hidden) return;
+    const most = Math.max(0, ...flanks.meshes.flatMap(({ lines }) => lines.flatMap(({ loads }) => [...loads])));
+    this.now.textContent = most > 0 ? `now ${perWidth(most)}` : "now none";
+    this.end.textContent = flanks.own ? "largest of the mesh" : perWidth(flanks.greatest);
+    this.gap.hidden = !gauge;
+    if (!gauge) return;
+    const both = gauge.contact.penetration();
+    const words = (side, name) =>
+      `${name} ${length3(Math.abs(both[side]))} ${both[side] > 0 ? "deep" : "apart"}`;
+    this.gap.textContent = `${gauge.contact.name.replaceAll("_", " ")}: ${words(1, "front flank")}, ${words(-1, "back flank")}; drawn × ${number(gauge.gauge.times, 2)}`;
+  }
+}
+
+/** A length with three digits. @param {number} metres */
+function length3(metres) {
+  const [unit, name] = metres < 1e-3 ? [1e-6, "µm"] : [1e-3, "mm"];
+  return `${number(metres / unit, 3)}\u2009${name}`;
+}
+
+/** Rows of the panel of flanks. @param {import("./page.js").Page} page */
+export function flankRows(page) {
+  const all = page.stage.pictures.map((picture) => picture.flanks);
+  const { meshes, greatest } = all[0];
+  const set = (change) => {
+    for (const flanks of all) change(flanks);
+    page.changed();
+  };
+  const lines = tick("contact lines", true, (on) => set((flanks) => (flanks.showsLines = on)));
+  const pattern = choice(
+    "pattern so far",
+    [
+      ["off", "none"],
+      ["all", "all teeth together"],
+      ["each", "each tooth"],
+    ],
+    (mode) => set((flanks) => (flanks.mode = mode)),
+    "Largest load that every place of a flank has carried so far",
+  );
+  const times = logSlider({
+    label: "× ",
+    title: "How much the gap is magnified along the line of action",
+    least: 1,
+    most: 1e4,
+    value: 1,
+    show: (x) => number(x, 2),
+    changed: (x) => set((flanks) => flanks.meshes.forEach(({ gauge }) => (gauge.times = x))),
+  });
+  const gauge = choice(
+    "gap of",
+    [["-1", "none"], ...meshes.map(({ contact }, k) => [String(k), contact.name.replaceAll("_", " ")])],
+    (k) => page.gauge(Number(k)),
+    "Mesh whose gap is shown, magnified",
+  );
+  const own = tick("colours of each mesh by itself", false, (on) => set((flanks) => (flanks.own = on)));
+  page.flankRows = { lines, pattern, gauge, times };
+  return [
+    lines.row,
+    greatest > 0 ? pattern.row : null,
+    greatest > 0 && meshes.length > 1 ? own.row : null,
+    gauge.row,
+    times.row,
+    el(
+      "div",
+      { className: "ppv-buttons" },
+      button("look at the gap", "Look into the mesh whose gap is shown", () => page.intoGap()),
+    ),
+    el(
+      "p",
+      { className: "ppv-soft" },
+      "Colours: load per width. Balls at the ends of a line: front or back flank; a thin grey line carries nothing.",
+    ),
+  ].filter(Boolean);
+}

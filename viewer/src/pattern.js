@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact pattern: the largest load that every place of a flank has carried so far, painted on the teeth.
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from "three";
+import { reached } from "./contacts.js";
+import { litColour } from "./load_colours.js";
+
+const modulo = (a, n) => ((a % n) + n) % n;
+
+/** Largest loads on a grid over one flank and over every tooth, frame after frame. */
+class Record {
+  /** @param {any} contact @param {any} flank */
+  constructor(contact, flank) {
+    this.contact = contact;
+    this.flank = flank;
+    [this.nz, this.nx] = flank.surfaces[0].points.shape;
+    this.frames = flank.travel.count;
+    this.clear();
+  }
+
+  clear() {
+    const { nz, nx, flank } = this;
+    this.done = -1;
+    this.all = new Float32Array(nz * nx);
+    this.each = flank.surfaces.map((surface) => new Float32Array(surface.teeth * nz * nx));
+  }
+
+  /** Take in all frames up to one. @param {number} frame @returns {boolean} whether anything is new */
+  upTo(frame) {
+    if (frame === this.done) return false;
+    if (frame < this.done) this.clear();
+    while (this.done < frame) {
+      this.done++;
+      this.#sweep(Math.max(0, this.done - 1), this.done);
+    }
+    return true;
+  }
+
+  /** Load in a frame of the pair that makes a line, at a width, or null where the line is not. */
+  #load(row, line, z) {
+    const { flank } = this;
+    if (!line || z < line.from || z > line.to) return null;
+    const count = flank.loads.shape[2];
+    const at = row * flank.loads.width + modulo(line.pair, flank.forces.width) * count;
+    const x = line.to > line.from ? ((z - line.from) / (line.to - line.from)) * (count - 1) : 0;
+    const k = Math.min(Math.floor(x), count - 2);
+    const [a, b] = [flank.loads.data[at + k], flank.loads.data[at + k + 1]];
+    return a + (x - k) * (b - a);
+  }
+
+  /** Lines move straight from one frame to the next, unless a pair goes by in between. */
+  #sweep(before, now) {
+    const { contact, flank, nz, nx } = this;
+    const [start, end] = contact.path,
+      [low, high] = contact.width;
+    const step = (end - start) / (nx - 1);
+    const travel = flank.travel.data;
+    const whole = Math.abs(travel[now] - travel[before]) > 0.75 * contact.base_pitch;
+    const lines = whole ? [] : reached(contact, flank, travel[before]);
+    for (const line of reached(contact, flank, travel[now])) {
+      const { pair, slope } = line;
+      const was = lines.find((one) => one.pair === pair);
+      for (let j = 0; j < nz; j++) {
+        const z = low + ((high - low) * j) / (nz - 1);
+        const after = this.#load(now, line, z);
+        if (after === null) continue;
+        const earlier = this.#load(before, was, z);
+        const to = travel[now] - pair * contact.base_pitch + slope * z;
+        const from = earlier === null ? to : travel[before] - pair * contact.base_pitch + slope * z;
+        const first = Math.max(0, Math.ceil((Math.min(from, to) - start) / step - 0.5));
+        const last = Math.min(nx - 1, Math.floor((Math.max(from, to) - start) / step + 0.5));
+        for (let k = first; k <= last; k++) {
+          const share =
+            from === to ? 1 : Math.max(0, Math.min(1, (start + k * step - from) / (to - from)));
+          this.#put(pair, j * nx + k, (earlier ?? after) * (1 - share) + after * share);
+        }
+      }
+    }
+  }
+
+  #put(pair, at, load) {
+    if (load > this.all[at]) this.all[at] = load;
+    this.flank.surfaces.forEach((surface, g) => {
+      const tooth = modulo(surface.tooth + surface.step * pair, surface.teeth);
+      const place = tooth * this.nz * this.nx + at;
+      if (load > this.each[g][place]) this.each[g][place] = load;
+    });
+  }
+}
+
+export class Pattern {
+  /** @param {import("./contacts.js").Contact} contact @param {import("three").Group} root @param {import("./poses.js").Poses} poses */
+  constructor(contact, root, poses) {
+    this.poses = poses;
+    this.greatest = contact.greatest;
+    this.mode = "off";
+    this.parts = contact.contact.flanks
+      .filter((flank) => flank.loads)
+      .map((flank) => {
+        const record = new Record(contact.contact, flank);
+        return { record, meshes: flank.surfaces.map((surface, g) => this.#teeth(record, surface, g, root)) };
+      });
+  }
+
+  /** Flanks of all teeth of a gear, without paint. */
+  #teeth(record, surface, g, root) {
+    const { nz, nx } = record;
+    const each = nz * nx;
+    const position = new Float32Array(3 * each * surface.teeth);
+    const index = [];
+    for (let tooth = 0; tooth < surface.teeth; tooth++) {
+      // pairs count the teeth of a gear in one of both senses
+      const angle = surface.turn * surface.step * (tooth - surface.tooth);
+      const c = Math.cos(angle),
+        s = Math.sin(angle);
+      for (let k = 0; k < each; k++) {
+        const [x, y, z] = surface.points.data.subarray(3 * k, 3 * k + 3);
+        position.set([c * x - s * y, s * x + c * y, z], 3 * (tooth * each + k));
+      }
+      for (let j = 0; j < nz - 1; j++)
+        for (let k = 0; k < nx - 1; k++) {
+          const a = tooth * each + j * nx + k;
+          index.push(a, a + 1, a + nx, a + 1, a + nx + 1, a + nx);
+        }
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(position, 3));
+    geometry.setAttribute("color", new BufferAttribute(new Float32Array(4 * each * surface.teeth), 4));
+    geometry.setIndex(index);
+    const mesh = new Mesh(
+      geometry,
+      new MeshBasicMaterial({
+        vertexColors: true,
+        transparent: true,
+        side: DoubleSide,
+        depthWrite: false,
+        polygonOffset: true,
+        polygonOffsetFactor: -2,
+        polygonOffsetUnits: -40,
+      }),
+    );
+    mesh.matrixAutoUpdate = false;
+    mesh.frustumCulled = false;
+    mesh.visible = false;
+    mesh.userData.body = surface.body;
+    mesh.userData.gear = g;
+    root.add(mesh);
+    return mesh;
+  }
+
+  /** @param {"off"|"all"|"each"} mode @param {boolean} hidden @param {number} greatest load of the colours */
+  update(mode, hidden, greatest) {
+    const frame = this.poses.where.share === 1 ? this.poses.where.low + 1 : this.poses.where.low;
+    for (const { record, meshes } of this.parts) {
+      const on = mode !== "off" && !hidden;
+      for (const mesh of meshes) {
+        mesh.visible = on;
+        if (on) mesh.matrix.copy(this.poses.world[mesh.userData.body]);
+      }
+      if (!on) continue;
+      const fresh = record.upTo(frame);
+      if (fresh || mode !== this.mode || greatest !== this.painted)
+        for (const mesh of meshes) this.#paint(record, mesh, mode, greatest);
+    }
+    this.mode = mode;
+    this.painted = greatest;
+  }
+
+  #paint(record, mesh, mode, greatest) {
+    const { color } = mesh.geometry.attributes;
+    const each = record.nz * record.nx;
+    const loads = mode === "all" ? record.all : record.each[mesh.userData.gear];
+    for (let k = 0; k < color.count; k++) {
+      const load = loads[mode === "all" ? k % each : k];
+      color.setXYZW(k, ...(load > 0 ? [...litColour(load / greatest), 1] : [0, 0, 0, 0]));
+    }
+    color.needsUpdate = true;
+  }
+
+  /** @param {import("three").Plane[]} planes */
+  cut(planes) {
+    for (const { meshes } of this.parts)
+      for (const { material } of meshes) {
+        material.clippingPlanes = planes.length ? planes : null;
+        material.needsUpdate = true;
+      }
+  }
+
+  /** What is painted, for tests: largest load and share of the places that ever carried one. */
+  words() {
+    return this.parts.map(({ record }) => ({
+      side: record.flank.side,
+      greatest: record.all.reduce((most, x) => Math.max(most, x), 0),
+      covered: record.all.filter((x) => x > 0).length / record.all.length,
+      teeth: record.each.map((grid, g) => {
+        const each = record.nz * record.nx;
+        const touched = [];
+        for (let tooth = 0; tooth < record.flank.surfaces[g].teeth; tooth++)
+          if (grid.subarray(tooth * each, (tooth + 1) * each).some((x) => x > 0)) touched.push(tooth);
+        return touched;
+      }),
+    }));
+  }
+}
