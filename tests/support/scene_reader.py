@@ -55,10 +55,29 @@ class Seen:
     def solid(self, name: str) -> dict[str, Any]:
         return next(s for s in self.header["solids"] if s["name"] == name)
 
+    def mesh(self, name: str, level: int = -1) -> tuple[np.ndarray, np.ndarray]:
+        """Points of a solid in its body, all copies of its pieces in one fineness, and triangles."""
+        solid = self.solid(name)
+        points, triangles, count = [], [], 0
+        parts = solid.get("pieces") or [{"levels": [solid]}]
+        for part in parts:
+            surface = part["levels"][level]
+            corners = self.array(surface["points"]).astype(float)
+            faces = self.array(surface["triangles"]).astype(int)
+            for turn in self.array(part["turns"]) if "turns" in part else [0.0]:
+                turned = Rotation.from_rotvec([0.0, 0.0, turn]).as_matrix()
+                points.append(corners @ turned.T)
+                triangles.append(faces + count)
+                count += len(corners)
+        seat = Rotation.from_quat(solid.get("axes", [0.0, 0.0, 0.0, 1.0])).as_matrix()
+        return np.concatenate(points) @ seat.T + solid.get("place", [0.0] * 3), np.concatenate(triangles)
+
     def placed(self, name: str, frame: int) -> np.ndarray:
         """Corners of a solid in the world."""
         solid = self.solid(name)
-        points = self.array(solid["points"]).astype(float)
+        points = self.mesh(name)[0]
+        if "between" in solid:
+            return self._between(solid["between"], points, frame)
         if "skin" not in solid:
             origin, axes = self.pose(solid["body"], frame)
             return origin + points @ axes.T
@@ -72,6 +91,15 @@ class Seen:
         return (1.0 - w) * moved[self.array(skin["first"]), rows] + w * moved[
             self.array(skin["second"]), rows
         ]
+
+    def _between(self, stretched: dict[str, Any], points: np.ndarray, frame: int) -> np.ndarray:
+        """Points whose third axis goes from one end to the other; those across it lie somewhere around it."""
+        poses = [self.pose(b, frame) for b in stretched["bodies"]]
+        a, b = (o + m @ np.array(end) for (o, m), end in zip(poses, stretched["ends"], strict=True))
+        z = (b - a) / np.linalg.norm(b - a)
+        x = np.cross(z, np.eye(3)[np.argmin(np.abs(z))])
+        x /= np.linalg.norm(x)
+        return a + points @ np.array([x, np.cross(z, x), b - a])
 
     def rest(self, b: int) -> tuple[np.ndarray, np.ndarray]:
         if b < 0:

@@ -20,8 +20,12 @@ const KINDS = {
   bearing: "#6b7885",
   housing: "#9fb3c6",
   carrier: "#b9b39c",
+  spring: "#8d97a1",
   body: "#a9b6c0",
 };
+
+/** Damaged teeth lean towards it. */
+export const FAULT = "#c2452d";
 
 /** @param {string} kind @param {number} order which of its kind */
 export function colourOfPart(kind, order) {

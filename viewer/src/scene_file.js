@@ -135,9 +135,16 @@ function checkShapes(scene) {
   });
   for (const solid of scene.solids) {
     check(solid.body >= -1 && solid.body < scene.bodies.length, `solid ${solid.name} belongs to no body`);
-    check(solid.points?.width === 3 && solid.triangles?.width === 3, `solid ${solid.name} has no surface`);
-    for (const corner of solid.triangles.data)
-      check(corner < solid.points.count, `solid ${solid.name} has a triangle without a point`);
+    const surfaces = solid.pieces ? solid.pieces.flatMap((piece) => piece.levels ?? []) : [solid];
+    check(surfaces.length, `solid ${solid.name} has no surface`);
+    for (const { points, triangles } of surfaces) {
+      check(points?.width === 3 && triangles?.width === 3, `solid ${solid.name} has no surface`);
+      for (const corner of triangles.data)
+        check(corner < points.count, `solid ${solid.name} has a triangle without a point`);
+    }
+    for (const piece of solid.pieces ?? []) check(piece.turns?.count, `solid ${solid.name} stands nowhere`);
+    for (const body of solid.between?.bodies ?? [])
+      check(body >= -1 && body < scene.bodies.length, `solid ${solid.name} ends on a body that is not there`);
     for (const body of solid.skin?.bodies ?? [])
       check(body in scene.bodies, `the skin of ${solid.name} names a body that is not there`);
   }

@@ -40,6 +40,7 @@ export function stateOf(page) {
       seen: [...stage.seen.elements],
       magnification: picture.poses.magnification,
       triangles: picture.solids.triangles,
+      drawnTriangles: picture.solids.drawn,
       crowds: picture.solids.crowds.length,
       arrows: (picture.arrows.now ?? []).map((force, k) => ({
         name: force.name,

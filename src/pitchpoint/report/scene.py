@@ -26,8 +26,10 @@ Array = NDArray[np.float64]
 MOST_FRAMES = 2000
 NUMBERS = 4e5
 """Most numbers of all tracks: with more bodies there are fewer frames."""
-PIECES = 500
-"""Pieces of a record that a curve is drawn from."""
+PIECES = (500, 200)
+"""Pieces of a record that a curve is drawn from, most and least."""
+CURVES = 1e5
+"""Most pieces of all curves: with more of them each has fewer."""
 PARTS = ("circumferential", "radial", "axial")
 FIRST = ("normal_force", "transmission_error")
 """Quantities that are drawn without asking."""
@@ -114,7 +116,8 @@ class _Record:
         if self.result is None:
             return []
         time = np.asarray(self.result["time"].values, dtype=np.float64)
-        edges = np.unique(np.linspace(0, time.size, min(PIECES, time.size) + 1).round().astype(np.int64))[:-1]
+        most = int(min(PIECES[0], max(PIECES[1], CURVES / max(1, len(self.result.data_vars)))))
+        edges = np.unique(np.linspace(0, time.size, min(most, time.size) + 1).round().astype(np.int64))[:-1]
         found = []
         for name, values in self.result.data_vars.items():
             if values.dims != ("time",):

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,24 +16,19 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.shaft_solid import shaft_solid
-from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.geometry.triangle_file import join_corners, placed_triangles, read_triangles
 from pitchpoint.model.frames import GROUND, frame, marker_of, split
 from pitchpoint.model.shafts import nearest_station, section_at, station_names
+from pitchpoint.report.scene_gears import gear_part
 from pitchpoint.viz.scene import SceneSolid, Skin
 
 if TYPE_CHECKING:
-    from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
 
-POINTS_A_FLANK = 10
-"""Points of a flank that are drawn: chords stay within 0.3 % of a module of the involute."""
 ROUND = 48
 """Corners of a drawn circle."""
-TWIST = math.radians(2.5)
-"""Turn of a helical section from slice to slice."""
 SPINDLE = 0.35
 """Radius of a drawn spindle, as a part of the smallest root radius on it."""
 
@@ -52,18 +46,18 @@ def scene_solids(model: Model, bodies: dict[str, int]) -> tuple[list[SceneSolid]
     found: list[SceneSolid] = []
     notes: list[str] = []
     thinner = thinning(model)
-    for name, gear in model.gears.items():
+    for name in model.gears:
         seat = _seat(model, name)
         if seat is None:
             continue
+        body, height = seat
         try:
-            corners = gear_triangles(gear, thinner.get(name, 0.0))
+            solid, unseen = gear_part(model, name, bodies[body], height, thinner.get(name, 0.0))
         except GeometryError as error:
             notes.append(f"gear {name} is not drawn: {error}")
             continue
-        body, height = seat
-        placed = _turned(corners, model.phasing.tooth_angle[name]) + np.array([0.0, 0.0, height])
-        found.append(_solid(name, "gear", bodies[body], placed, teeth=gear.number_of_teeth))
+        found.append(solid)
+        notes += unseen
     for name in model.shafts:
         found.append(_shaft(model, name, bodies))
     for name, part in model.bodies.items():
@@ -95,31 +89,6 @@ def thinning(model: Model) -> dict[str, float]:
     return found
 
 
-def gear_triangles(gear: Gear, thinner: float = 0.0) -> Array:
-    """Triangles of a gear with its blank, middle plane z = 0, tooth 0 on the x axis, shape (n, 3, 3) [m].
-
-    Parameters
-    ----------
-    gear
-        The gear.
-    thinner
-        Normal thickness that its teeth lack [m].
-    """
-    shape = gear.geometry
-    shape = replace(shape, thickness_allowance=shape.thickness_allowance - thinner)
-    slices = 1
-    if shape.beta != 0.0:
-        slices = max(2, math.ceil(abs(2.0 * math.tan(shape.beta) / shape.d * shape.b) / TWIST))
-    return gear_solid(
-        shape,
-        POINTS_A_FLANK,
-        slices,
-        bore_diameter=gear.bore_diameter,
-        rim_thickness=gear.rim_thickness,
-        web_thickness=gear.web_thickness,
-    )
-
-
 def _solid(
     name: str, kind: str, body: int, corners: Array, *, teeth: int = 0, creases: float = 35.0
 ) -> SceneSolid:
@@ -129,11 +98,6 @@ def _solid(
     return SceneSolid(
         name=name, kind=kind, body=body, points=points, triangles=triangles, teeth=teeth, creases=creases
     )
-
-
-def _turned(corners: Array, angle: float) -> Array:
-    c, s = math.cos(angle), math.sin(angle)
-    return corners @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
 def _seat(model: Model, gear: str) -> tuple[str, float] | None:

@@ -71,6 +71,42 @@ class Skin:
     weight: Array
 
 
+@dataclass(frozen=True)
+class SceneLevel:
+    """A surface in one fineness: how far off it lies [m], points (n, 3) [m], triangles (m, 3)."""
+
+    error: float
+    points: Array
+    triangles: Indices
+
+
+@dataclass(frozen=True)
+class ScenePiece:
+    """A part of a surface that stands around the third axis several times.
+
+    Attributes
+    ----------
+    turns
+        Angles of its copies [rad].
+    levels
+        The part from coarse to fine.
+    fault
+        What is wrong with it, if anything.
+    """
+
+    turns: Array
+    levels: Sequence[SceneLevel]
+    fault: str = ""
+
+
+@dataclass(frozen=True)
+class Between:
+    """The two ends of a solid that is stretched between two bodies: numbers, and places in their frames."""
+
+    bodies: tuple[int, int]
+    ends: tuple[Array, Array]
+
+
 @dataclass(frozen=True, kw_only=True)
 class SceneSolid:
     """Triangles on a body.
@@ -78,12 +114,20 @@ class SceneSolid:
     Attributes
     ----------
     name, kind
-        Name, and gear, shaft, bearing, housing, carrier or body.
+        Name, and gear, shaft, bearing, housing, carrier, spring or body.
     body
         Number of the body.
     points, triangles
-        Corners, shape (n, 3) [m], in the frame of the body; triangles, shape (m, 3), counter-clockwise seen
+        Corners, shape (n, 3) [m], in the frame of the solid; triangles, shape (m, 3), counter-clockwise seen
         from outside.
+    pieces
+        In their place the parts of a gear.
+    place, axes
+        Frame of the solid in that of the body, shape (3,) [m] and (3, 3); none where it is the same.
+    between
+        The points that it is stretched between: its third axis goes from 0 at the first to 1 at the second.
+    schematic
+        Whether it only stands for something whose shape is not known.
     teeth
         Number of teeth of a gear, 0 for others.
     see_through
@@ -97,8 +141,13 @@ class SceneSolid:
     name: str
     kind: str
     body: int
-    points: Array
-    triangles: Indices
+    points: Array | None = None
+    triangles: Indices | None = None
+    pieces: Sequence[ScenePiece] = ()
+    place: Array | None = None
+    axes: Array | None = None
+    between: Between | None = None
+    schematic: bool = False
     teeth: int = 0
     see_through: bool = False
     creases: float = 35.0

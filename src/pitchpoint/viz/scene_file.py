@@ -16,7 +16,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.viz.scene import Scene, SceneArrow, SceneBody, SceneChannel, SceneSolid
+from pitchpoint.viz.scene import (
+    Array,
+    Indices,
+    Scene,
+    SceneArrow,
+    SceneBody,
+    SceneChannel,
+    ScenePiece,
+    SceneSolid,
+)
 
 FORMAT = "pitchpoint-scene-1"
 _LEVELS = 65535
@@ -137,16 +146,27 @@ def _body(body: SceneBody, block: _Block) -> dict[str, Any]:
 
 
 def _solid(solid: SceneSolid, block: _Block) -> dict[str, Any]:
-    few = len(solid.points) <= _LEVELS + 1
     found: dict[str, Any] = {
         "name": solid.name,
         "kind": solid.kind,
         "body": solid.body,
-        "points": block.put(_finite(solid.points, solid.name), "f4"),
-        "triangles": block.put(solid.triangles, "u2" if few else "u4"),
         "creases": solid.creases,
         "see_through": solid.see_through,
     }
+    if solid.pieces:
+        found["pieces"] = [_piece(piece, solid.name, block) for piece in solid.pieces]
+    else:
+        assert solid.points is not None and solid.triangles is not None
+        found.update(_surface(solid.points, solid.triangles, solid.name, block))
+    if solid.place is not None:
+        found["place"] = [float(x) for x in solid.place]
+    if solid.axes is not None:
+        found["axes"] = quaternion(solid.axes)
+    if solid.between is not None:
+        ends = [[float(x) for x in end] for end in solid.between.ends]
+        found["between"] = {"bodies": list(solid.between.bodies), "ends": ends}
+    if solid.schematic:
+        found["schematic"] = True
     if solid.teeth:
         found["teeth"] = solid.teeth
     if solid.skin is not None:
@@ -157,6 +177,20 @@ def _solid(solid: SceneSolid, block: _Block) -> dict[str, Any]:
             "weight": block.put(solid.skin.weight, "f4"),
         }
     return found
+
+
+def _surface(points: Array, triangles: Indices, name: str, block: _Block) -> dict[str, Any]:
+    kind = "u2" if len(points) <= _LEVELS + 1 else "u4"
+    return {"points": block.put(_finite(points, name), "f4"), "triangles": block.put(triangles, kind)}
+
+
+def _piece(piece: ScenePiece, name: str, block: _Block) -> dict[str, Any]:
+    levels = [
+        {"error": level.error, **_surface(level.points, level.triangles, name, block)}
+        for level in piece.levels
+    ]
+    found: dict[str, Any] = {"turns": block.put(_finite(piece.turns, name), "f8"), "levels": levels}
+    return {**found, "fault": piece.fault} if piece.fault else found
 
 
 def _arrow(arrow: SceneArrow, block: _Block) -> dict[str, Any]:
