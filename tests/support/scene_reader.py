@@ -46,9 +46,14 @@ class Seen:
             return self.array(body[key])[frame] if key in body else zero
 
         axes = Rotation.from_quat(body["axes"]).as_matrix()
-        place = np.array(body["place"]) + axes @ track("position", np.zeros(3))
+        place = np.array(body["place"]) + axes @ (
+            track("position", np.zeros(3)) + track("travel", np.zeros(3))
+        )
         angle = body.get("ratio", 1.0) * track("gross", 0.0) + track("spin", 0.0)
-        turn = Rotation.from_rotvec(track("turn", np.zeros(3))) * Rotation.from_rotvec([0.0, 0.0, angle])
+        turn = Rotation.from_rotvec(track("turn", np.zeros(3)))
+        if "quaternion" in body:
+            turn = Rotation.from_quat(track("quaternion", None))
+        turn = turn * Rotation.from_rotvec([0.0, 0.0, angle])
         origin, base = self.pose(body["parent"], frame)
         return origin + base @ place, base @ axes @ turn.as_matrix()
 

@@ -27,9 +27,9 @@ const KINDS = {
 /** Damaged teeth lean towards it. */
 export const FAULT = "#c2452d";
 
-/** @param {string} kind @param {number} order which of its kind */
-export function colourOfPart(kind, order) {
-  return kind === "gear" ? GEARS[order % GEARS.length] : (KINDS[kind] ?? KINDS.body);
+/** @param {string} kind @param {number} order which of its kind @param {boolean} schematic bars of linkages differ in hue too */
+export function colourOfPart(kind, order, schematic = false) {
+  return kind === "gear" || (kind === "body" && schematic) ? GEARS[order % GEARS.length] : (KINDS[kind] ?? KINDS.body);
 }
 
 /** @param {Element} element @param {string} part */

@@ -109,6 +109,12 @@ export class Poses {
           large(body.position, mean.position, 1),
           large(body.position, mean.position, 2),
         );
+      if (body.travel)
+        SHIFT.set(
+          SHIFT.x + lerp(body.travel, where, 0),
+          SHIFT.y + lerp(body.travel, where, 1),
+          SHIFT.z + lerp(body.travel, where, 2),
+        );
       if (body.quaternion) {
         ROTATION.set(
           ...[0, 1, 2, 3].map(
@@ -129,9 +135,9 @@ export class Poses {
             large(body.turn, mean.turn, 1),
             large(body.turn, mean.turn, 2),
           );
-        const angle = this.#gross(body, where) + (body.spin ? large(body.spin, mean.spin, 0) : 0);
-        ROTATION.multiply(NEXT.setFromAxisAngle(Z, angle));
       }
+      const angle = this.#gross(body, where) + (body.spin ? large(body.spin, mean.spin, 0) : 0);
+      if (angle) ROTATION.multiply(NEXT.setFromAxisAngle(Z, angle));
       LOCAL.compose(SHIFT, ROTATION, ONE);
       this.world[k].multiplyMatrices(this.still[k], LOCAL);
     });

@@ -130,7 +130,7 @@ function checkShapes(scene) {
       Number.isInteger(body.parent ?? -1) && (body.parent ?? -1) < k,
       `body ${body.name} comes before its parent`,
     );
-    for (const part of ["position", "turn", "spin", "gross", "quaternion"])
+    for (const part of ["position", "travel", "turn", "spin", "gross", "quaternion"])
       rows(body[part], `${part} of body ${body.name}`);
   });
   for (const solid of scene.solids) {

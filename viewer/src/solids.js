@@ -47,7 +47,7 @@ export class Solids {
     const orders = {};
     this.parts = scene.solids.map((solid) => {
       const order = (orders[solid.kind] = (orders[solid.kind] ?? -1) + 1);
-      const part = { solid, colour: colourOfPart(solid.kind, order) };
+      const part = { solid, colour: colourOfPart(solid.kind, order, solid.schematic) };
       if (solid.pieces) {
         part.repeated = new Repeated(part, (fault) => this.#material(part, fault, "repeated"));
         part.geometry = part.repeated.whole("coarse");
@@ -162,8 +162,9 @@ export class Solids {
     const done = new Set();
     for (const part of this.parts) {
       if (!part.solid.see_through) continue;
-      if (part.crowd) part.crowd.visible = how !== "hidden";
-      else part.mesh.visible = how !== "hidden";
+      part.hidden = how === "hidden";
+      if (part.crowd) part.crowd.visible = !part.hidden;
+      else this.#visible(part);
       const drawn = part.crowd?.material ?? part.mesh.material;
       if (done.has(drawn)) continue;
       done.add(drawn);
@@ -175,6 +176,16 @@ export class Solids {
       );
       drawn.needsUpdate = true;
     }
+  }
+
+  /** Show what only stands for parts, or not. @param {boolean} on */
+  schematics(on) {
+    this.plain = !on;
+    for (const part of this.parts) if (part.solid.schematic && part.mesh) this.#visible(part);
+  }
+
+  #visible(part) {
+    part.mesh.visible = !part.hidden && !(this.plain && part.solid.schematic);
   }
 
   /** What a ray meets first, covers last. @param {import("three").Raycaster} ray */
@@ -201,7 +212,7 @@ export class Solids {
 
   /** Centre and radius of all solids at rest, without covers where there is anything else. */
   bounds() {
-    const open = this.parts.filter((part) => !part.solid.see_through);
+    const open = this.parts.filter(({ solid }) => !solid.see_through || solid.schematic);
     const low = new Vector3(Infinity, Infinity, Infinity),
       high = low.clone().negate();
     const point = new Vector3();

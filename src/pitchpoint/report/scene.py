@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -10,7 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.report.scene_motion import Motion, motion, scene_bodies
+from pitchpoint.report.scene_motion import Motion, motion, scene_bodies, shown_bodies
+from pitchpoint.report.scene_places import Places
 from pitchpoint.report.scene_solids import scene_solids
 from pitchpoint.viz.quantities import Channel, scale
 from pitchpoint.viz.scene import Scene, SceneArrow, SceneChannel
@@ -61,13 +63,16 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
     record = _Record.of(result, len(names))
     moved = motion(system, len(record.times), record.at_frames, record.times)
     bodies = scene_bodies(system, moved, still)
-    solids, notes = scene_solids(model, {name: k for k, name in enumerate(names[1:])})
+    numbers = {b: k for k, b in enumerate(shown_bodies(system))}
+    places = Places(model, numbers, {names[b]: k for b, k in numbers.items()})
+    solids, notes = scene_solids(model, places)
     if result is not None and moved.unknown:
         notes.append("not in the result, drawn at rest: " + ", ".join(moved.unknown))
     arrows = [*_mesh_arrows(system, moved, record)]
     return Scene(
         title=model.title or "Gears",
         subtitle="" if result is None else _subtitle(result),
+        up=_up(model),
         bodies=bodies,
         solids=solids,
         times=record.times,
@@ -75,6 +80,15 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
         channels=record.curves(),
         notes=notes,
     )
+
+
+def _up(model: Model) -> tuple[float, float, float]:
+    """Against gravity; y where there is none."""
+    size = math.hypot(*(model.gravity or ()))
+    if model.gravity is None or size == 0.0:
+        return (0.0, 1.0, 0.0)
+    x, y, z = (-g / size for g in model.gravity)
+    return (x, y, z)
 
 
 def _subtitle(result: xr.Dataset) -> str:

@@ -52,7 +52,7 @@ MOST_POINTS = 400
 
 
 def gear_part(
-    model: Model, name: str, body: int, height: float, thinner: float
+    model: Model, name: str, seat: tuple[int, Array, Array], thinner: float
 ) -> tuple[SceneSolid, list[str]]:
     """A gear, and what of it is not to be seen.
 
@@ -62,10 +62,8 @@ def gear_part(
         The model.
     name
         Name of the gear.
-    body
-        Number of its body in the scene.
-    height
-        Its middle along the axis of the body [m].
+    seat
+        Number of its body in the scene, its middle [m] and the axes of its body in the frame of that.
     thinner
         Normal thickness that its teeth lack for the backlash of its meshes [m].
 
@@ -77,16 +75,16 @@ def gear_part(
     gear = model.gears[name]
     teeth = _Teeth.of(gear, thinner)
     shift, lean = _seat(gear)
+    number, place, frame = seat
     turn = model.phasing.tooth_angle[name]
     c, s = math.cos(turn), math.sin(turn)
-    axes = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-    turned = axes @ np.array([shift.real, shift.imag, 0.0])
+    axes = frame @ np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
     solid = SceneSolid(
         name=name,
         kind="gear",
-        body=body,
+        body=number,
         teeth=gear.number_of_teeth,
-        place=np.array([0.0, 0.0, height]) + turned,
+        place=place + axes @ np.array([shift.real, shift.imag, 0.0]),
         axes=axes @ _leaning(lean),
         pieces=teeth.pieces(),
     )

@@ -32,6 +32,10 @@ class SceneBody:
     position, turn
         Displacement of the origin [m] and small rotation vector [rad] from rest, in the axes at rest, shape
         (n, 3); none where it does not move.
+    travel
+        Displacement of the origin that is no vibration, in place of `position`, shape (n, 3) [m].
+    quaternion
+        Attitude against that at rest (x, y, z, w), in place of `turn`, shape (n, 4).
     angle
         Angle about the third axis, whole turns included, shape (n,) [rad].
     gross
@@ -46,6 +50,8 @@ class SceneBody:
     axes: Array
     position: Array | None = None
     turn: Array | None = None
+    travel: Array | None = None
+    quaternion: Array | None = None
     angle: Array | None = None
     gross: Array | None = None
     ratio: float = 1.0

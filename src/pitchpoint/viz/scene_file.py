@@ -135,6 +135,9 @@ def _body(body: SceneBody, block: _Block) -> dict[str, Any]:
     for key, track in (("position", body.position), ("turn", body.turn)):
         if track is not None and np.any(_finite(track, body.name)):
             found[key] = block.put_coarse(track)
+    for key, track in (("travel", body.travel), ("quaternion", body.quaternion)):
+        if track is not None:
+            found[key] = block.put(_finite(track, body.name), "f4")
     if body.angle is not None:
         angle = _finite(body.angle, body.name)
         gross = np.zeros_like(angle) if body.gross is None else body.gross * body.ratio
