@@ -92,6 +92,7 @@ export class Poses {
 
   /** @param {number} t */
   at(t) {
+    this.mode = null;
     this.where = between(this.times, t);
     const { where, magnification: m } = this;
     // x plus what the magnification adds to its deviation from the mean
@@ -151,6 +152,7 @@ export class Poses {
   ofMode(mode, phase, amplitude) {
     const c = amplitude * Math.cos(phase),
       s = -amplitude * Math.sin(phase);
+    this.mode = { shape: mode, cosine: c, sine: s };
     const part = (table, k, column) =>
       table ? c * table.data[6 * k + column] + s * table.data[6 * k + 3 + column] : 0;
     this.bodies.forEach((_, k) => {

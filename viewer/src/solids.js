@@ -6,6 +6,7 @@ import { Crowd } from "./crowd.js";
 import { creaseNormals } from "./crease_normals.js";
 import { Repeated, geometryOf } from "./repeated.js";
 import { Skin } from "./skin.js";
+import { Sway } from "./sway.js";
 
 // Beyond this, a draw call for each solid costs more than what it draws.
 const MOST_MESHES = 300;
@@ -55,6 +56,7 @@ export class Solids {
         const surface = creaseNormals(solid.points.data, solid.triangles.data, solid.creases ?? 40);
         part.geometry = geometryOf(surface);
         part.skin = solid.skin ? new Skin(solid.skin, part.geometry, surface.source, poses) : null;
+        part.sway = solid.sway ? new Sway(solid, part.geometry, surface.source, poses) : null;
       }
       const points = part.geometry.attributes.position.array;
       return Object.assign(part, { radius: reach(points), rim: rim(points) });
@@ -102,7 +104,7 @@ export class Solids {
       if (!parts.length) continue;
       const shared = material("#ffffff", seeThrough);
       const crowd = new Crowd(parts, shared);
-      parts.forEach((part, k) => Object.assign(part, { crowd, member: k, skin: null, repeated: null })); // a crowd does not bend
+      parts.forEach((part, k) => Object.assign(part, { crowd, member: k, skin: null, sway: null, repeated: null })); // a crowd does not bend
       crowd.renderOrder = seeThrough ? 1 : 0;
       this.known.set(`crowd ${seeThrough}`, shared);
       this.crowds.push(crowd);
@@ -117,6 +119,7 @@ export class Solids {
       if (part.crowd) part.crowd.place(part.member, matrix);
       else part.mesh.matrix.copy(matrix);
       part.skin?.update(visible, part.radius);
+      part.sway?.update();
     }
   }
 

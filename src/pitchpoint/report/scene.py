@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.report.scene_elastic import elastic_parts
 from pitchpoint.report.scene_motion import Motion, motion, scene_bodies, shown_bodies
 from pitchpoint.report.scene_places import Places
 from pitchpoint.report.scene_solids import scene_solids
+from pitchpoint.report.scene_spectra import modes_of_result, scene_modes, scene_spectra
 from pitchpoint.viz.quantities import Channel, scale
 from pitchpoint.viz.scene import Scene, SceneArrow, SceneChannel
 
@@ -37,7 +39,9 @@ FIRST = ("normal_force", "transmission_error")
 """Quantities that are drawn without asking."""
 
 
-def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | None = None) -> Scene:
+def scene_of(
+    model: Model, result: xr.Dataset | None = None, scenario: str | None = None, modes: int = 0
+) -> Scene:
     """The scene of a model at rest, or of a result over time.
 
     Parameters
@@ -45,9 +49,11 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
     model
         The model; of a result the one that it keeps.
     result
-        Result of a time run.
+        Result of a time run, or of modes.
     scenario
         Scenario of the result; that which it names, if left out.
+    modes
+        How many of the lowest modes are computed for it.
 
     Raises
     ------
@@ -60,15 +66,23 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
     system = compile_model(model, chosen)
     names = system.layout.bodies
     still = motion(system, 1, lambda _: np.zeros(1), np.zeros(1))
+    shapes = result if result is not None and "mode" in result.dims else None
+    result = result if shapes is None else None
     record = _Record.of(result, len(names))
     moved = motion(system, len(record.times), record.at_frames, record.times)
     bodies = scene_bodies(system, moved, still)
     numbers = {b: k for k, b in enumerate(shown_bodies(system))}
     places = Places(model, numbers, {names[b]: k for b, k in numbers.items()})
     solids, notes = scene_solids(model, places)
+    bending, said = elastic_parts(model, places, record.at_frames)
+    solids, notes = solids + bending, notes + said
     if result is not None and moved.unknown:
         notes.append("not in the result, drawn at rest: " + ", ".join(moved.unknown))
     arrows = [*_mesh_arrows(system, moved, record)]
+    labels = [body.name for body in bodies]
+    found = scene_modes(system, modes, labels, solids) if modes else []
+    if shapes is not None:
+        found = modes_of_result(shapes, labels, solids)
     return Scene(
         title=model.title or "Gears",
         subtitle="" if result is None else _subtitle(result),
@@ -78,6 +92,8 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
         times=record.times,
         arrows=arrows,
         channels=record.curves(),
+        spectra=[] if result is None else scene_spectra(result, _settle_time(model, chosen)),
+        modes=found,
         notes=notes,
     )
 
@@ -89,6 +105,12 @@ def _up(model: Model) -> tuple[float, float, float]:
         return (0.0, 1.0, 0.0)
     x, y, z = (-g / size for g in model.gravity)
     return (x, y, z)
+
+
+def _settle_time(model: Model, scenario: str | None) -> float:
+    """Time that a scenario lets pass before it measures [s]."""
+    found = model.scenarios.get(scenario or "")
+    return float(getattr(found, "settle_time", None) or 0.0)
 
 
 def _subtitle(result: xr.Dataset) -> str:

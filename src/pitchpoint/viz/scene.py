@@ -113,6 +113,25 @@ class Between:
     ends: tuple[Array, Array]
 
 
+@dataclass(frozen=True)
+class Sway:
+    """How a solid bends in modal coordinates.
+
+    Attributes
+    ----------
+    shapes
+        Displacement of every node per unit of each coordinate, shape (k, nodes, 3), in the frame of the body.
+    node
+        Node that each point of the solid goes with, shape (n,).
+    coordinates
+        The coordinates over the frames, shape (n, k); none at rest.
+    """
+
+    shapes: Array
+    node: Indices
+    coordinates: Array | None = None
+
+
 @dataclass(frozen=True, kw_only=True)
 class SceneSolid:
     """Triangles on a body.
@@ -140,8 +159,8 @@ class SceneSolid:
         Whether what lies behind it shall be seen.
     creases
         Angle above which an edge is sharp [deg].
-    skin
-        How it bends between several bodies; none for rigid solids.
+    skin, sway
+        How it bends between several bodies, or in modal coordinates; none for rigid solids.
     """
 
     name: str
@@ -158,6 +177,7 @@ class SceneSolid:
     see_through: bool = False
     creases: float = 35.0
     skin: Skin | None = None
+    sway: Sway | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -222,6 +242,38 @@ class SceneMark:
     what: str
 
 
+@dataclass(frozen=True)
+class SceneSpectrum:
+    """Amplitudes over frequencies [Hz] of a channel by its name, in SI."""
+
+    channel: str
+    unit: str
+    frequency: Array
+    amplitude: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class SceneMode:
+    """A mode shape.
+
+    Attributes
+    ----------
+    name, frequency, damping
+        What moves, [Hz], share of critical damping; none where it has no meaning.
+    position, turn
+        Complex displacements of the bodies, shape (nb, 3), world axes.
+    sway
+        Complex modal coordinates of the solids that bend in them, by name.
+    """
+
+    name: str
+    frequency: float
+    damping: float | None
+    position: NDArray[np.complex128]
+    turn: NDArray[np.complex128]
+    sway: Mapping[str, NDArray[np.complex128]] = field(default_factory=dict)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Scene:
     """All of it.
@@ -232,7 +284,7 @@ class Scene:
         Words above the scene.
     up
         Direction that points up on the screen, shape (3,).
-    bodies, solids, arrows, channels, marks
+    bodies, solids, arrows, channels, spectra, marks, modes
         What there is.
     times
         Of the frames, shape (n,) [s]; a single one for a model without result.
@@ -248,5 +300,7 @@ class Scene:
     times: Array = field(default_factory=lambda: np.zeros(1))
     arrows: Sequence[SceneArrow] = ()
     channels: Sequence[SceneChannel] = ()
+    spectra: Sequence[SceneSpectrum] = ()
     marks: Sequence[SceneMark] = ()
+    modes: Sequence[SceneMode] = ()
     notes: Sequence[str] = ()

@@ -23,8 +23,10 @@ from pitchpoint.viz.scene import (
     SceneArrow,
     SceneBody,
     SceneChannel,
+    SceneMode,
     ScenePiece,
     SceneSolid,
+    SceneSpectrum,
 )
 
 FORMAT = "pitchpoint-scene-1"
@@ -79,9 +81,9 @@ def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
         "times": block.put(scene.times, "f8"),
         "arrows": [_arrow(a, block) for a in scene.arrows],
         "channels": [_channel(c, block) for c in scene.channels],
-        "spectra": [],
+        "spectra": [_spectrum(s, block) for s in scene.spectra],
         "marks": [{"time": m.time, "kind": m.kind, "what": m.what} for m in scene.marks],
-        "modes": [],
+        "modes": [_mode(m, block) for m in scene.modes],
         "notes": list(scene.notes),
     }
     return header, bytes(block.data)
@@ -179,7 +181,37 @@ def _solid(solid: SceneSolid, block: _Block) -> dict[str, Any]:
             "second": block.put(solid.skin.second, "u2"),
             "weight": block.put(solid.skin.weight, "f4"),
         }
+    if solid.sway is not None:
+        found["sway"] = {
+            "shapes": block.put(_finite(solid.sway.shapes, solid.name), "f4"),
+            "node": block.put(solid.sway.node, "u2"),
+        }
+        if solid.sway.coordinates is not None:
+            found["sway"]["coordinates"] = block.put_coarse(_finite(solid.sway.coordinates, solid.name))
     return found
+
+
+def _mode(mode: SceneMode, block: _Block) -> dict[str, Any]:
+    def parts(values: NDArray[np.complex128], axis: int) -> dict[str, Any]:
+        """Real and imaginary parts beside each other."""
+        return block.put(_finite(np.stack([values.real, values.imag], axis=axis), mode.name), "f4")
+
+    found: dict[str, Any] = {"name": mode.name, "frequency": float(mode.frequency)}
+    if mode.damping is not None:
+        found["damping"] = float(mode.damping)
+    found.update(position=parts(mode.position, 1), turn=parts(mode.turn, 1))
+    if mode.sway:
+        found["sway"] = {name: parts(values, 1) for name, values in mode.sway.items()}
+    return found
+
+
+def _spectrum(spectrum: SceneSpectrum, block: _Block) -> dict[str, Any]:
+    return {
+        "channel": spectrum.channel,
+        "unit": spectrum.unit,
+        "frequency": block.put(spectrum.frequency, "f4"),
+        "amplitude": block.put(_finite(spectrum.amplitude, spectrum.channel), "f4"),
+    }
 
 
 def _surface(points: Array, triangles: Indices, name: str, block: _Block) -> dict[str, Any]:
