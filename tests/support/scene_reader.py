@@ -46,19 +46,43 @@ class Seen:
             return self.array(body[key])[frame] if key in body else zero
 
         axes = Rotation.from_quat(body["axes"]).as_matrix()
-        place = np.array(body["place"]) + axes @ track("position", np.zeros(3))
+        place = np.array(body["place"]) + axes @ (
+            track("position", np.zeros(3)) + track("travel", np.zeros(3))
+        )
         angle = body.get("ratio", 1.0) * track("gross", 0.0) + track("spin", 0.0)
-        turn = Rotation.from_rotvec(track("turn", np.zeros(3))) * Rotation.from_rotvec([0.0, 0.0, angle])
+        turn = Rotation.from_rotvec(track("turn", np.zeros(3)))
+        if "quaternion" in body:
+            turn = Rotation.from_quat(track("quaternion", None))
+        turn = turn * Rotation.from_rotvec([0.0, 0.0, angle])
         origin, base = self.pose(body["parent"], frame)
         return origin + base @ place, base @ axes @ turn.as_matrix()
 
     def solid(self, name: str) -> dict[str, Any]:
         return next(s for s in self.header["solids"] if s["name"] == name)
 
+    def mesh(self, name: str, level: int = -1) -> tuple[np.ndarray, np.ndarray]:
+        """Points of a solid in its body, all copies of its pieces in one fineness, and triangles."""
+        solid = self.solid(name)
+        points, triangles, count = [], [], 0
+        parts = solid.get("pieces") or [{"levels": [solid]}]
+        for part in parts:
+            surface = part["levels"][level]
+            corners = self.array(surface["points"]).astype(float)
+            faces = self.array(surface["triangles"]).astype(int)
+            for turn in self.array(part["turns"]) if "turns" in part else [0.0]:
+                turned = Rotation.from_rotvec([0.0, 0.0, turn]).as_matrix()
+                points.append(corners @ turned.T)
+                triangles.append(faces + count)
+                count += len(corners)
+        seat = Rotation.from_quat(solid.get("axes", [0.0, 0.0, 0.0, 1.0])).as_matrix()
+        return np.concatenate(points) @ seat.T + solid.get("place", [0.0] * 3), np.concatenate(triangles)
+
     def placed(self, name: str, frame: int) -> np.ndarray:
         """Corners of a solid in the world."""
         solid = self.solid(name)
-        points = self.array(solid["points"]).astype(float)
+        points = self.mesh(name)[0]
+        if "between" in solid:
+            return self._between(solid["between"], points, frame)
         if "skin" not in solid:
             origin, axes = self.pose(solid["body"], frame)
             return origin + points @ axes.T
@@ -72,6 +96,15 @@ class Seen:
         return (1.0 - w) * moved[self.array(skin["first"]), rows] + w * moved[
             self.array(skin["second"]), rows
         ]
+
+    def _between(self, stretched: dict[str, Any], points: np.ndarray, frame: int) -> np.ndarray:
+        """Points whose third axis goes from one end to the other; those across it lie somewhere around it."""
+        poses = [self.pose(b, frame) for b in stretched["bodies"]]
+        a, b = (o + m @ np.array(end) for (o, m), end in zip(poses, stretched["ends"], strict=True))
+        z = (b - a) / np.linalg.norm(b - a)
+        x = np.cross(z, np.eye(3)[np.argmin(np.abs(z))])
+        x /= np.linalg.norm(x)
+        return a + points @ np.array([x, np.cross(z, x), b - a])
 
     def rest(self, b: int) -> tuple[np.ndarray, np.ndarray]:
         if b < 0:

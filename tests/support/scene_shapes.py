@@ -9,9 +9,8 @@ import numpy as np
 def end_face(scene, name, frame, origin, axes):
     """Edges of a gear's upper end face, shape (n, 2, 2), in the plane across the axes: those of triangles of
     the flanks, which have their third corner elsewhere."""
-    solid = scene.solid(name)
-    height = scene.array(solid["points"])[:, 2]
-    triangles = scene.array(solid["triangles"]).astype(int)
+    points, triangles = scene.mesh(name)
+    height = points[:, 2]
     at_end = np.isclose(height, height.max(), atol=1e-9)[triangles]
     flanks = at_end.sum(axis=1) == 2
     pairs = triangles[flanks][at_end[flanks]].reshape(-1, 2)

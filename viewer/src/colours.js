@@ -20,12 +20,16 @@ const KINDS = {
   bearing: "#6b7885",
   housing: "#9fb3c6",
   carrier: "#b9b39c",
+  spring: "#8d97a1",
   body: "#a9b6c0",
 };
 
-/** @param {string} kind @param {number} order which of its kind */
-export function colourOfPart(kind, order) {
-  return kind === "gear" ? GEARS[order % GEARS.length] : (KINDS[kind] ?? KINDS.body);
+/** Damaged teeth lean towards it. */
+export const FAULT = "#c2452d";
+
+/** @param {string} kind @param {number} order which of its kind @param {boolean} schematic bars of linkages differ in hue too */
+export function colourOfPart(kind, order, schematic = false) {
+  return kind === "gear" || (kind === "body" && schematic) ? GEARS[order % GEARS.length] : (KINDS[kind] ?? KINDS.body);
 }
 
 /** @param {Element} element @param {string} part */

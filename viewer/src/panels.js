@@ -94,6 +94,12 @@ export function viewRows(page) {
         },
       ).row
     : null;
+  const stands = data.solids.some((solid) => solid.schematic)
+    ? tick("what only stands for parts", true, (on) => {
+        for (const picture of stage.pictures) picture.solids.schematics(on);
+        page.changed();
+      }).row
+    : null;
   const meshes = data.arrows.filter((arrow) => arrow.kind === "mesh");
   const looks = meshes.map((arrow) =>
     button(arrow.name.replaceAll("_", " "), `Look into the mesh ${arrow.name}, along its axis`, () =>
@@ -109,6 +115,7 @@ export function viewRows(page) {
     page.followed.row,
     turning.row,
     covers,
+    stands,
     looks.length
       ? el(
           "div",

@@ -46,8 +46,37 @@ export class Poses {
 
   /** Where a solid is: that of its body, or of the first body that it bends between. @param {any} solid */
   ofSolid(solid) {
+    if (solid.between) return this.#between(solid);
     const body = solid.skin ? solid.skin.bodies[0] : solid.body;
-    return body < 0 ? IDENTITY : this.world[body];
+    const frame = body < 0 ? IDENTITY : this.world[body];
+    if (!solid.place && !solid.axes) return frame;
+    solid.seat ??= new Matrix4().compose(
+      new Vector3(...(solid.place ?? [0, 0, 0])),
+      new Quaternion(...(solid.axes ?? [0, 0, 0, 1])).normalize(),
+      ONE,
+    );
+    solid.placed ??= new Matrix4();
+    return solid.placed.multiplyMatrices(frame, solid.seat);
+  }
+
+  /** Frame of a solid that is stretched between two bodies: its third axis goes from end to end. */
+  #between(solid) {
+    const { bodies, ends } = solid.between;
+    const [a, b] = bodies.map((body, k) =>
+      new Vector3(...ends[k]).applyMatrix4(body < 0 ? IDENTITY : this.world[body]),
+    );
+    const along = b.clone().sub(a);
+    const length = along.length() || 1e-12;
+    const z = along.clone().divideScalar(length);
+    // the axis of the first body that lies most across: the solid does not spin about itself
+    const frame = bodies[0] < 0 ? IDENTITY : this.world[bodies[0]];
+    const across = [0, 1, 2]
+      .map((k) => new Vector3().setFromMatrixColumn(frame, k))
+      .reduce((best, axis) => (Math.abs(axis.dot(z)) < Math.abs(best.dot(z)) - 0.2 ? axis : best));
+    const x = across.addScaledVector(z, -across.dot(z)).normalize();
+    const y = new Vector3().crossVectors(z, x);
+    solid.placed ??= new Matrix4();
+    return solid.placed.makeBasis(x, y, along.lengthSq() ? along : z.multiplyScalar(length)).setPosition(a);
   }
 
   /** Angle that the kinematics ask for [rad]. */
@@ -63,6 +92,7 @@ export class Poses {
 
   /** @param {number} t */
   at(t) {
+    this.mode = null;
     this.where = between(this.times, t);
     const { where, magnification: m } = this;
     // x plus what the magnification adds to its deviation from the mean
@@ -79,6 +109,12 @@ export class Poses {
           large(body.position, mean.position, 0),
           large(body.position, mean.position, 1),
           large(body.position, mean.position, 2),
+        );
+      if (body.travel)
+        SHIFT.set(
+          SHIFT.x + lerp(body.travel, where, 0),
+          SHIFT.y + lerp(body.travel, where, 1),
+          SHIFT.z + lerp(body.travel, where, 2),
         );
       if (body.quaternion) {
         ROTATION.set(
@@ -100,9 +136,9 @@ export class Poses {
             large(body.turn, mean.turn, 1),
             large(body.turn, mean.turn, 2),
           );
-        const angle = this.#gross(body, where) + (body.spin ? large(body.spin, mean.spin, 0) : 0);
-        ROTATION.multiply(NEXT.setFromAxisAngle(Z, angle));
       }
+      const angle = this.#gross(body, where) + (body.spin ? large(body.spin, mean.spin, 0) : 0);
+      if (angle) ROTATION.multiply(NEXT.setFromAxisAngle(Z, angle));
       LOCAL.compose(SHIFT, ROTATION, ONE);
       this.world[k].multiplyMatrices(this.still[k], LOCAL);
     });
@@ -116,6 +152,7 @@ export class Poses {
   ofMode(mode, phase, amplitude) {
     const c = amplitude * Math.cos(phase),
       s = -amplitude * Math.sin(phase);
+    this.mode = { shape: mode, cosine: c, sine: s };
     const part = (table, k, column) =>
       table ? c * table.data[6 * k + column] + s * table.data[6 * k + 3 + column] : 0;
     this.bodies.forEach((_, k) => {

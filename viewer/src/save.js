@@ -107,7 +107,7 @@ function legend(pen, page, n, width, ink, style) {
 
 /** All solids where they are now, binary STL, metres. @param {import("./page.js").Page} page */
 export function stl(page) {
-  const parts = page.stage.pictures[0].solids.parts;
+  const parts = page.stage.pictures[0].solids.exported(false);
   const count = parts.reduce((sum, part) => sum + part.geometry.index.count / 3, 0);
   const bytes = new ArrayBuffer(84 + 50 * count);
   const view = new DataView(bytes);
@@ -152,6 +152,7 @@ export function movingSolids(page) {
     frames.map((k) => poses.times[k]),
     poses,
   );
+  const exported = solids.exported(true);
   const tracks = poses.world.map(() => []);
   for (const t of times) {
     poses.at(t);
@@ -159,7 +160,7 @@ export function movingSolids(page) {
   }
   poses.at(page.player.time);
   page.changed();
-  return new Blob([glb(solids.parts, data.bodies, tracks, times)], { type: "model/gltf-binary" });
+  return new Blob([glb(exported, data.bodies, tracks, times)], { type: "model/gltf-binary" });
 }
 
 /** @param {number[]} times @param {import("./poses.js").Poses} poses */

@@ -130,16 +130,32 @@ function checkShapes(scene) {
       Number.isInteger(body.parent ?? -1) && (body.parent ?? -1) < k,
       `body ${body.name} comes before its parent`,
     );
-    for (const part of ["position", "turn", "spin", "gross", "quaternion"])
+    for (const part of ["position", "travel", "turn", "spin", "gross", "quaternion"])
       rows(body[part], `${part} of body ${body.name}`);
   });
   for (const solid of scene.solids) {
     check(solid.body >= -1 && solid.body < scene.bodies.length, `solid ${solid.name} belongs to no body`);
-    check(solid.points?.width === 3 && solid.triangles?.width === 3, `solid ${solid.name} has no surface`);
-    for (const corner of solid.triangles.data)
-      check(corner < solid.points.count, `solid ${solid.name} has a triangle without a point`);
+    const surfaces = solid.pieces ? solid.pieces.flatMap((piece) => piece.levels ?? []) : [solid];
+    check(surfaces.length, `solid ${solid.name} has no surface`);
+    for (const { points, triangles } of surfaces) {
+      check(points?.width === 3 && triangles?.width === 3, `solid ${solid.name} has no surface`);
+      for (const corner of triangles.data)
+        check(corner < points.count, `solid ${solid.name} has a triangle without a point`);
+    }
+    for (const piece of solid.pieces ?? []) check(piece.turns?.count, `solid ${solid.name} stands nowhere`);
+    if (solid.sway) {
+      const { shapes, node, coordinates } = solid.sway;
+      check(
+        shapes?.shape.length === 3 && node?.count === solid.points?.count,
+        `solid ${solid.name} does not say how it bends`,
+      );
+      for (const each of node.data) check(each < shapes.shape[1], `solid ${solid.name} has a point without a node`);
+      rows(coordinates, `the modal coordinates of ${solid.name}`);
+    }
+    for (const body of solid.between?.bodies ?? [])
+      check(body >= -1 && body < scene.bodies.length, `solid ${solid.name} ends on a body that is not there`);
     for (const body of solid.skin?.bodies ?? [])
-      check(body in scene.bodies, `the skin of ${solid.name} names a body that is not there`);
+      check(body >= -1 && body < scene.bodies.length, `the skin of ${solid.name} names a body that is not there`);
   }
   for (const arrow of scene.arrows) {
     check(arrow.body >= -1 && arrow.body < scene.bodies.length, `arrow ${arrow.name} belongs to no body`);

@@ -2,6 +2,9 @@
 // A solid that bends between several bodies: every point lies between two of them.
 import { Matrix4 } from "three";
 
+const GROUND = new Matrix4();
+const of = (frames, body) => (body < 0 ? GROUND : frames[body]);
+
 export class Skin {
   /**
    * @param {{bodies: number[], first?: any, second: any, weight: any}} skin
@@ -17,8 +20,8 @@ export class Skin {
     this.points = geometry.attributes.position.array.slice();
     this.normals = geometry.attributes.normal.array.slice();
     // from the frame at rest of the first body to that of each other one
-    const first = poses.rest[skin.bodies[0]];
-    this.toBody = skin.bodies.map((body) => poses.rest[body].clone().invert().multiply(first));
+    const first = of(poses.rest, skin.bodies[0]);
+    this.toBody = skin.bodies.map((body) => of(poses.rest, body).clone().invert().multiply(first));
     this.moved = skin.bodies.map(() => new Matrix4());
     this.drawn = skin.bodies.map(() => new Matrix4());
   }
@@ -26,10 +29,10 @@ export class Skin {
   /** @param {number} visible [m] @param {number} reach largest distance of a point [m] */
   update(visible, reach) {
     const { skin, poses, moved, drawn } = this;
-    const inverse = poses.world[skin.bodies[0]].clone().invert();
+    const inverse = of(poses.world, skin.bodies[0]).clone().invert();
     let change = 0;
     moved.forEach((matrix, k) => {
-      matrix.multiplyMatrices(inverse, poses.world[skin.bodies[k]]).multiply(this.toBody[k]);
+      matrix.multiplyMatrices(inverse, of(poses.world, skin.bodies[k])).multiply(this.toBody[k]);
       for (let i = 0; i < 16; i++) {
         change = Math.max(change, Math.abs(matrix.elements[i] - drawn[k].elements[i]) * (i < 12 ? reach : 1));
       }

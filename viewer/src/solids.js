@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solids as meshes: one mesh each, or one or two crowds where there are hundreds of them.
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DoubleSide,
-  FrontSide,
-  Mesh,
-  MeshLambertMaterial,
-  Vector3,
-} from "three";
-import { colourOfPart } from "./colours.js";
+import { Color, DoubleSide, FrontSide, Mesh, MeshLambertMaterial, Vector3 } from "three";
+import { FAULT, colourOfPart } from "./colours.js";
 import { Crowd } from "./crowd.js";
 import { creaseNormals } from "./crease_normals.js";
+import { Repeated, geometryOf } from "./repeated.js";
 import { Skin } from "./skin.js";
+import { Sway } from "./sway.js";
 
 // Beyond this, a draw call for each solid costs more than what it draws.
 const MOST_MESHES = 300;
@@ -50,35 +44,27 @@ export class Solids {
     this.solids = scene.solids;
     this.root = root;
     this.poses = poses;
+    this.known = new Map();
     const orders = {};
     this.parts = scene.solids.map((solid) => {
       const order = (orders[solid.kind] = (orders[solid.kind] ?? -1) + 1);
-      const { points, normals, index, source } = creaseNormals(
-        solid.points.data,
-        solid.triangles.data,
-        solid.creases ?? 40,
-      );
-      const geometry = new BufferGeometry();
-      geometry.setAttribute("position", new BufferAttribute(points, 3));
-      geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-      geometry.setIndex(
-        points.length / 3 < 65536
-          ? new BufferAttribute(Uint16Array.from(index), 1)
-          : new BufferAttribute(index, 1),
-      );
-      geometry.computeBoundingSphere();
-      const skin = solid.skin ? new Skin(solid.skin, geometry, source, poses) : null;
-      return {
-        solid,
-        geometry,
-        skin,
-        colour: colourOfPart(solid.kind, order),
-        radius: reach(points),
-        rim: rim(points),
-      };
+      const part = { solid, colour: colourOfPart(solid.kind, order, solid.schematic) };
+      if (solid.pieces) {
+        part.repeated = new Repeated(part, (fault) => this.#material(part, fault, "repeated"));
+        part.geometry = part.repeated.whole("coarse");
+      } else {
+        const surface = creaseNormals(solid.points.data, solid.triangles.data, solid.creases ?? 40);
+        part.geometry = geometryOf(surface);
+        part.skin = solid.skin ? new Skin(solid.skin, part.geometry, surface.source, poses) : null;
+        part.sway = solid.sway ? new Sway(solid, part.geometry, surface.source, poses) : null;
+      }
+      const points = part.geometry.attributes.position.array;
+      return Object.assign(part, { radius: reach(points), rim: rim(points) });
     });
-    this.triangles = scene.solids.reduce((sum, solid) => sum + solid.triangles.count, 0);
-    this.materials = [];
+    this.triangles = this.parts.reduce(
+      (sum, part) => sum + (part.repeated?.finest ?? part.geometry.index.count / 3),
+      0,
+    );
     this.meshes = [];
     this.crowds = [];
     if (this.parts.length > MOST_MESHES) this.#crowds();
@@ -86,20 +72,30 @@ export class Solids {
     this.update(0);
   }
 
+  /** One material for all that look alike. */
+  #material({ colour, solid }, fault = "", how = "") {
+    const key = [colour, Boolean(solid.see_through), Boolean(fault), how].join();
+    if (!this.known.has(key)) {
+      const paint = fault ? new Color(colour).lerp(new Color(FAULT), 0.55) : colour;
+      this.known.set(key, material(paint, solid.see_through));
+    }
+    return this.known.get(key);
+  }
+
+  get materials() {
+    return [...this.known.values()];
+  }
+
   #meshes() {
-    const known = new Map();
     for (const part of this.parts) {
-      const key = part.colour + Boolean(part.solid.see_through);
-      if (!known.has(key)) known.set(key, material(part.colour, part.solid.see_through));
-      const mesh = new Mesh(part.geometry, known.get(key));
+      const mesh = part.repeated ?? new Mesh(part.geometry, this.#material(part));
       mesh.matrixAutoUpdate = false;
       mesh.renderOrder = part.solid.see_through ? 1 : 0;
       mesh.userData.part = part;
       part.mesh = mesh;
-      this.meshes.push(mesh);
+      this.meshes.push(...(part.repeated?.meshes ?? [mesh]));
       this.root.add(mesh);
     }
-    this.materials = [...known.values()];
   }
 
   #crowds() {
@@ -108,9 +104,9 @@ export class Solids {
       if (!parts.length) continue;
       const shared = material("#ffffff", seeThrough);
       const crowd = new Crowd(parts, shared);
-      parts.forEach((part, k) => Object.assign(part, { crowd, member: k, skin: null })); // a crowd does not bend
+      parts.forEach((part, k) => Object.assign(part, { crowd, member: k, skin: null, sway: null, repeated: null })); // a crowd does not bend
       crowd.renderOrder = seeThrough ? 1 : 0;
-      this.materials.push(shared);
+      this.known.set(`crowd ${seeThrough}`, shared);
       this.crowds.push(crowd);
       this.root.add(crowd);
     }
@@ -123,7 +119,36 @@ export class Solids {
       if (part.crowd) part.crowd.place(part.member, matrix);
       else part.mesh.matrix.copy(matrix);
       part.skin?.update(visible, part.radius);
+      part.sway?.update();
     }
+  }
+
+  /** Choose what is drawn of gears. @param {import("three").Matrix4} seen @param {import("three").PerspectiveCamera} camera @param {number} pixel */
+  choose(seen, camera, pixel) {
+    for (const { repeated } of this.parts) repeated?.choose(seen, camera, pixel);
+  }
+
+  /** Parts for files, gears as fine as a file can be without being huge. @param {boolean} inBodies in the frames of their bodies, not of the solids */
+  exported(inBodies) {
+    return this.parts.map((part) => {
+      const geometry = part.repeated ? part.repeated.whole("fine") : part.geometry;
+      const { solid } = part;
+      if (!inBodies || !(solid.place || solid.axes || solid.between)) return { ...part, geometry };
+      // what is stretched between two bodies goes with the first as it stands now
+      const matrix = this.poses.ofSolid(solid).clone();
+      const body = solid.between ? solid.between.bodies[0] : solid.body;
+      if (body >= 0) matrix.premultiply(this.poses.world[body].clone().invert());
+      return { ...part, solid: { ...solid, body }, geometry: geometry.clone().applyMatrix4(matrix) };
+    });
+  }
+
+  /** Triangles that are drawn now. */
+  get drawn() {
+    return this.parts.reduce(
+      (sum, { repeated, mesh, geometry }) =>
+        sum + (repeated?.drawn ?? (mesh?.visible === false ? 0 : geometry.index.count / 3)),
+      0,
+    );
   }
 
   /** Cut by planes of the camera's world, or whole. @param {import("three").Plane[]} planes */
@@ -140,8 +165,9 @@ export class Solids {
     const done = new Set();
     for (const part of this.parts) {
       if (!part.solid.see_through) continue;
-      if (part.crowd) part.crowd.visible = how !== "hidden";
-      else part.mesh.visible = how !== "hidden";
+      part.hidden = how === "hidden";
+      if (part.crowd) part.crowd.visible = !part.hidden;
+      else this.#visible(part);
       const drawn = part.crowd?.material ?? part.mesh.material;
       if (done.has(drawn)) continue;
       done.add(drawn);
@@ -155,11 +181,25 @@ export class Solids {
     }
   }
 
+  /** Show what only stands for parts, or not. @param {boolean} on */
+  schematics(on) {
+    this.plain = !on;
+    for (const part of this.parts) if (part.solid.schematic && part.mesh) this.#visible(part);
+  }
+
+  #visible(part) {
+    part.mesh.visible = !part.hidden && !(this.plain && part.solid.schematic);
+  }
+
   /** What a ray meets first, covers last. @param {import("three").Raycaster} ray */
   hit(ray) {
-    const hits = ray.intersectObjects([...this.meshes, ...this.crowds].filter((object) => object.visible));
+    const hits = ray.intersectObjects(
+      [...this.meshes, ...this.crowds].filter((object) => object.visible),
+      false,
+    );
     const found = hits.map(({ object, member, point }) => ({
       part: object.userData.part ?? object.parts[member],
+      fault: object.userData.fault ?? "",
       point,
     }));
     return (
@@ -175,7 +215,7 @@ export class Solids {
 
   /** Centre and radius of all solids at rest, without covers where there is anything else. */
   bounds() {
-    const open = this.parts.filter((part) => !part.solid.see_through);
+    const open = this.parts.filter(({ solid }) => !solid.see_through || solid.schematic);
     const low = new Vector3(Infinity, Infinity, Infinity),
       high = low.clone().negate();
     const point = new Vector3();

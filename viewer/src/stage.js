@@ -133,6 +133,10 @@ export class Stage {
     this.setLights();
     renderer.setScissorTest(true);
     const width = this.size.width / this.pictures.length;
+    camera.updateMatrixWorld();
+    // size of a pixel at distance 1; drawing in software is content with coarser teeth
+    const pixel =
+      ((this.software ? 2.5 : 1) * 2 * Math.tan((camera.fov * Math.PI) / 360)) / this.size.height;
     this.pictures.forEach((picture, k) => {
       renderer.setViewport(k * width, 0, width, this.size.height);
       renderer.setScissor(k * width, 0, width, this.size.height);
@@ -140,6 +144,7 @@ export class Stage {
       renderer.clear();
       picture.root.matrix.copy(this.seen);
       picture.overRoot.matrix.copy(this.seen);
+      picture.solids.choose(this.seen, camera, pixel);
       renderer.render(picture.scene, camera);
       if ((picture.arrows.hidden || !picture.arrows.shown.size) && !picture.flanks.over) return;
       renderer.clearDepth();

@@ -40,6 +40,7 @@ export function stateOf(page) {
       seen: [...stage.seen.elements],
       magnification: picture.poses.magnification,
       triangles: picture.solids.triangles,
+      drawnTriangles: picture.solids.drawn,
       crowds: picture.solids.crowds.length,
       contacts: picture.flanks.state(),
       arrows: (picture.arrows.now ?? []).map((force, k) => ({

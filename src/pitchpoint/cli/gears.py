@@ -25,6 +25,8 @@ MEASURES = (
 )
 FORMATS = (".dxf", ".svg", ".stl", ".csv", ".step", ".stp")
 SHAFT_FORMATS = (".stl", ".step", ".stp")
+POINTS_A_FLANK = 20
+"""Points of a flank in drawings and solids where the gear says nothing."""
 
 
 @click.command()
@@ -131,7 +133,7 @@ def _export(model: Model, name: str, target: Path, inputs: Sequence[str | Path])
     export_gear(
         gear.geometry,
         target,
-        n_flank=max(gear.drawing_resolution, 5),
+        n_flank=gear.drawing_resolution or POINTS_A_FLANK,
         bore_diameter=gear.bore_diameter,
         rim_thickness=gear.rim_thickness,
         web_thickness=gear.web_thickness,

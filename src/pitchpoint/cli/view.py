@@ -14,11 +14,19 @@ from pitchpoint.cli.output import show
 @click.command()
 @click.argument("file", type=click.Path(exists=True, dir_okay=False))
 @click.argument("other", required=False, type=click.Path(exists=True, dir_okay=False))
+@click.option(
+    "--modes",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Compute the lowest N modes as well and show their shapes; none if left out.",
+)
 @output("HTML file to write; the name of FILE with .view.html if left out.")
 @allow_code
 @quiet
 @debug
-def view(file: str, other: str | None, output: str | None, allow_code: bool, quiet: bool) -> None:
+def view(
+    file: str, other: str | None, modes: int | None, output: str | None, allow_code: bool, quiet: bool
+) -> None:
     """Write the 3-D scene of FILE, a result (.h5) or a model, as one HTML page for any browser.
 
     With OTHER, two scenes stand side by side and share their time.
@@ -26,8 +34,10 @@ def view(file: str, other: str | None, output: str | None, allow_code: bool, qui
     from pitchpoint.report.view import write_view
 
     target = output or str(Path(file).with_suffix(".view.html"))
+    if modes and other is not None:
+        raise click.BadParameter("modes are shown of one result or model, not of two", param_hint="--modes")
     sources = [file] if other is None else [file, other]
-    written, notes = write_view(target, *sources, allow_code=allow_code)
+    written, notes = write_view(target, *sources, allow_code=allow_code, modes=modes or 0)
     if not quiet:
         show(f"scene written to {written}, {written.stat().st_size / 1e6:.1f} MB; open it in a browser")
         for note in notes:

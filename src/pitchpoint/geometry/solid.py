@@ -35,16 +35,28 @@ def _fan(ring: FloatArray, z: float) -> FloatArray:
     return np.stack([ring, np.roll(ring, -1, axis=0), centre], axis=1)
 
 
-def _tooth_triangles(
-    region: NDArray[np.int8], z: int, n_foot: int, is_internal: bool
-) -> tuple[IntArray, IntArray]:
-    """Indices of the triangles that fill the teeth of one section, and of the ring of root vertices.
+def tooth_cell(region: NDArray[np.int8], n_foot: int, is_internal: bool) -> tuple[IntArray, IntArray]:
+    """Numbers of the triangles that fill the tooth of one pitch of an even profile, and of its root points.
 
-    Points at the same height of both flanks bound a strip, so undercut teeth need no special case. Indices
-    beyond the outline are the `n_foot` points of the straight foot line of each tooth.
+    Points at the same height of both flanks bound a strip, so undercut teeth need no special case.
+
+    Parameters
+    ----------
+    region
+        Regions of the points as in `pitchpoint.geometry.tooth_form.even_profile`.
+    n_foot
+        Points of the straight line between the feet of the tooth: they have the numbers -1, -2, ...
+    is_internal
+        Whether the gear is internal.
+
+    Returns
+    -------
+    ndarray, shape (n, 3)
+        Triangles, counter-clockwise.
+    ndarray
+        Points of the root from the first of the pitch to its last, counter-clockwise.
     """
     n_cell = region.size
-    n_all = n_cell * z
     n_tip = int((region == 3).sum())
     start = int(np.argmax(region != 0))
     n = int(np.argmax(region == 3)) - start
@@ -71,19 +83,35 @@ def _tooth_triangles(
     else:
         strips.append(fan(arc[0], arc[1:]))
     root = np.concatenate([np.arange(start), foot[:-1], np.arange(left[0], n_cell)])
-
-    def everywhere(ids: IntArray) -> IntArray:
-        """Numbers of the points of the first tooth, for all teeth; negative ones stand on the foot circle."""
-        tooth = np.arange(z).reshape((z,) + (1,) * ids.ndim)
-        return np.where(ids < 0, n_all + n_foot * tooth - 1 - ids, (ids + n_cell * tooth) % n_all)
-
-    return everywhere(np.concatenate(strips)).reshape(-1, 3), everywhere(root).ravel()
+    return np.concatenate(strips), root
 
 
-def _blank(
+def _all_teeth(cell: IntArray, n_cell: int, z: int, n_foot: int) -> IntArray:
+    """Numbers of points of the first pitch, for all; negative ones stand behind the outlines."""
+    n_all = n_cell * z
+    tooth = np.arange(z).reshape((z,) + (1,) * cell.ndim)
+    return np.where(cell < 0, n_all + n_foot * tooth - 1 - cell, (cell + n_cell * tooth) % n_all)
+
+
+def blank_section(
     gear: CylindricalGear, bore: float, rim: float | None, web: float | None
 ) -> tuple[list[tuple[float, float]], bool]:
-    """Upper half of the blank's section from the root inwards as (radius, z); whether it ends at a wall."""
+    """Upper half of the blank's section from the root inwards as (radius, z); whether it ends at a wall.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    bore
+        Radius of the bore, of internal gears that of the outside; 0 where none is given [m].
+    rim, web
+        Thickness of rim and web [m]; none for a full disc.
+
+    Raises
+    ------
+    GeometryError
+        If the bore does not fit the gear.
+    """
     half, r_f = 0.5 * gear.b, root_radius(gear)
     if gear.is_internal:
         outer = bore if bore > 0.0 else r_f + (RIM_OF_RING * gear.m_n if rim is None else rim)
@@ -157,7 +185,9 @@ def gear_solid(
     profile = even_profile(gear, n_flank)
     flat = around(profile, abs(gear.z))
     n_outline, z, n_foot = flat.size, abs(gear.z), max(2, n_flank // 4)
-    teeth, root = _tooth_triangles(profile.region, z, n_foot, gear.is_internal)
+    cell = tooth_cell(profile.region, n_foot, gear.is_internal)
+    teeth, root = (_all_teeth(part, profile.region.size, z, n_foot) for part in cell)
+    teeth, root = teeth.reshape(-1, 3), root.ravel()
     start = int(np.argmax(profile.region != 0))
     last = flat[start + 2 * n_flank + int((profile.region == 3).sum()) - 1]
     foot = flat[start] + (last - flat[start]) * np.arange(1, n_foot + 1) / (n_foot + 1.0)
@@ -173,7 +203,7 @@ def gear_solid(
     faces = [_quads(low[:n_outline], high[:n_outline]) for low, high in zip(rings, rings[1:], strict=False)]
     faces += [rings[-1][teeth], rings[0][teeth][:, ::-1]]
 
-    upper, is_open = _blank(gear, 0.5 * bore_diameter, rim_thickness, web_thickness)
+    upper, is_open = blank_section(gear, 0.5 * bore_diameter, rim_thickness, web_thickness)
     direction = flat[root] / np.abs(flat[root])
     top, bottom = [rings[-1][root]], [rings[0][root]]
     for radius, height in upper:

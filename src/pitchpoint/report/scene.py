@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -12,12 +13,16 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.report.scene_contacts import ContactLines, scene_contacts
+from pitchpoint.report.scene_elastic import elastic_parts
 from pitchpoint.report.scene_forces import force_arrows
 from pitchpoint.report.scene_marks import scene_marks
-from pitchpoint.report.scene_motion import motion, scene_bodies
+from pitchpoint.report.scene_motion import motion, scene_bodies, shown_bodies
+from pitchpoint.report.scene_places import Places
 from pitchpoint.report.scene_solids import scene_solids
+from pitchpoint.report.scene_spectra import modes_of_result, scene_modes, scene_spectra
 from pitchpoint.viz.quantities import Channel, scale
-from pitchpoint.viz.scene import Scene, SceneArrow, SceneChannel, SceneContact, SceneMark
+from pitchpoint.viz.scene import Scene, SceneArrow, SceneChannel, SceneMark
+from pitchpoint.viz.scene_contact import SceneContact
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -29,13 +34,17 @@ Array = NDArray[np.float64]
 MOST_FRAMES = 2000
 NUMBERS = 4e5
 """Most numbers of all tracks: with more bodies there are fewer frames."""
-PIECES = 500
-"""Pieces of a record that a curve is drawn from."""
+PIECES = (500, 200)
+"""Pieces of a record that a curve is drawn from, most and least."""
+CURVES = 1e5
+"""Most pieces of all curves: with more of them each has fewer."""
 FIRST = ("normal_force", "transmission_error")
 """Quantities that are drawn without asking."""
 
 
-def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | None = None) -> Scene:
+def scene_of(
+    model: Model, result: xr.Dataset | None = None, scenario: str | None = None, modes: int = 0
+) -> Scene:
     """The scene of a model at rest, or of a result over time.
 
     Parameters
@@ -43,9 +52,11 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
     model
         The model; of a result the one that it keeps.
     result
-        Result of a time run.
+        Result of a time run, or of modes.
     scenario
         Scenario of the result; that which it names, if left out.
+    modes
+        How many of the lowest modes are computed for it.
 
     Raises
     ------
@@ -58,11 +69,17 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
     system = compile_model(model, chosen)
     names = system.layout.bodies
     still = motion(system, 1, lambda _: np.zeros(1), np.zeros(1))
+    shapes = result if result is not None and "mode" in result.dims else None
+    result = result if shapes is None else None
     record = _Record.of(result, len(names))
     lines = ContactLines(system, record.at_frames, len(record.times))
     moved = motion(system, len(record.times), record.at_frames, record.times, lines.look)
     bodies = scene_bodies(system, moved, still)
-    solids, notes = scene_solids(model, {name: k for k, name in enumerate(names[1:])})
+    numbers = {b: k for k, b in enumerate(shown_bodies(system))}
+    places = Places(model, numbers, {names[b]: k for b, k in numbers.items()})
+    solids, notes = scene_solids(model, places)
+    bending, said = elastic_parts(model, places, record.at_frames)
+    solids, notes = solids + bending, notes + said
     if result is not None and moved.unknown:
         notes.append("not in the result, drawn at rest: " + ", ".join(moved.unknown))
     arrows: list[SceneArrow] = []
@@ -73,9 +90,14 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
         contacts, lacking = scene_contacts(model, system, lines, moved, record.at_frames)
         marks, coarse = scene_marks(model, result, contacts, record.times)
         notes += [*_another_state(model, result), *said, *lacking, *coarse]
+    labels = [body.name for body in bodies]
+    found = scene_modes(system, modes, labels, solids) if modes else []
+    if shapes is not None:
+        found = modes_of_result(shapes, labels, solids)
     return Scene(
         title=model.title or "Gears",
         subtitle="" if result is None else _subtitle(result),
+        up=_up(model),
         bodies=bodies,
         solids=solids,
         times=record.times,
@@ -83,6 +105,8 @@ def scene_of(model: Model, result: xr.Dataset | None = None, scenario: str | Non
         contacts=contacts,
         channels=record.curves(),
         marks=marks,
+        spectra=[] if result is None else scene_spectra(result, _settle_time(model, chosen)),
+        modes=found,
         notes=notes,
     )
 
@@ -96,6 +120,21 @@ def _another_state(model: Model, result: xr.Dataset) -> list[str]:
         "computed with another state of the model than the one that is kept: faults, patterns and teeth are "
         "drawn as the latter has them"
     ]
+
+
+def _up(model: Model) -> tuple[float, float, float]:
+    """Against gravity; y where there is none."""
+    size = math.hypot(*(model.gravity or ()))
+    if model.gravity is None or size == 0.0:
+        return (0.0, 1.0, 0.0)
+    x, y, z = (-g / size for g in model.gravity)
+    return (x, y, z)
+
+
+def _settle_time(model: Model, scenario: str | None) -> float:
+    """Time that a scenario lets pass before it measures [s]."""
+    found = model.scenarios.get(scenario or "")
+    return float(getattr(found, "settle_time", None) or 0.0)
 
 
 def _subtitle(result: xr.Dataset) -> str:
@@ -137,7 +176,8 @@ class _Record:
         if self.result is None:
             return []
         time = np.asarray(self.result["time"].values, dtype=np.float64)
-        edges = np.unique(np.linspace(0, time.size, min(PIECES, time.size) + 1).round().astype(np.int64))[:-1]
+        most = int(min(PIECES[0], max(PIECES[1], CURVES / max(1, len(self.result.data_vars)))))
+        edges = np.unique(np.linspace(0, time.size, min(most, time.size) + 1).round().astype(np.int64))[:-1]
         found = []
         for name, values in self.result.data_vars.items():
             if values.dims != ("time",):

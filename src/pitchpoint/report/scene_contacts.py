@@ -21,7 +21,8 @@ from pitchpoint.core.status import OK, sentence
 from pitchpoint.elements import mesh_lines
 from pitchpoint.elements.gear_mesh_record import PROFILE
 from pitchpoint.elements.mesh_pairs import pair_teeth
-from pitchpoint.viz.scene import ContactFlank, FlankSurface, SceneContact
+from pitchpoint.report.scene_motion import shown_bodies
+from pitchpoint.viz.scene_contact import ContactFlank, FlankSurface, SceneContact
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -130,6 +131,7 @@ def scene_contacts(
         Gives a channel of the result at the frames, or None.
     """
     found, notes = [], []
+    shown = shown_bodies(system)
     for m, (name, mesh) in enumerate(zip(lines.names, lines.found, strict=True)):
         if mesh.first["source"] != PROFILE:
             notes.append(
@@ -160,7 +162,7 @@ def scene_contacts(
                         travel=mesh.travel[:, k],
                         forces=forces[:, k],
                         loads=loads[:, k],
-                        surfaces=_surfaces(model, name, mesh, side, moved),
+                        surfaces=_surfaces(model, name, mesh, side, moved, shown),
                     )
                     for k, side in enumerate((1, -1))
                     if side == 1 or back
@@ -197,7 +199,9 @@ def _penetration(name: str, mesh: _Mesh, read: Read) -> Array:
     return np.stack([np.where(front, nearer, farther), np.where(front, farther, nearer)], axis=1)
 
 
-def _surfaces(model: Model, name: str, mesh: _Mesh, side: int, moved: Motion) -> list[FlankSurface]:
+def _surfaces(
+    model: Model, name: str, mesh: _Mesh, side: int, moved: Motion, shown: list[int]
+) -> list[FlankSurface]:
     """Flanks of both gears where the path of contact reaches them: what the kernel's lines sweep over.
 
     At a width z the flanks of pair 0 stand at `line` on the line of action, half of the penetration before
@@ -227,7 +231,7 @@ def _surfaces(model: Model, name: str, mesh: _Mesh, side: int, moved: Motion) ->
         )
         found.append(
             FlankSurface(
-                body=body - 1,
+                body=shown.index(body),
                 gear=model.meshes[name].gears[gear],
                 teeth=abs(z),
                 points=placed,

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.units import format_quantity
-from pitchpoint.viz.scene import ContactFlank, FlankSurface, SceneContact, SceneMark
+from pitchpoint.viz.scene import SceneMark
+from pitchpoint.viz.scene_contact import ContactFlank, FlankSurface, SceneContact
 
 if TYPE_CHECKING:
     import xarray as xr

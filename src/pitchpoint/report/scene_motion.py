@@ -20,6 +20,12 @@ TURNING = 0.5
 """Travel [rad] from which on a body counts as turning."""
 STILL = 1e-12
 """Displacement [m, rad] below which a track is left out."""
+SWING = 0.05
+"""Turn [rad] about one axis from which on it is motion, not vibration."""
+TUMBLE = 0.3
+"""The same of turns about several axes, which small rotation vectors no longer add up to."""
+WAY = 0.01
+"""Displacement from which on it is motion, as a part of the size of the machine."""
 
 
 @dataclass(frozen=True)
@@ -83,13 +89,19 @@ def motion(
     layout, body = system.layout, system.program["body"]
     q = np.tile(system.initial_state().q * 0.0, (n, 1))
     angle = np.zeros((n, len(layout.bodies)))
+    charts = np.tile(system.initial_state().charts, (n, 1, 1, 1))
     unknown = []
     words = {"alpha": "rx", "beta": "ry"}
     for b, one in enumerate(system.bodies, start=1):
         if one.state:
             continue
-        for k, (coordinate, _) in enumerate(one.coordinates):
-            name, dof = layout.bodies[b], int(body[b]["dof"]) + k
+        name, chart = layout.bodies[b], int(body[b]["chart"])
+        for k, (coordinate, unit) in enumerate(one.coordinates):
+            dof = int(body[b]["dof"]) + k
+            if chart >= 0 and unit == "rad":
+                if coordinate == "alpha" and not _attitudes(name, read, charts[:, chart]):
+                    unknown.append(f"attitude of {name}")
+                continue
             spin = coordinate == "spin"
             word = words.get(coordinate, coordinate)
             channel = f"angle[{name}]" if spin else f"displacement[{name}.{word}]"
@@ -117,6 +129,7 @@ def motion(
     for i in range(n):
         state.t = float(times[i])
         state.q[:] = q[i]
+        state.charts[:] = charts[i]
         state.turns[spinning] = np.rint(q[i, spins[spinning]] / TWO_PI)
         state.q[spins[spinning]] -= TWO_PI * state.turns[spinning]
         found.observed[i] = evaluate.observe(system, state)
@@ -131,6 +144,31 @@ def motion(
     return found
 
 
+def _attitudes(name: str, read: Callable[[str], Array | None], charts: Array) -> bool:
+    """Write the attitudes of a tumbling body into charts, shape (n, 3, 3); whether they are known."""
+    from scipy.spatial.transform import Rotation
+
+    parts = [read(f"attitude[{name}.{c}]") for c in "xyzw"]
+    if any(part is None for part in parts):
+        return False
+    quaternion = np.column_stack([part for part in parts if part is not None])
+    # a model at rest reads zeros
+    if np.any(quaternion):
+        charts[:] = Rotation.from_quat(quaternion).as_matrix()
+    return True
+
+
+def shown_bodies(system: System) -> list[int]:
+    """Numbers of the bodies that a scene has: those that only carry coordinates of elastic ones are not."""
+    names, model = system.layout.bodies, system.model
+    helpers: set[str] = set()
+    if model is not None:
+        for name, part in model.elastic_bodies.items():
+            own = {f"{name}.{node}" for node in part.nodes}
+            helpers |= {n for n in names if n.startswith(f"{name}.") and n not in own}
+    return [b for b, one in enumerate(system.bodies, start=1) if not one.state and names[b] not in helpers]
+
+
 def scene_bodies(system: System, moved: Motion, rest: Motion) -> list[SceneBody]:
     """Bodies of a scene, ground left out; those that hang on a body that turns move in its frame.
 
@@ -141,32 +179,55 @@ def scene_bodies(system: System, moved: Motion, rest: Motion) -> list[SceneBody]
     moved, rest
         Its motion over the frames of the scene, and at rest, one frame.
     """
-    names, parents = system.layout.bodies, system.program["body"]["parent"]
-    from scipy.spatial.transform import Rotation
-
+    names, shown = system.layout.bodies, shown_bodies(system)
     guide = _guide(moved.angle)
+    size = float(np.linalg.norm(np.ptp(moved.place.reshape(-1, 3), axis=0))) if shown else 0.0
     found: list[SceneBody] = []
-    for b in range(1, len(names)):
-        parent = int(parents[b])
+    for b in shown:
+        parent = int(system.program["body"]["parent"][b])
+        while parent and parent not in shown:
+            parent = int(system.program["body"]["parent"][parent])
         place, axes = _in_parent(moved, b, parent)
         place0, axes0 = (x[0] for x in _in_parent(rest, b, parent))
-        position = (place - place0) @ axes0
-        turn = Rotation.from_matrix(axes0.T @ axes).as_rotvec()
+        way = (place - place0) @ axes0
+        far = float(np.ptp(way, axis=0).max()) > WAY * size
+        angle = moved.angle[:, b]
         gross, ratio = _gross(moved.angle, b, guide)
+        if np.ptp(angle - (0.0 if gross is None else ratio * gross)) > SWING:
+            gross, ratio = angle, 1.0
+        turn, quaternion = _turns(axes0.T @ axes)
         found.append(
             SceneBody(
                 name=names[b],
-                parent=parent - 1,
+                parent=shown.index(parent) if parent else -1,
                 place=place0,
                 axes=axes0,
-                position=position if np.abs(position).max() > STILL else None,
-                turn=turn if np.abs(turn).max() > STILL else None,
-                angle=moved.angle[:, b] if np.any(moved.angle[:, b]) else None,
+                travel=way if far else None,
+                position=None if far or np.abs(way).max() <= STILL else way,
+                turn=turn,
+                quaternion=quaternion,
+                angle=angle if np.any(angle) else None,
                 gross=gross,
                 ratio=ratio,
             )
         )
     return found
+
+
+def _turns(axes: Array) -> tuple[Array | None, Array | None]:
+    """Axes over time, shape (n, 3, 3), as small rotation vectors, or as quaternions where they are large."""
+    from scipy.spatial.transform import Rotation
+
+    turned = Rotation.from_matrix(axes)
+    vector = turned.as_rotvec()
+    largest = float(np.abs(vector).max())
+    if largest <= TUMBLE:
+        return (vector if largest > STILL else None), None
+    found = turned.as_quat()
+    # neighbours on the same side: what lies between two frames is the shorter way
+    signs = np.sign((found[1:] * found[:-1]).sum(axis=1))
+    found[1:] *= np.cumprod(np.where(signs == 0.0, 1.0, signs))[:, None]
+    return None, found
 
 
 def _in_parent(moved: Motion, b: int, parent: int) -> tuple[Array, Array]:

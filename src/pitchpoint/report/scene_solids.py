@@ -8,8 +8,7 @@ said: nothing is drawn that the model does not hold, but for spindles, which onl
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
-from dataclasses import replace
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,66 +16,80 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.shaft_solid import shaft_solid
-from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.geometry.triangle_file import join_corners, placed_triangles, read_triangles
-from pitchpoint.model.frames import GROUND, frame, marker_of, split
-from pitchpoint.model.shafts import nearest_station, section_at, station_names
+from pitchpoint.model.frames import frame
+from pitchpoint.model.shafts import section_at, station_names
+from pitchpoint.report.scene_gears import gear_part
+from pitchpoint.report.scene_schematics import schematics
+from pitchpoint.report.scene_supports import (
+    bearing_rings,
+    carriers,
+    housings,
+    ring_places,
+    spindle_radius,
+)
 from pitchpoint.viz.scene import SceneSolid, Skin
 
 if TYPE_CHECKING:
-    from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.model import Model
+    from pitchpoint.report.scene_places import Places
 
 Array = NDArray[np.float64]
 
-POINTS_A_FLANK = 10
-"""Points of a flank that are drawn: chords stay within 0.3 % of a module of the involute."""
 ROUND = 48
 """Corners of a drawn circle."""
-TWIST = math.radians(2.5)
-"""Turn of a helical section from slice to slice."""
-SPINDLE = 0.35
-"""Radius of a drawn spindle, as a part of the smallest root radius on it."""
 
 
-def scene_solids(model: Model, bodies: dict[str, int]) -> tuple[list[SceneSolid], list[str]]:
+def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]:
     """Solids of a model, and what is not drawn.
 
     Parameters
     ----------
     model
         The model.
-    bodies
-        Numbers of the bodies of the scene by name.
+    at
+        Where things sit in the scene.
     """
     found: list[SceneSolid] = []
     notes: list[str] = []
     thinner = thinning(model)
-    for name, gear in model.gears.items():
-        seat = _seat(model, name)
-        if seat is None:
+    for name in model.gears:
+        body = model.body_of(name)
+        if body is None:
             continue
+        seat = at.own(body, (0.0, 0.0, model.bodies[body].gears[name]))
         try:
-            corners = gear_triangles(gear, thinner.get(name, 0.0))
+            solid, unseen = gear_part(model, name, seat, thinner.get(name, 0.0))
         except GeometryError as error:
             notes.append(f"gear {name} is not drawn: {error}")
             continue
-        body, height = seat
-        placed = _turned(corners, model.phasing.tooth_angle[name]) + np.array([0.0, 0.0, height])
-        found.append(_solid(name, "gear", bodies[body], placed, teeth=gear.number_of_teeth))
+        found.append(solid)
+        notes += unseen
     for name in model.shafts:
-        found.append(_shaft(model, name, bodies))
+        found.append(_shaft(model, name, at.names))
     for name, part in model.bodies.items():
         if part.solid is not None:
             try:
-                found.append(_from_file(model, name, bodies))
+                found.append(_from_file(model, name, at))
             except GeometryError as error:
                 notes.append(f"body {name} is not drawn: {error}")
         elif name not in model.shafts and part.gears:
-            found += _spindle(model, name, bodies)
+            found += _spindle(model, name, at)
     for name in model.rolling_bearings:
-        found += _rolling_bearing(model, name, bodies)
-    return found, notes
+        found += _rolling_bearing(model, name, at)
+    found += bearing_rings(model, at)
+    plates = carriers(model, at)
+    found += [solid for part in plates.values() for solid in part]
+    frames = housings(model, at)
+    found += [solid for part in frames.values() for solid in part]
+    if frames:
+        notes.append("frames around gears stand for housings, whose shape the model does not give")
+    if model.bearings or plates:
+        notes.append("rings of linear bearings and plates of carriers show where they are, not how large")
+    shapes = {n for n, part in model.bodies.items() if part.gears or part.solid is not None}
+    shapes |= {*plates, *frames}
+    more, said = schematics(model, at, shapes | set(model.shafts))
+    return found + more, notes + said
 
 
 def thinning(model: Model) -> dict[str, float]:
@@ -95,61 +108,24 @@ def thinning(model: Model) -> dict[str, float]:
     return found
 
 
-def gear_triangles(gear: Gear, thinner: float = 0.0) -> Array:
-    """Triangles of a gear with its blank, middle plane z = 0, tooth 0 on the x axis, shape (n, 3, 3) [m].
-
-    Parameters
-    ----------
-    gear
-        The gear.
-    thinner
-        Normal thickness that its teeth lack [m].
-    """
-    shape = gear.geometry
-    shape = replace(shape, thickness_allowance=shape.thickness_allowance - thinner)
-    slices = 1
-    if shape.beta != 0.0:
-        slices = max(2, math.ceil(abs(2.0 * math.tan(shape.beta) / shape.d * shape.b) / TWIST))
-    return gear_solid(
-        shape,
-        POINTS_A_FLANK,
-        slices,
-        bore_diameter=gear.bore_diameter,
-        rim_thickness=gear.rim_thickness,
-        web_thickness=gear.web_thickness,
-    )
-
-
 def _solid(
-    name: str, kind: str, body: int, corners: Array, *, teeth: int = 0, creases: float = 35.0
+    name: str, kind: str, body: int, corners: Array, *, creases: float = 35.0, schematic: bool = False
 ) -> SceneSolid:
     """Triangles with their corners numbered."""
     first, triangles = join_corners(corners)
     points = corners.reshape(-1, 3)[first]
     return SceneSolid(
-        name=name, kind=kind, body=body, points=points, triangles=triangles, teeth=teeth, creases=creases
+        name=name,
+        kind=kind,
+        body=body,
+        points=points,
+        triangles=triangles,
+        creases=creases,
+        schematic=schematic,
     )
 
 
-def _turned(corners: Array, angle: float) -> Array:
-    c, s = math.cos(angle), math.sin(angle)
-    return corners @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
-
-
-def _seat(model: Model, gear: str) -> tuple[str, float] | None:
-    """Body that a gear turns with, a station of a shaft, and its height there [m]."""
-    body = model.body_of(gear)
-    if body is None:
-        return None
-    height = model.bodies[body].gears[gear]
-    places = model.stations.get(body)
-    if places is None:
-        return body, height
-    k = nearest_station(places, height)
-    return station_names(body, len(places))[k], height - places[k]
-
-
-def _shaft(model: Model, name: str, bodies: dict[str, int]) -> SceneSolid:
+def _shaft(model: Model, name: str, bodies: Mapping[str, int]) -> SceneSolid:
     """A shaft that bends between its stations."""
     shaft, places = model.shafts[name], np.array(model.stations[name])
     # sections are cut at the stations too, so that every ring of corners can follow one
@@ -178,23 +154,22 @@ def _shaft(model: Model, name: str, bodies: dict[str, int]) -> SceneSolid:
     )
 
 
-def _spindle(model: Model, name: str, bodies: dict[str, int]) -> list[SceneSolid]:
+def _spindle(model: Model, name: str, at: Places) -> list[SceneSolid]:
     """Something round that joins the gears of a body without sections."""
     part = model.bodies[name]
     gears = {g: model.gears[g] for g in part.gears}
-    outer = [g for g in gears.values() if g.type != "internal"]
-    if not outer:
+    radius = spindle_radius(model, name)
+    if radius is None:
         return []
-    bores = [g.bore_diameter for g in outer if g.bore_diameter > 0.0]
-    radius = 0.5 * min(bores) if bores else SPINDLE * min(0.5 * g.geometry.d_f for g in outer)
     reach = [(z - 0.5 * gears[g].geometry.b, z + 0.5 * gears[g].geometry.b) for g, z in part.gears.items()]
     ends = [z for pair in reach for z in pair]
     ends += [m.position[2] for m in part.markers.values() if _on_axis(m.position)]
-    ends += [b.position[2] for b in model.bearings.values() if b.body == name]
+    ends += [z for label, b in model.bearings.items() if b.body == name for z in ring_places(model, label)]
     low, high = min(ends), max(ends)
     over = 0.15 * (high - low)
     corners = shaft_solid([(high - low + 2.0 * over, 2.0 * radius, 0.0)], ROUND)
-    return [_solid(f"{name} (spindle)", "shaft", bodies[name], corners + np.array([0.0, 0.0, low - over]))]
+    number, place, axes = at.own(name, (0.0, 0.0, low - over))
+    return [_solid(f"{name} (spindle)", "shaft", number, corners @ axes.T + place, schematic=True)]
 
 
 def _on_axis(place: Iterable[float]) -> bool:
@@ -202,7 +177,7 @@ def _on_axis(place: Iterable[float]) -> bool:
     return x == 0.0 and y == 0.0
 
 
-def _rolling_bearing(model: Model, name: str, bodies: dict[str, int]) -> list[SceneSolid]:
+def _rolling_bearing(model: Model, name: str, at: Places) -> list[SceneSolid]:
     """Both rings of a rolling bearing, each on the body of its end."""
     part = model.rolling_bearings[name]
     d, pitch = part.element_diameter, part.pitch_diameter
@@ -212,30 +187,17 @@ def _rolling_bearing(model: Model, name: str, bodies: dict[str, int]) -> list[Sc
     middle = np.array([0.0, 0.0, -0.5 * width])
     found = []
     for end, ring, word in zip(part.ends, (inner, outer), ("inner", "outer"), strict=True):
-        body, place, axes = _seat_of_end(model, end)
-        if body in bodies or body == GROUND:
-            corners = (shaft_solid([ring], ROUND) + middle) @ axes.T + place
-            found.append(_solid(f"{name}, {word} ring", "bearing", bodies.get(body, -1), corners))
+        number, place, axes = at.end(end)
+        corners = (shaft_solid([ring], ROUND) + middle) @ axes.T + place
+        found.append(_solid(f"{name}, {word} ring", "bearing", number, corners))
     return found
 
 
-def _seat_of_end(model: Model, end: str) -> tuple[str, Array, Array]:
-    """Body, a station of a shaft where there is one, with place [m] and axes of an end in it."""
-    body, _ = split(end)
-    marker = marker_of(model, end)
-    place = np.zeros(3) if marker is None else np.array(marker.position, float)
-    axes = np.eye(3) if marker is None else frame(marker.axes)
-    places = model.stations.get(body)
-    if places is None:
-        return body, place, axes
-    k = nearest_station(places, float(place[2]))
-    return station_names(body, len(places))[k], place - np.array([0.0, 0.0, places[k]]), axes
-
-
-def _from_file(model: Model, name: str, bodies: dict[str, int]) -> SceneSolid:
+def _from_file(model: Model, name: str, at: Places) -> SceneSolid:
     """The surface of a file, in the axes of its body."""
     reference = model.bodies[name].solid
     assert reference is not None
     corners = placed_triangles(read_triangles(reference.file), reference.unit or 1.0)
     corners = (corners - np.array(reference.origin or (0.0, 0.0, 0.0))) @ frame(reference.axes)
-    return _solid(name, "body", bodies[name], corners, creases=20.0)
+    number, place, axes = at.own(name)
+    return _solid(name, "body", number, corners @ axes.T + place, creases=20.0)

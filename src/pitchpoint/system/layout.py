@@ -244,9 +244,10 @@ def _projection(
 def body_channels(
     bodies: Sequence[Body], names: Sequence[str], records: NDArray[np.void], first: int
 ) -> tuple[list[Channel], NDArray[np.int64]]:
-    """Observations of the bodies themselves: unwrapped angle, speed, displacements.
+    """Observations of the bodies themselves: unwrapped angle, speed, displacements, attitudes.
 
-    Returns the channels and rows (0 coordinate | 1 unwrapped spin | 2 rate, body, coordinate, observation).
+    Returns the channels and rows (0 coordinate | 1 unwrapped spin | 2 rate, body, coordinate, observation);
+    of tumbling bodies (3, chart, first turn, first of four observations).
     """
     channels: list[Channel] = []
     table: list[tuple[int, int, int, int]] = []
@@ -256,7 +257,11 @@ def body_channels(
             dof = int(records[b]["dof"]) + k
             at = first + len(channels)
             if body.motion in TUMBLING and unit == "rad":
-                continue  # they jump where the turns start afresh
+                if coordinate == "alpha":  # the turns jump where they start afresh, attitudes do not
+                    table.append((3, int(records[b]["chart"]), dof, at))
+                    text = f"attitude of {name} against its start, quaternion"
+                    channels += [Channel(f"attitude[{name}.{c}]", "1", f"{text}, {c}") for c in "xyzw"]
+                continue
             if coordinate == "spin":
                 against = f" against {names[body.parent - 1]}" if body.parent else ""
                 channels.append(Channel(f"angle[{name}]", "rad", f"angle of {name}{against}"))

@@ -12,6 +12,7 @@ import math
 
 from pitchpoint.core.kernel import call, kernel, view
 from pitchpoint.core.status import OK
+from pitchpoint.multibody.attitude import attitude
 from pitchpoint.multibody.bodies import BODY, PATH
 from pitchpoint.multibody.channels import CTL, F8, FRAME, I8
 from pitchpoint.multibody.constraints import add_multipliers, frame_rows
@@ -215,12 +216,15 @@ def observe_bodies(at, where):
     q = view(c["q"], c["nd"], F8)
     v = view(c["v"], c["nd"], F8)
     fr = view(c["fr"], c["nb"], FRAME)
+    charts = view(m["charts"], (m["ncharts"], 3, 3), F8)
     for e in range(table.shape[0]):
         d = table[e, 2]
         if table[e, 0] == 0:
             out[table[e, 3]] = q[d]
         elif table[e, 0] == 1:  # outputs unwrap
             out[table[e, 3]] = q[d] + TWO_PI * fr[table[e, 1]]["turns"]
+        elif table[e, 0] == 3:
+            attitude(charts[table[e, 1]], q[d], q[d + 1], q[d + 2], out, table[e, 3])
         else:
             out[table[e, 3]] = v[d]
 

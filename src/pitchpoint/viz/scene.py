@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.viz.scene_contact import SceneContact
+
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
@@ -32,6 +34,10 @@ class SceneBody:
     position, turn
         Displacement of the origin [m] and small rotation vector [rad] from rest, in the axes at rest, shape
         (n, 3); none where it does not move.
+    travel
+        Displacement of the origin that is no vibration, in place of `position`, shape (n, 3) [m].
+    quaternion
+        Attitude against that at rest (x, y, z, w), in place of `turn`, shape (n, 4).
     angle
         Angle about the third axis, whole turns included, shape (n,) [rad].
     gross
@@ -46,6 +52,8 @@ class SceneBody:
     axes: Array
     position: Array | None = None
     turn: Array | None = None
+    travel: Array | None = None
+    quaternion: Array | None = None
     angle: Array | None = None
     gross: Array | None = None
     ratio: float = 1.0
@@ -71,6 +79,61 @@ class Skin:
     weight: Array
 
 
+@dataclass(frozen=True)
+class SceneLevel:
+    """A surface in one fineness: how far off it lies [m], points (n, 3) [m], triangles (m, 3)."""
+
+    error: float
+    points: Array
+    triangles: Indices
+
+
+@dataclass(frozen=True)
+class ScenePiece:
+    """A part of a surface that stands around the third axis several times.
+
+    Attributes
+    ----------
+    turns
+        Angles of its copies [rad].
+    levels
+        The part from coarse to fine.
+    fault
+        What is wrong with it, if anything.
+    """
+
+    turns: Array
+    levels: Sequence[SceneLevel]
+    fault: str = ""
+
+
+@dataclass(frozen=True)
+class Between:
+    """The two ends of a solid that is stretched between two bodies: numbers, and places in their frames."""
+
+    bodies: tuple[int, int]
+    ends: tuple[Array, Array]
+
+
+@dataclass(frozen=True)
+class Sway:
+    """How a solid bends in modal coordinates.
+
+    Attributes
+    ----------
+    shapes
+        Displacement of every node per unit of each coordinate, shape (k, nodes, 3), in the frame of the body.
+    node
+        Node that each point of the solid goes with, shape (n,).
+    coordinates
+        The coordinates over the frames, shape (n, k); none at rest.
+    """
+
+    shapes: Array
+    node: Indices
+    coordinates: Array | None = None
+
+
 @dataclass(frozen=True, kw_only=True)
 class SceneSolid:
     """Triangles on a body.
@@ -78,31 +141,45 @@ class SceneSolid:
     Attributes
     ----------
     name, kind
-        Name, and gear, shaft, bearing, housing, carrier or body.
+        Name, and gear, shaft, bearing, housing, carrier, spring or body.
     body
         Number of the body.
     points, triangles
-        Corners, shape (n, 3) [m], in the frame of the body; triangles, shape (m, 3), counter-clockwise seen
+        Corners, shape (n, 3) [m], in the frame of the solid; triangles, shape (m, 3), counter-clockwise seen
         from outside.
+    pieces
+        In their place the parts of a gear.
+    place, axes
+        Frame of the solid in that of the body, shape (3,) [m] and (3, 3); none where it is the same.
+    between
+        The points that it is stretched between: its third axis goes from 0 at the first to 1 at the second.
+    schematic
+        Whether it only stands for something whose shape is not known.
     teeth
         Number of teeth of a gear, 0 for others.
     see_through
         Whether what lies behind it shall be seen.
     creases
         Angle above which an edge is sharp [deg].
-    skin
-        How it bends between several bodies; none for rigid solids.
+    skin, sway
+        How it bends between several bodies, or in modal coordinates; none for rigid solids.
     """
 
     name: str
     kind: str
     body: int
-    points: Array
-    triangles: Indices
+    points: Array | None = None
+    triangles: Indices | None = None
+    pieces: Sequence[ScenePiece] = ()
+    place: Array | None = None
+    axes: Array | None = None
+    between: Between | None = None
+    schematic: bool = False
     teeth: int = 0
     see_through: bool = False
     creases: float = 35.0
     skin: Skin | None = None
+    sway: Sway | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -180,99 +257,36 @@ class SceneMark:
     until: float | None = None
 
 
-@dataclass(frozen=True, kw_only=True)
-class FlankSurface:
-    """The part of a flank that the path of contact reaches, of the tooth of pair 0.
+@dataclass(frozen=True)
+class SceneSpectrum:
+    """Amplitudes over frequencies [Hz] of a channel by its name, in SI."""
 
-    Attributes
-    ----------
-    body
-        Number of the body it is fixed to.
-    gear
-        Name of the gear.
-    teeth
-        Its number of teeth.
-    points
-        Shape (nz, nx, 3) [m] in the frame of the body, over the width and along the path from A to E.
-    turn
-        Angle about the third axis of the body from one pair to the next [rad].
-    tooth, step
-        Number of the tooth of pair 0, and from one pair to the next.
-    """
-
-    body: int
-    gear: str
-    teeth: int
-    points: Array
-    turn: float
-    tooth: int
-    step: int
+    channel: str
+    unit: str
+    frequency: Array
+    amplitude: Array
 
 
 @dataclass(frozen=True, kw_only=True)
-class ContactFlank:
-    """What the front or the back flanks of a mesh carry.
+class SceneMode:
+    """A mode shape.
 
     Attributes
     ----------
-    side
-        1 front, -1 back.
-    travel
-        Place of the contact line of pair 0 on the path of contact, in the plane of the pitch point, shape
-        (n,) [m]; pair N is N base pitches behind.
-    forces
-        Of the slots, along the base tangent, front positive, shape (n, p) [N]; pair N has slot N mod p.
-    loads
-        Per width at s even places on each line, shape (n, p, s) [N/m].
-    surfaces
-        Flanks of gear 1 and 2.
-    """
-
-    side: int
-    travel: Array
-    forces: Array
-    loads: Array
-    surfaces: Sequence[FlankSurface]
-
-
-@dataclass(frozen=True, kw_only=True)
-class SceneContact:
-    """Where and how the teeth of a mesh touch. Contact lines are straight in the plane of action.
-
-    Attributes
-    ----------
-    name
-        Name of the mesh.
-    at
-        Pitch point, shape (1, 3) or (n, 3) [m], world.
-    axes
-        Radial (towards gear 2), tangential and axial direction as columns, shape (1, 3, 3) or (n, 3, 3).
-    pressure_angle
-        Transverse working pressure angle, shape (1,) or (n,) [rad].
-    base_helix
-        Base helix angle of gear 1, right hand positive [rad].
-    base_pitch
-        Transverse base pitch [m].
-    width
-        Ends of the shared face width, from the plane of the pitch point [m].
-    path
-        Ends A and E of the path of contact, from the pitch point [m].
-    penetration
-        Of front and back flanks normal to them at the pitch point, below 0 their distance, shape (n, 2) [m].
-    flanks
-        The front flanks, and the back flanks where they ever touch.
+    name, frequency, damping
+        What moves, [Hz], share of critical damping; none where it has no meaning.
+    position, turn
+        Complex displacements of the bodies, shape (nb, 3), world axes.
+    sway
+        Complex modal coordinates of the solids that bend in them, by name.
     """
 
     name: str
-    at: Array
-    axes: Array
-    pressure_angle: Array
-    base_helix: float
-    base_pitch: float
-    width: tuple[float, float]
-    path: tuple[float, float]
-    penetration: Array
-    flanks: Sequence[ContactFlank]
+    frequency: float
+    damping: float | None
+    position: NDArray[np.complex128]
+    turn: NDArray[np.complex128]
+    sway: Mapping[str, NDArray[np.complex128]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -285,7 +299,7 @@ class Scene:
         Words above the scene.
     up
         Direction that points up on the screen, shape (3,).
-    bodies, solids, arrows, contacts, channels, marks
+    bodies, solids, arrows, contacts, channels, spectra, marks, modes
         What there is.
     times
         Of the frames, shape (n,) [s]; a single one for a model without result.
@@ -302,5 +316,7 @@ class Scene:
     arrows: Sequence[SceneArrow] = ()
     contacts: Sequence[SceneContact] = ()
     channels: Sequence[SceneChannel] = ()
+    spectra: Sequence[SceneSpectrum] = ()
     marks: Sequence[SceneMark] = ()
+    modes: Sequence[SceneMode] = ()
     notes: Sequence[str] = ()

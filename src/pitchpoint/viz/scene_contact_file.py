@@ -8,7 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.viz.scene import ContactFlank, SceneContact
+from pitchpoint.viz.scene_contact import ContactFlank, SceneContact
 
 _LEVELS = 255
 

@@ -16,7 +16,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.viz.scene import Scene, SceneArrow, SceneBody, SceneChannel, SceneMark, SceneSolid
+from pitchpoint.viz.scene import (
+    Array,
+    Indices,
+    Scene,
+    SceneArrow,
+    SceneBody,
+    SceneChannel,
+    SceneMark,
+    SceneMode,
+    ScenePiece,
+    SceneSolid,
+    SceneSpectrum,
+)
 from pitchpoint.viz.scene_contact_file import contact_entry
 
 FORMAT = "pitchpoint-scene-1"
@@ -72,9 +84,9 @@ def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
         "arrows": [_arrow(a, block) for a in scene.arrows],
         "contacts": [contact_entry(c, block) for c in scene.contacts],
         "channels": [_channel(c, block) for c in scene.channels],
-        "spectra": [],
+        "spectra": [_spectrum(s, block) for s in scene.spectra],
         "marks": [_mark(m) for m in scene.marks],
-        "modes": [],
+        "modes": [_mode(m, block) for m in scene.modes],
         "notes": list(scene.notes),
     }
     return header, bytes(block.data)
@@ -128,6 +140,9 @@ def _body(body: SceneBody, block: _Block) -> dict[str, Any]:
     for key, track in (("position", body.position), ("turn", body.turn)):
         if track is not None and np.any(_finite(track, body.name)):
             found[key] = block.put_coarse(track)
+    for key, track in (("travel", body.travel), ("quaternion", body.quaternion)):
+        if track is not None:
+            found[key] = block.put(_finite(track, body.name), "f4")
     if body.angle is not None:
         angle = _finite(body.angle, body.name)
         gross = np.zeros_like(angle) if body.gross is None else body.gross * body.ratio
@@ -139,16 +154,27 @@ def _body(body: SceneBody, block: _Block) -> dict[str, Any]:
 
 
 def _solid(solid: SceneSolid, block: _Block) -> dict[str, Any]:
-    few = len(solid.points) <= _LEVELS + 1
     found: dict[str, Any] = {
         "name": solid.name,
         "kind": solid.kind,
         "body": solid.body,
-        "points": block.put(_finite(solid.points, solid.name), "f4"),
-        "triangles": block.put(solid.triangles, "u2" if few else "u4"),
         "creases": solid.creases,
         "see_through": solid.see_through,
     }
+    if solid.pieces:
+        found["pieces"] = [_piece(piece, solid.name, block) for piece in solid.pieces]
+    else:
+        assert solid.points is not None and solid.triangles is not None
+        found.update(_surface(solid.points, solid.triangles, solid.name, block))
+    if solid.place is not None:
+        found["place"] = [float(x) for x in solid.place]
+    if solid.axes is not None:
+        found["axes"] = quaternion(solid.axes)
+    if solid.between is not None:
+        ends = [[float(x) for x in end] for end in solid.between.ends]
+        found["between"] = {"bodies": list(solid.between.bodies), "ends": ends}
+    if solid.schematic:
+        found["schematic"] = True
     if solid.teeth:
         found["teeth"] = solid.teeth
     if solid.skin is not None:
@@ -158,7 +184,51 @@ def _solid(solid: SceneSolid, block: _Block) -> dict[str, Any]:
             "second": block.put(solid.skin.second, "u2"),
             "weight": block.put(solid.skin.weight, "f4"),
         }
+    if solid.sway is not None:
+        found["sway"] = {
+            "shapes": block.put(_finite(solid.sway.shapes, solid.name), "f4"),
+            "node": block.put(solid.sway.node, "u2"),
+        }
+        if solid.sway.coordinates is not None:
+            found["sway"]["coordinates"] = block.put_coarse(_finite(solid.sway.coordinates, solid.name))
     return found
+
+
+def _mode(mode: SceneMode, block: _Block) -> dict[str, Any]:
+    def parts(values: NDArray[np.complex128], axis: int) -> dict[str, Any]:
+        """Real and imaginary parts beside each other."""
+        return block.put(_finite(np.stack([values.real, values.imag], axis=axis), mode.name), "f4")
+
+    found: dict[str, Any] = {"name": mode.name, "frequency": float(mode.frequency)}
+    if mode.damping is not None:
+        found["damping"] = float(mode.damping)
+    found.update(position=parts(mode.position, 1), turn=parts(mode.turn, 1))
+    if mode.sway:
+        found["sway"] = {name: parts(values, 1) for name, values in mode.sway.items()}
+    return found
+
+
+def _spectrum(spectrum: SceneSpectrum, block: _Block) -> dict[str, Any]:
+    return {
+        "channel": spectrum.channel,
+        "unit": spectrum.unit,
+        "frequency": block.put(spectrum.frequency, "f4"),
+        "amplitude": block.put(_finite(spectrum.amplitude, spectrum.channel), "f4"),
+    }
+
+
+def _surface(points: Array, triangles: Indices, name: str, block: _Block) -> dict[str, Any]:
+    kind = "u2" if len(points) <= _LEVELS + 1 else "u4"
+    return {"points": block.put(_finite(points, name), "f4"), "triangles": block.put(triangles, kind)}
+
+
+def _piece(piece: ScenePiece, name: str, block: _Block) -> dict[str, Any]:
+    levels = [
+        {"error": level.error, **_surface(level.points, level.triangles, name, block)}
+        for level in piece.levels
+    ]
+    found: dict[str, Any] = {"turns": block.put(_finite(piece.turns, name), "f8"), "levels": levels}
+    return {**found, "fault": piece.fault} if piece.fault else found
 
 
 def _arrow(arrow: SceneArrow, block: _Block) -> dict[str, Any]:

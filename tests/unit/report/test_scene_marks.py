@@ -11,7 +11,7 @@ import xarray as xr
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.scene_marks import MOST, contact_marks, scene_marks, tooth_in_mesh
-from pitchpoint.viz.scene import ContactFlank, FlankSurface, SceneContact
+from pitchpoint.viz.scene_contact import ContactFlank, FlankSurface, SceneContact
 from tests.support.scene_models import PAIR, seen
 
 GAP = 40e-6

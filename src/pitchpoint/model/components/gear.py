@@ -118,7 +118,13 @@ class Gear:
     solid: SolidReference | None = component(
         SolidReference, "solid whose mass and inertia take the place of those from geometry"
     )
-    drawing_resolution: int = integer("points per flank in drawings", 20, minimum=5, maximum=10000)
+    drawing_resolution: int | None = integer(
+        "points per flank in drawings and solids",
+        None,
+        minimum=5,
+        maximum=10000,
+        display="20 in files, chords within 1 µm in the scene",
+    )
     modifications: Modifications | None = component(Modifications, "flank modifications by side")
     deviations: Deviations | None = component(Deviations, "deviations of single teeth")
     faults: Mapping[str, ToothFault | SeatFault] = key(

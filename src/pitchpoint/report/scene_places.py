@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where things of a model sit in its scene: bodies of the scene, places and axes in the frames that move."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.model.frames import GROUND, axes_of, body_frame, joint_place, place_of, split
+from pitchpoint.system.rules.bodies import frame_at
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+Array = NDArray[np.float64]
+
+
+class Places:
+    """Frames of all bodies of a model where the file places them, and its size.
+
+    Parameters
+    ----------
+    model
+        The model.
+    numbers
+        Numbers of the bodies in the scene by those in the records, ground left out.
+    names
+        Numbers of the bodies in the scene by name.
+    """
+
+    def __init__(self, model: Model, numbers: Mapping[int, int], names: Mapping[str, int]) -> None:
+        self.model, self.numbers, self.names = model, numbers, names
+        points = [p for name in model.bodies for p in (self.origin(name), *self.anchors(name))]
+        reach = float(np.linalg.norm(np.ptp(np.array(points), axis=0))) if points else 0.0
+        gears = [abs(g.geometry.d_a) for g in model.gears.values()]
+        shafts = [s.length for s in model.shafts.values()]
+        self.size = max(reach, *gears, *shafts, 0.0) or 0.2
+
+    def origin(self, body: str) -> Array:
+        """Origin of a body in the world [m]."""
+        found = body_frame(self.model, body)[0]
+        return np.zeros(3) if found is None else found
+
+    def anchors(self, body: str) -> list[Array]:
+        """Places in the world where something joins a body [m]."""
+        model = self.model
+        found = [place_of(model, f"{body}.{m}") for m in model.bodies[body].markers]
+        joints = [j for j in model.joints.values() if body in (split(end)[0] for end in j.bodies)]
+        return [p for p in (*found, *(joint_place(model, j) for j in joints)) if p is not None]
+
+    def seat(self, body: str, place: ArrayLike | None = None) -> tuple[int, Array, Array]:
+        """Body of the scene that a body moves with, -1 for ground, and its frame at rest in the world.
+
+        Parameters
+        ----------
+        body
+            Name of the body, or ground.
+        place
+            Where on it, in the world [m]: of a shaft the nearest station counts, of an elastic body a node.
+        """
+        where = None if place is None else np.asarray(place, float)
+        number, origin, axes = frame_at(self.model, body, where)
+        return self.numbers.get(number, -1), origin, axes
+
+    def world(self, body: str, place: ArrayLike = (0.0, 0.0, 0.0)) -> tuple[Array, Array]:
+        """A place of a body in the world [m], and the axes of that body there; ground has those of the world.
+
+        Parameters
+        ----------
+        body
+            Name of the body, or ground.
+        place
+            From the origin of the body along its axes [m].
+        """
+        axes = np.eye(3) if body == GROUND else body_frame(self.model, body)[1]
+        origin = np.zeros(3) if body == GROUND else self.origin(body)
+        return origin + axes @ np.asarray(place, float), axes
+
+    def at_world(self, body: str, point: Array, axes: Array) -> tuple[int, Array, Array]:
+        """Body of the scene, and in its frame a point [m] and axes that are given in the world."""
+        number, origin, frame = self.seat(body, point)
+        return number, frame.T @ (point - origin), frame.T @ axes
+
+    def own(self, body: str, place: ArrayLike = (0.0, 0.0, 0.0)) -> tuple[int, Array, Array]:
+        """Body of the scene, and in its frame a place of a body [m] and the axes of that body.
+
+        Parameters
+        ----------
+        body
+            Name of the body, or ground.
+        place
+            From the origin of the body along its axes [m].
+        """
+        return self.at_world(body, *self.world(body, place))
+
+    def end(self, end: str) -> tuple[int, Array, Array]:
+        """The same of ground, BODY or BODY.MARKER, with the axes of the marker."""
+        body = split(end)[0]
+        place = place_of(self.model, end)
+        point = np.zeros(3) if place is None else place
+        return self.at_world(body, point, axes_of(self.model, end))
