@@ -10,7 +10,10 @@ from numpy.typing import NDArray
 
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.shafts import station_names
+from pitchpoint.report.scene_elastic import elastic_parts
+from pitchpoint.report.scene_places import Places
 from pitchpoint.report.scene_solids import scene_solids
+from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.viz.scene import Scene, SceneBody
 
 if TYPE_CHECKING:
@@ -34,21 +37,25 @@ def rest_scene(model: Model) -> Scene:
     ['input', 'output']
     """
     bodies: list[SceneBody] = []
+    numbers: dict[int, int] = {}
+    records = body_numbers(model)
     for name in model.bodies:
         origin, axes = body_frame(model, name)
         place = np.zeros(3) if origin is None else origin
         heights = model.stations.get(name, (0.0,))
-        for station, height in zip(station_names(name, len(heights)), heights, strict=True):
+        for k, (station, height) in enumerate(
+            zip(station_names(name, len(heights)), heights, strict=True)
+        ):
+            numbers[records[name] + k] = len(bodies)
             bodies.append(SceneBody(name=station, place=place + height * axes[:, 2], axes=axes))
-    numbers = {body.name: k for k, body in enumerate(bodies)}
-    solids, notes = scene_solids(model, numbers)
+    places = Places(model, numbers, {body.name: k for k, body in enumerate(bodies)})
+    solids, notes = scene_solids(model, places)
+    bending, said = elastic_parts(model, places, lambda _: None)
     return Scene(
         title=model.title or "Gears",
         subtitle="at rest",
         bodies=bodies,
-        solids=solids,
+        solids=solids + bending,
         times=np.zeros(1),
-        arrows=(),
-        channels=(),
-        notes=notes,
+        notes=notes + said,
     )
