@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.model.frames import body_frame
-from pitchpoint.model.shafts import station_names
+from pitchpoint.model.frames import marker_of, place_of, split
+from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.report.scene_solids import scene_solids
 from pitchpoint.viz.scene import Scene, SceneBody
 
@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 
 def rest_scene(model: Model) -> Scene:
-    """Every body where the file places it, all coordinates zero; shafts as rows of stations.
+    """Every body where the file places it, all coordinates zero, as the system numbers them.
 
     Parameters
     ----------
@@ -33,22 +33,35 @@ def rest_scene(model: Model) -> Scene:
     >>> [body.name for body in rest_scene(pp.load_model("pair.yaml")).bodies]  # doctest: +SKIP
     ['input', 'output']
     """
-    bodies: list[SceneBody] = []
-    for name in model.bodies:
-        origin, axes = body_frame(model, name)
-        place = np.zeros(3) if origin is None else origin
-        heights = model.stations.get(name, (0.0,))
-        for station, height in zip(station_names(name, len(heights)), heights, strict=True):
-            bodies.append(SceneBody(name=station, place=place + height * axes[:, 2], axes=axes))
-    numbers = {body.name: k for k, body in enumerate(bodies)}
-    solids, notes = scene_solids(model, numbers)
-    return Scene(
-        title=model.title or "Gears",
-        subtitle="at rest",
-        bodies=bodies,
-        solids=solids,
-        times=np.zeros(1),
-        arrows=(),
-        channels=(),
-        notes=notes,
-    )
+    from pitchpoint.system.rules.bodies import bodies
+
+    found = []
+    for body in bodies(model):
+        place, axes = frame_at_rest(model, body.name)
+        found.append(SceneBody(name=body.name, place=place, axes=axes))
+    solids, notes = scene_solids(model, {body.name: k for k, body in enumerate(found)})
+    return Scene(title=model.title or "Gears", subtitle="at rest", bodies=found, solids=solids, notes=notes)
+
+
+def frame_at_rest(model: Model, name: str) -> tuple[Array, Array]:
+    """Origin [m] and axes in the world of a body of the system, with all coordinates zero.
+
+    Parameters
+    ----------
+    model
+        The model.
+    name
+        A body, a station of a shaft, or a node of an elastic body; what is none of them is at the origin.
+    """
+    seats = model.mechanism.seats
+    owner, rest = split(name)
+    if owner not in seats:
+        return np.zeros(3), np.eye(3)
+    place, axes = seat_frame(model, seats[owner])
+    if owner in model.stations:
+        places = model.stations[owner]
+        return place + places[int(rest) - 1 if rest else 0] * axes[:, 2], axes
+    if rest and marker_of(model, name) is not None:
+        node = place_of(model, name)
+        place = place if node is None else node
+    return place, axes
