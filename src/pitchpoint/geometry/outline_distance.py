@@ -132,12 +132,12 @@ def gear_line(gear: CylindricalGear, n_flank: int = N_FLANK) -> Outline:
 
     Examples
     --------
-    A point half a module above the tip:
+    Half a module above the tip, and a quarter below:
 
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> line = gear_line(CylindricalGear(z=20, m_n=2e-3))
     >>> found = line.nearest(np.array([0.023 + 0j, 0.0215 + 0j]))
-    >>> [round(1e3 * d, 6) for d in found.distance.tolist()], found.part.tolist()
+    >>> [round(1e3 * d, 4) for d in found.distance.tolist()], found.part.tolist()
     ([1.0, -0.5], [3, 3])
     """
     profile = tooth_profile(gear, n_flank)
