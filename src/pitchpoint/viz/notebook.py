@@ -49,7 +49,8 @@ def gear_html(gear: Any) -> str:
 
     name = "internal gear" if gear.z < 0 else "gear"
     table = quantity_table(GEAR_ROWS, {name: _known(gear, GEAR_ROWS)})
-    return _framed(gear_svg(gear, name=name), tooth_svg(gear, name=name), table)
+    teeth = f'<div style="max-width:820px">{tooth_svg(gear, name=name)}</div>'
+    return _framed(gear_svg(gear, name=name), table) + teeth
 
 
 def component_html(gear: Any) -> str:
