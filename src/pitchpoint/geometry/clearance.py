@@ -38,8 +38,9 @@ _MOVED = 60
 """Points of a flank that are taken to the mate: their places between two of them follow from rolling."""
 _ROLLED = 24
 """Positions within a pitch that are looked at before the nearest is looked for."""
-_FINER = 4
-_TIMES = 4
+_GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
+_TIMES = 13
+"""Times that the interval is cut: to 1/520 of two steps."""
 _MARGIN = 0.4
 """Reach beyond the mate's tip circle within which teeth are looked at, in modules."""
 
@@ -186,15 +187,28 @@ def _rolled(mesh: _Mesh, play: float) -> dict[str, Clearance]:
 
 
 def _refined(mesh: _Mesh, kind: str, play: float, best: Clearance) -> Clearance:
-    """The nearest position of one kind around the nearest so far."""
-    step = 2.0 * math.pi / mesh.pair.gear1.z / _ROLLED
+    """The nearest position of one kind around the nearest so far, by the golden section."""
     found = {kind: best}
+
+    def distance(phi1: float) -> float:
+        """Distance in one position, which is kept if it is the smallest."""
+        near = _at(mesh, phi1, play).get(kind)
+        _keep(found, {} if near is None else {kind: near})
+        return math.inf if near is None else near.distance
+
+    step = 2.0 * math.pi / mesh.pair.gear1.z / _ROLLED
+    low, high = best.phi1 - step, best.phi1 + step
+    inner = [high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)]
+    values = [distance(phi) for phi in inner]
     for _ in range(_TIMES):
-        middle = found[kind].phi1
-        for k in range(-_FINER, _FINER + 1):
-            near = _at(mesh, middle + k * step / _FINER, play)
-            _keep(found, {kind: near[kind]} if kind in near else {})
-        step /= _FINER
+        if values[0] < values[1]:
+            high, inner[1], values[1] = inner[1], inner[0], values[0]
+            inner[0] = high - _GOLDEN * (high - low)
+            values[0] = distance(inner[0])
+        else:
+            low, inner[0], values[0] = inner[0], inner[1], values[1]
+            inner[1] = low + _GOLDEN * (high - low)
+            values[1] = distance(inner[1])
     return found[kind]
 
 

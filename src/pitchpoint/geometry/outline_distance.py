@@ -21,11 +21,15 @@ if TYPE_CHECKING:
 
 ComplexArray = NDArray[np.complex128]
 FloatArray = NDArray[np.float64]
+Parts = NDArray[np.int8]
 
 ROOT, FILLET, FLANK, TIP = range(4)
 """Parts of an outline, as in `pitchpoint.geometry.tooth_form.REGIONS`; the corner of a tip belongs to it."""
 N_FLANK = 400
 """Points of a flank from which distances are taken: chords stay within 5e-5 modules of the fillet."""
+
+_STEP = 8.0
+"""Largest distance of two points in modules, times the number of points of a flank."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +48,7 @@ class Nearest:
 
     distance: FloatArray
     foot: ComplexArray
-    part: NDArray[np.int8]
+    part: Parts
 
 
 @dataclass(frozen=True)
@@ -66,10 +70,10 @@ class Outline:
     z: int
     sign: int
     pitch: ComplexArray
-    part: NDArray[np.int8]
+    part: Parts
 
     @cached_property
-    def _chain(self) -> tuple[ComplexArray, NDArray[np.int8]]:
+    def _chain(self) -> tuple[ComplexArray, Parts]:
         """Three pitches: what is nearest to a point of one may lie on the next tooth."""
         turn = np.exp(2j * math.pi / self.z)
         line = np.concatenate([self.pitch / turn, self.pitch, self.pitch * turn])
@@ -104,14 +108,28 @@ class Outline:
             foot = np.where(closer, here, foot)
             side = np.where(closer, (along.conj() * away).imag, side)
             ends = parts[start], parts[start + 1]
-            # between the corner of a tip and the next point lies flank, between fillet and flank as well
-            within = np.where(ends[0] == ends[1], ends[0], np.minimum(np.maximum(*ends), FLANK))
+            within = _between(*ends)
             part = np.where(
                 closer, np.where(share <= 0.0, ends[0], np.where(share >= 1.0, ends[1], within)), part
             )
         # the outline runs counter-clockwise: on its left lies the material, of an internal gear the hole
         signed = np.where(self.sign * side > 0.0, -distance, distance)
         return Nearest(signed, foot * turn, part)
+
+
+def _between(one: Parts, two: Parts) -> Parts:
+    """Part of what lies between two points: flank beside the corner of a tip and behind a fillet."""
+    return np.asarray(np.where(one == two, one, np.minimum(np.maximum(one, two), FLANK)), dtype=np.int8)
+
+
+def _divided(plane: ComplexArray, part: Parts, turn: complex, step: float) -> tuple[ComplexArray, Parts]:
+    """Points no farther apart than a step, which the search for the nearest of them relies on."""
+    after, part_after = np.append(plane[1:], plane[0] * turn), np.append(part[1:], part[0])
+    count = np.maximum(1, np.ceil(np.abs(after - plane) / step)).astype(np.int64)
+    start = np.repeat(np.arange(plane.size), count)
+    share = (np.arange(start.size) - np.repeat(np.cumsum(count) - count, count)) / count[start]
+    points = plane[start] + share * (after - plane)[start]
+    return points, np.where(share == 0.0, part[start], _between(part, part_after)[start])
 
 
 @lru_cache(maxsize=32)
@@ -132,12 +150,12 @@ def gear_line(gear: CylindricalGear, n_flank: int = N_FLANK) -> Outline:
 
     Examples
     --------
-    A point half a module above the tip:
+    Half a module above the tip, and a quarter below:
 
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> line = gear_line(CylindricalGear(z=20, m_n=2e-3))
     >>> found = line.nearest(np.array([0.023 + 0j, 0.0215 + 0j]))
-    >>> [round(1e3 * d, 6) for d in found.distance.tolist()], found.part.tolist()
+    >>> [round(1e3 * d, 4) for d in found.distance.tolist()], found.part.tolist()
     ([1.0, -0.5], [3, 3])
     """
     profile = tooth_profile(gear, n_flank)
@@ -145,4 +163,6 @@ def gear_line(gear: CylindricalGear, n_flank: int = N_FLANK) -> Outline:
     part = profile.region.copy()
     height = gear.sign * np.abs(plane)
     part[height > height.max() - 1e-9 * gear.m_n] = TIP
+    turn = complex(np.exp(2j * math.pi / abs(gear.z)))
+    plane, part = _divided(plane, part, turn, _STEP * gear.m_n / n_flank)
     return Outline(abs(gear.z), gear.sign, plane, part)

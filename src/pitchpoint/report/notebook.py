@@ -171,21 +171,31 @@ def _numbers(data: xr.Dataset) -> str:
     """Mean, alternating rms, least and greatest value of the first channels over the whole record."""
     import numpy as np
 
-    from pitchpoint.viz.quantities import Channel
-    from pitchpoint.viz.tables import statistics_table
+    from pitchpoint.viz.tables import plain_table
 
     if "time" not in data.dims or data.sizes["time"] < 2:
         return ""
-    rows: list[tuple[Channel, dict[str, float]]] = []
-    for quantity in FIRST:
-        for name, values in data.data_vars.items():
-            if values.dims != ("time",) or str(name).partition("[")[0] != quantity or len(rows) >= MOST_ROWS:
-                continue
-            x = np.asarray(values.values, dtype=np.float64)
-            if not np.isfinite(x).all():
-                continue
-            channel = Channel(str(name), x, str(values.attrs.get("units", "")))
-            spread = {"mean": x.mean(), "rms": x.std(), "min": x.min(), "max": x.max()}
-            rows.append((channel, {key: float(value) for key, value in spread.items()}))
-    table = statistics_table(rows)
-    return f'{drawings.STYLE}<div class="pp-shown">{table}</div>' if table else ""
+    over_time = {str(name): v for name, v in data.data_vars.items() if v.dims == ("time",)}
+    names = [name for kind in FIRST for name in over_time if name.partition("[")[0] == kind]
+    rows = []
+    for name in names[:MOST_ROWS]:
+        x = np.asarray(over_time[name].values, dtype=np.float64)
+        if np.isfinite(x).all():
+            rows.append(_row(name, str(over_time[name].attrs.get("units", "")), x))
+    if not rows:
+        return ""
+    head = ("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum")
+    return f'{drawings.STYLE}<div class="pp-shown">{plain_table(head, rows)}</div>'
+
+
+def _row(name: str, unit: str, x: Any) -> str:
+    """One channel in the unit that people use."""
+    from pitchpoint.viz.quantities import Channel, number, scale
+
+    shown = scale(unit, x)
+    # the alternating part of a constant is round-off, not a result
+    rms = float(x.std()) if x.std() > 1e-10 * abs(x).max() else 0.0
+    values = (float(x.mean()), rms, float(x.min()), float(x.max()))
+    cells = "".join(f'<td class="num">{number(value * shown.factor)}</td>' for value in values)
+    label = escape(Channel(name, x).label)
+    return f'<tr><th scope="row">{label}</th><td class="unit">{shown.unit}</td>{cells}</tr>'

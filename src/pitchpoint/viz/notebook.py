@@ -20,8 +20,8 @@ SHOWN = {
 }
 # Notebooks centre and embolden the heads of rows; these tables are read from left to right.
 STYLE = (
-    "<style>.pp-shown table th,.pp-shown table td{font-weight:400;text-align:left}"
-    ".pp-shown table .num{text-align:right}"
+    "<style>.pp-shown table th,.pp-shown table td{font-weight:400;text-align:left!important}"
+    ".pp-shown table .num{text-align:right!important}"
     ".pp-shown .pp-row{display:flex;flex-wrap:wrap;gap:16px}"
     ".pp-shown .pp-row>*{flex:1 1 300px;max-width:480px}"
     "</style>"
@@ -49,7 +49,8 @@ def gear_html(gear: Any) -> str:
 
     name = "internal gear" if gear.z < 0 else "gear"
     table = quantity_table(GEAR_ROWS, {name: _known(gear, GEAR_ROWS)})
-    return _framed(gear_svg(gear, name=name), tooth_svg(gear, name=name), table)
+    teeth = f'<div style="max-width:820px">{tooth_svg(gear, name=name)}</div>'
+    return _framed(gear_svg(gear, name=name), table) + teeth
 
 
 def component_html(gear: Any) -> str:
@@ -63,7 +64,7 @@ def pair_html(pair: Any) -> str:
     from pitchpoint.viz.tables import MESH_ROWS, quantity_table
 
     table = quantity_table(MESH_ROWS, {"pair": _known(pair, MESH_ROWS)})
-    return _framed(pair_svg(pair), mesh_zone_svg(pair), table)
+    return _framed(pair_svg(pair), mesh_zone_svg(pair)) + _framed(table)
 
 
 def model_html(model: Any) -> str:

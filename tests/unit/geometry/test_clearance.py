@@ -120,6 +120,22 @@ def test_a_tip_below_the_form_circle_runs_into_the_fillet(longer: float, hits: b
     assert found["tip_1_fillet_2"].distance > 0.0
 
 
+def test_straight_ends_of_flanks_inside_the_base_circle_collide() -> None:
+    """The angular gap counts tips at the base circle; this ring goes on inside it, and that end hits."""
+    pair = internal(20, 28, 0.0)
+    assert abs(pair.gear2.d_a) < abs(pair.gear2.d_b) and tip_overlap_gap(pair) > 0.0
+    tips = clearances(pair)["tips"]
+    assert tips.distance < -0.02 * M
+    # the corner of the ring lies inside the pinion, told by the crossings of a ray
+    ring = gear_outline(pair.gear1, 400, rotation=tips.phi1)
+    x, y = tips.place2
+    a, b = ring[:-1], ring[1:]
+    cut = (a[:, 1] > y) != (b[:, 1] > y)
+    beyond = a[cut, 0] + (y - a[cut, 1]) / (b - a)[cut, 1] * (b - a)[cut, 0] > x
+    assert beyond.sum() % 2 == 1
+    assert math.dist((x, y), (pair.a_w, 0.0)) == pytest.approx(0.5 * abs(pair.gear2.d_a), rel=1e-6)
+
+
 @pytest.mark.parametrize("z2, short", [(26, 0.3), (27, 0.2), (25, 0.3), (26, 0.2), (60, 0.1)])
 def test_tips_of_internal_pairs_collide_where_the_formula_says(z2: int, short: float) -> None:
     """Trochoid interference: the sign of the angular gap of the tips, and about its arc where it is small."""
@@ -153,7 +169,12 @@ def test_a_real_tooth_counts() -> None:
     assert found[BACK].distance == pytest.approx(0.5 * pair.j_bt, abs=ACCURACY * M)
 
 
-@pytest.mark.parametrize("gear", [PAIRS["helical"].gear1, PAIRS["ring"].gear2], ids=["pinion", "ring"])
+SHORT_RING = CylindricalGear.internal(z=28, m_n=M)
+"""Its tips lie inside the base circle: the flanks end in straight lines."""
+GEARS = {"pinion": PAIRS["helical"].gear1, "ring": PAIRS["ring"].gear2, "inside base": SHORT_RING}
+
+
+@pytest.mark.parametrize("gear", GEARS.values(), ids=GEARS)
 def test_distances_from_an_outline_are_those_of_its_polygon(gear: CylindricalGear) -> None:
     """Random points: distance to every segment, and inside or outside by the crossings of a ray."""
     ring = gear_outline(gear, 60)
@@ -170,4 +191,4 @@ def test_distances_from_an_outline_are_those_of_its_polygon(gear: CylindricalGea
         right = a[cut, 0] + (y - a[cut, 1]) / along[cut, 1] * along[cut, 0] > x
         within = bool(right.sum() % 2) != gear.is_internal
         assert near.distance[k] == pytest.approx(-far if within else far, abs=1e-3 * M * 0.05)
-    assert set(near.part.tolist()) == {ROOT, FILLET, FLANK, TIP}
+    assert set(near.part.tolist()) | {ROOT} == {ROOT, FILLET, FLANK, TIP}

@@ -29,13 +29,13 @@ GEARS = {
 def test_the_tool_touches_the_tooth_and_stays_outside(name: str) -> None:
     """Law of gearing: at every rotation some point of the tool lies on the tooth, and none inside it."""
     gear = GEARS[name]
-    tool, line = tool_tooth(gear, 400), gear_line(gear)
+    tool, line = tool_tooth(gear, 120), gear_line(gear)
     assert tool is not None and tool.kind == (CUTTER if gear.is_internal else RACK)
     half_space = math.pi / abs(gear.z)
     parts = set()
-    for phi in np.linspace(-1.0, 1.0, 41) * half_space:
+    for phi in np.linspace(-1.0, 1.0, 15) * half_space:
         # the tooth of the outline stands beside the space on the +x axis
-        teeth = np.concatenate([tool.at(phi, tooth) for tooth in range(-2, 3)])
+        teeth = np.concatenate([tool.at(phi, tooth) for tooth in range(-1, 2)])
         points = teeth * np.exp(-1j * (phi + half_space))
         near = line.nearest(points)
         k = int(near.distance.argmin())

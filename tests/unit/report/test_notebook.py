@@ -7,6 +7,7 @@ import html
 import re
 import sys
 import types
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ import pytest
 import xarray as xr
 
 import pitchpoint as pp
-from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.report import notebook
 from pitchpoint.report.notebook import dataset_html, is_result, model_html
 from pitchpoint.report.scene import scene_of
@@ -57,19 +58,20 @@ def test_a_model_shows_its_scene_without_compiling(monkeypatch: pytest.MonkeyPat
     assert len(seen.times) == 1
 
 
-@pytest.mark.parametrize("source", [SHORT, GEARBOX], ids=["pair", "housing"])
-def test_bodies_at_rest_are_where_the_system_has_them(source: str) -> None:
-    model = loads_model(source)
+@pytest.mark.parametrize("name", ["pair", "housing", "joints"])
+def test_bodies_at_rest_are_where_the_system_has_them(name: str) -> None:
+    """Places in the world and axes, those of bodies on joints as well."""
+    texts = {"pair": SHORT, "housing": GEARBOX}
+    file = Path(__file__).parents[3] / "examples/flyball-governor/model.yaml"
+    model = loads_model(texts[name]) if name in texts else load_model(file)
     here, there = rest_scene(model), scene_of(model)
     assert [b.name for b in here.bodies] == [b.name for b in there.bodies]
-    checked = 0
+    frames: list[tuple[Any, Any]] = []
     for one, two in zip(here.bodies, there.bodies, strict=True):
-        # a body on a joint has the frame of that joint in the system, with gears it is its own
-        if one.name in model.bodies and model.bodies[one.name].gears:
-            np.testing.assert_allclose(one.place, two.place, atol=1e-12)
-            np.testing.assert_allclose(one.axes, two.axes, atol=1e-12)
-            checked += 1
-    assert checked == 2
+        origin, axes = frames[two.parent] if two.parent >= 0 else (np.zeros(3), np.eye(3))
+        frames.append((origin + axes @ two.place, axes @ two.axes))
+        np.testing.assert_allclose(one.place, frames[-1][0], atol=1e-12)
+        np.testing.assert_allclose(one.axes, frames[-1][1], atol=1e-12)
     assert [s.name for s in here.solids] == [s.name for s in there.solids]
 
 
