@@ -128,7 +128,7 @@ def _scene(data: xr.Dataset) -> Scene:
     if not text:
         raise PitchpointError("this result does not keep its model")
     model = loads_model(text, file=str(data.encoding.get("source", "result")))
-    if "time" in data.dims and data.sizes["time"] > 1:
+    if "mode" in data.dims or ("time" in data.dims and data.sizes["time"] > 1):
         return scene_of(model, data)
     return rest_scene(model)
 
