@@ -20,7 +20,7 @@ from pitchpoint.core.compiling import unhindered
 from pitchpoint.core.kernel import Kernel
 
 def typed_only(self, state):
-    flags, library = state.flags, compiler_parts.Part(state.targetctx.codegen(), state.func_id.func_qualname)
+    flags, library = state.flags, state.targetctx.codegen().create_library(state.func_id.func_qualname)
     described = PythonFunctionDescriptor.from_specialized_function(
         state.func_ir, state.typemap, state.return_type, state.calltypes, mangler=state.targetctx.mangler,
         inline=flags.forceinline, noalias=flags.noalias, abi_tags=[flags.get_mangle_string()])

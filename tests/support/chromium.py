@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One headless Chromium for all pages of a test process, spoken to through its debugging pipe.
+"""One headless Chromium for all pages of a file of tests, spoken to through its debugging pipe.
 
 Starting it takes longer than most pages. Every page has a context of its own: no storage, no window and no
 emulated setting passes from one to the next.
@@ -18,7 +18,6 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -64,7 +63,6 @@ class Chromium:
         os.close(theirs_out)
         self._count, self._buffer = 0, b""
         self._over: set[str] = set()
-        atexit.register(self.close)
 
     def close(self) -> None:
         """End the browser and remove its profile."""
@@ -191,7 +189,20 @@ def window(*flags: str) -> dict[str, Any]:
     return {"size": (int(width), int(height)), "dark": dark}
 
 
-@cache
+_running: dict[tuple[str, ...], Chromium] = {}
+
+
 def chromium(*flags: str) -> Chromium:
     """The browser of this process with these flags."""
-    return Chromium(*flags)
+    if flags not in _running:
+        _running[flags] = Chromium(*flags)
+    return _running[flags]
+
+
+def close_all() -> None:
+    """End all browsers of this process."""
+    while _running:
+        _running.popitem()[1].close()
+
+
+atexit.register(close_all)

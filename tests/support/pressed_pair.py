@@ -28,3 +28,8 @@ def turned_forces(model, angles, depth, mesh="stage", bodies=("driver", "driven"
             state.turns[system.layout.bodies.index(body)] = turns
         found.append(evaluate.observe(system, state)[column])
     return np.array(found)
+
+
+def swaying(t, psi, parameters):
+    """Stiffness that falls along the path of contact [N/m]."""
+    return 4e8 + 5e7 * (0.5 - psi)
