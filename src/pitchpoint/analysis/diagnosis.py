@@ -234,7 +234,7 @@ def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> Note:
     what = {"comb": "orders", "low order": "lowest orders", "sidebands": "sidebands"}.get(kind, shaft)
     whose = gear if kind == "bearing" else f"{gear} ({shaft})" if gear else shaft
     return Note(
-        "no test of {}: above the record's highest frequency, or too near to other lines",
+        "no test of the {}: above the record's highest frequency, or too near to other lines",
         f"{what} of {whose}",
     )
 
