@@ -152,7 +152,7 @@ def explain(
         now = left[number]
         if not now.found or (now.gear, now.shaft) in told:
             continue
-        told[now.gear, now.shaft] = strikes_of(now, channels[now.channel], parts)
+        told[now.gear, now.shaft] = _strikes_of(now, channels[now.channel], parts)
         for k, e in enumerate(left):
             if not e.found or (e.gear, e.shaft) in told or not _may_explain(now, e):
                 continue
@@ -168,18 +168,8 @@ def explain(
     return tuple(left), notes
 
 
-def strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
-    """Strikes of a part that was found, with the rate at which their lines are strongest.
-
-    Parameters
-    ----------
-    e
-        The test that found it.
-    channel
-        What it looked at.
-    parts
-        What turns.
-    """
+def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
+    """Strikes of a part that was found, with the rate at which their lines are strongest."""
     bearing = next(b for b in alike(parts.bearings) if b.name == e.gear)
     nominal = bearing.orders[e.shaft]
     beside = _carried(bearing, e.shaft, parts)
