@@ -8,6 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.analysis.bearing_signals import envelope_band, whitened, without_healthy_lines
 from pitchpoint.analysis.envelope import band_envelope
@@ -17,6 +18,7 @@ from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.shaft_tests import (
     FEWEST_NEIGHBOURS,
     NEIGHBOURS,
+    OFF,
     RESOLVED,
     SLIP,
     Measured,
@@ -225,7 +227,7 @@ def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float)
         reach = max(SLIP * place, spectrum.resolution)
         if place + 80.0 * spectrum.resolution > end:
             break
-        near = place * (1.0 + slips)
+        near = np.asarray(place * (1.0 + slips), dtype=np.float64)
         free = _free(near, spectrum, parts)
         off = reach + np.arange(2.0, 120.0, 2.0) * spectrum.resolution
         around = np.concatenate([(place - off)[::-1], place + off])
@@ -239,7 +241,7 @@ def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float)
         points = min(side.size for side in sides)
         rank = (3 * points) // 4
         base = max(float(np.sort(side)[(3 * side.size) // 4 - 1]) for side in sides)
-        power[k - 1] = np.where(free, spectrum.power(near), 0.0)
+        power[k - 1] = np.where(free & ~_skirts(near, spectrum), spectrum.power(near), 0.0)
         ratio[k - 1] = power[k - 1] / base
         chance[k - 1] = [line_probability(float(x), points, rank) for x in ratio[k - 1]]
     if held < 2:
@@ -255,7 +257,19 @@ def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float)
     return Measured(float(ratio[k, best]), some, place, float(np.sqrt(power[k, best])), slips.size)
 
 
-def _free(place: Array, spectrum: FineSpectrum, parts: TurningParts) -> Array:
+def _skirts(place: Array, spectrum: FineSpectrum) -> NDArray[np.bool_]:
+    """Which of rising places lie on the slope of a line outside of them: it belongs to something else.
+
+    Outside is what has its top more than half a line of the record away.
+    """
+    beyond = spectrum.step * np.arange(1, int(OFF * spectrum.resolution / spectrum.step) + 2)
+    rise = np.diff(spectrum.power(np.concatenate([place[0] - beyond[::-1], place, place[-1] + beyond])))
+    left, right = np.cumprod(rise <= 0.0)[:-1], np.cumprod(rise[:0:-1] >= 0.0)[::-1]
+    inside = slice(beyond.size - 1, beyond.size - 1 + place.size)
+    return np.asarray((left[inside] > 0) | (right[inside] > 0))
+
+
+def _free(place: Array, spectrum: FineSpectrum, parts: TurningParts) -> NDArray[np.bool_]:
     """Whether points are apart from the orders of all shafts."""
     apart = np.ones(place.size, dtype=bool)
     for shaft in parts.shafts:

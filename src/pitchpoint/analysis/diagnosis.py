@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.bearing_tests import bearing_evidence
+from pitchpoint.analysis.bearing_tests import FROM_MESHES, bearing_evidence
 from pitchpoint.analysis.explaining import Channel, explain
 from pitchpoint.analysis.findings import Evidence, Finding, findings_of
 from pitchpoint.analysis.line_tests import fine_spectrum, line_threshold
@@ -66,6 +66,8 @@ class Diagnosis:
         Mesh lines by channel.
     untested
         What could not be tested, and why.
+    untold
+        What stands out and is no finding, and why.
     turns
         Turns of each shaft in the record [-].
     tests
@@ -78,6 +80,7 @@ class Diagnosis:
     evidence: tuple[Evidence, ...]
     meshes: Mapping[str, tuple[MeshLines, ...]]
     untested: tuple[str, ...]
+    untold: tuple[str, ...]
     turns: Mapping[str, float]
     tests: int
     false_alarm: float
@@ -166,6 +169,8 @@ def diagnose(
         channels[name] = Channel(x, rate, mine, envelopes)
         raw += [(name, "bearing", part, bearing, found) for bearing, part, found in bearings]
         untested += remarks
+    by_meshes = [note for note in untested if note.reason == FROM_MESHES]
+    untested = [note for note in untested if note.reason != FROM_MESHES]
     told = {note.subject for note in untested}
     unseen = [_not_looked_at(row) for row in raw if row[4].lines == 0]
     untested += [note for note in unseen if note.subject not in told]
@@ -181,8 +186,10 @@ def diagnose(
     evidence, explained = explain(evidence, channels, parts, tests)
     views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
     findings, spread = findings_of(evidence, views, signals, rate, parts)
-    notes = grouped([*few, *untested, *explained, *spread])
-    return Diagnosis(findings, evidence, meshes, tuple(notes), turns, tests, allowed)
+    not_tested, not_told = (
+        tuple(grouped(notes)) for notes in ([*few, *untested], [*explained, *spread, *by_meshes])
+    )
+    return Diagnosis(findings, evidence, meshes, not_tested, not_told, turns, tests, allowed)
 
 
 def _of_shafts(
@@ -227,7 +234,7 @@ def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> Note:
     what = {"comb": "orders", "low order": "lowest orders", "sidebands": "sidebands"}.get(kind, shaft)
     whose = gear if kind == "bearing" else f"{gear} ({shaft})" if gear else shaft
     return Note(
-        "no test of {}: above the record's highest frequency, or too near to other lines",
+        "no test of the {}: above the record's highest frequency, or too near to other lines",
         f"{what} of {whose}",
     )
 

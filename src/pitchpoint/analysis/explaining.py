@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.bearing_tests import HARMONICS as TESTED
 from pitchpoint.analysis.bearing_tests import BearingView, alike
@@ -24,13 +25,13 @@ from pitchpoint.analysis.shaft_tests import HARMONICS, LOW_ORDERS, SIDEBANDS, SL
 from pitchpoint.analysis.tones import without_tones
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts
 
-BESIDE = 3
-"""Lines on either side of a harmonic of the strikes, at the turns of what carries it through the load."""
+BESIDE, ABOUT = 3, 2
+"""Lines on either side of a harmonic of the strikes, at the turns of what carries it through the load; and of
+their products with mesh harmonics, where it also is the highest harmonic of the strikes in the signal."""
 REACH = 2.0
 """How far about lines that are tested others are taken out, in lines of the record: a tone is no wider."""
 COARSE, FINE = 8, 64
 """Harmonics by which the rate of the strikes is found, first within the slip, then about that."""
-MOST_LINES = 1200
 
 
 @dataclass(frozen=True)
@@ -67,27 +68,34 @@ class Strikes:
         Turns of what carries the damage through the load [-]; 0 if nothing does.
     meshes
         Orders of the mesh harmonics that the strikes shake, shape (n,) [-].
-    cage
-        Whether it is the cage that carries the damage: its turns then show without strikes as well.
+    ball
+        Whether the damage is on a rolling element, which the cage carries.
     """
 
     rate: float
     beside: float
     meshes: Array
-    cage: bool = False
+    ball: bool = False
 
-    def lines(self, highest: float) -> tuple[Array, Array]:
-        """Orders of the lines up to a highest one, and how many causes meet in each, shapes (n,) each."""
-        count = int(highest / self.rate) + 1
-        strike = np.arange(-count, count + 1)
-        side = np.arange(-BESIDE, BESIDE + 1) if self.beside else np.zeros(1, dtype=np.int64)
-        mesh = np.concatenate([[0.0], self.meshes])
-        place = mesh[:, None, None] + strike[:, None] * self.rate + side * self.beside
-        order = (mesh > 0.0)[:, None, None] * 100 + np.abs(strike)[:, None] + np.abs(side)
+    def lines(self, highest: float, *, envelope: bool) -> Array:
+        """Orders of the lines up to a highest one, of the signal or of its envelope, shape (n,)."""
+        # a spot on a ball meets one ring after the other, and need not strike both alike
+        own = 0.5 * self.rate if self.ball else self.rate
         # without a strike it is a line of the shaft or of the mesh itself; nothing else turns with a cage
-        alone = (mesh == 0.0)[:, None, None] & (side != 0) & self.cage
-        keep = (place > 0.0) & (place < highest) & (alone | (strike != 0)[:, None])
-        return place[keep], order[keep]
+        alone = self.beside * np.arange(1, BESIDE + 1) if self.ball else np.empty(0)
+        strikes = own * np.arange(1, int(highest / own) + 1)
+        single = np.add.outer(strikes, self._sides(BESIDE)).ravel()
+        # an envelope holds what lies between a line of the strikes and one of a mesh
+        count = int(highest / self.rate) + 1 if envelope else ABOUT
+        about = self.rate * np.concatenate([np.arange(-count, 0), np.arange(1, count + 1)])
+        both = np.add.outer(np.add.outer(self.meshes, about).ravel(), self._sides(ABOUT)).ravel()
+        place = np.concatenate([alone, single, both])
+        return np.asarray(place[(place > 0.0) & (place < highest)], dtype=np.float64)
+
+    def _sides(self, most: int) -> Array:
+        """Distances of the lines beside a harmonic."""
+        sides = self.beside * np.arange(-most, most + 1, dtype=np.float64)
+        return np.asarray(sides if self.beside else sides[:1], dtype=np.float64)
 
 
 def explain(
@@ -118,12 +126,13 @@ def explain(
 
     Notes
     -----
-    From the surest bearing on, its lines k f ± j n, alone and about mesh harmonics, are fitted to signal and
-    envelopes by least squares and taken out; tests that no longer exceed their limit are explained. The
-    strike rate f is where these lines are strongest; n is the speed of what carries the damage through the
-    load: the shaft for the rings, the cage for a ball [1]_. A tone at a fraction d of a line of the record
-    from one of those keeps 1 - sinc²(d) of its power, so that a second fault stays found unless it lies on
-    them. Valid for strikes whose rate does not wander by more than the record resolves.
+    From the surest ring or ball on, its lines k f ± j n, alone and about mesh harmonics, are fitted to
+    signal and envelopes by least squares and taken out; tests that no longer exceed their limit are
+    explained. The strike rate f is where these lines are strongest; n is the speed of what carries the
+    damage through the load: the shaft for the rings, the cage for a ball [1]_, whose own test a ball
+    explains at any certainty. A tone at a fraction d of a line of the record from one of those keeps
+    1 - sinc²(d) of its power, so that a second fault stays found unless it lies on them. Valid for strikes
+    whose rate does not wander by more than the record resolves.
 
     References
     ----------
@@ -138,14 +147,14 @@ def explain(
     """
     left, notes = list(evidence), []
     told: dict[tuple[str, str], Strikes] = {}
-    bearings = [k for k, e in enumerate(evidence) if e.kind == "bearing"]
+    bearings = [k for k, e in enumerate(evidence) if e.kind == "bearing" and e.shaft != "cage"]
     for number in sorted(bearings, key=lambda k: evidence[k].probability):
         now = left[number]
         if not now.found or (now.gear, now.shaft) in told:
             continue
-        told[now.gear, now.shaft] = strikes_of(now, channels[now.channel], parts)
+        told[now.gear, now.shaft] = _strikes_of(now, channels[now.channel], parts)
         for k, e in enumerate(left):
-            if not e.found or e.probability <= now.probability or (e.gear, e.shaft) in told:
+            if not e.found or (e.gear, e.shaft) in told or not _may_explain(now, e):
                 continue
             rest = _again(e, channels[e.channel], parts, list(told.values()))
             chance = float(-np.expm1(tests * np.log1p(-min(rest.probability, 1.0 - 1e-16))))
@@ -159,18 +168,8 @@ def explain(
     return tuple(left), notes
 
 
-def strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
-    """Strikes of a part that was found, with the rate at which their lines are strongest.
-
-    Parameters
-    ----------
-    e
-        The test that found it.
-    channel
-        What it looked at.
-    parts
-        What turns.
-    """
+def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
+    """Strikes of a part that was found, with the rate at which their lines are strongest."""
     bearing = next(b for b in alike(parts.bearings) if b.name == e.gear)
     nominal = bearing.orders[e.shaft]
     beside = _carried(bearing, e.shaft, parts)
@@ -182,9 +181,13 @@ def strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
         tried = rate * (1.0 + step * np.arange(-np.ceil(reach / step), np.ceil(reach / step) + 1))
         gain = sum(_gain(one, tried, beside, harmonics) for one in spectra)
         rate, reach = float(tried[int(np.argmax(gain))]), 2.0 * step
-    # a spot on a ball meets one ring after the other, and need not strike both alike
-    ball = e.shaft == "rolling element"
-    return Strikes(0.5 * rate if ball else rate, beside, np.array(sorted(meshes)), ball)
+    return Strikes(rate, beside, np.array(sorted(meshes)), e.shaft == "rolling element")
+
+
+def _may_explain(cause: Evidence, e: Evidence) -> bool:
+    """Whether a test is less certain than the cause, or one of the cage that carries a ball about."""
+    carries = e.shaft == "cage" and cause.shaft == "rolling element" and e.gear == cause.gear
+    return carries or e.probability > cause.probability
 
 
 def _carried(bearing: Bearing, part: str, parts: TurningParts) -> float:
@@ -207,17 +210,10 @@ def _gain(spectrum: FineSpectrum, tried: Array, beside: float, harmonics: int) -
 
 def _again(e: Evidence, channel: Channel, parts: TurningParts, told: list[Strikes]) -> Measured:
     """The test of a part on what is left without the lines of those that are told."""
-    rate = channel.samples_per_turn
     if e.kind == "bearing":
-        assert channel.bearings is not None
-        order = next(b for b in alike(parts.bearings) if b.name == e.gear).orders[e.shaft]
-        highest, line = 0.5 * rate, channel.bearings.spectra[0].resolution
-        comb = _near(told, highest, order * np.arange(1, int(highest / order)), REACH * line)
-        tested = order * np.arange(1, TESTED + 1)
-        envelope = _near(told, highest, tested, SLIP * tested + REACH * line)
-        return channel.bearings.part(order, (comb, envelope, envelope))[0]
-    view = channel.shafts[e.shaft]
-    order = view.order * np.arange(1, view.highest + 1)
+        return _bearing_again(e, channel, parts, told)
+    rate, view = channel.samples_per_turn, channel.shafts[e.shaft]
+    order: Array = view.order * np.arange(1, view.highest + 1, dtype=np.float64)
     mesh, teeth = parts.gears_of(e.shaft).get(e.gear, (None, 0))
     if e.kind == "low order":
         order = order[:LOW_ORDERS]
@@ -225,7 +221,7 @@ def _again(e: Evidence, channel: Channel, parts: TurningParts, told: list[Strike
         about = parts.mesh_order(mesh) * np.arange(1, HARMONICS + 1)
         off = np.abs(order[:, None] - about).min(axis=1)
         order = order[off < (SIDEBANDS + 0.5) * view.order]
-    known = _near(told, 0.5 * rate, order, REACH * view.spectrum.resolution)
+    known = _near(_lines(told, 0.5 * rate), order, REACH * view.spectrum.resolution)
     spectrum = fine_spectrum(without_tones(channel.values, rate, known), rate)
     rest = ShaftView(spectrum, parts, view.shaft, view.rms, view.sampled)
     if e.kind == "comb":
@@ -233,18 +229,32 @@ def _again(e: Evidence, channel: Channel, parts: TurningParts, told: list[Strike
     return rest.low_orders() if mesh is None else rest.sidebands(parts.mesh_order(mesh), teeth)
 
 
-def _near(told: list[Strikes], highest: float, tested: Array, reach: float | Array) -> Array:
-    """Lines of strikes near to lines that are tested, shape (n,); the simplest ones if they are too many."""
-    found = [strikes.lines(0.999 * highest) for strikes in told]
-    place, causes = (np.concatenate(rows) for rows in zip(*found, strict=True))
+def _bearing_again(e: Evidence, channel: Channel, parts: TurningParts, told: list[Strikes]) -> Measured:
+    """The test of a part of a bearing on what is left of the signal and of both envelopes."""
+    assert channel.bearings is not None
+    order = next(b for b in alike(parts.bearings) if b.name == e.gear).orders[e.shaft]
+    highest, line = 0.5 * channel.samples_per_turn, channel.bearings.spectra[0].resolution
+    every: Array = order * np.arange(1, int(highest / order), dtype=np.float64)
+    comb = _near(_lines(told, highest), every, REACH * line)
+    tested = every[:TESTED]
+    between = _lines(told, min(float(2.0 * tested[-1]), highest), envelope=True)
+    envelope = _near(between, tested, SLIP * tested + REACH * line)
+    return channel.bearings.part(order, (comb, envelope, envelope))[0]
+
+
+def _lines(told: list[Strikes], highest: float, *, envelope: bool = False) -> Array:
+    """Lines of all that are told, rising."""
+    return np.sort(np.concatenate([one.lines(0.999 * highest, envelope=envelope) for one in told]))
+
+
+def _near(place: Array, tested: Array, reach: ArrayLike) -> Array:
+    """Lines that are near to others, which rise and are tested, shape (n,)."""
     limit = np.broadcast_to(np.asarray(reach, dtype=np.float64), tested.shape)
     at = np.searchsorted(tested, place)
     near = np.zeros(place.size, dtype=bool)
-    for k in (at - 1, at):
-        k = np.clip(k, 0, tested.size - 1)
+    for k in (np.maximum(at - 1, 0), np.minimum(at, tested.size - 1)):
         near |= np.abs(place - tested[k]) <= limit[k]
-    order = np.argsort(causes[near], kind="stable")[:MOST_LINES]
-    return np.sort(place[near][order])
+    return place[near]
 
 
 def _what(e: Evidence) -> str:

@@ -210,7 +210,7 @@ def findings_of(
 
 
 def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list[Finding], list[Note]]:
-    """Parts of bearings, but none whose harmonics all are those of a more certain one."""
+    """Parts of bearings, but of those with common harmonics only the most certain one."""
     told: list[Evidence] = []
     found, spread = [], []
     orders = _orders(parts)
@@ -221,7 +221,8 @@ def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list
         same = [other for other in told if _whole(own, orders[other.gear, other.shaft])]
         if same:
             cause = f"{same[0].shaft} of {same[0].gear}"
-            spread.append(Note(f"all harmonics are those of {cause} as well: {{}}", f"{e.shaft} of {e.gear}"))
+            why = f"{{}}: not told beside {cause}, which is more certain and shares harmonics"
+            spread.append(Note(why, f"{e.shaft} of {e.gear}"))
             continue
         told.append(e)
         found.append(Finding("bearing", e.shaft, (e.gear,), e.channel, e.probability))
@@ -251,8 +252,8 @@ def _of_bearings(
 
 def _whole(one: float, other: float) -> bool:
     """Whether one order is a multiple of the other, within what rolling elements slip."""
-    ratio = one / other
-    return ratio > 0.5 and abs(ratio - round(ratio)) < SLIP * ratio
+    ratio = max(one, other) / min(one, other)
+    return abs(ratio - round(ratio)) < SLIP * ratio
 
 
 def _like_bearings(parts: TurningParts, views: list[ShaftView], threshold: float) -> tuple[str, ...]:

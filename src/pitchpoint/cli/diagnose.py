@@ -133,7 +133,7 @@ def _page_target(path: str | None, inputs: list[str | None]) -> Path | None:
 
 def _print(found: Study, quiet: bool) -> None:
     """Show findings and tests to people."""
-    from pitchpoint.report.diagnosis_words import percent, unit_of, what_is_tested
+    from pitchpoint.report.diagnosis_words import outcome, percent, unit_of, what_is_tested
 
     for number, text in enumerate(found.sentences):
         show(text)
@@ -148,7 +148,7 @@ def _print(found: Study, quiet: bool) -> None:
             f"{e.value:.1f} {unit_of(e.kind)}",
             f"{e.threshold:.1f} {unit_of(e.kind)}",
             percent(e.probability),
-            "found" if e.found else "",
+            outcome(e),
         ]
         for e in found.diagnosis.evidence
     ]
@@ -156,5 +156,5 @@ def _print(found: Study, quiet: bool) -> None:
     table("Tests", heads, rows)
     if quiet:
         return
-    for text in (*found.diagnosis.untested, *found.remarks):
+    for text in (*found.diagnosis.untold, *found.diagnosis.untested, *found.remarks):
         show(f"note: {text}")

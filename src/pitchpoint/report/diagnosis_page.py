@@ -64,9 +64,13 @@ def _answer(study: Study) -> Section:
         section.add(f"<p>{escape(_capital(place))}.</p>" if place else "")
     if not study.diagnosis.findings:
         section.add(f"<p>{NOT_HEALTHY}</p>")
-    if study.diagnosis.untested:
-        items = "".join(f"<li>{escape(text)}</li>" for text in study.diagnosis.untested)
-        section.add(f'<p>Not tested, so that nothing is known of it:</p><ul class="notes">{items}</ul>')
+    found = study.diagnosis
+    for words, texts in (
+        ("Stands out, but is no finding:", found.untold),
+        ("Not tested, so that nothing is known of it:", found.untested),
+    ):
+        items = "".join(f"<li>{escape(text)}</li>" for text in texts)
+        section.add(f'<p>{words}</p><ul class="notes">{items}</ul>' if texts else "")
     return section
 
 

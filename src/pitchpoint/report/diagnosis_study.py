@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
+from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.sampled import SignalError, as_signal
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis_places import GearTurn, local_turns, one_gear, place_sentence
@@ -114,6 +115,7 @@ class Study:
             "tests": found.tests,
             "allowed_false_alarm": found.false_alarm,
             "not_tested": list(found.untested),
+            "not_told": list(found.untold),
             "remarks": list(self.remarks),
         }
 
@@ -208,14 +210,13 @@ def preferred(names: Sequence[str]) -> list[str]:
 
 def _whole_ratios(parts: TurningParts) -> list[str]:
     """Shafts that no averaging tells apart."""
-    remarks = []
-    for fast in parts.shafts:
-        for slow in parts.shafts:
-            ratio = fast.order / slow.order
-            if ratio > 1 and ratio.denominator == 1:
-                remarks.append(
-                    f"{fast.name} turns exactly {ratio.numerator} times as fast as {slow.name}: averaging "
-                    f"cannot tell their gears apart, and {ratio.numerator} equal faults at equal angles on "
-                    f"{slow.name} look like one on {fast.name}"
-                )
-    return remarks
+    why = (
+        "whole ratios: {}; averaging cannot tell the gears of such shafts apart, and as many equal faults at "
+        "equal angles on the slower shaft look like one on the faster"
+    )
+    pairs = [(fast, slow) for fast in parts.shafts for slow in parts.shafts if fast.order > slow.order]
+    return grouped(
+        Note(why, f"{fast.name} turns {fast.order / slow.order} times as fast as {slow.name}")
+        for fast, slow in pairs
+        if (fast.order / slow.order).denominator == 1
+    )

@@ -11,7 +11,7 @@ from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.report.diagnosis_places import GAUSSIAN, INDICATORS, GearTurn, crest
 from pitchpoint.report.diagnosis_study import Study
-from pitchpoint.report.diagnosis_words import percent, unit_of, what_is_tested
+from pitchpoint.report.diagnosis_words import outcome, percent, unit_of, what_is_tested
 from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.tables import plain_table
 
@@ -126,7 +126,7 @@ def _test_row(e: Evidence, hertz: float) -> tuple[str, ...]:
         f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
         f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",
         percent(e.probability).replace("less than", "<"),
-        "**found" if e.found else "",
+        f"**{outcome(e)}" if e.found else outcome(e),
     )
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from pitchpoint.analysis.diagnosis import Diagnosis
 from pitchpoint.analysis.findings import Evidence, Finding
+from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.turning_parts import TurningParts
 
 BEARING_WORDS = {
@@ -17,6 +18,8 @@ BEARING_WORDS = {
     "rolling element": "a local fault on a rolling element",
     "cage": "a fault of the cage",
 }
+
+LOST = "sample rate: lost, as they lie above half of it: {}"
 
 
 def nothing_found(diagnosis: Diagnosis) -> str:
@@ -87,17 +90,14 @@ def mesh_remarks(
     diagnosis: Diagnosis, parts: TurningParts, frequency: float, strongest: Mapping[str, Sequence[float]]
 ) -> tuple[list[str], bool]:
     """Sentences about meshes that do not show, and whether none shows although some could."""
-    remarks, seen, held = [], False, False
+    lost, remarks, seen, held = [], [], False, False
     for k, mesh in enumerate(parts.meshes):
         lines = [rows[k] for rows in diagnosis.meshes.values()]
         first = lines[0]
         if first.lost:
             which = ", ".join(str(number) for number in first.lost)
             many = "harmonics" if len(first.lost) > 1 else "harmonic"
-            remarks.append(
-                f"sample rate: {many} {which} of {mesh.name} ({_rate(first.order, frequency)}) lost, "
-                "as they lie above half of it"
-            )
+            lost.append(Note(LOST, f"{many} {which} of {mesh.name} ({_rate(first.order, frequency)})"))
         if not first.amplitude.size:
             continue
         held = True
@@ -110,7 +110,7 @@ def mesh_remarks(
             f"{mesh.name}: no mesh line at {_rate(first.order, frequency)} or its harmonics that stands out; "
             f"strongest lines at {found}; check tooth counts and speed"
         )
-    return remarks, held and not seen
+    return [*grouped(lost), *remarks], held and not seen
 
 
 def percent(probability: float) -> str:
@@ -143,6 +143,7 @@ def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]
             "amplitude": e.amplitude,
             "sideband": e.sideband,
             "found": e.found,
+            "explained_by": e.explained,
         }
         for e in diagnosis.evidence
     ]
@@ -157,6 +158,11 @@ def unit_of(kind: str) -> str:
     ('σ', 'dB')
     """
     return "σ" if kind == "comb" else "dB"
+
+
+def outcome(e: Evidence) -> str:
+    """Word for what came out of a test; empty if nothing did."""
+    return "found" if e.found else "explained" if e.explained else ""
 
 
 def what_is_tested(e: Evidence) -> str:

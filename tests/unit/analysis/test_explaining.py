@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
 from pitchpoint.analysis.explaining import Strikes
@@ -29,12 +28,12 @@ def _knocks(turned: np.ndarray, order: float, *, carried: float = 0.0, depth: fl
     """Strikes that ring at order 130; their size changes with what carries the damage through the load."""
     since = (turned * order + 0.3) % 1 / order
     size = 1.0 + depth * (np.cos(2 * np.pi * carried * turned) + np.cos(4 * np.pi * carried * turned))
-    return size * np.exp(-60 * since) * np.sin(2 * np.pi * 130 * since)
+    return size * np.exp(-300 * since) * np.sin(2 * np.pi * 130 * since)
 
 
 def _healthy(turned: np.ndarray, seed: int = 3) -> np.ndarray:
     mesh = np.cos(2 * np.pi * 21 * turned) + 0.5 * np.cos(2 * np.pi * 42 * turned)
-    return mesh + 0.4 * np.random.default_rng(seed).standard_normal(turned.size)
+    return mesh + 0.02 * np.random.default_rng(seed).standard_normal(turned.size)
 
 
 def _named(found: Diagnosis) -> set[tuple[str, str]]:
@@ -44,7 +43,7 @@ def _named(found: Diagnosis) -> set[tuple[str, str]]:
 def test_a_ball_is_not_named_for_the_sidebands_of_an_inner_ring() -> None:
     """Sidebands at 3.948 and 7.895 orders are harmonics of a ball that slips by 0.9 %."""
     turned = _turned()
-    knocks = 2.0 * _knocks(turned, INNER, carried=1.0, depth=0.8)
+    knocks = 2.0 * _knocks(turned, INNER, carried=1.0, depth=0.4)
     found = diagnose({"acc": _healthy(turned) + knocks}, RATE, _parts(inner_ring=INNER, rolling_element=BALL))
     assert _named(found) == {("bearing", "inner ring")}
     (ball,) = [e for e in found.evidence if e.shaft == "rolling element"]
@@ -52,45 +51,42 @@ def test_a_ball_is_not_named_for_the_sidebands_of_an_inner_ring() -> None:
     assert (
         "explained by inner ring of left, without whose lines nothing of it stands out: "
         "rolling element of left in acc"
-    ) in found.untested
+    ) in found.untold
 
 
-@pytest.mark.parametrize("slip", [0.0, 0.004])
-def test_a_ball_that_strikes_as_well_is_named_beside_the_inner_ring(slip: float) -> None:
+def test_a_ball_that_strikes_as_well_is_named_beside_the_inner_ring() -> None:
+    """The cage alone is not named: its turns are those of the ball."""
     turned = _turned()
-    knocks = 2.0 * _knocks(turned, INNER, carried=1.0, depth=0.8)
-    knocks += 2.0 * _knocks(turned, BALL * (1.0 - slip), carried=0.3815, depth=0.4)
+    knocks = 2.0 * _knocks(turned, INNER, carried=1.0, depth=0.4)
+    knocks += 2.0 * _knocks(turned, BALL * 0.996, carried=0.3815, depth=0.4)
     found = diagnose({"acc": _healthy(turned) + knocks}, RATE, _parts(inner_ring=INNER, rolling_element=BALL))
     assert _named(found) == {("bearing", "inner ring"), ("bearing", "rolling element")}
 
 
-def _beside_a_mesh(turned: np.ndarray) -> np.ndarray:
-    """Strikes of 3.6 orders with a line 0.3 lines of the record from the sideband at 20 orders."""
-    order = (20.0 + 0.3 / TURNS) / 6.0
-    return 0.8 * _knocks(turned, order) + 0.5 * np.cos(2 * np.pi * 6 * order * turned)
+def test_a_mesh_is_not_modulated_where_strikes_have_a_line() -> None:
+    """Six strikes and a turn of the shaft are 20 orders and 0.3 lines of the record: beside a mesh at 21."""
+    turned, order = _turned(), (19.0 + 0.3 / TURNS) / 6.0
+    x = _healthy(turned) + 2.0 * _knocks(turned, order, carried=1.0, depth=0.4)
+    x += 0.3 * np.cos(2 * np.pi * (6 * order + 1.0) * turned)
+    found = diagnose({"acc": x}, RATE, _parts(inner_ring=order))
+    assert _named(found) == {("bearing", "inner ring")}
+    (sideband,) = [e for e in found.evidence if (e.kind, e.shaft) == ("sidebands", "shaft 1")]
+    assert sideband.explained == "inner ring of left"
+    assert sideband.order == 20.0 and sideband.probability < 0.01
 
 
-def test_a_sideband_is_not_named_for_a_harmonic_of_strikes() -> None:
-    """No harmonic of strikes of 3.3336 orders but each sixth comes near to an order of the shaft."""
-    turned = _turned()
-    parts = _parts(outer_ring=(20.0 + 0.3 / TURNS) / 6.0)
-    found = diagnose({"acc": _healthy(turned) + 2 * _beside_a_mesh(turned)}, RATE, parts)
-    assert _named(found) == {("bearing", "outer ring")}
-
-
-@pytest.mark.parametrize("side", [-1, 2])
-def test_a_gear_out_of_true_is_named_beside_a_bearing(side: int) -> None:
+def test_a_gear_out_of_true_is_named_beside_a_bearing() -> None:
     """Sidebands of the mesh where the strikes have no line."""
     turned = _turned()
-    x = _healthy(turned) + 2.0 * _knocks(turned, INNER, carried=1.0, depth=0.8)
-    x += 0.5 * np.cos(2 * np.pi * (21 + side) * turned)
+    x = _healthy(turned) + 2.0 * _knocks(turned, INNER, carried=1.0, depth=0.4)
+    x += 0.5 * np.cos(2 * np.pi * 20 * turned)
     found = diagnose({"acc": x}, RATE, _parts(inner_ring=INNER, rolling_element=BALL))
     assert _named(found) == {("bearing", "inner ring"), ("modulation", "shaft 1")}
 
 
 def test_a_chipped_tooth_is_named_beside_a_bearing() -> None:
     turned = _turned()
-    x = _healthy(turned) + 2.0 * _knocks(turned, INNER, carried=1.0, depth=0.8)
+    x = _healthy(turned) + 2.0 * _knocks(turned, INNER, carried=1.0, depth=0.4)
     x += 3.0 * np.exp(-((((turned * 21 / 40) % 1 - 0.5) / 0.003) ** 2))
     found = diagnose({"acc": x}, RATE, _parts(inner_ring=INNER, rolling_element=BALL))
     assert _named(found) == {("bearing", "inner ring"), ("local fault", "shaft 2")}
@@ -98,12 +94,18 @@ def test_a_chipped_tooth_is_named_beside_a_bearing() -> None:
 
 def test_lines_of_strikes_stand_at_all_their_products() -> None:
     """k f + j n and those about a mesh; neither lines of the shaft nor of the mesh alone."""
-    place, causes = Strikes(5.1, 1.0, np.array([21.0])).lines(30.0)
-    listed = {round(float(p), 6): c for p, c in zip(place, causes, strict=True)}
-    assert listed[5.1] == 1 and listed[4.1] == 2 and listed[13.2] == 5
-    assert listed[21 + 5.1 - 2] == 103
-    assert not {1.0, 2.0, 21.0, 20.0, 22.0} & set(listed)
-    assert place.min() > 0.0 and place.max() < 30.0
+    strikes = Strikes(5.1, 1.0, np.array([21.0]))
+    signal, envelope = (set(strikes.lines(30.0, envelope=which).round(6)) for which in (False, True))
+    assert {5.1, 4.1, 13.2, 21 + 5.1 - 2, 21 - 2 * 5.1 + 1} <= signal <= envelope
+    # the fourth harmonic and the mesh shake in time with their difference
+    assert round(21 - 4 * 5.1, 6) in envelope - signal
+    assert not {1.0, 2.0, 21.0, 20.0, 22.0} & envelope
+    assert min(envelope) > 0.0 and max(envelope) < 30.0
+
+
+def test_a_ball_turns_with_its_cage_and_may_strike_one_ring_harder() -> None:
+    lines = set(Strikes(4.0, 0.4, np.empty(0), ball=True).lines(9.0, envelope=True).round(6))
+    assert {0.4, 0.8, 2.0, 1.6, 4.0, 4.4, 6.0} <= lines
 
 
 def test_one_reason_is_told_once() -> None:
