@@ -114,7 +114,8 @@ WIDE = """
   const nameless = stops.filter((e) => !(e.textContent.trim() || e.title || e.labels?.length
     || e.ariaLabel)).length;
   const {ready} = document.documentElement.dataset, count = all(".plot").length;
-  return {drawn, count, ready, empty, asked, colours, cursor, others, clicked, expected: (a + 0.25 * (b - a)) / node.layout.meta.clock, dragged, wanted, sought,
+  return {drawn, count, ready, empty, asked, colours, cursor, others,
+    clicked, expected: (a + 0.25 * (b - a)) / node.layout.meta.clock, dragged, wanted, sought,
     still, folded, shown, place, order, lost, nameless};
 """
 
