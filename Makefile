@@ -18,7 +18,7 @@ help:
 	@echo "make test      style, import contracts, types, all tests"
 	@echo "make bench     speed table, build/bench.json"
 	@echo "make validate  published cases as one page, docs/validation.md; long studies"
-	@echo "make viewer    the script of the 3-D scene, from viewer/src (needs Node.js 20)"
+	@echo "make viewer    the scripts of the 3-D scene and of plots (needs Node.js 20)"
 	@echo "make docs      the documentation as a site, build/docs/html"
 	@echo "make lint      style, import contracts and types only"
 	@echo "make clean     remove build products (keeps $(VENV))"

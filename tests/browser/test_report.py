@@ -114,9 +114,9 @@ WIDE = """
   const nameless = stops.filter((e) => !(e.textContent.trim() || e.title || e.labels?.length
     || e.ariaLabel)).length;
   const {ready} = document.documentElement.dataset, count = all(".plot").length;
-  const expected = (a + 0.25 * (b - a)) / node.layout.meta.clock;
-  return {drawn, count, ready, empty, asked, colours, cursor, others, clicked, expected, dragged,
-    wanted, sought, still, folded, shown, place, order, lost, nameless};
+  return {drawn, count, ready, empty, asked, colours, cursor, others,
+    clicked, expected: (a + 0.25 * (b - a)) / node.layout.meta.clock, dragged, wanted, sought,
+    still, folded, shown, place, order, lost, nameless};
 """
 
 

@@ -176,24 +176,25 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     from pitchpoint.report.provenance import source_of
 
     dimensions = set(getattr(data, "dims", ()))
+    kind = "time"
     if "time" in dimensions:
         time = data["time"].values
         settle = SETTLED * float(time[-1] - time[0]) if time.size else 0.0
         name = _free("time response", str(len(found.runs) + 1), found.runs)
         found.runs[name] = TimeRun(data=data, settle_time=settle)
     elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
-        name = _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
+        kind, name = "sweep", _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
         found.sweeps[name] = _sweep_of(data)
     elif POSITION in dimensions:
-        name = _free("slow roll", str(len(found.rolls) + 1), found.rolls)
+        kind, name = "quasi_static", _free("slow roll", str(len(found.rolls) + 1), found.rolls)
         found.rolls[name] = given_roll(data)
     else:
-        kind = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
+        what = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
         raise PitchpointError(
-            f"results: {kind} has no place in a report; "
+            f"results: {what} has no place in a report; "
             "give a dataset of solve_time, solve_quasistatic or sweep_speed, or the name of a result file"
         )
-    found.sources.append(source_of(name, data.attrs, content_hash(model)))
+    found.sources.append(source_of(name, {"kind": kind, **data.attrs}, content_hash(model)))
 
 
 def _sweep_of(data: xr.Dataset) -> dict[str, Any]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.viz.report import SceneData, TimeRun
+from pitchpoint.viz.run_record import FORCE_PARTS, TIME_QUANTITIES
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.viz.power_flow import PowerFlow
 
+READ = {*TIME_QUANTITIES, *FORCE_PARTS, "normal_force"} - {"bearing_force", "coupling_force"}
+"""Quantities that a reader of the scene in a report may draw below it."""
 NO_PARTS = ("lines", "pairs")
 """Mappings of a model that are no sections of its file."""
 MOST_NAMES = 6
@@ -60,6 +63,8 @@ def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
             words = f"The motion of {name} cannot be shown: {error}"
             break
         if scene.solids:
+            # the page has curves of its own: below the scene stands what is read most
+            scene = replace(scene, channels=[c for c in scene.channels if c.name.partition("[")[0] in READ])
             notes = [f"The scene shows {name}; a click into a curve of this run moves its time.", lost]
             notes.append("" if len(runs) < 2 else "The command view shows other runs, and two side by side.")
             return SceneData(scene=scene, run=name, words=" ".join(filter(None, notes)))

@@ -7,6 +7,8 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
+from pitchpoint.core.status import OK
+from pitchpoint.core.status import sentence as sentence_of
 from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.report import SourceData
 
@@ -32,8 +34,7 @@ def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str =
     options = header.get("options") or {}
     if isinstance(options, str):
         options = json.loads(options)
-    status = str(header.get("status", ""))
-    sentence = str(header.get("sentence", ""))
+    status, sentence = _end(header)
     theirs = str(header.get("model_hash", ""))
     same = "" if not theirs else " (this model)" if theirs == model_hash else " (another state of the model)"
     kind = str(header.get("kind", ""))
@@ -58,6 +59,15 @@ def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str =
         sentence=f"{status}: {sentence}" if sentence else status,
         rows=[(key, text) for key, text in rows if text],
     )
+
+
+def _end(header: Mapping[str, Any]) -> tuple[str, str]:
+    """How a result ended, in a word and a sentence; datasets hold the number of a status."""
+    status, words = header.get("status", ""), str(header.get("sentence", ""))
+    if isinstance(status, str):
+        return status, words
+    code = int(status)
+    return ("finished" if code == OK else "failed"), words or sentence_of(code)
 
 
 def _text(key: str, value: Any) -> str:

@@ -87,7 +87,7 @@ def power_flow_svg(flow: PowerFlow) -> str:
     title = f"power flow, {_amount(flow.put_in, unit)} put in"
     width = 20.0 + STEP * span + WIDTH_BLOCK
     drawing = document(width, height, [f"<style>{STYLE}</style>", *parts], title)
-    size = f"min-width:{0.6 * width:.0f}px;max-width:{width:.0f}px"
+    size = f"min-width:{0.75 * width:.0f}px;max-width:{width:.0f}px"
     return f'<div class="scroll"><div style="{size}">{drawing}</div></div>'
 
 

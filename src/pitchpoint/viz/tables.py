@@ -71,6 +71,8 @@ MEASURES = (
 )
 """What is measured in the workshop: identifier, symbol, dimension, unit, words; not in the nomenclature."""
 MEASURE_ROWS = tuple(row[0] for row in MEASURES)
+MOST_COLUMNS = 8
+"""Gears or meshes side by side: more do not fit on paper and go into a table of their own."""
 MOST_ROWS = 30
 """Rows of statistics that are in view; more fold away."""
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
@@ -89,6 +91,10 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
     things
         SI values by identifier, by the name of the gear or mesh.
     """
+    if len(things) > MOST_COLUMNS:
+        names = list(things)
+        parts = (names[k : k + MOST_COLUMNS] for k in range(0, len(names), MOST_COLUMNS))
+        return "".join(quantity_table(rows, {name: things[name] for name in part}) for part in parts)
     head = "".join(f'<th scope="col" class="num">{escape(name)}</th>' for name in things)
     body = []
     found = {key: [thing.get(key) for thing in things.values()] for key in rows}

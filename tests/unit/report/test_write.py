@@ -16,7 +16,9 @@ from pitchpoint.report.collect import collect
 from pitchpoint.report.defaults import defaults
 from pitchpoint.report.flanks import flank_lines
 from pitchpoint.report.numbers import geometry_of_model
+from pitchpoint.report.overview import power_part, scene_part
 from pitchpoint.report.statics import held_bodies, highest_of_scenario, highest_speed
+from pitchpoint.viz.report import TimeRun
 
 TEXT = """
 title: pair for a report
@@ -53,9 +55,12 @@ def test_a_model_with_datasets(file: Path, tmp_path: Path) -> None:
     sweep = pp.sweep_speed(pp.compile_model(model, "sweep"))
     page = pp.write_report(model, tmp_path / "new" / "pair.html", run, sweep)
     text = page.read_text(encoding="utf-8")
-    for section in ("gears", "drawing", "cycle", "modes", "campbell", "sweep", "time", "spectra", "notes"):
-        assert f'<section id="{section}">' in text
+    sections = "summary scene power gears drawing cycle modes campbell sweep time spectra extremes provenance"
+    for section in (*sections.split(), "notes"):
+        assert f'<section id="{section}"' in text
     assert "order [per revolution of driver]" in text
+    assert "The scene shows time response" in text
+    assert "pp-scene-numbers" in text
     again = pp.write_report(file, tmp_path / "again.html", run, sweep)
     assert again.read_bytes() == page.read_bytes()
 
@@ -63,7 +68,8 @@ def test_a_model_with_datasets(file: Path, tmp_path: Path) -> None:
 def test_a_model_file_alone(file: Path, tmp_path: Path) -> None:
     text = pp.write_report(file, tmp_path / "bare.html").read_text(encoding="utf-8")
     assert "Mesh stiffness over two mesh cycles" in text
-    assert '<section id="time">' not in text
+    assert '<section id="time"' not in text
+    assert "The scene shows the machine at rest." in text
 
 
 def test_results_of_the_same_name_in_three_folders_are_all_there(file: Path, tmp_path: Path) -> None:
@@ -186,3 +192,42 @@ def test_speeds_of_a_campbell_diagram_end_where_the_scenarios_do(file: Path) -> 
     assert highest_of_scenario(ramp, ramp.scenarios["driven"], "driven") / rpm == pytest.approx(2100.0)
     bare = loads_model(TEXT.partition("scenarios:")[0])
     assert highest_speed(bare, "driver", [2500.0]) / rpm == pytest.approx(1.2 * 3000.0)
+
+
+def test_where_results_come_from_stands_in_the_report(file: Path, tmp_path: Path) -> None:
+    run = tmp_path / "run.h5"
+    assert run_command(["run", str(file), "-s", "steady", "-q", "-o", str(run)]) == 0
+    model = pp.load_model(file)
+    found, _ = collect(model, [run, pp.solve_time(pp.compile_model(model, "steady"))], silent)
+    assert [source.name for source in found.sources] == ["steady", "time response"]
+    for source in found.sources:
+        rows = dict(source.rows)
+        assert source.finished
+        assert rows["model"].endswith(" (this model)")
+        assert rows["solver"] == "generalized alpha"
+        assert int(rows["steps"]) > 100 if "steps" in rows else source.name != "steady"
+    assert dict(found.sources[0].rows)["file"] == "run.h5"
+    assert (
+        dict(found.sources[0].rows)["duration"] == f"{float(model.scenarios['steady'].duration) * 1e3:g} ms"
+    )
+
+
+def test_a_run_that_failed_is_shown_as_far_as_its_numbers_go(file: Path) -> None:
+    model = pp.load_model(file)
+    run = pp.solve_time(pp.compile_model(model, "steady")).load()
+    end = run.sizes["time"] // 2
+    run["speed[driver]"][end:] = np.nan
+    shown = scene_part(model, {"r": TimeRun(data=run, note="It stopped.")})
+    assert shown.scene is not None
+    assert shown.run == "r"
+    assert shown.scene.times[-1] < float(run["time"][end])
+    assert f"no longer finite, at {float(run['time'][end]):.6g} s" in shown.words
+    (flow,) = power_part(model, {"r": TimeRun(data=run)}).values()
+    assert flow.span[1] < float(run["time"][end])
+
+
+def test_a_model_without_shapes_says_so() -> None:
+    bare = loads_model("bodies:\n  disc: {motion: torsion, inertia: 1 kg m^2, position: [0, 0, 0]}\n")
+    shown = scene_part(bare, {})
+    assert shown.scene is None
+    assert "There is no scene" in shown.words
