@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sphinx settings. `make docs` copies this folder to build/docs/source, adds what is generated, and builds there."""
+"""Sphinx settings. `make docs` copies this folder to build/docs/source and adds what is generated."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ sys.path.insert(0, str(HERE / "extensions"))
 
 project = "pitchpoint"
 author = "The pitchpoint developers"
-copyright = author  # noqa: A001
+copyright = author
 version = release = __version__
 
 extensions = [

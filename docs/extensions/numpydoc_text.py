@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Docstrings are written for people who read source: what reStructuredText would take for markup is text here."""
+"""Docstrings as text: what reStructuredText would take for markup is none, but code in backticks."""
 
 from __future__ import annotations
 
