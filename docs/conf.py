@@ -75,7 +75,7 @@ html_theme_options = {
     "pygments_light_style": "tango",
     "pygments_dark_style": "monokai",
 }
-html_sidebars = {"index": [], "gallery/index": [], "changelog": []}
+html_sidebars = {name: [] for name in ("index", "start", "gallery/index", "validation", "changelog")}
 html_context = {"default_mode": "auto"}
 
 # notebooks call the commands of this environment
