@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The built site must work without a network: nothing that a page loads by itself may come from elsewhere.
 
-Usage: ``python docs/check_site.py build/docs/html``. Links that a reader may follow are allowed to lead away; those
-that stay on the site must lead to a file. Exit code 1 and one line each if something is wrong.
+Usage: ``python docs/check_site.py build/docs/html``. Links that a reader may follow are allowed to lead away;
+those that stay on the site must lead to a file. Exit code 1 and one line each if something is wrong.
 """
 
 from __future__ import annotations

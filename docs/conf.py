@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sphinx settings. `make docs` copies this folder to build/docs/source, adds what is generated, and builds there."""
+"""Sphinx settings. `make docs` copies this folder to build/docs/source and adds what is generated."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ sys.path.insert(0, str(HERE / "extensions"))
 
 project = "pitchpoint"
 author = "The pitchpoint developers"
-copyright = author  # noqa: A001
+copyright = author
 version = release = __version__
 
 extensions = [
@@ -75,7 +75,7 @@ html_theme_options = {
     "pygments_light_style": "tango",
     "pygments_dark_style": "monokai",
 }
-html_sidebars = {"index": [], "gallery/index": [], "changelog": []}
+html_sidebars = {name: [] for name in ("index", "start", "gallery/index", "validation", "changelog")}
 html_context = {"default_mode": "auto"}
 
 # notebooks call the commands of this environment

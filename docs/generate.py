@@ -106,10 +106,8 @@ def _help(context: click.Context) -> list[str]:
 
 def copy_written(target: Path) -> None:
     """Copy the pages of this folder and those of the root; a page that did not change keeps its time."""
-    shutil.copytree(
-        HERE, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("make_*.py", "__pycache__")
-    )
-    (target / "generate.py").unlink()
+    scripts = shutil.ignore_patterns("make_*.py", "generate.py", "check_site.py", "sheet.py", "__pycache__")
+    shutil.copytree(HERE, target, dirs_exist_ok=True, ignore=scripts)
     for folder in ("tutorials", "howto"):
         # what notebooks of an earlier build have written would be in the way of this one
         shutil.rmtree(target / folder, ignore_errors=True)

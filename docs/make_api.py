@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pages of the Python reference: one per layer that people call, every public function and class of its modules."""
+"""Pages of the Python reference: one per layer that people call, every public name of its modules."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ GROUPS = {
 }
 # package -> what its page is about
 LAYERS = {
-    "geometry": "Teeth and pairs of cylindrical gears. Symbols follow ISO 21771; internal gears are negative.",
+    "geometry": "Teeth and pairs of cylindrical gears, symbols by ISO 21771; internal gears are negative.",
     "contact": "Stiffness of teeth, contact lines, Hertz, friction, damping, wear.",
     "analysis": "Arrays in, numbers out. Measured and simulated signals share every function.",
 }
@@ -63,9 +63,7 @@ def public_page() -> str:
     missing = set(pitchpoint.__all__) - {name for names in GROUPS.values() for name in names}
     if missing - {"__version__"}:
         raise SystemExit(f"docs/make_api.py: public names without a group: {sorted(missing)}")
-    parts = [
-        "# `pitchpoint`\n\nEverything here is imported when it is first used: `import pitchpoint as pp`.\n"
-    ]
+    parts = ["# `pitchpoint`\n\n`import pitchpoint as pp`; every name is imported when it is first used.\n"]
     for title, names in GROUPS.items():
         things = {name: getattr(pitchpoint, name) for name in names}
         parts.append(f"## {title}\n\n{block('pitchpoint', things)}")

@@ -2,7 +2,8 @@
 """Gallery of the examples: one card and one page for each, with its scene or its report.
 
 The commands of `gallery.yaml` write a page, which the page of the example shows. Where Chromium is installed
-`make docs` takes the picture of the card from it; elsewhere those of `docs/images/gallery` stand in. ``python docs/make_gallery.py docs/images/gallery`` renews these.
+`make docs` takes the picture of the card from it; elsewhere those of `docs/images/gallery` stand in.
+``python docs/make_gallery.py docs/images/gallery`` renews these.
 """
 
 from __future__ import annotations
@@ -121,7 +122,7 @@ def state_of(name: str, card: dict[str, Any]) -> str:
 
 
 def write_pictures(pages: Path, target: Path, found: dict[str, dict[str, Any]]) -> None:
-    """Write live pages of all cards and bring their pictures: new ones where they can be made, else the kept ones."""
+    """Write live pages of all cards and bring their pictures, new ones where they can be made."""
     target.mkdir(parents=True, exist_ok=True)
 
     def bring(name: str) -> None:
@@ -161,7 +162,8 @@ def example_page(name: str, card: dict[str, Any]) -> str:
     title, text = readme.split("\n", 1)
     parts = [title, ""]
     if "commands" in card:
-        frame = f'<iframe class="pp-scene" src="../../scenes/{name}.html" title="{title[2:]}" loading="lazy"></iframe>'
+        address = f"../../scenes/{name}.html"
+        frame = f'<iframe class="pp-scene" src="{address}" title="{title[2:]}" loading="lazy"></iframe>'
         parts += ["```{raw} html", frame, "```", ""]
     parts += [text.strip(), "", "## Files", "", f"`pitchpoint examples copy {name}` copies the folder.", ""]
     for path in sorted((EXAMPLES / name).iterdir()):
