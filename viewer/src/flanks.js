@@ -170,6 +170,17 @@ function length3(metres) {
   return `${number(metres / unit, 3)}\u2009${name}`;
 }
 
+/** Between which diameters the flanks of a mesh touch. @param {import("./contacts.js").Contact} contact */
+export function activeWords({ contact, name }) {
+  const gears = contact.flanks[0].surfaces.map(({ gear, points }) => {
+    const nx = points.shape[1];
+    const ends = [0, nx - 1].map((k) => 2e3 * Math.hypot(points.data[3 * k], points.data[3 * k + 1]));
+    const [least, most] = [Math.min(...ends), Math.max(...ends)].map((d) => d.toFixed(2));
+    return `${gear.replaceAll("_", " ")} ${least} to ${most}`;
+  });
+  return `${name.replaceAll("_", " ")} touches between the diameters ${gears.join(", ")} mm.`;
+}
+
 /** Rows of the panel of flanks. @param {import("./page.js").Page} page */
 export function flankRows(page) {
   const all = page.stage.pictures.map((picture) => picture.flanks);
@@ -205,6 +216,7 @@ export function flankRows(page) {
     "Mesh whose gap is shown, magnified",
   );
   const own = tick("colours of each mesh by itself", false, (on) => set((flanks) => (flanks.own = on)));
+  const active = el("p", { className: "ppv-soft" }, meshes.map(({ contact }) => activeWords(contact)).join(" "));
   page.flankRows = { lines, pattern, gauge, times };
   return [
     lines.row,
@@ -222,5 +234,6 @@ export function flankRows(page) {
       { className: "ppv-soft" },
       "Colours: load per width. Balls at the ends of a line: front or back flank; a thin grey line carries nothing.",
     ),
+    active,
   ].filter(Boolean);
 }

@@ -33,7 +33,7 @@ Read = Callable[[str], Array | None]
 
 STATIONS = 9
 """Places along a contact line at which its load is kept."""
-GRID = (13, 13)
+GRID = (9, 11)
 """Points of a painted flank over its width and along the path."""
 STEADY = 2e-8
 """Motion of a pitch point [m], and turn of its directions times the path, below which one row is enough."""
