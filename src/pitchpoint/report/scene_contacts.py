@@ -82,7 +82,7 @@ class ContactLines:
                 one["forces"] = mesh.forces[frame, k].ctypes.data
                 one["loads"] = mesh.loads[frame, k].ctypes.data
         where, at = self.questions.ctypes.data, self.system.workspace.at
-        status = invoke(mesh_lines.entry, at, where, len(self.questions))
+        status = invoke(mesh_lines.answer, at, where, len(self.questions))
         if status != OK:
             raise SolverError(sentence(status), int(status))
         for m, mesh in enumerate(self.found):

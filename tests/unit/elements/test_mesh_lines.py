@@ -8,7 +8,7 @@ import pytest
 
 from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK
-from pitchpoint.elements.mesh_lines import LINES, entry
+from pitchpoint.elements.mesh_lines import LINES, answer
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
@@ -50,7 +50,7 @@ def asked(system, flank: int, stations: int) -> tuple[np.ndarray, np.ndarray, fl
     question["record"], question["flank"] = record.ctypes.data, flank
     question["deflection"], question["stations"] = record[0]["u"] - record[0]["e_t"], stations
     question["forces"], question["loads"] = forces.ctypes.data, loads.ctypes.data
-    assert invoke(entry, system.workspace.at, question.ctypes.data, 1) == OK
+    assert invoke(answer, system.workspace.at, question.ctypes.data, 1) == OK
     return forces, loads, float(question[0]["pairs"] + question[0]["psi"])
 
 
