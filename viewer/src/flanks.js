@@ -216,13 +216,26 @@ export function flankRows(page) {
     "Mesh whose gap is shown, magnified",
   );
   const own = tick("colours of each mesh by itself", false, (on) => set((flanks) => (flanks.own = on)));
-  const active = el("p", { className: "ppv-soft" }, meshes.map(({ contact }) => activeWords(contact)).join(" "));
-  page.flankRows = { lines, pattern, gauge, times };
+  const active = el("p", { className: "ppv-soft" });
+  page.flankRows = {
+    lines,
+    pattern,
+    gauge,
+    times,
+    /** @param {number} k mesh whose gap is shown */
+    tell(k) {
+      const mesh = meshes[k] ?? (meshes.length === 1 ? meshes[0] : null);
+      active.hidden = !mesh;
+      if (mesh) active.textContent = activeWords(mesh.contact);
+    },
+  };
+  page.flankRows.tell(-1);
   return [
     lines.row,
     greatest > 0 ? pattern.row : null,
     greatest > 0 && meshes.length > 1 ? own.row : null,
     gauge.row,
+    active,
     times.row,
     el(
       "div",
@@ -232,8 +245,9 @@ export function flankRows(page) {
     el(
       "p",
       { className: "ppv-soft" },
-      "Colours: load per width. Balls at the ends of a line: front or back flank; a thin grey line carries nothing.",
+      greatest > 0
+        ? "Colours: load per width. Balls at the ends of a line: front or back flank; a thin grey line carries nothing."
+        : "Yellow lines: front flanks; purple: back flanks; thin and grey: none of them touches. The law of the mesh tells no loads.",
     ),
-    active,
   ].filter(Boolean);
 }

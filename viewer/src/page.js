@@ -343,6 +343,7 @@ export class Page {
       for (const { gauge } of flanks.meshes) gauge.times = times;
     });
     this.flankRows?.times.set(times);
+    this.flankRows?.tell(mesh);
     if (this.flankRows) this.flankRows.gauge.select.value = String(mesh);
   }
 

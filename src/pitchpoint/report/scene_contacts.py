@@ -133,7 +133,7 @@ def scene_contacts(
     for m, (name, mesh) in enumerate(zip(lines.names, lines.found, strict=True)):
         if mesh.first["source"] != PROFILE:
             notes.append(
-                f"mesh {name}: its stiffness law knows no single tooth pairs, so none carry a load here"
+                f"mesh {name}: its stiffness law knows no single tooth pairs, so lines have no loads"
             )
         forces, loads = _as_kept(name, mesh, read)
         at = moved.pitch_points[:, m]
