@@ -204,7 +204,7 @@ def test_marks_of_a_broken_tooth_are_where_its_pairs_lack_load():
     ],
 )
 def test_a_fault_counts_on_the_flanks_that_it_is_on(gear, type_, flank, side, marked):
-    """Front flanks are the left ones of both gears, but the right ones of a ring, as the kernels read them."""
+    """Front flanks are the left ones of both gears, but the right ones of a ring, as kernels read them."""
     time = np.linspace(0.0, 1.0, 201)
     mesh = contact(0.5 * time)
     mesh = replace(mesh, flanks=[replace(mesh.flanks[0], side=side)])
