@@ -43,6 +43,7 @@ export class ContactLines {
     this.paints = Object.fromEntries(
       [1, -1].map((side) => [side, new MeshBasicMaterial({ color: STATES[side].colour })]),
     );
+    this.plain = Object.fromEntries([1, -1].map((side) => [side, this.paints[side].color.toArray()]));
     this.balls = Array.from({ length: 2 * MOST }, () => {
       const mesh = new Mesh(ball, this.paints[1]);
       mesh.visible = false;
@@ -60,9 +61,11 @@ export class ContactLines {
     this.rods.visible = drawn.length > 0;
     this.balls.forEach((ball) => (ball.visible = false));
     const { position, color } = this.rods.geometry.attributes;
+    const loaded = Boolean(this.contact.contact.flanks[0].loads);
     const thick = Math.min(2.6 * visible || Infinity, 0.07 * this.contact.contact.base_pitch);
     drawn.forEach((line, n) => {
-      const carries = line.force !== 0;
+      // a law that knows no pairs tells which flank touches, not what each pair carries
+      const carries = loaded ? line.force !== 0 : both[line.side] > 0;
       const radius = carries ? thick : 0.4 * thick;
       ALONG.subVectors(line.to, line.from);
       ACROSS.set(0, 0, 1).cross(ALONG);
@@ -70,7 +73,8 @@ export class ContactLines {
       ACROSS.normalize();
       THIRD.crossVectors(ALONG, ACROSS).normalize();
       for (let s = 0; s < this.stations; s++) {
-        const colour = carries ? litColour(greatest > 0 ? line.loads[s] / greatest : 0) : NONE;
+        const load = loaded && greatest > 0 ? litColour(line.loads[s] / greatest) : this.plain[line.side];
+        const colour = carries ? load : NONE;
         POINT.copy(line.from).addScaledVector(ALONG, s / (this.stations - 1));
         for (let k = 0; k < AROUND; k++) {
           const angle = (2 * Math.PI * k) / AROUND;

@@ -170,14 +170,57 @@ function length3(metres) {
   return `${number(metres / unit, 3)}\u2009${name}`;
 }
 
+/** Between which diameters the flanks of a mesh touch. @param {import("./contacts.js").Contact} contact */
+export function activeWords({ contact, name }) {
+  const gears = contact.flanks[0].surfaces.map(({ gear, points }) => {
+    const nx = points.shape[1];
+    const ends = [0, nx - 1].map((k) => 2e3 * Math.hypot(points.data[3 * k], points.data[3 * k + 1]));
+    const [least, most] = [Math.min(...ends), Math.max(...ends)].map((d) => d.toFixed(2));
+    return `${gear.replaceAll("_", " ")} ${least} to ${most}`;
+  });
+  return `${name.replaceAll("_", " ")} touches between the diameters ${gears.join(", ")} mm.`;
+}
+
+/** Change what all pictures show of their flanks. @param {import("./page.js").Page} page @param {(flanks: Flanks) => void} change */
+export function changeFlanks(page, change) {
+  for (const { flanks } of page.stage.pictures) change(flanks);
+  const { showsLines, mode } = page.stage.pictures[0].flanks;
+  if (page.flankRows) {
+    page.flankRows.lines.input.checked = showsLines;
+    page.flankRows.pattern.select.value = mode;
+  }
+  page.changed();
+}
+
+/**
+ * Show the gap of a mesh, magnified.
+ * @param {import("./page.js").Page} page @param {number} mesh -1 none @param {number} times one that suits it, if left out
+ */
+export function showGauge(page, mesh, times) {
+  const factor = times ?? page.stage.pictures[0].flanks.meshes[mesh]?.gauge.fitting() ?? 1;
+  changeFlanks(page, (flanks) => {
+    flanks.gauged = mesh;
+    for (const { gauge } of flanks.meshes) gauge.times = factor;
+  });
+  if (!page.flankRows) return;
+  page.flankRows.times.set(factor);
+  page.flankRows.tell(mesh);
+  page.flankRows.gauge.select.value = String(mesh);
+}
+
+/** Along the axis on the mesh whose gap is shown, or the first. @param {import("./page.js").Page} page */
+function lookAtGap(page) {
+  const { flanks, data } = page.stage.pictures[0];
+  if (flanks.gauged < 0) showGauge(page, 0);
+  const name = flanks.meshes[flanks.gauged]?.contact.name;
+  const arrow = data.arrows.find((each) => each.kind === "mesh" && each.name === name);
+  if (arrow) page.intoMesh(arrow);
+}
+
 /** Rows of the panel of flanks. @param {import("./page.js").Page} page */
 export function flankRows(page) {
-  const all = page.stage.pictures.map((picture) => picture.flanks);
-  const { meshes, greatest } = all[0];
-  const set = (change) => {
-    for (const flanks of all) change(flanks);
-    page.changed();
-  };
+  const { meshes, greatest } = page.stage.pictures[0].flanks;
+  const set = (change) => changeFlanks(page, change);
   const lines = tick("contact lines", true, (on) => set((flanks) => (flanks.showsLines = on)));
   const pattern = choice(
     "pattern so far",
@@ -201,26 +244,42 @@ export function flankRows(page) {
   const gauge = choice(
     "gap of",
     [["-1", "none"], ...meshes.map(({ contact }, k) => [String(k), contact.name.replaceAll("_", " ")])],
-    (k) => page.gauge(Number(k)),
+    (k) => showGauge(page, Number(k)),
     "Mesh whose gap is shown, magnified",
   );
   const own = tick("colours of each mesh by itself", false, (on) => set((flanks) => (flanks.own = on)));
-  page.flankRows = { lines, pattern, gauge, times };
+  const active = el("p", { className: "ppv-soft" });
+  page.flankRows = {
+    lines,
+    pattern,
+    gauge,
+    times,
+    /** @param {number} k mesh whose gap is shown */
+    tell(k) {
+      const mesh = meshes[k] ?? (meshes.length === 1 ? meshes[0] : null);
+      active.hidden = !mesh;
+      if (mesh) active.textContent = activeWords(mesh.contact);
+    },
+  };
+  page.flankRows.tell(-1);
   return [
     lines.row,
     greatest > 0 ? pattern.row : null,
     greatest > 0 && meshes.length > 1 ? own.row : null,
     gauge.row,
+    active,
     times.row,
     el(
       "div",
       { className: "ppv-buttons" },
-      button("look at the gap", "Look into the mesh whose gap is shown", () => page.intoGap()),
+      button("look at the gap", "Look into the mesh whose gap is shown", () => lookAtGap(page)),
     ),
     el(
       "p",
       { className: "ppv-soft" },
-      "Colours: load per width. Balls at the ends of a line: front or back flank; a thin grey line carries nothing.",
+      greatest > 0
+        ? "Colours: load per width. Balls at the ends of a line: front or back flank; a thin grey line carries nothing."
+        : "Yellow lines: front flanks; purple: back flanks; thin and grey: none of them touches. The law of the mesh tells no loads.",
     ),
   ].filter(Boolean);
 }

@@ -3,6 +3,7 @@
 import uplotStyle from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
 import { el } from "./dom.js";
+import { changeFlanks, showGauge } from "./flanks.js";
 import { Page } from "./page.js";
 import { movingSolids, png, stl } from "./save.js";
 import { SceneError, readScene } from "./scene_file.js";
@@ -63,11 +64,11 @@ window.pitchpointViewer = {
   magnify: (times) => shown().magnify(times),
   /** @param {string} kind of arrows: mesh, pair or bearing */
   arrows: (kind, on = true) => shown().arrows(kind, on),
-  lines: (on = true) => shown().flanks((flanks) => (flanks.showsLines = on)),
+  lines: (on = true) => changeFlanks(shown(), (flanks) => (flanks.showsLines = on)),
   /** @param {"off"|"all"|"each"} mode */
-  pattern: (mode) => shown().flanks((flanks) => (flanks.mode = mode)),
+  pattern: (mode) => changeFlanks(shown(), (flanks) => (flanks.mode = mode)),
   /** @param {number} mesh -1 none @param {number} times */
-  gauge: (mesh, times) => shown().gauge(mesh, times),
+  gauge: (mesh, times) => showGauge(shown(), mesh, times),
   mode: (number) => shown().modes.choose(number),
   /** @param {"png"|"glb"|"stl"} kind @returns {Blob} */
   file: (kind, times = 1) =>

@@ -333,37 +333,6 @@ export class Page {
     this.changed();
   }
 
-  /** @param {(flanks: import("./flanks.js").Flanks) => void} change */
-  flanks(change) {
-    for (const { flanks } of this.stage.pictures) change(flanks);
-    const { showsLines, mode } = this.stage.pictures[0].flanks;
-    if (this.flankRows) {
-      this.flankRows.lines.input.checked = showsLines;
-      this.flankRows.pattern.select.value = mode;
-    }
-    this.changed();
-  }
-
-  /** Show the gap of a mesh, magnified. @param {number} mesh -1 none @param {number} times */
-  gauge(mesh, times = this.stage.pictures[0].flanks.meshes[mesh]?.gauge.fitting() ?? 1) {
-    this.flanks((flanks) => {
-      flanks.gauged = mesh;
-      for (const { gauge } of flanks.meshes) gauge.times = times;
-    });
-    this.flankRows?.times.set(times);
-    if (this.flankRows) this.flankRows.gauge.select.value = String(mesh);
-  }
-
-  /** Along the axis on the mesh whose gap is shown. */
-  intoGap() {
-    const { flanks, data } = this.stage.pictures[0];
-    const mesh = flanks.meshes[Math.max(0, flanks.gauged)];
-    const arrow = data.arrows.find(({ kind, name }) => kind === "mesh" && name === mesh?.contact.name);
-    if (!arrow) return;
-    if (flanks.gauged < 0) this.gauge(0);
-    this.intoMesh(arrow);
-  }
-
   /** @param {any} arrow of a mesh */
   intoMesh(arrow) {
     const { point, axis } = this.views.intoMesh(arrow);

@@ -5,6 +5,7 @@ import { reached } from "./contacts.js";
 import { litColour } from "./load_colours.js";
 
 const modulo = (a, n) => ((a % n) + n) % n;
+const SAME = 1.004; // a load that is larger by less has the same colour
 
 /** Largest loads on a grid over one flank and over every tooth, frame after frame. */
 class Record {
@@ -20,19 +21,20 @@ class Record {
   clear() {
     const { nz, nx, flank } = this;
     this.done = -1;
+    /** teeth that carried something, in their order, and what has changed since it was painted */
+    this.touched = flank.surfaces.map(() => []);
+    this.news = { all: true, teeth: flank.surfaces.map(() => new Set()) };
     this.all = new Float32Array(nz * nx);
     this.each = flank.surfaces.map((surface) => new Float32Array(surface.teeth * nz * nx));
   }
 
-  /** Take in all frames up to one. @param {number} frame @returns {boolean} whether anything is new */
+  /** Take in all frames up to one. @param {number} frame */
   upTo(frame) {
-    if (frame === this.done) return false;
     if (frame < this.done) this.clear();
     while (this.done < frame) {
       this.done++;
       this.#sweep(Math.max(0, this.done - 1), this.done);
     }
-    return true;
   }
 
   /** Load in a frame of the pair that makes a line, at a width, or null where the line is not. */
@@ -78,11 +80,18 @@ class Record {
   }
 
   #put(pair, at, load) {
-    if (load > this.all[at]) this.all[at] = load;
+    if (!(load > 0)) return;
+    if (load > SAME * this.all[at]) {
+      this.all[at] = load;
+      this.news.all = true;
+    }
     this.flank.surfaces.forEach((surface, g) => {
       const tooth = modulo(surface.tooth + surface.step * pair, surface.teeth);
       const place = tooth * this.nz * this.nx + at;
-      if (load > this.each[g][place]) this.each[g][place] = load;
+      if (!(load > SAME * this.each[g][place])) return;
+      this.each[g][place] = load;
+      this.news.teeth[g].add(tooth);
+      if (!this.touched[g].includes(tooth)) this.touched[g].push(tooth);
     });
   }
 }
@@ -106,7 +115,6 @@ export class Pattern {
     const { nz, nx } = record;
     const each = nz * nx;
     const position = new Float32Array(3 * each * surface.teeth);
-    const index = [];
     for (let tooth = 0; tooth < surface.teeth; tooth++) {
       // pairs count the teeth of a gear in one of both senses
       const angle = surface.turn * surface.step * (tooth - surface.tooth);
@@ -116,16 +124,19 @@ export class Pattern {
         const [x, y, z] = surface.points.data.subarray(3 * k, 3 * k + 3);
         position.set([c * x - s * y, s * x + c * y, z], 3 * (tooth * each + k));
       }
-      for (let j = 0; j < nz - 1; j++)
-        for (let k = 0; k < nx - 1; k++) {
-          const a = tooth * each + j * nx + k;
-          index.push(a, a + 1, a + nx, a + 1, a + nx + 1, a + nx);
-        }
     }
+    // triangles of one tooth; those of teeth that carried something are drawn
+    const block = [];
+    for (let j = 0; j < nz - 1; j++)
+      for (let k = 0; k < nx - 1; k++) {
+        const a = j * nx + k;
+        block.push(a, a + 1, a + nx, a + 1, a + nx + 1, a + nx);
+      }
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(position, 3));
-    geometry.setAttribute("color", new BufferAttribute(new Float32Array(4 * each * surface.teeth), 4));
-    geometry.setIndex(index);
+    geometry.setAttribute("color", new BufferAttribute(new Uint8Array(4 * each * surface.teeth), 4, true));
+    geometry.setIndex(new BufferAttribute(new Uint32Array(block.length * surface.teeth), 1));
+    geometry.setDrawRange(0, 0);
     const mesh = new Mesh(
       geometry,
       new MeshBasicMaterial({
@@ -141,8 +152,7 @@ export class Pattern {
     mesh.matrixAutoUpdate = false;
     mesh.frustumCulled = false;
     mesh.visible = false;
-    mesh.userData.body = surface.body;
-    mesh.userData.gear = g;
+    mesh.userData = { body: surface.body, gear: g, block, drawn: 0 };
     root.add(mesh);
     return mesh;
   }
@@ -157,23 +167,47 @@ export class Pattern {
         if (on) mesh.matrix.copy(this.poses.world[mesh.userData.body]);
       }
       if (!on) continue;
-      const fresh = record.upTo(frame);
-      if (fresh || mode !== this.mode || greatest !== this.painted)
-        for (const mesh of meshes) this.#paint(record, mesh, mode, greatest);
+      record.upTo(frame);
+      const anew = mode !== this.mode || greatest !== this.painted;
+      for (const mesh of meshes) this.#paint(record, mesh, mode, greatest, anew);
+      record.news = { all: false, teeth: record.news.teeth.map(() => new Set()) };
     }
-    this.mode = mode;
+    this.mode = hidden ? "off" : mode;
     this.painted = greatest;
   }
 
-  #paint(record, mesh, mode, greatest) {
-    const { color } = mesh.geometry.attributes;
+  /** What has changed: of teeth painted together all, of each by itself those that have. */
+  #paint(record, mesh, mode, greatest, anew) {
+    const { gear, block } = mesh.userData;
     const each = record.nz * record.nx;
-    const loads = mode === "all" ? record.all : record.each[mesh.userData.gear];
-    for (let k = 0; k < color.count; k++) {
-      const load = loads[mode === "all" ? k % each : k];
-      color.setXYZW(k, ...(load > 0 ? [...litColour(load / greatest), 1] : [0, 0, 0, 0]));
+    const touched = record.touched[gear];
+    this.#draw(mesh, touched, block, each);
+    const whole = anew || (mode === "all" && record.news.all);
+    const teeth = whole ? touched : record.news.teeth[gear];
+    const { color } = mesh.geometry.attributes;
+    for (const tooth of teeth) {
+      for (let k = 0; k < each; k++) {
+        const load = mode === "all" ? record.all[k] : record.each[gear][tooth * each + k];
+        const at = 4 * (tooth * each + k);
+        const paint = load > 0 ? litColour(load / greatest) : NONE;
+        for (let c = 0; c < 3; c++) color.array[at + c] = Math.round(255 * paint[c]);
+        color.array[at + 3] = load > 0 ? 255 : 0;
+      }
+      color.needsUpdate = true;
     }
-    color.needsUpdate = true;
+  }
+
+  /** Triangles of the teeth that carried something. */
+  #draw(mesh, touched, block, each) {
+    const { geometry, userData } = mesh;
+    if (touched.length < userData.drawn) userData.drawn = 0;
+    if (touched.length === userData.drawn) return;
+    const { array } = geometry.index;
+    for (let k = userData.drawn; k < touched.length; k++)
+      block.forEach((corner, n) => (array[k * block.length + n] = touched[k] * each + corner));
+    userData.drawn = touched.length;
+    geometry.index.needsUpdate = true;
+    geometry.setDrawRange(0, touched.length * block.length);
   }
 
   /** @param {import("three").Plane[]} planes */
@@ -191,13 +225,9 @@ export class Pattern {
       side: record.flank.side,
       greatest: record.all.reduce((most, x) => Math.max(most, x), 0),
       covered: record.all.filter((x) => x > 0).length / record.all.length,
-      teeth: record.each.map((grid, g) => {
-        const each = record.nz * record.nx;
-        const touched = [];
-        for (let tooth = 0; tooth < record.flank.surfaces[g].teeth; tooth++)
-          if (grid.subarray(tooth * each, (tooth + 1) * each).some((x) => x > 0)) touched.push(tooth);
-        return touched;
-      }),
+      teeth: record.touched.map((teeth) => [...teeth].sort((a, b) => a - b)),
     }));
   }
 }
+
+const NONE = [0, 0, 0];

@@ -4,6 +4,7 @@ import { Matrix4, Vector3 } from "three";
 import { el } from "./dom.js";
 import { glb } from "./glb.js";
 import { colourOfForce } from "./colours.js";
+import { loadColour } from "./load_colours.js";
 import { instant } from "./numbers.js";
 
 /** @param {Blob} blob @param {string} name */
@@ -63,6 +64,9 @@ export function png(page, times = 1) {
   page.legends.forEach((shown, n) => {
     if (!shown.element.hidden) legend(pen, page, n, (n + 1) * each, ink, style);
   });
+  page.boxes.forEach((box, n) => {
+    if (!box.element.hidden) loads(pen, box, 12 + n * each, height - 62, soft);
+  });
   const [text, bar] = page.scale.children;
   pen.fillStyle = pen.strokeStyle = soft;
   pen.fillText(text.textContent, 12, height - 30);
@@ -75,6 +79,21 @@ export function png(page, times = 1) {
   pen.stroke();
   const bytes = atob(paper.toDataURL("image/png").split(",")[1]);
   return new Blob([Uint8Array.from(bytes, (letter) => letter.charCodeAt(0))], { type: "image/png" });
+}
+
+/** Colours of the loads on flanks and the gap, above the scale. */
+function loads(pen, box, x, y, soft) {
+  pen.fillStyle = soft;
+  pen.font = pen.font.replace(/^\d+px/, "11px");
+  if (!box.bar.hidden) {
+    for (let k = 0; k < 210; k++) {
+      pen.fillStyle = `rgb(${loadColour(k / 209).map((part) => Math.round(255 * part)).join(" ")})`;
+      pen.fillRect(x + k, y, 1.5, 8);
+    }
+    pen.fillStyle = soft;
+    pen.fillText(`0 … ${box.end.textContent} on flanks, ${box.now.textContent}`, x, y + 11);
+  }
+  if (!box.gap.hidden) pen.fillText(box.gap.textContent, x, y - 16);
 }
 
 /** Rows of the forces, in their colours, at the right edge. */

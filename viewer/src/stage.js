@@ -78,7 +78,11 @@ export class Stage {
     // arrows of results that are compared have one scale, so that the eye compares forces
     const size = Math.max(...this.pictures.map((picture) => picture.arrows.size));
     const radius = Math.max(...this.pictures.map((picture) => picture.bounds.radius));
-    for (const { arrows } of this.pictures) Object.assign(arrows, { size, radius });
+    const greatest = Math.max(...this.pictures.map((picture) => picture.flanks.greatest));
+    for (const { arrows, flanks } of this.pictures) {
+      Object.assign(arrows, { size, radius });
+      flanks.greatest = greatest;
+    }
     this.background = new Color("#ffffff");
     this.size = { width: 1, height: 1 };
     this.drawn = 0;

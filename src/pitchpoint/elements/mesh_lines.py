@@ -117,7 +117,7 @@ def contact_lines(b, c, question):
 
 
 @kernel
-def entry(ctl, where, n):
+def answer(ctl, where, n):
     """Answer n questions about flanks; `where` is the address of the first."""
     c = view(ctl, 1, CTL)[0]
     questions = view(where, n, LINES)

@@ -34,7 +34,7 @@ Read = Callable[[str], Array | None]
 
 STATIONS = 9
 """Places along a contact line at which its load is kept."""
-GRID = (13, 13)
+GRID = (9, 11)
 """Points of a painted flank over its width and along the path."""
 STEADY = 2e-8
 """Motion of a pitch point [m], and turn of its directions times the path, below which one row is enough."""
@@ -83,7 +83,7 @@ class ContactLines:
                 one["forces"] = mesh.forces[frame, k].ctypes.data
                 one["loads"] = mesh.loads[frame, k].ctypes.data
         where, at = self.questions.ctypes.data, self.system.workspace.at
-        status = invoke(mesh_lines.entry, at, where, len(self.questions))
+        status = invoke(mesh_lines.answer, at, where, len(self.questions))
         if status != OK:
             raise SolverError(sentence(status), int(status))
         for m, mesh in enumerate(self.found):
@@ -135,7 +135,7 @@ def scene_contacts(
     for m, (name, mesh) in enumerate(zip(lines.names, lines.found, strict=True)):
         if mesh.first["source"] != PROFILE:
             notes.append(
-                f"mesh {name}: its stiffness law knows no single tooth pairs, so none carry a load here"
+                f"mesh {name}: its stiffness law knows no single tooth pairs, so lines have no loads"
             )
         forces, loads = _as_kept(name, mesh, read)
         at = moved.pitch_points[:, m]

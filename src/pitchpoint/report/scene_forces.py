@@ -21,6 +21,8 @@ Read = Callable[[str], Array | None]
 PARTS = ("circumferential", "radial", "axial")
 LINEAR = "bearing"
 """Kind of bearings that have axes of their own; those of rings go with the outer ring."""
+NOTHING = 1e-6
+"""Part of a bearing's largest force below which it carries nothing axially."""
 RINGS = ("clearance_bearing", "loose_bearing", "rolling_bearing")
 
 
@@ -124,7 +126,7 @@ def _bearing_arrows(system: System, moved: Motion, forces: Forces) -> list[Scene
                 axes = moved.spinning(j) @ record["A_j"]
             across = np.einsum("nij,nj->ni", axes[:, :, :2], parts[:, :2])
             components = {"radial": across, "axial": parts[:, 2, None] * axes[:, :, 2]}
-            if not np.any(components["axial"]):
+            if np.abs(parts[:, 2]).max() <= NOTHING * np.abs(parts).max():
                 del components["axial"]
             found.append(SceneArrow(name=name, kind="bearing", at=_steadied(place), components=components))
     return found

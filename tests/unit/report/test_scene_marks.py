@@ -4,13 +4,16 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import xarray as xr
 
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.report.scene_marks import MOST, contact_marks, scene_marks, tooth_in_mesh
+from pitchpoint.model.components.tooth_faults import RootCrack
+from pitchpoint.report.scene_marks import MOST, contact_marks, fault_marks, scene_marks, tooth_in_mesh
 from pitchpoint.viz.scene_contact import ContactFlank, FlankSurface, SceneContact
 from tests.support.scene_models import PAIR, seen
 
@@ -186,3 +189,30 @@ def test_marks_of_a_broken_tooth_are_where_its_pairs_lack_load():
                 assert (gone[:-1].max() == 0.0) == (tooth == 5)
                 torn += tooth == 5
     assert torn > 3
+
+
+@pytest.mark.parametrize(
+    ("gear", "type_", "flank", "side", "marked"),
+    [
+        ("a", "external", "left", 1, True),
+        ("a", "external", "right", 1, False),
+        ("a", "external", "right", -1, True),
+        ("b", "external", "left", 1, True),
+        ("b", "internal", "left", 1, False),
+        ("b", "internal", "right", 1, True),
+        ("b", "internal", "both", -1, True),
+    ],
+)
+def test_a_fault_counts_on_the_flanks_that_it_is_on(gear, type_, flank, side, marked):
+    """Front flanks are the left ones of both gears, but the right ones of a ring, as kernels read them."""
+    time = np.linspace(0.0, 1.0, 201)
+    mesh = contact(0.5 * time)
+    mesh = replace(mesh, flanks=[replace(mesh.flanks[0], side=side)])
+    crack = {"crack": RootCrack(tooth=3, flank=flank, depth=1e-3)}
+    faults = {name: crack if name == gear else {} for name in "ab"}
+    types = {"a": "external", "b": type_}
+    gears = {n: SimpleNamespace(type=types[n], tooth_faults=faults[n]) for n in "ab"}
+    model = SimpleNamespace(gears=gears)
+    found = fault_marks(model, mesh, time)
+    assert bool(found) == marked
+    assert all(mark.what == f"{gear}, tooth 3 (crack) in m" for mark, _ in found)
