@@ -96,7 +96,7 @@ def test_teeth_are_as_fine_as_they_are_near_and_drawn_where_they_are_seen(tmp_pa
     whole = len(pitch(teeth)[1])
     assert far["triangles"] == whole * teeth
     assert far["drawnTriangles"] == again["drawnTriangles"] == 4 * teeth
-    # a picture 4 mm high shows one tooth of 12.6 mm pitch; pitches, as spheres, reach from the bore to the tip
+    # a picture 4 mm high shows one tooth of 12.6 mm pitch; pitches count as spheres from bore to tip
     assert near["drawnTriangles"] % whole == 0 and 1 <= near["drawnTriangles"] / whole <= teeth / 3
 
 
