@@ -63,7 +63,7 @@ def test_a_model_alone_and_two_side_by_side(result: Path) -> None:
 def test_modes_of_a_result_and_of_a_model_are_the_same(
     result: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Without damping in its shapes the one, with it the other: frequencies are those of the undamped modes."""
+    """Shapes without damping in the one, with it in the other; frequencies are undamped in both."""
     modes, model = result.with_name("modes.h5"), str(result.with_name("pair.yaml"))
     pages = [result.with_name(f"modes-{k}.html") for k in range(2)]
     assert run_command(["modes", model, "-o", str(modes), "-q"]) == 0
