@@ -61,6 +61,7 @@ export class Modes {
         size(mode.position, k) + size(mode.turn, k) * (reach || 0.1 * bounds.radius),
       );
     });
+    for (const { sway } of solids.parts) largest = Math.max(largest, sway?.largest(mode) ?? 0);
     return largest > 0 ? (WIDTH * bounds.radius) / largest : 0;
   }
 

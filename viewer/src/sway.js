@@ -39,6 +39,23 @@ export class Sway {
     });
   }
 
+  /** Largest way of a node in a mode, nodes and coordinates apart. @param {any} mode */
+  largest(mode) {
+    const table = mode.sway?.[this.name];
+    let most = 0;
+    for (let node = 0; table && node < this.nodes; node++) {
+      let sum = 0;
+      for (let i = 0; i < 6; i++) {
+        let way = 0;
+        for (let k = 0; k < this.count; k++)
+          way += table.data[2 * k + (i % 2)] * this.shapes[3 * (this.nodes * k + node) + (i >> 1)];
+        sum += way * way;
+      }
+      most = Math.max(most, Math.sqrt(sum));
+    }
+    return most;
+  }
+
   update() {
     const now = this.#now();
     if (now.every((x, k) => x === this.drawn[k])) return;

@@ -20,12 +20,24 @@ from pitchpoint.cli.output import show
     metavar="N",
     help="Compute the lowest N modes as well and show their shapes; none if left out.",
 )
+@click.option(
+    "--film",
+    type=click.Path(dir_okay=False),
+    metavar="OUT",
+    help="Write the record as a film too (mp4, webm or gif); needs chromium and ffmpeg.",
+)
 @output("HTML file to write; the name of FILE with .view.html if left out.")
 @allow_code
 @quiet
 @debug
 def view(
-    file: str, other: str | None, modes: int | None, output: str | None, allow_code: bool, quiet: bool
+    file: str,
+    other: str | None,
+    modes: int | None,
+    film: str | None,
+    output: str | None,
+    allow_code: bool,
+    quiet: bool,
 ) -> None:
     """Write the 3-D scene of FILE, a result (.h5) or a model, as one HTML page for any browser.
 
@@ -42,3 +54,16 @@ def view(
         show(f"scene written to {written}, {written.stat().st_size / 1e6:.1f} MB; open it in a browser")
         for note in notes:
             show(f"note: {note}")
+    if film is not None:
+        _film(written, film, quiet)
+
+
+def _film(page: Path, target: str, quiet: bool) -> None:
+    """Write a film of a page, with its progress."""
+    from pitchpoint.cli.progress import ProgressDisplay
+    from pitchpoint.report.film import film
+
+    with ProgressDisplay("film", "pictures", quiet=quiet) as progress:
+        path = film(page, target, progress)
+    if not quiet:
+        show(f"film written to {path}, {path.stat().st_size / 1e6:.1f} MB")

@@ -234,14 +234,14 @@ def gear_sector(
     twist, end = rate * 0.5 * gear.b, 0.5 * gear.b
     top, bottom, at = rings[-1][root], rings[0][root], angle
     for radius, end in upper:
-        inner = radius * np.exp(1j * around)
+        inner = np.asarray(radius * np.exp(1j * around), np.complex128)
         new_top, new_bottom = made.add(inner, end, twist), made.add(inner, -end, -twist)
         made.zip(top, at, new_top, around)
         made.zip(new_bottom, around, bottom, at)
         top, bottom, at = new_top, new_bottom, around
     if is_open:
         levels = np.linspace(1.0, -1.0, max(1, math.ceil(abs(2.0 * twist) / math.radians(5.0))) + 1)[1:-1]
-        inner = upper[-1][0] * np.exp(1j * around)
+        inner = np.asarray(upper[-1][0] * np.exp(1j * around), np.complex128)
         walls = [top, *(made.add(inner, end * s, twist * s) for s in levels), bottom]
         for high, low in zip(walls, walls[1:], strict=False):
             made.quads(high, low)

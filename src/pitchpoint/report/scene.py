@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -40,6 +40,8 @@ CURVES = 1e5
 """Most pieces of all curves: with more of them each has fewer."""
 FIRST = ("normal_force", "transmission_error")
 """Quantities that are drawn without asking."""
+SECOND = ("contact_force", "tension", "reaction_force", "torque", "speed")
+"""Those of which the first is drawn where there is none of these."""
 
 
 def scene_of(
@@ -200,4 +202,8 @@ class _Record:
                     first=str(name).split("[")[0] in FIRST,
                 )
             )
+        if found and not any(channel.first for channel in found):
+            order = {quantity: k for k, quantity in enumerate(SECOND)}
+            best = min(range(len(found)), key=lambda k: order.get(found[k].name.split("[")[0], len(order)))
+            found[best] = replace(found[best], first=True)
         return found

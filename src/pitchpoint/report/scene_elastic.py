@@ -115,17 +115,21 @@ def _nodes(model: Model, name: str, at: Places, read: Read) -> SceneSolid:
     places, shape = file_nodes(model, name)
     kept = np.arange(0, len(places), -(-len(places) // MOST_NODES))
     places, shape = places[kept], shape[kept]
-    # nodes in one place are no neighbours of each other, but none may stand alone
+    # a length of zero would be no edge
     edges = np.argwhere(minimum_spanning_tree(cdist(places, places) + 1e-9).toarray())
     half = BAR * at.size
-    points, node, faces = [], [], []
+    points: list[Array] = []
+    node: list[int] = []
+    faces: list[NDArray[np.int64]] = []
     corner = half * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
     k, after = np.arange(4), (np.arange(4) + 1) % 4
     for i, j in edges:
+        if np.linalg.norm(places[j] - places[i]) < 1e-6 * at.size:
+            continue  # nodes in one place
         z = unit(places[j] - places[i])
         x = unit(np.cross(np.eye(3)[int(np.argmin(np.abs(z)))], z))
         ring = corner[:, :1] * x + corner[:, 1:] * np.cross(z, x)
-        first = 8 * len(points) // 2
+        first = 4 * len(points)
         points += [places[i] + ring, places[j] + ring]
         node += [i] * 4 + [j] * 4
         faces += [

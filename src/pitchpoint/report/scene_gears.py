@@ -141,6 +141,7 @@ class _Teeth:
 
     @classmethod
     def of(cls, gear: Gear, thinner: float) -> _Teeth:
+        """Teeth of a gear, thinner by a normal thickness [m]."""
         shape = gear.geometry
         shape = replace(shape, thickness_allowance=shape.thickness_allowance - thinner)
         plain = not gear.is_modified and not gear.tooth_faults
@@ -164,9 +165,9 @@ class _Teeth:
             sectors = self._damaged(tooth, [fault for _, fault in faults])
             turn = np.array([pitch * tooth])
             # the blank below a damaged tooth is sound
-            tooth = [SceneLevel(error, *s.part(0, s.blank)) for error, s in sectors]
+            damage = [SceneLevel(error, *s.part(0, s.blank)) for error, s in sectors]
             blank = [SceneLevel(error, *s.part(s.blank, len(s.triangles))) for error, s in sectors]
-            found += [ScenePiece(turn, tooth, "; ".join(labels)), ScenePiece(turn, blank)]
+            found += [ScenePiece(turn, damage, "; ".join(labels)), ScenePiece(turn, blank)]
         return found
 
     @property

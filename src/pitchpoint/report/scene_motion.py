@@ -250,5 +250,7 @@ def _gross(angle: Array, b: int, guide: int) -> tuple[Array | None, float]:
     """Angle that kinematics ask for, as that of the guide and a ratio: the best fit over all frames."""
     if guide < 0 or abs(angle[-1, b] - angle[0, b]) < TURNING:
         return None, 1.0
+    if b == guide:
+        return angle[:, b], 1.0
     x = angle[:, guide] - angle[:, guide].mean()
     return angle[:, guide], float(x @ angle[:, b] / (x @ x))

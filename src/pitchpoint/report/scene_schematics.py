@@ -99,10 +99,9 @@ def _figure(at: Places, name: str, shaped: bool) -> list[SceneSolid]:
         elif np.linalg.norm(p - hub) > bar:
             pieces += [shapes.rod(hub, p, bar), shapes.ball(bar, p, 12)]
     heavy = part.mass or 0.0
-    slides = joint is not None and joint.type == "prismatic"
     if part.moves == "fixed" or (shaped and not pieces):
         pass
-    elif slides and part.center is None:
+    elif joint is not None and joint.type == "prismatic" and part.center is None:
         side = min(BALL * at.size, max(4.0 * bar, (heavy / STEEL) ** (1.0 / 3.0)))
         pieces.append(
             shapes.box((side, side, side), center, shapes.across(joint_axes(at.model, joint)[:, 2]))
@@ -162,8 +161,8 @@ def _links(at: Places) -> list[SceneSolid]:
         ],
         16,
     )
-    springs = [*model.springs.items(), *model.maxwells.items()]
-    parts = [(n, p.ends, "spring", coil if p.stiffness > 0.0 else piston) for n, p in springs]
+    parts = [(n, p.ends, "spring", coil if p.stiffness > 0.0 else piston) for n, p in model.springs.items()]
+    parts += [(n, p.ends, "spring", coil) for n, p in model.maxwells.items()]
     parts += [(n, p.ends, "body", bar) for n, p in model.rods.items()]
     for name, ends, kind, (points, triangles) in parts:
         (a, first, _), (b, second, _) = (at.end(end) for end in ends)

@@ -136,20 +136,21 @@ def _shaft(model: Model, name: str, bodies: Mapping[str, int]) -> SceneSolid:
     pieces = [
         (float(b - a), *section_at(shaft, float(m))) for a, b, m in zip(cuts, cuts[1:], middles, strict=False)
     ]
-    found = _solid(name, "shaft", bodies[name], shaft_solid(pieces, ROUND))
+    corners = shaft_solid(pieces, ROUND)
     if len(places) < 2:
-        return found
+        return _solid(name, "shaft", bodies[name], corners)
+    kept, triangles = join_corners(corners)
+    points = corners.reshape(-1, 3)[kept]
     stations = station_names(name, len(places))
-    height = np.clip(found.points[:, 2], places[0], places[-1])
+    height = np.clip(points[:, 2], places[0], places[-1])
     first = np.clip(np.searchsorted(places, height, side="right") - 1, 0, len(places) - 2)
     weight = (height - places[first]) / (places[first + 1] - places[first])
-    points = found.points - np.array([0.0, 0.0, places[0]])
     return SceneSolid(
         name=name,
         kind="shaft",
         body=bodies[name],
-        points=points,
-        triangles=found.triangles,
+        points=points - np.array([0.0, 0.0, places[0]]),
+        triangles=triangles,
         skin=Skin([bodies[s] for s in stations], first, first + 1, weight),
     )
 

@@ -17,6 +17,7 @@ from pitchpoint.report import scene_shapes as shapes
 from pitchpoint.viz.scene import SceneSolid
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.joint import Joint
     from pitchpoint.model.model import Model
     from pitchpoint.report.scene_places import Places
 
@@ -121,7 +122,7 @@ def carriers(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
     return found
 
 
-def _carrier(model: Model, at: Places, name: str, pins: list) -> list[SceneSolid]:
+def _carrier(model: Model, at: Places, name: str, pins: list[tuple[Joint, Array]]) -> list[SceneSolid]:
     """A plate behind the planets and a pin through each of them, in the axes of the carrier."""
     pieces = []
     low, high, reach = [], [], []
@@ -171,9 +172,9 @@ def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
     for group in (model.rolling_bearings, model.plain_bearings):
         for pair in group.values():
             inner, outer = (split(end)[0] for end in pair.ends)
-            place = place_of(model, pair.ends[1])
-            if inner in model.bodies and place is not None:
-                held.setdefault(outer, []).append((inner, place))
+            where = place_of(model, pair.ends[1])
+            if inner in model.bodies and where is not None:
+                held.setdefault(outer, []).append((inner, where))
     found = {}
     for name, parts in held.items():
         body = model.bodies.get(name)

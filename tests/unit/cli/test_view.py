@@ -60,13 +60,42 @@ def test_a_model_alone_and_two_side_by_side(result: Path) -> None:
     assert [len(s.times) > 1 for s in scenes(page)] == [False, True]
 
 
-def test_what_does_not_move_is_refused(result: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    modes = result.with_name("modes.h5")
-    model = str(result.with_name("pair.yaml"))
+def test_modes_of_a_result_and_of_a_model_are_the_same(
+    result: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Shapes without damping in the one, with it in the other; frequencies are undamped in both."""
+    modes, model = result.with_name("modes.h5"), str(result.with_name("pair.yaml"))
+    pages = [result.with_name(f"modes-{k}.html") for k in range(2)]
     assert run_command(["modes", model, "-o", str(modes), "-q"]) == 0
+    assert run_command(["view", str(modes), "-o", str(pages[0]), "-q"]) == 0
+    assert run_command(["view", model, "--modes", "2", "-o", str(pages[1]), "-q"]) == 0
+    kept, computed = (scenes(page)[0].header["modes"] for page in pages)
+    assert len(kept) == len(computed) == 2
+    for one, other in zip(kept, computed, strict=True):
+        assert one["name"] == other["name"]
+        assert one["frequency"] == pytest.approx(other["frequency"], rel=1e-6, abs=1e-3)
     capsys.readouterr()
-    assert run_command(["view", str(modes), "-o", str(result.with_name("no.html"))]) == 2
-    assert "holds nothing that moves over time (modes); view a time run" in capsys.readouterr().err
+    assert run_command(["view", model, str(result), "--modes", "2", "-o", str(pages[1])]) == 2
+    assert "not of two" in capsys.readouterr().err
+
+
+def test_what_does_not_move_is_refused(result: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    still = result.with_name("still.h5")
+    model = str(result.with_name("pair.yaml"))
+    response = [
+        "-i",
+        "transmission_error[stage]",
+        "-r",
+        "mesh_force[stage]",
+        "--to",
+        "1 kHz",
+        "--points",
+        "5",
+    ]
+    assert run_command(["frf", model, *response, "-o", str(still), "-q"]) == 0
+    capsys.readouterr()
+    assert run_command(["view", str(still), "-o", str(result.with_name("no.html"))]) == 2
+    assert "holds nothing that moves over time" in capsys.readouterr().err
 
 
 def test_a_truncated_result_and_a_page_in_place_of_a_file(
