@@ -101,9 +101,10 @@ def result_path(output: str | None, file: str, scenario: str) -> Path:
 
 
 def header_of(model: Model, file: str, scenario: str, kind: str, solver: str) -> Header:
-    """Collect the provenance of a result."""
+    """Collect the provenance of a result; one of a changed model keeps that model, not the text of the file."""
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.io.container import Header
+    from pitchpoint.model.write import model_text
 
     chosen = model.scenarios[scenario] if scenario else None
     return Header(
@@ -112,7 +113,7 @@ def header_of(model: Model, file: str, scenario: str, kind: str, solver: str) ->
         scenario=scenario,
         solver=solver,
         model_hash=content_hash(model),
-        model_text=Path(file).read_text(encoding="utf-8-sig"),
+        model_text=model_text(model) if model.changed else Path(file).read_text(encoding="utf-8-sig"),
         options=options_of(chosen) if chosen is not None else {},
     )
 

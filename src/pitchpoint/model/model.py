@@ -152,6 +152,8 @@ class Model:
     """Path of the file the model came from."""
     lines: Mapping[Place, int] | None = derived()
     """Lines of the keys that it has there, counted from 1."""
+    changed: bool | None = derived()
+    """Whether values have been replaced since: the file no longer says what the model is."""
     pairs: Mapping[str, GearPair] = derived()
     """Pair of every mesh at its centre distance; the common face width is what overlaps."""
     mechanism: Mechanism = derived()
@@ -192,7 +194,7 @@ class Model:
         """
         model = object.__new__(cls)
         plain = {n: v for n, v in {**defaults_of(cls), **keys}.items() if n not in GROUPS}
-        own = {"file": file, "lines": lines, "damping": parts.damping}
+        own = {"file": file, "lines": lines, "changed": None, "damping": parts.damping}
         for name, value in {**plain, **own}.items():
             object.__setattr__(model, name, value)
         model._settle(parts)
@@ -257,7 +259,7 @@ class Model:
             report.problems.clear()
         if problems:
             raise ModelError(problems)
-        return dataclasses.replace(self, **tops)
+        return dataclasses.replace(self, **tops, changed=True)
 
     # --- what follows ----------------------------------------------------------------------------------
     def line(self, place: Place) -> int | None:

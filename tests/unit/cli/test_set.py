@@ -8,6 +8,9 @@ import json
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.core.provenance import content_hash
+from pitchpoint.io.reading import read_header
+from pitchpoint.report.kept_model import kept_model
 
 MODEL = """
 title: pair
@@ -39,6 +42,18 @@ def mean_force(stdout):
 def test_a_value_of_the_file_is_replaced(run):
     plain, doubled = (run("--json", *more)[1] for more in ((), ("--set", "loads.drum.torque=200 N m")))
     assert mean_force(doubled) == pytest.approx(2.0 * mean_force(plain), rel=1e-9)
+
+
+def test_a_result_keeps_the_model_that_was_computed(run, tmp_path):
+    """Whoever opens it alone, as `view` and `diagnose` do, sees the value that was set; else the file itself."""
+    fault = "gears.pinion.faults.chip={type: broken_tooth, tooth: 3}"
+    for more in ((), ("--set", fault, "--set", "loads.drum.torque=200 N m")):
+        run(*more)
+        header = read_header(tmp_path / "out.h5")
+        kept = kept_model(str(tmp_path / "out.h5"))
+        assert content_hash(kept) == header["model_hash"]
+        assert bool(kept.gears["pinion"].faults) == bool(more)
+        assert (header["model_text"] == MODEL) == (not more)
 
 
 @pytest.mark.parametrize(
