@@ -19,6 +19,8 @@ BEARING_WORDS = {
     "cage": "a fault of the cage",
 }
 
+NEVER = -100.0
+"""Level [dB] below which a line is none at all."""
 LOST = "sample rate: lost, as they lie above half of it: {}"
 
 
