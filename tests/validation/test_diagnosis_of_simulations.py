@@ -94,3 +94,19 @@ def test_the_shovel(tmp_path: Path, severity: int, rate: str) -> None:
     ((kind, shaft, gears),) = found
     assert (kind, shaft) == ("local fault", "third or third_right")
     assert "Z5 or Z5_right" in gears
+
+
+@pytest.mark.study
+@pytest.mark.parametrize("severity", [0, 1])
+def test_the_housing_of_the_elastic_shovel(tmp_path: Path, severity: int) -> None:
+    """All orders of the third shaft stand out of the healthy housing: its 11 teeth strike, and unequally."""
+    result = tmp_path / "run.h5"
+    changes = [f"gears.Z5.faults.broken.severity={severity}", "scenarios.rated.sample_rate=5003.7 Hz"]
+    sets = [text for change in changes for text in ("--set", change)]
+    model = str(EXAMPLES / "shovel-gearbox" / "model.yaml")
+    assert run_command(["run", model, "--scenario", "rated", "-o", str(result), "-q", *sets]) == 0
+    diagnosis = diagnose_file(Request(file=str(result))).diagnosis
+    named = [(finding.kind, finding.shaft, finding.channel) for finding in diagnosis.findings]
+    combs = {e.channel for e in diagnosis.evidence if e.found and e.shaft == "third or third_right"}
+    assert "signal[housing_x]" in combs
+    assert named == [("local fault", "third or third_right", "signal[housing_z]")] * severity

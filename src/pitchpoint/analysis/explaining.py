@@ -174,7 +174,8 @@ def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
     nominal = bearing.orders[e.shaft]
     beside = _carried(bearing, e.shaft, parts)
     meshes = {h * parts.mesh_order(mesh) for mesh in parts.meshes for h in range(1, HARMONICS + 1)}
-    spectra = [] if channel.bearings is None else channel.bearings.spectra[:2]
+    assert channel.bearings is not None
+    spectra = channel.bearings.spectra[:2]
     rate, reach = nominal, SLIP
     for harmonics in (COARSE, FINE):
         step = 0.25 * spectra[0].resolution / (harmonics * nominal)

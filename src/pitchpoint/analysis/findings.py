@@ -20,6 +20,10 @@ ONE_PLACE, ONE_TOOTH, GAUSSIAN = 2e-3, 1e-2, 3.0
 """Part of signals of the same spectrum that may be more peaked than a mean turn with a local fault, and of
 trains with strikes at all teeth; the kurtosis that it exceeds in any case. The teeth of a gear of 11 differ
 in five ways: that random phases of these agree by chance is no rarer than one in some hundred."""
+EVERYWHERE = (
+    "all orders stand out of {}, but not at one place of the turn: meshes that change each other do that, "
+    "one damaged tooth does not"
+)
 
 
 @dataclass(frozen=True)
@@ -182,13 +186,7 @@ def findings_of(
         bands = [e for e in mine if e.kind == "sidebands"]
         places = [e for e in combs if record.at_one_place(e.channel, shaft.name)]
         if combs and not places:
-            spread.append(
-                Note(
-                    "all orders stand out of {}, but not at one place of the turn: meshes that change each "
-                    "other do that, one damaged tooth does not",
-                    f"{shaft.name} (in {combs[0].channel})",
-                )
-            )
+            spread += [Note(EVERYWHERE, f"{shaft.name} (in {e.channel})") for e in combs]
         combs = places
         if combs:
             best = combs[0]

@@ -133,7 +133,7 @@ def _page_target(path: str | None, inputs: list[str | None]) -> Path | None:
 
 def _print(found: Study, quiet: bool) -> None:
     """Show findings and tests to people."""
-    from pitchpoint.report.diagnosis_words import outcome, percent, unit_of, what_is_tested
+    from pitchpoint.report.diagnosis_words import NEVER, outcome, percent, unit_of, what_is_tested
 
     for number, text in enumerate(found.sentences):
         show(text)
@@ -145,7 +145,7 @@ def _print(found: Study, quiet: bool) -> None:
             e.shaft if e.kind != "bearing" else e.gear,
             what_is_tested(e),
             e.channel,
-            f"{e.value:.1f} {unit_of(e.kind)}",
+            f"{e.value:.1f} {unit_of(e.kind)}" if e.value > NEVER else "–",
             f"{e.threshold:.1f} {unit_of(e.kind)}",
             percent(e.probability),
             outcome(e),

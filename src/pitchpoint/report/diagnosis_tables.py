@@ -11,13 +11,11 @@ from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.report.diagnosis_places import GAUSSIAN, INDICATORS, GearTurn, crest
 from pitchpoint.report.diagnosis_study import Study
-from pitchpoint.report.diagnosis_words import outcome, percent, unit_of, what_is_tested
+from pitchpoint.report.diagnosis_words import NEVER, outcome, percent, unit_of, what_is_tested
 from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.tables import plain_table
 
 HARMONICS = 5
-NEVER = -100.0
-"""Level [dB] below which a line is none at all."""
 
 
 def rows_html(rows: Iterable[Sequence[str]], words: int) -> list[str]:

@@ -19,12 +19,18 @@ BEARING_WORDS = {
     "cage": "a fault of the cage",
 }
 
+NEVER = -100.0
+"""Level [dB] below which a line is none at all."""
 LOST = "sample rate: lost, as they lie above half of it: {}"
 
 
 def nothing_found(diagnosis: Diagnosis) -> str:
     """Sentence for a record without findings; it does not say that the machine is healthy."""
     tests = f"{diagnosis.tests} tests" if diagnosis.tests > 1 else "1 test"
+    beyond = sum(e.found for e in diagnosis.evidence)
+    if beyond:
+        which = "1 exceeds its limit" if beyond == 1 else f"{beyond} exceed their limits"
+        return f"nothing found: of {tests} {which}, but not as damage does: what stands out is told below"
     return (
         f"nothing found: none of {tests} exceeds its limit "
         f"(a healthy record does so with {percent(diagnosis.false_alarm)})"
