@@ -107,14 +107,15 @@ def _columns(count: int, links: Sequence[PowerLink]) -> list[int]:
             after[link.start].append(link.end)
     columns = [0] * count
 
-    def go(k: int, path: tuple[int, ...]) -> None:
+    def push(k: int, path: tuple[int, ...]) -> None:
+        """Put all that a block feeds behind it, and what they feed behind them."""
         for other in after[k]:
             if other not in path and columns[other] <= columns[k]:
                 columns[other] = columns[k] + 1
-                go(other, (*path, other))
+                push(other, (*path, other))
 
     for k in sorted(range(count), key=lambda k: k in fed):
-        go(k, (k,))
+        push(k, (k,))
     return columns
 
 
