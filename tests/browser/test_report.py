@@ -7,65 +7,24 @@ One run of the browser answers the questions of several tests.
 
 from __future__ import annotations
 
-import html
-import json
-import re
-import subprocess
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from pitchpoint.viz.report import report_html
+from tests.support.report_browser import NO_WEBGL, SOFTWARE, found
 from tests.support.report_data import report_model, report_results
-from tests.support.scene_browser import BROWSER, LISTEN
+from tests.support.scene_browser import BROWSER
 
 pytestmark = pytest.mark.skipif(
     BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
 )
 
-SOFTWARE = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
-NO_WEBGL = ("--disable-gpu", "--disable-3d-apis")
-READY = """
-  const wait = (ms) => new Promise((done) => setTimeout(done, ms));
-  const until = async (holds) => { for (let k = 0; k < 400 && !holds(); k++) await wait(50); };
-  const $ = (what) => document.querySelector(what), all = (what) => [...document.querySelectorAll(what)];
-  (async () => {
-    await until(() => document.documentElement.dataset.ready && $(".ppv[data-ready]"));
-    let found = null;
-    try { found = await (async () => { %s })(); } catch (error) { errors.push(String(error.stack)); }
-    $("#found").textContent = JSON.stringify({errors, found});
-  })();
-"""
-
 
 @pytest.fixture(scope="module")
 def report() -> str:
     return report_html(report_model(), report_results())
-
-
-def found(folder: Path, report: str, script: str, *flags: str) -> Any:
-    """What a script of the test finds in the report, after everything has been drawn without an error."""
-    assert BROWSER is not None
-    page = folder / "report.html"
-    text = report.replace("<style>", f"<script>{LISTEN}</script><style>", 1)
-    probe = f"<pre id='found' hidden></pre><script>{READY % script}</script></body>"
-    page.write_text(text.replace("</body>", probe), encoding="utf-8")
-    command = [
-        BROWSER,
-        *"--headless --no-sandbox --disable-quic --no-first-run --disable-extensions".split(),
-        *"--disable-background-networking --disable-component-update --disable-sync".split(),
-        f"--user-data-dir={folder / 'profile'}",
-        "--virtual-time-budget=60000",
-        *flags,
-    ]
-    command += ["--dump-dom", page.as_uri()]
-    dom = subprocess.run(command, capture_output=True, text=True, timeout=180, check=True).stdout
-    match = re.search(r"<pre id=['\"]found['\"][^>]*>(.+?)</pre>", dom, re.DOTALL)
-    assert match, dom[-2000:]
-    answer = json.loads(html.unescape(match.group(1)))
-    assert answer["errors"] == []
-    return answer["found"]
 
 
 WIDE = """
@@ -102,6 +61,8 @@ WIDE = """
   // paper: everything folded is open, the scene is a picture, no table is wider than the page
   dispatchEvent(new Event("beforeprint"));
   const still = $("#pp-still").src.slice(0, 22), folded = all("details:not([open])").length;
+  const paper = $("main").clientWidth;
+  const cut = all("table").filter((table) => table.getBoundingClientRect().width > paper + 1).length;
   dispatchEvent(new Event("afterprint"));
 
   // keys: the skip link comes first, every link of the bar leads to a section, what has the focus shows it
@@ -116,7 +77,7 @@ WIDE = """
   const {ready} = document.documentElement.dataset, count = all(".plot").length;
   return {drawn, count, ready, empty, asked, colours, cursor, others,
     clicked, expected: (a + 0.25 * (b - a)) / node.layout.meta.clock, dragged, wanted, sought,
-    still, folded, shown, place, order, lost, nameless};
+    still, folded, paper, cut, shown, place, order, lost, nameless};
 """
 
 
@@ -148,7 +109,8 @@ def test_scene_and_curves_share_their_time(wide: dict[str, Any]) -> None:
 
 def test_paper_gets_a_picture_of_the_scene_and_all_tables(wide: dict[str, Any]) -> None:
     assert wide["still"] == "data:image/png;base64,"
-    assert wide["folded"] == 0
+    assert wide["folded"] == wide["cut"] == 0
+    assert wide["paper"] == pytest.approx(182 / 25.4 * 96, abs=1)  # A4 less its margins
 
 
 def test_keys_reach_everything(wide: dict[str, Any]) -> None:

@@ -18,7 +18,7 @@ WIDTH_BLOCK, STEP = 104.0, 218.0
 """Width of a block, and way from one column to the next [pixels]."""
 WIDEST, THINNEST = 54.0, 1.5
 """Width of the band of the largest power, and of any that is drawn at all [pixels]."""
-GAP, HEAD, LEAST = 62.0, 26.0, 46.0
+GAP, HEAD, LEAST = 62.0, 44.0, 46.0
 """Way between two blocks of a column, room above them, and height of a block [pixels]."""
 NEGLIGIBLE = 1e-6
 """Share of the largest power below which a band is not drawn."""
@@ -82,7 +82,10 @@ def power_flow_svg(flow: PowerFlow) -> str:
     for box in boxes:
         box.used = [0.5 * (box.height - _load(box, ends, side)) for side in (0, 1)]
     order = sorted(ends, key=lambda e: (e[1].y, e[2].y))
-    parts = [_band(link, start, end, width, unit, x) for link, start, end, width in order]
+    parts = []
+    for link, start, end, width in order:
+        alone = _load(start, ends, 1) <= width and _load(end, ends, 0) <= width
+        parts.append(_band(link, start, end, width, unit, x, alone=alone))
     parts += [_block(box, x[id(box)]) for box in boxes]
     title = f"power flow, {_amount(flow.put_in, unit)} put in"
     width = 20.0 + STEP * span + WIDTH_BLOCK
@@ -107,14 +110,15 @@ def _columns(count: int, links: Sequence[PowerLink]) -> list[int]:
             after[link.start].append(link.end)
     columns = [0] * count
 
-    def go(k: int, path: tuple[int, ...]) -> None:
+    def push(k: int, path: tuple[int, ...]) -> None:
+        """Put all that a block feeds behind it, and what they feed behind them."""
         for other in after[k]:
             if other not in path and columns[other] <= columns[k]:
                 columns[other] = columns[k] + 1
-                go(other, (*path, other))
+                push(other, (*path, other))
 
     for k in sorted(range(count), key=lambda k: k in fed):
-        go(k, (k,))
+        push(k, (k,))
     return columns
 
 
@@ -148,7 +152,9 @@ def _near(box: _Box, ends: Sequence[_Joined]) -> float:
     return float(np.mean([other.y + 0.5 * other.height for other in joined])) if joined else 0.0
 
 
-def _band(link: PowerLink, start: _Box, end: _Box, width: float, unit: Scale, x: dict[int, float]) -> str:
+def _band(
+    link: PowerLink, start: _Box, end: _Box, width: float, unit: Scale, x: dict[int, float], *, alone: bool
+) -> str:
     """Band between two boxes with its name, and a drop for what is lost."""
     a, b = x[id(start)] + WIDTH_BLOCK, x[id(end)]
     ya, yb = start.port(1, width), end.port(0, width)
@@ -162,7 +168,7 @@ def _band(link: PowerLink, start: _Box, end: _Box, width: float, unit: Scale, x:
     colour = COLOURS.get(link.kind, theme.TEAL)
     parts = [f'<path class="pp-band" fill="{colour}" d="{path}"/>']
     if not start.outside and not end.outside:
-        straight = abs(yb - ya) <= 0.5 * width
+        straight = alone and abs(yb - ya) <= 0.5 * width
         parts.append(
             _named(link, unit, 0.5 * (a + b), ya, width) if straight else _beside(link, unit, b, yb, ya, h)
         )

@@ -71,7 +71,7 @@ MEASURES = (
 )
 """What is measured in the workshop: identifier, symbol, dimension, unit, words; not in the nomenclature."""
 MEASURE_ROWS = tuple(row[0] for row in MEASURES)
-MOST_COLUMNS = 8
+MOST_COLUMNS = 6
 """Gears or meshes side by side: more do not fit on paper and go into a table of their own."""
 MOST_ROWS = 30
 """Rows of statistics that are in view; more fold away."""

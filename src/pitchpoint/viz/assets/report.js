@@ -146,13 +146,15 @@
     still.hidden = false;
   }
 
-  // Tables that scroll on a screen shrink on paper; there their letters are three quarters as large anyway.
-  function fit(tables, printing) {
+  // The page takes the width of paper before it is printed: what is then still wider shrinks.
+  function fit(printing) {
+    document.documentElement.classList.toggle("paper", printing);
+    const tables = document.querySelectorAll("table");
     for (const table of tables) table.style.zoom = "";
     if (!printing) return;
+    const { clientWidth } = document.querySelector("main");
     for (const table of tables) {
-      const share = 680 / (0.77 * table.scrollWidth);
-      if (share < 1) table.style.zoom = String(share);
+      if (table.scrollWidth > clientWidth) table.style.zoom = String(clientWidth / table.scrollWidth);
     }
   }
 
@@ -179,12 +181,12 @@
       folded.open = true;
       folded.dataset.folded = "1";
     }
-    fit(document.querySelectorAll("table"), true);
+    fit(true);
     apply("light", true);
   });
   window.addEventListener("afterprint", () => {
     for (const node of document.querySelectorAll("[data-folded]")) node.open = false;
-    fit(document.querySelectorAll("table"), false);
+    fit(false);
     apply(current());
   });
   next();
