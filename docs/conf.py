@@ -41,7 +41,7 @@ myst_dmath_allow_digits = False
 myst_dmath_double_inline = True
 
 nb_execution_mode = "force"
-nb_execution_timeout = 300
+nb_execution_timeout = 900
 nb_execution_raise_on_error = True
 nb_execution_show_tb = True
 nb_merge_streams = True
@@ -59,6 +59,7 @@ napoleon_use_ivar = True
 
 # ------------------------------------------------------------------------------------------------- looks
 
+highlight_language = "none"
 html_theme = "pydata_sphinx_theme"
 html_title = "pitchpoint"
 html_show_sourcelink = False
