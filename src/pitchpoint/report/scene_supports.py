@@ -83,7 +83,7 @@ def bearing_rings(model: Model, at: Places) -> list[SceneSolid]:
                 if word == "outer":
                     origin, frame = at.world(part.body, (0.0, 0.0, z))
                     number, place, axes = at.at_world(split(part.housing or GROUND)[0], origin, frame)
-                points, triangles = shapes.disc(high * radius, WIDE * radius, low * radius * 1.002)
+                points, triangles = shapes.disc(high * radius, WIDE * radius, 1.002 * low * radius, 32)
                 found.append(
                     SceneSolid(
                         name=f"bearing {name}, {word} ring",
