@@ -101,7 +101,7 @@ def result_path(output: str | None, file: str, scenario: str) -> Path:
 
 
 def header_of(model: Model, file: str, scenario: str, kind: str, solver: str) -> Header:
-    """Collect the provenance of a result; that of a changed model keeps the model, not the text of its file."""
+    """Collect the provenance of a result; that of a changed model keeps the model and no text of a file."""
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.io.container import Header
     from pitchpoint.model.write import model_text

@@ -45,7 +45,7 @@ def test_a_value_of_the_file_is_replaced(run):
 
 
 def test_a_result_keeps_the_model_that_was_computed(run, tmp_path):
-    """Whoever opens it alone, as `view` and `diagnose` do, sees the value that was set; else the file itself."""
+    """Whoever opens it alone, as `view` and `diagnose` do, sees the value that was set; else the file."""
     law = "meshes.stage.stiffness={law: din3990}"
     fault = "gears.pinion.faults.chip={type: broken_tooth, tooth: 3}"
     for more in ((), ("--set", law, "--set", fault)):
