@@ -105,6 +105,7 @@ class Dispatcher(CPUDispatcher):
 def dispatcher(kernel: Kernel) -> Dispatcher:
     """Make what stands for a kernel inside other kernels."""
     copy, cached = _twin(kernel.py_func, "k")
+    copy.kernel, copy.cached = kernel, cached
     options = {**_BARE, **_FLAGS, "forceinline": kernel.inline}
     made = Dispatcher(py_func=copy, targetoptions=options, pipeline_class=PartCompiler)
     if cached:
