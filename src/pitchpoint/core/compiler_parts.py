@@ -18,31 +18,13 @@ from llvmlite import binding
 from numba import _dynfunc, types
 from numba.core.caching import CompileResultCacheImpl, FunctionCache
 from numba.core.codegen import JITCodeLibrary
-from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
-from numba.core.compiler_machinery import PassManager, register_pass
+from numba.core.compiler import CompileResult
+from numba.core.compiler_machinery import register_pass
 from numba.core.datamodel import models
 from numba.core.imputils import lower_constant
-from numba.core.typed_passes import NativeLowering
 
 from pitchpoint.core import machine_code
-
-_PLAIN = (types.Number, types.Boolean, types.Literal)
-
-_SKIPPED = {
-    "IRProcessing",
-    "WithLifting",
-    "InlineClosureLikes",
-    "RewriteDynamicRaises",
-    "MakeFunctionToJitFunction",
-    "InlineInlinables",
-    "FindLiterallyCalls",
-    "LiteralUnroll",
-    "LiteralPropagationSubPipelinePass",
-    "InlineOverloads",
-    "NoPythonSupportedFeatureValidation",
-    "AnnotateTypes",
-    "DumpParforDiagnostics",
-}
+from pitchpoint.core.compiler_passes import KernelCompiler, KernelLowering
 
 
 class PartType(types.Dispatcher):
@@ -109,41 +91,8 @@ class Part(JITCodeLibrary):
                 yield from other._below(seen)
 
 
-class Typing:
-    """Numba's typing context, which remembers what calls of built-in functions with numbers return.
-
-    Parameters
-    ----------
-    context
-        The context.
-    flags
-        Name of the compiler's flags.
-    """
-
-    _known: dict[Any, Any] = {}
-
-    def __init__(self, context: Any, flags: str) -> None:
-        self._context = context
-        self._flags = flags
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._context, name)
-
-    def resolve_function_type(self, func: Any, args: Any, kws: Any) -> Any:
-        """Signature of a call."""
-        if kws or not isinstance(func, types.Function) or not all(isinstance(a, _PLAIN) for a in args):
-            return self._context.resolve_function_type(func, args, kws)
-        key = self._flags, func, args
-        found, chosen = self._known.get(key, (None, None))
-        if found is None or func.get_impl_key(found) is not chosen:
-            found = self._context.resolve_function_type(func, args, kws)
-            if found is not None:
-                self._known[key] = found, func.get_impl_key(found)
-        return found
-
-
 @register_pass(mutates_CFG=True, analysis_only=False)
-class PartLowering(NativeLowering):
+class PartLowering(KernelLowering):
     """Lowers a kernel into a `Part`."""
 
     _name = "pitchpoint_part_lowering"
@@ -166,22 +115,10 @@ def _mark(described: Any, environment: Any, library: Part) -> Any:
     return _dynfunc.make_function(described.lookup_module(), name, "part", 0, environment, (library,))
 
 
-class Passes(PassManager):
-    """Runs the passes of a kernel as they are; Numba writes a record of each, which takes as long as a few."""
+class PartCompiler(KernelCompiler):
+    """Compiles a kernel into a `Part`."""
 
-    def _runPass(self, index: int, pss: Any, internal_state: Any) -> None:
-        pss.analysis = self._analysis
-        pss.run_initialization(internal_state)
-        pss.run_pass(internal_state)
-        pss.run_finalizer(internal_state)
-
-
-class PartCompiler(CompilerBase):
-    """Numba's usual passes with `PartLowering` at their end, without those that find nothing in kernels."""
-
-    def __init__(self, typing: Any, target: Any, library: Any, *others: Any) -> None:
-        super().__init__(typing, target, library, *others)
-        self.state.typingctx = Typing(typing, self.state.flags.get_mangle_string())
+    lowering = PartLowering
 
     def _compile_bytecode(self) -> Any:
         """Compile under a name that is the same in every process: parts on disk refer to others by name."""
@@ -190,15 +127,6 @@ class PartCompiler(CompilerBase):
             text = f"{who.filename} {who.firstlineno} {machine_code.source_stamp(who.filename)}"
             who.unique_id = hashlib.sha256(text.encode()).hexdigest()[:16]
         return super()._compile_bytecode()
-
-    def define_pipelines(self) -> list[Any]:
-        """List the passes."""
-        passes = Passes("pitchpoint")
-        for each, text in DefaultPassBuilder.define_nopython_pipeline(self.state).passes:
-            if each.__name__ not in _SKIPPED:
-                passes.add_pass(PartLowering if each is NativeLowering else each, text)
-        passes.finalize()
-        return [passes]
 
 
 class _PartCacheImpl(CompileResultCacheImpl):
