@@ -124,8 +124,8 @@ class Lowering(Lower):
     def lower_binop(self, resty: Any, expr: Any, op: Any) -> Any:
         """Write an operation; that of two variables has its rule since its types are known."""
         form = self.context.typing_context.resolve_value_type(op)
-        known = expr.static_lhs is ir.UNDEFINED and expr.static_rhs is ir.UNDEFINED
-        if not known or not isinstance(form, types.Function):
+        variables = expr.static_lhs is ir.UNDEFINED and expr.static_rhs is ir.UNDEFINED
+        if op is not expr.fn or not variables or not isinstance(form, types.Function):
             return super().lower_binop(resty, expr, op)
         signature = self.fndesc.calltypes[expr]
         sides = [
