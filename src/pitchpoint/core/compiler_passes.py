@@ -9,12 +9,14 @@ are short and many: all of that takes longer than their own code, which stays th
 from __future__ import annotations
 
 import operator
+from types import BuiltinFunctionType
 from typing import Any
 
 from numba import types
 from numba.core import cgutils, ir
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import PassManager, register_pass
+from numba.core.cpu import CPUContext
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 
@@ -70,6 +72,8 @@ class Typing:
 
     def resolve_function_type(self, func: Any, args: Any, kws: Any) -> Any:
         """Signature of a call."""
+        if isinstance(func, BuiltinFunctionType):  # an operator
+            func = self.resolve_value_type(func)
         if kws or not isinstance(func, types.Function):
             return self._context.resolve_function_type(func, args, kws)
         key = self._flags, func, args
@@ -80,10 +84,6 @@ class Typing:
             if found is not None:
                 self._known[key] = found, func.get_impl_key(found)
         return found
-
-    def resolve_getitem(self, target: Any, index: Any) -> Any:
-        """Signature of reading an item."""
-        return self.resolve_function_type(self.resolve_value_type(operator.getitem), (target, index), {})
 
     def resolve_setitem(self, target: Any, index: Any, value: Any) -> Any:
         """Signature of writing an item."""
@@ -122,18 +122,42 @@ class Lowering(Lower):
         return cgutils.alloca_once(self.builder, lltype, name=name, zfill=False)
 
     def lower_binop(self, resty: Any, expr: Any, op: Any) -> Any:
-        """Write an operation; that of two variables has its rule since its types are known."""
-        form = self.context.typing_context.resolve_value_type(op)
+        """Write an operation; how two variables are served is known since their types are."""
         variables = expr.static_lhs is ir.UNDEFINED and expr.static_rhs is ir.UNDEFINED
-        if op is not expr.fn or not variables or not isinstance(form, types.Function):
+        if op is not expr.fn or not variables:
             return super().lower_binop(resty, expr, op)
-        signature = self.fndesc.calltypes[expr]
-        sides = [
-            self.context.cast(self.builder, self.loadvar(side.name), self.typeof(side.name), needed)
-            for side, needed in zip((expr.lhs, expr.rhs), signature.args, strict=True)
+        return self._apply(op, (expr.lhs, expr.rhs), self.fndesc.calltypes[expr], resty)
+
+    def lower_getitem(self, resty: Any, expr: Any, value: Any, index: Any, signature: Any) -> Any:
+        """Write the reading of an item."""
+        return self._apply(operator.getitem, (value, index), signature, resty)
+
+    def _apply(self, op: Any, variables: tuple[Any, ...], signature: Any, returned: Any) -> Any:
+        values = [
+            self.context.cast(self.builder, self.loadvar(each.name), self.typeof(each.name), needed)
+            for each, needed in zip(variables, signature.args, strict=True)
         ]
-        made = self.context.get_function(form, signature)(self.builder, sides)
-        return self.context.cast(self.builder, made, signature.return_type, resty)
+        function = self.context.typing_context.resolve_value_type(op)
+        made = self.context.get_function(function, signature)(self.builder, values)
+        return self.context.cast(self.builder, made, signature.return_type, returned)
+
+
+class Target(CPUContext):
+    """Numba's target, which remembers what it has no code for: the search in all registries takes long."""
+
+    _absent: set[Any] = set()
+
+    def get_function(self, fn: Any, sig: Any, _firstcall: bool = True) -> Any:
+        """Code of a function for a signature."""
+        key = fn, sig.args
+        if key in self._absent:
+            raise NotImplementedError(f"no code for {fn}")
+        try:
+            return super().get_function(fn, sig, _firstcall)
+        except NotImplementedError:
+            if isinstance(fn, str):
+                self._absent.add(key)
+            raise
 
 
 @register_pass(mutates_CFG=True, analysis_only=False)
@@ -156,6 +180,7 @@ class KernelCompiler(CompilerBase):
     def __init__(self, typing: Any, target: Any, library: Any, *others: Any) -> None:
         super().__init__(typing, target, library, *others)
         self.state.typingctx = Typing(typing, self.state.flags.get_mangle_string())
+        self.state.targetctx.__class__ = Target  # a copy of its own
 
     def define_pipelines(self) -> list[Any]:
         """List the passes."""
