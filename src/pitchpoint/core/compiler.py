@@ -98,7 +98,7 @@ class Dispatcher(CPUDispatcher):
         self._cache = PartCache(self.py_func)
 
     def compile(self, sig: Any) -> Any:
-        """Compile for a signature, or load it; Numba's own way starts clocks, more with each call on the way."""
+        """Compile for a signature, or load it; Numba's own way starts clocks that tell each other of all."""
         with global_compiler_lock:
             args, returned = sigutils.normalize_signature(sig)
             if args not in self.overloads:

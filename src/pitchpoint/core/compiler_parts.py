@@ -51,6 +51,7 @@ class Part(JITCodeLibrary):
         super().__init__(codegen, name)
         self.kernel = kernel
         self.args = args
+        self._shared_module: Any = None
 
     @property
     def called(self) -> list[Part]:

@@ -40,6 +40,10 @@ _SKIPPED = {
 }
 
 
+_PLAIN = (types.Number, types.Boolean, types.Record)
+"""Types without references to count."""
+
+
 class Passes(PassManager):
     """Runs passes and keeps no record of them."""
 
@@ -95,7 +99,7 @@ class Lowering(Lower):
     """Writes the intermediate code of a kernel: numbers need no clean-up, as long as nobody debugs."""
 
     def _is_plain(self, name: str) -> bool:
-        return not self.flags.debuginfo and isinstance(self.typeof(name), (types.Number, types.Boolean, types.Record))
+        return not self.flags.debuginfo and isinstance(self.typeof(name), _PLAIN)
 
     def lower_inst(self, inst: Any) -> None:
         """Write one statement."""
