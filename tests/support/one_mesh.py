@@ -8,9 +8,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pitchpoint.core.kernel import address
 from pitchpoint.core.status import OK
 from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.elements.gear_mesh import gear_mesh
+from pitchpoint.elements.mesh_apart import apart
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
@@ -107,6 +109,8 @@ class OneMesh:
             reach = abs(float(self.row[f"rho_a{gear + 1}"]))
             self.rec["roll"][0, gear] = 0.3 * reach, 1.1 * reach
         self.rec["n_sep"] = self.rec["stride"] = 1
+        self.rec["apart"], self.rec["here"] = address(apart), self.rec.ctypes.data
+        self.rec["control"] = self.ctl.ctypes.data
         self.pool = np.concatenate([*self.kept, np.zeros(1)])
         self.rec["pool"] = self.pool.ctypes.data
 
