@@ -149,18 +149,19 @@ class Lowering(Lower):
 class Target(CPUContext):
     """Numba's target, which remembers what it has no code for: the search in all registries takes long."""
 
-    _absent: set[Any] = set()
+    _absent: dict[Any, Any] = {}
 
     def get_function(self, fn: Any, sig: Any, _firstcall: bool = True) -> Any:
         """Code of a function for a signature."""
         key = fn, sig.args
         if key in self._absent:
-            raise NotImplementedError(f"no code for {fn}")
+            error, words = self._absent[key]
+            raise error(*words)
         try:
             return super().get_function(fn, sig, _firstcall)
-        except NotImplementedError:
+        except RuntimeError as found:  # of which what Numba raises is a kind
             if isinstance(fn, str):
-                self._absent.add(key)
+                self._absent[key] = type(found), found.args
             raise
 
 
