@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from llvmlite import binding, ir
 from numba import cfunc, config, njit, types
-from numba.core import cgutils
+from numba.core import cgutils, sigutils
 from numba.core.caching import CompileResultCacheImpl, _CacheLocator
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.registry import CPUDispatcher, cpu_target
@@ -25,6 +25,7 @@ from numba.np.arrayobj import populate_array
 
 from pitchpoint.core import machine_code
 from pitchpoint.core.compiler_parts import PartCache, PartCompiler, PartType
+from pitchpoint.core.compiler_passes import KernelCompiler
 
 if TYPE_CHECKING:
     from pitchpoint.core.kernel import Kernel
@@ -96,6 +97,22 @@ class Dispatcher(CPUDispatcher):
         """Keep what is compiled on disk."""
         self._cache = PartCache(self.py_func)
 
+    def compile(self, sig: Any) -> Any:
+        """Compile for a signature, or load it; Numba's own way starts clocks that tell each other of all."""
+        with global_compiler_lock:
+            args, returned = sigutils.normalize_signature(sig)
+            if args not in self.overloads:
+                made = self._cache.load_overload(sig, self.targetctx)
+                if made is None:
+                    made = self._compiler.compile(args, returned)
+                    self.add_overload(made)
+                    self._cache.save_overload(sig, made)
+                else:
+                    self._cache_hits[sig] += 1
+                    self.targetctx.insert_user_function(made.entry_point, made.fndesc, [made.library])
+                    self.add_overload(made)
+            return self.overloads[args].entry_point
+
     def get_call_template(self, args: Any, kws: Any) -> Any:
         """Type a call from another kernel as if no argument were a constant."""
         plain = {name: types.unliteral(kind) for name, kind in kws.items()}
@@ -105,6 +122,7 @@ class Dispatcher(CPUDispatcher):
 def dispatcher(kernel: Kernel) -> Dispatcher:
     """Make what stands for a kernel inside other kernels."""
     copy, cached = _twin(kernel.py_func, "k")
+    copy.kernel, copy.cached = kernel, cached
     options = {**_BARE, **_FLAGS, "forceinline": kernel.inline}
     made = Dispatcher(py_func=copy, targetoptions=options, pipeline_class=PartCompiler)
     if cached:
@@ -165,7 +183,8 @@ def _standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
     Empty if the code refers to Numba's run time, to this process, or can raise: such an exception must be
     reported, which needs the interpreter.
     """
-    compiler = Dispatcher(py_func=source, targetoptions={**_BARE, **_FLAGS})._compiler
+    options = {**_BARE, **_FLAGS}
+    compiler = Dispatcher(py_func=source, targetoptions=options, pipeline_class=KernelCompiler)._compiler
     customize = compiler._customize_flags
 
     def unfinished(flags: Any) -> Any:

@@ -31,6 +31,7 @@ from pitchpoint.elements.gear_mesh_record import (
     RECORD,
     USER,
 )
+from pitchpoint.elements.mesh_apart import apart
 from pitchpoint.elements.mesh_eccentric import begin_displaced, damping_alone, end_displaced, whole
 from pitchpoint.elements.mesh_gradient import normal_directions
 from pitchpoint.elements.mesh_line import (
@@ -72,6 +73,8 @@ _NOWHERE = -0.1
 
 #: Entries that only exact tangents need, by the field of the record that holds their address.
 EXACT = {"turning": turning}
+#: Entries that only some records need: where the second field is not 0.
+SOME = {"apart": (apart, "n_sep")}
 RECORD_BYTES = RECORD.itemsize
 #: Added to the event functions of the flank that is farther from contact: no sign changes there.
 AWAY = 10.0
@@ -391,8 +394,7 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     records = view(rec, n, RECORD)
-    if c[0]["jac"] == 2:
-        for r in range(n):
-            records[r]["here"] = rec + r * RECORD_BYTES
-            records[r]["control"] = ctl
+    for r in range(n):
+        records[r]["here"] = rec + r * RECORD_BYTES
+        records[r]["control"] = ctl
     return gear_mesh(records, c, fr, kk)

@@ -81,6 +81,7 @@ _STIFFNESS = [
     ("n_k", "i8"),
     ("cosine", "i8"),
     ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
+    ("apart", "i8"),  # address of `mesh_apart.apart`, where some teeth have grids of their own
     ("turning", "i8"),  # address of `mesh_turning.turning`, where exact tangents are asked for
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
@@ -172,6 +173,7 @@ _SCRATCH = [
     ("per_z", "f8", 4),
     ("per_roll", "f8", 4),  # steps of the grids per metre
     ("rows", "i8", (2, N_ROW)),  # rows of the two teeth that make a pair
+    ("line", "f8", 3),  # a contact line for `mesh_apart`: path position and penetration at z = 0, its force
     ("growth", "f8"),  # rate of the shared width over itself, where the stiffness grows with it
     ("z_lo", "f8"),
     ("z_hi", "f8"),  # shared face width

@@ -9,7 +9,8 @@ that has grids of its own (`mesh_separation`) get more pieces: between the stati
 of what is broken out, and where the flanks lift off. Slices are the same sum with one node in the middle of
 each slice; gears with modified flanks are computed so.
 
-`apart` is 1 for a pair with such a tooth, None for a nominal pair, whose kernels are compiled without it.
+`apart` is 1 for a pair with such a tooth, None for a nominal pair, whose kernels are compiled without it; the
+former are summed behind an address (`mesh_apart`), compiled where a mesh has such teeth.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ import math
 
 from pitchpoint.contact.elastic import series_energy, series_overlap, stored_energy
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
-from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.kernel import call, kernel, view
 from pitchpoint.elements.gear_mesh_record import NEAREST
 from pitchpoint.elements.mesh_line import pooled
 from pitchpoint.elements.mesh_nodes import GAUSS, drift, nearer, node, width_rate
@@ -323,7 +324,10 @@ def profile_flank(b, ctl, watch, x_0):
         p_0 = b["psi"] + q
         x_q = x_0 - b["kappa"] * fh * (b["xi_A"] + p_0 * b["p_bt"])
         if b["n_sep"] > 0 and find_rows(b, pair_teeth(b, q)):
-            f = pair_line(b, ctl, watch, p_0, x_q, 1)
+            b["line"][0] = p_0
+            b["line"][1] = x_q
+            call(b["apart"], b["here"], b["control"], 1 if watch is not None else 0)
+            f = b["line"][2]
         else:
             f = pair_line(b, ctl, watch, p_0, x_q, None)
         if watch is not None and b["n_pair"] > 0:

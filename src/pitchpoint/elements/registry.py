@@ -14,7 +14,9 @@ jj
 * optionally ``BODY_FIXED = True``, if it reads the frames S of its bodies,
 * optionally ``bends(record)``, names of the event functions at whose zeros forces jump or bend; without it
   all count (see `solvers.event_watch`),
-* optionally ``EXACT``, entries that only exact tangents call, by the record field of their address, and
+* optionally ``EXACT``, entries that only exact tangents call, by the record field of their address,
+* optionally ``SOME``, entries that only records with some field other than 0 call: by the record field of
+  their address, with the name of the other field, and
 * optionally ``EVENTS`` (the same for event functions, first index in the field event), ``ROWS`` (constraint
 rows
   per record, first index in the field row) and ``pool`` among the fields (address of a float array).

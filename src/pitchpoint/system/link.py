@@ -73,6 +73,9 @@ def link(
         for k, law in enumerate(laws.get(name, ())):
             if law is not None:
                 bank[k]["law"] = law_address(law)
+        for field, (kernel, reason) in getattr(kind.load(), "SOME", {}).items():
+            if np.any(bank[reason]):
+                bank[field] = address(kernel)
         channel = OBSERVER_CHANNEL if only_observes(name, bank) else _CHANNEL[kind.channel]
         early = int(kind.channel == registry.FRAME and name in registry.MASSLESS)
         row = (address(kind.load().entry), bank.ctypes.data, bank.size, channel, early)

@@ -60,10 +60,14 @@ def total(n):
 @kernel
 def double(n):
     return 2 * n
+
+@kernel
+def fourfold(n):
+    return double(double(n))
 """
 ENTRIES = """
 from pitchpoint.core.kernel import kernel
-from outsider.helper import double, refuse, total
+from outsider.helper import double, fourfold, refuse, total
 
 @kernel
 def raising(a, b, n):
@@ -75,7 +79,7 @@ def allocating(a, b, n):
 
 @kernel
 def fit(a, b, n):
-    return double(n) + double(a)
+    return fourfold(n) + double(a)
 """
 CALL = """
 from outsider.kind import allocating, fit, raising
@@ -84,7 +88,7 @@ from pitchpoint.core.kernel import invoke
 from outsider import helper
 print(*(invoke(f, 1, 0, n) for f, n in ((raising, 1), (raising, 2), (allocating, 7), (fit, 6))))
 print(*(machine_code.is_refused(f.py_func) for f in (raising, allocating, fit)))
-kernels = [helper.refuse, helper.total, helper.double]
+kernels = [helper.refuse, helper.total, helper.double, helper.fourfold]
 print(*(isinstance(r.library, compiler_parts.Part) for k in kernels for r in k.dispatcher.overloads.values()))
 print(sum(sum(k.dispatcher.stats.cache_hits.values()) for k in kernels))
 """
@@ -93,7 +97,7 @@ print(sum(sum(k.dispatcher.stats.cache_hits.values()) for k in kernels))
 @pytest.mark.slow
 @pytest.mark.skipif(not COMPILING, reason="needs the compiler")
 def test_kernels_are_parts_of_entries_also_where_they_raise_or_allocate(tmp_path):
-    """Once compiled, once taken from the cache into entries that changed."""
+    """Once compiled, once taken from the cache into entries that changed, callees with their callers."""
     (tmp_path / "outsider").mkdir()
     (tmp_path / "outsider/__init__.py").touch()
     (tmp_path / "outsider/helper.py").write_text(HELPERS)
@@ -109,10 +113,10 @@ def test_kernels_are_parts_of_entries_also_where_they_raise_or_allocate(tmp_path
             "1",
             "0",
             "7",
-            "14",
+            "26",
             "True",
             "True",
             "False",
-            *["True"] * 3,
-            str(3 * n),
+            *["True"] * 4,
+            str(4 * n),
         ]
