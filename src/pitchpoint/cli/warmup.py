@@ -82,8 +82,10 @@ def jobs(folder: Path) -> list[Job]:
     model = load_model(file)
 
     def kind(name: str) -> Job:
-        """Job that compiles one kind of element."""
-        return f"element {name}", lambda: address(registry.find(name).load().entry)
+        """Job that compiles one kind of element, with what only some of its records need."""
+        module = registry.find(name).load()
+        entries = [module.entry, *(entry for entry, _ in getattr(module, "SOME", {}).values())]
+        return f"element {name}", lambda: [address(entry) for entry in entries]
 
     def time_response(name: str) -> Job:
         """Job that runs one scenario and compiles what it meets on the way."""
