@@ -146,6 +146,7 @@ def test_the_page_of_commands_shows_what_help_prints(
 
     monkeypatch.setenv("COLUMNS", "102")  # the page is 100 wide; click keeps two columns free
     folder = Path(__file__).parents[3] / "docs"
+    monkeypatch.syspath_prepend(folder)  # it imports its neighbours
     page = runpy.run_path(str(folder / "generate.py"))["commands"]()
     for command in (["run"], ["examples"], ["examples", "copy"]):
         assert main.run_command([*command, "--help"]) == 0
