@@ -145,33 +145,91 @@ def explain(
     >>> explain((), {}, train_parts([(21, 40)]), 1)
     ((), [])
     """
-    left, notes = list(evidence), []
+    left = list(evidence)
+    notes: list[Note] = []
     told: dict[tuple[str, str], Strikes] = {}
     bearings = [k for k, e in enumerate(evidence) if e.kind == "bearing" and e.shaft != "cage"]
     for number in sorted(bearings, key=lambda k: evidence[k].probability):
         now = left[number]
         if not now.found or (now.gear, now.shaft) in told:
             continue
+        other = _among_others(now, left, channels, parts, list(told.values()), tests)
+        if other is not None:
+            left[number] = _explained(now, other, notes)
+            continue
         told[now.gear, now.shaft] = _strikes_of(now, channels[now.channel], parts)
         for k, e in enumerate(left):
             if not e.found or (e.gear, e.shaft) in told or not _may_explain(now, e):
                 continue
-            rest = _again(e, channels[e.channel], parts, list(told.values()))
-            chance = float(-np.expm1(tests * np.log1p(-min(rest.probability, 1.0 - 1e-16))))
-            if chance < e.allowed:
-                continue
-            cause = f"{now.shaft} of {now.gear}"
-            left[k] = replace(e, found=False, explained=cause)
-            notes.append(
-                Note(f"explained by {cause}, without whose lines nothing of it stands out: {{}}", _what(e))
-            )
+            if _vanishes(e, channels, parts, list(told.values()), tests):
+                left[k] = _explained(e, f"{now.shaft} of {now.gear}", notes)
     return tuple(left), notes
+
+
+def _vanishes(
+    e: Evidence, channels: Mapping[str, Channel], parts: TurningParts, told: list[Strikes], tests: int
+) -> bool:
+    """Whether nothing of a test stands out without the lines of those that are told."""
+    rest = _again(e, channels[e.channel], parts, told)
+    chance = float(-np.expm1(tests * np.log1p(-min(rest.probability, 1.0 - 1e-16))))
+    return chance >= e.allowed
+
+
+def _explained(e: Evidence, cause: str, notes: list[Note]) -> Evidence:
+    """The test, no longer found, and a note about it."""
+    notes.append(Note(f"explained by {cause}, without whose lines nothing of it stands out: {{}}", _what(e)))
+    return replace(e, found=False, explained=cause)
+
+
+def _among_others(
+    now: Evidence,
+    evidence: list[Evidence],
+    channels: Mapping[str, Channel],
+    parts: TurningParts,
+    told: list[Strikes],
+    tests: int,
+) -> str | None:
+    """What brings the lines of a bearing's part about, although each of these parts is less sure.
+
+    Strikes that come three times as often have every third line of the slower ones, to which passing healthy
+    balls add the others, and a ball that strikes nearly four times a turn has lines near those of a broken
+    tooth: whoever has all these lines looks the surest. Without the lines of the others nothing of it stands
+    out then, while strikes of its own would leave the lines in between. Parts whose lines do not run
+    together with those of another are not asked.
+    """
+    trains, names, together = list(told), [], False
+    rate = _nominal(now, parts)
+    for e in evidence:
+        if not e.found or (e.gear, e.shaft) == (now.gear, now.shaft):
+            continue
+        if e.kind == "bearing" and e.shaft != "cage":
+            trains.append(_strikes_of(e, channels[e.channel], parts))
+            names.append(f"{e.shaft} of {e.gear}")
+            together |= _runs_with(_nominal(e, parts) / rate, 2)
+        elif e.kind == "comb":
+            turn = float(parts.shaft(e.shaft).order)
+            trains.append(Strikes(turn, 0.0, np.empty(0)))
+            names.append(f"the local fault on {e.shaft}")
+            together |= _runs_with(rate / turn, 1)
+    if together and _vanishes(now, channels, parts, trains, tests):
+        return " and ".join(dict.fromkeys(names))
+    return None
+
+
+def _runs_with(ratio: float, least: int) -> bool:
+    """Whether a ratio of two rates is a whole number to within the slip of rolling."""
+    return round(ratio) >= least and abs(ratio - round(ratio)) <= SLIP * ratio
+
+
+def _nominal(e: Evidence, parts: TurningParts) -> float:
+    """Strikes of a part of a bearing in one turn of the reference shaft, by kinematics."""
+    return float(next(b for b in alike(parts.bearings) if b.name == e.gear).orders[e.shaft])
 
 
 def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
     """Strikes of a part that was found, with the rate at which their lines are strongest."""
     bearing = next(b for b in alike(parts.bearings) if b.name == e.gear)
-    nominal = bearing.orders[e.shaft]
+    nominal = _nominal(e, parts)
     beside = _carried(bearing, e.shaft, parts)
     meshes = {h * parts.mesh_order(mesh) for mesh in parts.meshes for h in range(1, HARMONICS + 1)}
     assert channel.bearings is not None
@@ -233,7 +291,7 @@ def _again(e: Evidence, channel: Channel, parts: TurningParts, told: list[Strike
 def _bearing_again(e: Evidence, channel: Channel, parts: TurningParts, told: list[Strikes]) -> Measured:
     """The test of a part of a bearing on what is left of the signal and of both envelopes."""
     assert channel.bearings is not None
-    order = next(b for b in alike(parts.bearings) if b.name == e.gear).orders[e.shaft]
+    order = _nominal(e, parts)
     highest, line = 0.5 * channel.samples_per_turn, channel.bearings.spectra[0].resolution
     every: Array = order * np.arange(1, int(highest / order), dtype=np.float64)
     comb = _near(_lines(told, highest), every, REACH * line)

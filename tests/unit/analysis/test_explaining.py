@@ -92,6 +92,29 @@ def test_a_chipped_tooth_is_named_beside_a_bearing() -> None:
     assert _named(found) == {("bearing", "inner ring"), ("local fault", "shaft 2")}
 
 
+SLOW = 1.5193
+"""Strikes of the outer ring of a bearing; those of another on a shaft three times as quick have every third line."""
+
+
+def _two_bearings(turned: np.ndarray, knocks: np.ndarray) -> set[tuple[str, str]]:
+    bearings = [
+        Bearing("slow", {"outer ring": SLOW}, "shaft 1"),
+        Bearing("quick", {"outer ring": 3 * SLOW}, "shaft 1"),
+    ]
+    parts = train_parts([(21, 40)], bearings)
+    found = diagnose({"acc": _healthy(turned) + knocks}, RATE, parts)
+    return {(finding.shaft, *finding.gears) for finding in found.findings}
+
+
+def test_strikes_three_times_as_quick_are_not_those_of_the_slow_bearing() -> None:
+    """Passing balls of the healthy slow bearing make weak lines between: too weak for a finding of their own."""
+    turned = _turned()
+    knocks = 1.0 * _knocks(turned, 3 * SLOW)
+    assert _two_bearings(turned, knocks) == {("outer ring", "quick")}
+    passing = 0.004 * sum(np.cos(2 * np.pi * SLOW * k * turned + k) for k in (1, 2, 4, 5))
+    assert _two_bearings(turned, knocks * (1.0 + passing)) == {("outer ring", "quick")}
+
+
 def test_lines_of_strikes_stand_at_all_their_products() -> None:
     """k f + j n and those about a mesh; neither lines of the shaft nor of the mesh alone."""
     strikes = Strikes(5.1, 1.0, np.array([21.0]))
