@@ -93,7 +93,7 @@ def test_a_chipped_tooth_is_named_beside_a_bearing() -> None:
 
 
 SLOW = 1.5193
-"""Strikes of the outer ring of a bearing; those of another on a shaft three times as quick have every third line."""
+"""Strikes of an outer ring; those of another one, three times as quick, have every third of its lines."""
 
 
 def _two_bearings(turned: np.ndarray, knocks: np.ndarray) -> set[tuple[str, str]]:
@@ -107,7 +107,7 @@ def _two_bearings(turned: np.ndarray, knocks: np.ndarray) -> set[tuple[str, str]
 
 
 def test_strikes_three_times_as_quick_are_not_those_of_the_slow_bearing() -> None:
-    """Passing balls of the healthy slow bearing make weak lines between: too weak for a finding of their own."""
+    """Passing balls of the healthy slow bearing make weak lines between, too weak for a finding."""
     turned = _turned()
     knocks = 1.0 * _knocks(turned, 3 * SLOW)
     assert _two_bearings(turned, knocks) == {("outer ring", "quick")}
