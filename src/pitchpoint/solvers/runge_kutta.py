@@ -17,7 +17,7 @@ from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.solvers.dormand_prince import LARGEST, LAST_ERROR, RATE, STEP_SIZE, TIME, adaptive_order
 from pitchpoint.solvers.dormand_prince import entry as adaptive_entry
 from pitchpoint.solvers.dormand_prince_pairs import EIGHTH, FIFTH, Pair
-from pitchpoint.solvers.equal_steps import ADAMS, CLASSICAL, ORDER, entry
+from pitchpoint.solvers.equal_steps import ADAMS, CLASSICAL, ORDER, PAST, entry
 from pitchpoint.solvers.explicit import SLOPE_AT
 from pitchpoint.solvers.rows import rows_agree
 from pitchpoint.solvers.sampling import Chunk, advance_into, new_harvest
@@ -98,6 +98,7 @@ class ExplicitRun:
     def change_step(self, h: float) -> None:
         """Go on with another equal step from here."""
         self.t0, self.steps, self.h = self.t, 0, h
+        self.system.workspace.arrays["real"][PAST] = 0.0  # which lies one old step apart
 
     def watch(self, functions: NDArray[np.int64]) -> None:
         """Let events of the adaptive method count of functions with a flag only, shape (ne,).

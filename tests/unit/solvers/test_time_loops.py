@@ -62,6 +62,22 @@ def test_order_of_convergence_on_a_linear_oscillator(method, order, n):
     assert found == pytest.approx(order, abs=0.15)
 
 
+def test_adams_keeps_its_order_where_the_step_changes():
+    """The past lies an old step apart: it says nothing about a step of another length, such as the last."""
+    errors = []
+    for n in (300, 600):
+        system, state = oscillator()
+        h = 0.031 / n
+        run = runge_kutta.start_adams(system, state, h)
+        for _ in range(10):
+            assert run.advance(n // 20).status == OK
+            run.change_step(0.37 * h)
+            assert run.advance(1).status == OK
+            run.change_step(h)
+        errors.append(abs(run.state().q[0] - exact(run.t)))
+    assert math.log2(errors[0] / errors[1]) > 3.5
+
+
 @pytest.mark.parametrize(("damping", "limit"), [(0.0, math.sqrt(2.0)), (0.1, 0.8965)])
 def test_adams_is_stable_as_far_as_the_roots_of_its_difference_equation_say(damping, limit):
     """They lie on the unit circle at h omega = 1.414 without damping, at 0.8968 with a tenth of critical."""
