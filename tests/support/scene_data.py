@@ -57,6 +57,14 @@ def load(t: Array) -> Array:
     return np.where(t < 0.8 * LENGTH, 0.25 + 0.75 * t / LENGTH, 0.0)
 
 
+def passing() -> tuple[Array, NDArray[np.uint8]]:
+    """A line at the order of the teeth of the pinion that grows to 1 kN, over 20 pieces of the record."""
+    times = (np.arange(20) + 0.5) * LENGTH / 20
+    levels = np.zeros((20, 40), dtype=np.uint8)
+    levels[:, TEETH[0] - 1] = np.linspace(27, 255, 20)
+    return times, levels
+
+
 def toothed(teeth: int, turned: float) -> Array:
     """Outline of a gear, counter-clockwise, involute flanks on a base circle of 20 degrees."""
     pitch, root, tip = MODULE * teeth / 2, MODULE * (teeth / 2 - 1.25), MODULE * (teeth / 2 + 1)
@@ -255,9 +263,28 @@ def gears(fine: int = 1, title: str = "Two gears", share: float = 1.0) -> tuple[
         "spectra": [
             {
                 "channel": "circumferential_force[stage_1]",
-                "frequency": block.put(frequency),
+                "lines": block.put(frequency),
                 "amplitude": block.put(amplitude),
                 "unit": "N",
+            },
+            {
+                "channel": "circumferential_force[stage_1]",
+                "of": "pinion",
+                "lines": block.put(np.arange(1.0, 41.0)),
+                "amplitude": block.put(np.where(np.arange(1, 41) == TEETH[0], 1e3, 0.1)),
+                "unit": "N",
+            },
+        ],
+        "maps": [
+            {
+                "channel": "circumferential_force[stage_1]",
+                "of": "pinion",
+                "unit": "N",
+                "lines": block.put(np.arange(1.0, 41.0)),
+                "times": block.put(passing()[0]),
+                "most": 1e3,
+                "decibels": 80.0,
+                "levels": block.put(passing()[1], "u1"),
             }
         ],
         "marks": [

@@ -9,10 +9,7 @@ export class Curves {
   constructor(scenes, range, marks, seek) {
     const channels = scenes.map((scene) => scene.channels);
     this.plots = new Plots(channels, marks, range, seek);
-    this.spectra = new Spectra(
-      scenes.map((scene) => scene.spectra),
-      channels,
-    );
+    this.spectra = new Spectra(scenes, channels, seek);
     this.labels = new Map(channels.flat().map((channel) => [channel.name, channel.label ?? channel.name]));
     this.search = el("input", {
       type: "search",
@@ -97,6 +94,12 @@ export class Curves {
     this.list.hidden = true;
   }
 
+  /** @param {string} channel @param {string} [over] */
+  spectrum(channel, over) {
+    if (this.spectra.element.hidden) this.turn();
+    this.spectra.choose(channel, over);
+  }
+
   turn() {
     if (!this.spectra.names.length) return;
     const spectra = this.spectra.element.hidden;
@@ -106,6 +109,12 @@ export class Curves {
     this.picker.style.visibility = spectra ? "hidden" : "";
     if (spectra) this.spectra.build();
     else this.resize();
+  }
+
+  /** @param {number} t */
+  cursor(t) {
+    this.plots.cursor(t);
+    this.spectra.cursor(t);
   }
 
   build() {

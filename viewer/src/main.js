@@ -61,6 +61,8 @@ window.pitchpointViewer = {
   look: (target, direction, height) => shown().views?.look(target, direction, height),
   view: (name) => shown().views?.named(name, true),
   show: (channel, on = true) => shown().curves.plots.show(channel, on),
+  /** In place of curves. @param {string} channel @param {string} [over] as the page writes it: frequency, orders of … */
+  spectrum: (channel, over) => shown().curves.spectrum(channel, over),
   magnify: (times) => shown().magnify(times),
   /** @param {string} kind of arrows: mesh, pair or bearing */
   arrows: (kind, on = true) => shown().arrows(kind, on),

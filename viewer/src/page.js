@@ -213,7 +213,7 @@ export class Page {
   /** Everything but the scene, which is drawn by draw. */
   update() {
     this.transport.update();
-    this.curves.plots.cursor(this.player.time);
+    this.curves.cursor(this.player.time);
     this.#tell();
   }
 

@@ -296,7 +296,7 @@ function range(low, high) {
 }
 
 /** Labels of an axis; large and small numbers share one power of ten. @param {number[]} splits @param {string} unit of the last one */
-function labels(splits, unit = "") {
+export function labels(splits, unit = "") {
   const most = Math.max(...splits.map(Math.abs));
   const step = splits.length > 1 ? Math.abs(splits[1] - splits[0]) : most;
   let decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(step || 1) + 1e-9)));

@@ -125,6 +125,11 @@ function checkShapes(scene) {
       !table || table.count === n || table.count === 1,
       `${what} has ${table?.count} rows for ${n} times`,
     );
+  for (const { channel, lines, times, levels } of scene.maps)
+    check(
+      lines?.count > 1 && times?.count > 1 && levels?.data.length === lines.count * times.count,
+      `the map of ${channel} has ${levels?.data.length} levels for ${lines?.count} lines at ${times?.count} times`,
+    );
   scene.bodies.forEach((body, k) => {
     check(
       Number.isInteger(body.parent ?? -1) && (body.parent ?? -1) < k,
@@ -220,6 +225,7 @@ export async function readScene(suffix = "") {
     contacts: [],
     channels: [],
     spectra: [],
+    maps: [],
     marks: [],
     modes: [],
     notes: [],

@@ -1,72 +1,132 @@
 // SPDX-License-Identifier: Apache-2.0
-// Amplitudes over frequency, where a scene brings them.
+// Amplitudes over frequencies or orders, of the whole record and around the cursor, where a scene brings them.
 import uPlot from "uplot";
 import { choice, el } from "./dom.js";
 import { colourOfChannel } from "./colours.js";
 import { number } from "./numbers.js";
+import { Waterfall, amplitudeOf, nearest } from "./waterfall.js";
+
+const OVER_TIME = " and time";
+/** Colour of what is around the cursor. */
+const NEAR = "#d2484f";
 
 export class Spectra {
-  /** @param {any[][]} spectra of each result @param {any[][]} channels of each result, for their labels */
-  constructor(spectra, channels) {
-    this.spectra = spectra;
-    this.names = [...new Set(spectra.flat().map((spectrum) => spectrum.channel))];
+  /**
+   * @param {any[]} scenes of each result @param {any[][]} channels of each result, for their labels
+   * @param {(t: number) => void} seek
+   */
+  constructor(scenes, channels, seek) {
+    this.spectra = scenes.map((scene) => scene.spectra);
+    this.maps = scenes.map((scene) => scene.maps);
+    this.names = [...new Set(this.spectra.flat().map((spectrum) => spectrum.channel))];
     const label = (name) => channels.flat().find((channel) => channel.name === name)?.label ?? name;
     this.name = this.names[0];
+    this.time = scenes[0]?.times.data[0] ?? 0;
     this.box = el("div", { className: "ppv-box" });
+    this.maps_box = el("div", { className: "ppv-maps", hidden: true });
     this.read = el("output", {});
+    this.unit = el("small", { className: "ppv-soft" });
+    this.waterfall = new Waterfall(this.maps_box, seek, (text) => (this.read.textContent = text));
     this.choice = choice(
       "spectrum of",
       this.names.map((name) => [name, label(name)]),
-      (name) => {
-        this.name = name;
-        this.build();
-      },
+      (name) => this.choose(name, this.over),
     );
-    this.log = true;
+    this.ways = choice("over", [], (over) => this.choose(this.name, over));
+    this.near = el("span", { className: "ppv-curve", hidden: true }, el("i", {}), el("span", {}, "around the cursor"));
     this.element = el(
       "div",
       { className: "ppv-spectra" },
-      el("div", { className: "ppv-caption" }, this.choice.row, this.read),
+      el("div", { className: "ppv-caption" }, this.choice.row, this.ways.row, this.unit, this.near, this.read),
       this.box,
+      this.maps_box,
     );
     this.element.hidden = true;
   }
 
+  /** What a channel can be drawn over, in words. @param {string} name */
+  waysOf(name) {
+    const word = ({ of }) => (of ? `orders of ${of}` : "frequency");
+    const mine = (lists) => lists.flat().filter((found) => found.channel === name);
+    return [
+      ...new Set([
+        ...mine(this.spectra).map(word),
+        ...mine(this.maps).map((map) => word(map) + OVER_TIME),
+      ]),
+    ];
+  }
+
+  /** @param {string} name of a channel @param {string} [over] one of its ways, the first if it has no such */
+  choose(name, over = "") {
+    this.name = name;
+    const ways = this.waysOf(name);
+    // orders of another shaft are the same kind of picture
+    const alike = ways.find((way) => way.split(" ")[0] === over.split(" ")[0] && way.endsWith(OVER_TIME) === over.endsWith(OVER_TIME));
+    this.over = ways.includes(over) ? over : (alike ?? ways[0]);
+    this.ways.select.replaceChildren(...ways.map((way) => el("option", { value: way }, way)));
+    this.ways.select.value = this.over;
+    this.choice.select.value = name;
+    this.build();
+  }
+
+  /** Spectra or maps of the chosen channel over the chosen lines, one or none of each result. */
+  #found(lists) {
+    const of = /^orders of (.*?)( and time)?$/.exec(this.over)?.[1] ?? "";
+    return lists.map((list) => list.find((found) => found.channel === this.name && (found.of ?? "") === of));
+  }
+
   build() {
+    if (!this.over) return this.choose(this.name);
     this.plot?.destroy();
-    const found = this.spectra.map((list) => list.find((spectrum) => spectrum.channel === this.name));
+    this.plot = null;
+    this.waterfall.destroy();
+    this.read.textContent = "";
+    const style = getComputedStyle(this.element);
+    const ink = (name, otherwise) => style.getPropertyValue(name).trim() || otherwise;
+    const inks = { soft: ink("--v-soft", "#666"), grid: ink("--v-grid", "#ddd"), paper: ink("--v-paper", "#fff") };
+    const map = this.over.endsWith(OVER_TIME);
+    const unit = this.#found(this.spectra).concat(this.#found(this.maps)).find(Boolean)?.unit ?? "1";
+    this.unit.textContent = unit === "1" ? "peak amplitude" : `peak amplitude in ${unit}`;
+    this.box.hidden = map;
+    this.maps_box.hidden = !map;
+    this.near.hidden = true;
+    if (map) this.waterfall.build(this.#found(this.maps).filter(Boolean), inks);
+    else this.#plot(inks);
+    this.resize();
+    this.cursor(this.time);
+  }
+
+  #plot(inks) {
+    const found = this.#found(this.spectra);
     const tables = found
       .filter(Boolean)
-      .map(({ frequency, amplitude }) => [
-        Array.from(frequency.data),
+      .map(({ lines, amplitude }) => [
+        Array.from(lines.data),
         Array.from(amplitude.data, (value) => (value > 0 ? value : null)),
       ]);
-    const style = getComputedStyle(this.element);
-    const soft = style.getPropertyValue("--v-soft").trim() || "#666",
-      grid = style.getPropertyValue("--v-grid").trim() || "#ddd";
     const axis = {
-      stroke: soft,
-      grid: { stroke: grid, width: 1 },
+      stroke: inks.soft,
+      grid: { stroke: inks.grid, width: 1 },
       ticks: { show: false },
       font: "11px system-ui, sans-serif",
     };
     const colour = colourOfChannel(this.element, this.name, 0);
-    const unit = found.find(Boolean)?.unit ?? "";
-    const lines = found.flatMap((spectrum, result) =>
-      spectrum
-        ? [
-            {
-              stroke: colour,
-              width: 1.2,
-              dash: result ? [6, 4] : undefined,
-              points: { show: false },
-              spanGaps: true,
-            },
-          ]
-        : [],
+    const { unit = "", of = "" } = found.find(Boolean) ?? {};
+    const line = { width: 1.2, points: { show: false }, spanGaps: true };
+    const series = found.flatMap((spectrum, result) =>
+      spectrum ? [{ ...line, stroke: colour, dash: result ? [6, 4] : undefined }] : [],
     );
     // eight decades are what an eye needs; below lies rounding
     const most = Math.max(...tables.flatMap(([, y]) => y.map((value) => value ?? 0)), 1e-300);
+    // the first result around the cursor
+    this.passing = this.#found(this.maps)[0];
+    if (this.passing) {
+      tables.push([Array.from(this.passing.lines.data), Array.from(this.passing.lines.data, () => null)]);
+      series.push({ ...line, stroke: NEAR, width: 1 });
+      this.near.hidden = false;
+      this.near.firstChild.style.background = NEAR;
+    }
+    const place = of ? (x) => `order ${number(x, 5)}` : (x) => `${number(x, 5)} Hz`;
     this.plot = new uPlot(
       {
         width: 300,
@@ -74,17 +134,17 @@ export class Spectra {
         padding: [6, 44, 0, 0],
         legend: { show: false },
         cursor: { points: { show: false }, y: false, drag: { x: true, y: false } },
-        series: [{}, ...lines],
+        series: [{}, ...series],
         scales: {
           x: { time: false },
-          y: { distr: 3, range: (_, low) => [Math.max(low, most * 1e-8), most * 1.6] },
+          y: { distr: 3, range: (_, low) => [Math.max(low ?? 0, most * 1e-8), most * 1.6] },
         },
         axes: [
           {
             ...axis,
             size: 22,
             gap: 3,
-            values: (_, splits) => splits.map((x, k) => (k === splits.length - 1 ? `${x} Hz` : String(x))),
+            values: (_, splits) => splits.map((x, k) => (k === splits.length - 1 && !of ? `${x} Hz` : String(x))),
           },
           {
             ...axis,
@@ -98,10 +158,9 @@ export class Spectra {
           setCursor: [
             (self) => {
               const k = self.cursor.idx;
-              const values = k == null ? [] : self.data.slice(1).map((column) => number(column[k] ?? NaN, 3));
-              this.read.textContent = values.length
-                ? `${number(self.data[0][k], 5)} Hz: ${values.join(" | ")} ${unit}`
-                : "";
+              const values = k == null ? [] : self.data.slice(1).map((column) => column[k]);
+              const read = values.filter((value) => value != null).map((value) => number(value, 3));
+              this.read.textContent = read.length ? `${place(self.data[0][k])}: ${read.join(" | ")} ${unit}` : "";
             },
           ],
         },
@@ -109,14 +168,51 @@ export class Spectra {
       tables.length > 1 ? uPlot.join(tables) : tables[0],
       this.box,
     );
-    this.resize();
+    // rows of the joined table that belong to the line around the cursor
+    const rows = new Map(this.plot.data[0].map((x, k) => [x, k]));
+    this.rows = this.passing ? Array.from(this.passing.lines.data, (x) => rows.get(x)) : [];
+    this.piece = -1;
+  }
+
+  /** @param {number} t */
+  cursor(t) {
+    this.time = t;
+    if (this.element.hidden) return;
+    this.waterfall.cursor(t);
+    if (!this.plot || !this.passing) return;
+    const { times, lines, levels } = this.passing;
+    const piece = nearest(times.data, t);
+    if (piece === this.piece) return;
+    this.piece = piece;
+    const data = this.plot.data.slice();
+    const column = new Array(data[0].length).fill(undefined);
+    this.rows.forEach((row, k) => {
+      const level = levels.data[piece * lines.data.length + k];
+      column[row] = level ? amplitudeOf(this.passing, level) : null;
+    });
+    data[data.length - 1] = column;
+    // a new plot has no axis yet; one that somebody has zoomed stays as it is
+    const drawn = this.plot.scales.x.min != null;
+    this.plot.setData(data, !drawn);
+    if (drawn) this.plot.redraw();
+  }
+
+  /** What is drawn, in plain numbers. */
+  state() {
+    if (this.element.hidden) return null;
+    const near = this.passing && this.plot ? this.rows.map((row) => this.plot.data.at(-1)[row]) : [];
+    const maps = this.waterfall.drawn.map(({ plot, line }) => ({
+      cursor: plot.posToVal(new DOMMatrix(getComputedStyle(line).transform).m41, "x"),
+    }));
+    return { channel: this.name, over: this.over, ways: this.waysOf(this.name), near, maps };
   }
 
   resize() {
-    if (this.element.hidden || !this.plot) return;
-    this.plot.setSize({
-      width: Math.max(120, this.box.clientWidth),
-      height: Math.max(110, this.element.parentElement.clientHeight - 28),
-    });
+    if (this.element.hidden) return;
+    const height = Math.max(110, this.element.parentElement.clientHeight - 28);
+    this.maps_box.style.height = `${height}px`;
+    if (!this.maps_box.hidden) this.waterfall.resize();
+    this.plot?.setSize({ width: Math.max(120, this.box.clientWidth), height });
+    this.cursor(this.time);
   }
 }

@@ -18,6 +18,7 @@ export function stateOf(page) {
       at: line.hidden ? null : plot.posToVal(new DOMMatrix(getComputedStyle(line).transform).m41, "x"),
       readings: [...line.closest(".ppv-plot").querySelectorAll("output")].map((node) => node.textContent),
     })),
+    spectrum: curves.spectra.state(),
     marks: page.transport.marks.length,
     message: page.area.querySelector(".ppv-message")?.textContent ?? null,
     drawn: stage?.drawn ?? 0,

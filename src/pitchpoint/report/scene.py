@@ -16,13 +16,15 @@ from pitchpoint.report.scene_contacts import ContactLines, scene_contacts
 from pitchpoint.report.scene_elastic import elastic_parts
 from pitchpoint.report.scene_forces import force_arrows
 from pitchpoint.report.scene_marks import scene_marks
+from pitchpoint.report.scene_modes import modes_of_result, scene_modes
 from pitchpoint.report.scene_motion import motion, scene_bodies, shown_bodies
 from pitchpoint.report.scene_places import Places
 from pitchpoint.report.scene_solids import scene_solids
-from pitchpoint.report.scene_spectra import modes_of_result, scene_modes, scene_spectra
+from pitchpoint.report.scene_spectra import scene_spectra
 from pitchpoint.viz.quantities import Channel, scale
 from pitchpoint.viz.scene import Scene, SceneArrow, SceneChannel, SceneMark
 from pitchpoint.viz.scene_contact import SceneContact
+from pitchpoint.viz.scene_spectrum import SceneMap, SceneSpectrum
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -87,10 +89,13 @@ def scene_of(
     arrows: list[SceneArrow] = []
     contacts: list[SceneContact] = []
     marks: list[SceneMark] = []
+    spectra: list[SceneSpectrum] = []
+    maps: list[SceneMap] = []
     if result is not None:
         arrows, said = force_arrows(system, moved, record.at_frames)
         contacts, lacking = scene_contacts(model, system, lines, moved, record.at_frames)
         marks, coarse = scene_marks(model, result, contacts, record.times)
+        spectra, maps = scene_spectra(model, result, _settle_time(model, chosen))
         notes += [*_another_state(model, result), *said, *lacking, *coarse]
     labels = [body.name for body in bodies]
     found = scene_modes(system, modes, labels, solids) if modes else []
@@ -107,7 +112,8 @@ def scene_of(
         contacts=contacts,
         channels=record.curves(),
         marks=marks,
-        spectra=[] if result is None else scene_spectra(result, _settle_time(model, chosen)),
+        spectra=spectra,
+        maps=maps,
         modes=found,
         notes=notes,
     )

@@ -1,26 +1,29 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mode shapes and spectra of a scene."""
+"""Spectra of a scene: over frequencies, over orders of a shaft, and over time."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import PitchpointError
-from pitchpoint.report.scene_elastic import coordinates_of
-from pitchpoint.viz.scene import SceneMode, SceneSolid, SceneSpectrum
+from pitchpoint.analysis.orders import highest_resolved_order, one_way, order_map, tracked_spectrum
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.spectra import amplitude_spectrum
+from pitchpoint.analysis.time_frequency import time_frequency_map
+from pitchpoint.viz.run_record import settled_part, uniform
+from pitchpoint.viz.scene_spectrum import SceneMap, SceneSpectrum
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from pitchpoint.system.system import System
+    from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 QUANTITIES = (
     "transmission_error",
@@ -34,143 +37,151 @@ QUANTITIES = (
 )
 """Quantities whose spectra are shown, first those that people look at first."""
 MOST = 12
-LINES = 1500
-"""Lines of a spectrum: of more, every group keeps its largest."""
+MAPS = 4
+"""Most channels with spectra, and of these with maps over time."""
+LINES, MAP_LINES, PIECES = 1500, 256, 160
+"""Lines of a spectrum and of a map (of more, every group keeps its largest), pieces of a map."""
 FEWEST = 64
 """Samples below which there is no spectrum."""
+ORDERS = 4.5
+"""Orders that are shown, in numbers of teeth of the first gear: four harmonics of the mesh."""
+FEWEST_TURNS = 2.0
+"""Turns of a shaft below which a record has no orders of it."""
 
 
-def scene_modes(
-    system: System, count: int, bodies: Sequence[str], solids: Sequence[SceneSolid]
-) -> list[SceneMode]:
-    """The lowest modes of a system about its loaded state.
+@dataclass(frozen=True)
+class _Shaft:
+    """A body that turns one way all the time: its angle [rad] and the highest order that is wanted."""
 
-    Parameters
-    ----------
-    system
-        The machine, compiled with a scenario or at rest.
-    count
-        How many.
-    bodies
-        Names of the bodies of the scene.
-    solids
-        Its solids: those that bend in modal coordinates get theirs.
-    """
-    from pitchpoint.solvers.modal import find_modes
+    name: str
+    angle: Array
+    highest: float
 
-    found = find_modes(system, count=count)
-    return [
-        _mode(
-            f"{k + 1}: {found.names[k]}",
-            (float(found.frequency[k]), float(found.damping_ratio[k])),
-            (found.bodies, found.damped_body_shape[k]),
-            (found.coordinates, found.damped_shape[k]),
-            bodies,
-            solids,
-        )
-        for k in range(min(count, len(found.names)))
-    ]
+    @property
+    def turns(self) -> float:
+        return float(abs(self.angle[-1] - self.angle[0])) / (2.0 * math.pi)
 
 
-def modes_of_result(
-    result: xr.Dataset, bodies: Sequence[str], solids: Sequence[SceneSolid]
-) -> list[SceneMode]:
-    """The modes that a result of `pitchpoint modes` holds, without damping in their shapes.
+def scene_spectra(
+    model: Model, result: xr.Dataset, settle_time: float = 0.0
+) -> tuple[list[SceneSpectrum], list[SceneMap]]:
+    """Spectra of the channels that people look at first, and maps of how some of them change.
 
     Parameters
     ----------
-    result
-        The result.
-    bodies, solids
-        As in `scene_modes`.
-
-    Raises
-    ------
-    PitchpointError
-        If it does not hold what bodies do in them.
-    """
-    if "body_shape" not in result:
-        raise PitchpointError("this result of modes holds no motions of bodies; compute it again")
-    names = [str(name) for name in result["body"].values]
-    coordinates = [str(name) for name in result["coordinate"].values]
-    return [
-        _mode(
-            f"{k + 1}: {result['name'].values[k]}",
-            (float(result["frequency"][k]), float(result["damping_ratio"][k])),
-            (names, np.asarray(result["body_shape"].values[k], dtype=complex)),
-            (coordinates, np.asarray(result["shape"].values[k], dtype=complex)),
-            bodies,
-            solids,
-        )
-        for k in range(result.sizes["mode"])
-    ]
-
-
-def _mode(
-    name: str,
-    numbers: tuple[float, float],
-    motions: tuple[Sequence[str], Complex],
-    coordinates: tuple[Sequence[str], Complex],
-    bodies: Sequence[str],
-    solids: Sequence[SceneSolid],
-) -> SceneMode:
-    """One mode with the bodies in the order of the scene."""
-    frequency, damping = numbers
-    at = {body: k for k, body in enumerate(motions[0])}
-    moved = np.array([motions[1][at[body]] for body in bodies]).reshape(-1, 6)
-    place = {coordinate: k for k, coordinate in enumerate(coordinates[0])}
-    sway = {}
-    for solid in solids:
-        if solid.sway is None:
-            continue
-        own = coordinates_of(solid.name, len(solid.sway.shapes))
-        if all(c in place for c in own):
-            sway[solid.name] = coordinates[1][[place[c] for c in own]]
-    shown = damping if math.isfinite(damping) and frequency > 0.0 else None
-    return SceneMode(
-        name=name, frequency=frequency, damping=shown, position=moved[:, :3], turn=moved[:, 3:], sway=sway
-    )
-
-
-def scene_spectra(result: xr.Dataset, settle_time: float = 0.0) -> list[SceneSpectrum]:
-    """Amplitude spectra of the channels that people look at first.
-
-    Parameters
-    ----------
+    model
+        The model, which says what shaft turns the gears of a mesh.
     result
         A time response.
     settle_time
-        Part of it at the beginning that does not count [s].
+        Part of it at the beginning that does not count for spectra [s]; maps show it.
     """
-    from pitchpoint.analysis.spectra import amplitude_spectrum
-    from pitchpoint.viz.run_record import settled_part, uniform
-
     time = np.asarray(result["time"].values, dtype=np.float64)
     if time.size < FEWEST:
-        return []
+        return [], []
     inside = settled_part(time, settle_time)
-    names = [str(n) for n, x in result.data_vars.items() if x.dims == ("time",)]
-    chosen = [n for q in QUANTITIES for n in names if n.split("[")[0] == q]
-    found = []
-    for name in chosen:
-        values = np.asarray(result[name].values, dtype=np.float64)[inside]
-        if not np.isfinite(values).all() or np.ptp(values) == 0.0:
-            continue
-        signal, rate = uniform(time[inside], values)
-        spectrum = amplitude_spectrum(signal - signal.mean(), rate)
-        frequency, amplitude = _fewer(spectrum.frequency[1:], spectrum.amplitude[1:])
+    spectra: list[SceneSpectrum] = []
+    maps: list[SceneMap] = []
+    shafts = _shafts(model, result)
+    for name in _chosen(result, inside):
         unit = str(result[name].attrs.get("units", "1"))
-        found.append(SceneSpectrum(name, unit, frequency, amplitude))
-        if len(found) == MOST:
-            break
+        values = np.asarray(result[name].values, dtype=np.float64)
+        signal, rate = uniform(time[inside], values[inside])
+        spectrum = amplitude_spectrum(signal - signal.mean(), rate)
+        lines, amplitude = _fewer(spectrum.frequency[1:], spectrum.amplitude[1:], LINES)
+        spectra.append(SceneSpectrum(name, unit, lines, amplitude))
+        shaft = shafts.get(_owner(name), shafts.get(""))
+        spectra += _orders(name, unit, values[inside], shaft, inside)
+        if len(maps) < MAPS:
+            maps += _map(name, unit, values, time, shaft)
+    return spectra, maps
+
+
+def _chosen(result: xr.Dataset, inside: NDArray[np.bool_]) -> list[str]:
+    """Channels that have a spectrum: the first ones that change."""
+    names = [str(n) for n, x in result.data_vars.items() if x.dims == ("time",)]
+    found = []
+    for name in (n for q in QUANTITIES for n in names if n.split("[")[0] == q):
+        values = np.asarray(result[name].values, dtype=np.float64)
+        if np.isfinite(values).all() and np.ptp(values[inside]) > 0.0:
+            found.append(name)
+            if len(found) == MOST:
+                break
     return found
 
 
-def _fewer(frequency: Array, amplitude: Array) -> tuple[Array, Array]:
+def _owner(channel: str) -> str:
+    """Element that a channel belongs to: `shaft` of `displacement[shaft.x]`."""
+    return channel.partition("[")[2].rstrip("]").partition(".")[0]
+
+
+def _shafts(model: Model, result: xr.Dataset) -> Mapping[str, _Shaft]:
+    """Shafts that turn one way, by the mesh whose first gear they carry; without a name the first of all."""
+    found: dict[str, _Shaft] = {}
+    for name, mesh in model.meshes.items():
+        body = model.body_of(mesh.gears[0])
+        channel = f"angle[{body}]"
+        if channel not in result:
+            continue
+        try:
+            angle = one_way(np.asarray(result[channel].values, dtype=np.float64))
+        except SignalError:
+            continue
+        teeth = model.gears[mesh.gears[0]].number_of_teeth
+        shaft = _Shaft(str(body), angle, ORDERS * teeth)
+        if shaft.turns >= FEWEST_TURNS:
+            found[name] = shaft
+            found.setdefault("", shaft)
+    return found
+
+
+def _orders(
+    name: str, unit: str, values: Array, shaft: _Shaft | None, inside: NDArray[np.bool_]
+) -> list[SceneSpectrum]:
+    """Spectrum over the orders of a shaft, where it turns far enough in the part that counts."""
+    if shaft is None:
+        return []
+    try:
+        spectrum = tracked_spectrum(values - values.mean(), shaft.angle[inside], highest_order=shaft.highest)
+    except SignalError:
+        return []
+    lines, amplitude = _fewer(spectrum.frequency[1:], spectrum.amplitude[1:], LINES)
+    return [SceneSpectrum(name, unit, lines, amplitude, shaft.name)] if lines.size else []
+
+
+def _map(name: str, unit: str, values: Array, time: Array, shaft: _Shaft | None) -> list[SceneMap]:
+    """How a spectrum changes: over the orders of a shaft, over frequencies where there is none."""
+    try:
+        if shaft is None:
+            signal, rate = uniform(time, values)
+            passed = time_frequency_map(signal, rate, frames=PIECES, start=float(time[0]))
+            lines, times, amplitude = passed.frequency, passed.time, passed.amplitude
+        else:
+            # a piece is short enough to show changes, long enough to tell orders apart
+            turns = float(np.clip(np.floor(shaft.turns / 40.0), 1.0, 8.0))
+            highest = min(shaft.highest, highest_resolved_order(shaft.angle))
+            tracked = order_map(
+                values, shaft.angle, time, highest_order=highest, revolutions=turns, frames=PIECES
+            )
+            lines, times, amplitude = tracked.order, tracked.time, tracked.amplitude
+    except SignalError:
+        return []
+    # the mean of a piece is no line of its spectrum
+    lines, amplitude = lines[1:], amplitude[:, 1:]
+    size = -(-lines.size // MAP_LINES)
+    whole = lines.size // size * size
+    if times.size < 2 or whole // max(size, 1) < 2:
+        return []
+    kept = amplitude[:, :whole].reshape(times.size, -1, size).max(axis=2)
+    middle = lines[:whole].reshape(-1, size).mean(axis=1)
+    return [SceneMap(name, unit, middle, times, kept, "" if shaft is None else shaft.name)]
+
+
+def _fewer(lines: Array, amplitude: Array, most: int) -> tuple[Array, Array]:
     """The largest line of every group where there are too many lines to be seen."""
-    size = -(-frequency.size // LINES)
+    size = max(1, -(-lines.size // most))
     if size == 1:
-        return frequency, amplitude
-    starts = np.arange(0, frequency.size, size)
+        return lines, amplitude
+    starts = np.arange(0, lines.size, size)
     largest = [s + int(np.argmax(amplitude[s : s + size])) for s in starts]
-    return frequency[largest], amplitude[largest]
+    return lines[largest], amplitude[largest]

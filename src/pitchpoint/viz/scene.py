@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.viz.scene_contact import SceneContact
+from pitchpoint.viz.scene_spectrum import SceneMap, SceneSpectrum
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -257,16 +258,6 @@ class SceneMark:
     until: float | None = None
 
 
-@dataclass(frozen=True)
-class SceneSpectrum:
-    """Amplitudes over frequencies [Hz] of a channel by its name, in SI."""
-
-    channel: str
-    unit: str
-    frequency: Array
-    amplitude: Array
-
-
 @dataclass(frozen=True, kw_only=True)
 class SceneMode:
     """A mode shape.
@@ -299,7 +290,7 @@ class Scene:
         Words above the scene.
     up
         Direction that points up on the screen, shape (3,).
-    bodies, solids, arrows, contacts, channels, spectra, marks, modes
+    bodies, solids, arrows, contacts, channels, spectra, maps, marks, modes
         What there is.
     times
         Of the frames, shape (n,) [s]; a single one for a model without result.
@@ -317,6 +308,7 @@ class Scene:
     contacts: Sequence[SceneContact] = ()
     channels: Sequence[SceneChannel] = ()
     spectra: Sequence[SceneSpectrum] = ()
+    maps: Sequence[SceneMap] = ()
     marks: Sequence[SceneMark] = ()
     modes: Sequence[SceneMode] = ()
     notes: Sequence[str] = ()

@@ -27,9 +27,9 @@ from pitchpoint.viz.scene import (
     SceneMode,
     ScenePiece,
     SceneSolid,
-    SceneSpectrum,
 )
 from pitchpoint.viz.scene_contact_file import contact_entry
+from pitchpoint.viz.scene_spectrum import map_entry, spectrum_entry
 
 FORMAT = "pitchpoint-scene-1"
 _LEVELS = 65535
@@ -84,7 +84,8 @@ def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
         "arrows": [_arrow(a, block) for a in scene.arrows],
         "contacts": [contact_entry(c, block) for c in scene.contacts],
         "channels": [_channel(c, block) for c in scene.channels],
-        "spectra": [_spectrum(s, block) for s in scene.spectra],
+        "spectra": [spectrum_entry(s, block.put) for s in scene.spectra],
+        "maps": [map_entry(m, block.put) for m in scene.maps],
         "marks": [_mark(m) for m in scene.marks],
         "modes": [_mode(m, block) for m in scene.modes],
         "notes": list(scene.notes),
@@ -206,15 +207,6 @@ def _mode(mode: SceneMode, block: _Block) -> dict[str, Any]:
     if mode.sway:
         found["sway"] = {name: parts(values, 1) for name, values in mode.sway.items()}
     return found
-
-
-def _spectrum(spectrum: SceneSpectrum, block: _Block) -> dict[str, Any]:
-    return {
-        "channel": spectrum.channel,
-        "unit": spectrum.unit,
-        "frequency": block.put(spectrum.frequency, "f4"),
-        "amplitude": block.put(_finite(spectrum.amplitude, spectrum.channel), "f4"),
-    }
 
 
 def _surface(points: Array, triangles: Indices, name: str, block: _Block) -> dict[str, Any]:
