@@ -59,6 +59,7 @@ class _Shaft:
 
     @property
     def turns(self) -> float:
+        """Whole way that it turns [revolutions]."""
         return float(abs(self.angle[-1] - self.angle[0])) / (2.0 * math.pi)
 
 
