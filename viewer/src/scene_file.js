@@ -189,6 +189,7 @@ function checkContact(scene, contact, rows) {
     rows(contact[part], `${part} of contact ${name}`);
   }
   check(contact.width?.length === 2 && contact.path?.length === 2, `contact ${name} has no place`);
+  check(!contact.unit_pressure || contact.unit_pressure.count > 1, `contact ${name} has no pressures`);
   check(contact.base_pitch > 0 && contact.flanks?.length, `contact ${name} has no flanks`);
   for (const flank of contact.flanks) {
     check(flank.travel?.count === scene.times.count, `contact ${name} has no travel for each time`);

@@ -67,6 +67,7 @@ class _Table:
         return self.columns.setdefault(key, (len(self.columns), least, most))[0]
 
     def entry(self, block: Block) -> dict[str, Any]:
+        """Part of the header; numbers go into the block."""
         least = np.stack([column[1] for column in self.columns.values()], axis=1)
         most = np.stack([column[2] for column in self.columns.values()], axis=1)
         found = {"times": block.put(self.times, "f8"), "least": block.put_whole(least)}

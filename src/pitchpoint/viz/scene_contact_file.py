@@ -37,7 +37,7 @@ def contact_entry(contact: SceneContact, block: Block) -> dict[str, Any]:
             raise ValueError(f"{contact.name}: holds numbers that are not finite")
     # an angle is as exact as what it places: the ends of the lines
     angle = LENGTH / max(map(abs, (*contact.width, *contact.path)))
-    return {
+    found = {
         "name": contact.name,
         "at": block.put_track(contact.at, LENGTH),
         "axes": block.put_track(_quaternions(contact.axes), 0.5 * angle),
@@ -49,6 +49,9 @@ def contact_entry(contact: SceneContact, block: Block) -> dict[str, Any]:
         "penetration": block.put_track(contact.penetration, unseen(contact.penetration, _GAP)),
         "flanks": [_flank(flank, block) for flank in contact.flanks],
     }
+    if contact.unit_pressure is not None:
+        found["unit_pressure"] = block.put(contact.unit_pressure, "f4")
+    return found
 
 
 def _flank(flank: ContactFlank, block: Block) -> dict[str, Any]:
