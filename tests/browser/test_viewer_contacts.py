@@ -15,12 +15,17 @@ from tests.support.scene_contact_data import (
     HELIX,
     LOAD,
     PENETRATION,
+    PITCH,
+    SLOPE,
     SLOTS,
     STEP,
     TOOTH,
     pairs_at,
+    pressure,
+    reached,
     share,
     touching,
+    travel,
 )
 from tests.support.scene_data import LENGTH, TEETH, TIMES, texts_of
 
@@ -117,6 +122,43 @@ def test_pattern_keeps_the_largest_load_so_far(tmp_path: Path, scene: tuple[str,
     assert 0.9 * 3 * LOAD * 1.3 < last["greatest"] <= 3 * LOAD * 1.3 * (1 + 1e-6)
 
 
+def test_colours_tell_pressure_when_asked_for(tmp_path: Path, scene: tuple[str, str]) -> None:
+    """Pressure of every station from its place on the path and its load; legend and largest of all."""
+    t = float(TIMES[301])
+    script = """
+      V.seek(%r); V.draw(); named("Flanks").click();
+      const select = [...document.querySelectorAll(".ppv-panel select")].find((s) =>
+        [...s.options].some((o) => /Hertz/.test(o.text)));
+      const load = S().pictures[0].contacts; select.value = "pressure";
+      select.dispatchEvent(new Event("change")); V.draw();
+      const out = {load: load.shade, contacts: S().pictures[0].contacts, legend: $(".ppv-flanks").innerText};
+      V.shade("load"); V.draw();
+      return {...out, chosen: select.value, after: $(".ppv-flanks").innerText};
+    """
+    found = fine(probed(tmp_path, script % t, scene))
+    assert found["load"] == "load" and found["contacts"]["shade"] == "pressure"
+    now = 0.0
+    for line in found["contacts"]["meshes"][0]["lines"]:
+        place = float(travel(t)) - line["pair"] * PITCH
+        z = np.linspace(*reached(place), 5)
+        wanted = pressure(place + SLOPE * z, LOAD * share(line["pair"]) * np.linspace(1.0, 3.0, 5))
+        # loads have 255 steps of the largest, pressures the root of that
+        assert line["values"] == pytest.approx(wanted, rel=0.5 * 0.5 * 3.9 / 255 + 1e-6)
+        now = max(now, max(line["values"]))
+    # over the record every pair goes from A to E: the largest is that of a whole line of the last slot
+    far = max(
+        float(pressure(place + SLOPE * z, LOAD * 1.3 * (1.0 + 2.0 * (z - low) / (high - low))))
+        for place in np.linspace(-0.013, 0.012, 400)
+        if (ends := reached(place)) and ends[1] - ends[0] > 1e-4
+        for low, high in [ends]
+        for z in np.linspace(low, high, 5)
+    )
+    assert found["contacts"]["greatestPressure"] == pytest.approx(far, rel=0.02)
+    words = found["legend"]
+    assert "Hertzian pressure" in words and f"now {now / 1e6:.1f}\u2009MPa" in words
+    assert found["chosen"] == "load" and "N/mm" in found["after"] and "MPa" not in found["after"]
+
+
 def test_pattern_is_painted_on_the_picture(tmp_path: Path, scene: tuple[str, str]) -> None:
     """Pixels change with the pattern, and come back without it."""
     script = """
@@ -125,9 +167,10 @@ def test_pattern_is_painted_on_the_picture(tmp_path: Path, scene: tuple[str, str
       const bytes = async () => (V.draw(), new Uint8Array(await V.file("png").arrayBuffer()).join(""));
       const shots = [await bytes()];
       for (const mode of ["all", "off"]) { V.pattern(mode); shots.push(await bytes()); }
-      return [shots[0] === shots[1], shots[0] === shots[2]];
+      V.pattern("all"); V.shade("pressure"); shots.push(await bytes());
+      return [0, 0, 1].map((k, n) => shots[k] === shots[n + 1]);
     """
-    assert fine(probed(tmp_path, script, scene)) == [False, True]
+    assert fine(probed(tmp_path, script, scene)) == [False, True, False]
 
 
 def test_gap_is_told_by_the_channels_and_drawn_magnified(tmp_path: Path, scene: tuple[str, str]) -> None:

@@ -24,6 +24,8 @@ SLOTS, STATIONS = 4, 5
 FORCE, LOAD = 1000.0, 20e3
 POINT = np.array([TEETH[0] * MODULE / 2, 0.0, 0.0])
 NORMAL = np.array([np.sin(ALPHA), np.cos(ALPHA), 0.0])
+UNIT = 2e5
+"""Pressure of 1 N/m at the pitch point [Pa]; it falls to nothing 50 mm beyond."""
 FIRST = -0.004
 """Travel at the start [m]."""
 PENETRATION = (4e-6, -96e-6)
@@ -53,6 +55,11 @@ def pairs_at(t: float) -> dict[int, tuple[Array, Array]]:
             low, high = (POINT + (place + SLOPE * z) * NORMAL + np.array([0.0, 0.0, z]) for z in ends)
             found[pair] = (low, high)
     return found
+
+
+def pressure(place: Array, load: Array) -> Array:
+    """Of a load at a place from the pitch point [Pa]."""
+    return UNIT * (1.0 - place / 0.05) * np.sqrt(load)
 
 
 def share(pair: int) -> float:
@@ -95,6 +102,7 @@ def touching() -> tuple[dict[str, Any], Block]:
             "base_pitch": PITCH,
             "width": list(WIDTH),
             "path": list(PATH),
+            "unit_pressure": block.put(pressure(np.linspace(*PATH, 9), np.ones(9))),
             "penetration": block.put(np.array(PENETRATION) + sway * [1, -1], "f8"),
             "flanks": [
                 {

@@ -21,13 +21,46 @@ class Seen:
         assert self.header["format"] == "pitchpoint-scene-1"
 
     def array(self, where: dict[str, Any]) -> np.ndarray:
-        kind = {"f8": "<f8", "f4": "<f4", "u4": "<u4", "u2": "<u2", "u1": "u1"}[where["type"]]
         shape = tuple(where["shape"])
         assert where["at"] % 8 == 0
-        found = np.frombuffer(self.data, kind, int(np.prod(shape)), where["at"]).reshape(shape)
-        if "scale" in where:
-            return np.asarray(where["offset"]) + np.asarray(where["scale"]) * found
-        return found
+        if where["type"] == "planes":
+            found = self.planes(where, shape)
+        else:
+            kind = {"f8": "<f8", "f4": "<f4", "u4": "<u4", "u2": "<u2", "u1": "u1"}[where["type"]]
+            found = np.frombuffer(self.data, kind, int(np.prod(shape)), where["at"]).reshape(shape)
+        found = found * np.asarray(where["scale"]) if "scale" in where else found
+        if "mix" in where:
+            found = found @ np.asarray(where["mix"]).reshape(shape[1], -1)
+        found = found + np.asarray(where["offset"]) if "offset" in where else found
+        return np.exp(found) if where.get("exponent") else found
+
+    def planes(self, where: dict[str, Any], shape: tuple[int, ...]) -> np.ndarray:
+        """Whole numbers from the bytes of their differences."""
+        length = int(np.prod(shape))
+        stored = np.zeros(length, np.int64)
+        for p in range(where["bytes"]):
+            stored += (
+                np.frombuffer(self.data, "u1", length, where["at"] + p * length).astype(np.int64) << 8 * p
+            )
+        stored = np.where(stored & 1, -(stored + 1) // 2, stored // 2)
+        rows = shape[-1] if where.get("across") else shape[0]
+        columns = stored.reshape(length // max(rows, 1), rows)
+        if where["differences"] == 0:
+            columns[:, 1:] += columns[:, :1]
+        elif where["differences"] == 2:
+            columns[:, 1:] = np.cumsum(columns[:, 1:], axis=1)
+        columns = np.cumsum(columns, axis=1) if where["differences"] else columns
+        return (columns if where.get("across") else columns.T).reshape(shape)
+
+    def channel(self, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Instants, least and most value of a curve."""
+        entry = next(c for c in self.header["channels"] if c["name"] == name)
+        table, column = entry["curve"]
+        curve = self.header["curves"][table]
+        least = self.array(curve["least"])[:, column]
+        most = least + (self.array(curve["span"])[:, column] if "span" in curve else 0)
+        offset, step = entry["from"]
+        return self.array(curve["times"]), offset + step * least, offset + step * most
 
     @property
     def times(self) -> np.ndarray:
@@ -43,7 +76,10 @@ class Seen:
         body = self.header["bodies"][b]
 
         def track(key: str, zero: Any) -> Any:
-            return self.array(body[key])[frame] if key in body else zero
+            if key not in body:
+                return zero
+            table = self.array(body[key])
+            return table[frame if len(table) > 1 else 0]
 
         axes = Rotation.from_quat(body["axes"]).as_matrix()
         place = np.array(body["place"]) + axes @ (
@@ -119,7 +155,8 @@ class Seen:
 
     def force(self, name: str, frame: int) -> np.ndarray:
         """Sum of the components of an arrow."""
-        return sum(self.array(c)[frame] for c in self.arrow(name)["components"].values())
+        tables = [self.array(c) for c in self.arrow(name)["components"].values()]
+        return sum(table[frame if len(table) > 1 else 0] for table in tables)
 
     def contact(self, name: str) -> dict[str, Any]:
         return next(c for c in self.header["contacts"] if c["name"] == name)
@@ -137,8 +174,10 @@ class Seen:
         """Contact lines of one side by the number of their pair: points in the world, force, loads."""
         flank = next(f for f in contact["flanks"] if f["side"] == side)
         origin, axes, alpha = self.mesh_frame(contact, frame)
-        travel = self.array(flank["travel"])[frame]
-        forces, loads = self.array(flank["forces"])[frame], self.array(flank["loads"])[frame]
+        travel, forces, loads = (
+            table[frame if len(table) > 1 else 0]
+            for table in map(self.array, (flank["travel"], flank["forces"], flank["loads"]))
+        )
         slope = side * np.tan(contact["base_helix"])
         normal = axes @ [np.sin(alpha), side * np.cos(alpha), 0.0]
         (low, high), (start, end) = contact["width"], contact["path"]

@@ -13,7 +13,7 @@ import math
 
 import pytest
 
-from pitchpoint.contact.hertz import half_width, peak_pressure, plane_strain_compliance
+from pitchpoint.contact.hertz import flank_radius, half_width, peak_pressure, plane_strain_compliance
 from pitchpoint.geometry import CylindricalGear, GearPair
 
 PAIR = GearPair(
@@ -27,8 +27,7 @@ T_C40 = 40623.2 / OMEGA
 def contact(torque: float, b: float, T1Y: float, share: float) -> tuple[float, float]:
     """Peak pressure [MPa] and half width [um] at a path coordinate, with a share of the load."""
     line_load = share * torque / PAIR.gear1.r_b / b
-    radius = T1Y * (PAIR.T1T2 - T1Y) / PAIR.T1T2
-    width = float(half_width(line_load, radius, STEEL, STEEL))
+    width = float(half_width(line_load, flank_radius(T1Y, PAIR.T1T2, 0.0), STEEL, STEEL))
     return float(peak_pressure(line_load, width)) * 1e-6, width * 1e6
 
 

@@ -52,8 +52,8 @@ export class ContactLines {
     });
   }
 
-  /** @param {import("./contacts.js").Line[]} lines @param {boolean} on @param {number} visible world length of a pixel [m] @param {number} greatest load of the colours */
-  update(lines, on, visible, greatest) {
+  /** @param {import("./contacts.js").Line[]} lines @param {boolean} on @param {number} visible world length of a pixel [m] @param {number} greatest value of the colours @param {any} shade what they tell */
+  update(lines, on, visible, greatest, shade) {
     // of flanks that carry nothing only the nearer ones are shown
     const both = this.contact.penetration();
     const nearer = both[1] >= both[-1] ? 1 : -1;
@@ -73,7 +73,7 @@ export class ContactLines {
       ACROSS.normalize();
       THIRD.crossVectors(ALONG, ACROSS).normalize();
       for (let s = 0; s < this.stations; s++) {
-        const load = loaded && greatest > 0 ? litColour(line.loads[s] / greatest) : this.plain[line.side];
+        const load = loaded && greatest > 0 ? litColour(shade(line, s) / greatest) : this.plain[line.side];
         const colour = carries ? load : NONE;
         POINT.copy(line.from).addScaledVector(ALONG, s / (this.stations - 1));
         for (let k = 0; k < AROUND; k++) {

@@ -5,7 +5,7 @@ import { lerp } from "./frames.js";
 
 /**
  * A contact line: two ends in the world, its pair and side, force along the base tangent and loads along it.
- * @typedef {{pair: number, slot: number, side: number, from: Vector3, to: Vector3, force: number, loads: Float64Array, centre: Vector3, share: (z: number) => number}} Line
+ * @typedef {{pair: number, slot: number, side: number, from: Vector3, to: Vector3, force: number, loads: Float64Array, centre: Vector3, ends: [number, number]}} Line  ends: places on the path
  */
 
 const modulo = (a, n) => ((a % n) + n) % n;
@@ -84,6 +84,7 @@ export class Contact {
           centre: point(place, slope, from + middle * (to - from)),
           force,
           loads,
+          ends: [place + slope * from, place + slope * to],
         };
       });
     });

@@ -4,6 +4,7 @@ import { button, choice, el, logSlider, tick } from "./dom.js";
 import { Contact } from "./contacts.js";
 import { ContactLines } from "./contact_lines.js";
 import { Gauge } from "./gauge.js";
+import { SHADES } from "./flank_shades.js";
 import { gradient } from "./load_colours.js";
 import { length, number } from "./numbers.js";
 import { Pattern } from "./pattern.js";
@@ -25,6 +26,9 @@ export class Flanks {
       };
     });
     this.greatest = Math.max(0, ...this.meshes.map(({ contact }) => contact.greatest));
+    /** what colours tell, of SHADES */
+    this.shade = "load";
+    this.pressures = scene.contacts.some((contact) => contact.unit_pressure);
     this.showsLines = true;
     this.mode = "off";
     /** whether the colours of a mesh go up to its own largest load */
@@ -73,12 +77,30 @@ export class Flanks {
     }
   }
 
+  /** Largest value of the colours, of one mesh or of all. @param {Contact} contact */
+  top(contact) {
+    if (this.own) return SHADES[this.shade].greatest(contact);
+    return this.shade === "load" ? this.greatest : (this.hardest ??= this.greatestPressure());
+  }
+
+  /** Of all meshes [Pa]. */
+  greatestPressure() {
+    return Math.max(0, ...this.meshes.map(({ contact }) => SHADES.pressure.greatest(contact)));
+  }
+
+  /** What colours tell at a station of a line. @param {Contact} contact @param {import("./contacts.js").Line} line @param {number} s */
+  value(contact, { ends, loads }, s) {
+    const place = ends[0] + ((ends[1] - ends[0]) * s) / (loads.length - 1);
+    return SHADES[this.shade].of(contact.contact, place, loads[s]);
+  }
+
   /** @param {number} visible world length of a pixel [m] */
   update(visible) {
     this.meshes.forEach(({ contact, rods, pattern, gauge, lines }, k) => {
-      const greatest = this.own ? contact.greatest : this.greatest;
-      rods.update(lines, this.showsLines && !this.hidden, visible, greatest);
-      pattern.update(contact.greatest > 0 ? this.mode : "off", this.hidden, greatest);
+      const greatest = this.top(contact);
+      const shade = (line, s) => this.value(contact, line, s);
+      rods.update(lines, this.showsLines && !this.hidden, visible, greatest, shade);
+      pattern.update(contact.greatest > 0 ? this.mode : "off", this.hidden, greatest, SHADES[this.shade]);
       gauge.update(k === this.gauged && !this.hidden);
     });
   }
@@ -96,18 +118,21 @@ export class Flanks {
       pattern: this.mode,
       gauge: this.gauged,
       greatest: this.greatest,
+      shade: this.shade,
+      greatestPressure: this.pressures ? this.greatestPressure() : null,
       meshes: this.meshes.map(({ contact, lines, pattern, gauge }) => ({
         name: contact.name,
         penetration: contact.penetration(),
         magnified: gauge.times,
         plates: gauge.shown(),
-        lines: lines.map(({ pair, side, force, from, to, loads }) => ({
+        lines: lines.map(({ pair, side, force, from, to, loads, ends }) => ({
           pair,
           side,
           force,
           from: triple(from),
           to: triple(to),
           loads: [...loads],
+          values: Array.from(loads, (_, s) => this.value(contact, { ends, loads }, s)),
         })),
         pattern: this.mode === "off" ? [] : pattern.words(),
       })),
@@ -126,8 +151,6 @@ function largest(contact, size) {
   };
 }
 
-const perWidth = (load) => `${number(load / 1000, 3)}\u2009N/mm`;
-
 /** The box that tells colours and gaps. */
 export class FlankBox {
   /** @param {Flanks} flanks */
@@ -139,7 +162,7 @@ export class FlankBox {
     this.bar = el(
       "div",
       { hidden: !(flanks.greatest > 0) },
-      el("span", {}, "load on flanks"),
+      (this.what = el("span", {})),
       el("i", { style: `background:${gradient()}` }),
       el("div", { className: "ppv-ends" }, el("span", {}, "0"), this.now, this.end),
     );
@@ -152,9 +175,13 @@ export class FlankBox {
     this.element.hidden =
       flanks.hidden || !flanks.meshes.length || (!flanks.showsLines && flanks.mode === "off" && !gauge);
     if (this.element.hidden) return;
-    const most = Math.max(0, ...flanks.meshes.flatMap(({ lines }) => lines.flatMap(({ loads }) => [...loads])));
-    this.now.textContent = most > 0 ? `now ${perWidth(most)}` : "now none";
-    this.end.textContent = flanks.own ? "largest of the mesh" : perWidth(flanks.greatest);
+    const { legend, told } = SHADES[flanks.shade];
+    let most = 0;
+    for (const { contact, lines } of flanks.meshes)
+      for (const line of lines) line.loads.forEach((_, s) => (most = Math.max(most, flanks.value(contact, line, s))));
+    this.what.textContent = legend;
+    this.now.textContent = most > 0 ? `now ${told(most)}` : "now none";
+    this.end.textContent = flanks.own ? "largest of the mesh" : told(flanks.top(flanks.meshes[0].contact));
     this.gap.hidden = !gauge;
     if (!gauge) return;
     const both = gauge.contact.penetration();
@@ -184,8 +211,12 @@ export function activeWords({ contact, name }) {
 /** Change what all pictures show of their flanks. @param {import("./page.js").Page} page @param {(flanks: Flanks) => void} change */
 export function changeFlanks(page, change) {
   for (const { flanks } of page.stage.pictures) change(flanks);
-  const { showsLines, mode } = page.stage.pictures[0].flanks;
+  const { showsLines, mode, shade } = page.stage.pictures[0].flanks;
+  // arrows and colours of results that are compared have one scale
+  const hardest = shade === "load" ? 0 : Math.max(...page.stage.pictures.map(({ flanks }) => flanks.greatestPressure()));
+  for (const { flanks } of page.stage.pictures) flanks.hardest = hardest || undefined;
   if (page.flankRows) {
+    if (page.flankRows.shade) page.flankRows.shade.select.value = shade;
     page.flankRows.lines.input.checked = showsLines;
     page.flankRows.pattern.select.value = mode;
   }
@@ -219,7 +250,7 @@ function lookAtGap(page) {
 
 /** Rows of the panel of flanks. @param {import("./page.js").Page} page */
 export function flankRows(page) {
-  const { meshes, greatest } = page.stage.pictures[0].flanks;
+  const { meshes, greatest, pressures } = page.stage.pictures[0].flanks;
   const set = (change) => changeFlanks(page, change);
   const lines = tick("contact lines", true, (on) => set((flanks) => (flanks.showsLines = on)));
   const pattern = choice(
@@ -230,8 +261,16 @@ export function flankRows(page) {
       ["each", "each tooth"],
     ],
     (mode) => set((flanks) => (flanks.mode = mode)),
-    "Largest load that every place of a flank has carried so far",
+    "Largest load, or pressure, of every place of a flank so far",
   );
+  const shade = pressures
+    ? choice(
+        "colours tell",
+        Object.entries(SHADES).map(([key, { name }]) => [key, name]),
+        (what) => set((flanks) => (flanks.shade = what)),
+        "Load per width, or the largest pressure of the line contact that it makes",
+      )
+    : null;
   const times = logSlider({
     label: "× ",
     title: "How much the gap is magnified along the line of action",
@@ -252,6 +291,7 @@ export function flankRows(page) {
   page.flankRows = {
     lines,
     pattern,
+    shade,
     gauge,
     times,
     /** @param {number} k mesh whose gap is shown */
@@ -265,6 +305,7 @@ export function flankRows(page) {
   return [
     lines.row,
     greatest > 0 ? pattern.row : null,
+    greatest > 0 && shade ? shade.row : null,
     greatest > 0 && meshes.length > 1 ? own.row : null,
     gauge.row,
     active,
@@ -278,7 +319,7 @@ export function flankRows(page) {
       "p",
       { className: "ppv-soft" },
       greatest > 0
-        ? "Colours: load per width. Balls at the ends of a line: front or back flank; a thin grey line carries nothing."
+        ? "Balls at the ends of a line: front or back flank; a thin grey line carries nothing."
         : "Yellow lines: front flanks; purple: back flanks; thin and grey: none of them touches. The law of the mesh tells no loads.",
     ),
   ].filter(Boolean);

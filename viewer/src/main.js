@@ -69,6 +69,8 @@ window.pitchpointViewer = {
   lines: (on = true) => changeFlanks(shown(), (flanks) => (flanks.showsLines = on)),
   /** @param {"off"|"all"|"each"} mode */
   pattern: (mode) => changeFlanks(shown(), (flanks) => (flanks.mode = mode)),
+  /** What colours of flanks tell. @param {"load"|"pressure"} what */
+  shade: (what) => changeFlanks(shown(), (flanks) => (flanks.shade = flanks.pressures ? what : "load")),
   /** @param {number} mesh -1 none @param {number} times */
   gauge: (mesh, times) => showGauge(shown(), mesh, times),
   mode: (number) => shown().modes.choose(number),

@@ -157,8 +157,8 @@ export class Pattern {
     return mesh;
   }
 
-  /** @param {"off"|"all"|"each"} mode @param {boolean} hidden @param {number} greatest load of the colours */
-  update(mode, hidden, greatest) {
+  /** @param {"off"|"all"|"each"} mode @param {boolean} hidden @param {number} greatest value of the colours @param {any} shade of SHADES */
+  update(mode, hidden, greatest, shade) {
     const frame = this.poses.where.share === 1 ? this.poses.where.low + 1 : this.poses.where.low;
     for (const { record, meshes } of this.parts) {
       const on = mode !== "off" && !hidden;
@@ -168,7 +168,8 @@ export class Pattern {
       }
       if (!on) continue;
       record.upTo(frame);
-      const anew = mode !== this.mode || greatest !== this.painted;
+      const anew = mode !== this.mode || greatest !== this.painted || shade !== this.shade;
+      this.shade = shade;
       for (const mesh of meshes) this.#paint(record, mesh, mode, greatest, anew);
       record.news = { all: false, teeth: record.news.teeth.map(() => new Set()) };
     }
@@ -189,12 +190,18 @@ export class Pattern {
       for (let k = 0; k < each; k++) {
         const load = mode === "all" ? record.all[k] : record.each[gear][tooth * each + k];
         const at = 4 * (tooth * each + k);
-        const paint = load > 0 ? litColour(load / greatest) : NONE;
+        const paint = load > 0 ? litColour(this.#value(record, k, load) / greatest) : NONE;
         for (let c = 0; c < 3; c++) color.array[at + c] = Math.round(255 * paint[c]);
         color.array[at + 3] = load > 0 ? 255 : 0;
       }
       color.needsUpdate = true;
     }
+  }
+
+  /** What the colours tell of a load at a place of the grid. */
+  #value({ contact, nx }, k, load) {
+    const [start, end] = contact.path;
+    return this.shade.of(contact, start + ((end - start) * (k % nx)) / (nx - 1), load);
   }
 
   /** Triangles of the teeth that carried something. */

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads the two elements of a page (docs/scene_format.md) into typed arrays, or says in a sentence why it cannot.
+import { fromPlanes, mixed, spreadChannels } from "./planes.js";
 
 export const FORMAT = "pitchpoint-scene-1";
 
@@ -64,27 +65,33 @@ async function unzip(packed) {
  * @returns {Table}
  */
 export function readTable(buffer, entry, what) {
-  const Type = TYPES[entry?.type];
+  const planes = entry?.type === "planes";
+  const Type = planes ? Uint8Array : TYPES[entry?.type];
   const shape = entry?.shape;
   if (!Type || !Array.isArray(shape) || !shape.length || shape.some((n) => !Number.isInteger(n) || n < 0)) {
     throw new SceneError(`This scene cannot be read: ${what} has no type or shape that this viewer knows.`);
   }
   const length = shape.reduce((product, n) => product * n, 1);
   const at = entry.at;
-  if (!Number.isInteger(at) || at < 0 || at % 8 || at + length * Type.BYTES_PER_ELEMENT > buffer.byteLength) {
+  const held = planes ? length * entry.bytes : length;
+  if (!Number.isInteger(at) || at < 0 || at % 8 || !(at + held * Type.BYTES_PER_ELEMENT <= buffer.byteLength)) {
     throw new SceneError(`This scene is truncated: ${what} lies beyond the end of the numbers.`);
   }
-  const stored = new Type(buffer, at, length);
+  const bytes = new Type(buffer, at, held);
+  const stored = planes ? fromPlanes(bytes, length, entry) : bytes;
   const last = shape[shape.length - 1];
   const width = shape.length > 1 ? length / Math.max(shape[0], 1) : 1;
   const count = shape[0];
   if (!entry.scale && !entry.offset) return { data: stored, shape, width, count };
   const each = shape.length > 1 ? last : 1;
   const scale = entry.scale ?? Array(each).fill(1);
-  const offset = entry.offset ?? Array(each).fill(0);
+  const offset = (!entry.mix && entry.offset) || Array(each).fill(0);
   const data = new Float64Array(length);
   for (let k = 0; k < length; k++) data[k] = offset[k % each] + scale[k % each] * stored[k];
-  return { data, shape, width, count };
+  if (entry.exponent) data.forEach((x, k) => (data[k] = Math.exp(x)));
+  if (!entry.mix) return { data, shape, width, count };
+  const wide = entry.offset.length;
+  return { data: mixed(data, count, entry.mix, entry.offset), shape: [count, wide], width: wide, count };
 }
 
 /**
@@ -187,6 +194,7 @@ function checkContact(scene, contact, rows) {
     rows(contact[part], `${part} of contact ${name}`);
   }
   check(contact.width?.length === 2 && contact.path?.length === 2, `contact ${name} has no place`);
+  check(!contact.unit_pressure || contact.unit_pressure.count > 1, `contact ${name} has no pressures`);
   check(contact.base_pitch > 0 && contact.flanks?.length, `contact ${name} has no flanks`);
   for (const flank of contact.flanks) {
     check(flank.travel?.count === scene.times.count, `contact ${name} has no travel for each time`);
@@ -237,6 +245,7 @@ export async function readScene(suffix = "") {
     ...lists,
     ...withTables(node, buffer, "this scene"),
   };
+  spreadChannels(scene);
   checkShapes(scene);
   return scene;
 }

@@ -83,6 +83,32 @@ def half_width(load: ArrayLike, radius: ArrayLike, compliance_1: float, complian
     return np.sqrt(4.0 * q * np.asarray(radius) * (compliance_1 + compliance_2) / math.pi)
 
 
+def flank_radius(T1Y: ArrayLike, T1T2: float, beta_b: float) -> FloatArray:
+    """Reduced radius of curvature of two involute flanks, square to their contact line [m].
+
+    Parameters
+    ----------
+    T1Y
+        Place on the path of contact, from the point where it leaves the base circle of gear 1 [m].
+    T1T2
+        Signed length of the common base tangent [m]; negative with an internal gear.
+    beta_b
+        Base helix angle [rad].
+
+    Notes
+    -----
+    In the transverse section the radii are T1Y and T1T2 - T1Y; a contact line is tilted by β_b against the
+    axes and divides them by cos β_b.
+
+    Examples
+    --------
+    >>> float(flank_radius(0.01, 0.04, 0.0))
+    0.0075
+    """
+    rho = np.asarray(T1Y, dtype=np.float64)
+    return np.asarray(rho * (T1T2 - rho) / (T1T2 * math.cos(beta_b)))
+
+
 def peak_pressure(load: ArrayLike, width: ArrayLike) -> FloatArray:
     """Largest pressure of the contact, p_0 = 2 q/(pi b_H) [Pa].
 

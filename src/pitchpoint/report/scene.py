@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 MOST_FRAMES = 2000
-NUMBERS = 4e5
+NUMBERS = 8e5
 """Most numbers of all tracks: with more bodies there are fewer frames."""
 PIECES = (500, 200)
 """Pieces of a record that a curve is drawn from, most and least."""

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.contact.hertz import flank_radius, half_width, peak_pressure, plane_strain_compliance
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK, sentence
@@ -34,6 +35,8 @@ Read = Callable[[str], Array | None]
 
 STATIONS = 9
 """Places along a contact line at which its load is kept."""
+PLACES = 65
+"""Places of the path of contact at which the pressure of a load is kept."""
 GRID = (9, 11)
 """Points of a painted flank over its width and along the path."""
 STEADY = 2e-8
@@ -156,6 +159,7 @@ def scene_contacts(
                 width=(float(mesh.line[0, 2]), float(mesh.line[0, 3])),
                 path=(path[0], path[1]),
                 penetration=_penetration(name, mesh, read),
+                unit_pressure=_unit_pressure(model, name, path) if mesh.pairs else None,
                 flanks=[
                     ContactFlank(
                         side=side,
@@ -185,6 +189,19 @@ def _as_kept(name: str, mesh: _Mesh, read: Read) -> tuple[Array, Array]:
     forces = np.stack([np.maximum(both, 0.0), np.minimum(both, 0.0)], axis=1)
     factor = np.divide(forces, mesh.forces, out=np.zeros_like(forces), where=mesh.forces != 0.0)
     return forces, mesh.loads * factor[..., None]
+
+
+def _unit_pressure(model: Model, name: str, path: tuple[float, ...]) -> Array:
+    """Hertzian pressure of a load of 1 N/m at even places from A to E [Pa], from the materials of both gears.
+
+    A load per width is one per length of the contact line as well: force and length both grow by 1/cos β_b.
+    """
+    pair = model.pairs[name]
+    materials = [model.gears[gear].material_data for gear in model.meshes[name].gears]
+    compliances = [plane_strain_compliance(m.youngs_modulus, m.poisson_ratio) for m in materials]
+    place = pair.T1C + np.linspace(path[0], path[1], PLACES)
+    width = half_width(1.0, flank_radius(place, pair.T1T2, pair.gear1.beta_b), *compliances)
+    return np.asarray(peak_pressure(1.0, width))
 
 
 def _penetration(name: str, mesh: _Mesh, read: Read) -> Array:

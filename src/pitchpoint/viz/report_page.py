@@ -11,6 +11,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from pitchpoint.viz import theme
+from pitchpoint.viz.figure_file import figure_json
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -50,7 +51,7 @@ def figure_html(figure: go.Figure, caption: str = "") -> str:
     """A plot as data; the script of the page draws it in the colours of the reader's mode."""
     # the default template only repeats what the layout sets already, in every figure
     figure.update_layout(template={})
-    data = str(figure.to_json()).replace("</", "<\\/")
+    data = figure_json(figure).replace("</", "<\\/")
     words = f"<figcaption>{escape(caption)}</figcaption>" if caption else ""
     return (
         f'<figure><div class="plot" style="min-height:{int(figure.layout.height or 380)}px"></div>'

@@ -93,6 +93,9 @@ class SceneContact:
         Of front and back flanks normal to them at the pitch point, below 0 their distance, shape (n, 2) [m].
     flanks
         The front flanks, and the back flanks where they ever touch.
+    unit_pressure
+        Hertzian pressure that a load of 1 N/m makes, at even places from A to E, shape (n,) [Pa]; that of
+        another load goes with its square root. None where loads are not known.
     """
 
     name: str
@@ -105,3 +108,4 @@ class SceneContact:
     path: tuple[float, float]
     penetration: Array
     flanks: Sequence[ContactFlank]
+    unit_pressure: Array | None = None

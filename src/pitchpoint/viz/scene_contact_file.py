@@ -3,29 +3,21 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from pitchpoint.viz.scene_contact import ContactFlank, SceneContact
+from pitchpoint.viz.scene_numbers import LENGTH, Block, unseen
 
-_LEVELS = 255
-
-
-class Numbers(Protocol):
-    """A block of numbers that grows."""
-
-    def put(self, values: ArrayLike, kind: str) -> dict[str, Any]:
-        """Where an array lies."""
-        ...
-
-    def put_coarse(self, values: ArrayLike) -> dict[str, Any]:
-        """The same in 16 bits, each column between its least and its largest value."""
-        ...
+_LOADS, _FORCES = 255, 8191
+"""Steps from zero to the largest load, which is a colour, and to the largest force, which is a number."""
+_GAP = 5e-9
+"""Largest error of a penetration [m]."""
 
 
-def contact_entry(contact: SceneContact, block: Numbers) -> dict[str, Any]:
+def contact_entry(contact: SceneContact, block: Block) -> dict[str, Any]:
     """Header of one mesh; its numbers go into the block.
 
     Parameters
@@ -43,31 +35,37 @@ def contact_entry(contact: SceneContact, block: Numbers) -> dict[str, Any]:
     for track in (contact.at, contact.axes, contact.pressure_angle, contact.penetration):
         if not np.isfinite(track).all():
             raise ValueError(f"{contact.name}: holds numbers that are not finite")
-    return {
+    # an angle is as exact as what it places: the ends of the lines
+    angle = LENGTH / max(map(abs, (*contact.width, *contact.path)))
+    found = {
         "name": contact.name,
-        "at": block.put_coarse(contact.at),
-        "axes": block.put_coarse(_quaternions(contact.axes)),
-        "pressure_angle": block.put_coarse(contact.pressure_angle),
+        "at": block.put_track(contact.at, LENGTH),
+        "axes": block.put_track(_quaternions(contact.axes), 0.5 * angle),
+        "pressure_angle": block.put_track(contact.pressure_angle, angle),
         "base_helix": contact.base_helix,
         "base_pitch": contact.base_pitch,
         "width": list(contact.width),
         "path": list(contact.path),
-        "penetration": block.put_coarse(contact.penetration),
+        "penetration": block.put_track(contact.penetration, unseen(contact.penetration, _GAP)),
         "flanks": [_flank(flank, block) for flank in contact.flanks],
     }
+    if contact.unit_pressure is not None:
+        found["unit_pressure"] = block.put(contact.unit_pressure, "f4")
+    return found
 
 
-def _flank(flank: ContactFlank, block: Numbers) -> dict[str, Any]:
-    found: dict[str, Any] = {"side": flank.side, "travel": block.put(flank.travel, "f8")}
+def _flank(flank: ContactFlank, block: Block) -> dict[str, Any]:
+    found: dict[str, Any] = {"side": flank.side, "travel": block.put_track(flank.travel, LENGTH)}
     if flank.forces.shape[1]:
-        found["forces"] = block.put_coarse(flank.forces)
-        found["loads"] = _bytes(flank.loads, block)
+        # zero stays zero: it says that a pair does not touch
+        found["forces"] = block.put_steps(flank.forces, _largest(flank.forces) / _FORCES)
+        found["loads"] = block.put_steps(flank.loads, _largest(flank.loads) / _LOADS, across=True)
     found["surfaces"] = [
         {
             "body": surface.body,
             "gear": surface.gear,
             "teeth": surface.teeth,
-            "points": block.put(surface.points, "f4"),
+            "points": block.put_steps(surface.points, 1e-7 * _largest(surface.points)),
             "turn": surface.turn,
             "tooth": surface.tooth,
             "step": surface.step,
@@ -77,12 +75,8 @@ def _flank(flank: ContactFlank, block: Numbers) -> dict[str, Any]:
     return found
 
 
-def _bytes(values: NDArray[np.float64], block: Numbers) -> dict[str, Any]:
-    """In 8 bits from zero to the largest of all: what a colour tells."""
-    step = float(values.max(initial=0.0)) / _LEVELS
-    levels = np.rint(values / step) if step > 0.0 else values
-    size = values.shape[-1]
-    return {**block.put(levels, "u1"), "scale": [step] * size, "offset": [0.0] * size}
+def _largest(values: NDArray[np.float64]) -> float:
+    return float(np.abs(values).max(initial=0.0))
 
 
 def _quaternions(axes: NDArray[np.float64]) -> NDArray[np.float64]:

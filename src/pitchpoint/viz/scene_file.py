@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A scene as a header and one block of numbers, see `docs/scene_format.md`.
 
-What moves little is kept in 16 bits between its smallest and largest value: 1/65535 of its range is less than
-a pixel however much it is magnified. Angles keep all their digits, since teeth are looked at from near.
+Every number is as exact as it has to be for what is seen of it; the angles that kinematics ask for keep all
+their digits, since teeth are looked at from near.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from pitchpoint.viz.scene import (
     Array,
@@ -22,46 +22,25 @@ from pitchpoint.viz.scene import (
     Scene,
     SceneArrow,
     SceneBody,
-    SceneChannel,
     SceneMark,
     SceneMode,
     ScenePiece,
     SceneSolid,
+    Sway,
 )
+from pitchpoint.viz.scene_channel_file import channel_entries
 from pitchpoint.viz.scene_contact_file import contact_entry
-from pitchpoint.viz.scene_spectrum import map_entry, spectrum_entry
+from pitchpoint.viz.scene_numbers import LENGTH, Block, unseen
+from pitchpoint.viz.scene_reach import reaches
+from pitchpoint.viz.scene_spectrum_file import map_entry, spectrum_entry
 
 FORMAT = "pitchpoint-scene-1"
-_LEVELS = 65535
-_TYPES = {"f8": "<f8", "f4": "<f4", "u4": "<u4", "u2": "<u2", "u1": "u1"}
-
-
-class _Block:
-    """Numbers one after the other; the same array is written once."""
-
-    def __init__(self) -> None:
-        self.data = bytearray()
-        self.known: dict[tuple[str, tuple[int, ...], bytes], dict[str, Any]] = {}
-
-    def put(self, values: ArrayLike, kind: str) -> dict[str, Any]:
-        """Where an array lies."""
-        array = np.ascontiguousarray(values, dtype=_TYPES[kind])
-        key = (kind, array.shape, array.tobytes())
-        if key not in self.known:
-            self.data += b"\0" * (-len(self.data) % 8)
-            self.known[key] = {"at": len(self.data), "type": kind, "shape": list(array.shape)}
-            self.data += key[2]
-        return dict(self.known[key])
-
-    def put_coarse(self, values: ArrayLike) -> dict[str, Any]:
-        """The same in 16 bits, each column between its least and its largest value."""
-        array = np.asarray(values, dtype=np.float64)
-        columns = array.reshape(-1, array.shape[-1] if array.ndim > 1 else 1)
-        low, high = columns.min(axis=0), columns.max(axis=0)
-        step = (high - low) / _LEVELS
-        levels = np.rint((columns - low) / np.where(step > 0.0, step, 1.0))
-        found = self.put(levels.reshape(array.shape), "u2")
-        return {**found, "scale": step.tolist(), "offset": low.tolist()}
+_FORCE = 1.0 / 16384.0
+"""Largest error of a force, of the largest of its arrow."""
+_PLACE = 1e-6
+"""Largest error of the place where a force acts [m]."""
+_POINT = 5e-8
+"""Largest error of a point of a solid, of the largest coordinate: that of single precision."""
 
 
 def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
@@ -72,20 +51,21 @@ def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
     ValueError
         If a number is not finite.
     """
-    block = _Block()
+    block = Block()
+    reach = reaches(scene)
     header: dict[str, Any] = {
         "format": FORMAT,
         "title": scene.title,
         "subtitle": scene.subtitle,
         "up": list(scene.up),
-        "bodies": [_body(b, block) for b in scene.bodies],
+        "bodies": [_body(b, r, block) for b, r in zip(scene.bodies, reach, strict=True)],
         "solids": [_solid(s, block) for s in scene.solids],
         "times": block.put(scene.times, "f8"),
         "arrows": [_arrow(a, block) for a in scene.arrows],
         "contacts": [contact_entry(c, block) for c in scene.contacts],
-        "channels": [_channel(c, block) for c in scene.channels],
-        "spectra": [spectrum_entry(s, block.put) for s in scene.spectra],
-        "maps": [map_entry(m, block.put) for m in scene.maps],
+        **channel_entries(scene.channels, block),
+        "spectra": [spectrum_entry(s, block) for s in scene.spectra],
+        "maps": [map_entry(m, block) for m in scene.maps],
         "marks": [_mark(m) for m in scene.marks],
         "modes": [_mode(m, block) for m in scene.modes],
         "notes": list(scene.notes),
@@ -131,30 +111,34 @@ def quaternion(axes: NDArray[np.float64]) -> list[float]:
     return [float(x) for x in found]
 
 
-def _body(body: SceneBody, block: _Block) -> dict[str, Any]:
+def _body(body: SceneBody, reach: float, block: Block) -> dict[str, Any]:
     found: dict[str, Any] = {
         "name": body.name,
         "parent": body.parent,
         "place": [float(x) for x in body.place],
         "axes": quaternion(body.axes),
     }
-    for key, track in (("position", body.position), ("turn", body.turn)):
+    angle_error = LENGTH / reach if reach > 0.0 else LENGTH
+    tracks = {
+        "position": (body.position, LENGTH),
+        "turn": (body.turn, angle_error),
+        "travel": (body.travel, LENGTH),
+        "quaternion": (body.quaternion, 0.5 * angle_error),
+    }
+    for key, (track, error) in tracks.items():
         if track is not None and np.any(_finite(track, body.name)):
-            found[key] = block.put_coarse(track)
-    for key, track in (("travel", body.travel), ("quaternion", body.quaternion)):
-        if track is not None:
-            found[key] = block.put(_finite(track, body.name), "f4")
+            found[key] = block.put_track(track, unseen(track, error))
     if body.angle is not None:
         angle = _finite(body.angle, body.name)
         gross = np.zeros_like(angle) if body.gross is None else body.gross * body.ratio
         if body.gross is not None and np.any(gross):
             found["gross"], found["ratio"] = block.put(body.gross, "f8"), body.ratio
         if np.any(angle - gross):
-            found["spin"] = block.put_coarse(angle - gross)
+            found["spin"] = block.put_track(angle - gross, unseen(angle - gross, angle_error))
     return found
 
 
-def _solid(solid: SceneSolid, block: _Block) -> dict[str, Any]:
+def _solid(solid: SceneSolid, block: Block) -> dict[str, Any]:
     found: dict[str, Any] = {
         "name": solid.name,
         "kind": solid.kind,
@@ -191,11 +175,20 @@ def _solid(solid: SceneSolid, block: _Block) -> dict[str, Any]:
             "node": block.put(solid.sway.node, "u2"),
         }
         if solid.sway.coordinates is not None:
-            found["sway"]["coordinates"] = block.put_coarse(_finite(solid.sway.coordinates, solid.name))
+            found["sway"]["coordinates"] = _bending(solid.sway, solid.name, block)
     return found
 
 
-def _mode(mode: SceneMode, block: _Block) -> dict[str, Any]:
+def _bending(sway: Sway, name: str, block: Block) -> dict[str, Any]:
+    """Modal coordinates: what all of them displace a node by is as exact as the place of a body."""
+    assert sway.coordinates is not None
+    reach = np.linalg.norm(sway.shapes, axis=2).max(axis=1)
+    values = _finite(sway.coordinates, name)
+    error = unseen(values * reach, LENGTH) / len(reach)
+    return block.put_steps(values, 2.0 * error / np.where(reach > 0.0, reach, 1.0))
+
+
+def _mode(mode: SceneMode, block: Block) -> dict[str, Any]:
     def parts(values: NDArray[np.complex128], axis: int) -> dict[str, Any]:
         """Real and imaginary parts beside each other."""
         return block.put(_finite(np.stack([values.real, values.imag], axis=axis), mode.name), "f4")
@@ -209,12 +202,12 @@ def _mode(mode: SceneMode, block: _Block) -> dict[str, Any]:
     return found
 
 
-def _surface(points: Array, triangles: Indices, name: str, block: _Block) -> dict[str, Any]:
-    kind = "u2" if len(points) <= _LEVELS + 1 else "u4"
-    return {"points": block.put(_finite(points, name), "f4"), "triangles": block.put(triangles, kind)}
+def _surface(points: Array, triangles: Indices, name: str, block: Block) -> dict[str, Any]:
+    size = float(np.abs(_finite(points, name)).max(initial=0.0))
+    return {"points": block.put_steps(points, 2.0 * _POINT * size), "triangles": block.put_whole(triangles)}
 
 
-def _piece(piece: ScenePiece, name: str, block: _Block) -> dict[str, Any]:
+def _piece(piece: ScenePiece, name: str, block: Block) -> dict[str, Any]:
     levels = [
         {"error": level.error, **_surface(level.points, level.triangles, name, block)}
         for level in piece.levels
@@ -223,16 +216,18 @@ def _piece(piece: ScenePiece, name: str, block: _Block) -> dict[str, Any]:
     return {**found, "fault": piece.fault} if piece.fault else found
 
 
-def _arrow(arrow: SceneArrow, block: _Block) -> dict[str, Any]:
+def _arrow(arrow: SceneArrow, block: Block) -> dict[str, Any]:
     total = np.sum([_finite(v, arrow.name) for v in arrow.components.values()], axis=0)
+    size = float(np.linalg.norm(total, axis=1).max(initial=0.0))
+    parts = block.put_tracks(list(arrow.components.values()), _FORCE * size)
     found: dict[str, Any] = {
         "name": arrow.name,
         "kind": arrow.kind,
         "body": arrow.body,
-        "at": block.put(arrow.at, "f4"),
+        "at": block.put_track(arrow.at, _PLACE),
         "unit": "N",
-        "components": {role: block.put_coarse(v) for role, v in arrow.components.items()},
-        "size": float(np.linalg.norm(total, axis=1).max(initial=0.0)),
+        "components": dict(zip(arrow.components, parts, strict=True)),
+        "size": size,
     }
     if arrow.state is not None:
         # one byte a frame: -1 becomes 255
@@ -244,20 +239,4 @@ def _mark(mark: SceneMark) -> dict[str, Any]:
     found: dict[str, Any] = {"time": mark.time, "kind": mark.kind, "what": mark.what}
     if mark.until is not None:
         found["until"] = mark.until
-    return found
-
-
-def _channel(channel: SceneChannel, block: _Block) -> dict[str, Any]:
-    found: dict[str, Any] = {
-        "name": channel.name,
-        "label": channel.label,
-        "unit": channel.unit,
-        "shown_unit": channel.shown_unit,
-        "scale": channel.scale,
-        "times": block.put(channel.times, "f8"),
-        "least": block.put_coarse(_finite(channel.least, channel.name)),
-        "first": channel.first,
-    }
-    if np.any(channel.least != channel.most):
-        found["most"] = block.put_coarse(_finite(channel.most, channel.name))
     return found

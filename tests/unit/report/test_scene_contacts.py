@@ -44,8 +44,8 @@ def test_pairs_share_the_force_of_their_mesh(pair):
     (flank,) = contact["flanks"]
     forces = scene.array(flank["forces"])
     whole = result["mesh_force[m]"].values
-    # half a level of 16 bits of each slot
-    assert np.abs(forces.sum(axis=1) - whole).max() < 4 * np.ptp(forces) / 65535
+    # each of the four slots is off by at most half a step, of which the largest force has 8191
+    assert np.abs(forces.sum(axis=1) - whole).max() < 2.01 * np.abs(forces).max() / 8191
     for frame in frames_of(scene):
         lines = scene.lines(contact, 1, frame)
         assert sum(line["force"] for line in lines.values()) == pytest.approx(whole[frame], rel=1e-4)
@@ -193,7 +193,7 @@ def test_penetration_of_both_flanks_follows_from_the_channels(pair):
     drawing, and the bearings give way by 3 kN / (2e8 N/m) each, which opens it by 2 sin(alpha) of that."""
     scene, _, result = pair
     front, back = scene.array(scene.contact("m")["penetration"]).T
-    assert np.abs(front - result["penetration[m]"].values).max() < np.ptp(front) / 65535 + 1e-15
+    assert np.abs(front - result["penetration[m]"].values).max() < 1.01 * np.ptp(front) / 4094
     radial = 2.0 * 1098.0 / 2e8
     # tangent of the working angle times cos(beta_b) is close to that of the normal angle
     assert -(front + back) == pytest.approx(0.1e-3 + 2.0 * radial * math.sin(math.radians(20.7)), rel=0.01)

@@ -9,7 +9,7 @@ import xarray as xr
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.scene_spectra import scene_spectra
-from pitchpoint.viz.scene_spectrum import map_levels
+from pitchpoint.viz.scene_spectrum_file import map_levels
 
 MODEL = """
 gears:

@@ -44,6 +44,18 @@
     return Array.from(values.dtype === "f8" ? new Float64Array(bytes.buffer) : new Float32Array(bytes.buffer));
   }
 
+  // Lines whose numbers stand in the page as steps, with the value of 0 and that of a step.
+  function unpacked(text) {
+    const figure = JSON.parse(text);
+    for (const trace of figure.data) {
+      for (const [letter, [offset, step]] of Object.entries((trace.meta || {}).steps || {})) {
+        const bytes = Uint8Array.from(atob(trace[letter].bdata), (c) => c.charCodeAt(0));
+        trace[letter] = Float64Array.from(new Uint16Array(bytes.buffer), (k) => offset + step * k);
+      }
+    }
+    return figure;
+  }
+
   // Orders of another shaft are the same picture over another axis: the reader chooses whose they are.
   function offerShafts(node, figure) {
     const { shaft, speeds, overSpeed } = figure.layout.meta.orders;
@@ -79,7 +91,7 @@
     if (node.dataset.drawn) return;
     node.dataset.drawn = "1";
     const text = node.nextElementSibling.textContent;
-    const figure = JSON.parse(text);
+    const figure = unpacked(text);
     const config = { responsive: true, displaylogo: false, displayModeBar: hovering ? "hover" : false,
       modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
     if (figure.layout.template === undefined) figure.layout.template = {};
@@ -87,7 +99,7 @@
     plots.push({ node, height: figure.layout.height });
     const { meta } = figure.layout;
     // the library writes into the figure it is given; what is offered starts from an untouched one
-    if (meta && meta.orders) offerShafts(node, JSON.parse(text));
+    if (meta && meta.orders) offerShafts(node, unpacked(text));
     if (meta && meta.clock && node.closest(".linked")) link(node, meta.clock);
     Plotly.relayout(node, look(node.layout, current()));
   }

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The block of numbers of a scene: every table as coarse as nobody sees, in the form that packs best.
+
+Numbers become multiples of a step. What gzip then gets are differences from what precedes, their low bytes
+apart from their high ones: the low ones are noise and stay, the high ones vanish. Tables whose columns move
+together are kept as the few columns that they follow from.
+"""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+Entry = dict[str, Any]
+
+UNSEEN = 1.0 / 4094.0
+"""Part of what a track moves over that is not seen: a quarter of a pixel on a thousand of them."""
+LENGTH = 25e-9
+"""Distance that is not seen even where gaps of micrometres are looked at [m]."""
+_TYPES = {"f8": "<f8", "f4": "<f4", "u4": "<u4", "u2": "<u2", "u1": "u1"}
+_MIXED = 9
+"""Columns up to which it is worth a try whether they follow from fewer."""
+_LEFT = 0.2
+"""Share of the error that what is left out of such a table may make."""
+
+
+class Block:
+    """Numbers one after the other; the same array is written once."""
+
+    def __init__(self) -> None:
+        self.data = bytearray()
+        self.known: dict[tuple[str, tuple[int, ...], bytes], Entry] = {}
+
+    def put(self, values: ArrayLike, kind: str) -> Entry:
+        """Where an array lies, kept as it is."""
+        array = np.ascontiguousarray(values, dtype=_TYPES[kind])
+        return self._add(kind, array.shape, array.tobytes())
+
+    def put_steps(self, values: ArrayLike, step: ArrayLike, across: bool = False) -> Entry:
+        """A table of multiples of a step, zero among them.
+
+        Parameters
+        ----------
+        values
+            Shape (n, ...).
+        step
+            One step, or one for each place of the last axis; zero where all values are.
+        across
+            Whether neighbours on the last axis are alike, not those on the first.
+        """
+        array = np.asarray(values, dtype=np.float64)
+        each = array.shape[-1] if array.ndim > 1 else 1
+        steps = np.array([_short(x) for x in np.broadcast_to(np.asarray(step, float), each)])
+        levels = np.rint(array.reshape(-1, each) / np.where(steps > 0.0, steps, 1.0)).astype(np.int64)
+        levels = levels.T if across else levels.reshape(len(array), -1)
+        found = {**self._planes(levels, array.shape), "scale": steps.tolist()}
+        return {**found, "across": True} if across else found
+
+    def put_whole(self, values: ArrayLike) -> Entry:
+        """A table of whole numbers."""
+        array = np.asarray(values, dtype=np.int64)
+        return self._planes(array.reshape(len(array), -1), array.shape)
+
+    def put_track(self, values: ArrayLike, within: float) -> Entry:
+        """A table over time with an error of at most `within`.
+
+        Parameters
+        ----------
+        values
+            Shape (n,) or (n, k).
+        within
+            Largest error of a number.
+        """
+        return self.put_tracks([np.asarray(values, dtype=np.float64)], within)[0]
+
+    def put_tracks(self, tables: Sequence[Array], within: float) -> list[Entry]:
+        """Several of them, which may follow from the same columns.
+
+        Parameters
+        ----------
+        tables
+            Each of shape (n,) or (n, k).
+        within
+            As above, for all of them.
+        """
+        wide = [table.reshape(len(table), -1) for table in tables]
+        together = np.concatenate(wide, axis=1)
+        if np.ptp(together, axis=0).max(initial=0.0) <= within:
+            # they stay where they are: one row says so
+            middles = [
+                0.5 * (table.min(axis=0, keepdims=True) + table.max(axis=0, keepdims=True)) for table in wide
+            ]
+            return [
+                self.put(row.reshape(1, *t.shape[1:]), "f8") for row, t in zip(middles, tables, strict=True)
+            ]
+        bases = [_basis(table, within) for table in wide]
+        common = _basis(together, within) if len(wide) > 1 else None
+        if common is not None and len(common) < sum(len(basis) for basis in bases):
+            return self._mixed(wide, common, within)
+        return [
+            self._mixed([table], basis, within)[0]
+            if len(basis) < table.shape[1]
+            else self.put_steps(given, 1.99 * within)
+            for given, table, basis in zip(tables, wide, bases, strict=True)
+        ]
+
+    def _mixed(self, tables: Sequence[Array], basis: Array, error: float) -> list[Entry]:
+        """Tables by the columns that all of them follow from."""
+        together = np.concatenate(tables, axis=1)
+        mean = np.array([_short(x, 12) for x in together.mean(axis=0)])
+        rows = np.array([[_short(x, 8) for x in row] for row in basis]).reshape(len(basis), -1)
+        step = 2.0 * (1.0 - _LEFT) * error / np.sqrt(max(1, len(rows)))
+        stored = self.put_steps((together - mean) @ rows.T, step)
+        found, at = [], 0
+        for table in tables:
+            part = slice(at, at + table.shape[1])
+            found.append({**stored, "mix": rows[:, part].tolist(), "offset": mean[part].tolist()})
+            at = part.stop
+        return found
+
+    def _planes(self, levels: NDArray[np.int64], shape: tuple[int, ...]) -> Entry:
+        """Whole numbers as planes of bytes of their differences of the order that packs best."""
+        best: tuple[int, int, bytes, int] | None = None
+        for order in range(min(3, max(1, len(levels)))):
+            zigzag = _differences(levels, order).T
+            count = max(1, -(-int(zigzag.max(initial=0)).bit_length() // 8))
+            planes = b"".join(((zigzag >> 8 * p) & 255).astype(np.uint8).tobytes() for p in range(count))
+            size = len(zlib.compress(planes, 6))
+            if best is None or size < best[0]:
+                best = size, order, planes, count
+        assert best is not None
+        _, order, planes, count = best
+        found = self._add(f"planes {count} {order}", shape, planes)
+        return {**found, "type": "planes", "bytes": count, "differences": order}
+
+    def _add(self, kind: str, shape: tuple[int, ...], data: bytes) -> Entry:
+        key = (kind, shape, data)
+        if key not in self.known:
+            self.data += b"\0" * (-len(self.data) % 8)
+            self.known[key] = {"at": len(self.data), "type": kind, "shape": list(shape)}
+            self.data += data
+        return dict(self.known[key])
+
+
+def unseen(values: Array, within: float) -> float:
+    """Error of a motion that is not seen, magnified or not: a distance, or a part of the way if less."""
+    way = float(np.ptp(values, axis=0).max(initial=0.0))
+    return min(within, UNSEEN * way) if way > 0.0 else within
+
+
+def _differences(levels: NDArray[np.int64], order: int) -> NDArray[np.int64]:
+    """From the first row, the row before, or the line through the two before; signs in the last bit."""
+    found = levels.copy()
+    if order == 0:
+        found[1:] -= levels[0]
+    else:
+        found[1:] = np.diff(levels, axis=0)
+        if order == 2:
+            found[2:] = np.diff(levels, n=2, axis=0)
+    return (found << 1) ^ (found >> 63)
+
+
+def _basis(table: Array, error: float) -> Array:
+    """Directions that a table moves in, rows, as few as leave less than a share of the error."""
+    width = table.shape[1]
+    if width > _MIXED or width == 1 or len(table) < 8 * width:
+        return np.eye(width)
+    moved = table - table.mean(axis=0)
+    rows = np.linalg.svd(moved, full_matrices=False)[2]
+    for count in range(width):
+        left = moved - moved @ rows[:count].T @ rows[:count]
+        if np.abs(left).max() <= _LEFT * error:
+            return np.asarray(rows[:count])
+    return np.eye(width)
+
+
+def _short(value: float, digits: int = 4) -> float:
+    """A number that takes few characters."""
+    return float(f"{value:.{digits}g}")

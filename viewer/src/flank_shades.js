@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the colours of flanks tell: load per width, or the Hertzian pressure that it makes there.
+import { reached } from "./contacts.js";
+import { number } from "./numbers.js";
+
+/** Pressure of a load at a place of the path [m] from the pitch point: the file holds that of 1 N/m. */
+export function pressureAt(contact, place, load) {
+  const { data, count } = contact.unit_pressure;
+  const [start, end] = contact.path;
+  const x = Math.max(0, Math.min(1, (place - start) / (end - start))) * (count - 1);
+  const k = Math.min(Math.floor(x), count - 2);
+  return (data[k] + (x - k) * (data[k + 1] - data[k])) * Math.sqrt(Math.max(0, load));
+}
+
+/** Place on the path of a station of a line. @param {{place: number, slope: number, from: number, to: number}} line */
+export const placeOf = ({ place, slope, from, to }, share) => place + slope * (from + share * (to - from));
+
+/** Largest pressure of a contact in all frames [Pa]. @param {any} contact */
+export function greatestPressure(contact) {
+  if (!contact.unit_pressure) return 0;
+  let found = 0;
+  for (const flank of contact.flanks) {
+    if (!flank.loads) continue;
+    const [frames, slots, count] = flank.loads.shape;
+    for (let frame = 0; frame < frames; frame++) {
+      const travel = flank.travel.data[flank.travel.count > 1 ? frame : 0];
+      for (const line of reached(contact, flank, travel)) {
+        const slot = ((line.pair % slots) + slots) % slots;
+        for (let s = 0; s < count; s++) {
+          const load = flank.loads.data[(frame * slots + slot) * count + s];
+          if (load > 0)
+            found = Math.max(found, pressureAt(contact, placeOf(line, s / (count - 1)), load));
+        }
+      }
+    }
+  }
+  return found;
+}
+
+/** Names, legends and numbers of the two. */
+export const SHADES = {
+  load: {
+    name: "load per width",
+    legend: "load on flanks",
+    told: (value) => `${number(value / 1e3, 3)}\u2009N/mm`,
+    of: (contact, place, load) => load,
+    greatest: ({ greatest }) => greatest,
+  },
+  pressure: {
+    name: "pressure (Hertz)",
+    legend: "Hertzian pressure",
+    told: (value) => `${number(value / 1e6, 3)}\u2009MPa`,
+    of: pressureAt,
+    greatest: (mesh) => (mesh.pressure ??= greatestPressure(mesh.contact)),
+  },
+};
