@@ -77,6 +77,7 @@ def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
         "format": FORMAT,
         "title": scene.title,
         "subtitle": scene.subtitle,
+        **({"label": scene.label} if scene.label else {}),
         "up": list(scene.up),
         "bodies": [_body(b, block) for b in scene.bodies],
         "solids": [_solid(s, block) for s in scene.solids],
