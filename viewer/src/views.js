@@ -141,12 +141,12 @@ export class Views {
     this.orbit.look({ target, distance: radius > 0 ? this.distanceFor(1.15 * radius) : undefined });
   }
 
-  /** The gear whose rim a point is nearest to: arrows of meshes count in the world and name no gear. @param {Vector3} point */
-  #gearAt(point) {
+  /** The gear whose rim a point is nearest to: arrows of meshes count in the world and name no gear. @param {Vector3} point @param {any} picture */
+  #gearAt(point, { solids, poses }) {
     let best = null;
-    for (const part of this.stage.pictures[0].solids.parts) {
+    for (const part of solids.parts) {
       if (!part.solid.teeth) continue;
-      const frame = this.poses.ofSolid(part.solid);
+      const frame = poses.ofSolid(part.solid);
       const axis = new Vector3().setFromMatrixColumn(frame, 2);
       const arm = point.clone().sub(new Vector3().setFromMatrixPosition(frame));
       const radius = arm.addScaledVector(axis, -arm.dot(axis)).length();
@@ -161,9 +161,10 @@ export class Views {
    * @param {any} arrow @returns {{point: Vector3, axis: Vector3}} in the world, for a section through it
    */
   intoMesh(arrow) {
-    const { poses, arrows } = this.stage.pictures[0];
-    const force = arrows.forces()[this.stage.pictures[0].data.arrows.indexOf(arrow)];
-    const gear = this.#gearAt(force.at);
+    const picture = this.stage.pictures.find(({ data }) => data.arrows.includes(arrow));
+    const { poses, arrows, data } = picture;
+    const force = arrows.forces()[data.arrows.indexOf(arrow)];
+    const gear = this.#gearAt(force.at, picture);
     const axis = gear ? gear.axis : poses.axis();
     const pitch = gear ? gear.pitch : 0.1 * this.stage.bounds().radius;
     this.orbit.look({
