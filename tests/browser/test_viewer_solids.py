@@ -148,9 +148,10 @@ def test_stretched_bent_and_schematic_solids(tmp_path: Path) -> None:
       V.magnify(10); V.draw(); out.large = S().pictures[0].bodies; out.swung = await stl(); V.magnify(1);
       V.draw(); out.all = S().pictures[0].drawnTriangles;
       named("View").click();
-      [...document.querySelectorAll(".ppv-panel label")].find((l) => l.textContent.includes("stands for"))
-        .querySelector("input").click();
-      V.draw(); out.fewer = S().pictures[0].drawnTriangles;
+      const stands = [...document.querySelectorAll(".ppv-panel label")].find((l) =>
+        l.textContent.includes("stands for")).querySelector("input");
+      stands.click(); V.draw(); out.fewer = S().pictures[0].drawnTriangles; out.plain = await stl();
+      stands.click();
       V.seek(0); V.draw(); out.start = await stl();
       V.mode(0); V.draw(); const swings = V.file("stl"); V.mode(-1); V.draw();
       out.mode = await stl(swings); out.after = await stl();
@@ -174,7 +175,7 @@ def test_stretched_bent_and_schematic_solids(tmp_path: Path) -> None:
     assert places[0] == pytest.approx([0.3, 0.01]) and places[1] == pytest.approx([0.3, 0.055])
     swung = triangles_of(out["swung"])[12:].reshape(-1, 3)
     assert swung[:, 0].max() == pytest.approx(2.0 * (0.025 + 10 * 0.025) + 0.01, abs=1e-5)
-    assert out["all"] - out["fewer"] == 12
+    assert out["all"] - out["fewer"] == 12 == len(triangles_of(out["plain"]))
     start, shape, after = (triangles_of(out[key])[12:].reshape(-1, 3) for key in ("start", "mode", "after"))
     assert start[:, 0].max() == pytest.approx(0.01, abs=1e-6)
     assert shape[:, 0].max() > 0.02

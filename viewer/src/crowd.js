@@ -47,6 +47,8 @@ export class Crowd extends Mesh {
     geometry.setIndex(new BufferAttribute(index, 1));
     super(geometry, material);
     this.parts = parts;
+    this.first = [];
+    parts.reduce((at, { geometry: { attributes } }) => (this.first.push(at), at + attributes.position.array.length), 0);
     const rows = Math.ceil((4 * parts.length) / WIDTH);
     this.places = new DataTexture(new Float32Array(4 * WIDTH * rows), WIDTH, rows, RGBAFormat, FloatType);
     // the members move about: no sphere around them is worth keeping
@@ -79,6 +81,18 @@ export class Crowd extends Mesh {
   place(member, matrix) {
     this.places.image.data.set(matrix.elements, 16 * member);
     this.places.needsUpdate = true;
+  }
+
+  /** Take over the corners of a member that has bent. @param {number} member */
+  bend(member) {
+    const { attributes } = this.parts[member].geometry;
+    for (const name of ["position", "normal"]) {
+      const { array } = attributes[name];
+      const all = this.geometry.attributes[name];
+      all.array.set(array, this.first[member]);
+      all.addUpdateRange(this.first[member], array.length);
+      all.needsUpdate = true;
+    }
   }
 
   /** As if every member were a mesh. @param {import("three").Raycaster} ray @param {any[]} hits */

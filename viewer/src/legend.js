@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the arrows are worth right now, in words and numbers, in their colours.
 import { FORCES, STATES } from "./colours.js";
-import { el } from "./dom.js";
+import { button, el } from "./dom.js";
 import { force } from "./numbers.js";
+
+/** Part of the scene that it may cover each way. */
+const MOST = 0.48;
+/** Part of the width from which on its height counts. */
+const TALL = 0.32;
 
 export class Legend {
   /** @param {any[]} arrows of a scene */
@@ -22,10 +27,14 @@ export class Legend {
         row: el("tr", {}, el("th", { scope: "row", title: `${arrow.kind} ${name}` }, state, name), ...cells),
       };
     });
+    this.folder = button("forces", "Fold or unfold the forces", () => this.fold(!this.folded), {
+      "aria-expanded": "true",
+    });
+    this.folded = this.chosen = false;
     const head = el(
       "tr",
       {},
-      el("td"),
+      el("td", {}, this.folder),
       ...this.columns.map((part) => el("th", { scope: "col", className: `ppv-${part}` }, el("i"), part)),
     );
     this.states = el("div", { className: "ppv-states" });
@@ -48,6 +57,29 @@ export class Legend {
       this.states,
     );
     this.element.hidden = !arrows.length;
+  }
+
+  /** @param {boolean} on @param {boolean} chosen by the reader: then no size of the scene chooses again */
+  fold(on, chosen = true) {
+    this.chosen ||= chosen;
+    this.folded = on;
+    this.element.classList.toggle("ppv-folded", on);
+    this.folder.setAttribute("aria-expanded", String(!on));
+  }
+
+  /** Folded where it would cover most of the scene. */
+  settle() {
+    if (this.chosen || this.element.hidden) return;
+    this.fold(false, false);
+    const { clientWidth: width, clientHeight: height } = this.element.parentElement;
+    const { offsetWidth: wide, offsetHeight: high } = this.element;
+    this.fold(wide > MOST * width || (wide > TALL * width && high > MOST * height), false);
+  }
+
+  /** Part of the width that it takes from the right. */
+  get share() {
+    if (this.element.hidden || this.folded) return 0;
+    return (this.element.offsetWidth + 16) / Math.max(this.element.parentElement.clientWidth, 1);
   }
 
   /** @param {import("./arrows.js").Force[]} forces @param {Set<string>} shown kinds @param {boolean} hidden */

@@ -8,6 +8,7 @@ import { keys, KEYS } from "./keys.js";
 import { Legend } from "./legend.js";
 import { length } from "./numbers.js";
 import { markRows } from "./marks_panel.js";
+import { namesOf } from "./names.js";
 import { Modes } from "./modes.js";
 import { Orbit } from "./orbit.js";
 import { Panels, forceRows, saveRows, vibrationRows, viewRows } from "./panels.js";
@@ -15,6 +16,7 @@ import { Player, round125 } from "./player.js";
 import { Poses } from "./poses.js";
 import { SectionView } from "./section_view.js";
 import { Stage, graphics } from "./stage.js";
+import { touches } from "./touch.js";
 import { Transport } from "./transport.js";
 import { Views } from "./views.js";
 
@@ -102,11 +104,12 @@ export class Page {
       if (!takes) this.#hint("click the scene first, then the wheel zooms");
       return takes;
     };
+    touches(this);
     this.orbit.pictures = stage.pictures.length;
     const { radius } = stage.bounds();
     this.orbit.nearest = 2e-5 * radius;
     this.orbit.farthest = 40 * radius;
-    this.views = new Views(stage, this.orbit);
+    this.views = new Views(stage, this.orbit, () => this.legends);
     this.hover = new Hover(stage, this.orbit, (body) => this.follow(body));
     this.legends = stage.pictures.map(({ arrows }) => new Legend(arrows.arrows));
     this.boxes = stage.pictures.map(({ flanks }) => new FlankBox(flanks));
@@ -119,7 +122,7 @@ export class Page {
         { className: "ppv-half" },
         legend.element,
         this.boxes[k].element,
-        names[k] && el("span", { className: "ppv-name" }, names[k]),
+        names[k] && el("span", { className: "ppv-name", title: this.scenes[k].label }, names[k]),
       ),
     );
     this.host.append(
@@ -171,6 +174,9 @@ export class Page {
     if (this.stage) {
       const first = this.stage.size.width === 1;
       this.stage.resize();
+      // what the legends cover is known once they are filled
+      if (first) this.draw();
+      for (const legend of this.legends) legend.settle();
       if (first) this.views.named("iso", true);
       if (!this.orbit.chosen) this.views.fit(true);
       this.draw();
@@ -338,14 +344,6 @@ export class Page {
     const { point, axis } = this.views.intoMesh(arrow);
     this.section.through(point, axis);
   }
-}
-
-/** What tells two results apart; nothing where there is one. @param {any[]} scenes @returns {string[]} */
-export function namesOf(scenes) {
-  if (scenes.length < 2) return [""];
-  const [first, second] = scenes;
-  if (first.title !== second.title) return [first.title, second.title];
-  return first.subtitle === second.subtitle ? ["first", "second"] : [first.subtitle, second.subtitle];
 }
 
 /** Marks of all results; those of two say whose they are. @param {any[]} scenes */

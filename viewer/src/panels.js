@@ -80,7 +80,8 @@ export function viewRows(page) {
     page.views.turning = on;
     page.views.follow(page.views.body, on);
   });
-  const covers = data.solids.some((solid) => solid.see_through)
+  const solids = page.scenes.flatMap((scene) => scene.solids);
+  const covers = solids.some((solid) => solid.see_through)
     ? choice(
         "housing",
         [
@@ -94,13 +95,15 @@ export function viewRows(page) {
         },
       ).row
     : null;
-  const stands = data.solids.some((solid) => solid.schematic)
+  const stands = solids.some((solid) => solid.schematic)
     ? tick("what only stands for parts", true, (on) => {
         for (const picture of stage.pictures) picture.solids.schematics(on);
         page.changed();
       }).row
     : null;
-  const meshes = data.arrows.filter((arrow) => arrow.kind === "mesh");
+  const meshes = page.scenes
+    .flatMap((scene) => scene.arrows.filter((arrow) => arrow.kind === "mesh"))
+    .filter((arrow, k, all) => all.findIndex(({ name }) => name === arrow.name) === k);
   const looks = meshes.map((arrow) =>
     button(arrow.name.replaceAll("_", " "), `Look into the mesh ${arrow.name}, along its axis`, () =>
       page.intoMesh(arrow),

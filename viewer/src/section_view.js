@@ -77,7 +77,7 @@ export class SectionView {
 
   /** Least and largest place of the solids along the normal. */
   #ends() {
-    const { low, high } = this.stage.pictures[0].bounds;
+    const { low, high } = this.stage.bounds();
     let least = Infinity,
       most = -Infinity;
     for (let k = 0; k < 8; k++) {

@@ -26,7 +26,7 @@ export class Skin {
     this.drawn = skin.bodies.map(() => new Matrix4());
   }
 
-  /** @param {number} visible [m] @param {number} reach largest distance of a point [m] */
+  /** @param {number} visible [m] @param {number} reach largest distance of a point [m] @returns {boolean} whether it has moved */
   update(visible, reach) {
     const { skin, poses, moved, drawn } = this;
     const inverse = of(poses.world, skin.bodies[0]).clone().invert();
@@ -38,7 +38,7 @@ export class Skin {
       }
     });
     // most shafts bend by less than a pixel: then nothing is sent to the graphics card
-    if (change <= visible) return;
+    if (change <= visible) return false;
     moved.forEach((matrix, k) => drawn[k].copy(matrix));
     const { position, normal } = this.geometry.attributes;
     const { first, second, weight } = skin;
@@ -64,5 +64,6 @@ export class Skin {
     }
     position.needsUpdate = normal.needsUpdate = true;
     this.geometry.computeBoundingSphere();
+    return true;
   }
 }

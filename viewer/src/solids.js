@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solids as meshes: one mesh each, or one or two crowds where there are hundreds of them.
-import { Color, DoubleSide, FrontSide, Mesh, MeshLambertMaterial, Vector3 } from "three";
+import { Color, DoubleSide, FrontSide, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
 import { FAULT, colourOfPart } from "./colours.js";
 import { Crowd } from "./crowd.js";
 import { creaseNormals } from "./crease_normals.js";
@@ -10,6 +10,12 @@ import { Sway } from "./sway.js";
 
 // Beyond this, a draw call for each solid costs more than what it draws.
 const MOST_MESHES = 300;
+
+// Covers so many times as large as what they hold are not fitted into the picture.
+const LARGE_COVER = 2.5;
+
+// Where members of a crowd are that are not shown: triangles without area are not drawn.
+const NOWHERE = new Matrix4().multiplyScalar(0);
 
 /** Back faces seen through a cut are the cut: flat, hatched, whatever the light. */
 function drawCut(material) {
@@ -104,7 +110,7 @@ export class Solids {
       if (!parts.length) continue;
       const shared = material("#ffffff", seeThrough);
       const crowd = new Crowd(parts, shared);
-      parts.forEach((part, k) => Object.assign(part, { crowd, member: k, skin: null, sway: null, repeated: null })); // a crowd does not bend
+      parts.forEach((part, k) => Object.assign(part, { crowd, member: k, repeated: null })); // teeth of one fineness
       crowd.renderOrder = seeThrough ? 1 : 0;
       this.known.set(`crowd ${seeThrough}`, shared);
       this.crowds.push(crowd);
@@ -116,10 +122,12 @@ export class Solids {
   update(visible) {
     for (const part of this.parts) {
       const matrix = this.poses.ofSolid(part.solid);
-      if (part.crowd) part.crowd.place(part.member, matrix);
-      else part.mesh.matrix.copy(matrix);
-      part.skin?.update(visible, part.radius);
-      part.sway?.update();
+      const bent = [part.skin?.update(visible, part.radius), part.sway?.update()].some(Boolean);
+      if (!part.crowd) part.mesh.matrix.copy(matrix);
+      else {
+        part.crowd.place(part.member, this.shows(part) ? matrix : NOWHERE);
+        if (bent) part.crowd.bend(part.member);
+      }
     }
   }
 
@@ -130,7 +138,7 @@ export class Solids {
 
   /** Parts for files, gears as fine as a file can be without being huge. @param {boolean} inBodies in the frames of their bodies, not of the solids */
   exported(inBodies) {
-    return this.parts.map((part) => {
+    return this.parts.filter((part) => this.shows(part)).map((part) => {
       const geometry = part.repeated ? part.repeated.whole("fine") : part.geometry;
       const { solid } = part;
       if (!inBodies || !(solid.place || solid.axes || solid.between)) return { ...part, geometry };
@@ -145,8 +153,8 @@ export class Solids {
   /** Triangles that are drawn now. */
   get drawn() {
     return this.parts.reduce(
-      (sum, { repeated, mesh, geometry }) =>
-        sum + (repeated?.drawn ?? (mesh?.visible === false ? 0 : geometry.index.count / 3)),
+      (sum, part) =>
+        sum + (part.repeated?.drawn ?? (this.shows(part) ? part.geometry.index.count / 3 : 0)),
       0,
     );
   }
@@ -166,8 +174,7 @@ export class Solids {
     for (const part of this.parts) {
       if (!part.solid.see_through) continue;
       part.hidden = how === "hidden";
-      if (part.crowd) part.crowd.visible = !part.hidden;
-      else this.#visible(part);
+      this.#visible(part);
       const drawn = part.crowd?.material ?? part.mesh.material;
       if (done.has(drawn)) continue;
       done.add(drawn);
@@ -184,11 +191,17 @@ export class Solids {
   /** Show what only stands for parts, or not. @param {boolean} on */
   schematics(on) {
     this.plain = !on;
-    for (const part of this.parts) if (part.solid.schematic && part.mesh) this.#visible(part);
+    for (const part of this.parts) if (part.solid.schematic) this.#visible(part);
   }
 
+  /** Whether a part is to be seen. */
+  shows(part) {
+    return !part.hidden && !(this.plain && part.solid.schematic);
+  }
+
+  /** Meshes at once, members of a crowd when they are placed. */
   #visible(part) {
-    part.mesh.visible = !part.hidden && !(this.plain && part.solid.schematic);
+    if (part.mesh) part.mesh.visible = this.shows(part);
   }
 
   /** What a ray meets first, covers last. @param {import("three").Raycaster} ray */
@@ -197,11 +210,13 @@ export class Solids {
       [...this.meshes, ...this.crowds].filter((object) => object.visible),
       false,
     );
-    const found = hits.map(({ object, member, point }) => ({
-      part: object.userData.part ?? object.parts[member],
-      fault: object.userData.fault ?? "",
-      point,
-    }));
+    const found = hits
+      .map(({ object, member, point }) => ({
+        part: object.userData.part ?? object.parts[member],
+        fault: object.userData.fault ?? "",
+        point,
+      }))
+      .filter(({ part }) => this.shows(part));
     return (
       found.find(({ part, point }) => !part.solid.see_through && this.#kept(point)) ??
       found.find(({ point }) => this.#kept(point)) ??
@@ -213,15 +228,26 @@ export class Solids {
     return !this.materials[0]?.clippingPlanes?.some((plane) => plane.distanceToPoint(point) < 0);
   }
 
-  /** Centre and radius of all solids at rest, without covers where there is anything else. */
+  /**
+   * What a view is fitted to, at rest: all solids, without covers that are far larger than what they hold. Its
+   * size is that of what they hold; all of it lies in the sphere of whole.
+   */
   bounds() {
     const open = this.parts.filter(({ solid }) => !solid.see_through || solid.schematic);
+    const whole = this.#around(this.parts);
+    const held = open.length && open.length < this.parts.length ? this.#around(open) : whole;
+    const fits = whole.radius < LARGE_COVER * held.radius ? whole : held;
+    return { ...fits, size: held.radius, whole };
+  }
+
+  /** @param {any[]} parts */
+  #around(parts) {
     const low = new Vector3(Infinity, Infinity, Infinity),
       high = low.clone().negate();
     const point = new Vector3();
     /** some points of every solid, from which a view is fitted */
     const outline = [];
-    for (const part of open.length ? open : this.parts) {
+    for (const part of parts) {
       const matrix = this.poses.ofSolid(part.solid);
       const { center, radius } = part.geometry.boundingSphere;
       part.geometry.computeBoundingBox();

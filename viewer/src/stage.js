@@ -55,7 +55,7 @@ class Picture {
     this.solids = new Solids(data, this.root, this.poses);
     this.bounds = this.solids.bounds();
     this.flanks = new Flanks(data, this.root, this.overRoot, this.poses);
-    this.arrows = new Arrows({ arrows: [...data.arrows, ...this.flanks.pairs()] }, this.overRoot, this.poses, element, this.bounds.radius);
+    this.arrows = new Arrows({ arrows: [...data.arrows, ...this.flanks.pairs()] }, this.overRoot, this.poses, element, this.bounds.size);
   }
 }
 
@@ -77,7 +77,7 @@ export class Stage {
     this.pictures = scenes.map((scene) => new Picture(scene, host));
     // arrows of results that are compared have one scale, so that the eye compares forces
     const size = Math.max(...this.pictures.map((picture) => picture.arrows.size));
-    const radius = Math.max(...this.pictures.map((picture) => picture.bounds.radius));
+    const radius = Math.max(...this.pictures.map((picture) => picture.bounds.size));
     const greatest = Math.max(...this.pictures.map((picture) => picture.flanks.greatest));
     for (const { arrows, flanks } of this.pictures) {
       Object.assign(arrows, { size, radius });
@@ -114,21 +114,20 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Centre and radius of what all pictures show, as the camera sees it. */
-  bounds() {
-    const radius = Math.max(...this.pictures.map((picture) => picture.bounds.radius));
-    return {
-      centre: this.pictures[0].bounds.centre.clone().applyMatrix4(this.seen),
-      radius,
-      low: this.pictures[0].bounds.low,
-      high: this.pictures[0].bounds.high,
-    };
+  /** Centre and radius of what all pictures show, as the camera sees it. @param {"fit"|"whole"} which of what fills the picture, or of everything */
+  bounds(which = "fit") {
+    const each = this.pictures.map(({ bounds }) => (which === "fit" ? bounds : bounds.whole));
+    const low = each.reduce((sum, part) => sum.min(part.low), each[0].low.clone());
+    const high = each.reduce((sum, part) => sum.max(part.high), each[0].high.clone());
+    const centre = low.clone().add(high).multiplyScalar(0.5);
+    const radius = Math.max(...each.map((part) => part.centre.distanceTo(centre) + part.radius));
+    return { centre: centre.applyMatrix4(this.seen), radius, low, high };
   }
 
   /** @param {import("./orbit.js").Orbit} orbit */
   render(orbit) {
     const { renderer, camera } = this;
-    const { centre, radius } = this.bounds();
+    const { centre, radius } = this.bounds("whole");
     const { distance, target } = orbit.now;
     const away = target.distanceTo(centre);
     camera.near = Math.max(0.01 * distance, distance - away - 1.3 * radius);

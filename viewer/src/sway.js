@@ -56,9 +56,10 @@ export class Sway {
     return most;
   }
 
+  /** @returns {boolean} whether it has moved */
   update() {
     const now = this.#now();
-    if (now.every((x, k) => x === this.drawn[k])) return;
+    if (now.every((x, k) => x === this.drawn[k])) return false;
     this.drawn = now;
     this.moved.fill(0);
     for (let k = 0; k < this.count; k++) {
@@ -71,5 +72,6 @@ export class Sway {
         position.array[3 * p + i] = this.points[3 * p + i] + this.moved[3 * this.node[p] + i];
     position.needsUpdate = true;
     this.geometry.computeBoundingSphere();
+    return true;
   }
 }

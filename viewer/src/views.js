@@ -3,10 +3,11 @@
 import { Matrix4, Vector3 } from "three";
 
 export class Views {
-  /** @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit */
-  constructor(stage, orbit) {
+  /** @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit @param {() => any[]} legends that lie over the right edges */
+  constructor(stage, orbit, legends = () => []) {
     this.stage = stage;
     this.orbit = orbit;
+    this.legends = legends;
     this.body = -1;
     this.turning = false;
     this.anchor = new Matrix4();
@@ -48,7 +49,8 @@ export class Views {
     const right = new Vector3().crossVectors(this.orbit.up, toward).normalize();
     const above = new Vector3().crossVectors(toward, right);
     const tall = 0.9 * Math.tan((camera.fov * Math.PI) / 360);
-    const wide = tall * camera.aspect;
+    const taken = Math.max(0, ...(this.legends() ?? []).map(({ share }) => share));
+    const wide = tall * camera.aspect * (1 - taken);
     // twice: the first look tells how far the middle of the picture is from the middle of the solids
     const target = centre.clone();
     let distance = this.distanceFor(radius);
@@ -75,7 +77,10 @@ export class Views {
       target.addScaledVector(right, (distance * (ends[0] + ends[1])) / 2);
       target.addScaledVector(above, (distance * (ends[2] + ends[3])) / 2);
     }
-    this.orbit.look({ target, distance: Math.max(distance, 0.1 * radius) }, atOnce);
+    distance = Math.max(distance, 0.1 * radius);
+    // to the middle of what no legend covers
+    target.addScaledVector(right, (distance * taken * tall * camera.aspect) / 0.9);
+    this.orbit.look({ target, distance }, atOnce);
     this.orbit.chosen = false;
   }
 
@@ -136,12 +141,12 @@ export class Views {
     this.orbit.look({ target, distance: radius > 0 ? this.distanceFor(1.15 * radius) : undefined });
   }
 
-  /** The gear whose rim a point is nearest to: arrows of meshes count in the world and name no gear. @param {Vector3} point */
-  #gearAt(point) {
+  /** The gear whose rim a point is nearest to: arrows of meshes count in the world and name no gear. @param {Vector3} point @param {any} picture */
+  #gearAt(point, { solids, poses }) {
     let best = null;
-    for (const part of this.stage.pictures[0].solids.parts) {
+    for (const part of solids.parts) {
       if (!part.solid.teeth) continue;
-      const frame = this.poses.ofSolid(part.solid);
+      const frame = poses.ofSolid(part.solid);
       const axis = new Vector3().setFromMatrixColumn(frame, 2);
       const arm = point.clone().sub(new Vector3().setFromMatrixPosition(frame));
       const radius = arm.addScaledVector(axis, -arm.dot(axis)).length();
@@ -156,9 +161,10 @@ export class Views {
    * @param {any} arrow @returns {{point: Vector3, axis: Vector3}} in the world, for a section through it
    */
   intoMesh(arrow) {
-    const { poses, arrows } = this.stage.pictures[0];
-    const force = arrows.forces()[this.stage.pictures[0].data.arrows.indexOf(arrow)];
-    const gear = this.#gearAt(force.at);
+    const picture = this.stage.pictures.find(({ data }) => data.arrows.includes(arrow));
+    const { poses, arrows, data } = picture;
+    const force = arrows.forces()[data.arrows.indexOf(arrow)];
+    const gear = this.#gearAt(force.at, picture);
     const axis = gear ? gear.axis : poses.axis();
     const pitch = gear ? gear.pitch : 0.1 * this.stage.bounds().radius;
     this.orbit.look({

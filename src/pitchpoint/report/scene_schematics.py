@@ -10,7 +10,9 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from pitchpoint.model.components.actuator import Strut
 from pitchpoint.model.frames import body_frame, joint_axes, joint_place, split
 from pitchpoint.report import scene_shapes as shapes
 from pitchpoint.report.scene_curves import contact_parts
@@ -24,10 +26,14 @@ STEEL = 7850.0
 """Density of balls and discs that stand for masses and inertias [kg/m^3]."""
 BAR, PIN, BALL, DISC = 0.010, 0.017, 0.045, 0.4
 """Radii of bars, pins, the largest ball and disc, as parts of the size of the machine."""
+RAIL = 0.15
+"""Half the length of a rail, as a part of the size of the machine."""
 PINNED = ("revolute", "cylindrical", "screw", "universal", "planar")
 
 
-def schematics(model: Model, at: Places, drawn: set[str]) -> tuple[list[SceneSolid], list[str]]:
+def schematics(
+    model: Model, at: Places, drawn: set[str], wheeled: set[str]
+) -> tuple[list[SceneSolid], list[str]]:
     """Everything that stands for something else, and sentences about it.
 
     Parameters
@@ -38,16 +44,20 @@ def schematics(model: Model, at: Places, drawn: set[str]) -> tuple[list[SceneSol
         Where things sit in the scene.
     drawn
         Names of the bodies that have a shape already.
+    wheeled
+        Names of those that have wheels, and need no disc.
     """
     parts, notes = contact_parts(model, at.size)
     found: list[SceneSolid] = []
-    shaped = drawn | {split(where)[0] for _, where, _ in parts}
+    shaped = drawn | wheeled | {split(where)[0] for _, where, _ in parts}
     for name in model.bodies:
         if name not in drawn and name not in model.elastic_bodies:
             found += _figure(at, name, name in shaped)
     bars = bool(found)
     found += _pins(at)
+    found += _guides(at)
     found += _links(at)
+    found += _unbalances(at)
     for name, where, (points, triangles) in parts:
         number, place, axes = at.end(where)
         found.append(
@@ -66,10 +76,26 @@ def schematics(model: Model, at: Places, drawn: set[str]) -> tuple[list[SceneSol
     return found, notes
 
 
-def _solid(at: Places, name: str, kind: str, body: str, surface: shapes.Surface) -> SceneSolid:
-    """A surface that is given in the world, on a body."""
+def stand_in(
+    at: Places, name: str, kind: str, body: str, surface: shapes.Surface, place: ArrayLike | None = None
+) -> SceneSolid:
+    """A surface that is given in the world, on a body, marked as schematic.
+
+    Parameters
+    ----------
+    at
+        Where things sit in the scene.
+    name, kind
+        Of the solid.
+    body
+        Name of the body, or ground.
+    surface
+        In the world [m].
+    place
+        Where it sits on an elastic shaft or body, in the world [m]; its middle, if left out.
+    """
     points, triangles = surface
-    number, origin, axes = at.seat(body, points.mean(axis=0))
+    number, origin, axes = at.seat(body, points.mean(axis=0) if place is None else place)
     return SceneSolid(
         name=name,
         kind=kind,
@@ -113,7 +139,7 @@ def _figure(at: Places, name: str, shaped: bool) -> list[SceneSolid]:
         pieces.append(shapes.ball(radius, center))
     elif not shaped:
         pieces.append(shapes.moved(_disc(at, name), origin, axes))
-    return [_solid(at, name, "body", name, shapes.joined(pieces))] if pieces else []
+    return [stand_in(at, name, "body", name, shapes.joined(pieces))] if pieces else []
 
 
 def _disc(at: Places, name: str) -> shapes.Surface:
@@ -127,7 +153,7 @@ def _disc(at: Places, name: str) -> shapes.Surface:
 
 
 def _pins(at: Places) -> list[SceneSolid]:
-    """Pins, balls and guides of joints."""
+    """Pins and balls of joints."""
     found = []
     for name, joint in at.model.joints.items():
         place, body = joint_place(at.model, joint), split(joint.bodies[1])[0]
@@ -140,12 +166,43 @@ def _pins(at: Places) -> list[SceneSolid]:
             surface = shapes.ball(radius, place)
         else:
             continue
-        found.append(_solid(at, f"joint {name}", "bearing", body, surface))
+        found.append(stand_in(at, f"joint {name}", "bearing", body, surface))
+    return found
+
+
+def _guides(at: Places) -> list[SceneSolid]:
+    """Sleeves in which slides move; those that are boxes have a rail through them."""
+    found, bar = [], BAR * at.size
+    for name, joint in at.model.joints.items():
+        place = joint_place(at.model, joint)
+        if joint.type != "prismatic" or place is None:
+            continue
+        base, slide = (split(end)[0] for end in joint.bodies)
+        axis = joint_axes(at.model, joint)[:, 2]
+        part = at.model.bodies.get(slide)
+        if part is not None and part.center is None:
+            long = RAIL * at.size * axis
+            surface = shapes.rod(place - long, place + long, 0.6 * bar)
+        else:
+            surface = shapes.moved(shapes.disc(2.0 * bar, 4.0 * bar, 1.25 * bar), place, shapes.across(axis))
+        found.append(stand_in(at, f"joint {name}", "bearing", base, surface, place))
+    return found
+
+
+def _unbalances(at: Places) -> list[SceneSolid]:
+    """A ball of steel for every point mass, not too small to be seen."""
+    found = []
+    for name, part in at.model.unbalances.items():
+        radius = (3.0 * part.mass / (4.0 * math.pi * STEEL)) ** (1.0 / 3.0)
+        radius = min(max(radius, 0.6 * BAR * at.size), BALL * at.size)
+        place = at.world(part.body, part.position)[0]
+        surface = shapes.ball(radius, place)
+        found.append(stand_in(at, f"unbalance {name}", "bearing", part.body, surface, place))
     return found
 
 
 def _links(at: Places) -> list[SceneSolid]:
-    """Springs, dampers and rods between two points."""
+    """Springs, dampers, rods and struts between two points."""
     model, found = at.model, []
     thin = 0.55 * BAR * at.size
     coil = shapes.coil(0.022 * at.size, 0.004 * at.size)
@@ -164,6 +221,8 @@ def _links(at: Places) -> list[SceneSolid]:
     parts = [(n, p.ends, "spring", coil if p.stiffness > 0.0 else piston) for n, p in model.springs.items()]
     parts += [(n, p.ends, "spring", coil) for n, p in model.maxwells.items()]
     parts += [(n, p.ends, "body", bar) for n, p in model.rods.items()]
+    struts = {n: p for n, p in model.actuators.items() if isinstance(p, Strut)}
+    parts += [(f"actuator {n}", p.ends, "spring", piston) for n, p in struts.items()]
     for name, ends, kind, (points, triangles) in parts:
         (a, first, _), (b, second, _) = (at.end(end) for end in ends)
         found.append(

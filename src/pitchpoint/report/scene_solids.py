@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,10 +21,13 @@ from pitchpoint.geometry.triangle_file import join_corners, placed_triangles, re
 from pitchpoint.model.frames import frame
 from pitchpoint.model.shafts import section_at, station_names
 from pitchpoint.report.scene_gears import gear_part
+from pitchpoint.report.scene_joining import joining_parts
+from pitchpoint.report.scene_ratios import ratio_parts
 from pitchpoint.report.scene_schematics import schematics
 from pitchpoint.report.scene_supports import (
     bearing_rings,
     carriers,
+    covers,
     housings,
     ring_places,
     spindle_radius,
@@ -52,6 +56,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
     """
     found: list[SceneSolid] = []
     notes: list[str] = []
+    cover = covers(model)
     thinner = thinning(model)
     for name in model.gears:
         body = model.body_of(name)
@@ -70,7 +75,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
     for name, part in model.bodies.items():
         if part.solid is not None:
             try:
-                found.append(_from_file(model, name, at))
+                found.append(_from_file(model, name, at, cover.get(name)))
             except GeometryError as error:
                 notes.append(f"body {name} is not drawn: {error}")
         elif name not in model.shafts and part.gears:
@@ -88,8 +93,10 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
         notes.append("rings of linear bearings and plates of carriers show where they are, not how large")
     shapes = {n for n, part in model.bodies.items() if part.gears or part.solid is not None}
     shapes |= {*plates, *frames}
-    more, said = schematics(model, at, shapes | set(model.shafts))
-    return found + more, notes + said
+    wheels, lacking = ratio_parts(model, at)
+    wheeled = {n for n in model.bodies if at.names.get(n) in {solid.body for solid in wheels}}
+    more, said = schematics(model, at, shapes | set(model.shafts), wheeled)
+    return [*found, *more, *joining_parts(model, at), *wheels], [*notes, *said, *lacking]
 
 
 def thinning(model: Model) -> dict[str, float]:
@@ -194,11 +201,12 @@ def _rolling_bearing(model: Model, name: str, at: Places) -> list[SceneSolid]:
     return found
 
 
-def _from_file(model: Model, name: str, at: Places) -> SceneSolid:
-    """The surface of a file, in the axes of its body."""
+def _from_file(model: Model, name: str, at: Places, cover: str | None) -> SceneSolid:
+    """The surface of a file, in the axes of its body; what covers others is seen through."""
     reference = model.bodies[name].solid
     assert reference is not None
     corners = placed_triangles(read_triangles(reference.file), reference.unit or 1.0)
     corners = (corners - np.array(reference.origin or (0.0, 0.0, 0.0))) @ frame(reference.axes)
     number, place, axes = at.own(name)
-    return _solid(name, "body", number, corners @ axes.T + place, creases=20.0)
+    solid = _solid(name, cover or "body", number, corners @ axes.T + place, creases=20.0)
+    return replace(solid, see_through=cover is not None)

@@ -159,6 +159,32 @@ def _carrier(model: Model, at: Places, name: str, pins: list[tuple[Joint, Array]
     ]
 
 
+def covers(model: Model) -> dict[str, str]:
+    """Bodies whose solids would hide what they hold, by name: "housing", or "carrier" if they turn.
+
+    They are fixed, or something runs in a bearing that sits in them, or gears turn on them; what carries
+    gears itself and moves is no cover, nor is a shaft.
+    """
+    rings = [p.ends[1] for g in (model.rolling_bearings, model.plain_bearings) for p in g.values()]
+    seats = [b.housing or GROUND for b in model.bearings.values()]
+    pins = [j.bodies for j in model.joints.values() if j.type == "revolute"]
+    carrying = [on for on, body in pins if body != GROUND and model.bodies[split(body)[0]].gears]
+    holding = {split(end)[0] for end in (*rings, *seats, *carrying)}
+    found = {}
+    for name, body in model.bodies.items():
+        kind = joint_type(model, name) or body.moves
+        if name in model.shafts or (kind != "fixed" and (name not in holding or body.gears)):
+            continue
+        found[name] = "carrier" if kind in ("torsion", "revolute") else "housing"
+    return found
+
+
+def joint_type(model: Model, body: str) -> str | None:
+    """Type of the joint that carries a body; none where none does."""
+    joint = model.joints.get(model.bodies[body].joint or "")
+    return None if joint is None else joint.type
+
+
 def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
     """Bars along the edges of a box around what two bearings or more hold, by the body that holds them.
 

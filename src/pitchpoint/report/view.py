@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -59,8 +61,45 @@ def write_view(
 
     path = check_target(path_out, "page", files_of(*sources))
     scenes = [_scene(source, allow_code, modes) for source in sources]
+    if len(scenes) > 1:
+        names = file_labels([_name(source) for source in sources])
+        scenes = [replace(scene, label=name) for scene, name in zip(scenes, names, strict=True)]
     written = write_file(path, scene_page(*scenes))
     return written, tuple(dict.fromkeys(note for s in scenes for note in s.notes))
+
+
+def file_labels(files: Sequence[str]) -> list[str]:
+    """Names of files without the folders that they share; nothing for what comes from no file.
+
+    Parameters
+    ----------
+    files
+        Paths, empty where there is none.
+
+    Examples
+    --------
+    >>> file_labels(["out/healthy.h5", "out/broken.h5"])
+    ['healthy.h5', 'broken.h5']
+    >>> file_labels(["monday/night/run.h5", "tuesday/night/run.h5"])
+    ['monday/night/run.h5', 'tuesday/night/run.h5']
+    """
+    parts = [Path(file).absolute().parts if file else () for file in files]
+    for count in range(1, max(map(len, parts)) + 1):
+        found = ["/".join(each[-count:]) for each in parts]
+        if len(set(found)) == len(found):
+            return found
+    return [Path(file).name if file else "" for file in files]
+
+
+def _name(source: Model | str | os.PathLike[str] | xr.Dataset) -> str:
+    """File that a source comes from, nothing if it comes from none."""
+    from pitchpoint.model.model import Model
+
+    if isinstance(source, Model):
+        return source.file or ""
+    if isinstance(source, str | os.PathLike):
+        return os.fspath(source)
+    return str(source.encoding.get("source", ""))
 
 
 def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool, modes: int) -> Scene:

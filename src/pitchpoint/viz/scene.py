@@ -288,6 +288,8 @@ class Scene:
     ----------
     title, subtitle
         Words above the scene.
+    label
+        Name of the file that it shows, to tell it from another beside it.
     up
         Direction that points up on the screen, shape (3,).
     bodies, solids, arrows, contacts, channels, spectra, maps, marks, modes
@@ -300,6 +302,7 @@ class Scene:
 
     title: str
     subtitle: str = ""
+    label: str = ""
     up: tuple[float, float, float] = (0.0, 1.0, 0.0)
     bodies: Sequence[SceneBody] = ()
     solids: Sequence[SceneSolid] = ()

@@ -57,6 +57,7 @@ def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
         "format": FORMAT,
         "title": scene.title,
         "subtitle": scene.subtitle,
+        **({"label": scene.label} if scene.label else {}),
         "up": list(scene.up),
         "bodies": [_body(b, r, block) for b, r in zip(scene.bodies, reach, strict=True)],
         "solids": [_solid(s, block) for s in scene.solids],
