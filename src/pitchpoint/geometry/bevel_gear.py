@@ -313,7 +313,7 @@ class BevelGear:
 
     @property
     def z_vn(self) -> float:
-        """Virtual number of teeth in the normal section z_v / (cos² β_b cos β_m) [-], as for helical gears."""
+        """Virtual number of teeth in the normal section z_v / (cos² β_b cos β_m) [-], as for helices."""
         return self.z_v / (math.cos(self.beta_b) ** 2 * math.cos(self.beta_m))
 
     # --- tooth thickness ------------------------------------------------------------------------------

@@ -16,9 +16,6 @@ from functools import cached_property
 from pitchpoint.core.errors import GeometryError, Problem
 from pitchpoint.geometry.bevel_gear import BevelGear
 
-CLOSE = 1e-9
-"""How well angles and cone distances of both gears agree: radians, and parts of the length."""
-
 
 def pitch_angles(z1: int, z2: int, Sigma: float) -> tuple[float, float]:
     """Pitch cone angles of a pair of bevel gears.
@@ -91,7 +88,7 @@ class BevelPair:
     ...     for z, delta in ((20, delta1), (40, delta2)))
     >>> pair = BevelPair(one, two, math.radians(90.0))
     >>> round(pair.eps_alpha, 4), abs(pair.sigma_w - one.sigma_w) < 1e-15, pair.problems()
-    (1.68, True, [])
+    (1.7137, True, [])
     """
 
     gear1: BevelGear
@@ -224,14 +221,14 @@ class BevelPair:
         Parameters
         ----------
         angle1
-            Azimuth of a tooth of gear 1, at R_m on the pitch cone [rad].
+            Azimuth of a tooth of gear 1, on its pitch cone at its R_m [rad].
         ray1, ray2
             Azimuths of the pitch ray in the frames of both gears [rad].
 
         Returns
         -------
         float
-            Azimuth of a tooth of gear 2 in its frame [rad], nearest to `ray2`.
+            Azimuth of a tooth of gear 2 in its frame, on its pitch cone at its own R_m [rad]; near `ray2`.
 
         Notes
         -----
@@ -247,7 +244,8 @@ class BevelPair:
         """
         z1, z2 = self.gear1.z, self.gear2.z
         phase = math.remainder(math.pi - z1 * (angle1 - ray1), 2.0 * math.pi)
-        return ray2 + phase / z2
+        # spiral teeth stand elsewhere at another cone distance
+        return ray2 + phase / z2 + self.gear2.spiral_rate * math.log(self.gear2.R_m / self.gear1.R_m)
 
     def problems(
         self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2"), gears: bool = True
