@@ -97,16 +97,24 @@ def mesh_laws(model: Model, name: str) -> MeshLaws:
 def contact_damping(
     damping: ContactDamping, pair: GearPair, stiffness: Description, k: float, critical: float
 ) -> dict[str, Any]:
+    """Damping of touching flanks of cylindrical gears; see `flank_damping`."""
+    whole = stiffness.c_prime * pair.b_w if isinstance(stiffness, PairShape) else None
+    return flank_damping(damping, math.cos(pair.gear1.beta_b), whole, k, critical)
+
+
+def flank_damping(
+    damping: ContactDamping, cos_b: float, whole: float | None, k: float, critical: float
+) -> dict[str, Any]:
     """Damping of touching flanks along the base tangent, at the mean stiffness k.
 
     Along the base tangent a force is cos(beta_b) of that normal to the flanks and an overlap 1/cos(beta_b).
+    `whole`: stiffness of one pair that touches over the whole width; None without pairs [N/m].
     """
-    cos_b = math.cos(pair.gear1.beta_b)
     if damping.restitution is not None:
         return {"chi": restitution_factor(damping.restitution) / damping.speed * cos_b}
     if damping.pair is not None:
-        assert isinstance(stiffness, PairShape)  # the model layer asks for a law of one pair
-        d_in = damping.pair * cos_b**2 * k / (stiffness.c_prime * pair.b_w)
+        assert whole is not None  # the model layer asks for a law of one pair
+        d_in = damping.pair * cos_b**2 * k / whole
     else:
         d_in = (damping.d_in if damping.ratio is None else damping.ratio * critical) or 0.0
     d_out = d_in if damping.d_out is None else damping.d_out
