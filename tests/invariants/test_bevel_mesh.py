@@ -24,7 +24,7 @@ PAIRS = {
 CONSTANT = PhaseStiffness(mean=4e8)
 PAIR = PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)
 BARE = PairShape(c_prime=14e9, S_R=0.8)
-SOFT = PairShape(c_prime=14e9, S_R=0.8, T_R=0.3, load_limit=1e5)
+SOFT = PairShape(c_prime=14e9, S_R=0.8, load_limit=1e5)
 every_pair = pytest.mark.parametrize("pair", PAIRS)
 both_flanks = pytest.mark.parametrize("flank", [1, -1])
 both_laws = pytest.mark.parametrize("shape", [CONSTANT, PAIR], ids=["constant", "pair"])
@@ -200,9 +200,7 @@ def test_power_balance(pair, shape, flank, motion):
     stored = (energy[1] - energy[0]) / (2 * h)
     lost = m.get("friction_power") + m.get("damping_power")
     parts = (given, m.get("parametric_power"), stored, lost)
-    # nodes of spiral teeth move with the kinks: exact for polynomials, not for the power 4/3 of low loads
-    left = 1e-3 if shape is SOFT and m.row["tan_b"] != 0.0 else 2e-6
-    assert abs(given + parts[1] - stored - lost) < left * max(abs(p) for p in parts)
+    assert abs(given + parts[1] - stored - lost) < 2e-6 * max(abs(p) for p in parts)
     assert lost > 0.0
 
 
@@ -255,17 +253,19 @@ def test_leaning_gears_touch_along_a_part_of_the_width(beta, flank):
     apart = np.zeros(6)
     apart[:3] = 4e-5 * m.axes[1][:, 2] + 3e-5 * np.cross(m.axes[0][:, 2], m.axes[1][:, 2])
     m.frames = moved(m.frames, 1, apart)
-    m.press(2e-6, flank)
-    F = m.evaluate()
+    m.evaluate()
     row = m.row
+    cos_a, sin_a = row["cos_a"], math.sqrt(1.0 - row["cos_a"] ** 2)
+    across = flank * cos_a * row["t"] + sin_a * row["e"] - flank * row["tan_b"] * row["m"]
+    m.press(-across @ row["d"], flank)  # at mid-face they just touch
+    F = m.evaluate()
     n = 40_000
     R = row["R_m"] + row["z_lo"] + (row["z_hi"] - row["z_lo"]) * (np.arange(n) + 0.5) / n
     force, moment, touched = np.zeros(3), 0.0, []
-    N, p = np.array(row["N"]), np.array(row["m"])
+    N, p = sin_a * row["t"] - flank * cos_a * row["e"], np.array(row["m"])
     psi = m.get("mesh_phase")
     if flank < 0:
         psi = float(row["start"][1] + (row["xi_b"] - row["travel"]) / row["p_bt"]) % 1.0
-    N = math.sqrt(1 - row["cos_a"] ** 2) * row["t"] - flank * row["cos_a"] * row["e"]
     for q in range(-4, 5):
         place = psi + q + flank * row["tan_b"] * row["R_m"] / row["p_bt"] * np.log(R / row["R_m"])
         sigma = (row["xi_A"] + place * row["p_bt"]) / row["R_m"]
@@ -274,43 +274,47 @@ def test_leaning_gears_touch_along_a_part_of_the_width(beta, flank):
         x = R * (flank * row["u"] - 0.5 * row["gap"]) / row["R_m"] + normal @ row["d"]
         zeta = 2 * place / row["eps"] - 1
         k = 14e9 * (1 - 0.2 * zeta**2) * (abs(zeta) <= 1) * (row["z_hi"] - row["z_lo"]) / n
-        touched.append((x > 0) & (k > 0))
+        touched.append([((x > 0) & (k > 0)).sum(), (k > 0).sum()])
         f = k * np.maximum(x, 0)
         force += f @ normal
         moment += f @ R
-    share = np.sum(touched) / max(1, np.sum([(k > 0).sum() for k in touched]) * 1.0)
-    assert 0.0 < share
+    touching, in_mesh = np.sum(touched, axis=0)
+    assert 0.2 < touching / in_mesh < 0.8
     assert abs(F[1, :3] - force).max() < 1e-4 * abs(force).max()
     assert m.get("mesh_force") == pytest.approx(flank * moment / row["R_m"], rel=1e-4)
+
+
+def limit(Sigma, beta, flank):
+    """Largest differences between a bevel pair and the cylindrical one, over the force, and b/R_m."""
+    z1, z2, b, shape = 25, 60, 0.03, PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)
+    bevels = make_bevels(z1, z2, Sigma, beta, 3e-3, b)
+    m = OneBevel(bevels, MeshLaws(stiffness=shape), backlash=3e-5, apexes=(0.0, 0.0))
+    pair = make_pair(z1, z2, beta, 3e-3, b, widening=0.0)
+    straight = OneMesh(pair, MeshLaws(stiffness=shape), backlash=3e-5)
+    left = [m.row["r_b1"] / straight.row["r_b1"] - 1.0, m.row["r_b2"] / straight.row["r_b2"] - 1.0]
+    for _ in range(3):
+        way = 0.31 * straight.row["p_bt"]
+        straight.frames["phi"] += [way / straight.row["r_b1"], -way / straight.row["r_b2"]]
+        m.roll(0.31)
+        straight.press(1e-5, flank)
+        m.press(1e-5, flank)
+        left += [m.row["eps"] - pair.eps_alpha, m.get("mesh_phase") - straight.get("mesh_phase")]
+        scale = abs(straight.get("mesh_force"))
+        for name in ("mesh_force", "circumferential_force", "radial_force", "axial_force", "normal_force"):
+            left.append((m.get(name) - straight.get(name)) / scale)
+        for name in ("mesh_stiffness", "elastic_energy", "penetration"):
+            left.append(m.get(name) / straight.get(name) - 1.0)
+    return max(abs(x) for x in left), b / bevels.R_m
 
 
 @pytest.mark.parametrize("beta", [0.0, 0.3])
 @both_flanks
 def test_cylindrical_limit(beta, flank):
-    """Shafts a thousandth of a radian apart: forces and stiffness of the cylindrical pair, to b/R_m and to
-    the square of the cone angles, with one c' and one backlash."""
-    Sigma, z1, z2, b = 1e-3, 25, 60, 0.03
-    shape = PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)
-    m = OneBevel(
-        make_bevels(z1, z2, Sigma, beta, 3e-3, b), MeshLaws(stiffness=shape), backlash=3e-5, apexes=(0.0, 0.0)
-    )
-    near = b / m.pair.R_m
-    straight = OneMesh(make_pair(z1, z2, beta, 3e-3, b, widening=0.0), MeshLaws(stiffness=shape), backlash=3e-5)
-    assert m.row["r_b1"] == pytest.approx(straight.row["r_b1"], rel=1e-5)
-    m.evaluate()
-    assert m.row["eps"] == pytest.approx(straight.pair.eps_alpha, rel=1e-4)
-    for _ in range(3):
-        way = 0.31 * straight.row["p_bt"]
-        straight.frames["phi"] += [way / straight.row["r_b1"], -way / straight.row["r_b2"]]
-        straight.press(1e-5, flank)
-        m.roll(0.31)
-        m.press(1e-5, flank)
-        assert m.get("mesh_phase") == pytest.approx(straight.get("mesh_phase"), abs=1e-3)
-        for name in ("mesh_force", "mesh_stiffness", "circumferential_force", "radial_force", "normal_force"):
-            assert m.get(name) == pytest.approx(straight.get(name), rel=near)
-        F, S = m.get("axial_force"), straight.get("axial_force")
-        assert S == pytest.approx(F, abs=near * abs(m.get("mesh_force")))
-        assert m.get("elastic_energy") == pytest.approx(straight.get("elastic_energy"), rel=near)
+    """As the shaft angle goes to zero, with one c' and one backlash: phase, forces and stiffness of the
+    cylindrical pair, to the order of b/R_m, which here is also that of the cone angles."""
+    coarse, fine = (limit(Sigma, beta, flank) for Sigma in (4e-3, 1e-3))
+    assert fine[0] < 10.0 * fine[1] < 3e-3
+    assert fine[0] == pytest.approx(0.25 * coarse[0], rel=0.1)
 
 
 @every_pair
@@ -329,7 +333,9 @@ def test_events_change_sign_where_flanks_touch(pair):
 def test_contact_damping_grows_with_the_penetration(smooth, share):
     """At a quarter of s_0, on a face so narrow that the penetration is even: 1/4 of the damping, or
     t^2 (3 - 2 t) = 0.15625 of it."""
-    m = OneBevel(make_bevels(b=1e-5), MeshLaws(stiffness=CONSTANT, d_in=2e4, d_out=2e4, s_0=4e-5, smooth=smooth))
+    m = OneBevel(
+        make_bevels(b=1e-5), MeshLaws(stiffness=CONSTANT, d_in=2e4, d_out=2e4, s_0=4e-5, smooth=smooth)
+    )
     m.press(1e-5)
     at_rest = m.get("mesh_force")
     m.frames["tw"][0, 3:] = 0.01 / m.row["r_b1"] * m.axes[0][:, 2]

@@ -21,7 +21,10 @@ ROWS = 6
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
 _GEOMETRY = [
-    ("carried", "i8"),  # 1: the plane of the axes goes round with a carrier, and whole base pitches are dropped
+    (
+        "carried",
+        "i8",
+    ),  # 1: the plane of the axes goes round with a carrier, and whole base pitches are dropped
     ("z1", "i8"),
     ("z2", "i8"),  # numbers of teeth, signed by the side that the cone opens to
     ("r_b1", "f8"),
@@ -72,7 +75,11 @@ _LAW = [
 #: Scratch: filled and read within one call, carries nothing from call to call.
 _SCRATCH = [
     ("axis", "f8", (2, 3)),  # from the apex into each gear
-    ("away", "f8", (2, 3)),  # t x axis: across it, from gear 1 towards the pitch ray, from gear 2 away from it
+    (
+        "away",
+        "f8",
+        (2, 3),
+    ),  # t x axis: across it, from gear 1 towards the pitch ray, from gear 2 away from it
     ("P", "f8", 3),  # pitch point: on the pitch ray at R_m
     ("m", "f8", 3),  # pitch ray p
     ("e", "f8", 3),  # q, across the pitch ray in the plane of the axes, towards gear 2
@@ -106,7 +113,11 @@ _SCRATCH = [
     ("lever", "f8", ROWS),  # of one node: cos(sigma), sin(sigma), R; 1, R cos(sigma), R sin(sigma)
     ("acc", "f8", ROWS),  # forces over the rows
     ("T", "f8", (ROWS, ROWS)),  # tangents over the rows
-    ("more", "f8", 7),  # stiffness, friction, damping and parametric power, energy, force, nearest: see the sums
+    (
+        "more",
+        "f8",
+        7,
+    ),  # stiffness, friction, damping and parametric power, energy, force, nearest: see the sums
     ("pair", "f8", MAX_PAIRS),
     ("basis_i", "f8", (ROWS, 6)),
     ("basis_j", "f8", (ROWS, 6)),

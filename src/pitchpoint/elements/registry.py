@@ -111,7 +111,16 @@ _KINDS: dict[str, Kind] = {
 }
 MASSLESS = frozenset(
     {
-        *("bearing", "bevel_mesh", "bushing", "clearance_bearing", "coupling", "damping", "force", "gear_mesh"),
+        *(
+            "bearing",
+            "bevel_mesh",
+            "bushing",
+            "clearance_bearing",
+            "coupling",
+            "damping",
+            "force",
+            "gear_mesh",
+        ),
         *("gravity", "rolling_bearing", "spring_damper", "torque"),
         *("closure", "drive", "ratio"),
     }
