@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where two bevel gears touch: plane of action, travel and phase from two frames, and directions of the force.
+"""Where two bevel gears touch: plane of action, travel and phase from two frames, directions of the force.
 
 The pitch ray p, q across it towards gear 2 and t = p x q follow from the two axes a1, a2 that lead from the
 apexes into the gears: t is normal to both, and p divides the angle between them so that the sines of its
@@ -14,9 +14,9 @@ base tangent at the cone distance R is
 
     x = R (f u - gap/2)/R_m + (e - f tan(beta_b) r) . d
 
-with u and gap at R_m. Its gradient at frozen R and sigma is the wrench of a unit force: -(e - f tan(beta_b) r)
-at the apex of gear 1, a couple R N, and a couple for the turn of e with the axes. So forces can neither create
-nor lose energy, and since x is invariant, action is reaction.
+with u and gap at R_m. Its gradient at frozen R and sigma is the wrench of a unit force: e - f tan(beta_b) r
+at the apexes, a couple R N, and a couple for the turn of e with the axes. So forces can neither create nor
+lose energy, and since x is invariant, action is reaction.
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ _GEOMETRY = [
     (
         "carried",
         "i8",
-    ),  # 1: the plane of the axes goes round with a carrier, and whole base pitches are dropped
+    ),  # 1: the plane of the axes goes round with a carrier; whole base pitches drop out
     ("z1", "i8"),
     ("z2", "i8"),  # numbers of teeth, signed by the side that the cone opens to
     ("r_b1", "f8"),
@@ -79,7 +79,7 @@ _SCRATCH = [
         "away",
         "f8",
         (2, 3),
-    ),  # t x axis: across it, from gear 1 towards the pitch ray, from gear 2 away from it
+    ),  # t x axis: from gear 1 towards the pitch ray, from gear 2 away from it
     ("P", "f8", 3),  # pitch point: on the pitch ray at R_m
     ("m", "f8", 3),  # pitch ray p
     ("e", "f8", 3),  # q, across the pitch ray in the plane of the axes, towards gear 2
@@ -117,7 +117,7 @@ _SCRATCH = [
         "more",
         "f8",
         7,
-    ),  # stiffness, friction, damping and parametric power, energy, force, nearest: see the sums
+    ),  # fields named in `bevel_mesh_sums`
     ("pair", "f8", MAX_PAIRS),
     ("basis_i", "f8", (ROWS, 6)),
     ("basis_j", "f8", (ROWS, 6)),

@@ -159,7 +159,7 @@ def _ray(b, p):
 
 @kernel
 def _line_at(b, p_0, R):
-    """Path position of a contact line at the cone distance R; the log of 1 is not taken for straight teeth."""
+    """Path position of a contact line at the cone distance R; along straight teeth always the same."""
     if b["lam"] == 0.0:
         return p_0
     return p_0 + b["lam"] * math.log(R / b["R_m"])

@@ -20,7 +20,7 @@ STEP = 2e-4
 
 @kernel
 def _sample(b, f, g, body, motion, h, flank):
-    """The rows with one body moved by h along an axis of the world, or its spin axis turned by h about one."""
+    """The rows with one body moved by h along an axis of the world, or its axis turned by h about one."""
     at = triple(body["r"], 0)
     axis = column(body["R"], 2)
     turned = cross(unit(motion - 3), axis)
