@@ -148,6 +148,13 @@ def crown_tool(gear: BevelGear) -> CrownTool:
     GeometryError
         If the crown gear's teeth are pointed above the root cone.
 
+    Examples
+    --------
+    >>> from pitchpoint.geometry.bevel_gear import BevelGear
+    >>> tool = crown_tool(BevelGear(z=20, m_mn=2.5e-3, delta=math.atan(0.5), b=0.02))
+    >>> round(math.degrees(tool.rho), 4), round(math.degrees(tool.polar), 4)
+    (0.9737, 92.227)
+
     Notes
     -----
     The crown gear has δ = 90° and δ_b = 90° − α_t; its teeth are as thick as the spaces of the gear. A curve
@@ -292,6 +299,13 @@ def placed(gear: BevelGear, polar: FloatArray, azimuth: FloatArray, R: FloatArra
     -------
     ndarray, shape (..., 3)
         Points, turned by tan β_m / sin δ · ln(R/R_m) [m].
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.bevel_gear import BevelGear
+    >>> gear = BevelGear(z=20, m_mn=2.5e-3, delta=math.atan(0.5), b=0.02, beta_m=0.5)
+    >>> [round(float(c), 6) for c in placed(gear, np.array(gear.delta), np.array(0.0), gear.R_m)]
+    [0.028487, 0.0, 0.056974]
     """
     polar, azimuth, R = np.broadcast_arrays(polar, azimuth, R)
     turned = azimuth + gear.spiral_rate * np.log(R / gear.R_m)
@@ -300,5 +314,27 @@ def placed(gear: BevelGear, polar: FloatArray, azimuth: FloatArray, R: FloatArra
 
 
 def at_cone(gear: BevelGear, polar: FloatArray, R: float) -> FloatArray:
-    """Distances from the apex of points on the cone that is perpendicular to the pitch cone at R [m]."""
+    """Distances from the apex of points on the cone that is perpendicular to the pitch cone.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    polar
+        Polar angles of the points [rad].
+    R
+        Distance from the apex at which the cone crosses the pitch cone [m].
+
+    Returns
+    -------
+    ndarray
+        [m].
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.bevel_gear import BevelGear
+    >>> gear = BevelGear(z=20, m_mn=2.5e-3, delta=math.atan(0.5), b=0.02)
+    >>> at_cone(gear, np.array([gear.delta]), 0.06).tolist()
+    [0.06]
+    """
     return np.asarray(R / np.cos(polar - gear.delta))

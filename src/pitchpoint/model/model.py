@@ -14,6 +14,7 @@ from pitchpoint.core.errors import ModelError, Problem
 from pitchpoint.model.components.actuator import ACTUATORS, Actuator
 from pitchpoint.model.components.beam import Beam
 from pitchpoint.model.components.bearing import Bearing
+from pitchpoint.model.components.bevel_gear import BevelGear
 from pitchpoint.model.components.block import BLOCKS, Block
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.bushing import Bushing
@@ -94,6 +95,7 @@ class Model:
         sample="[0, 0, -9.81 m/s^2]",
     )
     gears: Mapping[str, Gear] = key("components", "the gears by name", {}, of=Gear)
+    bevel_gears: Mapping[str, BevelGear] = key("components", "the bevel gears by name", {}, of=BevelGear)
     bodies: Mapping[str, Body] = key("components", "bodies, with the gears that they carry", {}, of=Body)
     shafts: Mapping[str, Shaft] = key("components", "elastic shafts, with the gears on them", {}, of=Shaft)
     elastic_bodies: Mapping[str, ElasticBody] = key(
@@ -277,11 +279,12 @@ class Model:
 
     def body_of(self, gear: str) -> str | None:
         """Name of the body that carries a gear, None without bodies."""
-        return next((name for name, body in self.bodies.items() if gear in body.gears), None)
+        carriers = (n for n, body in self.bodies.items() if gear in body.gears or gear in body.bevel_gears)
+        return next(carriers, None)
 
     def body_inertia(self, body: str) -> BodyInertia:
         """Mass and moments of inertia of a body, given or summed over its gears."""
-        return body_inertia(self.bodies[body], self.gears)
+        return body_inertia(self.bodies[body], self.gears, self.bevel_gears)
 
     def start_speeds(self, scenario: str | Scenario) -> dict[str, float]:
         """Speed of every body at the start of a scenario [rad/s], through the gear ratios.
