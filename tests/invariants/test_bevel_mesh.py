@@ -64,7 +64,7 @@ def slope(m, value, bodies=(0, 1)):
 @both_flanks
 @pytest.mark.parametrize("sides", [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0)])
 def test_torques_are_as_the_numbers_of_teeth(pair, flank, sides):
-    """T2/T1 = z2/z1 exactly, whatever the phase and the shaft angle; both are base radius times mesh_force."""
+    """T2/T1 = z2/z1 exactly, whatever the phase; both are base radius times mesh_force."""
     m = mesh(pair, PAIR, sides)
     for _ in range(3):
         m.roll(0.37)
@@ -153,7 +153,7 @@ def test_exact_tangents_are_derivatives_of_the_force(pair, flank, laws):
 @every_pair
 @both_flanks
 def test_tangents_of_pairs_with_friction(pair, flank):
-    """Newton's matrix of tooth pairs, at frozen phase and plane: over the travel alone the force is linear."""
+    """Newton's matrix of tooth pairs, at frozen phase and plane: linear over the travel."""
     m = mesh(pair, PairShape(c_prime=14e9, S_R=1.0, T_R=0.0), mu=0.1, v_eps=1.0)
     m.press(2e-5, flank)
     m.frames["tw"][:, 3:] = [1.2 * m.axes[0][:, 2], -0.6 * m.axes[1][:, 2]]
@@ -344,7 +344,7 @@ def test_contact_damping_grows_with_the_penetration(smooth, share):
 
 
 def test_sliding_is_that_of_two_rolling_cones():
-    """The power lost at the friction mu F_n along the line of action: |omega_1 - omega_2| R sin(sigma) each."""
+    """Each pair loses mu F_n |omega_1 - omega_2| R sin(sigma)."""
     m = OneBevel(make_bevels(b=1e-5), MeshLaws(stiffness=PAIR, mu=0.1, v_eps=1e-6))
     m.roll(0.4)
     m.press(1e-5)

@@ -12,12 +12,20 @@ from numpy.typing import NDArray
 
 from pitchpoint.contact.mesh_cycle import pair_cycle
 from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
+from pitchpoint.contact.stiffness.din3990 import LOW_LOAD, VirtualTooth, stiffness_of_teeth
 from pitchpoint.elements import bevel_mesh_record as layout
 from pitchpoint.geometry.bevel_gear import spherical_involute
+from pitchpoint.model.bevel_places import pitch_ray
+from pitchpoint.model.components.stiffness import ConstantStiffness
+from pitchpoint.model.frames import body_frame
+from pitchpoint.model.mechanism import seat_frame
+from pitchpoint.system.rules.bank import Bank, pack
+from pitchpoint.system.rules.bodies import seat_at
+from pitchpoint.system.rules.mesh_laws import MeshLaws, flank_losses
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel_pair import BevelPair
-    from pitchpoint.system.rules.mesh_laws import MeshLaws
+    from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
 
@@ -49,11 +57,7 @@ class Placement:
 def pitch_rays(place: Placement) -> tuple[float, float]:
     """Angles of the pitch ray about +z of both bodies at rest, from their x axes [rad]."""
     one, two = place.sides[0] * place.axes1[:, 2], place.sides[1] * place.axes2[:, 2]
-    found = []
-    for axes, own, other in ((place.axes1, one, two), (place.axes2, two, one)):
-        x, y, _ = axes.T @ (other - (other @ own) * own)
-        found.append(math.atan2(y, x))
-    return found[0], found[1]
+    return pitch_ray(place.axes1, one, two), pitch_ray(place.axes2, two, one)
 
 
 def square_mean(pair: BevelPair) -> float:
@@ -146,3 +150,64 @@ def bevel_row(pair: BevelPair, place: Placement, laws: MeshLaws, backlash: float
     row["mu_s"] = laws.mu if laws.mu_s is None else laws.mu_s
     row["v_s"] = laws.v_eps if laws.v_s is None else laws.v_s
     return row
+
+
+def bevel_stiffness(model: Model, name: str) -> Description:
+    """Stiffness description of a bevel mesh, by the law that its model names."""
+    law = model.bevel_meshes[name].stiffness
+    if isinstance(law, ConstantStiffness):
+        return PhaseStiffness(mean=law.value)
+    pair = model.bevel_pairs[name]
+    c_prime = law.single_stiffness
+    if c_prime is None:
+        one, two = (
+            VirtualTooth(g.z_vn, g.x_hm, g.rack.h_fP_star, g.alpha_n, g.beta_m)
+            for g in (pair.gear1, pair.gear2)
+        )
+        E1, E2 = (model.bevel_gears[g].material_data.youngs_modulus for g in model.bevel_meshes[name].gears)
+        c_prime = stiffness_of_teeth((one, two), pair.eps_alpha, moduli=(E1, E2)).c_prime
+    limit = LOW_LOAD / math.cos(pair.alpha_t) if law.low_load else 0.0
+    return PairShape(c_prime=c_prime, S_R=law.stiffness_ratio, T_R=law.tip_relief_factor, load_limit=limit)
+
+
+def bevel_laws(model: Model, name: str) -> MeshLaws:
+    """Stiffness, damping and friction of one bevel mesh; ratios become damping rates."""
+    mesh, pair = model.bevel_meshes[name], model.bevel_pairs[name]
+    stiffness = bevel_stiffness(model, name)
+    k = mean_stiffness(pair, stiffness)
+    whole = stiffness.c_prime * square_mean(pair) if isinstance(stiffness, PairShape) else None
+    radii = [pair.R_m * math.sin(g.delta_b) for g in (pair.gear1, pair.gear2)]
+    losses = flank_losses(model, mesh, radii, (math.cos(pair.beta_b), whole, k))
+    return MeshLaws(stiffness=stiffness, k_ref=k, **losses)
+
+
+def _seat(model: Model, gear: str) -> tuple[int, float, float, Array]:
+    """Number of the frame that carries a gear, place of the apex along it [m], angle of tooth 0 in it at rest
+    [rad], and its axes."""
+    body = str(model.body_of(gear))
+    axes = seat_frame(model, model.mechanism.seats[body])[1]
+    number, apex = seat_at(model, body, model.bodies[body].bevel_gears[gear])
+    x, y, _ = axes.T @ body_frame(model, body)[1][:, 0]
+    return number, apex, model.bevel_angles[gear] + math.atan2(y, x), axes
+
+
+def bevel_bank(model: Model) -> Bank:
+    """All bevel meshes."""
+    rows, names = [], []
+    for name, mesh in model.bevel_meshes.items():
+        if None in [model.body_of(g) for g in mesh.gears]:
+            continue
+        one, two = (_seat(model, g) for g in mesh.gears)
+        sides = [model.bevel_gears[g].direction for g in mesh.gears]
+        place = Placement(
+            axes1=one[3],
+            axes2=two[3],
+            apexes=(one[1], two[1]),
+            sides=(sides[0], sides[1]),
+            angles=(one[2], two[2]),
+        )
+        row = bevel_row(model.bevel_pairs[name], place, bevel_laws(model, name), model.backlash(name))
+        row["i"], row["j"] = one[0], two[0]
+        rows.append(row)
+        names.append(name)
+    return pack("bevel_mesh", layout.RECORD, rows, names)
