@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from pitchpoint.geometry.bevel_gear import BevelGear
 
 FloatArray = NDArray[np.float64]
+_FINE_SLICES = 400
+"""Slices of a solid, at most."""
 _TURN = math.radians(5.0)
 """Twist between two levels of the wall of a bore."""
 
@@ -113,7 +115,7 @@ def bevel_outline(
     return BevelOutline(region, cones, np.concatenate(parts))
 
 
-def bevel_slices(gear: BevelGear, error: float) -> FloatArray:
+def bevel_slices(gear: BevelGear, error: float, most: int = MOST_SLICES) -> FloatArray:
     """Cone distances between which a tooth may be drawn straight [m], from R_i to R_e.
 
     Parameters
@@ -122,6 +124,8 @@ def bevel_slices(gear: BevelGear, error: float) -> FloatArray:
         The gear.
     error
         Largest distance of a chord from the spiral on its tip cone [m].
+    most
+        Number of slices at most.
 
     Examples
     --------
@@ -132,7 +136,7 @@ def bevel_slices(gear: BevelGear, error: float) -> FloatArray:
     if gear.beta_m == 0.0:
         return np.array([gear.R_i, gear.R_e])
     count = 2
-    while count < MOST_SLICES:
+    while count < most:
         at = np.geomspace(gear.R_i, gear.R_e, 2 * count + 1)
         line = placed(gear, np.full(at.size, gear.delta_a), np.zeros(at.size), at)
         chord = line[2::2] - line[:-2:2]
@@ -294,7 +298,7 @@ def bevel_solid(
     sector = bevel_sector(
         gear,
         bevel_outline(gear, 10.0 * fine, n_flank),
-        bevel_slices(gear, fine),
+        bevel_slices(gear, fine, _FINE_SLICES),
         bore_diameter=bore_diameter,
         rim_thickness=rim_thickness,
         corners=max(ROUND, math.ceil(math.pi / math.acos(1.0 - 10.0 * fine / gear.R_e))),

@@ -181,6 +181,8 @@ def crown_tool(gear: BevelGear) -> CrownTool:
         return polar, sigma, half_space + at_pitch - spherical_involute(sigma, base) - rho / s
 
     rho = gear.rack.rho_fP_star * gear.m_mn / gear.R_m
+    if abs(rho - gear.theta_f) < 1e-6 * rho:
+        rho *= 1.0 - 1e-6  # the great circle from the pitch ray through a centre on it has no direction
     if not center(0.0)[2] > 0.0:
         raise GeometryError(
             "modules end beyond the point of the tool",
@@ -201,7 +203,8 @@ def _generated(tool: CrownTool, gear: BevelGear, tau: FloatArray) -> tuple[Float
     s, c = math.sin(tool.polar), math.cos(tool.polar)
     x, y = s * np.cos(turn), s * np.sin(turn)
     beside = np.hypot(y, c)
-    a, b = math.cos(tool.rho), math.sin(tool.rho) / beside
+    # from a centre on the other side of the pitch plane the tip lies towards the pitch ray
+    a, b = math.cos(tool.rho), math.copysign(math.sin(tool.rho), -c) / beside
     x, y, z = a * x - b * beside**2, (a + b * x) * y, (a + b * x) * c
     # frame of the gear, whose axis stands beyond the pitch plane
     s, c = math.sin(gear.delta), math.cos(gear.delta)
