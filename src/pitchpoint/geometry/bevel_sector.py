@@ -47,7 +47,11 @@ class BevelOutline:
 
 
 def bevel_outline(
-    gear: BevelGear, error: float, resolution: int | None = None, elsewhere: float | None = None
+    gear: BevelGear,
+    error: float,
+    resolution: int | None = None,
+    elsewhere: float | None = None,
+    ends: float | None = None,
 ) -> BevelOutline:
     """Points of one pitch, as few as keep the chords between them near enough to the exact tooth.
 
@@ -61,6 +65,8 @@ def bevel_outline(
         Number of points of each flank instead, at least 5.
     elsewhere
         Largest distance off the flanks: fillets, tips and roots touch nothing [m].
+    ends
+        Largest distance of a chord from the round end faces of the teeth [m]; None: as the tip.
 
     Notes
     -----
@@ -71,7 +77,7 @@ def bevel_outline(
     >>> from pitchpoint.geometry.bevel_gear import BevelGear
     >>> gear = BevelGear(z=20, m_mn=2.5e-3, delta=math.atan(0.5), b=0.02)
     >>> [bevel_outline(gear, error).polar.size for error in (20e-6, 1e-6)]
-    [35, 146]
+    [32, 131]
     """
     tooth, off = bevel_tooth(gear), error if elsewhere is None else elsewhere
     if resolution is None:
@@ -96,9 +102,11 @@ def bevel_outline(
     end = math.pi / gear.z
     # of a fully rounded root the first point is the last of the pitch before
     root = arc(-end, -half[0], gear.delta_f)[:-1] if half[0] < end - 1e-12 else np.zeros(0)
-    # as many points as the widest part of the tooth needs: the end faces are round, too
-    across = max(3, arc(-half.max(), half.max(), gear.delta_a).size)
-    land = np.linspace(-half[-1], half[-1], across)[1:-1]
+    across = arc(-half[-1], half[-1], gear.delta_a).size
+    if ends is not None:
+        step = 2.0 * math.acos(1.0 - ends / (gear.R_e * math.sin(gear.delta_a)))
+        across = math.ceil(2.0 * float(half.max()) / step) + 1
+    land = np.linspace(-half[-1], half[-1], max(3, across))[1:-1]
     last = -root[:0:-1]
     left = half[::-1] if root.size else half[:0:-1]
     parts = (root, -half, land, left, last)
@@ -185,7 +193,8 @@ def bevel_sector(
         made.quads(low, high)
     ends = [_end(made, gear, outline, rings[k], float(slices[k])) for k in (-1, 0)]
     at = ends[0][1]
-    teeth = len(made.faces)
+    # the back cone goes on from the teeth to the rim: it counts with them
+    teeth = len(made.faces) + 1
     around = np.linspace(at[0], at[-1], max(1, math.ceil(corners / gear.z)) + 1)
     _close(made, gear, [line for line, _ in ends], (at, around), blank)
     return made.sector(teeth, False)
@@ -297,7 +306,7 @@ def bevel_solid(
     fine = 1e-3 * gear.m_mn if error is None else error
     sector = bevel_sector(
         gear,
-        bevel_outline(gear, 10.0 * fine, n_flank),
+        bevel_outline(gear, 10.0 * fine, n_flank, ends=10.0 * fine),
         bevel_slices(gear, fine, _FINE_SLICES),
         bore_diameter=bore_diameter,
         rim_thickness=rim_thickness,

@@ -153,7 +153,7 @@ def crown_tool(gear: BevelGear) -> CrownTool:
     >>> from pitchpoint.geometry.bevel_gear import BevelGear
     >>> tool = crown_tool(BevelGear(z=20, m_mn=2.5e-3, delta=math.atan(0.5), b=0.02))
     >>> round(math.degrees(tool.rho), 4), round(math.degrees(tool.polar), 4)
-    (0.9737, 92.227)
+    (0.9737, 92.2259)
 
     Notes
     -----
@@ -308,7 +308,7 @@ def placed(gear: BevelGear, polar: FloatArray, azimuth: FloatArray, R: FloatArra
     >>> from pitchpoint.geometry.bevel_gear import BevelGear
     >>> gear = BevelGear(z=20, m_mn=2.5e-3, delta=math.atan(0.5), b=0.02, beta_m=0.5)
     >>> [round(float(c), 6) for c in placed(gear, np.array(gear.delta), np.array(0.0), gear.R_m)]
-    [0.028487, 0.0, 0.056974]
+    [0.028487, 0.0, 0.056975]
     """
     polar, azimuth, R = np.broadcast_arrays(polar, azimuth, R)
     turned = azimuth + gear.spiral_rate * np.log(R / gear.R_m)

@@ -19,8 +19,10 @@ from pitchpoint.geometry.shaft_solid import shaft_solid
 from pitchpoint.geometry.triangle_file import join_corners, placed_triangles, read_triangles
 from pitchpoint.model.frames import frame
 from pitchpoint.model.shafts import section_at, station_names
+from pitchpoint.report.scene_bevel_gears import bevel_part
 from pitchpoint.report.scene_gears import gear_part
 from pitchpoint.report.scene_schematics import schematics
+from pitchpoint.report.scene_seated import seated
 from pitchpoint.report.scene_supports import (
     bearing_rings,
     carriers,
@@ -65,6 +67,16 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
             continue
         found.append(solid)
         notes += unseen
+    for name in model.bevel_gears:
+        body = model.body_of(name)
+        if body is None:
+            continue
+        seat = at.own(body, (0.0, 0.0, model.bodies[body].bevel_gears[name]))
+        try:
+            angle = model.bevel_gears[name].initial_angle or 0.0
+            found.append(bevel_part(model, name, seat, thinner.get(name, 0.0), angle))
+        except GeometryError as error:
+            notes.append(f"bevel gear {name} is not drawn: {error}")
     for name in model.shafts:
         found.append(_shaft(model, name, at.names))
     for name, part in model.bodies.items():
@@ -73,7 +85,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
                 found.append(_from_file(model, name, at))
             except GeometryError as error:
                 notes.append(f"body {name} is not drawn: {error}")
-        elif name not in model.shafts and part.gears:
+        elif name not in model.shafts and (part.gears or part.bevel_gears):
             found += _spindle(model, name, at)
     for name in model.rolling_bearings:
         found += _rolling_bearing(model, name, at)
@@ -86,7 +98,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
         notes.append("frames around gears stand for housings, whose shape the model does not give")
     if model.bearings or plates:
         notes.append("rings of linear bearings and plates of carriers show where they are, not how large")
-    shapes = {n for n, part in model.bodies.items() if part.gears or part.solid is not None}
+    shapes = {n for n, p in model.bodies.items() if p.gears or p.bevel_gears or p.solid is not None}
     shapes |= {*plates, *frames}
     more, said = schematics(model, at, shapes | set(model.shafts))
     return found + more, notes + said
@@ -158,12 +170,10 @@ def _shaft(model: Model, name: str, bodies: Mapping[str, int]) -> SceneSolid:
 def _spindle(model: Model, name: str, at: Places) -> list[SceneSolid]:
     """Something round that joins the gears of a body without sections."""
     part = model.bodies[name]
-    gears = {g: model.gears[g] for g in part.gears}
     radius = spindle_radius(model, name)
     if radius is None:
         return []
-    reach = [(z - 0.5 * gears[g].geometry.b, z + 0.5 * gears[g].geometry.b) for g, z in part.gears.items()]
-    ends = [z for pair in reach for z in pair]
+    ends = [z for gear in seated(model, name).values() for z in (gear.low, gear.high)]
     ends += [m.position[2] for m in part.markers.values() if _on_axis(m.position)]
     ends += [z for label, b in model.bearings.items() if b.body == name for z in ring_places(model, label)]
     low, high = min(ends), max(ends)
