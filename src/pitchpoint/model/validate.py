@@ -309,6 +309,7 @@ def check(parts: Parts, report: Reader) -> None:
     from pitchpoint.model.assembly import resolve
     from pitchpoint.model.beam_check import check_beams
     from pitchpoint.model.bevel_check import check_bevel_gears
+    from pitchpoint.model.bevel_mesh_check import check_bevel_names, check_bevel_pairs
     from pitchpoint.model.contact_check import check_contacts
     from pitchpoint.model.elastic_check import add_elastic_bodies, check_elastic_bodies
     from pitchpoint.model.fault_check import check_fault_laws
@@ -333,6 +334,7 @@ def check(parts: Parts, report: Reader) -> None:
     add_elastic_bodies(parts, report)
     check_references(parts, report)
     check_bevel_gears(parts, report)
+    check_bevel_names(parts, report)
     check_places(parts, report)
     check_carriers(parts, report)
     check_choices(parts, report)
@@ -359,3 +361,4 @@ def check(parts: Parts, report: Reader) -> None:
     check_loads(parts, report)
     check_scenarios(parts, report)
     check_phasing(parts, report)
+    check_bevel_pairs(parts, report)
