@@ -36,9 +36,7 @@ def bevel_axes(gear: BevelGear, angle: float) -> Array:
     return np.array([[c, -s * way, 0.0], [s, c * way, 0.0], [0.0, 0.0, way]])
 
 
-def bevel_part(
-    model: Model, name: str, seat: tuple[int, Array, Array], thinner: float, angle: float
-) -> SceneSolid:
+def bevel_part(model: Model, name: str, seat: tuple[int, Array, Array], thinner: float) -> SceneSolid:
     """A bevel gear with its teeth.
 
     Parameters
@@ -51,8 +49,6 @@ def bevel_part(
         Number of its body in the scene, its apex [m] and the axes of its body in the frame of that.
     thinner
         Normal thickness that its teeth lack in the middle of the face for the backlash of its meshes [m].
-    angle
-        Angle of tooth 0 about the z axis of the body [rad].
 
     Raises
     ------
@@ -70,7 +66,7 @@ def bevel_part(
         body=number,
         teeth=shape.z,
         place=place,
-        axes=frame @ bevel_axes(gear, angle),
+        axes=frame @ bevel_axes(gear, model.bevel_angles[name]),
         pieces=[ScenePiece(np.asarray(turns, np.float64), levels) for levels in _levels(gear, shape)],
     )
 

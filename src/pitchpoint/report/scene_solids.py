@@ -73,8 +73,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
             continue
         seat = at.own(body, (0.0, 0.0, model.bodies[body].bevel_gears[name]))
         try:
-            angle = model.bevel_gears[name].initial_angle or 0.0
-            found.append(bevel_part(model, name, seat, thinner.get(name, 0.0), angle))
+            found.append(bevel_part(model, name, seat, thinner.get(name, 0.0)))
         except GeometryError as error:
             notes.append(f"bevel gear {name} is not drawn: {error}")
     for name in model.shafts:
@@ -107,7 +106,8 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
 def thinning(model: Model) -> dict[str, float]:
     """Normal tooth thickness that drawn gears lack so that meshes show the backlash that is given [m].
 
-    By gear, at the reference circle; half of a mesh's part each, and of a gear in several meshes the largest.
+    By gear, at the reference circle, of bevel gears in the middle of the face; half of a mesh's part each, and
+    of a gear in several meshes the largest.
     The backlash follows the thickness as in `geometry.backlash.backlash_at`.
     """
     found: dict[str, float] = {}
@@ -117,6 +117,14 @@ def thinning(model: Model) -> dict[str, float]:
         half = 0.5 * more * math.cos(pair.gear1.beta) / math.cos(pair.gear1.alpha_t)
         for gear in mesh.gears:
             found[gear] = max(found.get(gear, half), half)
+    for name, bevel in model.bevel_meshes.items():
+        pitch = model.bevel_pairs[name]
+        more = model.backlash(name) - pitch.R_m * pitch.sigma_j
+        half = 0.5 * more * math.cos(pitch.gear1.beta_m) / math.cos(pitch.alpha_t)
+        for gear in bevel.gears:
+            # the same arc at another cone distance
+            own = half * model.bevel_gears[gear].geometry.R_m / pitch.R_m
+            found[gear] = max(found.get(gear, own), own)
     return found
 
 
