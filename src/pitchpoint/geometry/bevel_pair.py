@@ -4,7 +4,8 @@
 Both gears have one apex and roll on their pitch cones. The plane of action goes through the apex and touches
 both base cones. Its rays are told by the angle σ from the ray where it touches base cone 1; contact runs
 from A, the tip cone of gear 2, to E, the tip cone of gear 1. Straight teeth touch along rays, spiral ones
-along logarithmic spirals, σ = σ₀ + tan β_b1 ln(R/R_m).
+along logarithmic spirals, σ = σ₀ ± tan β_b1 ln(R/R_m): + on the left (counter-clockwise) flanks of gear 1,
+− on the right ones.
 """
 
 from __future__ import annotations

@@ -67,9 +67,6 @@ def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Problem]:
     if not gear.delta_a > gear.delta_b:
         limit = f"a tip cone above {_degrees(gear.delta_b)}"
         return add("profile_shift_coefficient", "leaves no flank above the base cone", shift, limit, heights)
-    if gear.rack.rho_fP_star * gear.m_mn >= gear.h_fm:
-        value, limit = f"{gear.rack.rho_fP_star:g}", f"below {gear.h_fm / gear.m_mn:.4g}"
-        return add("rack.root_radius", "is larger than the dedendum", value, limit, "use a smaller one")
     try:
         form = gear.sigma_Ff
     except GeometryError as error:

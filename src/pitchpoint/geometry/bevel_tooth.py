@@ -153,7 +153,7 @@ def crown_tool(gear: BevelGear) -> CrownTool:
     >>> from pitchpoint.geometry.bevel_gear import BevelGear
     >>> tool = crown_tool(BevelGear(z=20, m_mn=2.5e-3, delta=math.atan(0.5), b=0.02))
     >>> round(math.degrees(tool.rho), 4), round(math.degrees(tool.polar), 4)
-    (0.9737, 92.227)
+    (0.9737, 92.2259)
 
     Notes
     -----
@@ -181,6 +181,8 @@ def crown_tool(gear: BevelGear) -> CrownTool:
         return polar, sigma, half_space + at_pitch - spherical_involute(sigma, base) - rho / s
 
     rho = gear.rack.rho_fP_star * gear.m_mn / gear.R_m
+    if abs(rho - gear.theta_f) < 1e-6 * rho:
+        rho *= 1.0 - 1e-6  # the great circle from the pitch ray through a centre on it has no direction
     if not center(0.0)[2] > 0.0:
         raise GeometryError(
             "modules end beyond the point of the tool",
@@ -201,7 +203,8 @@ def _generated(tool: CrownTool, gear: BevelGear, tau: FloatArray) -> tuple[Float
     s, c = math.sin(tool.polar), math.cos(tool.polar)
     x, y = s * np.cos(turn), s * np.sin(turn)
     beside = np.hypot(y, c)
-    a, b = math.cos(tool.rho), math.sin(tool.rho) / beside
+    # from a centre on the other side of the pitch plane the tip lies towards the pitch ray
+    a, b = math.cos(tool.rho), math.copysign(math.sin(tool.rho), -c) / beside
     x, y, z = a * x - b * beside**2, (a + b * x) * y, (a + b * x) * c
     # frame of the gear, whose axis stands beyond the pitch plane
     s, c = math.sin(gear.delta), math.cos(gear.delta)
@@ -305,7 +308,7 @@ def placed(gear: BevelGear, polar: FloatArray, azimuth: FloatArray, R: FloatArra
     >>> from pitchpoint.geometry.bevel_gear import BevelGear
     >>> gear = BevelGear(z=20, m_mn=2.5e-3, delta=math.atan(0.5), b=0.02, beta_m=0.5)
     >>> [round(float(c), 6) for c in placed(gear, np.array(gear.delta), np.array(0.0), gear.R_m)]
-    [0.028487, 0.0, 0.056974]
+    [0.028487, 0.0, 0.056975]
     """
     polar, azimuth, R = np.broadcast_arrays(polar, azimuth, R)
     turned = azimuth + gear.spiral_rate * np.log(R / gear.R_m)
