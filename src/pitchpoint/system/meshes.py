@@ -47,13 +47,10 @@ def is_bevel(record: np.void) -> bool:
 
 
 def force_directions(record: np.void) -> NDArray[np.float64]:
-    """Directions of the circumferential, radial and axial force on gear 2 of an evaluated mesh, rows (3, 3)."""
-    rows = (
-        (record["t"], record["away"][1], record["axis"][1])
-        if is_bevel(record)
-        else [record[f] for f in "tem"]
-    )
-    return np.array(rows)
+    """Directions of the circumferential, radial and axial force on gear 2 of an evaluated mesh, rows."""
+    if is_bevel(record):
+        return np.array((record["t"], record["away"][1], record["axis"][1]))
+    return np.array([record[field] for field in "tem"])
 
 
 def mesh_names(system: System) -> tuple[str, ...]:
