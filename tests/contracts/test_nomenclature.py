@@ -13,7 +13,7 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.nomenclature import attributes, label, lookup, markdown_table, table, unit
 from pitchpoint.core.units import DIMENSIONS, in_unit, parse_quantity
 from pitchpoint.elements.registry import find, names
-from pitchpoint.geometry import BasicRack, CylindricalGear, GearPair
+from pitchpoint.geometry import BasicRack, BevelGear, BevelPair, CylindricalGear, GearPair
 
 CHANNELS = """
 transmission_error[m] deflection[m] mesh_force[m] mesh_stiffness[m] mesh_phase[m] contact_state[m]
@@ -38,7 +38,9 @@ def public_quantities(cls):
     return sorted(n for n in names if not n.startswith("_"))
 
 
-@pytest.mark.parametrize("cls", [BasicRack, CylindricalGear, GearPair], ids=lambda c: c.__name__)
+@pytest.mark.parametrize(
+    "cls", [BasicRack, BevelGear, BevelPair, CylindricalGear, GearPair], ids=lambda c: c.__name__
+)
 def test_every_property_of_the_geometry_has_a_row(cls):
     missing = [n for n in public_quantities(cls) if n not in table()]
     assert not missing, f"add these to core/nomenclature.csv: {missing}"

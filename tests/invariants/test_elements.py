@@ -39,6 +39,7 @@ from tests.support.engine import (
 
 #: Kinds with a contract suite of their own.
 ELSEWHERE = {
+    "bevel_mesh": "tests/invariants/test_bevel_mesh.py",
     "closure": "tests/unit/elements/test_closure.py",
     "flexible_body": "tests/unit/elements/test_flexible_body.py",
     "joint_friction": "tests/unit/elements/test_joint_friction.py",

@@ -74,7 +74,7 @@ def summary(model: Model) -> dict[str, Any]:
     for name, body in model.bodies.items():
         inertia = model.body_inertia(name)
         bodies[name] = {
-            "gears": list(body.gears),
+            "gears": [*body.gears, *body.bevel_gears],
             "motion": body.moves,
             "degrees_of_freedom": _freedoms(model, name),
             "origin": body.origin,
@@ -94,6 +94,7 @@ def summary(model: Model) -> dict[str, Any]:
         ),
         "gravity": list(model.gravity) if model.gravity is not None else None,
         "gears": list(model.gears),
+        "bevel_gears": list(model.bevel_gears),
         "bodies": bodies,
         "masses": [entry for entry in masses(model) if len(entry["differences"]) > 1],
         "meshes": {

@@ -74,6 +74,7 @@ _KINDS: dict[str, Kind] = {
         Kind("ball_on_surface", _HERE + "ball_on_surface", CONSTRAINT),
         Kind("beam", _HERE + "beam", FRAME),
         Kind("bearing", _HERE + "bearing", FRAME),
+        Kind("bevel_mesh", _HERE + "bevel_mesh", FRAME),
         Kind("bushing", _HERE + "bushing", FRAME),
         Kind("clearance_bearing", _HERE + "clearance_bearing", FRAME),
         Kind("closure", _HERE + "closure", CONSTRAINT),
@@ -110,8 +111,17 @@ _KINDS: dict[str, Kind] = {
 }
 MASSLESS = frozenset(
     {
-        *("bearing", "bushing", "clearance_bearing", "coupling", "damping", "force", "gear_mesh", "gravity"),
-        *("rolling_bearing", "spring_damper", "torque"),
+        *(
+            "bearing",
+            "bevel_mesh",
+            "bushing",
+            "clearance_bearing",
+            "coupling",
+            "damping",
+            "force",
+            "gear_mesh",
+        ),
+        *("gravity", "rolling_bearing", "spring_damper", "torque"),
         *("closure", "drive", "ratio"),
     }
 )

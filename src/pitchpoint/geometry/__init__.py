@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Teeth and pairs of cylindrical involute gears (ISO 21771), in SI units and radians.
+"""Teeth and pairs of cylindrical involute gears (ISO 21771) and of bevel gears, in SI units and radians.
 
 Symbols follow the standard; internal gears have negative tooth numbers, diameters and centre distances.
 """
 
 from pitchpoint.geometry.backlash import Backlash, backlash_at
+from pitchpoint.geometry.bevel_gear import BevelGear, spherical_involute
+from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.form_diameter import root_form_diameter_internal, root_form_diameter_rack
 from pitchpoint.geometry.gear_pair import GearPair
@@ -58,6 +60,8 @@ from pitchpoint.geometry.tooth_thickness import (
 __all__ = [
     "Backlash",
     "BasicRack",
+    "BevelGear",
+    "BevelPair",
     "CylindricalGear",
     "GearPair",
     "SlidingFactors",
@@ -82,6 +86,7 @@ __all__ = [
     "normal_tooth_thickness",
     "pair_problems",
     "pair_warnings",
+    "pitch_angles",
     "pressure_angle_at",
     "pressure_angle_at_center_distance",
     "profile_shift_for_center_distance",
@@ -96,6 +101,7 @@ __all__ = [
     "span_tooth_count",
     "specific_sliding",
     "specific_sliding_at",
+    "spherical_involute",
     "tip_overlap_gap",
     "tip_thickness",
     "transverse_pressure_angle",

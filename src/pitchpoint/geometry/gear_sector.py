@@ -212,7 +212,7 @@ def gear_sector(
     GeometryError
         If there is no such tooth or blank.
     """
-    made = _Pieces()
+    made = Pieces()
     rate = 2.0 * math.tan(gear.beta) / abs(gear.d)
     next_pitch = np.exp(2j * math.pi / abs(gear.z))
     rings = []
@@ -252,7 +252,7 @@ def gear_sector(
     return made.sector(pieces, gear.is_internal)
 
 
-class _Pieces:
+class Pieces:
     """Points and triangles that are added one after the other."""
 
     def __init__(self) -> None:
@@ -263,9 +263,13 @@ class _Pieces:
     def add(self, plane: NDArray[np.complex128], z: float, turn: float) -> IntArray:
         """Put points at a height, turned about the axis; gives their numbers."""
         turned = plane * np.exp(1j * turn)
-        self.points.append(np.column_stack([turned.real, turned.imag, np.full(plane.size, z)]))
-        self.count += plane.size
-        return np.arange(self.count - plane.size, self.count)
+        return self.put(np.column_stack([turned.real, turned.imag, np.full(plane.size, z)]))
+
+    def put(self, points: FloatArray) -> IntArray:
+        """Put points, shape (n, 3); gives their numbers."""
+        self.points.append(points)
+        self.count += len(points)
+        return np.arange(self.count - len(points), self.count)
 
     def quads(self, first: IntArray, second: IntArray) -> None:
         """Join two lines of equally many points."""

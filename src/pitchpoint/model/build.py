@@ -42,7 +42,7 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
             value = reader.value(key, data[name], (name,))
             if value is not BAD:
                 values[name] = value
-    moving = ("gears", "bodies", "shafts", "elastic_bodies")
+    moving = ("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies")
     if not any(values.get(g) or (g,) in reader.tainted for g in moving):
         reader.problem(("gears",), "is missing: a model has a gear or a body", remedy="add gears: or bodies:")
     parts = Parts.of(values, values.get("damping"))

@@ -67,7 +67,7 @@ def _is_polar(body: Body) -> bool:
     """Whether a body has inertia about its axis alone and does more than spin about it on ground."""
     alone = body.is_round and body.inertia is not None and body.transverse_inertia is None
     alone = alone and body.solid is None
-    return alone and not body.gears and body.moves != "torsion"
+    return alone and not body.gears and not body.bevel_gears and body.moves != "torsion"
 
 
 def _turning(parts: Parts, report: Reader) -> None:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.components.body import Body
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.solid import SolidReference
@@ -78,18 +79,40 @@ def gear_by_geometry(gear: Gear) -> tuple[float, float, float]:
     return found.mass, found.polar_inertia, found.transverse_inertia
 
 
+def bevel_gear_inertia(gear: BevelGear) -> tuple[float, float, float, float]:
+    """Mass [kg], polar and transverse moment of inertia about the centre of mass [kg m^2], and its place.
+
+    The place [m] is that from the apex along the z axis of the body; a given mass does not move it.
+    """
+    from pitchpoint.geometry.bevel_blank import bevel_mass
+
+    found = bevel_mass(
+        gear.geometry,
+        gear.material_data.density,
+        bore_diameter=gear.bore_diameter,
+        rim_thickness=gear.rim_thickness,
+    )
+    given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
+    computed = (found.mass, found.polar_inertia, found.transverse_inertia)
+    mass, polar, transverse = (c if g is None else g for g, c in zip(given, computed, strict=True))
+    return mass, polar, transverse, gear.direction * found.center
+
+
 def asks_gears(body: Body) -> bool:
     """Whether anything of the inertia of a body is left to its gears."""
     if body.solid is not None:
         return False
+    aside = bool(body.bevel_gears) or any(offset != 0.0 for offset in body.gears.values())
     if body.inertia_tensor is not None:
-        return body.mass is None or (body.center_of_mass is None and any(body.gears.values()))
+        return body.mass is None or (body.center_of_mass is None and aside)
     if None in (body.mass, body.inertia, body.transverse_inertia):
         return True
-    return body.center_of_mass is None and any(offset != 0.0 for offset in body.gears.values())
+    return body.center_of_mass is None and aside
 
 
-def body_inertia(body: Body, gears: Mapping[str, Gear]) -> BodyInertia:
+def body_inertia(
+    body: Body, gears: Mapping[str, Gear], bevel_gears: Mapping[str, BevelGear] | None = None
+) -> BodyInertia:
     """Inertia of a body: every value that is given, and the rest from its solid, or else its gears.
 
     The centre of mass is that of the gears, or the origin where they have no mass. A given mass does not move
@@ -100,12 +123,17 @@ def body_inertia(body: Body, gears: Mapping[str, Gear]) -> BodyInertia:
     ----------
     body
         The body.
-    gears
+    gears, bevel_gears
         All gears of the model by name.
     """
     if body.solid is not None:
         return _of_solid(body, body.solid)
-    found = [(*gear_inertia(gears[name]), at) for name, at in body.gears.items()] if asks_gears(body) else []
+    found = []
+    if asks_gears(body):
+        found += [(*gear_inertia(gears[name]), at) for name, at in body.gears.items()]
+        for name, apex in body.bevel_gears.items():
+            mass, polar, central, at = bevel_gear_inertia((bevel_gears or {})[name])
+            found.append((mass, polar, central, apex + at))
     if body.shaft is not None:
         found += body.shaft.pieces()
     mass = sum(m for m, _, _, _ in found)

@@ -121,7 +121,7 @@ def _roots(parts: Parts, joints: Mapping[str, Joint]) -> dict[str, Seat]:
     found = {}
     for name, body in parts.bodies.items():
         if body.motion is None and (
-            name in moved or not (body.gears or (body.is_round and not body.markers))
+            name in moved or not (body.gears or body.bevel_gears or (body.is_round and not body.markers))
         ):
             continue
         kind = MOTIONS[body.motion or "torsion"]

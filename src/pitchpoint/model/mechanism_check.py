@@ -233,7 +233,7 @@ def _axes(parts: Parts, report: Reader) -> None:
     """Gears, bearings, couplings and loads act about the z axis of a body: it must be that of its joint."""
     for name, seat in parts.mechanism.seats.items():
         body = parts.bodies[name]
-        if body.gears:
+        if body.gears or body.bevel_gears:
             _gear_axis(parts, name, seat, report)
         if seat.joint is None or axial_offset(parts, seat) is not None:
             continue
@@ -269,7 +269,7 @@ def _polar(parts: Parts, report: Reader) -> None:
     """A polar inertia alone is enough for bodies that turn about their own axis, and for no others."""
     for name, seat in parts.mechanism.seats.items():
         body = parts.bodies[name]
-        if seat.joint is None or not body.is_round or body.inertia is None or body.gears:
+        if seat.joint is None or not body.is_round or body.inertia is None or body.gears or body.bevel_gears:
             continue
         if body.solid is not None:
             continue
@@ -291,14 +291,15 @@ def _parallel(parts: Parts, seat: Seat) -> bool:
 def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
     """Gears turn about the z axis of their body: the joint that carries it lies there and counts turns."""
     body = parts.bodies[name]
-    at: Place = ("bodies", name, "gears")
+    at: Place = ("bodies", name, "gears" if body.gears else "bevel_gears")
+    carried = ", ".join((*body.gears, *body.bevel_gears))
     if seat.kind == "fixed" and seat.joint is not None and spinner_of(parts, parts.mechanism, name) is None:
         _standing_gear(parts, name, seat, report)
     if seat.kind in ("spherical", "free", "universal", *FUNCTIONS):
         report.problem(
             at,
             f"cannot turn with a joint of type {seat.kind}, which counts no turns",
-            value=", ".join(body.gears),
+            value=carried,
             remedy="carry the body by a revolute, cylindrical, screw, planar or shaft joint",
         )
     elif seat.joint is not None and axial_offset(parts, seat) is None:
@@ -306,7 +307,7 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
         report.problem(
             at,
             f"turn about the z axis of {name}, which is not that of the joint {seat.joint}",
-            value=", ".join(body.gears),
+            value=carried,
             remedy=f"give {name} an origin on the axis of {seat.joint}, and axes whose z lies along it{more}",
         )
 
@@ -328,7 +329,7 @@ def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
     report.problem(
         ("bodies", name, "gears"),
         f"are fixed to {root.body}, which counts no turns about their axis",
-        value=", ".join(parts.bodies[name].gears),
+        value=", ".join((*parts.bodies[name].gears, *parts.bodies[name].bevel_gears)),
         remedy=remedy,
     )
 

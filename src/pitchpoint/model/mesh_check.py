@@ -7,6 +7,7 @@ import math
 from typing import Any
 
 from pitchpoint.model.choices import exactly_both, exactly_one
+from pitchpoint.model.components.bevel_mesh import BevelMesh
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.components.stiffness import OF_PAIRS, Fourier, Hertz, Rectangular
 from pitchpoint.model.keys import Place
@@ -16,8 +17,9 @@ from pitchpoint.model.read import Reader
 
 def check_meshes(parts: Parts, report: Reader) -> None:
     """Keys of meshes of which exactly one or at most one is allowed, and laws that do not go together."""
-    for name, mesh in parts.meshes.items():
-        at: Place = ("meshes", name)
+    every = [(group, *item) for group in ("meshes", "bevel_meshes") for item in getattr(parts, group).items()]
+    for group, name, mesh in every:
+        at: Place = (group, name)
         if mesh.backlash is not None:
             exactly_one(
                 mesh.backlash, ("normal", "base_tangent", "circumferential"), (*at, "backlash"), report
@@ -32,7 +34,7 @@ def check_meshes(parts: Parts, report: Reader) -> None:
         _stiffness(mesh.stiffness, (*at, "stiffness"), report)
 
 
-def _losses(mesh: Mesh, at: Place, report: Reader) -> None:
+def _losses(mesh: Mesh | BevelMesh, at: Place, report: Reader) -> None:
     """Damping and friction that the stiffness law of a mesh does not know, or that contradict themselves."""
     law, damping, friction = mesh.stiffness, mesh.damping, mesh.friction
     if isinstance(law, Hertz):

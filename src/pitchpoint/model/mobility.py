@@ -64,7 +64,7 @@ def mass_matrix(parts: Parts) -> tuple[list[str], Array, float]:
             continue
         paths[name] = paths[seat.parent] + [(len(names) + k, c) for k, (_, c) in enumerate(own)]
         names += [n for n, _ in own]
-        inertia = body_inertia(parts.bodies[name], parts.gears)
+        inertia = body_inertia(parts.bodies[name], parts.gears, parts.bevel_gears)
         origin, axes = body_frame(parts, name)
         center = (np.zeros(3) if origin is None else origin) + axes @ np.array(inertia.place)
         rows.append((paths[name], inertia.mass, center, axes @ inertia.about_center() @ axes.T))

@@ -11,9 +11,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.model.bevel_places import assemble_bevels, bevel_gap, bevel_pair
 from pitchpoint.model.components.actuator import ACTUATORS, Actuator
 from pitchpoint.model.components.beam import Beam
 from pitchpoint.model.components.bearing import Bearing
+from pitchpoint.model.components.bevel_gear import BevelGear
+from pitchpoint.model.components.bevel_mesh import BevelMesh
 from pitchpoint.model.components.block import BLOCKS, Block
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.bushing import Bushing
@@ -60,6 +63,7 @@ from pitchpoint.model.shafts import own_bodies, station_names, stations_of
 from pitchpoint.model.validate import check
 
 if TYPE_CHECKING:
+    from pitchpoint.geometry.bevel_pair import BevelPair
     from pitchpoint.geometry.gear_pair import GearPair
 
 V = TypeVar("V")
@@ -94,6 +98,7 @@ class Model:
         sample="[0, 0, -9.81 m/s^2]",
     )
     gears: Mapping[str, Gear] = key("components", "the gears by name", {}, of=Gear)
+    bevel_gears: Mapping[str, BevelGear] = key("components", "the bevel gears by name", {}, of=BevelGear)
     bodies: Mapping[str, Body] = key("components", "bodies, with the gears that they carry", {}, of=Body)
     shafts: Mapping[str, Shaft] = key("components", "elastic shafts, with the gears on them", {}, of=Shaft)
     elastic_bodies: Mapping[str, ElasticBody] = key(
@@ -135,6 +140,9 @@ class Model:
     rods: Mapping[str, Rod] = key("components", "rods that hold two points at a distance", {}, of=Rod)
     ratios: Mapping[str, Ratio] = key("components", "fixed ratios between coordinates", {}, of=Ratio)
     meshes: Mapping[str, Mesh] = key("components", "pairs of gears in mesh", {}, of=Mesh)
+    bevel_meshes: Mapping[str, BevelMesh] = key(
+        "components", "pairs of bevel gears in mesh", {}, of=BevelMesh
+    )
     bearings: Mapping[str, Bearing] = key("components", "bearings between bodies and ground", {}, of=Bearing)
     couplings: Mapping[str, Coupling] = key("components", "couplings between bodies", {}, of=Coupling)
     loads: Mapping[str, Load] = key("components", "torques and forces on bodies", {}, of=Load)
@@ -267,7 +275,12 @@ class Model:
         return (self.lines or {}).get(place)
 
     def backlash(self, mesh: str) -> float:
-        """Total gap along the base tangent at the centre distance [m]: the given one, or of the geometry."""
+        """Total gap along the base tangent at the centre distance [m]: the given one, or of the geometry.
+
+        That of a bevel mesh is at the mean cone distance.
+        """
+        if mesh in self.bevel_meshes:
+            return bevel_gap(self.bevel_pairs[mesh], self.bevel_meshes[mesh])
         return gap(self.pairs[mesh], self.meshes[mesh])
 
     @cached_property
@@ -275,13 +288,24 @@ class Model:
         """How the gears are put together, see `pitchpoint.model.phasing`."""
         return assemble(self.gears, self.meshes)
 
+    @cached_property
+    def bevel_pairs(self) -> dict[str, BevelPair]:
+        """Pair of every bevel mesh."""
+        return {name: bevel_pair(self, mesh) for name, mesh in self.bevel_meshes.items()}
+
+    @cached_property
+    def bevel_angles(self) -> dict[str, float]:
+        """Angle of the centre of tooth 0 of every bevel gear from the x axis of its body at spin 0 [rad]."""
+        return assemble_bevels(self)
+
     def body_of(self, gear: str) -> str | None:
         """Name of the body that carries a gear, None without bodies."""
-        return next((name for name, body in self.bodies.items() if gear in body.gears), None)
+        carriers = (n for n, body in self.bodies.items() if gear in body.gears or gear in body.bevel_gears)
+        return next(carriers, None)
 
     def body_inertia(self, body: str) -> BodyInertia:
         """Mass and moments of inertia of a body, given or summed over its gears."""
-        return body_inertia(self.bodies[body], self.gears)
+        return body_inertia(self.bodies[body], self.gears, self.bevel_gears)
 
     def start_speeds(self, scenario: str | Scenario) -> dict[str, float]:
         """Speed of every body at the start of a scenario [rad/s], through the gear ratios.

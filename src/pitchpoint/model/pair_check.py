@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     from pitchpoint.geometry.gear_pair import GearPair
     from pitchpoint.model.components.gear import Gear
-    from pitchpoint.model.components.mesh import Mesh
+    from pitchpoint.model.components.mesh import Backlash, Mesh
     from pitchpoint.model.parts import Parts
 
 OFFSET_TOLERANCE = 1e-4
@@ -193,13 +193,20 @@ def check_phasing(parts: Parts, report: Reader) -> None:
 
 def gap(pair: GearPair, mesh: Mesh) -> float:
     """Total gap along the base tangent at the centre distance of the mesh [m]: given, or of the geometry."""
-    given = mesh.backlash
-    if given is None:
+    if mesh.backlash is None:
         return pair.j_bt
+    return along_base_tangent(mesh.backlash, pair.alpha_wt, pair.gear1.beta_b)
+
+
+def along_base_tangent(given: Backlash, alpha: float, beta_b: float) -> float:
+    """Gap along the base tangent [m] of a backlash in any of its directions, which has exactly one.
+
+    `alpha` and `beta_b` are the transverse working pressure angle and the base helix or spiral angle [rad].
+    """
     if given.base_tangent is not None:
         return given.base_tangent
     if given.circumferential is not None:
-        return given.circumferential * math.cos(pair.alpha_wt)
+        return given.circumferential * math.cos(alpha)
     if given.normal is None:
         raise PitchpointError("a backlash without any of its directions")
-    return given.normal / math.cos(pair.gear1.beta_b)
+    return given.normal / math.cos(beta_b)

@@ -78,6 +78,6 @@ class Parts:
     def body_of(self, gear: str) -> str | None:
         """Name of the body that carries a gear."""
         for name, body in self.bodies.items():
-            if gear in body.gears:
+            if gear in body.gears or gear in body.bevel_gears:
                 return name
         return None

@@ -31,7 +31,9 @@ def _axes_by_joints(model: Model) -> Iterator[str]:
     """
     for name, body in model.bodies.items():
         seat = model.mechanism.seats.get(name)
-        if body.position is not None or body.gears or seat is None or seat.joint is not None:
+        if body.position is not None or body.gears or body.bevel_gears:
+            continue
+        if seat is None or seat.joint is not None:
             continue
         if seat.kind not in ("revolute", "planar"):
             continue

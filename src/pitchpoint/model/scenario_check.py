@@ -36,6 +36,7 @@ def links_of(parts: Parts) -> list[Link]:
             continue
         z_1, z_2 = (parts.gears[g].sign * parts.gears[g].number_of_teeth for g in mesh.gears)
         found.append((("meshes", name), str(bodies[0]), str(bodies[1]), -z_1 / z_2))
+    found += _bevel_links(parts)
     for name, coupling in parts.couplings.items():
         one, two = coupling.bodies
         if one != two and one in parts.bodies and two in parts.bodies and coupling.carries_torque:
@@ -49,6 +50,18 @@ def links_of(parts: Parts) -> list[Link]:
         if len(spins) == len(ends) == 2:
             c_1, c_2 = ratio.terms.values()
             found.append((("ratios", name), spins[0], spins[1], -c_1 / c_2))
+    return found
+
+
+def _bevel_links(parts: Parts) -> list[Link]:
+    """Bevel meshes; spins count about the z axes of bodies, and cones open along these or against them."""
+    found: list[Link] = []
+    for name, mesh in parts.bevel_meshes.items():
+        one, two = (parts.body_of(g) for g in mesh.gears)
+        gears = [parts.bevel_gears.get(g) for g in mesh.gears]
+        if one is not None and two is not None and one != two and None not in gears:
+            z_1, z_2 = (g.direction * g.number_of_teeth for g in gears)  # type: ignore[union-attr]
+            found.append((("bevel_meshes", name), one, two, -z_1 / z_2))
     return found
 
 
@@ -174,13 +187,15 @@ def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
         _turns(parts, scenario.sweep.body, (*at, "sweep", "body"), report)
     for key in ("sweep", "quasi_static"):
         part = getattr(scenario, key)
-        if part is not None and part.mesh is not None:
+        if part is not None and part.mesh is not None and part.mesh not in parts.known("bevel_meshes"):
             known(parts, "meshes", part.mesh, (*at, key, "mesh"), report)
-    if scenario.quasi_static is not None and scenario.quasi_static.mesh is None and len(parts.meshes) != 1:
+    count = len(parts.meshes) + len(parts.bevel_meshes)
+    if scenario.quasi_static is not None and scenario.quasi_static.mesh is None and count != 1:
+        names = sorted(parts.known("meshes") | parts.known("bevel_meshes"))
         report.problem(
             (*at, "quasi_static", "mesh"),
-            f"is missing, and there are {len(parts.meshes)} meshes",
-            remedy=f"name one of {', '.join(sorted(parts.known('meshes'))) or 'them'}",
+            f"is missing, and there are {count} meshes",
+            remedy=f"name one of {', '.join(names) or 'them'}",
         )
 
 
@@ -331,6 +346,7 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     if not parts.gears.keys() >= set(own):
         return  # a gear that cannot be read may be the one in mesh
     teeth = sweep_meshes(parts, sweep.body)
+    every = {**parts.meshes, **parts.bevel_meshes}
     if not teeth:
         report.problem(
             (*at, "body"),
@@ -343,7 +359,7 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
             f"is missing, and {sweep.body} has several meshes with different frequencies",
             remedy=f"name one of {', '.join(teeth)}",
         )
-    elif sweep.mesh is not None and sweep.mesh not in teeth and sweep.mesh in parts.meshes:
+    elif sweep.mesh is not None and sweep.mesh not in teeth and sweep.mesh in every:
         report.problem(
             (*at, "mesh"),
             f"names {sweep.mesh}, which is no mesh of {sweep.body}",
@@ -353,10 +369,13 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
 
 def sweep_meshes(parts: Parts, body: str) -> dict[str, int]:
     """Meshes of a body and the number of teeth it has in each of them."""
-    own = parts.bodies[body].gears if body in parts.bodies else {}
     return {
-        name: parts.gears[g].number_of_teeth
-        for name, mesh in parts.meshes.items()
+        name: gears[g].number_of_teeth
+        for meshes, gears, own in (
+            (parts.meshes, parts.gears, "gears"),
+            (parts.bevel_meshes, parts.bevel_gears, "bevel_gears"),
+        )
+        for name, mesh in meshes.items()
         for g in mesh.gears
-        if g in own and g in parts.gears
+        if body in parts.bodies and g in getattr(parts.bodies[body], own) and g in gears
     }

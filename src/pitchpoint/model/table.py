@@ -40,6 +40,24 @@ def model_table(model: Model) -> str:
             ),
         )
     )
+    if model.bevel_gears:
+        out.append(
+            table(
+                ("bevel gear", "z", "m_mn", "delta", "beta_m", "x_hm", "b"),
+                (
+                    (
+                        name,
+                        gear.number_of_teeth,
+                        format_quantity(gear.geometry.m_mn, "length"),
+                        format_quantity(gear.delta, "angle", 7),
+                        f"{format_quantity(gear.spiral_angle, 'angle')} {gear.hand or ''}",
+                        f"{gear.profile_shift_coefficient:.4f}",
+                        format_quantity(gear.face_width, "length"),
+                    )
+                    for name, gear in model.bevel_gears.items()
+                ),
+            )
+        )
     if model.meshes:
         out.append(
             table(
@@ -62,7 +80,10 @@ def model_table(model: Model) -> str:
         out.append(
             table(
                 ("body", "gears", "motion"),
-                ((name, ", ".join(body.gears), body.moves) for name, body in model.bodies.items()),
+                (
+                    (name, ", ".join((*body.gears, *body.bevel_gears)), body.moves)
+                    for name, body in model.bodies.items()
+                ),
             )
         )
     return "".join(out)

@@ -13,7 +13,13 @@ from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.fault_check import hand_on
 from pitchpoint.model.frames import GROUND
-from pitchpoint.model.inertia import BodyInertia, asks_gears, body_inertia, gear_inertia
+from pitchpoint.model.inertia import (
+    BodyInertia,
+    asks_gears,
+    bevel_gear_inertia,
+    body_inertia,
+    gear_inertia,
+)
 from pitchpoint.model.keys import Place
 from pitchpoint.model.mesh_check import check_meshes
 from pitchpoint.model.parts import Parts
@@ -34,6 +40,8 @@ def check_references(parts: Parts, report: Reader) -> None:
     for name, body in list(parts.bodies.items()):
         for gear in body.gears:
             known(parts, "gears", gear, ("bodies", name, "gears"), report)
+        for gear in body.bevel_gears:
+            known(parts, "bevel_gears", gear, ("bodies", name, "bevel_gears"), report)
     for name, mesh in list(parts.meshes.items()):
         at: Place = ("meshes", name, "gears")
         for gear in mesh.gears:
@@ -72,8 +80,8 @@ def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> boo
     if name in names:
         return True
     guess = nearest(name, names)
-    single = {"gears": "gear", "bodies": "body", "meshes": "mesh"}[group]
-    have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {group}"
+    single = {"gears": "gear", "bevel_gears": "bevel gear", "bodies": "body", "meshes": "mesh"}[group]
+    have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {group.replace('_', ' ')}"
     report.problem(at, f"names the {single} {name[:40]!r}, which does not exist", remedy=guess + have)
     return False
 
@@ -223,9 +231,10 @@ def _inertia(parts: Parts, name: str, report: Reader) -> None:
     total = None
     if _readable(parts, body, report):
         # whatever is computed with the body asks for all that its gears have to give
-        if asks_gears(body) and not all(_has_inertia(parts, g, report) for g in body.gears):
+        carried = (*body.gears, *body.bevel_gears)
+        if asks_gears(body) and not all(_has_inertia(parts, g, report) for g in carried):
             return
-        total = body_inertia(body, parts.gears)
+        total = body_inertia(body, parts.gears, parts.bevel_gears)
         given = {k: getattr(total, _SUM[k]) for k in needed}
     zero = [key for key, amount in given.items() if not amount > 0.0]
     for key in zero:
@@ -233,7 +242,7 @@ def _inertia(parts: Parts, name: str, report: Reader) -> None:
             ("bodies", name, key),
             f"is zero, but the body moves ({body.moves})",
             limit="> 0",
-            remedy=f"give {key}" + ("" if body.gears else " (the body carries no gears)"),
+            remedy=f"give {key}" + ("" if body.gears or body.bevel_gears else " (the body carries no gears)"),
         )
     whole = not any(("bodies", name, k) in report.tainted for k in ("gears", "mass", "center_of_mass"))
     if total is not None and whole and "transverse_inertia" in given and not zero and not total.central > 0.0:
@@ -243,8 +252,9 @@ def _inertia(parts: Parts, name: str, report: Reader) -> None:
 def _readable(parts: Parts, body: Body, report: Reader) -> bool:
     """Whether every gear of a body could be read and has a possible shape."""
     return all(
-        g in parts.gears and ("gears", g) not in report.tainted and g not in parts.misshapen
-        for g in body.gears
+        g in getattr(parts, group) and (group, g) not in report.tainted and g not in parts.misshapen
+        for group in ("gears", "bevel_gears")
+        for g in getattr(body, group)
     )
 
 
@@ -272,10 +282,14 @@ def _transverse(name: str, body: Body, total: BodyInertia, report: Reader) -> No
 
 def _has_inertia(parts: Parts, gear: str, report: Reader) -> bool:
     """Whether mass and inertia of a gear can be had; a bore that is too large, say, is reported."""
+    group = "gears" if gear in parts.gears else "bevel_gears"
     try:
-        gear_inertia(parts.gears[gear])
+        if group == "gears":
+            gear_inertia(parts.gears[gear])
+        else:
+            bevel_gear_inertia(parts.bevel_gears[gear])
     except GeometryError as error:
-        hand_on(report, ("gears", gear), error.problem)
+        hand_on(report, (group, gear), error.problem)
         return False
     return True
 
@@ -294,6 +308,8 @@ def check(parts: Parts, report: Reader) -> None:
     """All checks, in the order in which a later one may rely on an earlier one."""
     from pitchpoint.model.assembly import resolve
     from pitchpoint.model.beam_check import check_beams
+    from pitchpoint.model.bevel_check import check_bevel_gears
+    from pitchpoint.model.bevel_mesh_check import check_bevel_names, check_bevel_pairs
     from pitchpoint.model.contact_check import check_contacts
     from pitchpoint.model.elastic_check import add_elastic_bodies, check_elastic_bodies
     from pitchpoint.model.fault_check import check_fault_laws
@@ -317,6 +333,8 @@ def check(parts: Parts, report: Reader) -> None:
     add_shafts(parts, report)
     add_elastic_bodies(parts, report)
     check_references(parts, report)
+    check_bevel_gears(parts, report)
+    check_bevel_names(parts, report)
     check_places(parts, report)
     check_carriers(parts, report)
     check_choices(parts, report)
@@ -343,3 +361,4 @@ def check(parts: Parts, report: Reader) -> None:
     check_loads(parts, report)
     check_scenarios(parts, report)
     check_phasing(parts, report)
+    check_bevel_pairs(parts, report)

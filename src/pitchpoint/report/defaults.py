@@ -50,7 +50,7 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
                 if key not in idle:
                     if getattr(part, "solid", None) is not None:
                         value = value if value not in FOLLOWS else "of the solid"
-                    elif group == "bodies" and not part.gears:
+                    elif group == "bodies" and not part.gears and not part.bevel_gears:
                         value = WITHOUT_GEARS.get(value, value)
                     yield group, name, key, value
 

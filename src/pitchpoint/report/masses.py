@@ -10,11 +10,12 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.model.inertia import body_inertia, gear_by_geometry, gear_inertia
+from pitchpoint.model.inertia import bevel_gear_inertia, body_inertia, gear_by_geometry, gear_inertia
 from pitchpoint.model.shafts import own_bodies
 from pitchpoint.model.solids import solid_mass, solid_of_gear
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.components.body import Body
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.shaft import Shaft
@@ -45,6 +46,10 @@ def masses(model: Model) -> list[dict[str, Any]]:
     """
     found = [
         _entry("gear", name, _of_gear(gear), gear.solid, gear.material) for name, gear in model.gears.items()
+    ]
+    found += [
+        _entry("gear", name, _of_bevel_gear(gear), None, gear.material)
+        for name, gear in model.bevel_gears.items()
     ]
     found += [
         _entry("shaft", name, _of_shaft(shaft), shaft.solid, shaft.material)
@@ -102,6 +107,17 @@ def _of_gear(gear: Gear) -> dict[str, Any]:
     return {**sources, "in force": _numbers(*gear_inertia(gear))}
 
 
+def _of_bevel_gear(gear: BevelGear) -> dict[str, Any]:
+    sources = {}
+    bare = dataclasses.replace(gear, mass=None, polar_inertia=None, transverse_inertia=None)
+    with contextlib.suppress(GeometryError):
+        sources["geometry"] = _numbers(*bevel_gear_inertia(bare)[:3])
+    given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
+    if any(v is not None for v in given):
+        sources["given"] = _numbers(*given)
+    return {**sources, "in force": _numbers(*bevel_gear_inertia(gear)[:3])}
+
+
 def _of_shaft(shaft: Shaft) -> dict[str, Any]:
     from pitchpoint.geometry.shaft_solid import shaft_mass_properties
 
@@ -125,13 +141,13 @@ def _of_shaft(shaft: Shaft) -> dict[str, Any]:
 def _of_body(model: Model, body: Body) -> dict[str, Any]:
     sources = {}
     nothing = {"mass": None, "inertia": None, "transverse_inertia": None, "inertia_tensor": None}
-    if body.gears:
+    if body.gears or body.bevel_gears:
         bare = dataclasses.replace(body, solid=None, center_of_mass=None, **nothing)  # type: ignore[arg-type]
-        sources["gears"] = _of(body_inertia(bare, model.gears))
+        sources["gears"] = _of(body_inertia(bare, model.gears, model.bevel_gears))
     if body.solid is not None:
         found = solid_mass(body.solid)
         sources["solid"] = _numbers(found.mass, found.polar, found.central, center=found.center)
-    force = body_inertia(body, model.gears)
+    force = body_inertia(body, model.gears, model.bevel_gears)
     tensor = body.inertia_tensor is not None
     given = _numbers(
         body.mass,

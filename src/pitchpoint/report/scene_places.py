@@ -36,6 +36,7 @@ class Places:
         points = [p for name in model.bodies for p in (self.origin(name), *self.anchors(name))]
         reach = float(np.linalg.norm(np.ptp(np.array(points), axis=0))) if points else 0.0
         gears = [abs(g.geometry.d_a) for g in model.gears.values()]
+        gears += [2.0 * g.geometry.R_e for g in model.bevel_gears.values()]
         shafts = [s.length for s in model.shafts.values()]
         self.size = max(reach, *gears, *shafts, 0.0) or 0.2
 

@@ -20,10 +20,12 @@ from pitchpoint.geometry.shaft_solid import shaft_solid
 from pitchpoint.geometry.triangle_file import join_corners, placed_triangles, read_triangles
 from pitchpoint.model.frames import frame
 from pitchpoint.model.shafts import section_at, station_names
+from pitchpoint.report.scene_bevel_gears import bevel_part
 from pitchpoint.report.scene_gears import gear_part
 from pitchpoint.report.scene_joining import joining_parts
 from pitchpoint.report.scene_ratios import ratio_parts
 from pitchpoint.report.scene_schematics import schematics
+from pitchpoint.report.scene_seated import seated
 from pitchpoint.report.scene_supports import (
     bearing_rings,
     carriers,
@@ -70,6 +72,15 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
             continue
         found.append(solid)
         notes += unseen
+    for name in model.bevel_gears:
+        body = model.body_of(name)
+        if body is None:
+            continue
+        seat = at.own(body, (0.0, 0.0, model.bodies[body].bevel_gears[name]))
+        try:
+            found.append(bevel_part(model, name, seat, thinner.get(name, 0.0)))
+        except GeometryError as error:
+            notes.append(f"bevel gear {name} is not drawn: {error}")
     for name in model.shafts:
         found.append(_shaft(model, name, at.names))
     for name, part in model.bodies.items():
@@ -78,7 +89,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
                 found.append(_from_file(model, name, at, cover.get(name)))
             except GeometryError as error:
                 notes.append(f"body {name} is not drawn: {error}")
-        elif name not in model.shafts and part.gears:
+        elif name not in model.shafts and (part.gears or part.bevel_gears):
             found += _spindle(model, name, at)
     for name in model.rolling_bearings:
         found += _rolling_bearing(model, name, at)
@@ -91,7 +102,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
         notes.append("frames around gears stand for housings, whose shape the model does not give")
     if model.bearings or plates:
         notes.append("rings of linear bearings and plates of carriers show where they are, not how large")
-    shapes = {n for n, part in model.bodies.items() if part.gears or part.solid is not None}
+    shapes = {n for n, p in model.bodies.items() if p.gears or p.bevel_gears or p.solid is not None}
     shapes |= {*plates, *frames}
     wheels, lacking = ratio_parts(model, at)
     wheeled = {n for n in model.bodies if at.names.get(n) in {solid.body for solid in wheels}}
@@ -102,7 +113,8 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
 def thinning(model: Model) -> dict[str, float]:
     """Normal tooth thickness that drawn gears lack so that meshes show the backlash that is given [m].
 
-    By gear, at the reference circle; half of a mesh's part each, and of a gear in several meshes the largest.
+    By gear, at the reference circle, of bevel gears in the middle of the face; half of a mesh's part each, and
+    of a gear in several meshes the largest.
     The backlash follows the thickness as in `geometry.backlash.backlash_at`.
     """
     found: dict[str, float] = {}
@@ -112,6 +124,14 @@ def thinning(model: Model) -> dict[str, float]:
         half = 0.5 * more * math.cos(pair.gear1.beta) / math.cos(pair.gear1.alpha_t)
         for gear in mesh.gears:
             found[gear] = max(found.get(gear, half), half)
+    for name, bevel in model.bevel_meshes.items():
+        pitch = model.bevel_pairs[name]
+        more = model.backlash(name) - pitch.R_m * pitch.sigma_j
+        half = 0.5 * more * math.cos(pitch.gear1.beta_m) / math.cos(pitch.alpha_t)
+        for gear in bevel.gears:
+            # the same arc at another cone distance
+            own = half * model.bevel_gears[gear].geometry.R_m / pitch.R_m
+            found[gear] = max(found.get(gear, own), own)
     return found
 
 
@@ -165,12 +185,10 @@ def _shaft(model: Model, name: str, bodies: Mapping[str, int]) -> SceneSolid:
 def _spindle(model: Model, name: str, at: Places) -> list[SceneSolid]:
     """Something round that joins the gears of a body without sections."""
     part = model.bodies[name]
-    gears = {g: model.gears[g] for g in part.gears}
     radius = spindle_radius(model, name)
     if radius is None:
         return []
-    reach = [(z - 0.5 * gears[g].geometry.b, z + 0.5 * gears[g].geometry.b) for g, z in part.gears.items()]
-    ends = [z for pair in reach for z in pair]
+    ends = [z for gear in seated(model, name).values() for z in (gear.low, gear.high)]
     ends += [m.position[2] for m in part.markers.values() if _on_axis(m.position)]
     ends += [z for label, b in model.bearings.items() if b.body == name for z in ring_places(model, label)]
     low, high = min(ends), max(ends)

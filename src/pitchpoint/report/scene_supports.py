@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from pitchpoint.model.frames import GROUND, joint_axes, joint_place, place_of, split
 from pitchpoint.model.shafts import section_at
 from pitchpoint.report import scene_shapes as shapes
+from pitchpoint.report.scene_seated import seated
 from pitchpoint.viz.scene import SceneSolid
 
 if TYPE_CHECKING:
@@ -39,12 +40,12 @@ EDGE, ROOM = 0.003, 0.02
 
 def spindle_radius(model: Model, body: str) -> float | None:
     """Radius of the spindle that joins the gears of a body without sections [m]; none without gears."""
-    gears = [model.gears[g] for g in model.bodies[body].gears]
-    outer = [g for g in gears if g.type != "internal"]
-    if not outer:
+    gears = seated(model, body).values()
+    roots = [g.root for g in gears if g.root is not None]
+    if not roots:
         return None
-    bores = [g.bore_diameter for g in outer if g.bore_diameter > 0.0]
-    return 0.5 * min(bores) if bores else SPINDLE * min(0.5 * g.geometry.d_f for g in outer)
+    bores = [g.hub for g in gears if g.hub > 0.0]
+    return min(bores) if bores else SPINDLE * min(roots)
 
 
 def ring_places(model: Model, name: str) -> list[float]:
@@ -53,12 +54,11 @@ def ring_places(model: Model, name: str) -> list[float]:
     z, radius = part.position[2], shaft_radius(model, part.body, part.position[2])
     if radius is None:
         return [z]
-    gears = model.bodies[part.body].gears if part.body in model.bodies else {}
-    for gear, middle in gears.items():
-        half = 0.5 * model.gears[gear].face_width
-        if abs(z - middle) < half + 0.5 * WIDE * radius:
+    for gear in seated(model, part.body).values() if part.body in model.bodies else ():
+        half = 0.5 * (gear.high - gear.low)
+        if abs(z - gear.middle) < half + 0.5 * WIDE * radius:
             away = half + BESIDE * radius
-            return [middle - away, middle + away]
+            return [gear.middle - away, gear.middle + away]
     return [z]
 
 
@@ -204,7 +204,9 @@ def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
     found = {}
     for name, parts in held.items():
         body = model.bodies.get(name)
-        if len(parts) < 2 or (body is not None and (body.gears or body.solid is not None or body.shaft)):
+        if len(parts) < 2:
+            continue
+        if body is not None and (body.gears or body.bevel_gears or body.solid is not None or body.shaft):
             continue
         if name in model.elastic_bodies:
             continue
@@ -219,10 +221,9 @@ def _frame(model: Model, at: Places, name: str, parts: list[tuple[str, Array]]) 
         axis = at.world(body)[1][:, 2]
         radius = shaft_radius(model, body, float((place - at.origin(body)) @ axis)) or LEAST * at.size
         corners.append(_reach(place, axis, OUTER[1] * radius, 0.5 * WIDE * radius))
-        for gear, z in model.bodies[body].gears.items():
-            shape, bore = model.gears[gear].geometry, model.gears[gear].bore_diameter
-            around = 0.5 * max(abs(shape.d_a), bore if shape.is_internal else 0.0)
-            corners.append(_reach(at.world(body, (0.0, 0.0, z))[0], axis, around, 0.5 * shape.b))
+        for gear in seated(model, body).values():
+            middle = at.world(body, (0.0, 0.0, gear.middle))[0]
+            corners.append(_reach(middle, axis, gear.outer, 0.5 * (gear.high - gear.low)))
     box = np.concatenate(corners)
     low, high = box.min(axis=0) - ROOM * at.size, box.max(axis=0) + ROOM * at.size
     ends = np.array([[(low, high)[k >> i & 1][i] for i in range(3)] for k in range(8)])

@@ -27,9 +27,10 @@ from pitchpoint.solvers.linear_system import (
 )
 from pitchpoint.solvers.modal import energy_shares
 from pitchpoint.solvers.mode_names import mode_names
-from pitchpoint.solvers.stiffness_parts import Array, mesh_names
+from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.trains import rotations
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -166,7 +167,7 @@ def _steady(linear: Linearised, still: State, rates: Array) -> Linearised:
 def _orders(system: System, rates: Array) -> dict[str, float]:
     """Mesh frequency over rotational frequency of the body with ratio 1, by mesh."""
     found = {}
-    for name, record in zip(mesh_names(system), system.records.get("gear_mesh", ()), strict=True):
+    for name, record in zip(mesh_names(system), mesh_records(system), strict=True):
         one, two = (spin_of(system.program["body"], int(record[e])) for e in ("i", "j"))
         teeth, ratio = record["z1"], rates[one] if one >= 0 else 0.0
         if ratio == 0.0:

@@ -24,10 +24,11 @@ from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.start import without_friction
-from pitchpoint.solvers.stiffness_parts import NONE, TOUCH, Array, Parts, mesh_names, shift, split, touching
+from pitchpoint.solvers.stiffness_parts import NONE, TOUCH, Array, Parts, shift, split, touching
 from pitchpoint.solvers.still import LARGE
 from pitchpoint.solvers.trains import driven_coordinates, held_spins, rotations
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
 MOST_MODES = 200
@@ -127,7 +128,7 @@ def linearise(
 
 def _of_arbitrary_stiffness(system: System, loose: Sequence[str]) -> list[str]:
     """Note on unloaded meshes whose stiffness grows with the load: at the point of touch they have none."""
-    records = zip(mesh_names(system), system.records.get("gear_mesh", ()), strict=True)
+    records = zip(mesh_names(system), mesh_records(system), strict=True)
     names = [name for name, record in records if name in loose and record["power"] > 1.0]
     if not names:
         return []
@@ -178,7 +179,7 @@ def _at_phase(system: System, state: State, phase: float, held: tuple[int, ...])
     """Put every mesh at one phase; the records of the system change."""
     for _ in range(4):  # the deflection of the new place moves the phase a little
         values = evaluate.observe(system, state)
-        for name, record in zip(mesh_names(system), system.records.get("gear_mesh", ()), strict=True):
+        for name, record in zip(mesh_names(system), mesh_records(system), strict=True):
             shift(record, phase - float(values[system.layout.channel(f"mesh_phase[{name}]")]))
         rest = find_equilibrium(system, state, held).state
         rest.v[:] = state.v

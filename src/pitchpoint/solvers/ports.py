@@ -20,8 +20,8 @@ from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.body_shapes import body_motions
 from pitchpoint.solvers.element_tangents import tangents
 from pitchpoint.solvers.linear_system import Linearised
-from pitchpoint.solvers.stiffness_parts import mesh_names
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import mesh_names, mesh_record, one_mesh
 from pitchpoint.system.system import State
 
 Array = NDArray[np.float64]
@@ -161,7 +161,7 @@ def _error_of(linear: Linearised, name: str, k: int) -> Input:
     system, still = linear.system, linear.state.copy()
     still.v[:] = 0.0
     force = _by_travel(system, k, lambda: evaluate.residual(system, still))
-    D, K = (evaluate.dense(system, A) for A in tangents(system, still, {"gear_mesh": slice(k, k + 1)}))
+    D, K = (evaluate.dense(system, A) for A in tangents(system, still, one_mesh(system, k)))
     used = np.flatnonzero(np.any(K != 0.0, axis=0) | (force != 0.0))
     weight = system.weight[used]
     scaled = np.linalg.lstsq(
@@ -178,7 +178,7 @@ def _error_of(linear: Linearised, name: str, k: int) -> Input:
 
 def _by_travel(system, k: int, ask) -> Array:  # type: ignore[no-untyped-def]
     """Derivative of what `ask` gives by the travel that a mesh was assembled with."""
-    record = system.records["gear_mesh"][k]
+    record = mesh_record(system, k)
     kept, sides = float(record["u0"]), []
     for sign in (1.0, -1.0):
         record["u0"] = kept + sign * STEP
@@ -255,7 +255,7 @@ def _mean_ratio(linear: Linearised, k: int, name: str) -> float:
     """Stiffness of a mesh that counts (mean over its cycle) over that of the phase of the operating point."""
     still = linear.state.copy()
     still.v[:] = 0.0
-    _, now = tangents(linear.system, still, {"gear_mesh": slice(k, k + 1)})
+    _, now = tangents(linear.system, still, one_mesh(linear.system, k))
     share = linear.at_rest.shares[linear.at_rest.elements.index(f"mesh {name}")]
     own = evaluate.dense(linear.system, now)[np.ix_(share.places, share.places)]
     size = float(np.sum(own * own))

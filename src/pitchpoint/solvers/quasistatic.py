@@ -31,9 +31,10 @@ from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.roll_notes import load_notes
 from pitchpoint.solvers.roll_path import rolled_on, turned_gear, without_deflections
-from pitchpoint.solvers.stiffness_parts import Array, mesh_names
+from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.touch import tangent_stiffness, touching_error
 from pitchpoint.solvers.trains import exchange, held_spins, rotations, tied_by_teeth
+from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
 
@@ -195,8 +196,8 @@ def _mesh_rolls(
         name: MeshRoll(
             unloaded[m],
             tangent[m],
-            _shares(system, rows, name, int(system.records["gear_mesh"][m]["n_pair"])),
-            _pitches(system, system.records["gear_mesh"][m], rates, *rolled),
+            _shares(system, rows, name, int(mesh_record(system, m)["n_pair"])),
+            _pitches(system, mesh_record(system, m), rates, *rolled),
         )
         for m, name in enumerate(mesh_names(system))
     }

@@ -13,8 +13,8 @@ from pitchpoint.solvers.eigen import symmetric, undamped
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.linear_system import SPARSE, free_directions, rigid_rotations
 from pitchpoint.solvers.sparse_modes import lowest_modes
-from pitchpoint.solvers.stiffness_parts import mesh_names
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -126,7 +126,7 @@ def _compliances(system: System, state: State, limit: float) -> NDArray[np.compl
     M, D, K = (_along(Z, evaluate.matrix(system, state, *f)) for f in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
     loads = np.zeros((Z.shape[1], len(mesh_names(system))))
     for k in range(loads.shape[1]):
-        record = system.records["gear_mesh"][k]
+        record = mesh_record(system, k)
         kept, sides = float(record["u0"]), []
         for sign in (1.0, -1.0):
             record["u0"] = kept + sign * STEP

@@ -14,8 +14,9 @@ import numpy as np
 
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.start import IMBALANCE
-from pitchpoint.solvers.stiffness_parts import Array, mesh_names
+from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.trains import driven_coordinates, rotations
+from pitchpoint.system.meshes import mesh_names, mesh_records
 
 if TYPE_CHECKING:
     from pitchpoint.system.system import System
@@ -49,7 +50,7 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
     over = [f"{torque:.4g} N m on {names[spin]}" for spin, torque in left.items()]
     empty = [
         mesh
-        for mesh, record in zip(mesh_names(system), system.records["gear_mesh"], strict=True)
+        for mesh, record in zip(mesh_names(system), mesh_records(system), strict=True)
         if np.abs(rows[:, system.layout.channel(f"mesh_force[{mesh}]")] * record["r_b1"]).max() <= least
     ]
     found = []

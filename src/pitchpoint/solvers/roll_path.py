@@ -14,12 +14,13 @@ from pitchpoint.solvers.assembly import close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.trains import turning_rates
+from pitchpoint.system.meshes import mesh_record
 from pitchpoint.system.system import State, System
 
 
 def turned_gear(system: System, mesh: int) -> tuple[int, int]:
     """Spin of the gear that rolls a mesh, and the number of its teeth: the first of both that can turn."""
-    record = system.records["gear_mesh"][mesh]
+    record = mesh_record(system, mesh)
     body = next(int(record[e]) for e in ("i", "j") if spin_of(system.program["body"], record[e]) >= 0)
     z = record["z1"] if body == record["i"] else record["z2"]
     return system.spin(system.layout.bodies[body]), abs(int(z))

@@ -29,6 +29,7 @@ from pitchpoint.solvers.trains import (
     rotations,
 )
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import KINDS
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -178,7 +179,7 @@ def _closed(
 
 def _passed_on(system: System, state: State, keep: Collection[int], rates: Collection[int]) -> State:
     """The state whose trains beyond closed loops turn too: loops know no teeth, and teeth no loops."""
-    if "gear_mesh" not in system.records or not rates:
+    if system.records.keys().isdisjoint(KINDS) or not rates:
         return state
     state.v[:] = rates_through_loops(system, state, rates)
     return assemble_state(system, state, keep=keep, keep_rates=rates).state
@@ -250,11 +251,13 @@ def without_friction(system: System) -> System:
     Sliding friction follows the normal force but acts across it: in a stiffness matrix it would feed energy
     into modes that real sliding does not.
     """
-    if "gear_mesh" not in system.records or not system.records["gear_mesh"]["mu"].any():
+    rough = [k for k in KINDS if k in system.records and system.records[k]["mu"].any()]
+    if not rough:
         return system
-    records = system.records["gear_mesh"].copy()
-    records["mu"] = 0.0
-    return system.with_params({"gear_mesh": records})
+    smooth = {kind: system.records[kind].copy() for kind in rough}
+    for records in smooth.values():
+        records["mu"] = 0.0
+    return system.with_params(smooth)
 
 
 def _without_loads(system: System) -> System:

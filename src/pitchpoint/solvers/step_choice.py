@@ -14,6 +14,7 @@ from pitchpoint.model.scenario import EXPLICIT_METHODS
 from pitchpoint.solvers.start import Start, drive_records, speeds_of
 from pitchpoint.solvers.step_modes import counted_frequency
 from pitchpoint.solvers.trains import mesh_rates
+from pitchpoint.system.meshes import mesh_records
 
 if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
@@ -37,7 +38,7 @@ def fastest_mesh(system: System, scenario: Scenario) -> float:
     from pitchpoint.elements import drive
     from pitchpoint.elements.ratio import place_of
 
-    if "gear_mesh" not in system.records:
+    if not mesh_records(system):
         return 0.0
     speeds = speeds_of(system, scenario)
     highest = _mesh_frequency(system, speeds)
@@ -55,7 +56,7 @@ def fastest_mesh(system: System, scenario: Scenario) -> float:
 
 
 def _mesh_frequency(system: System, speeds: dict[str, float]) -> float:
-    if "gear_mesh" not in system.records:
+    if not mesh_records(system):
         return 0.0
     return max(mesh_rates(system, speeds)) / (2.0 * math.pi)
 
@@ -81,7 +82,7 @@ def shortest_period(start: Start, scenario: Scenario) -> float:
     fastest = max(
         counted_frequency(start, scenario.method in EXPLICIT_METHODS),
         fastest_mesh(start.system, scenario),
-        *(mesh_mode(row, start.system) for row in start.system.records.get("gear_mesh", ())),
+        *(mesh_mode(row, start.system) for row in mesh_records(start.system)),
         10.0 / (scenario.duration or 1.0),
     )
     return 1.0 / fastest

@@ -28,20 +28,21 @@ from pitchpoint.solvers.element_tangents import (
 )
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import KINDS, is_bevel, mesh_names, mesh_places, mesh_record, mesh_records
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
 #: Field that holds the stiffness of a mesh; without it there is none.
-STIFFNESS_FIELD = {"gear_mesh": "c_prime"}
+STIFFNESS_FIELD = dict.fromkeys(KINDS, "c_prime")
 
 NONE = 1e-14
 """Stiffness over the largest below which an element has none."""
 
-FIRST = ("bearing", "coupling", "gear_mesh")
+FIRST = ("bearing", "coupling", *KINDS)
 """Kinds that are listed before all others."""
 
-WORDS = {"gear_mesh": "mesh", "closure": "reaction", "shaft_beam": "beam"}
+WORDS = {**dict.fromkeys(KINDS, "mesh"), "closure": "reaction", "shaft_beam": "beam"}
 """Words for kinds where they differ from the name."""
 
 TOUCH = 1e-9
@@ -76,11 +77,6 @@ class Parts:
     kinds: tuple[str, ...]
     bodies: NDArray[np.int64]
     shares: tuple[Share, ...]
-
-
-def mesh_names(system: System) -> tuple[str, ...]:
-    """Names of the meshes in the order of their records."""
-    return element_names(system, "gear_mesh") if "gear_mesh" in system.records else ()
 
 
 def element_list(system: System) -> list[tuple[str, int, str]]:
@@ -149,6 +145,8 @@ def _kinks(record: np.void, flank: int, pool: Array) -> Array:
     if n > 2:
         places += list(np.linspace(0.0, eps, n if n <= MOST_SPLIT else 17)[1:-1])
     ends = lam * np.array([record["z_lo"], record["z_hi"]], dtype=float)
+    if is_bevel(record):  # contact lines of bevel gears are spirals
+        ends = lam * record["R_m"] * np.log1p(ends / (lam * record["R_m"])) if lam != 0.0 else ends
     return np.asarray(np.subtract.outer(places, ends).ravel())
 
 
@@ -163,7 +161,7 @@ def touching(system: System, state: State) -> tuple[str, ...]:
     a copy.
     """
     names = []
-    for k, record in enumerate(system.records.get("gear_mesh", ())):
+    for k, record in enumerate(mesh_records(system)):
         evaluate.residual(system, state)
         depth = abs(record["u"] - record["e_t"]) - 0.5 * record["gap"] - record["sep_min"]
         # without backlash round-off presses both flanks of an unloaded mesh
@@ -219,11 +217,12 @@ def split(
     found: list[tuple[str, str, tuple[int, int], Share]] = []
     listed = element_list(system)
     for e, (kind, k, name) in enumerate(listed):
-        if kind == "gear_mesh":
+        if kind in KINDS:
             d, own = tangents(system, state, {kind: slice(k, k + 1)})
             if mean:
                 loose = name.partition(" ")[2] in touched
-                D_mean, K_mean = _cycle_mean(system, state, held, k, loose, under)
+                m = mesh_places(system).index((kind, k))
+                D_mean, K_mean = _cycle_mean(system, state, held, m, loose, under)
                 D, K, own = D + D_mean - d, K + K_mean - own, K_mean
         else:
             own = stiffness_of(system, state, {kind: slice(k, k + 1)}, bare)
@@ -249,7 +248,7 @@ def _cycle_mean(
     system: System, state: State, held: tuple[int, ...], k: int, loose: bool, rates: Array
 ) -> tuple[Array, Array]:
     """Mean damping and stiffness of mesh k over its cycle as blocks, the other meshes at their phase."""
-    record = system.records["gear_mesh"][k]
+    record, (kind, n) = mesh_record(system, k), mesh_places(system)[k]
     kept = record.copy()
     names = mesh_names(system)
     values = evaluate.observe(system, state)
@@ -257,7 +256,7 @@ def _cycle_mean(
     flank = -1 if contact < 0.0 else 1
     now = _phase(system, state, k, flank)
     both = bool(contact == 2.0 or record["gap"] < 0.0)
-    phases, weights = cycle_nodes(record, flank, system.pools["gear_mesh"], both)
+    phases, weights = cycle_nodes(record, flank, system.pools.get(kind, np.zeros(0)), both)
     total = np.zeros((2, *system.workspace.A.shape))
     at = state
     try:
@@ -271,7 +270,7 @@ def _cycle_mean(
                 for _ in range(2):  # the deflection there moves the phase a little
                     at = _rest_at(system, at, held, state, rates)
                     shift(record, flank * _nearest(float(psi) - _phase(system, at, k, flank)))
-            total += weight * np.array(tangents(system, at, {"gear_mesh": slice(k, k + 1)}))
+            total += weight * np.array(tangents(system, at, {kind: slice(n, n + 1)}))
     finally:
         for name in ("xi_0", "xi_b", "u0"):
             record[name] = kept[name]
@@ -283,7 +282,7 @@ def _phase(system: System, state: State, k: int, flank: int) -> float:
     """Phase of one flank of mesh k; that of the back flank is left in the record by its own sum."""
     values = evaluate.observe(system, state)
     if flank < 0:
-        return float(system.records["gear_mesh"][k]["psi"])
+        return float(mesh_record(system, k)["psi"])
     return float(values[system.layout.channel(f"mesh_phase[{mesh_names(system)[k]}]")])
 
 

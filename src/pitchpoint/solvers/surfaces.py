@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements.gear_mesh_record import PHASE
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import mesh_record
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -47,7 +48,7 @@ def all_surfaces(system: System) -> list[Surface]:
         if kind not in JUMPS:
             continue
         mesh = meshes.setdefault(name, len(meshes))
-        record = system.records["gear_mesh"][mesh]
+        record = mesh_record(system, mesh)
         lean = 0.0 if record["source"] == PHASE else JUMPS[kind] * float(record["tan_b"] / record["p_bt"])
         n = 1 if lean == 0.0 else int(record["slices"])
         found += [Surface(k, mesh, lean, (s + 0.5) / n) for s in range(n)]
@@ -59,7 +60,7 @@ def heights(system: System, state: State, surfaces: Sequence[Surface]) -> Array:
     values = evaluate.event_values(system, state)
     found = np.zeros(len(surfaces))
     for n, (event, mesh, lean, place) in enumerate(surfaces):
-        low, high = (float(system.records["gear_mesh"][mesh][key]) for key in ("z_lo", "z_hi"))
+        low, high = (float(mesh_record(system, mesh)[key]) for key in ("z_lo", "z_hi"))
         height = values[event] + lean * (low + place * (high - low))
         found[n] = height - np.floor(height + 0.5)
     return found

@@ -8,8 +8,9 @@ import math
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED
 from pitchpoint.multibody.bodies import spin_of
-from pitchpoint.solvers.stiffness_parts import STIFFNESS_FIELD, mesh_names
+from pitchpoint.solvers.stiffness_parts import STIFFNESS_FIELD
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import mesh_names, mesh_places, mesh_record
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
@@ -20,12 +21,12 @@ DEPTH = 1e-13
 
 def tangent_stiffness(system: System, state: State, m: int) -> float:
     """Slope of the force of mesh m over the travel of one of its gears along the base tangent."""
-    record = system.records["gear_mesh"][m]
+    record = mesh_record(system, m)
     body, radius = (record["i"], record["r_b1"])
     if spin_of(system.program["body"], body) < 0:
         body, radius = record["j"], record["r_b2"]
     spin = spin_of(system.program["body"], body)
-    field = STIFFNESS_FIELD["gear_mesh"]
+    field = STIFFNESS_FIELD[mesh_places(system)[m][0]]
     whole = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
     kept = float(record[field])
     record[field] = 0.0
@@ -43,7 +44,7 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
     to the edge at once, whatever the exponent. Where they change on the way, bisection between the
     last places with and without force finds the edge.
     """
-    record = system.records["gear_mesh"][m]
+    record = mesh_record(system, m)
     flank = -1.0 if contact < 0.0 else 1.0
     which, radius = ("j", float(record["r_b2"]))
     if spin_of(system.program["body"], record["j"]) < 0:

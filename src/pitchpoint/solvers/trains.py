@@ -20,6 +20,7 @@ from pitchpoint.elements.registry import MODAL
 from pitchpoint.multibody.bodies import GENERAL, base_of, spin_of
 from pitchpoint.solvers.assembly import loop_rows
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import KINDS, is_bevel, mesh_records
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -150,8 +151,8 @@ def mesh_rates(system: System, speeds: Mapping[str, float]) -> list[float]:
         if body[b]["spin"] >= 0:
             rates[index[int(body[b]["spin"])]] = speeds.get(name, 0.0)
     found = []
-    for record in system.records.get("gear_mesh", ()):
-        base = _base(system, index, record)
+    for record in mesh_records(system):
+        base = _base(system, index, record, "i")
         relative = _turning(system, index, int(record["i"])) - base
         found.append(abs(float(record["z1"] * (relative @ rates))))
     return found
@@ -246,12 +247,13 @@ def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[A
         for record in records:
             if kind == "ratio":
                 row = _ratio(record, index)
-            elif kind in ("gear_mesh", "bearing") or together:
+            elif kind in (*KINDS, "bearing") or together:
                 i, j = int(record["i"]), int(record["j"])
                 one, two = (_turning(system, index, b) for b in (i, j))
-                if kind == "gear_mesh":
-                    base = _base(system, index, record)
-                    row = float(record["z1"]) * (one - base) + float(record["z2"]) * (two - base)
+                if kind in KINDS:
+                    bases = (_base(system, index, record, end) for end in "ij")
+                    one, two = (turn - base for turn, base in zip((one, two), bases, strict=True))
+                    row = float(record["z1"]) * one + float(record["z2"]) * two
                 elif kind == "bearing" and record["K"][5, 5] == 0.0:
                     continue
                 else:
@@ -265,13 +267,15 @@ def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[A
     return found
 
 
-def _base(system: System, index: dict[int, int], record: np.void) -> Array:
-    """How what carries the line of centres of a mesh turns about the axes of its gears, per rate of any spin.
+def _base(system: System, index: dict[int, int], record: np.void, end: str) -> Array:
+    """How what carries the line of centres of a mesh turns about the axis of a gear, per rate of any spin.
 
-    A housing that turns about another axis takes the gears along and turns none against the other.
+    Axes of cylindrical gears are the same; of bevel gears each has its own, and both hang on one base. A
+    housing that turns about another axis takes the gears along and turns none against the other.
     """
     body = system.program["body"]
-    gear = int(record["i"] if record["carried"] == 1 else record["j"])
+    parallel = "i" if record["carried"] == 1 else "j"
+    gear = int(record[end if is_bevel(record) else parallel])
     own = int(body[gear]["spinner"]) or gear
     return _turning(system, index, base_of(body, gear), float(body[own]["sense"]))
 
@@ -293,7 +297,7 @@ def _resisted(system: System, index: dict[int, int]) -> list[Array]:
     body = system.program["body"]
     held = {int(s) for s in system.states}
     for kind, records in system.records.items():
-        if kind in ("gear_mesh", "ratio"):
+        if kind in (*KINDS, "ratio"):
             continue
         module = registry.find(kind).load()
         if getattr(module, "SPINS", "holds") != "holds" or "i" not in (records.dtype.names or ()):

@@ -29,6 +29,7 @@ from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.time import next_chunk, scenario_of
 from pitchpoint.sweep.tables import STATISTICS, channel_tables, jump_tables, mesh_tables, places
+from pitchpoint.system.meshes import mesh_records
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
 
@@ -122,7 +123,7 @@ def _plan(system: System, scenario: Scenario, sweep: Sweep) -> _Plan:
     bodies = system.layout.bodies
     fastest = max(
         max(abs(r["z1"] * ratio.get(bodies[r["i"]], 0.0)), abs(r["z2"] * ratio.get(bodies[r["j"]], 0.0)))
-        for r in system.records["gear_mesh"]
+        for r in mesh_records(system)
     )
     return _Plan(
         mesh=mesh,
@@ -146,7 +147,7 @@ class _Walk:
         body = scenario.sweep.body  # type: ignore[union-attr]
         start = prepare_start(system, replace(scenario, speed={body: first}, duration=1.0))
         self.system, self.notes = start.system, start.notes
-        self.mode = max(mesh_mode(row, self.system) for row in self.system.records["gear_mesh"])
+        self.mode = max(mesh_mode(row, self.system) for row in mesh_records(self.system))
         self.speed = first
         self.run = generalized_alpha.start(self.system, start.state, self._step(first))
         self.steps = 0

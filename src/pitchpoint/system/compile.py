@@ -16,6 +16,7 @@ from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.beam import beam_bank, beam_stations
 from pitchpoint.system.rules.bearing import bearing_bank, housing_seats
+from pitchpoint.system.rules.bevel_mesh import bevel_bank
 from pitchpoint.system.rules.bodies import bodies, body_numbers, end_of, world_place
 from pitchpoint.system.rules.bushing import bushing_bank
 from pitchpoint.system.rules.closure import closure_bank
@@ -96,6 +97,7 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     curves, held_curves = curve_banks(model.curve_contacts, places.end)
     *surfaces, held_balls = surface_banks(model.surface_contacts, places.end)
     others = [
+        bevel_bank(model),
         bearing_bank(model),
         loose_bearing_bank(model),
         shaft_bank(model, body_numbers(model)),

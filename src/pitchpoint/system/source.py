@@ -18,6 +18,7 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "ball_on_surface": ("surface_contacts",),
     "beam": ("beams",),
     "bearing": ("bearings", "couplings"),
+    "bevel_mesh": ("bevel_meshes",),
     "bushing": ("bushings",),
     "clearance_bearing": ("plain_bearings",),
     "closure": ("joints", "rods"),

@@ -203,18 +203,61 @@ def single_stiffness(
     >>> round(values.c_prime / 1e9, 4), round(values.c_gamma_alpha / 1e9, 4)
     (14.4718, 23.0439)
     """
-    first, second = pair.gear1, pair.gear2
-    if (abs(second.z), -second.x) < (abs(first.z), -first.x):
-        first, second = second, first
-    z_n1, z_n2 = (virtual_teeth(g, virtual_teeth_formula) for g in (first, second))
-    c_th = theoretical_stiffness(z_n1, z_n2, first.x, second.x)
+    one, two = (
+        VirtualTooth(virtual_teeth(g, virtual_teeth_formula), g.x, g.h_fP_star, g.alpha_n, g.beta)
+        for g in (pair.gear1, pair.gear2)
+    )
+    return stiffness_of_teeth((one, two), pair.eps_alpha, C_M, C_R, moduli, modulus_steel)
+
+
+@dataclass(frozen=True)
+class VirtualTooth:
+    """Tooth on its virtual spur gear: z_n, x, h_fP* [-], alpha_n and helix or spiral angle [rad]."""
+
+    z_n: float
+    x: float
+    h_fP_star: float
+    alpha_n: float
+    beta: float
+
+
+def stiffness_of_teeth(
+    teeth: tuple[VirtualTooth, VirtualTooth],
+    eps_alpha: float,
+    C_M: float = 0.8,
+    C_R: float = 1.0,
+    moduli: tuple[float, float] | None = None,
+    modulus_steel: float = 206.0e9,
+) -> SingleStiffness:
+    """Single and mesh stiffness of two teeth of virtual spur gears, see `single_stiffness`.
+
+    Source: ISO 6336-1:2006, method B; for bevel gears with the virtual gears of ISO 10300-1 and the mean
+    normal module.
+
+    Parameters
+    ----------
+    teeth
+        Of gear 1 and gear 2.
+    eps_alpha
+        Transverse contact ratio [-].
+    C_M, C_R, moduli, modulus_steel
+        As in `single_stiffness`.
+
+    Examples
+    --------
+    >>> tooth = VirtualTooth(62.0, 0.0, 1.25, math.radians(20.0), 0.0)
+    >>> round(stiffness_of_teeth((tooth, tooth), 1.7903).c_prime / 1e9, 4)
+    14.4718
+    """
+    first, second = sorted(teeth, key=lambda tooth: (tooth.z_n, -tooth.x))
+    c_th = theoretical_stiffness(first.z_n, second.z_n, first.x, second.x)
     C_B = 0.5 * sum(basic_rack_factor(g.h_fP_star, g.alpha_n) for g in (first, second))
     ratio = 1.0
     if moduli is not None:
         E1, E2 = (positive("material.youngs_modulus", E, "Pa") for E in moduli)
         ratio = 2.0 * E1 * E2 / (E1 + E2) / modulus_steel
     c_prime = c_th * C_M * C_R * C_B * math.cos(first.beta) * ratio
-    c_gamma_alpha = c_prime * (0.75 * pair.eps_alpha + 0.25)
+    c_gamma_alpha = c_prime * (0.75 * eps_alpha + 0.25)
     return SingleStiffness(
         c_th=c_th,
         c_prime=c_prime,
@@ -224,8 +267,8 @@ def single_stiffness(
         C_R=C_R,
         C_B=C_B,
         modulus_ratio=ratio,
-        z_n1=z_n1,
-        z_n2=z_n2,
+        z_n1=first.z_n,
+        z_n2=second.z_n,
     )
 
 

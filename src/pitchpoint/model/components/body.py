@@ -25,6 +25,11 @@ class Body:
     gears: dict[str, float] = key(
         "gears", "names of the gears, or a mapping of names to axial offsets of their mid-faces [m]", {}
     )
+    bevel_gears: dict[str, float] = key(
+        "gears",
+        "names of the bevel gears, or a mapping of names to the axial places of their apexes [m]",
+        {},
+    )
     motion: str | None = choice(
         MOTIONS,
         "how it moves against ground, where no joint moves it; torsion: spin only; planar: x, y, spin; "

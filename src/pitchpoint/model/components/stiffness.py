@@ -33,8 +33,8 @@ def _relief() -> float:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Din3990:
-    """Single tooth stiffness by DIN 3990 / ISO 6336 with a parabola along the path of contact."""
+class BevelDin3990:
+    """Single tooth stiffness by DIN 3990 of the virtual cylindrical gears, with a parabola along the path."""
 
     law: ClassVar[str] = "din3990"
     stiffness_ratio: float = _ratio()
@@ -46,6 +46,12 @@ class Din3990:
         display="by the standard",
     )
     low_load: bool = key("boolean", "lower the stiffness below 100 N/mm specific load", False)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Din3990(BevelDin3990):
+    """Single tooth stiffness by DIN 3990 / ISO 6336 with a parabola along the path of contact."""
+
     virtual_teeth: str = choice(("iso", "cos3"), "z_n = z/(cos^2 beta_b cos beta), or z/cos^3 beta", "iso")
 
 
@@ -173,6 +179,10 @@ LAWS: dict[str, type] = {
         UserStiffness,
     )
 }
+
+BevelStiffnessLaw: TypeAlias = BevelDin3990 | ConstantStiffness
+BEVEL_LAWS: dict[str, type] = {c.law: c for c in (BevelDin3990, ConstantStiffness)}
+"""Laws of bevel meshes."""
 
 #: Laws that describe one tooth pair; all others prescribe the stiffness of the whole mesh.
 OF_PAIRS = ("din3990", "energy", "hertz", "pair_table")

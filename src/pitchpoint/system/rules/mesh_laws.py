@@ -19,7 +19,10 @@ from pitchpoint.system.rules.stiffness import describe_stiffness
 from pitchpoint.system.rules.turning_inertia import turning_inertia
 
 if TYPE_CHECKING:
-    from pitchpoint.model.components.mesh import ContactDamping, TransmissionError
+    from collections.abc import Sequence
+
+    from pitchpoint.model.components.bevel_mesh import BevelMesh
+    from pitchpoint.model.components.mesh import ContactDamping, Mesh, TransmissionError
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
@@ -73,20 +76,15 @@ def mesh_laws(model: Model, name: str) -> MeshLaws:
     """Stiffness, damping, friction and excitation of one mesh; ratios become damping rates."""
     mesh = model.meshes[name]
     stiffness = describe_stiffness(model, name)
-    k = mean_stiffness(model.pairs[name], stiffness)
-    critical = 2.0 * math.sqrt(k * _reduced_mass(model, name))
-    found: dict[str, Any] = {"stiffness": stiffness, "k_ref": k}
+    pair = model.pairs[name]
+    k = mean_stiffness(pair, stiffness)
+    radii = [0.5 * model.gears[g].geometry.d_b for g in mesh.gears]
+    whole = stiffness.c_prime * pair.b_w if isinstance(stiffness, PairShape) else None
+    losses = flank_losses(model, mesh, radii, (math.cos(pair.gear1.beta_b), whole, k))
+    found: dict[str, Any] = {"stiffness": stiffness, "k_ref": k, **losses}
     modified = any(model.gears[g].is_modified for g in mesh.gears)
     grids = modified and isinstance(stiffness, PairShape)
     found["slices"] = mesh.slices if mesh.width == "slices" or grids else 0
-    if mesh.damping is not None:
-        found |= contact_damping(mesh.damping, model.pairs[name], stiffness, k, critical)
-    if mesh.damper is not None:
-        value = mesh.damper.value if mesh.damper.ratio is None else mesh.damper.ratio * critical
-        found["d_gap"] = value or 0.0
-    if mesh.friction is not None:
-        found |= {"mu": mesh.friction.mu, "v_eps": mesh.friction.v_eps}
-        found |= {"mu_s": mesh.friction.static, "v_s": mesh.friction.static_speed}
     if isinstance(mesh.stiffness, UserStiffness):
         found["user"] = np.array(mesh.stiffness.python.parameters or (0.0,))
     if mesh.transmission_error is not None:
@@ -94,19 +92,49 @@ def mesh_laws(model: Model, name: str) -> MeshLaws:
     return MeshLaws(**found)
 
 
+def flank_losses(
+    model: Model, mesh: Mesh | BevelMesh, radii: Sequence[float], flanks: tuple[float, float | None, float]
+) -> dict[str, Any]:
+    """Damping and friction of a mesh whose gears have these base radii [m].
+
+    `flanks`: cos(beta_b), stiffness of a pair that touches over the whole width (None without pairs), and
+    mean mesh stiffness, both along the base tangent [N/m].
+    """
+    cos_b, whole, k = flanks
+    critical = 2.0 * math.sqrt(k * _reduced_mass(model, mesh.gears, radii))
+    found: dict[str, Any] = {}
+    if mesh.damping is not None:
+        found |= flank_damping(mesh.damping, cos_b, whole, k, critical)
+    if mesh.damper is not None:
+        value = mesh.damper.value if mesh.damper.ratio is None else mesh.damper.ratio * critical
+        found["d_gap"] = value or 0.0
+    if mesh.friction is not None:
+        found |= {"mu": mesh.friction.mu, "v_eps": mesh.friction.v_eps}
+        found |= {"mu_s": mesh.friction.static, "v_s": mesh.friction.static_speed}
+    return found
+
+
 def contact_damping(
     damping: ContactDamping, pair: GearPair, stiffness: Description, k: float, critical: float
+) -> dict[str, Any]:
+    """Damping of touching flanks of cylindrical gears; see `flank_damping`."""
+    whole = stiffness.c_prime * pair.b_w if isinstance(stiffness, PairShape) else None
+    return flank_damping(damping, math.cos(pair.gear1.beta_b), whole, k, critical)
+
+
+def flank_damping(
+    damping: ContactDamping, cos_b: float, whole: float | None, k: float, critical: float
 ) -> dict[str, Any]:
     """Damping of touching flanks along the base tangent, at the mean stiffness k.
 
     Along the base tangent a force is cos(beta_b) of that normal to the flanks and an overlap 1/cos(beta_b).
+    `whole`: stiffness of one pair that touches over the whole width; None without pairs [N/m].
     """
-    cos_b = math.cos(pair.gear1.beta_b)
     if damping.restitution is not None:
         return {"chi": restitution_factor(damping.restitution) / damping.speed * cos_b}
     if damping.pair is not None:
-        assert isinstance(stiffness, PairShape)  # the model layer asks for a law of one pair
-        d_in = damping.pair * cos_b**2 * k / (stiffness.c_prime * pair.b_w)
+        assert whole is not None  # the model layer asks for a law of one pair
+        d_in = damping.pair * cos_b**2 * k / whole
     else:
         d_in = (damping.d_in if damping.ratio is None else damping.ratio * critical) or 0.0
     d_out = d_in if damping.d_out is None else damping.d_out
@@ -128,15 +156,15 @@ def _excitation(error: TransmissionError) -> dict[str, Array]:
     }
 
 
-def _reduced_mass(model: Model, name: str) -> float:
+def _reduced_mass(model: Model, gears: Sequence[str], radii: Sequence[float]) -> float:
     """Mass that both bodies of a mesh, and what hangs on them, put on its line of action, spins only [kg].
 
     Zero without bodies.
     """
     inverse = 0.0
-    for gear in model.meshes[name].gears:
+    for gear, r_b in zip(gears, radii, strict=True):
         body = model.body_of(gear)
         if body is not None and model.bodies[body].moves != "fixed":
             polar = turning_inertia(model, body)
-            inverse += (0.5 * model.gears[gear].geometry.d_b) ** 2 / polar if polar > 0.0 else 0.0
+            inverse += r_b**2 / polar if polar > 0.0 else 0.0
     return 1.0 / inverse if inverse > 0.0 else 0.0

@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where two bevel gears touch: plane of action, travel and phase from two frames, directions of the force.
+
+The pitch ray p, q across it towards gear 2 and t = p x q follow from the two axes a1, a2 that lead from the
+apexes into the gears: t is normal to both, and p divides the angle between them so that the sines of its
+parts are as those of the base cones. The plane of action of the flank f (+1 front, -1 back) goes through the
+apex, touches both base cones and has the normal N = sin(alpha) t - f cos(alpha) q; a ray of it at the angle
+sigma from p is r = cos(sigma) p + sin(sigma) e0 with e0 = N x p, and the line of action crosses it along
+e = N x r. Gears whose apexes coincide roll exactly, whatever their shaft angle is: base cones stay, working
+pitch cones and backlash follow, as with the centre distance of cylindrical gears.
+
+Apexes that lie d apart open the flanks by the part of d along their normal, so that the penetration along the
+base tangent at the cone distance R is
+
+    x = R (f u - gap/2)/R_m + (e - f tan(beta_b) r) . d
+
+with u and gap at R_m. Its gradient at frozen R and sigma is the wrench of a unit force: e - f tan(beta_b) r
+at the apexes, a couple R N, and a couple for the turn of e with the axes. So forces can neither create nor
+lose energy, and since x is invariant, action is reaction.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.core.kernel import kernel
+from pitchpoint.core.status import BAD_CENTRE, OK
+from pitchpoint.multibody.vectors import add, column, cross, dot, less, plus, times, triple
+
+
+@kernel
+def put_row(A, k, a):
+    """Write a vector into row k of an array."""
+    for r in range(3):
+        A[k, r] = a[r]
+
+
+@kernel
+def axes_of_action(b, f, g):
+    """Fill directions, cone angles and places of mesh `b` from the frames `f` and `g` of its bodies."""
+    n1 = column(f["R"], 2)
+    n2 = column(g["R"], 2)
+    one = times(b["side"][0], n1)
+    two = times(b["side"][1], n2)
+    t = cross(one, two)
+    s = math.sqrt(dot(t, t))
+    s1 = b["base"][0]
+    s2 = b["base"][1]
+    rest = s1 * s1 + s2 * s2 + 2.0 * dot(one, two) * s1 * s2
+    # two axes in line, or base cones that reach into each other
+    if not s * s > rest:
+        return BAD_CENTRE
+    t = times(1.0 / s, t)
+    cos_a = math.sqrt(rest) / s
+    s1 /= cos_a
+    s2 /= cos_a
+    c1 = math.sqrt(1.0 - s1 * s1)
+    c2 = math.sqrt(1.0 - s2 * s2)
+    across = cross(t, one)
+    p = plus(times(c1, one), s1, across)
+    q = cross(t, p)
+    A1 = plus(triple(f["r"], 0), b["apex"][0], n1)
+    A2 = plus(triple(g["r"], 0), b["apex"][1], n2)
+    d = less(A1, A2)
+    put_row(b["axis"], 0, one)
+    put_row(b["axis"], 1, two)
+    put_row(b["away"], 0, across)
+    put_row(b["away"], 1, cross(t, two))
+    b["cos_a"] = cos_a
+    b["sin_a"] = math.sqrt(1.0 - cos_a * cos_a)
+    b["sin_S"] = s
+    b["open"][0] = s1 * c2 / s
+    b["open"][1] = c1 * s2 / s
+    for k in range(3):
+        b["d"][k] = d[k]
+        b["m"][k] = p[k]
+        b["e"][k] = q[k]
+        b["t"][k] = t[k]
+        b["P"][k] = 0.5 * (A1[k] + A2[k]) + b["R_m"] * p[k]
+    return OK
+
+
+@kernel
+def _roll(b, gear):
+    """Roll up to the pitch ray of a gear and its turn about the axis less that, both as arcs [rad]."""
+    s = b["base"][gear]
+    sine = s / b["cos_a"]
+    tan = sine / math.sqrt(1.0 - sine * sine) * b["sin_a"]
+    sigma = math.atan(tan)
+    return sigma, sigma - s * math.atan(tan / s)
+
+
+@kernel
+def _turned(b, f, gear):
+    """How far the pitch ray has turned about the z axis of a body, seen from its frame, since rest."""
+    sense = 1.0 if gear == 0 else -1.0
+    to = triple(b["away"][gear], 0)
+    x = sense * dot(to, column(f["R"], 0))
+    y = sense * dot(to, column(f["R"], 1))
+    c = b["towards"][gear, 0]
+    s = b["towards"][gear, 1]
+    return math.atan2(c * y - s * x, c * x + s * y)
+
+
+@kernel
+def place_flanks(b, f, g):
+    """Backlash, path of contact, travel and phases of mesh `b`, after `axes_of_action`."""
+    p_bt = b["p_bt"]
+    R = b["R_m"]
+    roll1, inv1 = _roll(b, 0)
+    roll2, inv2 = _roll(b, 1)
+    b["gap"] = b["gap_0"] + 2.0 * R * (inv1 + inv2)
+    b["xi_A"] = R * (roll2 - b["tip"][1])
+    b["eps"] = (R * (b["tip"][0] - roll1) - b["xi_A"]) / p_bt
+    b["L"] = b["T_R"] * (b["eps"] - math.floor(b["eps"]))
+    middle = (-0.5 * R * (inv1 - inv2) - b["xi_A"]) / p_bt
+    b["start"][0] = middle
+    b["start"][1] = middle
+    first = b["r_b1"] * (f["phi"] - _turned(b, f, 0))
+    second = b["r_b2"] * (g["phi"] - _turned(b, g, 1))
+    u = first + second + b["u0"]
+    n1 = b["z1"] * f["turns"]
+    n2 = b["z2"] * g["turns"]
+    if b["carried"] == 0:
+        n = n1 - n2
+        u += p_bt * (n1 + n2)
+    else:
+        # whole turns of the carrier are whole teeth of both gears: the nearest teeth are those in mesh
+        k = int(math.floor(u / p_bt + 0.5))
+        u -= p_bt * k
+        n = 2 * n1 + k
+    half = n % 2
+    b["u"] = u
+    b["turn"] = (n - half) // 2
+    b["travel"] = 0.5 * (first - second + p_bt * half)
+
+
+@kernel
+def phase_of_flank(b, flank):
+    """Mesh phase of the front (+1) or back (-1) flank, whole base pitches included up to `turn`."""
+    k = 0 if flank > 0 else 1
+    way = b["xi_0"] + b["travel"] if flank > 0 else b["xi_b"] - b["travel"]
+    return b["start"][k] + way / b["p_bt"]
+
+
+@kernel
+def turn_of_plane(b, side, w, bends):
+    """Turn of the plane of action with a turn w of the gear `side` (0 or 1) [rad].
+
+    `bends` is the change of the pressure angle per shaft angle, signed by the flank, or 0 for the plane of
+    the axes alone. The turns that both gears make together add up to that of the machine.
+    """
+    t = triple(b["t"], 0)
+    along = dot(t, w)
+    other = triple(b["axis"][1 - side], 0)
+    sign = 1.0 if side == 0 else -1.0
+    by = sign * dot(triple(b["away"][side], 0), w) / b["sin_S"]
+    share = b["open"][1 - side]
+    p = triple(b["m"], 0)
+    return add(plus(times(by, other), share * along, t), times(sign * bends * along, p))
+
+
+@kernel
+def _couple(b, side, v, bends):
+    """Couple on the gear `side` of a vector v that acts on the turn of the plane: transpose of the above."""
+    t = triple(b["t"], 0)
+    sign = 1.0 if side == 0 else -1.0
+    by = sign * dot(triple(b["axis"][1 - side], 0), v) / b["sin_S"]
+    share = b["open"][1 - side]
+    along = share * dot(t, v) + sign * bends * dot(triple(b["m"], 0), v)
+    return plus(times(by, triple(b["away"][side], 0)), along, t)
+
+
+@kernel
+def _pressure_change(b):
+    """Change of the pressure angle per shaft angle, cot(alpha) cos(delta1) cos(delta2)/sin(Sigma)."""
+    s1 = b["base"][0] / b["cos_a"]
+    s2 = b["base"][1] / b["cos_a"]
+    c = math.sqrt((1.0 - s1 * s1) * (1.0 - s2 * s2))
+    return b["cos_a"] * c / (b["sin_a"] * b["sin_S"])
+
+
+@kernel
+def _normal_row(b, row, G, bends):
+    """A row of the basis for a force along G at the apexes, with what the turn of G takes."""
+    d = triple(b["d"], 0)
+    v = cross(G, d)
+    for side in range(2):
+        B = b["basis_i"] if side == 0 else b["basis_j"]
+        sign = -1.0 if side == 0 else 1.0
+        arm = times(sign * b["side"][side] * b["apex"][side], triple(b["axis"][side], 0))
+        M = less(cross(arm, G), _couple(b, side, v, bends))
+        for k in range(3):
+            B[row, k] = sign * G[k]
+            B[row, 3 + k] = M[k]
+
+
+@kernel
+def _couple_row(b, row, M):
+    for k in range(3):
+        b["basis_i"][row, k] = 0.0
+        b["basis_j"][row, k] = 0.0
+        b["basis_i"][row, 3 + k] = -M[k]
+        b["basis_j"][row, 3 + k] = M[k]
+
+
+@kernel
+def normal_rows(b, flank):
+    """Rows 0 to 2 of the basis of a flank; of the damper along the travel (flank 0) at the pitch ray, all in
+    row 0."""
+    t = triple(b["t"], 0)
+    p = triple(b["m"], 0)
+    q = triple(b["e"], 0)
+    c = b["cos_a"] if flank >= 0 else -b["cos_a"]
+    s = b["sin_a"] if flank != 0 else 0.0
+    tan = b["tan_b"] if flank >= 0 else -b["tan_b"]
+    N = plus(times(s, t), -c, q)
+    e0 = plus(times(c, t), s, q)
+    bends = 0.0 if flank == 0 else flank * _pressure_change(b)
+    _normal_row(b, 0, plus(e0, -tan, p), bends)
+    if flank == 0:
+        for k in range(3):
+            b["basis_i"][0, 3 + k] -= b["R_m"] * N[k]
+            b["basis_j"][0, 3 + k] += b["R_m"] * N[k]
+        return
+    for k in range(3):
+        b["N"][k] = N[k]
+    _normal_row(b, 1, times(-1.0, plus(p, tan, e0)), bends)
+    _couple_row(b, 2, N)
+
+
+@kernel
+def friction_rows(b, f, g):
+    """Rows 3 to 5: friction along N at the apex, and its moments per R cos(sigma) and R sin(sigma)."""
+    N = triple(b["N"], 0)
+    p = triple(b["m"], 0)
+    at = plus(triple(b["P"], 0), -b["R_m"], p)
+    one = cross(less(at, triple(f["r"], 0)), N)
+    two = cross(less(at, triple(g["r"], 0)), N)
+    for k in range(3):
+        b["basis_i"][3, k] = -N[k]
+        b["basis_j"][3, k] = N[k]
+        b["basis_i"][3, 3 + k] = -one[k]
+        b["basis_j"][3, 3 + k] = two[k]
+    _couple_row(b, 4, cross(p, N))
+    _couple_row(b, 5, p)
+
+
+@kernel
+def rate_of_row(b, f, g, row):
+    """Rate of both bodies against a row of the basis: the power it takes from them."""
+    s = 0.0
+    for k in range(6):
+        s -= b["basis_i"][row, k] * f["tw"][k] + b["basis_j"][row, k] * g["tw"][k]
+    return s
+
+
+@kernel
+def rates_of_place(b, f, g):
+    """How fast travel, phases and path of contact change."""
+    w1 = triple(f["tw"], 3)
+    w2 = triple(g["tw"], 3)
+    plane = add(turn_of_plane(b, 0, w1, 0.0), turn_of_plane(b, 1, w2, 0.0))
+    one = b["R_m"] * b["base"][0] * dot(triple(b["axis"][0], 0), less(w1, plane))
+    two = b["R_m"] * b["base"][1] * dot(triple(b["axis"][1], 0), less(w2, plane))
+    wider = dot(triple(b["t"], 0), less(w2, w1))  # of the shaft angle
+    p_bt = b["p_bt"]
+    by = b["R_m"] * wider / b["sin_a"]
+    xi_A_rate = by * b["open"][1]
+    b["xi_A_rate"] = xi_A_rate
+    b["eps_rate"] = -by / p_bt
+    b["travel_rate"] = 0.5 * (one - two)
+    spread = by * b["sin_a"] * b["sin_a"] * (b["open"][0] - b["open"][1])
+    middle = -0.5 * spread - xi_A_rate
+    b["phase_rate"][0] = (middle + b["travel_rate"]) / p_bt
+    b["phase_rate"][1] = (middle - b["travel_rate"]) / p_bt

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What one bevel mesh is to the compiled core: its numbers, its outputs, its scratch.
+
+Lengths in m, angles in rad. Fields that solvers and pages read have the names of `gear_mesh_record` and mean
+the same at the mean cone distance R_m: r_b1 = R_m sin(delta_b1) and so on. Numbers of teeth and base radii of
+a gear whose cone opens towards the -z of its body are negative, so that sums over spins of the bodies hold.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pitchpoint.elements.gear_mesh_record import EVENTS, MAX_PAIRS, PHASE, PROFILE
+from pitchpoint.elements.gear_mesh_record import OUTPUTS as OF_MESHES
+
+__all__ = ["EVENTS", "MAX_PAIRS", "N_OUT", "OUTPUTS", "PHASE", "PROFILE", "RECORD"]
+
+ROWS = 6
+"""Rows of the wrench basis: normal force along two rays and about the plane of action, friction in three."""
+
+_BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
+
+_GEOMETRY = [
+    (
+        "carried",
+        "i8",
+    ),  # 1: the plane of the axes goes round with a carrier; whole base pitches drop out
+    ("z1", "i8"),
+    ("z2", "i8"),  # numbers of teeth, signed by the side that the cone opens to
+    ("r_b1", "f8"),
+    ("r_b2", "f8"),  # base radii at R_m, likewise
+    ("side", "f8", 2),  # +1: the cone opens towards +z of the body, -1: towards -z
+    ("apex", "f8", 2),  # place of the apex along the spin axis of the body
+    ("base", "f8", 2),  # sines of the base cone angles
+    ("tip", "f8", 2),  # roll up to the tip cones, arcs in the plane of action [rad]
+    ("R_m", "f8"),  # mean cone distance
+    ("p_bt", "f8"),  # base pitch at R_m
+    ("tan_b", "f8"),  # tan beta_b of gear 1, right hand positive
+    ("z_lo", "f8"),
+    ("z_hi", "f8"),  # shared face from R_m
+    ("towards", "f8", (2, 2)),  # direction from each axis to the pitch ray at rest, x and y of the body
+    ("u0", "f8"),  # travel left over from the assembly, 0 = teeth centred in the backlash
+    ("gap_0", "f8"),  # backlash at R_m, where the rolls up to the pitch ray are zero
+    ("xi_0", "f8"),
+    ("xi_b", "f8"),  # mean path position of front and back flank at zero angles, less the involute part
+]
+
+_LAW = [
+    ("source", "i8"),
+    ("slices", "i8"),  # none
+    ("form", "i8"),
+    ("n_k", "i8"),
+    ("n_table", "i8"),  # a total stiffness is constant, a pair has a parabola
+    ("c_prime", "f8"),  # PROFILE: of one pair per face width [N/m^2]; PHASE: total at R_m [N/m]
+    ("spread", "f8"),  # PHASE: c_prime times this is the stiffness per width [1/m]
+    ("power", "f8"),  # 1
+    ("S_R", "f8"),
+    ("T_R", "f8"),
+    ("load_limit", "f8"),
+    ("k_ref", "f8"),
+    ("k_step", "f8"),
+    ("d_in", "f8"),
+    ("d_out", "f8"),
+    ("s_0", "f8"),
+    ("smooth", "i8"),
+    ("chi", "f8"),
+    ("d_gap", "f8"),
+    ("mu", "f8"),
+    ("v_eps", "f8"),
+    ("mu_s", "f8"),
+    ("v_s", "f8"),
+    ("turning", "i8"),  # address of `bevel_mesh_turning.turning`, where exact tangents are asked for
+]
+
+#: Scratch: filled and read within one call, carries nothing from call to call.
+_SCRATCH = [
+    ("axis", "f8", (2, 3)),  # from the apex into each gear
+    (
+        "away",
+        "f8",
+        (2, 3),
+    ),  # t x axis: from gear 1 towards the pitch ray, from gear 2 away from it
+    ("P", "f8", 3),  # pitch point: on the pitch ray at R_m
+    ("m", "f8", 3),  # pitch ray p
+    ("e", "f8", 3),  # q, across the pitch ray in the plane of the axes, towards gear 2
+    ("t", "f8", 3),  # p x q
+    ("d", "f8", 3),  # apex of gear 1 from that of gear 2
+    ("N", "f8", 3),  # normal of the plane of action of the current flank
+    ("cos_a", "f8"),
+    ("sin_a", "f8"),
+    ("sin_S", "f8"),  # sine of the shaft angle
+    ("open", "f8", 2),  # change of the pitch cone angles with the shaft angle
+    ("u", "f8"),
+    ("e_t", "f8"),  # 0: no excitation
+    ("gap", "f8"),
+    ("sep_min", "f8"),  # 0
+    ("travel", "f8"),
+    ("turn", "i8"),
+    ("xi_A", "f8"),
+    ("eps", "f8"),
+    ("L", "f8"),
+    ("start", "f8", 2),
+    ("travel_rate", "f8"),
+    ("phase_rate", "f8", 2),
+    ("xi_A_rate", "f8"),
+    ("eps_rate", "f8"),
+    ("flank", "i8"),
+    ("psi", "f8"),
+    ("tooth", "i8"),
+    ("lam", "f8"),  # base pitches per ln(R/R_m) along a contact line
+    ("x", "f8", 3),  # penetration over cos(sigma), sin(sigma) and R
+    ("w", "f8", ROWS),  # rates over the rows of the basis
+    ("lever", "f8", ROWS),  # of one node: cos(sigma), sin(sigma), R; 1, R cos(sigma), R sin(sigma)
+    ("acc", "f8", ROWS),  # forces over the rows
+    ("T", "f8", (ROWS, ROWS)),  # tangents over the rows
+    (
+        "more",
+        "f8",
+        7,
+    ),  # fields named in `bevel_mesh_sums`
+    ("pair", "f8", MAX_PAIRS),
+    ("basis_i", "f8", (ROWS, 6)),
+    ("basis_j", "f8", (ROWS, 6)),
+    ("moved", "f8", (3, 12)),
+    ("slope", "f8", (3, 12)),
+    ("here", "i8"),
+    ("control", "i8"),
+]
+
+RECORD = np.dtype(
+    [*_BODIES, *_GEOMETRY, *_LAW, *_SCRATCH, ("n_pair", "i8"), ("ev", "i8"), ("out", "i8")], align=True
+)
+
+#: Observations of one mesh: those of `gear_mesh`, at R_m and on gear 2, then of gear 1; pair forces follow.
+OUTPUTS = (
+    *OF_MESHES,
+    ("radial_force_1", "N", "separating part on gear 1"),
+    ("axial_force_1", "N", "axial part on gear 1, away from the apex positive"),
+)
+N_OUT = len(OUTPUTS)

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is wrong with bevel meshes: gears that are none or do not fit, apexes apart, teeth that overlap."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.model.bevel_places import apex_of, assemble_bevels, bevel_gap, bevel_pair, tooth_phases
+from pitchpoint.model.fault_check import hand_on
+from pitchpoint.model.keys import Place
+from pitchpoint.model.pair_check import OFFSET_TOLERANCE
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.bevel_mesh import BevelMesh
+    from pitchpoint.model.parts import Parts
+    from pitchpoint.model.read import Reader
+
+PLACE_TOLERANCE = 1e-6
+"""Distance of two apexes over the cone distance, and angle [rad], up to which places count as the same."""
+
+
+def check_bevel_names(parts: Parts, report: Reader) -> None:
+    """Every bevel mesh names two bevel gears that exist and sit on two bodies; every pair once."""
+    from pitchpoint.model.validate import known
+
+    seen: dict[frozenset[str], str] = {}
+    for name, mesh in parts.bevel_meshes.items():
+        at: Place = ("bevel_meshes", name, "gears")
+        exist = [known(parts, "bevel_gears", gear, at, report) for gear in mesh.gears]
+        if name in parts.known("meshes"):
+            report.problem(at[:2], "has the name of a mesh", remedy="call one of the two otherwise")
+        if mesh.gears[0] == mesh.gears[1]:
+            report.problem(at, f"names {mesh.gears[0]} twice", remedy="name two gears")
+            continue
+        first = seen.setdefault(frozenset(mesh.gears), name)
+        if first != name:
+            report.problem(at, f"are the gears of {first} already", remedy="leave one of the two meshes out")
+        if all(exist):
+            _carried(parts, mesh, at, report)
+
+
+def _carried(parts: Parts, mesh: BevelMesh, at: Place, report: Reader) -> None:
+    """Both gears sit on bodies, and not on the same one."""
+    bodies = [parts.body_of(gear) for gear in mesh.gears]
+    if bodies[0] is not None and bodies[0] == bodies[1]:
+        report.problem(at, f"joins two gears of the body {bodies[0]}", remedy="put them on two bodies")
+    complete = parts.bodies and set(parts.bodies) == parts.known("bodies")
+    for gear, body in zip(mesh.gears, bodies, strict=True):
+        if body is None and complete and ("bodies",) not in report.tainted:
+            report.problem(
+                ("bevel_gears", gear),
+                f"is in the mesh {at[1]}, but no body carries it",
+                remedy=f"add {gear} to bevel_gears of a body",
+            )
+
+
+def check_bevel_pairs(parts: Parts, report: Reader) -> None:
+    """Gears of a bevel mesh fit each other, meet in one apex at their shaft angle, and hang on one base."""
+    sound = {}
+    for name, mesh in parts.bevel_meshes.items():
+        gears = [g for g in mesh.gears if g in parts.bevel_gears and g not in parts.misshapen]
+        tainted = any(("bevel_gears", g) in report.tainted for g in mesh.gears)
+        if len(set(gears)) < 2 or tainted or ("bevel_meshes", name) in report.tainted:
+            continue
+        before = len(report.problems)
+        try:
+            for problem in bevel_pair(parts, mesh).problems("", mesh.gears, gears=False):
+                hand_on(report, ("bevel_meshes", name), problem)
+        except GeometryError as error:
+            hand_on(report, ("bevel_meshes", name), error.problem)
+        if len(report.problems) == before and _meet(parts, name, mesh, report):
+            sound[name] = mesh
+    if sound and len(sound) == len(parts.known("bevel_meshes")):
+        _check_teeth(parts, report)
+
+
+def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
+    """Whether apexes and directions are where the pair wants them; says by how much they miss."""
+    from pitchpoint.model.scenario_check import same_base
+
+    first, second = (apex_of(parts, gear) for gear in mesh.gears)
+    if first is None or second is None:
+        return False
+    at: Place = ("bevel_meshes", name)
+    (apex1, way1), (apex2, way2) = first, second
+    pair = bevel_pair(parts, mesh)
+    one, two = (str(parts.body_of(g)) for g in mesh.gears)
+    before = len(report.problems)
+    apart = float(np.linalg.norm(apex1 - apex2))
+    if apart > PLACE_TOLERANCE * pair.R_m:
+        report.problem(
+            (*at, "gears"),
+            f"have their apexes {1e3 * apart:.6g} mm apart, at {_told(apex1)} and {_told(apex2)}",
+            value=" and ".join(mesh.gears),
+            limit="one apex",
+            remedy=f"correct the positions of {one} and {two}, or the places of the gears on them",
+        )
+    angle = math.atan2(float(np.linalg.norm(np.cross(way1, way2))), float(way1 @ way2))
+    if abs(angle - pair.Sigma) > PLACE_TOLERANCE:
+        report.problem(
+            (*at, "shaft_angle") if mesh.shaft_angle is not None else (*at, "gears"),
+            f"is {math.degrees(pair.Sigma):.6g} deg, but the axes from the apex into the gears are "
+            f"{math.degrees(angle):.6g} deg apart",
+            value=" and ".join(mesh.gears),
+            limit=f"{PLACE_TOLERANCE:g} rad",
+            remedy=f"correct the axes of {one} and {two}, or `opens` of the gears",
+        )
+    if not same_base(parts, one, two):
+        report.problem(
+            (*at, "gears"),
+            f"sit on {one} and {two}, which hang on different bodies",
+            value=" and ".join(mesh.gears),
+            remedy="let both turn against the same body: bevel gears on carriers are not possible",
+        )
+    return len(report.problems) == before
+
+
+def _told(place: np.ndarray) -> str:
+    return "(" + ", ".join(f"{1e3 * x:.6g}" for x in place) + ") mm"
+
+
+def _check_teeth(parts: Parts, report: Reader) -> None:
+    """Teeth of gears that are placed twice must find the gaps of their mates."""
+    angles = assemble_bevels(parts)
+    for name, mesh in parts.bevel_meshes.items():
+        pair = bevel_pair(parts, mesh)
+        p_bt = pair.R_m * pair.sigma_p
+        phase = math.remainder(sum(tooth_phases(parts, mesh, angles)) - math.pi, math.tau)
+        room = 0.5 * max(0.0, bevel_gap(pair, mesh)) + OFFSET_TOLERANCE * p_bt
+        over = abs(phase) / math.tau * p_bt - room
+        if over > 0.0:
+            report.problem(
+                ("bevel_meshes", name),
+                f"lets teeth of {mesh.gears[0]} and {mesh.gears[1]} overlap by {over * 1e3:.4g} mm",
+                limit=f"{room * 1e3:.4g} mm off the middle of the gap",
+                remedy="leave initial_angle out on one of the gears, or change the loop of meshes",
+            )

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where bevel gears stand: apexes, directions from there into the gears, pitch rays, angles of teeth."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from pitchpoint.model.frames import Array, body_frame
+from pitchpoint.model.pair_check import along_base_tangent
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.bevel_pair import BevelPair
+    from pitchpoint.model.components.bevel_mesh import BevelMesh
+    from pitchpoint.model.model import Model
+    from pitchpoint.model.parts import Parts
+
+
+def bevel_pair(machine: Model | Parts, mesh: BevelMesh) -> BevelPair:
+    """Geometry of the pair of a bevel mesh; without a shaft angle of its own the cones decide."""
+    from pitchpoint.geometry.bevel_pair import BevelPair
+
+    one, two = (machine.bevel_gears[g].geometry for g in mesh.gears)
+    return BevelPair(one, two, one.delta + two.delta if mesh.shaft_angle is None else mesh.shaft_angle)
+
+
+def bevel_gap(pair: BevelPair, mesh: BevelMesh) -> float:
+    """Total gap along the base tangent at the mean cone distance [m]: given, or of the geometry."""
+    if mesh.backlash is None:
+        return pair.R_m * pair.sigma_j
+    return along_base_tangent(mesh.backlash, pair.alpha_t, pair.beta_b)
+
+
+def apex_of(machine: Model | Parts, gear: str) -> tuple[Array, Array] | None:
+    """Apex of a bevel gear in the world [m] and the unit vector from there into the gear.
+
+    None where no body carries the gear, or its body has no place.
+    """
+    body = machine.body_of(gear)
+    if body is None:
+        return None
+    origin, axes = body_frame(machine, body)
+    if origin is None:
+        return None
+    z = axes[:, 2]
+    return origin + machine.bodies[body].bevel_gears[gear] * z, machine.bevel_gears[gear].direction * z
+
+
+def pitch_ray(axes: Array, own: Array, other: Array) -> float:
+    """Angle of the pitch ray of two gears about the z axis of a body, from its x axis [rad].
+
+    Parameters
+    ----------
+    axes
+        Frame of the body, columns, shape (3, 3).
+    own, other
+        Unit vectors from the apex into the gear on that body and into its mate, shape (3,).
+    """
+    x, y, _ = axes.T @ (other - (other @ own) * own)
+    return math.atan2(y, x)
+
+
+def tooth_phases(machine: Model | Parts, mesh: BevelMesh, angles: dict[str, float]) -> list[float]:
+    """Signed phases z (gamma - ray) of the teeth 0 of both gears at the pitch ray [rad].
+
+    Teeth stand in the middle of the spaces of the mate where both add up to an odd multiple of pi.
+    """
+    ways = [apex_of(machine, g) for g in mesh.gears]
+    assert ways[0] is not None and ways[1] is not None  # a mesh of gears without bodies has no place
+    found = []
+    for k, name in enumerate(mesh.gears):
+        gear = machine.bevel_gears[name]
+        axes = body_frame(machine, str(machine.body_of(name)))[1]
+        ray = pitch_ray(axes, ways[k][1], ways[1 - k][1])  # type: ignore[index]
+        found.append(gear.direction * gear.number_of_teeth * (angles[name] - ray))
+    return found
+
+
+def assemble_bevels(machine: Model | Parts) -> dict[str, float]:
+    """Turn all bevel gears so that their meshes stand in the middle of their backlash.
+
+    Gears with an `initial_angle` keep it; of a train without any, gear 1 of the first mesh stands at 0.
+    """
+    gears = machine.bevel_gears
+    angles = {n: g.initial_angle for n, g in gears.items() if g.initial_angle is not None}
+    loose = [m for m in machine.bevel_meshes.values() if all(apex_of(machine, g) for g in m.gears)]
+    while loose:
+        ready = next((m for m in loose if not angles.keys().isdisjoint(m.gears)), None)
+        if ready is None:
+            angles[loose[0].gears[0]] = 0.0
+            continue
+        loose.remove(ready)
+        for name in ready.gears:
+            if name not in angles:
+                angles[name] = 0.0
+                off = math.remainder(math.pi - sum(tooth_phases(machine, ready, angles)), math.tau)
+                angles[name] = gears[name].direction * off / gears[name].number_of_teeth
+    return {name: math.remainder(angles.get(name, 0.0), math.tau) for name in gears}

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A pair of bevel gears in mesh: how much play they have, what their flanks do."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from pitchpoint.model.components.mesh import Backlash, ContactDamping, Damper, Friction
+from pitchpoint.model.components.stiffness import BEVEL_LAWS, BevelDin3990, BevelStiffnessLaw
+from pitchpoint.model.keys import component, key, quantity
+
+
+@dataclass(frozen=True, kw_only=True)
+class BevelMesh:
+    """Two bevel gears in mesh; their bodies are placed so that both apexes coincide."""
+
+    gears: tuple[str, str] = key("names", "names of bevel gear 1 and bevel gear 2", length=(2, 2))
+    shaft_angle: float | None = quantity(
+        "angle",
+        "shaft angle, between the directions from the apex into both gears",
+        None,
+        minimum=math.radians(1.0),
+        maximum=math.radians(179.0),
+        display="sum of both pitch cone angles",
+    )
+    backlash: Backlash | None = component(
+        Backlash, "total gap at the mean cone distance, instead of the one of the geometry"
+    )
+    stiffness: BevelStiffnessLaw = key(
+        "variant", "mesh stiffness", BevelDin3990(), of=BEVEL_LAWS, display="law: din3990"
+    )
+    damping: ContactDamping | None = component(ContactDamping, "damping of touching flanks")
+    damper: Damper | None = component(Damper, "damper that also acts inside the gap")
+    friction: Friction | None = component(Friction, "sliding friction of the flanks")

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From a pair of bevel gears and its laws to the record of the compiled bevel mesh."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.contact.mesh_cycle import pair_cycle
+from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
+from pitchpoint.contact.stiffness.din3990 import LOW_LOAD, VirtualTooth, stiffness_of_teeth
+from pitchpoint.elements import bevel_mesh_record as layout
+from pitchpoint.geometry.bevel_gear import spherical_involute
+from pitchpoint.model.bevel_places import pitch_ray
+from pitchpoint.model.components.stiffness import ConstantStiffness
+from pitchpoint.model.frames import body_frame
+from pitchpoint.model.mechanism import seat_frame
+from pitchpoint.system.rules.bank import Bank, pack
+from pitchpoint.system.rules.bodies import seat_at
+from pitchpoint.system.rules.mesh_laws import MeshLaws, flank_losses
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.bevel_pair import BevelPair
+    from pitchpoint.model.model import Model
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Placement:
+    """Where the two gears of a bevel mesh stand when all coordinates are zero.
+
+    Parameters
+    ----------
+    axes1, axes2
+        Frames of the bodies in the world, columns; both gears turn about the third axis of theirs.
+    apexes
+        Places of the apexes along these axes, from the origins of the bodies [m].
+    sides
+        +1 for a pitch cone that opens towards +z of the body, -1 towards -z.
+    angles
+        Angles of the centres of tooth 0 at spin 0 about +z of the bodies, from their x axes [rad]; None puts
+        a tooth of gear 1 and a space of gear 2 on the pitch ray.
+    """
+
+    axes1: Array = field(default_factory=lambda: np.eye(3))
+    axes2: Array = field(default_factory=lambda: np.eye(3))
+    apexes: tuple[float, float] = (0.0, 0.0)
+    sides: tuple[float, float] = (1.0, 1.0)
+    angles: tuple[float, float] | None = None
+
+
+def pitch_rays(place: Placement) -> tuple[float, float]:
+    """Angles of the pitch ray about +z of both bodies at rest, from their x axes [rad]."""
+    one, two = place.sides[0] * place.axes1[:, 2], place.sides[1] * place.axes2[:, 2]
+    return pitch_ray(place.axes1, one, two), pitch_ray(place.axes2, two, one)
+
+
+def square_mean(pair: BevelPair) -> float:
+    """Integral of (R/R_m)^2 over the common face [m]: a slice at R counts by its lever squared."""
+    return (pair.R_e**3 - pair.R_i**3) / (3.0 * pair.R_m**2)
+
+
+def mean_stiffness(pair: BevelPair, stiffness: Description) -> float:
+    """Mean total stiffness of a bevel mesh along the base tangent at R_m [N/m], over one mesh cycle."""
+    if isinstance(stiffness, PhaseStiffness):
+        return stiffness.mean
+    return pair_cycle(stiffness, pair.eps_alpha, n=2).mean * stiffness.c_prime * square_mean(pair)
+
+
+def _cones(row: Any, pair: BevelPair, place: Placement) -> None:
+    g1, g2 = pair.gear1, pair.gear2
+    row["side"], row["apex"] = place.sides, place.apexes
+    row["z1"], row["z2"] = (int(s * g.z) for s, g in zip(place.sides, (g1, g2), strict=True))
+    row["R_m"] = R = pair.R_m
+    row["base"] = math.sin(g1.delta_b), math.sin(g2.delta_b)
+    row["tip"] = g1.sigma_a, g2.sigma_a
+    row["r_b1"], row["r_b2"] = R * row["side"] * row["base"]
+    row["p_bt"] = R * pair.sigma_p
+    row["tan_b"] = math.tan(pair.beta_b)
+    row["z_lo"], row["z_hi"] = pair.R_i - R, pair.R_e - R
+    rays = pitch_rays(place)
+    row["towards"] = [(math.cos(ray), math.sin(ray)) for ray in rays]
+
+
+def _assembly(row: Any, pair: BevelPair, place: Placement, backlash: float) -> None:
+    """Backlash, and where the teeth stand: a tooth of gear 1 and a space of gear 2 next to the pitch ray."""
+    gears = (pair.gear1, pair.gear2)
+    half = [pair.R_m * math.sin(g.delta_b) * g.psi_b for g in gears]
+    rolls = sum(pair.R_m * math.sin(g.delta_b) * spherical_involute(g.sigma_w, g.delta_b) for g in gears)
+    row["gap_0"] = backlash - 2.0 * rolls
+    tooth = space = 0.0
+    p_bt = float(row["p_bt"])
+    if place.angles is not None:
+        rays = pitch_rays(place)
+        tooth, space = (
+            abs(float(row[f"r_b{k + 1}"])) * place.sides[k] * (place.angles[k] - rays[k]) for k in range(2)
+        )
+        space += 0.5 * p_bt
+    tooth -= p_bt * round(tooth / p_bt)
+    offset = math.remainder(tooth + space, p_bt)
+    space = offset - tooth
+    row["u0"] = offset
+    rest = half[0] - half[1] + 0.5 * p_bt
+    row["xi_0"], row["xi_b"] = 0.5 * (rest + tooth - space), 0.5 * (rest - tooth + space)
+
+
+def _stiffness(row: Any, pair: BevelPair, stiffness: Description) -> None:
+    row["power"] = 1.0
+    if isinstance(stiffness, PairShape):
+        row["source"] = layout.PROFILE
+        row["c_prime"], row["S_R"], row["T_R"] = stiffness.c_prime, stiffness.S_R, stiffness.T_R
+        row["load_limit"] = stiffness.load_limit
+        row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
+    else:
+        row["source"] = layout.PHASE
+        row["c_prime"], row["spread"] = stiffness.mean, 1.0 / square_mean(pair)
+
+
+def bevel_row(pair: BevelPair, place: Placement, laws: MeshLaws, backlash: float | None = None) -> np.void:
+    """Fill one record of the bevel mesh (body and block indices and outputs stay for the assembler).
+
+    Parameters
+    ----------
+    pair
+        The gears; their apexes coincide at the place of rest.
+    place
+        Where they stand.
+    laws
+        Stiffness (a parabola, or a constant total one), damping and friction.
+    backlash
+        Total gap along the base tangent at the mean cone distance [m]; None takes that of the geometry.
+
+    Returns
+    -------
+    numpy.void
+        One row of `bevel_mesh_record.RECORD`.
+    """
+    row = np.zeros(1, layout.RECORD)[0]
+    _cones(row, pair, place)
+    _assembly(row, pair, place, pair.R_m * pair.sigma_j if backlash is None else backlash)
+    _stiffness(row, pair, laws.stiffness)
+    row["k_ref"] = row["k_step"] = laws.k_ref or mean_stiffness(pair, laws.stiffness)
+    for name in ("d_in", "d_out", "s_0", "smooth", "chi", "d_gap", "mu", "v_eps"):
+        row[name] = getattr(laws, name)
+    row["mu_s"] = laws.mu if laws.mu_s is None else laws.mu_s
+    row["v_s"] = laws.v_eps if laws.v_s is None else laws.v_s
+    return row
+
+
+def bevel_stiffness(model: Model, name: str) -> Description:
+    """Stiffness description of a bevel mesh, by the law that its model names."""
+    law = model.bevel_meshes[name].stiffness
+    if isinstance(law, ConstantStiffness):
+        return PhaseStiffness(mean=law.value)
+    pair = model.bevel_pairs[name]
+    c_prime = law.single_stiffness
+    if c_prime is None:
+        one, two = (
+            VirtualTooth(g.z_vn, g.x_hm, g.rack.h_fP_star, g.alpha_n, g.beta_m)
+            for g in (pair.gear1, pair.gear2)
+        )
+        E1, E2 = (model.bevel_gears[g].material_data.youngs_modulus for g in model.bevel_meshes[name].gears)
+        c_prime = stiffness_of_teeth((one, two), pair.eps_alpha, moduli=(E1, E2)).c_prime
+    limit = LOW_LOAD / math.cos(pair.alpha_t) if law.low_load else 0.0
+    return PairShape(c_prime=c_prime, S_R=law.stiffness_ratio, T_R=law.tip_relief_factor, load_limit=limit)
+
+
+def bevel_laws(model: Model, name: str) -> MeshLaws:
+    """Stiffness, damping and friction of one bevel mesh; ratios become damping rates."""
+    mesh, pair = model.bevel_meshes[name], model.bevel_pairs[name]
+    stiffness = bevel_stiffness(model, name)
+    k = mean_stiffness(pair, stiffness)
+    whole = stiffness.c_prime * square_mean(pair) if isinstance(stiffness, PairShape) else None
+    radii = [pair.R_m * math.sin(g.delta_b) for g in (pair.gear1, pair.gear2)]
+    losses = flank_losses(model, mesh, radii, (math.cos(pair.beta_b), whole, k))
+    return MeshLaws(stiffness=stiffness, k_ref=k, **losses)
+
+
+def _seat(model: Model, gear: str) -> tuple[int, float, float, Array]:
+    """Number of the frame that carries a gear, place of the apex along it [m], angle of tooth 0 in it at rest
+    [rad], and its axes."""
+    body = str(model.body_of(gear))
+    axes = seat_frame(model, model.mechanism.seats[body])[1]
+    number, apex = seat_at(model, body, model.bodies[body].bevel_gears[gear])
+    x, y, _ = axes.T @ body_frame(model, body)[1][:, 0]
+    return number, apex, model.bevel_angles[gear] + math.atan2(y, x), axes
+
+
+def bevel_bank(model: Model) -> Bank:
+    """All bevel meshes."""
+    rows, names = [], []
+    for name, mesh in model.bevel_meshes.items():
+        if None in [model.body_of(g) for g in mesh.gears]:
+            continue
+        one, two = (_seat(model, g) for g in mesh.gears)
+        sides = [model.bevel_gears[g].direction for g in mesh.gears]
+        place = Placement(
+            axes1=one[3],
+            axes2=two[3],
+            apexes=(one[1], two[1]),
+            sides=(sides[0], sides[1]),
+            angles=(one[2], two[2]),
+        )
+        row = bevel_row(model.bevel_pairs[name], place, bevel_laws(model, name), model.backlash(name))
+        row["i"], row["j"] = one[0], two[0]
+        rows.append(row)
+        names.append(name)
+    return pack("bevel_mesh", layout.RECORD, rows, names)

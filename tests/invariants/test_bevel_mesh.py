@@ -1,0 +1,365 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rules of a flank law, run on the bevel mesh for straight and spiral teeth, both flanks and both laws.
+
+Sums over the width have five Gauss points per piece: on the pieces of these pairs they are good to 1e-9.
+"""
+
+import math
+
+import numpy as np
+import pytest
+
+from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
+from pitchpoint.system.rules.mesh_laws import MeshLaws
+from tests.support.one_bevel import OneBevel, make_bevels
+from tests.support.one_mesh import OneMesh, make_pair, moved, rotation
+
+PAIRS = {
+    "straight": dict(),
+    "right": dict(beta=0.6),
+    "left": dict(beta=-0.5, z1=15, z2=45),
+    "miter 75 deg": dict(z1=18, z2=18, Sigma=math.radians(75.0)),
+    "spiral 110 deg": dict(beta=0.4, Sigma=math.radians(110.0), z2=30),
+}
+CONSTANT = PhaseStiffness(mean=4e8)
+PAIR = PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)
+BARE = PairShape(c_prime=14e9, S_R=0.8)
+SOFT = PairShape(c_prime=14e9, S_R=0.8, load_limit=1e5)
+every_pair = pytest.mark.parametrize("pair", PAIRS)
+both_flanks = pytest.mark.parametrize("flank", [1, -1])
+both_laws = pytest.mark.parametrize("shape", [CONSTANT, PAIR], ids=["constant", "pair"])
+
+
+def mesh(pair, shape=CONSTANT, sides=(1.0, 1.0), **laws):
+    return OneBevel(make_bevels(**PAIRS[pair]), MeshLaws(stiffness=shape, **laws), sides=sides)
+
+
+def shaken(m, shift, tilt, seed=1):
+    """Both bodies displaced and tilted by random small amounts."""
+    rng = np.random.default_rng(seed)
+    for body in range(2):
+        step = np.concatenate((shift * rng.normal(size=3), tilt * rng.normal(size=3)))
+        m.frames = moved(m.frames, body, step)
+    return m
+
+
+def slope(m, value, bodies=(0, 1)):
+    """Derivative of what `value` gives over world twists of both bodies, by differences, last axes (2, 6)."""
+    found = []
+    for body in bodies:
+        for k in range(6):
+            h = 2e-9 if k < 3 else 5e-8
+            step = np.zeros(6)
+            step[k] = h
+            ends = []
+            for sign in (1, -1):
+                F = m.evaluate(moved(m.frames, body, sign * step))
+                ends.append(value(F))
+            found.append((np.asarray(ends[0]) - ends[1]) / (2 * h))
+    return np.moveaxis(np.array(found), 0, -1).reshape(*np.shape(found[0]), len(bodies), 6)
+
+
+@pytest.mark.nojit
+@every_pair
+@both_flanks
+@pytest.mark.parametrize("sides", [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0)])
+def test_torques_are_as_the_numbers_of_teeth(pair, flank, sides):
+    """T2/T1 = z2/z1 exactly, whatever the phase; both are base radius times mesh_force."""
+    m = mesh(pair, PAIR, sides)
+    for _ in range(3):
+        m.roll(0.37)
+        m.press(1e-5, flank)
+        F = m.evaluate()
+        T = [F[k, 3:] @ m.axes[k][:, 2] for k in range(2)]
+        assert T[1] / T[0] == pytest.approx(m.row["z2"] / m.row["z1"], rel=1e-12)
+        assert T[0] == pytest.approx(-m.row["r_b1"] * m.get("mesh_force"), rel=1e-12)
+        assert m.get("contact_state") == flank
+
+
+@every_pair
+@both_flanks
+def test_textbook_components_at_the_pitch_ray(pair, flank):
+    """ISO 23509 and Niemann/Winter: straight F_r = F_t tan alpha cos delta, F_a = F_t tan alpha sin delta;
+    spiral F_a = F_t/cos beta_m (tan alpha_n sin delta +- sin beta_m cos delta), F_r = F_t/cos beta_m
+    (tan alpha_n cos delta -+ sin beta_m sin delta), upper signs where a concave flank of the gear drives or
+    is driven: the front flank of a right-hand gear 1, and not of its mate. F_a points away from the apex."""
+    m = mesh(pair)
+    m.press(2e-5, flank)
+    m.evaluate()
+    F_t = m.get("circumferential_force")
+    assert flank * F_t > 0.0
+    for gear, names in ((m.pair.gear1, ("axial_force_1", "radial_force_1")), (m.pair.gear2, None)):
+        sign = flank if gear is m.pair.gear1 else -flank
+        tan, s, c = math.tan(gear.alpha_n), math.sin(gear.delta), math.cos(gear.delta)
+        sin_b, cos_b = sign * math.sin(m.pair.gear1.beta_m), math.cos(gear.beta_m)
+        axial, radial = names or ("axial_force", "radial_force")
+        assert m.get(axial) == pytest.approx(abs(F_t) / cos_b * (tan * s + sin_b * c), rel=1e-9)
+        assert m.get(radial) == pytest.approx(abs(F_t) / cos_b * (tan * c - sin_b * s), rel=1e-9)
+    normal = abs(F_t) / (math.cos(m.pair.gear1.alpha_n) * math.cos(m.pair.gear1.beta_m))
+    assert m.get("normal_force") == pytest.approx(normal, rel=1e-12)
+
+
+@every_pair
+@both_laws
+@both_flanks
+def test_action_is_reaction_about_a_common_point(pair, shape, flank):
+    m = shaken(mesh(pair, shape, mu=0.08, d_in=2e4, d_out=1e4, d_gap=1e3), 1e-5, 2e-4)
+    m.press(2e-5, flank)
+    m.frames["tw"] = [[0.01, 0.02, 0.0, 0.1, 0.0, 50.0], [0.0, 0.0, 0.01, 0.0, 0.2, -20.0]]
+    F = m.evaluate()
+    moment = F[:, 3:] + np.cross(m.frames["r"], F[:, :3])
+    assert abs(F[:, :3].sum(0)).max() < 1e-12 * abs(F).max()
+    assert abs(moment.sum(0)).max() < 1e-12 * abs(F).max()
+
+
+@every_pair
+@both_flanks
+@pytest.mark.parametrize("shift, tilt", [(0.0, 0.0), (2e-5, 1e-4), (1e-3, 3e-3)])
+def test_the_wrench_is_the_slope_of_the_stored_energy(pair, flank, shift, tilt):
+    """Otherwise the element would create energy; a constant stiffness has no other source of it. Exact, so
+    that displacements far beyond those of bearings show it best. What is left are the differences."""
+    m = shaken(mesh(pair), shift, tilt)
+    m.press(2e-5 + 2.0 * shift, flank)
+    F = m.evaluate()
+    by_difference = -slope(m, lambda F: m.get("elastic_energy"))
+    assert abs(F[:, :3] - by_difference[:, :3]).max() < 1e-6 * abs(F[:, :3]).max()
+    assert abs(F[:, 3:] - by_difference[:, 3:]).max() < 1e-6 * abs(F[:, 3:]).max()
+
+
+@every_pair
+@both_flanks
+@pytest.mark.parametrize("laws", [dict(), dict(d_in=3e4, d_out=3e4, s_0=1e-9, d_gap=2e3)])
+def test_exact_tangents_are_derivatives_of_the_force(pair, flank, laws):
+    """Over places with all twists kept, and over twists."""
+    m = shaken(mesh(pair, **laws), 2e-5, 1e-3)
+    m.press(6e-5, flank)
+    m.frames["tw"] = np.random.default_rng(2).normal(size=(2, 6)) * [0.01, 0.01, 0.01, 0.3, 0.3, 0.3]
+    K = -slope(m, lambda F: F)
+    m.evaluate(jac=2)
+    assert abs(m.tangent() - K).max() < 2e-6 * abs(K).max()
+    m.evaluate(jac=1, ck=0.0, cd=1.0)
+    D = m.tangent()
+    for body in range(2):
+        for k in range(6):
+            ends = []
+            for sign in (1, -1):
+                fr = m.frames.copy()
+                fr["tw"][body, k] += sign * 1e-3
+                ends.append(m.evaluate(fr))
+            difference = -(ends[0] - ends[1]) / 2e-3
+            assert abs(D[:, :, body, k] - difference).max() <= 1e-7 * abs(D).max()
+
+
+@every_pair
+@both_flanks
+def test_tangents_of_pairs_with_friction(pair, flank):
+    """Newton's matrix of tooth pairs, at frozen phase and plane: linear over the travel."""
+    m = mesh(pair, PairShape(c_prime=14e9, S_R=1.0, T_R=0.0), mu=0.1, v_eps=1.0)
+    m.press(2e-5, flank)
+    m.frames["tw"][:, 3:] = [1.2 * m.axes[0][:, 2], -0.6 * m.axes[1][:, 2]]
+    m.evaluate(jac=1)
+    K = m.tangent()
+    way = np.zeros((2, 6))  # apart along the travel: the phase stays
+    way[0, 3:], way[1, 3:] = m.axes[0][:, 2] / m.row["r_b1"], m.axes[1][:, 2] / m.row["r_b2"]
+    ends = []
+    for sign in (1, -1):
+        fr = m.frames.copy()
+        for k in range(2):
+            fr["phi"][k] += sign * 1e-9 * way[k, 3:] @ m.axes[k][:, 2]
+        ends.append(m.evaluate(fr))
+    expected = -(ends[0] - ends[1]) / 2e-9
+    assert abs(np.einsum("ikjl,jl->ik", K, way) - expected).max() < 1e-6 * abs(expected).max()
+
+
+@every_pair
+@pytest.mark.parametrize("shape", [PAIR, BARE, SOFT, CONSTANT], ids=["ramp", "bare", "soft", "constant"])
+@both_flanks
+@pytest.mark.parametrize("motion", ["spin", "any"])
+def test_power_balance(pair, shape, flank, motion):
+    """Work done by the gears + parametric power = stored energy + losses, with sliding, for gears in their
+    places and for displaced ones that move in all directions; contact lines with and without ramps."""
+    m = mesh(pair, shape, mu=0.05, d_in=3e4, d_out=2e4, d_gap=5e3)
+    twist = np.zeros((2, 6))
+    if motion == "any":
+        m = shaken(m, 1e-5, 1e-4)
+        twist = np.random.default_rng(3).normal(size=(2, 6)) * [0.03, 0.03, 0.05, 1.0, 1.0, 1.0]
+    m.roll(0.2)
+    m.press(4e-5, flank)
+    for k, speed in enumerate((40.0, -40.0 * m.row["r_b1"] / m.row["r_b2"] * (1.0 - 0.002 * flank))):
+        twist[k, 3:] += speed * m.frames["R"][k][:, 2]
+    h, energy = 2e-8, []
+    for sign in (-1, 1):
+        fr = m.frames
+        for body in range(2):
+            fr = moved(fr, body, sign * h * twist[body])
+        m.evaluate(fr)
+        energy.append(m.get("elastic_energy"))
+    m.frames["tw"] = twist
+    F = m.evaluate()
+    given = -float((F * twist).sum())
+    stored = (energy[1] - energy[0]) / (2 * h)
+    lost = m.get("friction_power") + m.get("damping_power")
+    parts = (given, m.get("parametric_power"), stored, lost)
+    assert abs(given + parts[1] - stored - lost) < 2e-6 * max(abs(p) for p in parts)
+    assert lost > 0.0
+
+
+@both_flanks
+def test_moving_the_whole_machine_changes_nothing(flank):
+    m = shaken(mesh("right", PAIR, mu=0.05), 1e-5, 1e-4)
+    m.press(3e-5, flank)
+    F, seen = m.evaluate(), m.out.copy()
+    Q, by = rotation((0.6, 0.0, 0.8), 1.1), np.array([0.3, -0.2, 0.5])
+    for k in range(2):
+        m.frames["R"][k] = Q @ m.frames["R"][k]
+        m.frames["r"][k] = Q @ m.frames["r"][k] + by
+    turned = np.concatenate((F[:, :3] @ Q.T, F[:, 3:] @ Q.T), axis=1)
+    assert abs(m.evaluate() - turned).max() < 1e-9 * abs(F).max()
+    assert np.allclose(m.out, seen, rtol=1e-8, atol=1e-9)
+
+
+@every_pair
+@pytest.mark.parametrize("sides", [(1.0, 1.0), (-1.0, 1.0)])
+def test_whole_turns_change_nothing(pair, sides):
+    m = mesh(pair, PAIR, sides)
+    m.press(1e-5)
+    F, phase = m.evaluate(), m.get("mesh_phase")
+    m.frames["turns"] = [2 * m.row["z2"], -2 * m.row["z1"]]
+    assert np.array_equal(m.evaluate(), F)
+    assert m.get("mesh_phase") == phase
+    # a carrier that goes round turns the plane of the axes: whole teeth pass
+    m.rec["carried"] = 1
+    m.frames["turns"] = [3, 5]
+    assert np.array_equal(m.evaluate(), F)
+
+
+def test_teeth_repeat_after_a_base_pitch():
+    """At constant travel forces of one place repeat; pair numbers move on by one."""
+    m = OneBevel(make_bevels(beta=0.5), MeshLaws(stiffness=PAIR))
+    m.press(1e-5)
+    F, out = m.evaluate(), m.out.copy()
+    m.roll(1.0)
+    assert np.allclose(m.evaluate(), F, rtol=0, atol=1e-8 * abs(F).max())
+    n, first = int(m.row["n_pair"]), m.out.size - 8
+    assert np.allclose(np.roll(out[first : first + n], 1), m.out[first : first + n], rtol=1e-7, atol=1e-6)
+    assert m.out[first : first + n].sum() == pytest.approx(m.get("normal_force") * math.cos(m.pair.beta_b))
+
+
+@both_flanks
+@pytest.mark.parametrize("beta", [0.0, 0.5])
+def test_leaning_gears_touch_along_a_part_of_the_width(beta, flank):
+    """Against a plain sum over 40 000 slices of what the formulas of the page say; never a pull."""
+    m = mesh("straight" if beta == 0.0 else "right", BARE)
+    apart = np.zeros(6)
+    apart[:3] = 4e-5 * m.axes[1][:, 2] + 3e-5 * np.cross(m.axes[0][:, 2], m.axes[1][:, 2])
+    m.frames = moved(m.frames, 1, apart)
+    m.evaluate()
+    row = m.row
+    cos_a, sin_a = row["cos_a"], math.sqrt(1.0 - row["cos_a"] ** 2)
+    across = flank * cos_a * row["t"] + sin_a * row["e"] - flank * row["tan_b"] * row["m"]
+    m.press(-across @ row["d"], flank)  # at mid-face they just touch
+    F = m.evaluate()
+    n = 40_000
+    R = row["R_m"] + row["z_lo"] + (row["z_hi"] - row["z_lo"]) * (np.arange(n) + 0.5) / n
+    force, moment, touched = np.zeros(3), 0.0, []
+    N, p = sin_a * row["t"] - flank * cos_a * row["e"], np.array(row["m"])
+    psi = m.get("mesh_phase")
+    if flank < 0:
+        psi = float(row["start"][1] + (row["xi_b"] - row["travel"]) / row["p_bt"]) % 1.0
+    for q in range(-4, 5):
+        place = psi + q + flank * row["tan_b"] * row["R_m"] / row["p_bt"] * np.log(R / row["R_m"])
+        sigma = (row["xi_A"] + place * row["p_bt"]) / row["R_m"]
+        r = np.cos(sigma)[:, None] * p + np.sin(sigma)[:, None] * np.cross(N, p)
+        normal = np.cross(N, r) - flank * row["tan_b"] * r
+        x = R * (flank * row["u"] - 0.5 * row["gap"]) / row["R_m"] + normal @ row["d"]
+        zeta = 2 * place / row["eps"] - 1
+        k = 14e9 * (1 - 0.2 * zeta**2) * (abs(zeta) <= 1) * (row["z_hi"] - row["z_lo"]) / n
+        touched.append([((x > 0) & (k > 0)).sum(), (k > 0).sum()])
+        f = k * np.maximum(x, 0)
+        force += f @ normal
+        moment += f @ R
+    touching, in_mesh = np.sum(touched, axis=0)
+    assert 0.2 < touching / in_mesh < 0.8
+    assert abs(F[1, :3] - force).max() < 1e-4 * abs(force).max()
+    assert m.get("mesh_force") == pytest.approx(flank * moment / row["R_m"], rel=1e-4)
+
+
+def limit(Sigma, beta, flank):
+    """Largest differences between a bevel pair and the cylindrical one, over the force, and b/R_m."""
+    z1, z2, b, shape = 25, 60, 0.03, PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)
+    bevels = make_bevels(z1, z2, Sigma, beta, 3e-3, b)
+    m = OneBevel(bevels, MeshLaws(stiffness=shape), backlash=3e-5, apexes=(0.0, 0.0))
+    pair = make_pair(z1, z2, beta, 3e-3, b, widening=0.0)
+    straight = OneMesh(pair, MeshLaws(stiffness=shape), backlash=3e-5)
+    left = [m.row["r_b1"] / straight.row["r_b1"] - 1.0, m.row["r_b2"] / straight.row["r_b2"] - 1.0]
+    for _ in range(3):
+        way = 0.31 * straight.row["p_bt"]
+        straight.frames["phi"] += [way / straight.row["r_b1"], -way / straight.row["r_b2"]]
+        m.roll(0.31)
+        straight.press(1e-5, flank)
+        m.press(1e-5, flank)
+        left += [m.row["eps"] - pair.eps_alpha, m.get("mesh_phase") - straight.get("mesh_phase")]
+        scale = abs(straight.get("mesh_force"))
+        for name in ("mesh_force", "circumferential_force", "radial_force", "axial_force", "normal_force"):
+            left.append((m.get(name) - straight.get(name)) / scale)
+        for name in ("mesh_stiffness", "elastic_energy", "penetration"):
+            left.append(m.get(name) / straight.get(name) - 1.0)
+    return max(abs(x) for x in left), b / bevels.R_m
+
+
+@pytest.mark.parametrize("beta", [0.0, 0.3])
+@both_flanks
+def test_cylindrical_limit(beta, flank):
+    """As the shaft angle goes to zero, with one c' and one backlash: phase, forces and stiffness of the
+    cylindrical pair, to the order of b/R_m, which here is also that of the cone angles."""
+    coarse, fine = (limit(Sigma, beta, flank) for Sigma in (4e-3, 1e-3))
+    assert fine[0] < 10.0 * fine[1] < 3e-3
+    assert fine[0] == pytest.approx(0.25 * coarse[0], rel=0.1)
+
+
+@every_pair
+def test_events_change_sign_where_flanks_touch(pair):
+    m = mesh(pair, PAIR)
+    for flank in (1, -1):
+        for depth, sign in ((-1e-7, -1.0), (1e-7, 1.0)):
+            m.press(depth, flank)
+            gap = m.events[0 if flank > 0 else 1]
+            assert math.copysign(1.0, gap) == sign
+            assert gap == pytest.approx(depth, rel=0.2)
+            assert m.events[1 if flank > 0 else 0] < 0.0
+
+
+@pytest.mark.parametrize("smooth, share", [(False, 0.25), (True, 0.15625)])
+def test_contact_damping_grows_with_the_penetration(smooth, share):
+    """At a quarter of s_0, on a face so narrow that the penetration is even: 1/4 of the damping, or
+    t^2 (3 - 2 t) = 0.15625 of it."""
+    m = OneBevel(
+        make_bevels(b=1e-5), MeshLaws(stiffness=CONSTANT, d_in=2e4, d_out=2e4, s_0=4e-5, smooth=smooth)
+    )
+    m.press(1e-5)
+    at_rest = m.get("mesh_force")
+    m.frames["tw"][0, 3:] = 0.01 / m.row["r_b1"] * m.axes[0][:, 2]
+    m.evaluate()
+    assert m.get("mesh_force") - at_rest == pytest.approx(share * 2e4 * 0.01, rel=1e-5)
+
+
+def test_sliding_is_that_of_two_rolling_cones():
+    """Each pair loses mu F_n |omega_1 - omega_2| R sin(sigma)."""
+    m = OneBevel(make_bevels(b=1e-5), MeshLaws(stiffness=PAIR, mu=0.1, v_eps=1e-6))
+    m.roll(0.4)
+    m.press(1e-5)
+    speeds = 100.0, -100.0 * m.row["r_b1"] / m.row["r_b2"]
+    for k in range(2):
+        m.frames["tw"][k, 3:] = speeds[k] * m.axes[k][:, 2]
+    m.evaluate()
+    row, n, first = m.row, int(m.row["n_pair"]), m.out.size - 8
+    relative = np.linalg.norm(m.frames["tw"][0, 3:] - m.frames["tw"][1, 3:])
+    assert relative == pytest.approx(100.0 * math.sin(m.pair.Sigma) / math.sin(m.pair.gear2.delta), rel=1e-9)
+    forces = sorted(f for f in m.out[first : first + n] if f > 0.0)
+    psi = m.get("mesh_phase")
+    sigma = [(row["xi_A"] + (psi + q) * row["p_bt"]) / row["R_m"] for q in range(2) if psi + q < row["eps"]]
+    assert len(forces) == len(sigma)
+    zeta = [2.0 * (psi + q) / row["eps"] - 1.0 for q in range(len(sigma))]
+    order = sorted(range(len(sigma)), key=lambda q: 1.0 - 0.2 * zeta[q] ** 2)
+    lost = sum(0.1 * forces[i] * relative * row["R_m"] * abs(math.sin(sigma[q])) for i, q in enumerate(order))
+    assert m.get("friction_power") == pytest.approx(lost, rel=1e-4)
