@@ -7,19 +7,16 @@ One run of the browser answers the questions of several tests.
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 from pitchpoint.viz.report import report_html
-from tests.support.report_browser import NO_WEBGL, SOFTWARE, found
+from tests.support.browser import Browsers, OpenPage, needs_browser, opening
+from tests.support.report_browser import found
 from tests.support.report_data import report_model, report_results
-from tests.support.scene_browser import BROWSER
 
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
 
 
 @pytest.fixture(scope="module")
@@ -82,9 +79,9 @@ WIDE = """
 
 
 @pytest.fixture(scope="module")
-def wide(report: str, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    flags = (*SOFTWARE, "--window-size=1280,900")
-    answer: dict[str, Any] = found(tmp_path_factory.mktemp("wide"), report, WIDE, *flags)
+def wide(browsers: Browsers, report: str, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    with opening(browsers, tmp_path_factory.mktemp("wide")) as open_page:
+        answer: dict[str, Any] = found(open_page, report, WIDE, size=(1280, 900))
     return answer
 
 
@@ -119,15 +116,16 @@ def test_keys_reach_everything(wide: dict[str, Any]) -> None:
     assert wide["lost"] == wide["nameless"] == 0
 
 
-def test_a_narrow_page_in_the_dark_without_webgl(report: str, tmp_path: Path, wide: dict[str, Any]) -> None:
+def test_a_narrow_page_in_the_dark_without_webgl(
+    report: str, open_page: OpenPage, wide: dict[str, Any]
+) -> None:
     script = """
       const page = document.documentElement;
       return {over: page.scrollWidth - page.clientWidth, said: $(".ppv-message")?.textContent,
         colours: [$(".plot").layout.font.color, getComputedStyle(document.body).backgroundColor],
         drawn: all(".plot.js-plotly-plot").length};
     """
-    flags = (*NO_WEBGL, "--window-size=500,900", "--blink-settings=preferredColorScheme=0")
-    narrow = found(tmp_path, report, script, *flags)
+    narrow = found(open_page, report, script, webgl=False, dark=True, size=(500, 900))
     assert narrow["over"] <= 0
     assert "no WebGL" in narrow["said"]
     assert narrow["drawn"] == wide["drawn"]
@@ -135,7 +133,7 @@ def test_a_narrow_page_in_the_dark_without_webgl(report: str, tmp_path: Path, wi
     assert narrow["colours"] == ["#e6e9ed", "rgb(20, 24, 29)"]
 
 
-def test_reader_chooses_whose_orders_a_picture_shows(report: str, tmp_path: Path) -> None:
+def test_reader_chooses_whose_orders_a_picture_shows(report: str, open_page: OpenPage) -> None:
     """The driven shaft turns half as fast in these data: orders double, speeds halve, titles follow."""
     script = """
       const look = (node) => [node._fullData[0].x[10], node.layout.xaxis.range[1],
@@ -155,5 +153,5 @@ def test_reader_chooses_whose_orders_a_picture_shows(report: str, tmp_path: Path
       return said;
     """
     title = "order [per revolution of driven]"
-    said = found(tmp_path, report, script, *NO_WEBGL)
+    said = found(open_page, report, script, webgl=False)
     assert said == [f"{title} 2.00 2.00 2.00 1.00"] * 2 + [f"{title} 2.00 2.00 - 0.50"] * 2
