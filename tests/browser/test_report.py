@@ -13,10 +13,14 @@ import pytest
 
 from pitchpoint.viz.report import report_html
 from tests.support.browser import Browsers, OpenPage, needs_browser, opening
-from tests.support.report_browser import found
+from tests.support.report_browser import drawn, found
 from tests.support.report_data import report_model, report_results
+from tests.support.scene_browser import asked
+from tests.support.walk import Walk
 
 pytestmark = needs_browser
+
+TOOLS = ["Download plot as a PNG", "Zoom", "Pan", "Zoom in", "Zoom out", "Reset axes"]
 
 
 @pytest.fixture(scope="module")
@@ -114,6 +118,22 @@ def test_keys_reach_everything(wide: dict[str, Any]) -> None:
     assert wide["order"][:2] == ["#content", "#summary"]
     assert wide["shown"] != "none" and wide["place"] >= 0.0  # the skip link comes into view
     assert wide["lost"] == wide["nameless"] == 0
+
+
+def test_every_control_has_an_effect(report: str, open_page: OpenPage) -> None:
+    """Without WebGL, the scene has tests of its own. Tools of plots are alike; none leads out of the page."""
+    page = drawn(open_page, report, webgl=False, size=(800, 600))
+    walk = Walk(page, "pitchpointViewer.seek(0)")
+    found = walk.over("main", but=".ppv, .modebar")
+    assert sum(name.startswith("show the scene at") for name in found) >= 8
+    assert sum(name.startswith("orders of") for name in found) == 4
+    labels = "(bar) => [...bar.querySelectorAll('button')].map((b) => b.ariaLabel)"
+    tools = asked(page, f"return all('.modebar').map({labels});")
+    assert len(tools) > 15 and all(bar == TOOLS for bar in tools)
+    page.evaluate("document.querySelector('#time .plot').id = 'first'")
+    page.locator("#first").hover()
+    assert sorted(walk.over("#first .modebar")) == sorted(TOOLS)
+    assert [file.rpartition(".")[2] for file in walk.files] == ["png"]
 
 
 def test_a_narrow_page_in_the_dark_without_webgl(

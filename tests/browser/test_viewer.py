@@ -94,6 +94,51 @@ def test_arrows_follow_the_force(open_page: OpenPage, pair: tuple[str, str]) -> 
     assert longest[-1] == 0 and np.diff(longest[:-1]).min() > 0
 
 
+def test_arrows_are_painted_as_long_as_the_force(open_page: OpenPage, pair: tuple[str, str]) -> None:
+    """Pixels that change when arrows are hidden: along y the circumferential force, along -x the radial."""
+    times = [float(TIMES[k]) for k in (60, 300, 450, 540)]
+    script = """
+      const canvas = $(".ppv-canvas"), gl = canvas.getContext("webgl2"), {width, height} = canvas;
+      const paint = () => { V.draw(); const all = new Uint8Array(4 * width * height);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, all); return all; };
+      V.arrows("bearing", false); V.look([0.048, 0, 0], [0, 0, 1], %g);
+      const out = [];
+      for (const t of %s) {
+        V.seek(t);
+        V.arrows("mesh", false); const bare = paint();
+        V.arrows("mesh", true); const full = paint();
+        const boxes = {};
+        for (let k = 0; k < full.length; k += 4) {
+          if (full[k] === bare[k] && full[k + 1] === bare[k + 1] && full[k + 2] === bare[k + 2]) continue;
+          const [r, g, b] = full.subarray(k, k + 3);
+          const name = r > 1.5 * g ? "circumferential" : b > 1.3 * g && b > 2 * r ? "radial" : "other";
+          const x = (k / 4) %% width - width / 2, y = Math.floor(k / 4 / width) - height / 2;
+          const box = (boxes[name] ??= {left: x, right: x, low: y, high: y});
+          box.left = Math.min(box.left, x); box.right = Math.max(box.right, x);
+          box.low = Math.min(box.low, y); box.high = Math.max(box.high, y);
+        }
+        out.push({boxes, lengths: S().pictures[0].arrows[0].lengths});
+      }
+      return {out, height};
+    """
+    seen = 0.25
+    found = asked(scene(open_page, pair), script % (seen, times))
+    ends = []
+    for t, one in zip(times, found["out"], strict=True):
+        if not load(np.array(t)):
+            assert set(one["boxes"]) == {"other"}, "nothing but the ball that says: no contact"
+            continue
+        up, out = one["boxes"]["circumferential"], one["boxes"]["radial"]
+        thick = (up["right"] - up["left"] + 1, out["high"] - out["low"] + 1)
+        painted = {"circumferential": up["high"] + 1, "radial": -out["left"]}
+        for (part, end), wide in zip(painted.items(), thick, strict=True):
+            length = one["lengths"][part] / seen * found["height"]
+            # the head is 0.3 of the length; its point is thinner than a pixel
+            assert -1 < length - end < 1 + 0.3 * length / wide
+        ends.append(painted["circumferential"] / float(load(np.array(t))))
+    assert ends == pytest.approx(3 * [np.mean(ends)], rel=0.05), "a point of 2 in 40 pixels"
+
+
 def test_legend_says_what_the_arrows_are_worth(open_page: OpenPage, pair: tuple[str, str]) -> None:
     script = """
       V.seek(0.06); V.draw();

@@ -87,7 +87,7 @@ class Browsers:
             page.evaluate("0")  # what it has said before has arrived then
         finally:
             context.close()
-        assert heard == []
+        assert not heard, "\n".join(heard)
 
     def _browser(self, flags: tuple[str, ...]) -> Browser:
         from playwright.sync_api import sync_playwright
@@ -104,7 +104,13 @@ class Browsers:
 def _listen(context: BrowserContext, own: str) -> list[str]:
     """What its pages, their frames and windows say, fail in and ask for, as it comes."""
     heard: list[str] = []
-    context.on("console", lambda said: heard.append(f"console, {said.type}: {said.text}"))
+
+    def said(message: Any) -> None:
+        # of the driver, about the speed at which tests read pixels; nothing that the page says
+        if "GL Driver Message (OpenGL, Performance" not in message.text:
+            heard.append(f"console, {message.type}: {message.text}")
+
+    context.on("console", said)
     context.on("weberror", lambda event: heard.append(f"error: {event.error}"))
 
     def asked(request: Any) -> None:
