@@ -132,6 +132,7 @@ def test_every_control_has_an_effect(report: str, open_page: OpenPage) -> None:
     assert len(tools) > 15 and all(bar == TOOLS for bar in tools)
     page.evaluate("document.querySelector('#time .plot').id = 'first'")
     page.locator("#first").hover()
+    walk.start = "Plotly.relayout('first', {'xaxis.range': [20, 60]})"
     assert sorted(walk.over("#first .modebar")) == sorted(TOOLS)
     assert [file.rpartition(".")[2] for file in walk.files] == ["png"]
 
