@@ -3,18 +3,14 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from pitchpoint.cli.main import run_command
-from tests.support.report_browser import NO_WEBGL, found
+from tests.support.browser import OpenPage, needs_browser
+from tests.support.report_browser import found
 from tests.support.rig_records import rig_file
-from tests.support.scene_browser import BROWSER
 
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +23,9 @@ def diagnosis(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 
 @pytest.mark.parametrize("width", [500, 1200])
-def test_plots_are_drawn_and_their_texts_do_not_touch(diagnosis: str, tmp_path: Path, width: int) -> None:
+def test_plots_are_drawn_and_their_texts_do_not_touch(
+    diagnosis: str, open_page: OpenPage, width: int
+) -> None:
     script = """
       const bad = [];
       for (const node of document.querySelectorAll(".plot")) {
@@ -44,4 +42,4 @@ def test_plots_are_drawn_and_their_texts_do_not_touch(diagnosis: str, tmp_path: 
       if (page.scrollWidth > page.clientWidth) bad.push("wider than the page");
       return bad;
     """
-    assert found(tmp_path, diagnosis, script, *NO_WEBGL, f"--window-size={width},900") == []
+    assert found(open_page, diagnosis, script, webgl=False, size=(width, 900)) == []

@@ -7,19 +7,20 @@ One run of the browser answers the questions of several tests.
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 from pitchpoint.viz.report import report_html
-from tests.support.report_browser import NO_WEBGL, SOFTWARE, found
+from tests.support.browser import Browsers, OpenPage, needs_browser, opening
+from tests.support.report_browser import drawn, found
 from tests.support.report_data import report_model, report_results
-from tests.support.scene_browser import BROWSER
+from tests.support.scene_browser import asked
+from tests.support.walk import Walk
 
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
+
+TOOLS = ["Download plot as a PNG", "Zoom", "Pan", "Zoom in", "Zoom out", "Reset axes"]
 
 
 @pytest.fixture(scope="module")
@@ -82,9 +83,9 @@ WIDE = """
 
 
 @pytest.fixture(scope="module")
-def wide(report: str, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    flags = (*SOFTWARE, "--window-size=1280,900")
-    answer: dict[str, Any] = found(tmp_path_factory.mktemp("wide"), report, WIDE, *flags)
+def wide(browsers: Browsers, report: str, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    with opening(browsers, tmp_path_factory.mktemp("wide")) as open_page:
+        answer: dict[str, Any] = found(open_page, report, WIDE, size=(1280, 900))
     return answer
 
 
@@ -119,15 +120,33 @@ def test_keys_reach_everything(wide: dict[str, Any]) -> None:
     assert wide["lost"] == wide["nameless"] == 0
 
 
-def test_a_narrow_page_in_the_dark_without_webgl(report: str, tmp_path: Path, wide: dict[str, Any]) -> None:
+def test_every_control_has_an_effect(report: str, open_page: OpenPage) -> None:
+    """Without WebGL, the scene has tests of its own. Tools of plots are alike; none leads out of the page."""
+    page = drawn(open_page, report, webgl=False, size=(800, 600))
+    walk = Walk(page, "pitchpointViewer.seek(0)")
+    found = walk.over("main", but=".ppv, .modebar")
+    assert sum(name.startswith("show the scene at") for name in found) >= 8
+    assert sum(name.startswith("orders of") for name in found) == 4
+    labels = "(bar) => [...bar.querySelectorAll('button')].map((b) => b.ariaLabel)"
+    tools = asked(page, f"return all('.modebar').map({labels});")
+    assert len(tools) > 15 and all(bar == TOOLS for bar in tools)
+    page.evaluate("document.querySelector('#time .plot').id = 'first'")
+    page.locator("#first").hover()
+    walk.start = "Plotly.relayout('first', {'xaxis.range': [20, 60]})"
+    assert sorted(walk.over("#first .modebar")) == sorted(TOOLS)
+    assert [file.rpartition(".")[2] for file in walk.files] == ["png"]
+
+
+def test_a_narrow_page_in_the_dark_without_webgl(
+    report: str, open_page: OpenPage, wide: dict[str, Any]
+) -> None:
     script = """
       const page = document.documentElement;
       return {over: page.scrollWidth - page.clientWidth, said: $(".ppv-message")?.textContent,
         colours: [$(".plot").layout.font.color, getComputedStyle(document.body).backgroundColor],
         drawn: all(".plot.js-plotly-plot").length};
     """
-    flags = (*NO_WEBGL, "--window-size=500,900", "--blink-settings=preferredColorScheme=0")
-    narrow = found(tmp_path, report, script, *flags)
+    narrow = found(open_page, report, script, webgl=False, dark=True, size=(500, 900))
     assert narrow["over"] <= 0
     assert "no WebGL" in narrow["said"]
     assert narrow["drawn"] == wide["drawn"]
@@ -135,7 +154,7 @@ def test_a_narrow_page_in_the_dark_without_webgl(report: str, tmp_path: Path, wi
     assert narrow["colours"] == ["#e6e9ed", "rgb(20, 24, 29)"]
 
 
-def test_reader_chooses_whose_orders_a_picture_shows(report: str, tmp_path: Path) -> None:
+def test_reader_chooses_whose_orders_a_picture_shows(report: str, open_page: OpenPage) -> None:
     """The driven shaft turns half as fast in these data: orders double, speeds halve, titles follow."""
     script = """
       const look = (node) => [node._fullData[0].x[10], node.layout.xaxis.range[1],
@@ -155,5 +174,5 @@ def test_reader_chooses_whose_orders_a_picture_shows(report: str, tmp_path: Path
       return said;
     """
     title = "order [per revolution of driven]"
-    said = found(tmp_path, report, script, *NO_WEBGL)
+    said = found(open_page, report, script, webgl=False)
     assert said == [f"{title} 2.00 2.00 2.00 1.00"] * 2 + [f"{title} 2.00 2.00 - 0.50"] * 2

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import base64
 import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.support.scene_browser import BROWSER, STATES, about_z, fine, matrix, probed
+from tests.support.browser import OpenPage, needs_browser
+from tests.support.scene_browser import STATES, about_z, asked, matrix, refused, scene
 from tests.support.scene_data import (
     DISTANCE,
     FORCE,
@@ -27,9 +27,7 @@ from tests.support.scene_data import (
     texts_of,
 )
 
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
 
 
 @pytest.fixture(scope="module")
@@ -37,11 +35,11 @@ def pair() -> tuple[str, str]:
     return texts_of(*gears())
 
 
-def test_bodies_are_where_the_numbers_put_them(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_bodies_are_where_the_numbers_put_them(open_page: OpenPage, pair: tuple[str, str]) -> None:
     """At a frame, and half-way between two: angles and displacements are straight lines there."""
     times = [float(TIMES[210]), float(0.5 * (TIMES[333] + TIMES[334]))]
     script = STATES % times
-    found = fine(probed(tmp_path, script, pair))
+    found = asked(scene(open_page, pair), script)
     for t, state in zip(times, found, strict=True):
         assert state["time"] == t and state["message"] is None
         pinion, wheel, end = map(matrix, state["pictures"][0]["bodies"])
@@ -55,10 +53,10 @@ def test_bodies_are_where_the_numbers_put_them(tmp_path: Path, pair: tuple[str, 
         assert np.abs(wheel[:3, :3] - about_z(-SPEED * t * TEETH[0] / TEETH[1])).max() < 1e-12
 
 
-def test_magnified_vibrations_leave_the_turning_alone(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_magnified_vibrations_leave_the_turning_alone(open_page: OpenPage, pair: tuple[str, str]) -> None:
     t = float(TIMES[213])
     script = f"V.seek({t}); V.magnify(500); V.draw(); return S();"
-    picture = fine(probed(tmp_path, script, pair))["pictures"][0]
+    picture = asked(scene(open_page, pair), script)["pictures"][0]
     pinion, wheel, _ = map(matrix, picture["bodies"])
     wave = SHAKE * np.sin(2 * np.pi * 200.0 * TIMES)
     spin = 1e-4 * np.cos(2 * np.pi * 300 * TIMES)
@@ -70,11 +68,11 @@ def test_magnified_vibrations_leave_the_turning_alone(tmp_path: Path, pair: tupl
     assert np.abs(wheel[:3, :3] - about_z(-SPEED * t * TEETH[0] / TEETH[1])).max() < 1e-12
 
 
-def test_arrows_follow_the_force(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_arrows_follow_the_force(open_page: OpenPage, pair: tuple[str, str]) -> None:
     times = [float(TIMES[k]) for k in (0, 60, 300, 450, 540)]
     script = STATES % times
     longest = []
-    for t, state in zip(times, fine(probed(tmp_path, script, pair)), strict=True):
+    for t, state in zip(times, asked(scene(open_page, pair), script), strict=True):
         mesh, bearing = state["pictures"][0]["arrows"]
         share = float(load(np.array(t)))
         expected = {"circumferential": [0, 1, 0], "radial": [-1, 0, 0], "axial": [0, 0, 1]}
@@ -96,7 +94,52 @@ def test_arrows_follow_the_force(tmp_path: Path, pair: tuple[str, str]) -> None:
     assert longest[-1] == 0 and np.diff(longest[:-1]).min() > 0
 
 
-def test_legend_says_what_the_arrows_are_worth(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_arrows_are_painted_as_long_as_the_force(open_page: OpenPage, pair: tuple[str, str]) -> None:
+    """Pixels that change when arrows are hidden: along y the circumferential force, along -x the radial."""
+    times = [float(TIMES[k]) for k in (60, 300, 450, 540)]
+    script = """
+      const canvas = $(".ppv-canvas"), gl = canvas.getContext("webgl2"), {width, height} = canvas;
+      const paint = () => { V.draw(); const all = new Uint8Array(4 * width * height);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, all); return all; };
+      V.arrows("bearing", false); V.look([0.048, 0, 0], [0, 0, 1], %g);
+      const out = [];
+      for (const t of %s) {
+        V.seek(t);
+        V.arrows("mesh", false); const bare = paint();
+        V.arrows("mesh", true); const full = paint();
+        const boxes = {};
+        for (let k = 0; k < full.length; k += 4) {
+          if (full[k] === bare[k] && full[k + 1] === bare[k + 1] && full[k + 2] === bare[k + 2]) continue;
+          const [r, g, b] = full.subarray(k, k + 3);
+          const name = r > 1.5 * g ? "circumferential" : b > 1.3 * g && b > 2 * r ? "radial" : "other";
+          const x = (k / 4) %% width - width / 2, y = Math.floor(k / 4 / width) - height / 2;
+          const box = (boxes[name] ??= {left: x, right: x, low: y, high: y});
+          box.left = Math.min(box.left, x); box.right = Math.max(box.right, x);
+          box.low = Math.min(box.low, y); box.high = Math.max(box.high, y);
+        }
+        out.push({boxes, lengths: S().pictures[0].arrows[0].lengths});
+      }
+      return {out, height};
+    """
+    seen = 0.25
+    found = asked(scene(open_page, pair), script % (seen, times))
+    ends = []
+    for t, one in zip(times, found["out"], strict=True):
+        if not load(np.array(t)):
+            assert set(one["boxes"]) == {"other"}, "nothing but the ball that says: no contact"
+            continue
+        up, out = one["boxes"]["circumferential"], one["boxes"]["radial"]
+        thick = (up["right"] - up["left"] + 1, out["high"] - out["low"] + 1)
+        painted = {"circumferential": up["high"] + 1, "radial": -out["left"]}
+        for (part, end), wide in zip(painted.items(), thick, strict=True):
+            length = one["lengths"][part] / seen * found["height"]
+            # the head is 0.3 of the length; its point is thinner than a pixel
+            assert -1 < length - end < 1 + 0.3 * length / wide
+        ends.append(painted["circumferential"] / float(load(np.array(t))))
+    assert ends == pytest.approx(3 * [np.mean(ends)], rel=0.05), "a point of 2 in 40 pixels"
+
+
+def test_legend_says_what_the_arrows_are_worth(open_page: OpenPage, pair: tuple[str, str]) -> None:
     script = """
       V.seek(0.06); V.draw();
       const rows = [...document.querySelectorAll(".ppv-legend tbody tr")].map((row) =>
@@ -107,7 +150,7 @@ def test_legend_says_what_the_arrows_are_worth(tmp_path: Path, pair: tuple[str, 
       return {rows, hidden, lengths: S().pictures[0].arrows.map((a) => a.lengths.circumferential),
         state: $(".ppv-state").title, colour: getComputedStyle($(".ppv-radial i")).backgroundColor};
     """
-    found = fine(probed(tmp_path, script, pair))
+    found = asked(scene(open_page, pair), script)
     share = float(load(np.array(0.06)))
     values = found["rows"][0]
     assert values[0].strip() == "stage 1" and found["state"] == "front flank"
@@ -117,39 +160,7 @@ def test_legend_says_what_the_arrows_are_worth(tmp_path: Path, pair: tuple[str, 
     assert found["colour"] == "rgb(0, 114, 178)"
 
 
-def test_keys_and_buttons_move_time(tmp_path: Path, pair: tuple[str, str]) -> None:
-    script = """
-      const out = {};
-      V.seek(0.03); press("ArrowRight"); out.on = S().frame; press("ArrowLeft"); press("ArrowLeft");
-      out.back = S().frame;
-      press("Home"); out.home = S().time; press("End"); out.end = S().time;
-      V.seek(0); press("]"); out.mark = S().time; press("]"); out.second = S().time; press("[");
-      out.first = S().time;
-      const before = S().speed; press("+"); out.faster = S().speed / before; press("-"); press("-");
-      out.slower = S().speed / before;
-      $(".ppv-play").click(); out.playing = S().playing; await until(() => S().time > 0.02);
-      out.ran = S().time; press(" ");
-      out.paused = S().playing;
-      out.label = $(".ppv-play").getAttribute("aria-label");
-      V.seek(0.05); await wait(300);
-      out.unnamed = [...document.querySelectorAll(".ppv button, .ppv input")].filter((b) => !b.title
-        && !b.getAttribute("aria-label") && !b.closest("label")).length;
-      out.words = $(".ppv-now").textContent;
-      press("s"); out.section = S().section.on; press("m"); out.larger = S().pictures[0].magnification;
-      press("2"); out.followed = S().following; press("0"); out.none = S().following;
-      return out;
-    """
-    out = fine(probed(tmp_path, script, pair))
-    assert (out["on"], out["back"]) == (151, 149)
-    assert (out["home"], out["end"]) == (0.0, pytest.approx(LENGTH))
-    assert (out["mark"], out["second"], out["first"]) == (0.02, pytest.approx(0.8 * LENGTH), 0.02)
-    assert 1.9 < out["faster"] < 2.6 and 0.3 < out["slower"] < 0.6
-    assert out["playing"] and not out["paused"] and out["ran"] > 0.02 and out["label"] == "Play (space)"
-    assert out["unnamed"] == 0 and out["words"] == "50.00\u2009ms"
-    assert out["section"] and out["larger"] == 10 and out["followed"] == 1 and out["none"] == -1
-
-
-def test_loops_last_one_turn_or_one_mesh_cycle(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_loops_last_one_turn_or_one_mesh_cycle(open_page: OpenPage, pair: tuple[str, str]) -> None:
     script = """
       const out = [];
       V.seek(0.01);
@@ -159,7 +170,7 @@ def test_loops_last_one_turn_or_one_mesh_cycle(tmp_path: Path, pair: tuple[str, 
       V.play(); for (let k = 0; k < 5; k++) { V.advance(0.02); out.push(S().time); }
       return out;
     """
-    turn, cycle, wheel, *later = fine(probed(tmp_path, script, pair))
+    turn, cycle, wheel, *later = asked(scene(open_page, pair), script)
     # the pinion's deviation of 1e-4 rad shifts the end of its turn
     assert turn[0] == "" and turn[2] - turn[1] == pytest.approx(2 * np.pi / SPEED, abs=2.1e-4 / SPEED)
     assert cycle[2] - cycle[1] == pytest.approx(2 * np.pi / TEETH[0] / SPEED, abs=2.1e-4 / SPEED)
@@ -167,73 +178,26 @@ def test_loops_last_one_turn_or_one_mesh_cycle(tmp_path: Path, pair: tuple[str, 
     assert all(wheel[1] <= t <= wheel[2] for t in later) and len(set(later)) > 1
 
 
-def test_cursor_and_time_are_linked_both_ways(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_nothing_is_drawn_while_nothing_changes(open_page: OpenPage, pair: tuple[str, str]) -> None:
+    """Neither while thirty pictures go by, nor in a while after them."""
     script = """
-      const out = {};
-      V.seek(0.05); await wait(100); out.state = S();
-      const over = $(".u-over"), box = over.getBoundingClientRect();
-      const at = (share, type) => over.dispatchEvent(new PointerEvent(type, {bubbles: true, button: 0,
-        pointerId: 1,
-        clientX: box.left + share * box.width, clientY: box.top + 20}));
-      over.setPointerCapture = () => {};
-      at(0.25, "pointerdown"); out.clicked = S().time; at(0.75, "pointermove"); out.dragged = S().time;
-      at(0.75, "pointerup"); at(0.1, "pointermove"); out.released = S().time;
-      V.show("speed[pinion]"); out.shown = S().channels; out.plots = S().cursor.length;
-      V.show("speed[pinion]", false); out.fewer = S().cursor.length;
-      const search = $(".ppv-picker input"); search.value = "RADIAL stage";
-      search.dispatchEvent(new Event("input"));
-      const list = [...document.querySelectorAll(".ppv-list button")];
-      out.list = list.map((b) => b.textContent);
-      list[0].click(); out.added = S().channels; out.together = S().cursor.length;
-      return out;
+      const pictures = async (n) => { for (; n; n--) await new Promise(requestAnimationFrame); };
+      await pictures(10); const n = S().drawn; await pictures(30); await wait(500); return [n, S().drawn];
     """
-    out = fine(probed(tmp_path, script, pair))
-    state = out["state"]
-    # a pixel of the plot is 1/900 of the record
-    assert [c["at"] for c in state["cursor"]] == pytest.approx([0.05, 0.05], abs=LENGTH / 900)
-    assert out["clicked"] == pytest.approx(0.25 * LENGTH, abs=LENGTH / 900)
-    assert out["dragged"] == out["released"] == pytest.approx(0.75 * LENGTH, abs=LENGTH / 900)
-    force = FORCE["circumferential"] * load(TIMES) * (1 + 0.05 * np.sin(2 * np.pi * 600 * TIMES)) / 1e3
-    pair_at = force[250:252]
-    assert state["cursor"][0]["readings"] == [f"{pair_at.min():.3f} … {pair_at.max():.3f}"]
-    assert "speed[pinion]" in out["shown"] and out["plots"] == 3 and out["fewer"] == 2
-    assert out["list"] == ["radial force, stage_1"] and "radial_force[stage_1]" in out["added"]
-    assert out["together"] == 2, "one plot a unit"
-
-
-def test_wheel_scrolls_a_longer_page_until_the_scene_is_clicked(
-    tmp_path: Path, pair: tuple[str, str]
-) -> None:
-    script = """
-      const canvas = $(".ppv-canvas");
-      const turn = () => {
-        const event = new WheelEvent("wheel", {deltaY: -300, clientX: 500, clientY: 150, cancelable: true});
-        canvas.dispatchEvent(event); V.draw();
-        return [event.defaultPrevented, S().camera.distance]; };
-      const out = [turn()]; canvas.focus(); out.push(turn()); return out;
-    """
-    small = fine(probed(tmp_path, script, pair, size="800px;height:400px"))
-    assert [taken for taken, _ in small] == [False, True] and small[1][1] < 0.8 * small[0][1]
-    alone = fine(probed(tmp_path, script, pair))
-    assert [taken for taken, _ in alone] == [True, True]
-
-
-def test_nothing_is_drawn_while_nothing_changes(tmp_path: Path, pair: tuple[str, str]) -> None:
-    script = "await wait(1500); const n = S().drawn; await wait(3000); return [n, S().drawn];"
-    before, after = fine(probed(tmp_path, script, pair))
+    before, after = asked(scene(open_page, pair), script)
     assert 0 < before == after
 
 
-def test_followed_body_stays_where_it_is(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_followed_body_stays_where_it_is(open_page: OpenPage, pair: tuple[str, str]) -> None:
     """In the eye of the camera the wheel neither moves nor, if asked for, turns; the pinion does."""
     script = """
       const look = (t) => { V.seek(t); V.draw(); return S(); };
-      V.magnify(1000); V.follow(1); await wait(1500);
+      V.magnify(1000); V.follow(1);
       const a = look(0.0111), b = look(0.0777);
       named("View").click(); $(".ppv-panel input[type=checkbox]").click();
       return [[a, b], [look(0.0111), look(0.0777)]];
     """
-    moved, turned = fine(probed(tmp_path, script, pair))
+    moved, turned = asked(scene(open_page, pair), script)
 
     def seen(state: dict[str, Any], body: int) -> np.ndarray:
         picture = state["pictures"][0]
@@ -245,10 +209,13 @@ def test_followed_body_stays_where_it_is(tmp_path: Path, pair: tuple[str, str]) 
     assert np.abs(seen(turned[0], 0) - seen(turned[1], 0)).max() > 0.1
 
 
-def test_without_webgl_a_sentence_stands_there_and_curves_work(tmp_path: Path, pair: tuple[str, str]) -> None:
-    script = "V.seek(0.05); await wait(50); press('ArrowRight'); return S();"
-    flags = ("--disable-3d-apis", "--disable-gpu", "--disable-software-rasterizer")
-    state = fine(probed(tmp_path, script, pair, flags=flags))
+def test_without_webgl_a_sentence_stands_there_and_curves_work(
+    open_page: OpenPage, pair: tuple[str, str]
+) -> None:
+    page = scene(open_page, pair, webgl=False)
+    page.evaluate("pitchpointViewer.seek(0.05)")
+    page.keyboard.press("ArrowRight")
+    state = asked(page, "return S();")
     assert "no WebGL" in state["message"] and state["drawn"] == 0
     assert [c["at"] for c in state["cursor"]] == pytest.approx(2 * [0.0502], abs=LENGTH / 900)
 
@@ -281,21 +248,19 @@ def damaged(header: dict[str, Any], block: Any, how: str) -> tuple[str, str]:
         ("unknown format", 'format "pitchpoint-scene-9"'),
     ],
 )
-def test_damaged_scenes_are_refused_in_a_sentence(tmp_path: Path, how: str, says: str) -> None:
-    script = "return $('.ppv-message').textContent;"
-    found = probed(tmp_path, script, damaged(*gears(), how))
-    assert not found["fine"] and found["errors"] == []
-    assert says in found["found"] and found["found"].endswith(".")
+def test_damaged_scenes_are_refused_in_a_sentence(open_page: OpenPage, how: str, says: str) -> None:
+    said = refused(open_page, damaged(*gears(), how))
+    assert says in said and said.endswith(".")
 
 
-def test_scene_without_solids_still_has_curves(tmp_path: Path) -> None:
-    state = fine(probed(tmp_path, "return S();", damaged(*gears(), "no solids")))
+def test_scene_without_solids_still_has_curves(open_page: OpenPage) -> None:
+    state = asked(scene(open_page, damaged(*gears(), "no solids")), "return S();")
     assert "no solids" in state["message"] and len(state["cursor"]) == 2
 
 
-def test_thousands_of_bodies_move(tmp_path: Path) -> None:
+def test_thousands_of_bodies_move(open_page: OpenPage) -> None:
     script = "V.draw(); V.seek(0.5); V.draw(); return S();"
-    state = fine(probed(tmp_path, script, texts_of(*crowd(5000))))
+    state = asked(scene(open_page, texts_of(*crowd(5000))), script)
     picture = state["pictures"][0]
     assert len(picture["bodies"]) == 5000 and picture["crowds"] == 1 and state["drawn"] >= 2
     assert np.abs(matrix(picture["bodies"][4999])[:3, :3] - about_z(3.0)).max() < 1e-9

@@ -5,17 +5,15 @@ from __future__ import annotations
 
 import base64
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from tests.support.scene_browser import BROWSER, about_z, fine, matrix, probed
+from tests.support.browser import OpenPage, needs_browser
+from tests.support.scene_browser import about_z, asked, matrix, scene
 from tests.support.scene_data import LENGTH, SPEED, TEETH, TIMES, Block, box, gears, texts_of
 
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +21,7 @@ def pair() -> tuple[str, str]:
     return texts_of(*gears())
 
 
-def test_modes_swing_about_the_place_at_rest(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_modes_swing_about_the_place_at_rest(open_page: OpenPage, pair: tuple[str, str]) -> None:
     """Second body up, third down and twice as wide, a quarter of it a quarter period late."""
     script = """
       V.seek(0.07); V.draw(); const before = S(); V.mode(0); const out = [];
@@ -31,7 +29,7 @@ def test_modes_swing_about_the_place_at_rest(tmp_path: Path, pair: tuple[str, st
       V.mode(1); V.draw(); const twist = S();
       V.mode(-1); V.draw(); return {before, out, twist, after: S()};
     """
-    found = fine(probed(tmp_path, script, pair))
+    found = asked(scene(open_page, pair), script)
     assert found["out"][0]["mode"] == 0 and found["after"]["mode"] == -1
     one, other = (
         np.array([matrix(s["pictures"][0]["bodies"][k])[1, 3] for s in found["out"]]) for k in (1, 2)
@@ -48,13 +46,13 @@ def test_modes_swing_about_the_place_at_rest(tmp_path: Path, pair: tuple[str, st
     assert found["after"]["pictures"] == found["before"]["pictures"]
 
 
-def test_look_into_a_mesh_cuts_it_where_it_acts(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_look_into_a_mesh_cuts_it_where_it_acts(open_page: OpenPage, pair: tuple[str, str]) -> None:
     script = """
       named("View").click();
       [...document.querySelectorAll(".ppv-panel button")].find((b) => b.textContent === "stage 1").click();
       V.draw(); return S();
     """
-    state = fine(probed(tmp_path, script, pair))
+    state = asked(scene(open_page, pair), script)
     point = np.array([TEETH[0] * 2e-3, 0, 0])
     assert state["camera"]["target"] == pytest.approx(list(point), abs=1e-6)
     view = np.array(state["camera"]["position"]) - point
@@ -63,7 +61,7 @@ def test_look_into_a_mesh_cuts_it_where_it_acts(tmp_path: Path, pair: tuple[str,
     assert state["section"] == {"on": True, "normal": [0, 0, 1], "at": pytest.approx(0, abs=1e-9)}
 
 
-def test_bodies_hang_on_bodies_tilt_and_tumble(tmp_path: Path) -> None:
+def test_bodies_hang_on_bodies_tilt_and_tumble(open_page: OpenPage) -> None:
     """A carrier that turns, a planet on it that tilts, a stone that tumbles, an arrow at the planet."""
     block = Block()
     half = np.sqrt(0.5)
@@ -113,7 +111,7 @@ def test_bodies_hang_on_bodies_tilt_and_tumble(tmp_path: Path) -> None:
             }
         ],
     }
-    picture = fine(probed(tmp_path, "V.seek(0.5); V.draw(); return S();", texts_of(header, block)))[
+    picture = asked(scene(open_page, texts_of(header, block)), "V.seek(0.5); V.draw(); return S();")[
         "pictures"
     ][0]
     carrier, planet, stone = map(matrix, picture["bodies"])
@@ -133,7 +131,7 @@ def test_bodies_hang_on_bodies_tilt_and_tumble(tmp_path: Path) -> None:
     assert pin["vectors"]["radial"] == pytest.approx(list(turned @ [0, 5.0, 0]), abs=1e-12)
 
 
-def test_micrometres_are_seen(tmp_path: Path) -> None:
+def test_micrometres_are_seen(open_page: OpenPage) -> None:
     """A block of 0.1 m, a metre from the origin, moves by 5 µm in a picture that is 50 µm high."""
     block = Block()
     moved = [[0.0, 0.0, 0.0], [5e-6, 0.0, 0.0]]
@@ -166,20 +164,20 @@ def test_micrometres_are_seen(tmp_path: Path) -> None:
       }
       return {found, height: canvas.height};
     """
-    found = fine(probed(tmp_path, script, texts_of(header, block)))
+    found = asked(scene(open_page, texts_of(header, block)), script)
     pixel = 50e-6 / found["height"]
     # single precision of 0.1 m in the frame of the body is 6 nm a corner, a tenth of a pixel
     assert np.abs(np.array(found["found"]) * pixel - [0, 2.5e-6, 5e-6]).max() < 1.5 * pixel
 
 
-def test_two_results_share_time_camera_and_scale(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_two_results_share_time_camera_and_scale(open_page: OpenPage, pair: tuple[str, str]) -> None:
     script = """
       V.seek(0.07); V.draw();
       return {state: S(), names: [...document.querySelectorAll(".ppv-name")].map((n) => n.textContent),
         legends: document.querySelectorAll(".ppv-legend").length};
     """
     other = texts_of(*gears(title="Two gears, half the load", share=0.5))
-    found = fine(probed(tmp_path, script, pair, other))
+    found = asked(scene(open_page, pair, other), script)
     one, two = found["state"]["pictures"]
     assert one["bodies"] == two["bodies"] and found["names"] == ["Two gears", "Two gears, half the load"]
     lengths = [p["arrows"][0]["lengths"]["circumferential"] for p in (one, two)]
@@ -187,7 +185,7 @@ def test_two_results_share_time_camera_and_scale(tmp_path: Path, pair: tuple[str
     assert "|" in found["state"]["cursor"][0]["readings"][0]
 
 
-def test_files_hold_what_is_shown(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_files_hold_what_is_shown(open_page: OpenPage, pair: tuple[str, str]) -> None:
     """STL: triangles where the bodies are. GLB: tracks that a reader can follow. PNG: the size asked for."""
     script = """
       const text = async (kind, times) => {
@@ -200,7 +198,7 @@ def test_files_hold_what_is_shown(tmp_path: Path, pair: tuple[str, str]) -> None
       const state = S(), png = await text("png", 2);
       return {size, state, png, stl: await text("stl"), glb: await text("glb")};
     """
-    found = fine(probed(tmp_path, script, pair))
+    found = asked(scene(open_page, pair), script)
     picture = base64.b64decode(found["png"])
     assert picture[:8] == b"\x89PNG\r\n\x1a\n"
     assert [int.from_bytes(picture[k : k + 4]) for k in (16, 20)] == [2 * n for n in found["size"]]

@@ -3,18 +3,16 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.support.scene_browser import BROWSER, fine, probed
+from tests.support.browser import OpenPage, needs_browser
+from tests.support.scene_browser import asked, scene
 from tests.support.scene_data import Block, box, crowd, gears, texts_of
 
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
 
 PAINTED = """
   const canvas = $(".ppv-canvas"), gl = canvas.getContext("webgl2");
@@ -38,7 +36,7 @@ def solid(block: Block, name: str, low: Any, high: Any, **more: Any) -> dict[str
     return {"name": name, "kind": "body", "body": -1, **surface, **more}
 
 
-def test_hundreds_of_solids_bend_and_can_be_hidden(tmp_path: Path) -> None:
+def test_hundreds_of_solids_bend_and_can_be_hidden(open_page: OpenPage) -> None:
     """Beside 320 boxes: a rod whose upper end goes 5 m aside, a bar that sways by 5 m, a cover."""
     header, block = crowd(320)
     ends = [{"name": f"end{k}", "place": [-20, 10 * k, 0], "axes": [0, 0, 0, 1]} for k in range(2)]
@@ -79,7 +77,7 @@ def test_hundreds_of_solids_bend_and_can_be_hidden(tmp_path: Path) -> None:
       return out;
     """
     )
-    out = fine(probed(tmp_path, script, texts_of(header, block)))
+    out = asked(scene(open_page, texts_of(header, block)), script)
     assert out["crowds"] == 2 and out["fewer"] == 12
     assert out["start"] == [True, False, True, False, True, True]
     assert out["end"] == out["again"] == [False, True, False, True, True, True]
@@ -99,7 +97,7 @@ def covered() -> tuple[str, str]:
     return texts_of({**header, "times": block.put([0.0])}, block)
 
 
-def test_a_cover_hides_nothing_and_is_cut_picked_and_kept(tmp_path: Path) -> None:
+def test_a_cover_hides_nothing_and_is_cut_picked_and_kept(open_page: OpenPage) -> None:
     script = (
         PAINTED
         + """
@@ -120,11 +118,13 @@ def test_a_cover_hides_nothing_and_is_cut_picked_and_kept(tmp_path: Path) -> Non
         file.materials[mesh.primitives[0].material].alphaMode ?? "OPAQUE"]);
       housing("hidden"); out.kept = (await glb()).meshes.map((mesh) => mesh.name); housing("see-through");
       // square to z through the middle: the front of both is gone, the cube shows its cut
-      document.activeElement.blur(); press("s"); out.section = S().section; out.cut = [pick(0.5), pick(0.2)];
+      document.activeElement.blur();
+      document.body.dispatchEvent(new KeyboardEvent("keydown", {key: "s", bubbles: true}));
+      out.section = S().section; out.cut = [pick(0.5), pick(0.2)];
       return out;
     """
     )
-    out = fine(probed(tmp_path, script, covered()))
+    out = asked(scene(open_page, covered()), script)
     # fitted is the cube; nothing of the cover lies before the near or behind the far plane
     camera = out["fit"]
     away = np.linalg.norm(np.array(camera["position"]) - camera["target"])
@@ -149,7 +149,7 @@ def test_a_cover_hides_nothing_and_is_cut_picked_and_kept(tmp_path: Path) -> Non
     ids=["files", "titles"],
 )  # fmt: skip
 def test_two_scenes_are_told_apart_and_both_have_their_forces(
-    tmp_path: Path, scenes: list[dict[str, Any]], names: list[str]
+    open_page: OpenPage, scenes: list[dict[str, Any]], names: list[str]
 ) -> None:
     (one, block), (two, other) = gears(), gears()
     two["arrows"][0]["name"] = "another"
@@ -162,12 +162,12 @@ def test_two_scenes_are_told_apart_and_both_have_their_forces(
     texts = [
         texts_of({**h, **more}, b) for (h, b), more in zip(((one, block), (two, other)), scenes, strict=True)
     ]
-    found = fine(probed(tmp_path, script, *texts))
+    found = asked(scene(open_page, *texts), script)
     assert found["names"] == names and found["rows"] == ["stage 1", "another"]
     assert found["looks"] == ["stage 1", "another"]
 
 
-def test_a_phone_shows_everything_and_follows_fingers(tmp_path: Path) -> None:
+def test_a_phone_shows_everything_and_follows_fingers(open_page: OpenPage) -> None:
     """At 360 px nothing reaches over the edge but rows that scroll; one finger turns, two zoom and shift."""
     header, block = gears()
     script = """
@@ -191,7 +191,7 @@ def test_a_phone_shows_everything_and_follows_fingers(tmp_path: Path) -> None:
       touch("up", 1, 80, 140); touch("up", 2, 280, 140);
       return out;
     """
-    out = fine(probed(tmp_path, script, texts_of(header, block), size="360px;height:640px"))
+    out = asked(scene(open_page, texts_of(header, block), box="360px;height:640px"), script)
     assert out["over"] == [] and out["width"] == 360 and out["scene"][1] > 0.3 * 640
     assert out["legend"] < 40 < out["opened"] and out["action"] == "none"
     start, turned, zoomed, shifted = (out[key] for key in ("start", "turned", "zoomed", "shifted"))

@@ -4,19 +4,17 @@
 from __future__ import annotations
 
 import base64
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from tests.support.scene_browser import BROWSER, about_z, fine, matrix, probed
+from tests.support.browser import OpenPage, needs_browser
+from tests.support.scene_browser import about_z, asked, matrix, scene
 from tests.support.scene_data import MODULE, WIDTH, Block, box, extruded, texts_of, toothed
 
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
 
 POINTS = 20
 """Points of one tooth in `toothed`."""
@@ -63,13 +61,13 @@ def triangles_of(stl: str) -> np.ndarray:
     return np.frombuffer(data, kind, int.from_bytes(data[80:84], "little"), 84)["corners"].astype(float)
 
 
-def test_copies_of_one_pitch_are_the_whole_gear(tmp_path: Path) -> None:
+def test_copies_of_one_pitch_are_the_whole_gear(open_page: OpenPage) -> None:
     """The file that the page writes has the triangles of the whole gear, moved to its seat and its body."""
     block, teeth = Block(), 17
     seat = {"place": [0.01, 0, 0.02], "axes": [0, 0, np.sin(0.2), np.cos(0.2)]}
     bodies = [{"name": "a", "place": [0.1, 0, 0], "axes": [0, 0, 0, 1]}]
     texts = texts_of(header(block, bodies, [gear(block, "Z", 0, teeth, **seat)]), block)
-    found = triangles_of(fine(probed(tmp_path, STL + "return await stl();", texts)))
+    found = triangles_of(asked(scene(open_page, texts), STL + "return await stl();"))
     points, triangles = extruded(toothed(teeth, 0.0), 0.01, WIDTH)
     exact = (points @ about_z(0.4).T + np.array(seat["place"]) + [0.1, 0, 0])[triangles]
 
@@ -83,7 +81,7 @@ def test_copies_of_one_pitch_are_the_whole_gear(tmp_path: Path) -> None:
         assert cKDTree(one).query(other)[0].max() < 1e-7
 
 
-def test_teeth_are_as_fine_as_they_are_near_and_drawn_where_they_are_seen(tmp_path: Path) -> None:
+def test_teeth_are_as_fine_as_they_are_near_and_drawn_where_they_are_seen(open_page: OpenPage) -> None:
     script = """
       V.view("axis"); V.draw(); const far = S();
       V.look([%g, 0, 0], [0, 0, 1], 0.004); V.draw(); const near = S();
@@ -92,7 +90,7 @@ def test_teeth_are_as_fine_as_they_are_near_and_drawn_where_they_are_seen(tmp_pa
     block, teeth = Block(), 40
     bodies = [{"name": "a", "place": [0, 0, 0], "axes": [0, 0, 0, 1]}]
     texts = texts_of(header(block, bodies, [gear(block, "Z", 0, teeth)]), block)
-    far, near, again = fine(probed(tmp_path, script % (MODULE * teeth / 2), texts))
+    far, near, again = asked(scene(open_page, texts), script % (MODULE * teeth / 2))
     whole = len(pitch(teeth)[1])
     assert far["triangles"] == whole * teeth
     assert far["drawnTriangles"] == again["drawnTriangles"] == 4 * teeth
@@ -100,7 +98,7 @@ def test_teeth_are_as_fine_as_they_are_near_and_drawn_where_they_are_seen(tmp_pa
     assert near["drawnTriangles"] % whole == 0 and 1 <= near["drawnTriangles"] / whole <= teeth / 3
 
 
-def test_stretched_bent_and_schematic_solids(tmp_path: Path) -> None:
+def test_stretched_bent_and_schematic_solids(open_page: OpenPage) -> None:
     """A link between two bodies, a bar that sways, a way that is not magnified, parts that can be hidden."""
     block = Block()
     bodies = [
@@ -158,7 +156,7 @@ def test_stretched_bent_and_schematic_solids(tmp_path: Path) -> None:
       return out;
     """
     )
-    out = fine(probed(tmp_path, script, texts_of(header(block, bodies, solids, modes=[mode]), block)))
+    out = asked(scene(open_page, texts_of(header(block, bodies, solids, modes=[mode]), block)), script)
     corners = triangles_of(out["end"])
     rod, bent = corners[:12].reshape(-1, 3), corners[12:].reshape(-1, 3)
     a, b = np.array([0, 0.3, 0.1]), np.array([1, 0.01, -0.1])
@@ -182,7 +180,7 @@ def test_stretched_bent_and_schematic_solids(tmp_path: Path) -> None:
     assert np.array_equal(start, after)
 
 
-def test_twenty_gears_load_and_turn(tmp_path: Path) -> None:
+def test_twenty_gears_load_and_turn(open_page: OpenPage) -> None:
     block = Block()
     bodies, solids = [], []
     gross = block.put(np.linspace(0.0, 20.0, 50))
@@ -194,7 +192,7 @@ def test_twenty_gears_load_and_turn(tmp_path: Path) -> None:
         solids.append(gear(block, f"Z{k}", k, 30 + k))
     head = header(block, bodies, solids, np.linspace(0.0, 1.0, 50))
     script = "V.seek(0.5); V.draw(); return S().pictures[0];"
-    picture = fine(probed(tmp_path, script, texts_of(head, block)))
+    picture = asked(scene(open_page, texts_of(head, block)), script)
     assert len(picture["bodies"]) == 20 and picture["crowds"] == 0
     assert picture["drawnTriangles"] == 4 * sum(range(30, 50))
     angle = 10.0 * (1 - 19 / 9)

@@ -3,17 +3,14 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
-from tests.support.scene_browser import BROWSER, fine, probed
+from tests.support.browser import OpenPage, needs_browser
+from tests.support.scene_browser import asked, scene
 from tests.support.scene_data import LENGTH, TEETH, gears, passing, texts_of
 
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
 FORCE = "circumferential_force[stage_1]"
 
 
@@ -23,14 +20,14 @@ def pair() -> tuple[str, str]:
 
 
 def test_the_spectrum_around_the_cursor_is_the_piece_of_the_map_that_it_stands_in(
-    tmp_path: Path, pair: tuple[str, str]
+    open_page: OpenPage, pair: tuple[str, str]
 ) -> None:
     """Levels are decibels: 255 is the largest amplitude, 1 kN, and 255/80 of them are one decibel."""
     times, levels = passing()
     script = f"""V.spectrum("{FORCE}", "orders of pinion"); const out = [];
       for (const t of {times[[0, 7, 19]].tolist()}) {{ V.seek(t); await wait(50); out.push(S().spectrum); }}
       return out;"""
-    found = fine(probed(tmp_path, script, pair))
+    found = asked(scene(open_page, pair), script)
     for piece, state in zip((0, 7, 19), found, strict=True):
         assert state["ways"] == ["frequency", "orders of pinion", "orders of pinion and time"]
         near = np.array([value or 0.0 for value in state["near"]])
@@ -40,7 +37,7 @@ def test_the_spectrum_around_the_cursor_is_the_piece_of_the_map_that_it_stands_i
 
 
 def test_a_map_moves_the_time_and_the_time_the_cursor_of_the_map(
-    tmp_path: Path, pair: tuple[str, str]
+    open_page: OpenPage, pair: tuple[str, str]
 ) -> None:
     """Both ways; half-way across the picture is half-way through the record."""
     script = f"""V.spectrum("{FORCE}", "orders of pinion and time"); V.seek({0.3 * LENGTH}); await wait(100);
@@ -53,14 +50,14 @@ def test_a_map_moves_the_time_and_the_time_the_cursor_of_the_map(
       over.dispatchEvent(new PointerEvent("pointerdown", at));
       await wait(100);
       return [before, S().time, S().spectrum.maps[0].cursor, read];"""
-    before, time, after, read = fine(probed(tmp_path, script, pair))
+    before, time, after, read = asked(scene(open_page, pair), script)
     assert before == pytest.approx(0.3 * LENGTH, abs=0.01 * LENGTH)
     assert time == pytest.approx(0.5 * LENGTH, abs=0.01 * LENGTH)
     assert after == pytest.approx(time, abs=0.01 * LENGTH)
     assert "order 38" in read and "< 0.100 N" in read
 
 
-def test_choices_keep_the_kind_of_picture(tmp_path: Path, pair: tuple[str, str]) -> None:
+def test_choices_keep_the_kind_of_picture(open_page: OpenPage, pair: tuple[str, str]) -> None:
     """By the two lists of the page; the picture is painted, not empty."""
     script = f"""V.spectrum("{FORCE}"); const out = [S().spectrum.over];
       const list = document.querySelectorAll(".ppv-spectra select")[1];
@@ -73,6 +70,6 @@ def test_choices_keep_the_kind_of_picture(tmp_path: Path, pair: tuple[str, str])
       out.push(colours.size);
       document.querySelector(".ppv-bar > button").click();
       out.push(S().spectrum); return out;"""
-    first, second, colours, closed = fine(probed(tmp_path, script, pair))
+    first, second, colours, closed = asked(scene(open_page, pair), script)
     assert (first, second, closed) == ("frequency", "orders of pinion and time", None)
     assert colours > 20

@@ -1,66 +1,86 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs scripts of tests in a page with scenes, in a headless browser that draws in software."""
+"""Asks pages with scenes what they show, in a headless browser that draws in software."""
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-from typing import Any
+import time
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tests.support.chromium import BROWSER, SOFTWARE_3D, chromium
+from tests.support.browser import PATIENCE, OpenPage
 from tests.support.scene_data import page_of
 
-__all__ = ["BROWSER", "STATES", "about_z", "fine", "matrix", "probed"]
+if TYPE_CHECKING:
+    from playwright.sync_api import Frame, Page
 
-FOUND = 'document.getElementById("found")?.textContent'
-
-# errors of scripts and of the policy end in the page, where a test reads them
-LISTEN = """
-  const errors = [];
-  addEventListener("error", (event) => errors.push(String(event.message)));
-  addEventListener("unhandledrejection", (event) => errors.push(String(event.reason)));
-  addEventListener("securitypolicyviolation", (event) => errors.push("policy: " + event.violatedDirective));
-  for (const name of ["error", "warn"]) console[name] = (...words) => errors.push(words.join(" "));
-"""
-PROBE = """
+HELPERS = """
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
-  const until = async (holds) => { for (let k = 0; k < 300 && !holds(); k++) await wait(50); };
-  const press = (key, on = document.body) => on.dispatchEvent(new KeyboardEvent("keydown", {key,
-    bubbles: true, cancelable: true}));
-  const V = pitchpointViewer, S = () => V.state(), $ = (what) => document.querySelector(what);
-  const named = (text) => [...document.querySelectorAll(".ppv-tools button")].find((b) =>
-    b.textContent === text);
-  mounted.then(async (fine) => {
-    const say = (found) => { $("#found").textContent = JSON.stringify({fine, errors, found}); };
-    try { say(await (async () => { %s })()); } catch (error) { errors.push(String(error.stack));
-    say(null); }
-  });
+  const until = async (holds) => { for (let k = 0; k < 600 && !holds(); k++) await wait(20); };
+  const V = window.pitchpointViewer, S = () => V.state();
+  const $ = (what) => document.querySelector(what), all = (what) => [...document.querySelectorAll(what)];
+  const named = (text) => all(".ppv-tools button").find((b) => b.textContent === text);
 """
-
-
 STATES = "const out = []; for (const t of %s) { V.seek(t); V.draw(); out.push(S()); } return out;"
 
 
-def probed(
-    tmp_path: Path,
-    script: str,
-    *texts: tuple[str, str],
-    flags: tuple[str, ...] = (),
-    size: str = "1000px;height:650px",
-) -> dict[str, Any]:
-    """What a script of the test finds in a page with scenes."""
-    page = tmp_path / "scene.html"
-    page.write_text(page_of(*texts, before=LISTEN, script=PROBE % script, size=size), encoding="utf-8")
-    said = chromium(*SOFTWARE_3D, *flags).show(page, FOUND, budget=60_000, wait=False)
-    assert said, "the script of the test has said nothing"
-    return dict(json.loads(said))
+def asked(page: Page, script: str) -> Any:
+    """What a script of the test returns.
+
+    Parameters
+    ----------
+    page
+        Open.
+    script
+        Body of an asynchronous function in JavaScript, with the helpers above.
+    """
+    return page.evaluate(f"async () => {{ {HELPERS} {{ {script} }} }}")
 
 
-def fine(found: dict[str, Any]) -> Any:
-    assert found["errors"] == [] and found["fine"]
-    return found["found"]
+def until(frame: Page | Frame, condition: str) -> None:
+    """Wait until something holds; Playwright's own way compiles text in the page, which the policy forbids.
+
+    Parameters
+    ----------
+    frame
+        A page, or a frame of one.
+    condition
+        In JavaScript.
+    """
+    end = time.monotonic() + PATIENCE / 1e3
+    while not frame.evaluate(condition):
+        assert time.monotonic() < end, f"still not: {condition}"
+        time.sleep(0.02)
+
+
+def scene(open_page: OpenPage, *texts: tuple[str, str], **how: Any) -> Page:
+    """A page with one scene or two, which can be read.
+
+    Parameters
+    ----------
+    open_page
+        The fixture.
+    *texts
+        Header and numbers of each.
+    **how
+        `box` is the size of the viewer as CSS has it, the rest is for `open_page`.
+    """
+    box = {"size": how.pop("box")} if "box" in how else {}
+    page = open_page(page_of(*texts, **box), **how)
+    assert page.evaluate("mounted"), refusal(page)
+    return page
+
+
+def refusal(page: Page) -> str:
+    """The sentence that stands where a scene cannot."""
+    return str(page.text_content(".ppv-message"))
+
+
+def refused(open_page: OpenPage, text: tuple[str, str]) -> str:
+    """The sentence in the place of a scene that cannot be read."""
+    page = open_page(page_of(text))
+    assert not page.evaluate("mounted")
+    return refusal(page)
 
 
 def matrix(elements: list[float]) -> np.ndarray:

@@ -328,9 +328,7 @@ def crowd(number: int) -> tuple[dict[str, Any], Block]:
     return header, block
 
 
-def page_of(
-    *texts: tuple[str, str], script: str = "", before: str = "", size: str = "1000px;height:650px"
-) -> str:
+def page_of(*texts: tuple[str, str], size: str = "1000px;height:650px") -> str:
     """A page with scenes given as header and numbers in base64."""
     elements = "".join(
         f'<script type="application/json" id="pp-scene{mark}">{header}</script>'
@@ -342,10 +340,10 @@ def page_of(
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}"><title>scene</title>'
         f"<style>html,body{{margin:0;height:100%}}#view{{width:{size}}}</style></head>\n"
-        f'<body><div id="view"></div><pre id="found"></pre>{elements}<script>{before}</script>'
+        f'<body><div id="view"></div>{elements}'
         f"<script>{VIEWER.read_text(encoding='utf-8')}</script>\n"
         "<script>const mounted = pitchpointViewer.mount(document.getElementById('view'), "
-        f"{{compare: {compare}}});</script><script>{script}</script></body></html>\n"
+        f"{{compare: {compare}}});</script></body></html>\n"
     )
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 # Nothing may be loaded from anywhere: the file works offline for ever and tells nobody that it was opened.
 POLICY = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
-    "img-src data: blob:; font-src data:"
+    "img-src data: blob:; font-src data:; form-action 'none'; base-uri 'none'"
 )
 
 

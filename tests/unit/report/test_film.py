@@ -12,7 +12,7 @@ import pytest
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.report import film as films
-from tests.support.scene_browser import BROWSER
+from tests.support.browser import CHROMIUM
 from tests.support.scene_data import gears, page_of, texts_of
 
 
@@ -35,11 +35,11 @@ def test_missing_programs_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 
 @pytest.mark.skipif(
-    BROWSER is None or not shutil.which("ffmpeg"), reason="no Chromium or no ffmpeg; install both to run it"
+    not CHROMIUM or not shutil.which("ffmpeg"), reason="no Chromium or no ffmpeg; install both to run it"
 )
 def test_a_film_has_a_picture_for_every_instant(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     page, target, done = tmp_path / "page.html", tmp_path / "film.mp4", []
-    page.write_text(page_of(texts_of(*gears()), before="", script=""), encoding="utf-8")
+    page.write_text(page_of(texts_of(*gears())), encoding="utf-8")
     monkeypatch.setattr(films, "LENGTH", 0.2)
     films.film(page, target, lambda k, n, note="": done.append((k, n)))
     assert done == [(k, 5) for k in range(1, 6)]

@@ -92,7 +92,9 @@
     node.dataset.drawn = "1";
     const text = node.nextElementSibling.textContent;
     const figure = unpacked(text);
-    const config = { responsive: true, displaylogo: false, displayModeBar: hovering ? "hover" : false,
+    // what is shown here is nobody else's: the button of the library that uploads a plot goes
+    const config = { responsive: true, displaylogo: false, showSendToCloud: false, plotlyServerURL: "",
+      displayModeBar: hovering ? "hover" : false,
       modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
     if (figure.layout.template === undefined) figure.layout.template = {};
     Plotly.newPlot(node, figure.data, figure.layout, config);
