@@ -107,7 +107,7 @@ def summary(model: Model) -> dict[str, Any]:
             }
             for name, mesh in model.meshes.items()
         },
-        "shafts": {name: _stations(model, name) for name in model.shafts},
+        "shafts": _stations(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
         "joints": _joints(model),
@@ -130,18 +130,21 @@ def _freedoms(model: Model, body: str) -> list[str]:
     return list(FREEDOMS[model.bodies[body].moves] if seat.joint is None else seat.coordinates)
 
 
-def _stations(model: Model, shaft: str) -> dict[str, Any]:
-    """Stations of a shaft with their places [m] and what sits there."""
-    from pitchpoint.model.shafts import nearest_station, seats_on, station_names
+def _stations(model: Model) -> dict[str, dict[str, Any]]:
+    """Stations of the shafts with their places [m] and what sits there."""
+    from pitchpoint.model.shafts import nearest_station, seats_on_shafts, station_names
 
-    places = model.stations[shaft]
-    sits: list[list[str]] = [[] for _ in places]
-    for at, place in seats_on(model, shaft):
-        what = sits[nearest_station(places, place)]
-        word = str(at[3] if at[0] == "shafts" else at[1])
-        what.extend([word] if word not in what else [])
-    names = station_names(shaft, len(places))
-    return {n: {"place": p, "there": s} for n, p, s in zip(names, places, sits, strict=True)}
+    found = {}
+    for shaft, seats in seats_on_shafts(model).items():
+        places = model.stations[shaft]
+        sits: list[list[str]] = [[] for _ in places]
+        for at, place in seats:
+            what = sits[nearest_station(places, place)]
+            word = str(at[3] if at[0] == "shafts" else at[1])
+            what.extend([word] if word not in what else [])
+        names = station_names(shaft, len(places))
+        found[shaft] = {n: {"place": p, "there": s} for n, p, s in zip(names, places, sits, strict=True)}
+    return found
 
 
 def _joints(model: Model) -> dict[str, Any]:

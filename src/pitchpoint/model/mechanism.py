@@ -11,6 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
+from heapq import heappop, heappush
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -79,7 +81,11 @@ class Mechanism:
 
     def carrier(self, joint: str) -> Seat | None:
         """Seat that a joint makes; None for one that closes a loop."""
-        return next((s for s in self.seats.values() if s.joint == joint), None)
+        return self._carriers.get(joint)
+
+    @cached_property
+    def _carriers(self) -> dict[str, Seat]:
+        return {s.joint: s for s in self.seats.values() if s.joint is not None}
 
 
 def hang(parts: Parts) -> Mechanism:
@@ -87,10 +93,7 @@ def hang(parts: Parts) -> Mechanism:
     joints = {n: j for n, j in parts.joints.items() if _usable(parts, j)}
     roots = _roots(parts, joints)
     seats = {n: roots[n] for n in parts.bodies if n in roots}
-    open_ = [n for n, j in joints.items() if not j.cut]
-    while (found := _next(joints, open_, seats)) is not None:
-        seats[found.body] = found
-        open_.remove(str(found.joint))
+    _seat_by_joints(joints, seats)
     used = {s.joint for s in seats.values()}
     order = _sorted(parts, seats)
     for name in parts.bodies:
@@ -131,35 +134,50 @@ def _roots(parts: Parts, joints: Mapping[str, Joint]) -> dict[str, Seat]:
     return found
 
 
-def _next(joints: Mapping[str, Joint], open_: list[str], seats: Mapping[str, Seat]) -> Seat | None:
+def _seat_by_joints(joints: Mapping[str, Joint], seats: dict[str, Seat]) -> None:
     """Seat by the first joint that carries its second body, else by the first that can be turned round."""
-    back: Seat | None = None
-    for name in open_:
-        joint = joints[name]
-        first, second = (split(e)[0] for e in joint.bodies)
-        if _hangs(first, seats) == _hangs(second, seats):
+    names = [n for n, j in joints.items() if not j.cut]
+    ends = [tuple(split(e)[0] for e in joints[n].bodies) for n in names]
+    touching: dict[str, list[int]] = {}
+    for k, pair in enumerate(ends):
+        for body in pair:
+            touching.setdefault(body, []).append(k)
+    onward: list[int] = []  # joints whose first body hangs, and those whose second does: the first ones first
+    back: list[int] = []
+
+    def hangs(body: str) -> None:
+        """Note the joints that a body which hangs now lets carry another one."""
+        for k in touching.get(body, ()):
+            if ends[k][0] == body:
+                heappush(onward, k)
+            elif joints[names[k]].type not in FUNCTIONS:
+                heappush(back, k)
+
+    for body in (GROUND, *seats):
+        hangs(body)
+    while onward or back:
+        turned = not onward
+        k = heappop(back if turned else onward)
+        first, second = ends[k]
+        carrier, carried = (second, first) if turned else (first, second)
+        if carried == GROUND or carried in seats:
             continue
-        if _hangs(first, seats):
-            return Seat(second, first, name, joint.type, False, joint.names)
-        if back is None and joint.type not in FUNCTIONS:
-            renamed = _RENAMED.get(joint.type, joint.names)
-            back = Seat(first, second, name, joint.type, True, renamed)
-    return back
+        joint = joints[names[k]]
+        words = _RENAMED.get(joint.type, joint.names) if turned else joint.names
+        seats[carried] = Seat(carried, carrier, names[k], joint.type, turned, words)
+        hangs(carried)
 
 
 def _sorted(parts: Parts, seats: Mapping[str, Seat]) -> dict[str, Seat]:
     """Seats with parents first, else in the order of the file."""
     out: dict[str, Seat] = {}
-
-    def put(name: str) -> None:
-        """Put a body behind the one it hangs on."""
-        if name != GROUND and name not in out:
-            put(seats[name].parent)
-            out[name] = seats[name]
-
     for name in parts.bodies:
-        if name in seats:
-            put(name)
+        path, here = [], name if name in seats else GROUND
+        while here != GROUND and here not in out:
+            path.append(here)
+            here = seats[here].parent
+        for body in reversed(path):
+            out[body] = seats[body]
     return out
 
 
@@ -186,20 +204,27 @@ def base_of(machine: Machine, mechanism: Mechanism, body: str) -> str:
 
 
 def place_joined(parts: Parts) -> None:
-    """Place the bodies that joints join to bodies with a place: their markers meet at the joint."""
-    found = True
-    while found:
-        found = False
-        for joint in parts.joints.values():
-            if not _usable(parts, joint):
-                continue
-            place = joint_place(parts, joint)
-            for end in joint.bodies:
-                body = split(end)[0]
-                if place is not None and body != GROUND and parts.bodies[body].origin is None:
-                    x, y, z = (float(v) for v in place - arm(parts, end))
-                    parts.bodies[body] = replace(parts.bodies[body], origin=(x, y, z))
-                    found = True
+    """Place the bodies that joints join to bodies with a place: their markers meet at the joint.
+
+    Rounds go over the joints in the order of the file; from the second on only over those that something has
+    changed for.
+    """
+    joints = [j for j in parts.joints.values() if _usable(parts, j)]
+    touching: dict[str, list[int]] = {}
+    for k, joint in enumerate(joints):
+        for end in joint.bodies:
+            touching.setdefault(split(end)[0], []).append(k)
+    queue = [(0, k) for k in range(len(joints))]  # round and number, a heap
+    while queue:
+        turn, k = heappop(queue)
+        place = joint_place(parts, joints[k])
+        for end in joints[k].bodies:
+            body = split(end)[0]
+            if place is not None and body != GROUND and parts.bodies[body].origin is None:
+                x, y, z = (float(v) for v in place - arm(parts, end))
+                parts.bodies[body] = replace(parts.bodies[body], origin=(x, y, z))
+                for other in touching[body]:
+                    heappush(queue, (turn + (other <= k), other))
 
 
 def seat_frame(machine: Machine, seat: Seat) -> tuple[Array, Array]:

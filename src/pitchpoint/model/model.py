@@ -52,7 +52,7 @@ from pitchpoint.model.keys import (
 )
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.pair_check import gap
-from pitchpoint.model.parts import Parts
+from pitchpoint.model.parts import Parts, carriers_of
 from pitchpoint.model.phasing import Phasing, assemble
 from pitchpoint.model.read import Reader
 from pitchpoint.model.recheck import recheck
@@ -300,8 +300,11 @@ class Model:
 
     def body_of(self, gear: str) -> str | None:
         """Name of the body that carries a gear, None without bodies."""
-        carriers = (n for n, body in self.bodies.items() if gear in body.gears or gear in body.bevel_gears)
-        return next(carriers, None)
+        return self._carriers.get(gear)
+
+    @cached_property
+    def _carriers(self) -> dict[str, str]:
+        return carriers_of(self.bodies)
 
     def body_inertia(self, body: str) -> BodyInertia:
         """Mass and moments of inertia of a body, given or summed over its gears."""

@@ -40,6 +40,8 @@ class Parts:
     placed: dict[str, tuple[str, str, str]] = field(default_factory=dict)
     """For bodies without a position: kind and name of the link that placed it, and the body it hangs on."""
     mechanism: Mechanism = field(default_factory=Mechanism)
+    carriers: dict[str, str] = field(default_factory=dict)  # gear to body, for so many bodies as were seen
+    seen: int = 0
 
     @classmethod
     def of(cls, groups: Mapping[str, Any], damping: Damping | None) -> Parts:
@@ -75,9 +77,21 @@ class Parts:
         """All names of a group, those of unreadable parts included."""
         return self.names.get(group, set()) | set(getattr(self, group))
 
+    def has(self, group: str, name: str) -> bool:
+        """Whether a group has a name, be it that of an unreadable part."""
+        return name in getattr(self, group) or name in self.names.get(group, ())
+
     def body_of(self, gear: str) -> str | None:
-        """Name of the body that carries a gear."""
-        for name, body in self.bodies.items():
-            if gear in body.gears or gear in body.bevel_gears:
-                return name
-        return None
+        """Name of the body that carries a gear, the first one if there are several."""
+        if self.seen != len(self.bodies):  # bodies are added while a model is settled, gears stay on theirs
+            self.seen, self.carriers = len(self.bodies), carriers_of(self.bodies)
+        return self.carriers.get(gear)
+
+
+def carriers_of(bodies: Mapping[str, Body]) -> dict[str, str]:
+    """First body that carries a gear, by gear."""
+    found: dict[str, str] = {}
+    for name, body in bodies.items():
+        for gear in (*body.gears, *body.bevel_gears):
+            found.setdefault(gear, name)
+    return found

@@ -78,17 +78,26 @@ def assemble(gears: Mapping[str, Gear], meshes: Mapping[str, Mesh]) -> Phasing:
         The gears and meshes of a model, with `theta`, `offset1` and `offset2` of the meshes filled in.
     """
     angle = {name: g.initial_angle for name, g in gears.items() if g.initial_angle is not None}
+    of_gear: dict[str, list[str]] = {}
+    for name, mesh in meshes.items():
+        for gear in mesh.gears:
+            of_gear.setdefault(gear, []).append(name)
+    order = {name: k for k, name in enumerate(meshes)}
     loose = dict(meshes)
+    fresh = list(angle)
     while loose:
-        ready = [n for n, m in loose.items() if m.gears[0] in angle or m.gears[1] in angle]
+        ready = {n for gear in fresh for n in of_gear.get(gear, ()) if n in loose}
         if not ready:
-            angle[next(iter(loose.values())).gears[0]] = 0.0
+            fresh = [next(iter(loose.values())).gears[0]]
+            angle[fresh[0]] = 0.0
             continue
-        for name in ready:
+        fresh = []
+        for name in sorted(ready, key=order.__getitem__):
             mesh = loose.pop(name)
             for this, other in ((0, 1), (1, 0)):
                 if mesh.gears[other] not in angle:
                     angle[mesh.gears[other]] = _turned(gears, mesh, this, angle[mesh.gears[this]])
+                    fresh.append(mesh.gears[other])
     for name in gears:
         angle.setdefault(name, 0.0)
     offset, travel = {}, {}

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +14,8 @@ from pitchpoint.model.frames import Array, body_frame, split
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
+Span = tuple[str, str, Array, Array, float, float]
+"""Body, gear, place and axis of the body, where along it the gear begins and ends [m]."""
 SAME = 1e-6
 """Distance of two axes as a share of the tip circles on them up to which they count as one."""
 
@@ -29,6 +30,11 @@ def _axes_by_joints(model: Model) -> Iterator[str]:
 
     A carrier whose planets have places would turn about the pin of the first of them.
     """
+    joined: dict[str, list[str]] = {}
+    for joint, part in model.joints.items():
+        for body_name in dict.fromkeys(split(end)[0] for end in part.bodies):
+            joined.setdefault(body_name, []).append(joint)
+    coupled = {name for coupling in model.couplings.values() for name in coupling.bodies}
     for name, body in model.bodies.items():
         seat = model.mechanism.seats.get(name)
         if body.position is not None or body.gears or body.bevel_gears:
@@ -38,9 +44,8 @@ def _axes_by_joints(model: Model) -> Iterator[str]:
         if seat.kind not in ("revolute", "planar"):
             continue
         origin, _ = body_frame(model, name)
-        joints = [n for n, j in model.joints.items() if name in (split(end)[0] for end in j.bodies)]
-        linked = any(name in coupling.bodies for coupling in model.couplings.values())
-        if not joints or linked or origin is None:
+        joints = joined.get(name)
+        if not joints or name in coupled or origin is None:
             continue
         where = ", ".join(format_quantity(round(float(x), 9) + 0.0, "length", 4) for x in origin)
         yield (
@@ -57,7 +62,8 @@ def _gears_in_gears(model: Model) -> Iterator[str]:
         for gear, offset in body.gears.items()
         if gear in model.gears and (span := _span(model, name, gear, offset)) is not None
     ]
-    for (one, a, at, along, low, high), (two, b, other, way, least, most) in combinations(spans, 2):
+    for first, second in _on_one_axis(spans, [model.gears[span[1]].geometry.d_a for span in spans]):
+        (one, a, at, along, low, high), (two, b, other, way, least, most) = first, second
         apart = other - at
         beside = float(np.linalg.norm(apart - (apart @ along) * along))
         reach = SAME * model.gears[a].geometry.d_a
@@ -70,6 +76,18 @@ def _gears_in_gears(model: Model) -> Iterator[str]:
                 f"bodies.{two}: {b} stands in {a} of {one}, on the same axis; give the meshes that place "
                 "them a direction each, or the bodies a position: [x, y, z]"
             )
+
+
+def _on_one_axis(spans: list[Span], sizes: list[float]) -> Iterator[tuple[Span, Span]]:
+    """Pairs of gears whose axes may be one, with room for round-off: thousands of gears make millions."""
+    places = np.array([span[2] for span in spans]).reshape(-1, 3)
+    ways = np.array([span[3] for span in spans]).reshape(-1, 3)
+    for k, (span, size) in enumerate(zip(spans, sizes, strict=True)):
+        apart = places[k + 1 :] - span[2]
+        beside = np.linalg.norm(apart - np.outer(apart @ span[3], span[3]), axis=1)
+        near = (beside <= 2.0 * SAME * size) & (np.abs(ways[k + 1 :] @ span[3]) >= 1.0 - 2.0 * SAME)
+        for other in np.flatnonzero(near):
+            yield span, spans[k + 1 + int(other)]
 
 
 def _span(model: Model, body: str, gear: str, offset: float) -> tuple[Array, Array, float, float] | None:

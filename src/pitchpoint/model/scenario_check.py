@@ -87,6 +87,18 @@ def ratios(parts: Parts) -> dict[str, list[tuple[str, float]]]:
     return out
 
 
+def train_of(parts: Parts, body: str) -> set[str]:
+    """Bodies that a body turns by meshes and couplings between bodies with one base; itself among them."""
+    links = ratios(parts)
+    found, queue = {body}, deque([body])
+    while queue:
+        for there, _ in links.get(queue.popleft(), ()):
+            if there not in found:
+                found.add(there)
+                queue.append(there)
+    return found
+
+
 def locked_links(parts: Parts, body: str) -> list[Link]:
     """Links that close a loop with a body and contradict the ratios of the rest of it: nothing can turn."""
     from pitchpoint.model.carried_trains import has_carriers
@@ -262,13 +274,23 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
 
 def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     """Speeds inside a loop whose ratios contradict each other."""
+    from pitchpoint.model.carried_trains import has_carriers
+
     turned: dict[str, Place] = {b: (*at, "speed", b) for b, speed in scenario.speed.items() if speed != 0.0}
     turned |= {b: (*at, "drive", b) for b in scenario.drive}
     if scenario.sweep is not None:
         turned[scenario.sweep.body] = (*at, "sweep", "body")
     told: set[Place] = set()
+    links = links_of(parts)
+    linked = {body for link in links for body in link[1:3]}
+    plain = not has_carriers(parts, links)
     for body, place in turned.items():
-        for link, one, two, _ in locked_links(parts, body) if body in parts.bodies else ():
+        if body not in parts.bodies or body not in linked:
+            continue
+        locked = locked_links(parts, body)
+        if plain and not locked:  # nor does any other body of its train find one
+            linked -= train_of(parts, body)
+        for link, one, two, _ in locked:
             if link not in told:
                 told.add(link)
                 report.problem(

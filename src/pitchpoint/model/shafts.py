@@ -8,7 +8,7 @@ one stands in for it among the bodies. Only the rules of the system know that it
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -81,10 +81,11 @@ def _check(name: str, shaft: Shaft, report: Reader) -> None:
 
 def check_shaft_places(parts: Parts, report: Reader) -> None:
     """Whatever sits on a shaft sits between its ends, once the shafts have their places."""
+    sits = seats_on_shafts(parts)
     for name, shaft in parts.shafts.items():
         if ("shafts", name, "sections") in report.tainted or name not in parts.bodies:
             continue
-        for at, place in seats_on(parts, name):
+        for at, place in sits[name]:
             if on_shaft(shaft, place) or at in report.tainted:
                 continue
             report.problem(
@@ -107,49 +108,54 @@ def _mm(length: float) -> str:
 
 
 # --- what sits where ----------------------------------------------------------------------------------------
-def seats_on(machine: Any, shaft: str) -> Iterator[tuple[Place, float]]:
-    """Everything that sits or acts on a shaft: where the file says so, and its place from the start [m].
+def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
+    """Everything that sits or acts on the shafts: where the file says so, and its place from the start [m].
 
     Parameters
     ----------
     machine
         A model or the parts of one, with the places of its bodies.
-    shaft
-        Name of the shaft.
-    """
-    body = machine.bodies[shaft]
-    origin, axes = body_frame(machine, shaft)
 
-    def along(place: Array) -> float:
+    Returns
+    -------
+    dict
+        Places by shaft, for shafts that are among the bodies.
+    """
+    frames = {name: body_frame(machine, name) for name in machine.shafts if name in machine.bodies}
+    found: dict[str, list[tuple[Place, float]]] = {name: [] for name in frames}
+
+    def along(shaft: str, place: Array) -> float:
         """Place along the axis of the shaft [m]."""
+        origin, axes = frames[shaft]
         return float(axes[:, 2] @ place) - (0.0 if origin is None else float(axes[:, 2] @ origin))
 
-    for gear, place in body.gears.items():
-        yield ("shafts", shaft, "gears", gear), place
-    for name, marker in body.markers.items():
-        yield ("shafts", shaft, "markers", name, "position"), marker.position[2]
+    for shaft, seats in found.items():
+        body = machine.bodies[shaft]
+        seats += [(("shafts", shaft, "gears", gear), place) for gear, place in body.gears.items()]
+        for name, marker in body.markers.items():
+            seats.append((("shafts", shaft, "markers", name, "position"), marker.position[2]))
     for group in ("bearings", "unbalances"):
         for name, part in getattr(machine, group).items():
-            if part.body == shaft:
-                yield (group, name, "position"), part.position[2]
+            if part.body in found:
+                found[part.body].append(((group, name, "position"), part.position[2]))
     for name, part in machine.bearings.items():
-        if part.housing is not None and split(part.housing)[0] == shaft and part.body in machine.bodies:
-            yield ("bearings", name, "housing"), along(_place_on_axis(machine, part.body, part))
+        shaft = "" if part.housing is None else split(part.housing)[0]
+        if shaft in found and part.body in machine.bodies:
+            place = along(shaft, _place_on_axis(machine, part.body, part))
+            found[shaft].append((("bearings", name, "housing"), place))
     for name, coupling in machine.couplings.items():
-        if shaft in coupling.bodies:
-            yield (
-                ("couplings", name, "position"),
-                along(_place_on_axis(machine, coupling.bodies[0], coupling)),
-            )
+        for shaft in {*coupling.bodies} & found.keys():
+            place = along(shaft, _place_on_axis(machine, coupling.bodies[0], coupling))
+            found[shaft].append((("couplings", name, "position"), place))
     for name, load in machine.loads.items():
-        if shaft == load.body:
-            yield ("loads", name, "position"), along(place_of_load(machine, load))
-        elif shaft == load.reaction:
-            yield ("loads", name, "reaction"), along(place_of_load(machine, load))
+        for key, shaft in (("position", load.body), ("reaction", load.reaction)):
+            if shaft in found and (key == "position" or shaft != load.body):
+                found[shaft].append((("loads", name, key), along(shaft, place_of_load(machine, load))))
     for name, joint in machine.joints.items():
         at = joint_place(machine, joint)
-        if at is not None and shaft in {split(e)[0] for e in joint.bodies}:
-            yield ("joints", name, "position"), along(at)
+        for shaft in {split(e)[0] for e in joint.bodies} & found.keys() if at is not None else ():
+            found[shaft].append((("joints", name, "position"), along(shaft, at)))
+    return found
 
 
 def _place_on_axis(machine: Any, body: str, part: Any) -> Array:
@@ -171,10 +177,8 @@ def place_of_load(machine: Any, load: Any) -> Array:
 # --- stations -----------------------------------------------------------------------------------------------
 def stations_of(machine: Any) -> dict[str, tuple[float, ...]]:
     """Places of the stations of all shafts, from their starts [m]."""
-    return {
-        name: cut(shaft, [place for _, place in seats_on(machine, name)])
-        for name, shaft in machine.shafts.items()
-    }
+    sits = seats_on_shafts(machine)
+    return {name: cut(shaft, [place for _, place in sits[name]]) for name, shaft in machine.shafts.items()}
 
 
 def station_names(name: str, count: int) -> tuple[str, ...]:

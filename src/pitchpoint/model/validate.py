@@ -76,9 +76,9 @@ def _same_pairs(parts: Parts, report: Reader) -> None:
 
 def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> bool:
     """Whether a name exists; reports it with the nearest one if not."""
-    names = parts.known(group)
-    if name in names:
+    if parts.has(group, name):
         return True
+    names = parts.known(group)
     guess = nearest(name, names)
     single = {"gears": "gear", "bevel_gears": "bevel gear", "bodies": "body", "meshes": "mesh"}[group]
     have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {group.replace('_', ' ')}"
