@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.report.scene_motion import Motion, motion
+from pitchpoint.system.meshes import KINDS as MESHES
+from pitchpoint.system.meshes import is_bevel, mesh_names, mesh_records
 from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
 
 if TYPE_CHECKING:
@@ -32,7 +34,7 @@ LOSSES = {"friction": "friction_power", "damping": "damping_power"}
 TORQUES = {"coupling": "damping", "torsion_maxwell": "damping", "friction_clutch": "friction"}
 """Kinds that put a torque on their first body about its axis and the opposite one on their second, and where
 what does not arrive has gone."""
-FOLLOWED = {"gear_mesh", "torque", "drive", "ratio", "bearing", *TORQUES}
+FOLLOWED = {*MESHES, "torque", "drive", "ratio", "bearing", *TORQUES}
 WITHOUT_POWER = {"signal", "guide", "closure", "shaft_beam", "linear_hold", "linear_modes"}
 """Kinds that give and take none on the mean, or that stand within one block."""
 ROUND_OFF = 1e-12
@@ -64,7 +66,7 @@ def power_flow(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> Po
     from pitchpoint.system.compile import compile_model
 
     system = compile_model(model, result.attrs.get("scenario") or None)
-    if not any(len(system.names.get(kind, ())) for kind in ("gear_mesh", "ratio", *TORQUES)):
+    if not any(len(system.names.get(kind, ())) for kind in (*MESHES, "ratio", *TORQUES)):
         return None
     machine = _Machine(model, system, result, settle_time)
     links = [*machine.sources(), *machine.meshes(), *machine.torques(), *machine.ratios()]
@@ -173,20 +175,31 @@ class _Machine:
 
     def meshes(self) -> Iterator[PowerLink]:
         """Meshes; their friction counts for the gear that drives."""
-        records = self.system.records.get("gear_mesh", ())
-        for m, (record, name) in enumerate(
-            zip(records, self.system.names.get("gear_mesh", ()), strict=False)
-        ):
-            pair, on = (int(record["i"]), int(record["j"])), [0.0, 0.0]
-            for row, part in enumerate(PARTS):
-                for side, sign in enumerate((-1.0, 1.0)):
-                    speed = self.at_point(pair[side], self.pitch_points[m], self.directions[m, row])
-                    on[side] += sign * self.power(f"{part}_force[{name}]", speed)
+        names = mesh_names(self.system)
+        for m, (record, name) in enumerate(zip(mesh_records(self.system), names, strict=True)):
+            pair = int(record["i"]), int(record["j"])
+            on = self.on_bevels(record, name) if is_bevel(record) else self.on_gears(m, pair, name)
             losses = {word: self.mean_of(f"{what}[{name}]") for word, what in LOSSES.items()}
             on[int(on[1] < on[0])] -= losses["friction"]
             found = _with_losses(self.link(name, "mesh", pair, (on[0], on[1])), losses)
             fed = self.mean_of(f"parametric_power[{name}]")
             yield replace(found, fed=fed if abs(fed) > ROUND_OFF * found.given else 0.0)
+
+    def on_gears(self, m: int, pair: tuple[int, int], name: str) -> list[float]:
+        """Powers of a mesh of cylindrical gears on both bodies, at the pitch point."""
+        on = [0.0, 0.0]
+        for row, part in enumerate(PARTS):
+            for side, sign in enumerate((-1.0, 1.0)):
+                speed = self.at_point(pair[side], self.pitch_points[m], self.directions[m, row])
+                on[side] += sign * self.power(f"{part}_force[{name}]", speed)
+        return on
+
+    def on_bevels(self, record: np.void, name: str) -> list[float]:
+        """Powers of a bevel mesh on both bodies, by their torques: its force has no one cone distance."""
+        bodies = ((int(record["i"]), record["r_b1"]), (int(record["j"]), record["r_b2"]))
+        return [
+            self.power(f"mesh_force[{name}]", -float(r) * self.turning(b, self.axis[b])) for b, r in bodies
+        ]
 
     def torques(self) -> Iterator[PowerLink]:
         """Couplings and clutches: what does not arrive is lost in them."""
@@ -260,7 +273,7 @@ class _Machine:
         own = {block: b for b, block in reversed(self.block_of.items())}
         speed = {block: self.mean(self.turning(b, self.axis[b])) for block, b in own.items()}
         span = float(self.time[-1] - self.time[0])
-        energies = [self.channel(f"elastic_energy[{m}]") for m in self.system.names.get("gear_mesh", ())]
+        energies = [self.channel(f"elastic_energy[{m}]") for m in mesh_names(self.system)]
         touched = {block for link in links for block in (link.start, link.end)}
         kept = [k for k in range(len(self.blocks)) if k in touched]
         number = {k: new for new, k in enumerate(kept)} | {OUTSIDE: OUTSIDE}

@@ -22,6 +22,7 @@ from pitchpoint.elements import mesh_lines
 from pitchpoint.elements.gear_mesh_record import PROFILE
 from pitchpoint.elements.mesh_pairs import pair_teeth
 from pitchpoint.report.scene_motion import shown_bodies
+from pitchpoint.system.meshes import mesh_names
 from pitchpoint.viz.scene_contact import ContactFlank, FlankSurface, SceneContact
 
 if TYPE_CHECKING:
@@ -132,7 +133,8 @@ def scene_contacts(
     """
     found, notes = [], []
     shown = shown_bodies(system)
-    for m, (name, mesh) in enumerate(zip(lines.names, lines.found, strict=True)):
+    for name, mesh in zip(lines.names, lines.found, strict=True):
+        m = mesh_names(system).index(name)
         if mesh.first["source"] != PROFILE:
             notes.append(
                 f"mesh {name}: its stiffness law knows no single tooth pairs, so lines have no loads"

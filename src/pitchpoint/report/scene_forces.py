@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.system.meshes import mesh_names
 from pitchpoint.viz.scene import SceneArrow
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def force_arrows(system: System, moved: Motion, read: Read) -> tuple[list[SceneA
 def _mesh_arrows(system: System, moved: Motion, forces: Forces) -> list[SceneArrow]:
     """Forces of all meshes on their second gears, at the pitch points."""
     found = []
-    for m, name in enumerate(system.names.get("gear_mesh", ())):
+    for m, name in enumerate(mesh_names(system)):
         parts = forces.of(*(f"{part}_force[{name}]" for part in PARTS))
         if parts is None:
             continue

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import force_directions, mesh_records
 from pitchpoint.system.system import System
 from pitchpoint.viz.scene import SceneBody
 
@@ -112,8 +113,8 @@ def motion(
             q[:, dof] = values
             if spin:
                 angle[:, b] = values
-    meshes = system.records.get("gear_mesh")
-    count = 0 if meshes is None else len(meshes)
+    meshes = mesh_records(system)
+    count = len(meshes)
     found = Motion(
         np.zeros((n, len(layout.bodies), 3)),
         np.zeros((n, len(layout.bodies), 3, 3)),
@@ -135,10 +136,9 @@ def motion(
         found.observed[i] = evaluate.observe(system, state)
         frames = system.workspace.fr
         found.place[i], found.axes[i] = frames["r"], frames["R"]
-        if meshes is not None:
-            found.pitch_points[i] = meshes["P"]
-            for row, field in enumerate("tem"):
-                found.directions[i, :, row] = meshes[field]
+        for m, record in enumerate(meshes):
+            found.pitch_points[i, m] = record["P"]
+            found.directions[i, m] = force_directions(record)
         if look is not None:
             look(i)
     return found

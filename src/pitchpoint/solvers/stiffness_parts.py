@@ -28,7 +28,7 @@ from pitchpoint.solvers.element_tangents import (
 )
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import KINDS, mesh_names, mesh_places, mesh_record, mesh_records
+from pitchpoint.system.meshes import KINDS, is_bevel, mesh_names, mesh_places, mesh_record, mesh_records
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -145,7 +145,7 @@ def _kinks(record: np.void, flank: int, pool: Array) -> Array:
     if n > 2:
         places += list(np.linspace(0.0, eps, n if n <= MOST_SPLIT else 17)[1:-1])
     ends = lam * np.array([record["z_lo"], record["z_hi"]], dtype=float)
-    if "R_m" in (record.dtype.names or ()):  # contact lines of bevel gears are spirals
+    if is_bevel(record):  # contact lines of bevel gears are spirals
         ends = lam * record["R_m"] * np.log1p(ends / (lam * record["R_m"])) if lam != 0.0 else ends
     return np.asarray(np.subtract.outer(places, ends).ravel())
 

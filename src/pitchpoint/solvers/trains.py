@@ -20,7 +20,7 @@ from pitchpoint.elements.registry import MODAL
 from pitchpoint.multibody.bodies import GENERAL, base_of, spin_of
 from pitchpoint.solvers.assembly import loop_rows
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import KINDS, mesh_records
+from pitchpoint.system.meshes import KINDS, is_bevel, mesh_records
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -275,7 +275,7 @@ def _base(system: System, index: dict[int, int], record: np.void, end: str) -> A
     """
     body = system.program["body"]
     parallel = "i" if record["carried"] == 1 else "j"
-    gear = int(record[end if "apex" in (record.dtype.names or ()) else parallel])
+    gear = int(record[end if is_bevel(record) else parallel])
     own = int(body[gear]["spinner"]) or gear
     return _turning(system, index, base_of(body, gear), float(body[own]["sense"]))
 

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    import numpy as np
+import numpy as np
+from numpy.typing import NDArray
 
+if TYPE_CHECKING:
     from pitchpoint.system.system import System
 
 KINDS = ("bevel_mesh", "gear_mesh")
@@ -38,6 +39,18 @@ def one_mesh(system: System, mesh: int) -> dict[str, slice]:
     """One mesh as a choice of records."""
     kind, k = mesh_places(system)[mesh]
     return {kind: slice(k, k + 1)}
+
+
+def is_bevel(record: np.void) -> bool:
+    """Whether a mesh is one of bevel gears."""
+    return "apex" in (record.dtype.names or ())
+
+
+def force_directions(record: np.void) -> NDArray[np.float64]:
+    """Directions of the circumferential, radial and axial force on gear 2 of an evaluated mesh, rows."""
+    if is_bevel(record):
+        return np.array((record["t"], record["away"][1], record["axis"][1]))
+    return np.array([record[field] for field in "tem"])
 
 
 def mesh_names(system: System) -> tuple[str, ...]:

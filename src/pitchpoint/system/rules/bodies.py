@@ -48,7 +48,7 @@ CODES = {
 }
 UNITS = {"length": "m", "angle": "rad"}
 ROUND = 1e-12
-"""Share of the moments of inertia up to which a body is round."""
+"""Share of its moments of inertia, and of the place of its mass, up to which a body is round."""
 
 
 def bodies(model: Model) -> list[Body]:
@@ -145,7 +145,8 @@ def _is_round(com: Array, about: Array) -> bool:
     """Whether a mass lies round about the z axis."""
     size = float(np.abs(about).max(initial=0.0))
     beside = max(abs(about[0, 0] - about[1, 1]), abs(about[0, 1]), abs(about[1, 2]), abs(about[2, 0]))
-    return not np.any(com[:2]) and beside <= ROUND * size
+    on_axis = np.abs(com[:2]).max() <= ROUND * np.abs(com).max()
+    return bool(on_axis) and beside <= ROUND * size
 
 
 def _start(joint: Joint | None, seat: Seat) -> tuple[tuple[float, ...], tuple[float, ...]]:
