@@ -27,6 +27,7 @@ from pitchpoint.elements import registry
 from pitchpoint.elements.gear_mesh_record import N_OUT
 from pitchpoint.elements.shaft_beam import shaft_row
 from pitchpoint.geometry import CylindricalGear, GearPair
+from pitchpoint.geometry.bevel_tooth import placed
 from pitchpoint.geometry.deviations import Deviations, Runout, separation
 from pitchpoint.geometry.modifications import roll_length
 from pitchpoint.geometry.shaft_solid import shaft_solid
@@ -40,6 +41,7 @@ from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FREE as SHAFT
 from pitchpoint.report.numbers import geometry_of_model
+from pitchpoint.report.scene_bevel_gears import bevel_axes
 from pitchpoint.solvers.equilibrium import solve_equilibrium
 from pitchpoint.solvers.sampling import accumulate, new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
@@ -54,6 +56,12 @@ from tests.support.one_mesh import OneMesh, make_pair, moved
 
 PAGE = Path(__file__).parents[2] / "docs" / "conventions.md"
 FOURIER = PhaseStiffness(mean=4e8, cosine=[-0.2, 0.1], sine=[0.15, 0.0])
+BEVEL = """\
+bevel_gears:
+  a: {number_of_teeth: 20, mean_normal_module: 2 mm, pitch_cone_angle: 30 deg, face_width: 9 mm, opens: +z,
+    spiral_angle: 30 deg, hand: right, initial_angle: 30 deg}
+bodies: {one: {bevel_gears: {a: 50 mm}}}
+"""
 BODIES_OF_PAIR = (
     "bodies: {one: {gears: [a]}, two: {gears: [b]}}\n"
     "loads: {in: {body: one, torque: 20 N m}, out: {body: two, torque: balance}}\n"
@@ -344,6 +352,28 @@ def test_right_hand_teeth_turn_counter_clockwise_along_z() -> None:
         )
     )
     assert tooth_twist(model.gears["a"], 1e-3) > 0.0 > tooth_twist(model.gears["b"], 1e-3)
+
+
+def test_bevel_gears_open_from_their_apex_towards_plus_or_minus_z() -> None:
+    """The apex lies 50 mm up the z axis of the body; tooth 0 stands 30° from its x axis, about its z axis."""
+    for opens, way in (("+z", 1.0), ("-z", -1.0)):
+        model = loads_model(BEVEL.replace("opens: +z", f"opens: {opens}"))
+        assert way * (model.body_inertia("one").center - 0.05) > 0.0
+        tooth = bevel_axes(model.bevel_gears["a"], model.bevel_angles["a"])
+        assert tooth[:, 2] == pytest.approx([0.0, 0.0, way])
+        assert tooth[:, 0] == pytest.approx([math.cos(math.radians(30.0)), 0.5, 0.0])
+
+
+def test_right_hand_spirals_turn_clockwise_outwards_seen_from_the_apex() -> None:
+    """Who looks along the third axis sees positive angles go clockwise."""
+    for hand, sign in (("right", 1.0), ("left", -1.0)):
+        shape = loads_model(BEVEL.replace("hand: right", f"hand: {hand}")).bevel_gears["a"].geometry
+        assert sign * shape.beta_m > 0.0
+        inner, outer = (
+            placed(shape, np.array(shape.delta), np.array(0.0), R) for R in (shape.R_i, shape.R_e)
+        )
+        assert outer[2] > inner[2] > 0.0
+        assert sign * (math.atan2(outer[1], outer[0]) - math.atan2(inner[1], inner[0])) > 0.0
 
 
 def test_hands_are_opposite_for_external_and_equal_for_internal_pairs() -> None:

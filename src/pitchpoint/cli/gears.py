@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pitchpoint.cli.bevel_gears import export_bevel, print_bevel_gears, print_bevel_pairs
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of
 from pitchpoint.cli.output import emit_json, show, shown, table
 
@@ -58,7 +59,10 @@ def gears(
     as_json: bool,
     allow_code: bool,
 ) -> None:
-    """Show the geometry of gears and pairs of FILE (ISO 21771), and stiffness by DIN 3990 / ISO 6336."""
+    """Show the geometry of gears and pairs of FILE (ISO 21771; bevel gears by ISO 23509), and stiffness.
+
+    Stiffness is that of DIN 3990 / ISO 6336.
+    """
     from pitchpoint.cli.reading import read_model
 
     model = read_model(file, allow_code)
@@ -69,9 +73,10 @@ def gears(
     if preview is not None:
         if target is not None:
             raise click.BadParameter("stands beside --export; one of them at a time", param_hint="--preview")
-        _preview(model, _chosen(model, only), Path(preview), [file, *_profiles(model, file)])
+        drawn = _chosen(model, only)
+        _preview(model, drawn, Path(preview), [file, *_profiles(model, file)])
         if not as_json:
-            show(f"teeth of {only or next(iter(model.gears))} drawn in {preview}")
+            show(f"teeth of {drawn} drawn in {preview}")
             return
     elif target is not None:
         inputs: list[str | Path] = [file, *_profiles(model, file)]
@@ -79,7 +84,10 @@ def gears(
             name = _export_shaft(model, shaft, Path(target), inputs)
         else:
             name = _chosen(model, only)
-            _export(model, name, Path(target), inputs)
+            if name in model.bevel_gears:
+                export_bevel(model, name, Path(target), inputs, POINTS_A_FLANK)
+            else:
+                _export(model, name, Path(target), inputs)
         if not as_json:
             show(f"{name} written to {target}")
             return
@@ -94,13 +102,16 @@ def gears(
             say(f"warning: {text}")
         emit_json(geometry_of_model(model))
         return
-    _print_gears(model, only)
+    if only is None or only in model.gears:
+        _print_gears(model, only)
+    print_bevel_gears(model, only)
     _print_pairs(model, only)
+    print_bevel_pairs(model, only)
 
 
 def _chosen(model: Model, name: str | None) -> str:
     """Find the gear that is meant."""
-    names = list(model.gears)
+    names = [*model.gears, *model.bevel_gears]
     if name is None and len(names) == 1:
         return names[0]
     return one_of(name, names, "gear")
@@ -142,6 +153,11 @@ def _export(model: Model, name: str, target: Path, inputs: Sequence[str | Path])
 
 def _preview(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> None:
     """Draw the teeth of one gear."""
+    if name in model.bevel_gears:
+        raise click.BadParameter(
+            f"{name} is a bevel gear, whose teeth lie in no plane; pitchpoint view shows them",
+            param_hint="--preview",
+        )
     if target.suffix.lower() != ".svg":
         raise click.BadParameter(f"{target.name} does not end in .svg", param_hint="--preview")
     from pitchpoint.io.target import SVG_MARK, check_target, write_file
@@ -181,6 +197,8 @@ def _print_gears(model: Model, only: str | None) -> None:
     from pitchpoint.report.numbers import GEAR_ROWS, gear_numbers, measure_numbers
 
     names = [only] if only is not None else list(model.gears)
+    if not names and model.bevel_gears:
+        return
     numbers = {name: gear_numbers(model, name) for name in names}
     measures = {name: measure_numbers(model.gears[name].geometry) for name in names}
     rows = [

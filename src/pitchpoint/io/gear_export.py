@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.geometry.bevel_sector import bevel_solid
 from pitchpoint.geometry.mass_properties import RIM_OF_RING
 from pitchpoint.geometry.shaft_solid import ROUND, Section, shaft_solid
 from pitchpoint.geometry.solid import gear_solid
@@ -22,10 +23,12 @@ from pitchpoint.geometry.tooth_form import REGIONS, gear_outline, root_radius, t
 from pitchpoint.io.target import DXF_MARK, SVG_MARK, check_target, write_file
 
 if TYPE_CHECKING:
+    from pitchpoint.geometry.bevel_gear import BevelGear
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 FORMATS = ("csv", "dxf", "svg", "stl", "step")
 SHAFT_FORMATS = ("stl", "step")
+BEVEL_FORMATS = ("stl",)
 _OTHER_ENDINGS = {"stp": "step"}
 _MM = 1e3
 
@@ -286,6 +289,43 @@ def export_shaft(
     from pitchpoint.io.step_export import shaft_step
 
     return write_file(path, shaft_step(sections, path.stem))
+
+
+def export_bevel_gear(
+    gear: BevelGear,
+    path: str | Path,
+    format: str | None = None,
+    *,
+    n_flank: int = 40,
+    bore_diameter: float = 0.0,
+    rim_thickness: float | None = None,
+) -> Path:
+    """Write a bevel gear to a file, its apex at the origin and its axis along z.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    path
+        File to write, as in `export_gear`.
+    format
+        "stl".
+    n_flank
+        Points per flank, at least 5.
+    bore_diameter, rim_thickness
+        The body, as in `pitchpoint.geometry.bevel_blank.bevel_blank` [m].
+
+    Raises
+    ------
+    GeometryError
+        If the format is unknown or there is no such tooth or body.
+    OutputError
+        If the file cannot be written, or another kind of file or one of another program stands there.
+    """
+    path = Path(path)
+    check_target(path, _kind(path, format, BEVEL_FORMATS))
+    corners = bevel_solid(gear, n_flank, bore_diameter=bore_diameter, rim_thickness=rim_thickness)
+    return write_file(path, _binary(corners, "pitchpoint gear, millimetres"))
 
 
 def _kind(path: Path, format: str | None, known: Sequence[str]) -> str:

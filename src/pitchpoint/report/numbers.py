@@ -191,12 +191,16 @@ def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str
 
 def geometry_of_model(model: Model) -> dict[str, Any]:
     """Collect everything that `gears --json` prints."""
+    from pitchpoint.report.bevel_numbers import bevel_gear_numbers, bevel_mesh_numbers
+
     return {
         "gears": {
             name: gear_numbers(model, name) | measure_numbers(gear.geometry)
             for name, gear in model.gears.items()
         },
         "meshes": {name: mesh_numbers(model, name) for name in model.meshes},
+        "bevel_gears": {name: bevel_gear_numbers(model, name) for name in model.bevel_gears},
+        "bevel_meshes": {name: bevel_mesh_numbers(model, name) for name in model.bevel_meshes},
     }
 
 

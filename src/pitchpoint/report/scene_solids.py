@@ -114,8 +114,8 @@ def thinning(model: Model) -> dict[str, float]:
     """Normal tooth thickness that drawn gears lack so that meshes show the backlash that is given [m].
 
     By gear, at the reference circle, of bevel gears in the middle of the face; half of a mesh's part each,
-    and of a gear in several meshes the largest.
-    The backlash follows the thickness as in `geometry.backlash.backlash_at`.
+    and of a gear in several meshes the largest. The backlash follows the thickness as in
+    `geometry.backlash.backlash_at`.
     """
     found: dict[str, float] = {}
     for name, mesh in model.meshes.items():

@@ -39,7 +39,7 @@ def numbers(row: dict[str, Any], names: list[str]) -> None:
 def test_gears_and_mesh(text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path, text)
     data = json_of(["gears", file], capsys)
-    assert set(data) == {"gears", "meshes"}
+    assert set(data) == {"gears", "meshes", "bevel_gears", "bevel_meshes"}
     for gear in data["gears"].values():
         numbers(gear, GEAR)
         assert gear["d"] == pytest.approx(gear["z"] * gear["m_t"], rel=1e-12)

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What `pitchpoint gears` shows and writes of bevel gears."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from pitchpoint.cli.output import shown, table
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+def export_bevel(model: Model, name: str, target: Path, inputs: Sequence[str | Path], points: int) -> None:
+    """Write the solid of one bevel gear as STL.
+
+    Parameters
+    ----------
+    model
+        The model.
+    name
+        Name of the gear.
+    target
+        File to write.
+    inputs
+        Files that must not be replaced.
+    points
+        Points of a flank where the gear says nothing.
+    """
+    if target.suffix.lower() != ".stl":
+        raise click.BadParameter(
+            f"{target.name}: {name} is a bevel gear, which is written as .stl alone", param_hint="--export"
+        )
+    from pitchpoint.io.gear_export import export_bevel_gear
+    from pitchpoint.io.target import check_target
+
+    check_target(target, "stl", inputs)
+    gear = model.bevel_gears[name]
+    export_bevel_gear(
+        gear.geometry,
+        target,
+        n_flank=gear.drawing_resolution or points,
+        bore_diameter=gear.bore_diameter,
+        rim_thickness=gear.rim_thickness,
+    )
+
+
+def print_bevel_gears(model: Model, only: str | None) -> None:
+    """Show the geometry of bevel gears, one a column."""
+    from pitchpoint.report.bevel_numbers import BEVEL_GEAR_ROWS, bevel_gear_numbers
+
+    names = [n for n in model.bevel_gears if only in (None, n)]
+    if not names:
+        return
+    numbers = {name: bevel_gear_numbers(model, name) for name in names}
+    rows = [["hand", *(shown(numbers[n]["hand"]) for n in names)]]
+    for key, meaning, dimension in BEVEL_GEAR_ROWS:
+        rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
+    rows.append([])
+    for key in ("mass", "polar_inertia", "transverse_inertia"):
+        dimension = "mass" if key == "mass" else "inertia"
+        rows.append([key.replace("_", " "), *(shown(numbers[n][key], dimension, 5) for n in names)])
+    rows.append(
+        ["centre of mass from the apex", *(shown(numbers[n]["center_of_mass"], "length") for n in names)]
+    )
+    notes = [f"{n}: undercut at the root" for n in names if numbers[n]["undercut"]]
+    title = "Bevel gears" if model.gears else model.title or "Bevel gears"
+    table(title, ["", *names], rows, notes)
+
+
+def print_bevel_pairs(model: Model, only: str | None) -> None:
+    """Show the geometry of bevel meshes, one a column."""
+    from pitchpoint.report.bevel_numbers import BEVEL_PAIR_ROWS, bevel_mesh_numbers
+
+    names = [n for n, m in model.bevel_meshes.items() if only is None or only in m.gears]
+    if not names:
+        return
+    numbers = {name: bevel_mesh_numbers(model, name) for name in names}
+    heads = [f"{n}: {' / '.join(model.bevel_meshes[n].gears)}" for n in names]
+    rows = []
+    for key, meaning, dimension in BEVEL_PAIR_ROWS:
+        rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
+    table("Bevel pairs", ["", *heads], rows, [])

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The numbers of bevel gears and their pairs that commands and reports show, by their symbols (ISO 23509)."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.report.numbers import Row, pick
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+BEVEL_GEAR_ROWS: tuple[Row, ...] = (
+    ("z", "number of teeth", "dimensionless"),
+    ("m_mn", "mean normal module", "length"),
+    ("m_et", "outer transverse module", "length"),
+    ("alpha_n", "normal pressure angle", "angle"),
+    ("alpha_t", "transverse pressure angle", "angle"),
+    ("beta_m", "mean spiral angle", "angle"),
+    ("beta_b", "base spiral angle", "angle"),
+    ("x_hm", "profile shift coefficient", "dimensionless"),
+    ("x_sm", "thickness modification coefficient", "dimensionless"),
+    ("b", "face width", "length"),
+    ("delta", "pitch cone angle", "angle"),
+    ("delta_a", "tip cone angle", "angle"),
+    ("delta_f", "root cone angle", "angle"),
+    ("delta_b", "base cone angle", "angle"),
+    ("R_e", "outer cone distance", "length"),
+    ("R_m", "mean cone distance", "length"),
+    ("R_i", "inner cone distance", "length"),
+    ("d_e", "outer pitch diameter", "length"),
+    ("d_m", "mean pitch diameter", "length"),
+    ("d_ae", "outside diameter", "length"),
+    ("t_xo", "apex to crown", "length"),
+    ("h_ae", "outer addendum", "length"),
+    ("h_fe", "outer dedendum", "length"),
+    ("s_mn", "mean normal tooth thickness", "length"),
+    ("z_v", "virtual number of teeth", "dimensionless"),
+)
+
+BEVEL_PAIR_ROWS: tuple[Row, ...] = (
+    ("Sigma", "shaft angle", "angle"),
+    ("u", "gear ratio", "dimensionless"),
+    ("b", "common face width", "length"),
+    ("sigma_p", "base pitch in the plane of action", "angle"),
+    ("sigma_A", "start of contact", "angle"),
+    ("sigma_w", "pitch ray", "angle"),
+    ("sigma_E", "end of contact", "angle"),
+    ("sigma_T", "between the rays on both base cones", "angle"),
+    ("eps_alpha", "transverse contact ratio", "dimensionless"),
+    ("eps_beta", "overlap ratio", "dimensionless"),
+    ("eps_gamma", "total contact ratio", "dimensionless"),
+    ("j_mt", "mean circumferential backlash", "length"),
+    ("j_mn", "mean normal backlash", "length"),
+)
+
+
+def bevel_gear_numbers(model: Model, name: str) -> dict[str, Any]:
+    """Collect geometry, mass and moments of inertia of a bevel gear; spiral angles lose their sign.
+
+    The centre of mass counts from the apex into the gear.
+    """
+    from pitchpoint.geometry.bevel_tooth import bevel_tooth
+    from pitchpoint.model.inertia import bevel_gear_inertia
+
+    gear = model.bevel_gears[name]
+    numbers = pick(gear.geometry, BEVEL_GEAR_ROWS, {"beta_m", "beta_b"})
+    numbers["hand"] = gear.hand
+    numbers["undercut"] = bevel_tooth(gear.geometry).undercut
+    mass, polar, transverse, at = bevel_gear_inertia(gear)
+    numbers |= {"mass": mass, "polar_inertia": polar, "transverse_inertia": transverse}
+    return numbers | {"center_of_mass": gear.direction * at}
+
+
+def bevel_mesh_numbers(model: Model, name: str) -> dict[str, Any]:
+    """Collect the geometry of a bevel mesh; backlash is what is simulated, so a given value counts."""
+    pair = model.bevel_pairs[name]
+    numbers = pick(pair, BEVEL_PAIR_ROWS, set())
+    gap = model.backlash(name)
+    numbers |= {"j_mt": gap / math.cos(pair.alpha_t), "j_mn": gap * math.cos(pair.beta_b)}
+    return numbers | {"gears": list(model.bevel_meshes[name].gears)}

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bevel meshes in model files: what is wrong is told with its place, value, limit and remedy, all at once."""
+
+import math
+
+import pytest
+
+from pitchpoint.core.errors import ModelError
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.schema import json_schema
+from tests.support.bevel_files import bevel_file
+
+
+def told(text):
+    """All problems of a file as text."""
+    with pytest.raises(ModelError) as caught:
+        loads_model(text)
+    return str(caught.value)
+
+
+def test_a_sound_file_has_its_pair_and_backlash():
+    model = loads_model(bevel_file(z=(15, 45), shaft=75.0, spiral=35.0))
+    pair = model.bevel_pairs["m"]
+    assert math.degrees(pair.Sigma) == pytest.approx(75.0)
+    assert model.backlash("m") == pytest.approx(0.05e-3 / math.cos(pair.beta_b), rel=1e-12)
+    geometry = model.replace("bevel_meshes.m.backlash", None)
+    assert geometry.backlash("m") == pytest.approx(pair.R_m * pair.sigma_j, abs=1e-15)
+    along = model.replace("bevel_meshes.m.backlash", {"circumferential": "0.1 mm"})
+    assert along.backlash("m") == pytest.approx(0.1e-3 * math.cos(pair.alpha_t), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "old, new, words",
+    [
+        ("gears: [a, b]", "gears: [a, c]", ("bevel_meshes.m.gears", "'c'", "there are a, b")),
+        ("gears: [a, b]", "gears: [a, a]", ("names a twice",)),
+        ("law: constant", "law: energy", ("energy", "din3990", "constant")),
+        ("backlash: {normal", "center_distance: 3 mm, backlash: {normal", ("center_distance",)),
+        (
+            "backlash: {normal",
+            "transmission_error: {cosine: [1e-6]}, backlash: {normal",
+            ("transmission_error",),
+        ),
+        ("backlash: {normal", "misalignment: {in_plane: 1e-3}, backlash: {normal", ("misalignment",)),
+        (
+            "{normal: 0.05 mm}",
+            "{normal: 0.05 mm, base_tangent: 1 mm}",
+            ("backlash", "normal and base_tangent"),
+        ),
+        ("backlash: {normal: 0.05 mm}", "damping: {ratio: 0.1, d_in: 3}", ("damping", "d_in and ratio")),
+        ("backlash: {normal: 0.05 mm}", "damping: {pair: 3}", ("damping.pair", "law constant knows none")),
+        ("backlash: {normal: 0.05 mm}", "shaft_angle: 80 deg", ("pitch cone angles of this shaft angle",)),
+        ("position: [-0.0, -0.0, -0.0]", "position: [0, 0.3 mm, 0]", ("0.3 mm apart", "one apex", "first")),
+        ("hand: left", "hand: right", ("spirals that do not fit", "opposite hands")),
+        (
+            "number_of_teeth: 40, mate_teeth: 20",
+            "number_of_teeth: 41, mate_teeth: 20",
+            ("pitch cone angles",),
+        ),
+    ],
+)
+def test_what_is_wrong(old, new, words):
+    text = bevel_file(spiral=20.0)
+    assert old in text
+    message = told(text.replace(old, new, 1))
+    for word in words:
+        assert word in message, message
+
+
+def test_apexes_apart_and_axes_askew_are_told_with_how_much():
+    text = bevel_file(mounting=(0.02, 0.0)).replace("{a: 0.02}", "{a: 0.021}")
+    assert "1 mm apart" in told(text)
+    askew = bevel_file(shaft=90.0).replace("axes: {z: [1.0, 0.0, 0.0]", "axes: {z: [1.0, 0.0, 0.01]")
+    askew = askew.replace("axes: {z: [1.0, 0.0, 6.123233995736766e-17]", "axes: {z: [1.0, 0.0, 0.01]")
+    message = told(askew)
+    assert "89.427" in message and "90 deg" in message
+
+
+def test_opposite_opening_is_an_axis_at_the_wrong_angle():
+    message = told(bevel_file(shaft=75.0).replace("opens: +z", "opens: -z", 1))
+    assert "105 deg apart" in message and "`opens`" in message
+
+
+def test_gears_of_one_body_and_gears_without_a_body():
+    one = (
+        bevel_file()
+        .replace("bevel_gears: {b: 0.0}", "bevel_gears: {}")
+        .replace("{a: 0.0}", "{a: 0.0, b: 0.0}")
+    )
+    assert "joins two gears of the body first" in told(one)
+    none = bevel_file().replace("bevel_gears: {b: 0.0}, ", "").replace("motion: torsion", "motion: fixed")
+    assert "no body carries it" in told(none)
+
+
+def test_carriers_are_refused():
+    text = bevel_file(rest="joints:\n  j: {type: revolute, bodies: [first, second], axes: {z: [1, 0, 0]}}\n")
+    text = text.replace("axes: {z: [1.0, 0.0, 6.123233995736766e-17], x: [0, 1, 0]}, motion: torsion, ", "")
+    message = told(
+        text.replace("inertia: 3e-2 kg m^2}", "inertia: 3e-2 kg m^2, axes: {z: [1, 0, 0], x: [0, 1, 0]}}")
+    )
+    assert "hang on different bodies" in message
+
+
+def test_teeth_that_stand_in_each_other_are_told():
+    text = bevel_file().replace("opens: +z}", "opens: +z, initial_angle: 0 deg}", 1)
+    first = loads_model(text).bevel_angles["b"]
+    whole = text.replace("opens: +z}", f"opens: +z, initial_angle: {first + 0.01}}}", 1)
+    message = told(whole)
+    assert "overlap by" in message and "off the middle of the gap" in message
+
+
+def test_names_of_meshes_are_their_own():
+    text = bevel_file(rest="meshes:\n  m: {gears: [c, d]}\ngears:\n")
+    for name in "cd":
+        text += f"  {name}: {{number_of_teeth: 20, normal_module: 3 mm, face_width: 9 mm}}\n"
+    assert "has the name of a mesh" in told(text)
+
+
+def test_scenarios_may_name_bevel_meshes():
+    rest = (
+        "scenarios:\n  r: {quasi_static: {mesh: m}}\n  s: {sweep: {body: second, mesh: m, speed: [1, 2]}}\n"
+    )
+    model = loads_model(bevel_file(rest=rest))
+    assert model.sweep_mesh("s") == ("m", 40)
+    assert "names the mesh 'x'" in told(bevel_file(rest=rest.replace("mesh: m", "mesh: x", 1)))
+
+
+def test_the_schema_knows_the_section():
+    found = json_schema()
+    assert "bevel_meshes" in found["properties"]
