@@ -4,11 +4,15 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from pitchpoint.cli.options import allow_code, debug, output, quiet
 from pitchpoint.cli.output import show
+
+if TYPE_CHECKING:
+    from pitchpoint.report.film import FilmMaker
 
 
 @click.command()
@@ -45,6 +49,8 @@ def view(
     """
     from pitchpoint.report.view import write_view
 
+    # what a film lacks is told before anything is computed
+    maker = None if film is None else _film_maker(film)
     target = output or str(Path(file).with_suffix(".view.html"))
     if modes and other is not None:
         raise click.BadParameter("modes are shown of one result or model, not of two", param_hint="--modes")
@@ -54,16 +60,22 @@ def view(
         show(f"scene written to {written}, {written.stat().st_size / 1e6:.1f} MB; open it in a browser")
         for note in notes:
             show(f"note: {note}")
-    if film is not None:
-        _film(written, film, quiet)
+    if maker is not None:
+        _film(written, maker, quiet)
 
 
-def _film(page: Path, target: str, quiet: bool) -> None:
+def _film_maker(target: str) -> FilmMaker:
+    from pitchpoint.report.film import film_maker
+
+    return film_maker(target)
+
+
+def _film(page: Path, maker: FilmMaker, quiet: bool) -> None:
     """Write a film of a page, with its progress."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.report.film import film
 
     with ProgressDisplay("film", "pictures", quiet=quiet) as progress:
-        path = film(page, target, progress)
+        path = film(page, maker, progress)
     if not quiet:
         show(f"film written to {path}, {path.stat().st_size / 1e6:.1f} MB")

@@ -12,6 +12,8 @@ import os
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -19,84 +21,193 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress, silent
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-ENDINGS = (".mp4", ".webm", ".gif")
-RATE = 25
-"""Pictures a second."""
 LENGTH = 10.0
 """Seconds that a film lasts: the record is drawn out or together to them."""
 SIZE = (1280, 800)
-PALETTE = ["-vf", "fps=12.5,scale=640:-2,split[a][b];[a]palettegen[p];[b][p]paletteuse"]
-"""What ffmpeg makes of pictures for a GIF, which has 256 colours."""
 PATIENCE = 120.0
 """Seconds after which an answer of the browser is no longer waited for."""
 READY = "document.querySelector('.ppv')?.dataset.ready ?? ''"
 
 
-def film(page: str | os.PathLike[str], target: str | os.PathLike[str], tell: Progress = silent) -> Path:
+@dataclass(frozen=True)
+class _Kind:
+    """How a film of one ending is made.
+
+    Attributes
+    ----------
+    encoders
+        Encoders of ffmpeg that make it, the best first.
+    rate
+        Pictures a second.
+    picture
+        What the browser draws: jpeg, or png where its noise would cost colours.
+    settings
+        What ffmpeg is told.
+    """
+
+    encoders: tuple[str, ...]
+    rate: float
+    picture: str
+    settings: tuple[str, ...]
+
+
+KINDS = {
+    ".mp4": _Kind(
+        ("libx264", "libopenh264", "mpeg4"), 25.0, "jpeg", ("-pix_fmt", "yuv420p", "-movflags", "+faststart")
+    ),
+    # constant quality needs a rate of 0; the fifth of nine speeds halves the time for a few per cent of size
+    ".webm": _Kind(
+        ("libvpx-vp9", "libvpx"),
+        25.0,
+        "jpeg",
+        ("-pix_fmt", "yuv420p", "-crf", "33", "-b:v", "0", "-cpu-used", "4", "-row-mt", "1"),
+    ),
+    # one palette of the whole film; an ordered pattern stays where it is, which packs well
+    ".gif": _Kind(
+        ("gif",),
+        12.5,
+        "png",
+        (
+            "-filter_complex",
+            "scale=800:-2:flags=lanczos,split[a][b];[a]palettegen[p];"
+            "[b][p]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle",
+        ),
+    ),
+}
+
+
+@dataclass(frozen=True)
+class FilmMaker:
+    """The programs of this machine that make a film, found before anything is computed.
+
+    Attributes
+    ----------
+    target
+        The film.
+    browser, ffmpeg
+        The programs.
+    encoder
+        What ffmpeg makes the film with.
+    """
+
+    target: Path
+    browser: str
+    ffmpeg: str
+    encoder: str
+
+    @property
+    def kind(self) -> _Kind:
+        """How its ending is made."""
+        return KINDS[self.target.suffix.lower()]
+
+    def command(self) -> list[str]:
+        """What makes a film of pictures that come one after the other."""
+        pictures = ["-f", "image2pipe", "-framerate", f"{self.kind.rate:g}", "-i", "-"]
+        coder = ["-c:v", self.encoder, *self.kind.settings]
+        return [self.ffmpeg, "-loglevel", "error", "-y", *pictures, *coder, str(self.target)]
+
+
+def film_maker(target: str | os.PathLike[str]) -> FilmMaker:
+    """Look for what a film needs.
+
+    Parameters
+    ----------
+    target
+        The film: .mp4, .webm or .gif.
+
+    Raises
+    ------
+    PitchpointError
+        If the ending is none of these, there is such a file, or a program or its encoder is missing.
+    """
+    path = Path(target)
+    kind = KINDS.get(path.suffix.lower())
+    if kind is None:
+        raise PitchpointError(f"{path.name} has no ending of a film; use {', '.join(KINDS)}")
+    if path.exists():
+        raise PitchpointError(f"{path} is there already, and a film replaces no file; choose another name")
+    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    ffmpeg = shutil.which("ffmpeg")
+    missing = [name for name, found in (("chromium", browser), ("ffmpeg", ffmpeg)) if found is None]
+    if browser is None or ffmpeg is None:
+        raise PitchpointError(
+            f"a film needs {' and '.join(missing)}, which {'is' if len(missing) == 1 else 'are'} not "
+            f"installed; on Debian and Ubuntu: apt install {' '.join(missing)}. Pages save films too"
+        )
+    listed = subprocess.run(
+        [ffmpeg, "-hide_banner", "-encoders"], capture_output=True, text=True, check=False
+    )
+    known = {line.split()[1] for line in listed.stdout.splitlines() if len(line.split()) > 1}
+    encoder = next((name for name in kind.encoders if name in known), None)
+    if encoder is None:
+        others = [ending for ending, other in KINDS.items() if known & set(other.encoders)]
+        raise PitchpointError(
+            f"this ffmpeg ({ffmpeg}) writes no {path.suffix.lower()}, "
+            f"it has no {' or '.join(kind.encoders)}; "
+            + (f"it writes {', '.join(others)}" if others else "install one with encoders")
+        )
+    return FilmMaker(path, browser, ffmpeg, encoder)
+
+
+def film(page: str | os.PathLike[str], maker: FilmMaker, tell: Progress = silent) -> Path:
     """Write the record of a page of `write_view` as a film.
 
     Parameters
     ----------
     page
         The page.
-    target
-        The film: .mp4, .webm or .gif.
+    maker
+        The film and what makes it, from `film_maker`.
     tell
         Told after every picture.
 
     Raises
     ------
     PitchpointError
-        If the ending is none of these, there is such a file, a program is missing or fails, or the scene
-        does not move.
+        If a program fails, or the scene does not move.
     """
-    path = Path(target)
-    if path.exists():
-        raise PitchpointError(f"{path} is there already, and a film replaces no file; choose another name")
-    if path.suffix.lower() not in ENDINGS:
-        raise PitchpointError(f"{path.name} has no ending of a film; use {', '.join(ENDINGS)}")
-    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
-    encoder = shutil.which("ffmpeg")
-    missing = [name for name, found in (("chromium", browser), ("ffmpeg", encoder)) if found is None]
-    if browser is None or encoder is None:
-        raise PitchpointError(
-            f"a film needs {' and '.join(missing)}, which {'is' if len(missing) == 1 else 'are'} not "
-            f"installed; on Debian and Ubuntu: apt install {' '.join(missing)}. Pages save films too"
-        )
-    with tempfile.TemporaryDirectory() as folder, _Browser(browser, folder) as seen:
+    with tempfile.TemporaryDirectory() as folder, _Browser(maker.browser, folder) as seen:
         seen.open(Path(page).resolve().as_uri())
         first, last = seen.ask("pitchpointViewer.state().window")
         if not last > first:
             raise PitchpointError("the scene has no motion over time, so there is no film of it")
-        command = [
-            encoder,
-            "-loglevel",
-            "error",
-            "-y",
-            "-f",
-            "image2pipe",
-            "-framerate",
-            str(RATE),
-            "-i",
-            "-",
-        ]
-        command += PALETTE if path.suffix.lower() == ".gif" else ["-pix_fmt", "yuv420p"]
-        with subprocess.Popen(
-            [*command, str(path)], stdin=subprocess.PIPE, stderr=subprocess.PIPE
-        ) as process:
-            assert process.stdin is not None and process.stderr is not None
-            count = int(RATE * LENGTH)
-            try:
-                for k in range(count):
-                    process.stdin.write(seen.picture(first + (last - first) * k / (count - 1)))
-                    tell(k + 1, count)
-                process.stdin.close()
-            except BrokenPipeError:
-                pass  # ffmpeg says why below
-            words = process.stderr.read().decode(errors="replace").strip()
-            if process.wait() != 0:
-                raise PitchpointError(f"ffmpeg cannot write {path.name}: {words or 'it gives no reason'}")
-    return path
+        count = round(maker.kind.rate * LENGTH)
+        times = (first + (last - first) * k / (count - 1) for k in range(count))
+        encode(maker, (seen.picture(time, maker.kind.picture) for time in times), count, tell)
+    return maker.target
+
+
+def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, tell: Progress = silent) -> None:
+    """Hand pictures to ffmpeg.
+
+    Parameters
+    ----------
+    maker
+        The film and what makes it.
+    pictures
+        Jpeg or png files.
+    count
+        How many there are.
+    tell
+        Told after every picture.
+
+    Raises
+    ------
+    PitchpointError
+        If ffmpeg fails.
+    """
+    with subprocess.Popen(maker.command(), stdin=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdin is not None and process.stderr is not None
+        try:
+            for k, picture in enumerate(pictures):
+                process.stdin.write(picture)
+                tell(k + 1, count)
+            process.stdin.close()
+        except BrokenPipeError:
+            pass  # ffmpeg says why below
+        words = process.stderr.read().decode(errors="replace").strip()
+        if process.wait() != 0:
+            raise PitchpointError(f"ffmpeg cannot write {maker.target.name}: {words or 'it gives no reason'}")
 
 
 class _Browser:
@@ -187,8 +298,9 @@ class _Browser:
         answer = self._say("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
         return answer["result"].get("value")
 
-    def picture(self, time: float) -> bytes:
-        """The page at an instant [s], as JPEG."""
+    def picture(self, time: float, kind: str) -> bytes:
+        """The page at an instant [s], as jpeg or png."""
         self.ask(f"pitchpointViewer.seek({time!r}); pitchpointViewer.draw()")
-        found = self._say("Page.captureScreenshot", format="jpeg", quality=90)
+        quality = {"quality": 90} if kind == "jpeg" else {}
+        found = self._say("Page.captureScreenshot", format=kind, **quality)
         return base64.b64decode(found["data"])
