@@ -98,25 +98,31 @@ def test_csv_holds_the_outline(tmp_path: Path) -> None:
     assert {r["region"] for r in rows} == {"root", "fillet", "involute", "tip"}
 
 
-def test_dxf_is_a_closed_polyline_of_pairs(tmp_path: Path) -> None:
-    lines = export_gear(SPUR, tmp_path / "gear.dxf", n_flank=10, bore_diameter=5e-3).read_text().splitlines()
-    pairs = list(zip(lines[::2], lines[1::2], strict=True))
-    assert pairs[:2] == [("999", "pitchpoint"), ("0", "SECTION")]
-    assert pairs[-1] == ("0", "EOF")
-    assert pairs.count(("0", "VERTEX")) == len(gear_outline(SPUR, 10)) - 1
-    assert ("70", "1") in pairs
-    assert ("40", "2.500000000") in pairs
-    assert all(int(code) >= 0 for code, _ in pairs)
+@pytest.mark.parametrize("case", ["bore", "undercut", "left hand", "ring"])
+def test_dxf_read_by_another_program_is_the_gear(tmp_path: Path, case: str) -> None:
+    """Its checker finds nothing wrong; millimetres, outline, reference and base circle, bore or ring."""
+    import ezdxf
+
+    gear, blank = SOLIDS[case]
+    read = ezdxf.readfile(export_gear(gear, tmp_path / "gear.dxf", n_flank=10, **blank))
+    check = read.audit()
+    assert not check.errors and not check.fixes
+    assert (read.dxfversion, read.header["$INSUNITS"], read.header["$MEASUREMENT"]) == ("AC1009", 4, 1)
+    outline, *circles = read.modelspace()
+    assert outline.dxf.layer == "OUTLINE" and outline.is_closed and outline.is_2d_polyline
+    points = np.array([(point.x, point.y) for point in outline.points()]) * 1e-3
+    assert points == pytest.approx(gear_outline(gear, 10)[:-1], abs=1e-12)
+    assert all(tuple(circle.dxf.center) == (0, 0, 0) for circle in circles)
+    hole = ("RING", abs(gear.d_fE) + 7 * gear.m_n) if gear.is_internal else ("BORE", blank["bore_diameter"])
+    expected = {"REFERENCE": abs(gear.d), "BASE": abs(gear.d_b), hole[0]: hole[1]}
+    found = {circle.dxf.layer: 2e-3 * circle.dxf.radius for circle in circles}
+    assert found == pytest.approx(expected, abs=2e-12)
 
 
-def test_drawings_of_a_ring_show_its_outside(tmp_path: Path) -> None:
-    """The same rim as in the solid and in the mass: 3.5 modules outside the root."""
+def test_rings_are_as_large_in_drawing_and_solid(tmp_path: Path) -> None:
+    """The same rim as in the mass: 3.5 modules outside the root."""
     ring = SOLIDS["ring"][0]
     radius = 0.5e3 * abs(ring.d_fE) + 3.5e3 * ring.m_n
-    lines = export_gear(ring, tmp_path / "ring.dxf", n_flank=10).read_text().splitlines()
-    pairs = list(zip(lines[::2], lines[1::2], strict=True))
-    at = pairs.index(("8", "RING"))
-    assert float(dict(pairs[at : at + 5])["40"]) == pytest.approx(radius, abs=1e-8)
     assert f"A{radius:.6f} " in export_gear(ring, tmp_path / "ring.svg", n_flank=10).read_text()
     corners = gear_solid(ring, 10).reshape(-1, 3)
     assert 1e3 * np.hypot(corners[:, 0], corners[:, 1]).max() == pytest.approx(radius, rel=1e-12)
