@@ -33,6 +33,7 @@ from pitchpoint.viz.tables import (
     MEASURE_ROWS,
     MESH_ROWS,
     plain_table,
+    quantities_of,
     quantity_table,
 )
 
@@ -46,6 +47,7 @@ def gear_section(
     gears: Mapping[str, Mapping[str, Any]],
     meshes: Mapping[str, Mapping[str, Any]],
     flanks: Sequence[Sequence[str]] = (),
+    bevels: tuple[Mapping[str, Mapping[str, Any]], Mapping[str, Mapping[str, Any]]] = ({}, {}),
 ) -> Section:
     """Tables of gear and mesh data, measures for the workshop, and what flanks have besides the involute."""
     section = Section("gears", "Gears and meshes")
@@ -61,6 +63,10 @@ def gear_section(
         section.add(f"<h3>Flanks</h3>{plain_table(head, rows, numbers=False)}")
     table = quantity_table(MESH_ROWS, meshes)
     section.add(f"<h3>Meshes</h3>{table}" if table else "")
+    for heading, things in zip(("Bevel gears", "Bevel meshes"), bevels, strict=True):
+        if things:
+            rows = quantities_of(next(iter(things.values())))
+            section.add(f"<h3>{heading}</h3>{quantity_table(rows, things)}")
     return section
 
 

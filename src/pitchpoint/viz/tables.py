@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
-from pitchpoint.core.nomenclature import Entry, lookup
+from pitchpoint.core.nomenclature import Entry, lookup, table
 from pitchpoint.core.units import display_unit, in_unit
 from pitchpoint.viz.quantities import number, pretty
 
@@ -76,6 +76,11 @@ MOST_COLUMNS = 6
 MOST_ROWS = 30
 """Rows of statistics that are in view; more fold away."""
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
+
+
+def quantities_of(thing: Mapping[str, Any]) -> list[str]:
+    """Identifiers of what the nomenclature knows as a quantity with a dimension, in the order given."""
+    return [key for key in thing if key in table() and table()[key].dimension]
 
 
 def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> str:
