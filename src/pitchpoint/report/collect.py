@@ -75,7 +75,7 @@ def describe(model: Model) -> ReportModel:
 
 def _sources(model: Model) -> tuple[str, ...]:
     """Where the numbers of gears and meshes come from."""
-    found = SOURCES[:1] if model.gears else ()
+    found: tuple[str, ...] = SOURCES[:1] if model.gears else ()
     found += (OF_BEVELS,) if model.bevel_gears else ()
     return found + (SOURCES[1:] if model.meshes or model.bevel_meshes else ())
 
