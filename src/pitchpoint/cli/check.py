@@ -107,6 +107,17 @@ def summary(model: Model) -> dict[str, Any]:
             }
             for name, mesh in model.meshes.items()
         },
+        "bevel_meshes": {
+            name: {
+                "gears": list(mesh.gears),
+                "shaft_angle": model.bevel_pairs[name].Sigma,
+                "cone_distance": model.bevel_pairs[name].R_m,
+                "face_width": model.bevel_pairs[name].b,
+                "backlash": model.backlash(name),
+                "stiffness": mesh.stiffness.law,
+            }
+            for name, mesh in model.bevel_meshes.items()
+        },
         "shafts": {name: _stations(model, name) for name in model.shafts},
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
@@ -302,3 +313,25 @@ def _show_meshes(found: dict[str, Any]) -> None:
     ]
     if rows:
         table("Meshes", ["mesh", "gears", "centre distance", "direction", "common width", "stiffness"], rows)
+    lengths = ("cone_distance", "face_width", "backlash")
+    rows = [
+        [
+            name,
+            " / ".join(mesh["gears"]),
+            shown(mesh["shaft_angle"], "angle"),
+            *(shown(mesh[key], "length") for key in lengths),
+            mesh["stiffness"],
+        ]
+        for name, mesh in found["bevel_meshes"].items()
+    ]
+    if rows:
+        heads = [
+            "mesh",
+            "gears",
+            "shaft angle",
+            "mean cone distance",
+            "common width",
+            "backlash",
+            "stiffness",
+        ]
+        table("Bevel meshes", heads, rows)

@@ -288,6 +288,16 @@ class Model:
         """How the gears are put together, see `pitchpoint.model.phasing`."""
         return assemble(self.gears, self.meshes)
 
+    @property
+    def toothed(self) -> dict[str, Gear | BevelGear]:
+        """All gears with teeth, cylindrical and bevel ones; their names differ."""
+        return {**self.gears, **self.bevel_gears}
+
+    @property
+    def every_mesh(self) -> dict[str, Mesh | BevelMesh]:
+        """Meshes of cylindrical and of bevel gears; their names differ."""
+        return {**self.meshes, **self.bevel_meshes}
+
     @cached_property
     def bevel_pairs(self) -> dict[str, BevelPair]:
         """Pair of every bevel mesh."""

@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.frames import GROUND
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Drive
 
@@ -154,7 +156,7 @@ def frequencies_of(model: Model, spins: Mapping[str, float]) -> dict[str, Any]:
     return {
         "shafts": {
             body: {
-                "gears": list(part.gears),
+                "gears": [*part.gears, *part.bevel_gears],
                 "speed": speeds[body],
                 "frequency": abs(speeds[body]) / math.tau,
             }
@@ -171,17 +173,19 @@ def _meshes(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any
     """Frequencies of every mesh, and the body that carries its line of centres; None if that is still."""
     from pitchpoint.analysis.fault_frequencies import gear_pair_frequencies
     from pitchpoint.model.carried_trains import line_carrier, speed_in_space
+    from pitchpoint.model.mechanism import base_of
 
     machine: Any = model
     found = {}
-    for name, mesh in model.meshes.items():
+    for name, mesh in model.every_mesh.items():
         bodies = [model.body_of(gear) for gear in mesh.gears]
         if None in bodies:  # gears without bodies do not turn
             continue
         one, two = (str(body) for body in bodies)
-        carrier = line_carrier(machine, one, two)
+        bevel = name in model.bevel_meshes  # whose gears hang on one base
+        carrier = base_of(machine, model.mechanism, one) if bevel else line_carrier(machine, one, two)
         turning = speed_in_space(machine, spins, one) - speed_in_space(machine, spins, carrier, about=one)
-        z_1, z_2 = (model.gears[g].sign * model.gears[g].number_of_teeth for g in mesh.gears)
+        z_1, z_2 = (_teeth(model.toothed[g]) for g in mesh.gears)
         pair = gear_pair_frequencies(z_1, z_2, turning)
         found[name] = {
             "gears": list(mesh.gears),
@@ -196,10 +200,15 @@ def _meshes(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any
     return found
 
 
+def _teeth(gear: Gear | BevelGear) -> int:
+    """Number of teeth, negative for internal gears."""
+    return gear.sign * gear.number_of_teeth if isinstance(gear, Gear) else gear.number_of_teeth
+
+
 def _gears(model: Model, meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """How often one tooth of each gear meets each of its mates, and all of them."""
     found = {}
-    for name, gear in model.gears.items():
+    for name, gear in model.toothed.items():
         meets = {
             mesh: row["rotation"][row["gears"].index(name)]
             for mesh, row in meshes.items()
@@ -209,7 +218,7 @@ def _gears(model: Model, meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, d
             found[name] = {
                 "body": model.body_of(name),
                 "teeth": gear.number_of_teeth,
-                "type": gear.type,
+                "type": gear.type if isinstance(gear, Gear) else "bevel",
                 "tooth_meets": meets,
                 "tooth_meets_all": sum(meets.values()),
             }

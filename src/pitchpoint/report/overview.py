@@ -41,15 +41,10 @@ def counts_of(model: Model) -> list[tuple[str, str]]:
 
 def _named(model: Model, section: str, name: str) -> str:
     """Name of a part; of a gear with its teeth, of a mesh with those of both gears."""
-    if section == "gears":
-        return f"{name} ({model.gears[name].number_of_teeth})"
-    if section == "bevel_gears":
-        return f"{name} ({model.bevel_gears[name].number_of_teeth})"
-    if section == "bevel_meshes":
-        numbers = (model.bevel_gears[gear].number_of_teeth for gear in model.bevel_meshes[name].gears)
-        return f"{name} ({'/'.join(map(str, numbers))})"
-    if section == "meshes":
-        teeth = "/".join(str(model.gears[gear].number_of_teeth) for gear in model.meshes[name].gears)
+    if section in ("gears", "bevel_gears"):
+        return f"{name} ({model.toothed[name].number_of_teeth})"
+    if section in ("meshes", "bevel_meshes"):
+        teeth = "/".join(str(model.toothed[gear].number_of_teeth) for gear in model.every_mesh[name].gears)
         return f"{name} ({teeth})"
     return str(name)
 

@@ -39,7 +39,7 @@ def periods_until_repeat(model: Model, mesh: str) -> int:
     turning, order = _rates(model, mesh)
     if not order:
         return 1
-    rates = [_order_of(model, name, turning) for name in model.meshes]
+    rates = [_order_of(model, name, turning) for name in model.every_mesh]
     for name, body in ((g, model.body_of(g)) for g in model.gears):
         if model.gears[name].teeth_differ and body is not None:
             rates.append(abs(turning.get(body, 0.0)))
@@ -62,23 +62,23 @@ def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:
     from pitchpoint.core.errors import PitchpointError
     from pitchpoint.model.scenario import Scenario
 
-    for gear in model.meshes[mesh].gears:
+    for gear in model.every_mesh[mesh].gears:
         body = model.body_of(gear)
         if body is not None and model.bodies[body].moves != "fixed":
             try:
                 turning = model.start_speeds(Scenario(speed={body: 1.0}))
             except PitchpointError:
                 return {}, 0.0
-            return turning, float(model.gears[gear].number_of_teeth)
+            return turning, float(model.toothed[gear].number_of_teeth)
     return {}, 0.0
 
 
 def _order_of(model: Model, mesh: str, turning: dict[str, float]) -> float:
     """Tooth frequency of a mesh for these speeds of the bodies; zero if it does not turn."""
-    for gear in model.meshes[mesh].gears:
+    for gear in model.every_mesh[mesh].gears:
         speed = turning.get(model.body_of(gear) or "", 0.0)
         if speed:
-            return abs(speed) * model.gears[gear].number_of_teeth
+            return abs(speed) * model.toothed[gear].number_of_teeth
     return 0.0
 
 
@@ -118,7 +118,8 @@ def from_roll(
         values: Array = roll.rows[:, system.layout.channel(f"{name}[{mesh}]")]
         return values
 
-    pair, one = model.pairs[mesh], roll.meshes[mesh]
+    pair = model.bevel_pairs[mesh] if mesh in model.bevel_meshes else model.pairs[mesh]
+    one = roll.meshes[mesh]
     force, te = channel("mesh_force"), channel("transmission_error")
     loaded = bool(np.all(force != 0.0))
     first = slice(0, points + 1)

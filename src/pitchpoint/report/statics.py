@@ -71,7 +71,7 @@ def with_rolls(
 
 def rolls(model: Model, mesh: str) -> bool:
     """Whether both gears of a mesh sit on bodies and one of them turns."""
-    bodies = [model.body_of(g) for g in model.meshes[mesh].gears]
+    bodies = [model.body_of(g) for g in model.every_mesh[mesh].gears]
     return all(bodies) and any(model.bodies[str(b)].moves != "fixed" for b in bodies)
 
 
@@ -166,9 +166,9 @@ def held_bodies(scenario: Scenario | None) -> list[str]:
 
 def reference_body(model: Model) -> str | None:
     """First body with a gear in mesh that turns."""
-    in_mesh = {g for mesh in model.meshes.values() for g in mesh.gears}
+    in_mesh = {g for mesh in model.every_mesh.values() for g in mesh.gears}
     for name, body in model.bodies.items():
-        if body.moves != "fixed" and in_mesh & set(body.gears):
+        if body.moves != "fixed" and in_mesh & {*body.gears, *body.bevel_gears}:
             return name
     return None
 
@@ -185,9 +185,9 @@ def highest_speed(model: Model, body: str, frequency: Any) -> float:
         return 1.2 * reached
     ratios = model.start_speeds(Scenario(speed={body: 1.0}))
     orders = []
-    for mesh in model.meshes.values():
+    for mesh in model.every_mesh.values():
         turning = str(model.body_of(mesh.gears[0]))
-        orders.append(abs(ratios.get(turning, 0.0)) * model.gears[mesh.gears[0]].number_of_teeth)
+        orders.append(abs(ratios.get(turning, 0.0)) * model.toothed[mesh.gears[0]].number_of_teeth)
     lowest = min((o for o in orders if o > 0.0), default=math.inf)
     return 1.2 * 2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest
 

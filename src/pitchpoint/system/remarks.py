@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
+from pitchpoint.model.components.gear import Gear
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -37,16 +38,18 @@ def deep_contacts(
         return ()
     tables = list(statistics)
     found = []
-    for name, mesh in model.meshes.items():
+    for name, mesh in model.every_mesh.items():
         rows = [t[f"deflection[{name}]"] for t in tables if f"deflection[{name}]" in t]
         reach = [abs(v) for row in rows for v in (row["min"], row["max"]) if math.isfinite(v)]
         if not reach:
             continue
         deepest = max(reach) - 0.5 * model.backlash(name)
-        limit = DEEPEST * model.gears[mesh.gears[0]].normal_module
+        gear = model.toothed[mesh.gears[0]]
+        section = "meshes" if name in model.meshes else "bevel_meshes"
+        limit = DEEPEST * (gear.normal_module if isinstance(gear, Gear) else gear.geometry.m_mn)
         if deepest > limit:
             found.append(
-                f"meshes.{name}: the flanks go {format_quantity(deepest, 'length', 3)} into each other "
+                f"{section}.{name}: the flanks go {format_quantity(deepest, 'length', 3)} into each other "
                 f"(limit about 0.1 m_n = {format_quantity(limit, 'length', 3)}), more than teeth can bend; "
                 "check the loads, the stiffness, prescribed motions, a given time step, and the damping: "
                 "with too little of it a varying stiffness can build up vibrations without bound"

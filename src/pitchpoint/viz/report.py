@@ -39,8 +39,8 @@ class ReportModel:
         Shown only if given, so that the same data give the same file.
     gears, meshes
         SI values by identifier (`m_n`, `d_a`, `eps_alpha` …), by the name of the gear or mesh.
-    bevel_gears, bevel_meshes
-        The same of bevel gears and their meshes.
+    bevels
+        The same of bevel gears and of bevel meshes.
     flanks
         What flanks have besides the involute: gear, flanks, what, amount, extent.
     pairs
@@ -61,8 +61,7 @@ class ReportModel:
     date: str | None = None
     gears: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     meshes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
-    bevel_gears: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
-    bevel_meshes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    bevels: tuple[Mapping[str, Mapping[str, Any]], Mapping[str, Mapping[str, Any]]] = ({}, {})
     flanks: Sequence[Sequence[str]] = ()
     pairs: Mapping[str, tuple[Any, str, str]] = field(default_factory=dict)
     shafts: Mapping[str, str] = field(default_factory=dict)
@@ -285,8 +284,7 @@ class ReportResults:
 def report_html(model: ReportModel, results: ReportResults) -> str:
     """The report as text; the same input gives the same characters."""
     facts = (("version", model.version), ("model", model.model_hash[:12]), ("date", model.date or ""))
-    gears = (*model.gears.values(), *model.bevel_gears.values())
-    teeth = [int(gear["z"]) for gear in gears if isinstance(gear.get("z"), int)]
+    teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
     # a little more than three mesh orders, so that the third one does not stand on the frame
     highest = 3.2 * max(teeth) if teeth else 100.0
     seen = results.scene.run if results.scene.scene is not None else ""
@@ -294,7 +292,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         summary_section(model.counts, results),
         scene_section(results.scene),
         power_section(results.powers),
-        parts.gear_section(model.gears, model.meshes, model.flanks, (model.bevel_gears, model.bevel_meshes)),
+        parts.gear_section(model.gears, model.meshes, model.flanks, model.bevels),
         parts.drawing_section(model.pairs),
         signal_section(model.signals),
         mesh_cycle_section(results.mesh_cycles),

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
-from pitchpoint.core.nomenclature import Entry, lookup, table
+from pitchpoint.core.nomenclature import Entry, lookup
 from pitchpoint.core.units import display_unit, in_unit
 from pitchpoint.viz.quantities import number, pretty
 
@@ -62,6 +62,27 @@ MESH_ROWS = (
     "C_R",
     "C_B",
 )
+BEVEL_GEAR_ROWS = (
+    *(
+        "z",
+        "m_mn",
+        "m_et",
+        "alpha_n",
+        "beta_m",
+        "x_hm",
+        "x_sm",
+        "b",
+        "delta",
+        "delta_a",
+        "delta_f",
+        "delta_b",
+    ),
+    *("R_e", "R_m", "d_e", "d_m", "d_ae", "t_xo", "h_ae", "h_fe", "s_mn", "z_v", "mass", "polar_inertia"),
+)
+BEVEL_MESH_ROWS = (
+    *("Sigma", "u", "b", "sigma_p", "eps_alpha", "eps_beta", "eps_gamma", "j_mt", "j_mn"),
+    *("c_prime", "c_gamma_alpha", "C_B"),
+)
 MEASURES = (
     ("tip_thickness", "s_an", "length", "mm", "normal tip thickness"),
     ("span_teeth", "k", "dimensionless", "", "teeth (internal: spaces) spanned"),
@@ -76,11 +97,6 @@ MOST_COLUMNS = 6
 MOST_ROWS = 30
 """Rows of statistics that are in view; more fold away."""
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
-
-
-def quantities_of(thing: Mapping[str, Any]) -> list[str]:
-    """Identifiers of what the nomenclature knows as a quantity with a dimension, in the order given."""
-    return [key for key in thing if key in table() and table()[key].dimension]
 
 
 def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> str:
