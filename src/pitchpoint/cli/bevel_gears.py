@@ -84,4 +84,9 @@ def print_bevel_pairs(model: Model, only: str | None) -> None:
     rows = []
     for key, meaning, dimension in (*BEVEL_PAIR_ROWS, *BEVEL_STIFFNESS_ROWS):
         rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
-    table("Bevel pairs", ["", *heads], rows, [])
+    notes = []
+    for n in names:
+        if numbers[n]["j_mt"] < 0.0:
+            notes.append(f"{n}: negative backlash, both flanks carry")
+        notes += [f"{n}: {w}" for w in model.bevel_pairs[n].warnings(names=model.bevel_meshes[n].gears)]
+    table("Bevel pairs", ["", *heads], rows, notes)

@@ -82,6 +82,14 @@ def negative_backlash(model: Model) -> tuple[str, ...]:
                 f"{at}: the backlash along the base tangent is {size}: both flanks carry without load; "
                 f"if that is not wanted, {'give a backlash >= 0' if as_given else _wider(model.pairs[name])}"
             )
+    for name in model.bevel_meshes:
+        gap = model.backlash(name)
+        if gap < -INTERFERENCE:
+            found.append(
+                f"bevel_meshes.{name}: the backlash along the base tangent is "
+                f"{format_quantity(gap, 'length', 3)}: both flanks carry without load; if that is not "
+                "wanted, use opposite profile shifts, tooth_thickness_allowance < 0 or a backlash >= 0"
+            )
     return tuple(found)
 
 
@@ -135,6 +143,9 @@ def odd_shapes(model: Model) -> tuple[str, ...]:
             )
     for name, pair in model.pairs.items():
         found += [f"meshes.{problem}" for problem in pair.warnings(name, model.meshes[name].gears)]
+    for name, cones in model.bevel_pairs.items():
+        gears = model.bevel_meshes[name].gears
+        found += [f"bevel_meshes.{problem}" for problem in cones.warnings(name, gears)]
     return tuple(found)
 
 
