@@ -9,7 +9,10 @@ import math
 import numpy as np
 import pytest
 
+from pitchpoint.contact.bevel_cycle import bevel_cycle
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
+from pitchpoint.contact.stiffness.din3990 import VirtualTooth, single_stiffness, stiffness_of_teeth
+from pitchpoint.system.rules.bevel_mesh import square_mean
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.one_bevel import OneBevel, make_bevels
 from tests.support.one_mesh import OneMesh, make_pair, moved, rotation
@@ -315,6 +318,39 @@ def test_cylindrical_limit(beta, flank):
     coarse, fine = (limit(Sigma, beta, flank) for Sigma in (4e-3, 1e-3))
     assert fine[0] < 10.0 * fine[1] < 3e-3
     assert fine[0] == pytest.approx(0.25 * coarse[0], rel=0.1)
+
+
+@pytest.mark.parametrize("pair", ["straight", "right", "left"])
+@both_flanks
+@pytest.mark.parametrize("shape", [PAIR, BARE], ids=["ramp", "bare"])
+def test_the_cycle_of_the_stiffness_is_that_of_the_formula(pair, flank, shape):
+    """Rigid gears in their places, phase by phase; the mean over the cycle is that of spur gears."""
+    m = mesh(pair, shape)
+    face = (m.pair.R_i / m.pair.R_m, m.pair.R_e / m.pair.R_m)
+    rate = flank * math.tan(m.pair.beta_b) / m.pair.sigma_p
+    cycle = bevel_cycle(shape, m.pair.eps_alpha, rate, face, 4001)
+    for _ in range(7):
+        m.roll(0.137)
+        m.press(1e-6, flank)
+        psi = (
+            m.get("mesh_phase") if flank > 0 else float(m.row["psi"])
+        )  # the back flank is the last one summed
+        ratio = m.get("mesh_stiffness") / (shape.c_prime * square_mean(m.pair))
+        expected = np.interp(psi, cycle.phase, cycle.stiffness_ratio)
+        assert ratio == pytest.approx(expected, rel=3e-6)
+    if rate != 0.0:
+        assert cycle.stiffness_ratio[:-1].mean() == pytest.approx(cycle.mean, rel=1e-6)
+
+
+def test_single_stiffness_of_the_cylindrical_limit():
+    """Virtual gears of bevel gears that are nearly cylindrical are the virtual spur gears of these."""
+    bevels, pair = make_bevels(25, 60, 1e-3, 0.3, 3e-3, 0.03), make_pair(25, 60, 0.3, 3e-3, 0.03)
+    one, two = (
+        VirtualTooth(g.z_vn, g.x_hm, g.rack.h_fP_star, g.alpha_n, g.beta_m)
+        for g in (bevels.gear1, bevels.gear2)
+    )
+    found = stiffness_of_teeth((one, two), bevels.eps_alpha)
+    assert found.c_prime == pytest.approx(single_stiffness(pair).c_prime, rel=1e-6)
 
 
 @every_pair

@@ -74,7 +74,7 @@ def print_bevel_gears(model: Model, only: str | None) -> None:
 
 def print_bevel_pairs(model: Model, only: str | None) -> None:
     """Show the geometry of bevel meshes, one a column."""
-    from pitchpoint.report.bevel_numbers import BEVEL_PAIR_ROWS, bevel_mesh_numbers
+    from pitchpoint.report.bevel_numbers import BEVEL_PAIR_ROWS, BEVEL_STIFFNESS_ROWS, bevel_mesh_numbers
 
     names = [n for n, m in model.bevel_meshes.items() if only is None or only in m.gears]
     if not names:
@@ -82,6 +82,11 @@ def print_bevel_pairs(model: Model, only: str | None) -> None:
     numbers = {name: bevel_mesh_numbers(model, name) for name in names}
     heads = [f"{n}: {' / '.join(model.bevel_meshes[n].gears)}" for n in names]
     rows = []
-    for key, meaning, dimension in BEVEL_PAIR_ROWS:
+    for key, meaning, dimension in (*BEVEL_PAIR_ROWS, *BEVEL_STIFFNESS_ROWS):
         rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
-    table("Bevel pairs", ["", *heads], rows, [])
+    notes = []
+    for n in names:
+        if numbers[n]["j_mt"] < 0.0:
+            notes.append(f"{n}: negative backlash, both flanks carry")
+        notes += [f"{n}: {w}" for w in model.bevel_pairs[n].warnings(names=model.bevel_meshes[n].gears)]
+    table("Bevel pairs", ["", *heads], rows, notes)

@@ -265,3 +265,9 @@ class BevelPair:
         from pitchpoint.geometry.bevel_problems import bevel_pair_problems
 
         return bevel_pair_problems(self, where, names, gears)
+
+    def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Problem]:
+        """What runs, but not as the involute promises: tips that reach below the mate's root form cone."""
+        from pitchpoint.geometry.bevel_problems import bevel_pair_warnings
+
+        return bevel_pair_warnings(self, where, names)

@@ -160,16 +160,12 @@ def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Pro
 
 
 def _contact(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Problem]:
-    """No contact, overlapping flanks, tips in roots."""
+    """No contact, tips in roots."""
     from pitchpoint.geometry.bevel_tooth import bevel_tooth
 
     one, two = pair.gear1, pair.gear2
     found = []
     module = min(one.m_mn / one.R_m, two.m_mn / two.R_m)
-    if pair.sigma_j < -1e-9 * module:
-        value, limit = f"{1e6 * pair.j_mt:.4g} µm", "at least 0"
-        remedy = "use opposite profile shifts, or thinner teeth (tooth_thickness_allowance)"
-        found.append(Problem(place, "is the backlash between their flanks", value, limit, remedy))
     for tip, root, a, b in ((one, two, *names), (two, one, *names[::-1])):
         clearance = root.theta_f - tip.theta_a
         if clearance < 0.0:
@@ -219,3 +215,56 @@ def mate_gives_way(pair: BevelPair) -> bool:
     low = max(pair.sigma_A, pair.gear1.sigma_Ff)
     high = min(pair.sigma_E, pair.sigma_T - pair.gear2.sigma_Ff)
     return (high - low) / pair.sigma_p + pair.eps_beta >= USABLE_CONTACT_RATIO
+
+
+def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> list[Problem]:
+    """What is odd about a pair that can be built, as of cylindrical gears in `pitchpoint.geometry.problems`.
+
+    Parameters
+    ----------
+    pair
+        The pair.
+    where
+        Place of the pair in its description.
+    names
+        How the messages call the two gears.
+
+    Returns
+    -------
+    list of Problem
+        Empty where the involutes cover the whole path of contact and one pair always carries, and for
+        impossible pairs.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.bevel_gear import BevelGear
+    >>> from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles
+    >>> gears = [
+    ...     BevelGear.of_outer_module(z=z, m_et=3e-3, delta=delta, b=9e-3)
+    ...     for z, delta in zip((13, 40), pitch_angles(13, 40, math.pi / 2))]
+    >>> [p.message for p in bevel_pair_warnings(BevelPair(*gears, math.pi / 2), "", ("p", "w"))]
+    ['reaches below the root form cone of p (undercut)']
+    """
+    from pitchpoint.geometry.bevel_tooth import bevel_tooth
+
+    if pair.problems():
+        return []
+    one, two, place = pair.gear1, pair.gear2, _at(where, "gears")
+    slack = INTERFERENCE_TOLERANCE * min(one.m_mn / one.R_m, two.m_mn / two.R_m)
+    found = []
+    ends = (
+        (one.sigma_Ff - pair.sigma_A, one, names[1], names[0]),
+        (two.sigma_Ff - pair.sigma_T + pair.sigma_E, two, names[0], names[1]),
+    )
+    for missing, mate, tip, name in ends:
+        if missing > slack:
+            cause = "undercut" if bevel_tooth(mate).undercut else "root fillet"
+            message = f"reaches below the root form cone of {name} ({cause})"
+            limit = f"the involute lacks {_degrees(missing)} in the plane of action"
+            remedy = "shorten the tip, use another profile shift or set the rack"
+            found.append(Problem(place, message, f"tip of {tip}", limit, remedy))
+    if pair.eps_gamma < 1.0:
+        message, remedy = "leaves moments without a tooth pair in contact", "lengthen the teeth"
+        value = f"total contact ratio {pair.eps_gamma:.4g}"
+        found.append(Problem(place, message, value, "1", remedy))
+    return found

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.report.numbers import Row, pick
 
 if TYPE_CHECKING:
+    from pitchpoint.contact.mesh_cycle import MeshCycle
     from pitchpoint.model.model import Model
 
 BEVEL_GEAR_ROWS: tuple[Row, ...] = (
@@ -55,6 +56,12 @@ BEVEL_PAIR_ROWS: tuple[Row, ...] = (
     ("j_mn", "mean normal backlash", "length"),
 )
 
+BEVEL_STIFFNESS_ROWS: tuple[Row, ...] = (
+    ("c_prime", "single stiffness", "stiffness_per_width"),
+    ("c_gamma_alpha", "mesh stiffness", "stiffness_per_width"),
+    ("C_B", "basic rack factor", "dimensionless"),
+)
+
 
 def bevel_gear_numbers(model: Model, name: str) -> dict[str, Any]:
     """Collect geometry, mass and moments of inertia of a bevel gear; spiral angles lose their sign.
@@ -74,9 +81,36 @@ def bevel_gear_numbers(model: Model, name: str) -> dict[str, Any]:
 
 
 def bevel_mesh_numbers(model: Model, name: str) -> dict[str, Any]:
-    """Collect the geometry of a bevel mesh; backlash is what is simulated, so a given value counts."""
+    """Collect the geometry of a bevel mesh and its stiffness by DIN 3990, whatever law it uses.
+
+    Backlash is what is simulated, so a given value counts.
+    """
+    from pitchpoint.system.rules.bevel_mesh import bevel_single_stiffness
+
     pair = model.bevel_pairs[name]
     numbers = pick(pair, BEVEL_PAIR_ROWS, set())
     gap = model.backlash(name)
     numbers |= {"j_mt": gap / math.cos(pair.alpha_t), "j_mn": gap * math.cos(pair.beta_b)}
+    numbers |= pick(bevel_single_stiffness(model, name), BEVEL_STIFFNESS_ROWS, set())
     return numbers | {"gears": list(model.bevel_meshes[name].gears)}
+
+
+def bevel_cycles(model: Model, points: int) -> dict[str, tuple[MeshCycle, str, float | None]]:
+    """Compute the stiffness cycle of every bevel mesh, see `numbers.cycles_of_model`."""
+    from pitchpoint.contact.bevel_cycle import bevel_cycle
+    from pitchpoint.contact.mesh_cycle import phase_cycle
+    from pitchpoint.contact.stiffness.description import PhaseStiffness
+    from pitchpoint.report.numbers import C_PRIME_B, MEAN
+    from pitchpoint.system.rules.bevel_mesh import bevel_stiffness, square_mean
+
+    cycles: dict[str, tuple[MeshCycle, str, float | None]] = {}
+    for name, pair in model.bevel_pairs.items():
+        law = bevel_stiffness(model, name)
+        if isinstance(law, PhaseStiffness):
+            cycles[name] = phase_cycle(law, points), MEAN, law.mean
+            continue
+        face = (pair.R_i / pair.R_m, pair.R_e / pair.R_m)
+        rate = math.tan(pair.beta_b) / pair.sigma_p
+        cycle = bevel_cycle(law, pair.eps_alpha, rate, face, points)
+        cycles[name] = cycle, C_PRIME_B, law.c_prime * square_mean(pair)
+    return cycles

@@ -34,6 +34,7 @@ SOURCES = (
     "Mesh stiffness: DIN 3990-1:1987 and ISO 6336-1:2006, method B.",
     "Stiffness over the mesh cycle: L. Mauer, SIMPACK User Meeting 2006.",
 )
+BEVEL_SOURCES = ("Bevel gears: ISO 23509:2016; virtual cylindrical gears: ISO 10300-1:2014.",)
 SETTLED = 0.2
 """Share of a record before its statistics begin, where no file says so (`settle_time`)."""
 SWEPT = ("transmission_error", "deflection", "mesh_force")
@@ -50,21 +51,29 @@ def describe(model: Model) -> ReportModel:
     from pitchpoint.report.overview import counts_of
 
     numbers = geometry_of_model(model)
-    bodies = {name: model.body_of(mesh.gears[0]) for name, mesh in model.meshes.items()}
+    bodies = {name: model.body_of(mesh.gears[0]) for name, mesh in model.every_mesh.items()}
     return ReportModel(
         title=model.title or "Gears",
         model_hash=content_hash(model),
         version=package_version(),
         gears=numbers["gears"],
         meshes=numbers["meshes"],
+        bevels=(numbers["bevel_gears"], numbers["bevel_meshes"]),
         flanks=flank_lines(model),
         pairs={name: (pair, *model.meshes[name].gears) for name, pair in model.pairs.items()},
         shafts={mesh: body for mesh, body in bodies.items() if body},
         counts=counts_of(model),
         signals=signal_lines(model),
         assumptions=[f"{key}: {value}" for key, value in defaults(model)],
-        sources=SOURCES if model.meshes else SOURCES[:1] if model.gears else (),
+        sources=_sources(model),
     )
+
+
+def _sources(model: Model) -> tuple[str, ...]:
+    """Standards and papers behind the numbers of a model."""
+    of_gears = SOURCES[:1] if model.gears else ()
+    of_meshes = SOURCES[1:] if model.every_mesh else ()
+    return (*of_gears, *(BEVEL_SOURCES if model.bevel_gears else ()), *of_meshes)
 
 
 @dataclass

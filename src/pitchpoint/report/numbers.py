@@ -174,6 +174,7 @@ def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str
     """
     from pitchpoint.contact.mesh_cycle import pair_cycle, phase_cycle
     from pitchpoint.contact.stiffness.description import PairShape
+    from pitchpoint.report.bevel_numbers import bevel_cycles
     from pitchpoint.system.rules.stiffness import describe_stiffness
 
     cycles: dict[str, tuple[MeshCycle, str, float | None]] = {}
@@ -186,7 +187,7 @@ def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str
             cycles[name] = cycle, C_PRIME_B if linear else ONE_PAIR, unit
         else:
             cycles[name] = phase_cycle(law, points), MEAN, law.mean
-    return cycles
+    return cycles | bevel_cycles(model, points)
 
 
 def geometry_of_model(model: Model) -> dict[str, Any]:

@@ -39,6 +39,8 @@ class ReportModel:
         Shown only if given, so that the same data give the same file.
     gears, meshes
         SI values by identifier (`m_n`, `d_a`, `eps_alpha` …), by the name of the gear or mesh.
+    bevels
+        The same of bevel gears and of bevel meshes.
     flanks
         What flanks have besides the involute: gear, flanks, what, amount, extent.
     pairs
@@ -59,6 +61,7 @@ class ReportModel:
     date: str | None = None
     gears: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     meshes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    bevels: tuple[Mapping[str, Mapping[str, Any]], Mapping[str, Mapping[str, Any]]] = ({}, {})
     flanks: Sequence[Sequence[str]] = ()
     pairs: Mapping[str, tuple[Any, str, str]] = field(default_factory=dict)
     shafts: Mapping[str, str] = field(default_factory=dict)
@@ -289,7 +292,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         summary_section(model.counts, results),
         scene_section(results.scene),
         power_section(results.powers),
-        parts.gear_section(model.gears, model.meshes, model.flanks),
+        parts.gear_section(model.gears, model.meshes, model.flanks, model.bevels),
         parts.drawing_section(model.pairs),
         signal_section(model.signals),
         mesh_cycle_section(results.mesh_cycles),

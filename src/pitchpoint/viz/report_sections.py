@@ -29,6 +29,8 @@ from pitchpoint.viz.run_record import (
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals, signal_rows
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
 from pitchpoint.viz.tables import (
+    BEVEL_GEAR_ROWS,
+    BEVEL_MESH_ROWS,
     GEAR_ROWS,
     MEASURE_ROWS,
     MESH_ROWS,
@@ -46,8 +48,12 @@ def gear_section(
     gears: Mapping[str, Mapping[str, Any]],
     meshes: Mapping[str, Mapping[str, Any]],
     flanks: Sequence[Sequence[str]] = (),
+    bevels: tuple[Mapping[str, Mapping[str, Any]], Mapping[str, Mapping[str, Any]]] = ({}, {}),
 ) -> Section:
-    """Tables of gear and mesh data, measures for the workshop, and what flanks have besides the involute."""
+    """Tables of gear and mesh data, measures for the workshop, and what flanks have besides the involute.
+
+    `bevels`: bevel gears and their meshes.
+    """
     section = Section("gears", "Gears and meshes")
     section.add(quantity_table(GEAR_ROWS, gears))
     table = quantity_table(MEASURE_ROWS, gears)
@@ -61,6 +67,11 @@ def gear_section(
         section.add(f"<h3>Flanks</h3>{plain_table(head, rows, numbers=False)}")
     table = quantity_table(MESH_ROWS, meshes)
     section.add(f"<h3>Meshes</h3>{table}" if table else "")
+    for title, rows_of, things in zip(
+        ("Bevel gears", "Bevel meshes"), (BEVEL_GEAR_ROWS, BEVEL_MESH_ROWS), bevels, strict=True
+    ):
+        table = quantity_table(rows_of, things)
+        section.add(f"<h3>{title}</h3>{table}" if table else "")
     return section
 
 

@@ -62,6 +62,27 @@ MESH_ROWS = (
     "C_R",
     "C_B",
 )
+BEVEL_GEAR_ROWS = (
+    *(
+        "z",
+        "m_mn",
+        "m_et",
+        "alpha_n",
+        "beta_m",
+        "x_hm",
+        "x_sm",
+        "b",
+        "delta",
+        "delta_a",
+        "delta_f",
+        "delta_b",
+    ),
+    *("R_e", "R_m", "d_e", "d_m", "d_ae", "t_xo", "h_ae", "h_fe", "s_mn", "z_v", "mass", "polar_inertia"),
+)
+BEVEL_MESH_ROWS = (
+    *("Sigma", "u", "b", "sigma_p", "eps_alpha", "eps_beta", "eps_gamma", "j_mt", "j_mn"),
+    *("c_prime", "c_gamma_alpha", "C_B"),
+)
 MEASURES = (
     ("tip_thickness", "s_an", "length", "mm", "normal tip thickness"),
     ("span_teeth", "k", "dimensionless", "", "teeth (internal: spaces) spanned"),

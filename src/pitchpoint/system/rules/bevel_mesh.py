@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.contact.mesh_cycle import pair_cycle
 from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
-from pitchpoint.contact.stiffness.din3990 import LOW_LOAD, VirtualTooth, stiffness_of_teeth
+from pitchpoint.contact.stiffness.din3990 import LOW_LOAD, SingleStiffness, VirtualTooth, stiffness_of_teeth
 from pitchpoint.elements import bevel_mesh_record as layout
 from pitchpoint.geometry.bevel_gear import spherical_involute
 from pitchpoint.model.bevel_places import pitch_ray
@@ -152,6 +152,17 @@ def bevel_row(pair: BevelPair, place: Placement, laws: MeshLaws, backlash: float
     return row
 
 
+def bevel_single_stiffness(model: Model, name: str) -> SingleStiffness:
+    """Single and mesh stiffness of a bevel mesh by DIN 3990 for its virtual cylindrical gears."""
+    pair = model.bevel_pairs[name]
+    one, two = (
+        VirtualTooth(g.z_vn, g.x_hm, g.rack.h_fP_star, g.alpha_n, g.beta_m) for g in (pair.gear1, pair.gear2)
+    )
+    gears = [model.bevel_gears[g] for g in model.bevel_meshes[name].gears]
+    E1, E2 = (g.material_data.youngs_modulus for g in gears)
+    return stiffness_of_teeth((one, two), pair.eps_alpha, moduli=(E1, E2))
+
+
 def bevel_stiffness(model: Model, name: str) -> Description:
     """Stiffness description of a bevel mesh, by the law that its model names."""
     law = model.bevel_meshes[name].stiffness
@@ -160,12 +171,7 @@ def bevel_stiffness(model: Model, name: str) -> Description:
     pair = model.bevel_pairs[name]
     c_prime = law.single_stiffness
     if c_prime is None:
-        one, two = (
-            VirtualTooth(g.z_vn, g.x_hm, g.rack.h_fP_star, g.alpha_n, g.beta_m)
-            for g in (pair.gear1, pair.gear2)
-        )
-        E1, E2 = (model.bevel_gears[g].material_data.youngs_modulus for g in model.bevel_meshes[name].gears)
-        c_prime = stiffness_of_teeth((one, two), pair.eps_alpha, moduli=(E1, E2)).c_prime
+        c_prime = bevel_single_stiffness(model, name).c_prime
     limit = LOW_LOAD / math.cos(pair.alpha_t) if law.low_load else 0.0
     return PairShape(c_prime=c_prime, S_R=law.stiffness_ratio, T_R=law.tip_relief_factor, load_limit=limit)
 
