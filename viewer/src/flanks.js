@@ -2,6 +2,7 @@
 // All contacts of a picture: lines, patterns, gauges, forces of pairs; and what the reader is told about them.
 import { button, choice, el, logSlider, tick } from "./dom.js";
 import { Contact } from "./contacts.js";
+import { alongPairs } from "./cones.js";
 import { ContactLines } from "./contact_lines.js";
 import { Gauge } from "./gauge.js";
 import { gradient } from "./load_colours.js";
@@ -119,6 +120,10 @@ export class Flanks {
 function largest(contact, size) {
   const base = size * Math.cos(contact.base_helix);
   const alpha = contact.pressure_angle.data[0];
+  if (contact.cone) {
+    const parts = alongPairs(contact.cone, alpha, Math.tan(contact.base_helix), base, 0);
+    return Object.fromEntries(Object.entries(parts).map(([part, vector]) => [part, vector.length()]));
+  }
   return {
     circumferential: base * Math.cos(alpha),
     radial: base * Math.sin(alpha),
