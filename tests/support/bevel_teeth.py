@@ -26,6 +26,14 @@ bevel_meshes:
 """The wheel's cone opens towards -z of its body, whose origin lies 80 mm from the apex at [10, 20, 30] mm."""
 
 
+RUN = """\
+loads:
+  drive: {body: one, torque: %s N m}
+  brake: {body: two, torque: balance}
+scenarios:
+  turn: {speed: {one: 300 rpm}, duration: 20 ms, sample_rate: 10 kHz}
+"""
+"""What makes it run, with the torque of the drive left open [N m]."""
 EDGE = 1e-7
 """Angle by which numbers of a page may stand beside an edge [rad]."""
 

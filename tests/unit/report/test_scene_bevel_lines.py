@@ -11,16 +11,9 @@ import pytest
 
 from pitchpoint.report.scene_bevel_gears import bevel_axes
 from pitchpoint.report.scene_solids import thinning
-from tests.support.bevel_teeth import PAIR, angles_inside
+from tests.support.bevel_teeth import PAIR, RUN, angles_inside
 from tests.support.scene_models import seen
 
-RUN = """\
-loads:
-  drive: {body: one, torque: %s N m}
-  brake: {body: two, torque: balance}
-scenarios:
-  turn: {speed: {one: 300 rpm}, duration: 20 ms, sample_rate: 10 kHz}
-"""
 STRAIGHT = PAIR
 for hand in ("left", "right"):
     STRAIGHT = STRAIGHT.replace(f"spiral_angle: 30 deg, hand: {hand}, ", "")
