@@ -51,6 +51,7 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from pitchpoint.system.system import System, assemble
+from tests.support.bevel_files import bevel_file
 from tests.support.model_files import TORSIONAL_PAIR, gear, pair
 from tests.support.one_mesh import OneMesh, make_pair, moved
 
@@ -622,6 +623,20 @@ def test_eccentric_teeth_are_displaced_towards_their_phase() -> None:
         rest = solve_equilibrium(compile_model(model.replace("gears.a.faults", {"e": fault})))
         found.append(float(rest["transmission_error[m]"]))
     assert found[1] - found[0] == pytest.approx(-1e-6, abs=1e-9)
+
+
+def test_bevel_meshes_count_about_the_directions_from_the_apex() -> None:
+    """A torque about +z of a body presses the front flank where the cone opens to +z, the back flank else."""
+    loads = "loads:\n  in: {body: first, torque: 80 N m}\n  out: {body: second, torque: balance}\n"
+    for opens, flank in (("+z", 1.0), ("-z", -1.0)):
+        model = loads_model(bevel_file(opens=(opens, "+z"), rest=loads))
+        found = solve_equilibrium(compile_model(model))
+        pair = model.bevel_pairs["m"]
+        r_b1 = pair.R_m * math.sin(pair.gear1.delta_b)
+        assert float(found["contact_state[m]"]) == flank
+        assert float(found["mesh_force[m]"]) == pytest.approx(flank * 80.0 / r_b1, rel=1e-9)
+        for name in ("axial_force", "radial_force", "axial_force_1", "radial_force_1"):
+            assert float(found[f"{name}[m]"]) > 0.0
 
 
 def test_misalignment_is_the_lean_of_axis_2() -> None:

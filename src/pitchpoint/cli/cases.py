@@ -220,7 +220,7 @@ def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], 
         return [], {"directions": directions, "n_points": scenario.sweep.points}
     channels = [(c.name, c.unit, c.long_name) for c in compile_model(model, scenario).layout.channels]
     if scenario.kind == "quasi_static":
-        for mesh in model.meshes:
+        for mesh in model.every_mesh:
             words = "transmission error without load"
             channels.append((f"unloaded_transmission_error[{mesh}]", "m", words))
             channels.append((f"tangent_stiffness[{mesh}]", "N/m", "slope of the mesh force"))

@@ -108,7 +108,7 @@ _SCRATCH = [
     ("psi", "f8"),
     ("tooth", "i8"),
     ("lam", "f8"),  # base pitches per ln(R/R_m) along a contact line
-    ("x", "f8", 3),  # penetration over cos(sigma), sin(sigma) and R
+    ("x", "f8", ROWS),  # penetration over cos(sigma), sin(sigma) and R, first three
     ("w", "f8", ROWS),  # rates over the rows of the basis
     ("lever", "f8", ROWS),  # of one node: cos(sigma), sin(sigma), R; 1, R cos(sigma), R sin(sigma)
     ("acc", "f8", ROWS),  # forces over the rows

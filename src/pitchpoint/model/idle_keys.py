@@ -79,14 +79,15 @@ def _only_spins(model: Model, mesh: Mesh) -> bool:
 
 def _frictions(model: Model) -> Iterator[str]:
     """Teeth that roll do not slide at the pitch point; what slides there is vibration and sideways motion."""
-    for name, mesh in model.meshes.items():
+    for name, mesh in model.every_mesh.items():
         if mesh.friction is None:
             continue
+        at = f"{model.section_of(name)}.{name}"
         if mesh.friction.mu == 0.0 and mesh.friction.static:
-            yield f"meshes.{name}.friction.static: has no effect with mu: 0, which leaves all friction out"
+            yield f"{at}.friction.static: has no effect with mu: 0, which leaves all friction out"
         if mesh.friction.mu > 0.0 and mesh.stiffness.law not in OF_PAIRS:
             yield (
-                f"meshes.{name}.friction: the law {mesh.stiffness.law} acts at the pitch point, where "
+                f"{at}.friction: the law {mesh.stiffness.law} acts at the pitch point, where "
                 "rolling teeth do not slide, so friction has no effect but on vibration and sideways motion; "
                 f"{_listed(OF_PAIRS)} follow the contact along its path"
             )
@@ -120,8 +121,8 @@ def _restitution(damping: ContactDamping, where: str) -> Iterator[str]:
 
 def _laws(model: Model) -> Iterator[str]:
     """Keys beside others that decide alone: of stiffness, contact damping and tip circles."""
-    for name, mesh in model.meshes.items():
-        law, damping = mesh.stiffness, mesh.damping
+    for name, mesh in model.every_mesh.items():
+        law, damping, at = mesh.stiffness, mesh.damping, f"{model.section_of(name)}.{name}"
         if isinstance(law, Din3990) and law.single_stiffness is not None and law.virtual_teeth != "iso":
             yield (
                 f"meshes.{name}.stiffness.virtual_teeth: has no effect on the stiffness: single_stiffness "
@@ -130,9 +131,9 @@ def _laws(model: Model) -> Iterator[str]:
         if isinstance(law, Hertz) and law.force is not None and law.diameter != "reference":
             yield f"meshes.{name}.stiffness.diameter: has no effect beside force and depth, which give K"
         if damping is not None and damping.s_0 == 0.0 and damping.law != "linear":
-            yield f"meshes.{name}.damping.law: has no effect with s_0: 0, where the damping is there at once"
+            yield f"{at}.damping.law: has no effect with s_0: 0, where the damping is there at once"
         if damping is not None:
-            yield from _restitution(damping, f"meshes.{name}.damping")
+            yield from _restitution(damping, f"{at}.damping")
     for name, gear in model.gears.items():
         if gear.tip_diameter is not None and gear.tip_alteration != 0.0:
             yield f"gears.{name}.tip_alteration: has no effect beside tip_diameter, which is taken as it is"

@@ -298,6 +298,10 @@ class Model:
         """Meshes of cylindrical and of bevel gears; their names differ."""
         return {**self.meshes, **self.bevel_meshes}
 
+    def section_of(self, mesh: str) -> str:
+        """Section of the file that a mesh stands in."""
+        return "meshes" if mesh in self.meshes else "bevel_meshes"
+
     @cached_property
     def bevel_pairs(self) -> dict[str, BevelPair]:
         """Pair of every bevel mesh."""

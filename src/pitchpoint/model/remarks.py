@@ -73,14 +73,14 @@ def bushings_apart(model: Model) -> tuple[str, ...]:
 def negative_backlash(model: Model) -> tuple[str, ...]:
     """A sentence for every mesh whose teeth are too thick for its centre distance."""
     found = []
-    for name, pair in model.pairs.items():
+    for name, mesh in model.every_mesh.items():
         gap = model.backlash(name)
         if gap < -INTERFERENCE:
-            given = model.meshes[name].backlash is not None
+            as_given = mesh.backlash is not None or name in model.bevel_meshes
+            at, size = f"{model.section_of(name)}.{name}", format_quantity(gap, "length", 3)
             found.append(
-                f"meshes.{name}: the backlash along the base tangent is {format_quantity(gap, 'length', 3)}: "
-                "both flanks carry without load; "
-                f"if that is not wanted, {'give a backlash >= 0' if given else _wider(pair)}"
+                f"{at}: the backlash along the base tangent is {size}: both flanks carry without load; "
+                f"if that is not wanted, {'give a backlash >= 0' if as_given else _wider(model.pairs[name])}"
             )
     for name in model.bevel_meshes:
         gap = model.backlash(name)
@@ -114,12 +114,14 @@ def jumping_ramps(model: Model) -> tuple[str, ...]:
     eps_alpha passes a whole number.
     """
     found = []
-    for name, pair in model.pairs.items():
-        ramp = getattr(model.meshes[name].stiffness, "tip_relief_factor", 0.0)
-        whole = round(pair.eps_alpha)
-        if ramp > 0.0 and whole >= 1 and abs(pair.eps_alpha - whole) <= NEAR_WHOLE:
+    for name, mesh in model.every_mesh.items():
+        ramp = getattr(mesh.stiffness, "tip_relief_factor", 0.0)
+        bevel = name in model.bevel_meshes
+        eps_alpha = model.bevel_pairs[name].eps_alpha if bevel else model.pairs[name].eps_alpha
+        whole, at = round(eps_alpha), f"{model.section_of(name)}.{name}"
+        if ramp > 0.0 and whole >= 1 and abs(eps_alpha - whole) <= NEAR_WHOLE:
             found.append(
-                f"meshes.{name}: eps_alpha = {pair.eps_alpha:.4f} is nearly {whole}, where the ramps of "
+                f"{at}: eps_alpha = {eps_alpha:.4f} is nearly {whole}, where the ramps of "
                 f"tip_relief_factor jump: T_R frac(eps_alpha) is nearly {ramp:g} base pitches below {whole} "
                 "and nearly none above, and the stiffness jumps with it, also in a run where the centre "
                 "distance moves; if that is not wanted, write tip_relief_factor: 0 or change center_distance "

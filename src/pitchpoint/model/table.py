@@ -76,6 +76,34 @@ def model_table(model: Model) -> str:
                 ),
             )
         )
+    if model.bevel_meshes:
+        out.append(
+            table(
+                (
+                    "bevel mesh",
+                    "gears",
+                    "shaft angle",
+                    "R_m",
+                    "eps_alpha",
+                    "eps_beta",
+                    "backlash",
+                    "stiffness",
+                ),
+                (
+                    (
+                        name,
+                        " - ".join(mesh.gears),
+                        format_quantity(model.bevel_pairs[name].Sigma, "angle", 7),
+                        format_quantity(model.bevel_pairs[name].R_m, "length", 7),
+                        f"{model.bevel_pairs[name].eps_alpha:.4f}",
+                        f"{model.bevel_pairs[name].eps_beta:.4f}",
+                        format_quantity(model.backlash(name), "length"),
+                        mesh.stiffness.law,
+                    )
+                    for name, mesh in model.bevel_meshes.items()
+                ),
+            )
+        )
     if model.bodies:
         out.append(
             table(

@@ -93,11 +93,11 @@ def _meshes(
     """Meshes with fixed axes; those of equal teeth on equal shafts are one."""
     found: dict[tuple[object, ...], tuple[list[str], list[str], list[str]]] = {}
     for name, row in rows.items():
-        one, two = model.meshes[name].gears
+        one, two = model.every_mesh[name].gears
         bodies = [str(model.body_of(gear)) for gear in (one, two)]
         if row["carrier"] is not None or any(body not in names for body in bodies):
             continue
-        teeth = tuple(model.gears[gear].number_of_teeth for gear in (one, two))
+        teeth = tuple(model.toothed[gear].number_of_teeth for gear in (one, two))
         key = (teeth, names[bodies[0]], names[bodies[1]])
         entry = found.setdefault(key, ([], [], []))
         for listed, new in zip(entry, (name, one, two), strict=True):

@@ -44,12 +44,11 @@ def deep_contacts(
         if not reach:
             continue
         deepest = max(reach) - 0.5 * model.backlash(name)
-        gear = model.toothed[mesh.gears[0]]
-        section = "meshes" if name in model.meshes else "bevel_meshes"
+        gear, at = model.toothed[mesh.gears[0]], f"{model.section_of(name)}.{name}"
         limit = DEEPEST * (gear.normal_module if isinstance(gear, Gear) else gear.geometry.m_mn)
         if deepest > limit:
             found.append(
-                f"{section}.{name}: the flanks go {format_quantity(deepest, 'length', 3)} into each other "
+                f"{at}: the flanks go {format_quantity(deepest, 'length', 3)} into each other "
                 f"(limit about 0.1 m_n = {format_quantity(limit, 'length', 3)}), more than teeth can bend; "
                 "check the loads, the stiffness, prescribed motions, a given time step, and the damping: "
                 "with too little of it a varying stiffness can build up vibrations without bound"

@@ -41,6 +41,7 @@ def test_natural_frequency_of_two_inertias(shaft, spiral):
     assert found.frequency[0] == pytest.approx(0.0, abs=1e-3)
 
 
+@pytest.mark.nojit
 @pytest.mark.parametrize("opens", [("+z", "+z"), ("-z", "+z"), ("+z", "-z"), ("-z", "-z")])
 def test_speeds_and_torques_follow_the_side_that_the_cones_open_to(opens):
     """The machine is the same whichever way z of its bodies points; signs of spins and torques follow."""
