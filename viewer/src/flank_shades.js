@@ -3,17 +3,25 @@
 import { reached } from "./contacts.js";
 import { number } from "./numbers.js";
 
-/** Pressure of a load at a place of the path [m] from the pitch point: the file holds that of 1 N/m. */
-export function pressureAt(contact, place, load) {
+/**
+ * Pressure of a load at a place: the file holds that of 1 N/m on the path. Teeth of bevel gears are alike at all cone distances, but
+ * smaller towards the apex.
+ * @param {any} contact @param {[number, number]} at on path and width, from the pitch point [m] @param {number} load [N/m]
+ */
+export function pressureAt(contact, [place, z], load) {
   const { data, count } = contact.unit_pressure;
   const [start, end] = contact.path;
   const x = Math.max(0, Math.min(1, (place - start) / (end - start))) * (count - 1);
   const k = Math.min(Math.floor(x), count - 2);
-  return (data[k] + (x - k) * (data[k + 1] - data[k])) * Math.sqrt(Math.max(0, load));
+  const size = contact.cone ? Math.exp(z / contact.cone[0]) : 1;
+  return (data[k] + (x - k) * (data[k + 1] - data[k])) * Math.sqrt(Math.max(0, load) / size);
 }
 
-/** Place on the path of a station of a line. @param {{place: number, slope: number, from: number, to: number}} line */
-export const placeOf = ({ place, slope, from, to }, share) => place + slope * (from + share * (to - from));
+/** Place of a station of a line on path and width. @param {{place: number, slope: number, from: number, to: number}} line @returns {[number, number]} */
+export const placeOf = ({ place, slope, from, to }, share) => {
+  const z = from + share * (to - from);
+  return [place + slope * z, z];
+};
 
 /** Largest pressure of a contact in all frames [Pa]. @param {any} contact */
 export function greatestPressure(contact) {
@@ -43,7 +51,7 @@ export const SHADES = {
     name: "load per width",
     legend: "load on flanks",
     told: (value) => `${number(value / 1e3, 3)}\u2009N/mm`,
-    of: (contact, place, load) => load,
+    of: (contact, at, load) => load,
     greatest: ({ greatest }) => greatest,
   },
   pressure: {

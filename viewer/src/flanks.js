@@ -2,6 +2,7 @@
 // All contacts of a picture: lines, patterns, gauges, forces of pairs; and what the reader is told about them.
 import { button, choice, el, logSlider, tick } from "./dom.js";
 import { Contact } from "./contacts.js";
+import { alongPairs } from "./cones.js";
 import { ContactLines } from "./contact_lines.js";
 import { Gauge } from "./gauge.js";
 import { SHADES } from "./flank_shades.js";
@@ -90,8 +91,9 @@ export class Flanks {
 
   /** What colours tell at a station of a line. @param {Contact} contact @param {import("./contacts.js").Line} line @param {number} s */
   value(contact, { ends, loads }, s) {
-    const place = ends[0] + ((ends[1] - ends[0]) * s) / (loads.length - 1);
-    return SHADES[this.shade].of(contact.contact, place, loads[s]);
+    const share = s / (loads.length - 1);
+    const at = [0, 1].map((k) => ends[0][k] + (ends[1][k] - ends[0][k]) * share);
+    return SHADES[this.shade].of(contact.contact, at, loads[s]);
   }
 
   /** @param {number} visible world length of a pixel [m] */
@@ -144,6 +146,10 @@ export class Flanks {
 function largest(contact, size) {
   const base = size * Math.cos(contact.base_helix);
   const alpha = contact.pressure_angle.data[0];
+  if (contact.cone) {
+    const parts = alongPairs(contact.cone, alpha, Math.tan(contact.base_helix), base, 0);
+    return Object.fromEntries(Object.entries(parts).map(([part, vector]) => [part, vector.length()]));
+  }
   return {
     circumferential: base * Math.cos(alpha),
     radial: base * Math.sin(alpha),

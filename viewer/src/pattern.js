@@ -199,9 +199,11 @@ export class Pattern {
   }
 
   /** What the colours tell of a load at a place of the grid. */
-  #value({ contact, nx }, k, load) {
-    const [start, end] = contact.path;
-    return this.shade.of(contact, start + ((end - start) * (k % nx)) / (nx - 1), load);
+  #value({ contact, nx, nz }, k, load) {
+    const [start, end] = contact.path,
+      [low, high] = contact.width;
+    const at = [start + ((end - start) * (k % nx)) / (nx - 1), low + ((high - low) * Math.floor(k / nx)) / (nz - 1)];
+    return this.shade.of(contact, at, load);
   }
 
   /** Triangles of the teeth that carried something. */

@@ -83,7 +83,7 @@ def half_width(load: ArrayLike, radius: ArrayLike, compliance_1: float, complian
     return np.sqrt(4.0 * q * np.asarray(radius) * (compliance_1 + compliance_2) / math.pi)
 
 
-def flank_radius(T1Y: ArrayLike, T1T2: float, beta_b: float) -> FloatArray:
+def flank_radius(T1Y: ArrayLike, T1T2: ArrayLike, beta_b: float) -> FloatArray:
     """Reduced radius of curvature of two involute flanks, square to their contact line [m].
 
     Parameters
@@ -91,7 +91,8 @@ def flank_radius(T1Y: ArrayLike, T1T2: float, beta_b: float) -> FloatArray:
     T1Y
         Place on the path of contact, from the point where it leaves the base circle of gear 1 [m].
     T1T2
-        Signed length of the common base tangent [m]; negative with an internal gear.
+        Signed length of the common base tangent [m]; negative with an internal gear. Of bevel gears the sum of
+        both geodesic radii.
     beta_b
         Base helix angle [rad].
 
@@ -106,7 +107,8 @@ def flank_radius(T1Y: ArrayLike, T1T2: float, beta_b: float) -> FloatArray:
     0.0075
     """
     rho = np.asarray(T1Y, dtype=np.float64)
-    return np.asarray(rho * (T1T2 - rho) / (T1T2 * math.cos(beta_b)))
+    whole = np.asarray(T1T2, dtype=np.float64)
+    return np.asarray(rho * (whole - rho) / (whole * math.cos(beta_b)))
 
 
 def peak_pressure(load: ArrayLike, width: ArrayLike) -> FloatArray:

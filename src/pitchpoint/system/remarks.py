@@ -47,7 +47,6 @@ def deep_contacts(
         gear, at = model.toothed[mesh.gears[0]], f"{model.section_of(name)}.{name}"
         limit = DEEPEST * (gear.normal_module if isinstance(gear, Gear) else gear.geometry.m_mn)
         if deepest > limit:
-            group = "meshes" if name in model.meshes else "bevel_meshes"
             found.append(
                 f"{at}: the flanks go {format_quantity(deepest, 'length', 3)} into each other "
                 f"(limit about 0.1 m_n = {format_quantity(limit, 'length', 3)}), more than teeth can bend; "

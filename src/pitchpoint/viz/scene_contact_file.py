@@ -46,6 +46,7 @@ def contact_entry(contact: SceneContact, block: Block) -> dict[str, Any]:
         "base_pitch": contact.base_pitch,
         "width": list(contact.width),
         "path": list(contact.path),
+        **({} if contact.cone is None else {"cone": list(contact.cone)}),
         "penetration": block.put_track(contact.penetration, unseen(contact.penetration, _GAP)),
         "flanks": [_flank(flank, block) for flank in contact.flanks],
     }
