@@ -167,6 +167,33 @@ def test_two_scenes_are_told_apart_and_both_have_their_forces(
     assert found["looks"] == ["stage 1", "another"]
 
 
+def test_a_view_leaves_room_for_the_forces_and_looks_from_the_side(open_page: OpenPage) -> None:
+    """No pixel of the solids lies under the table of forces; without it they stand in the middle."""
+    header, block = gears()
+    script = """
+      const canvas = $(".ppv-canvas"), gl = canvas.getContext("webgl2"), legend = $(".ppv-legend");
+      const {width, height} = canvas, data = new Uint8Array(4 * width * height);
+      const ends = () => { V.draw();
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data);
+        let [low, high] = [width, 0];
+        for (let k = 0; k < width * height; k++) if ([0, 1, 2].some((c) => data[4 * k + c] !== data[c])) {
+          low = Math.min(low, k % width); high = Math.max(high, k % width); }
+        return [low, width - 1 - high]; };
+      const fit = () => { $(".ppv-tools button").click(); V.draw(); return ends(); };
+      const out = {wide: legend.offsetWidth, beside: fit()};
+      legend.querySelector("button").click(); out.alone = fit(); out.folded = legend.offsetHeight;
+      return {...out, camera: S().camera};
+    """
+    out = asked(scene(open_page, texts_of({**header, "up": [0, 0, 1]}, block)), script)
+    assert out["beside"][1] > out["wide"] and out["alone"][1] < out["beside"][1]
+    for key, taken in (("beside", out["wide"]), ("alone", 0)):
+        left, right = out[key]
+        assert right - taken == pytest.approx(left, abs=0.06 * 1000), key
+    # the axes of the gears are vertical here: 0.55 up for 1 and 0.7 across
+    way = np.subtract(out["camera"]["position"], out["camera"]["target"])
+    assert way[2] / np.linalg.norm(way) == pytest.approx(0.55 / np.sqrt(0.55**2 + 1 + 0.7**2), abs=1e-3)
+
+
 def test_a_phone_shows_everything_and_follows_fingers(open_page: OpenPage) -> None:
     """At 360 px nothing reaches over the edge but rows that scroll; one finger turns, two zoom and shift."""
     header, block = gears()

@@ -76,10 +76,11 @@ export class Legend {
     this.fold(wide > MOST * width || (wide > TALL * width && high > MOST * height), false);
   }
 
-  /** Part of the width that it takes from the right. */
+  /** Part of the width that it takes from the right; nothing where that would leave too little. */
   get share() {
     if (this.element.hidden || this.folded) return 0;
-    return (this.element.offsetWidth + 16) / Math.max(this.element.parentElement.clientWidth, 1);
+    const share = this.element.offsetWidth / Math.max(this.element.parentElement.clientWidth, 1);
+    return share > MOST ? 0 : share;
   }
 
   /** @param {import("./arrows.js").Force[]} forces @param {Set<string>} shown kinds @param {boolean} hidden */

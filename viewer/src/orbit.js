@@ -27,6 +27,8 @@ export class Orbit {
     this.chosen = false;
     /** whether a turn of the wheel is meant for the scene. @type {(event: WheelEvent) => boolean} */
     this.takesWheel = () => true;
+    /** how far left of the middle the target is shown, as a part of the width */
+    this.shift = 0;
     this.pointers = new Map();
     element.addEventListener("pointerdown", (event) => this.#down(event));
     element.addEventListener("pointermove", (event) => this.#move(event));
@@ -191,10 +193,10 @@ export class Orbit {
     this.changed();
   }
 
-  /** Middle of the picture under x; two pictures lie side by side when results are compared. */
+  /** Where the target is in the picture under x; two pictures lie side by side when results are compared. */
   middle(x) {
     const width = this.element.clientWidth / (this.pictures ?? 1);
-    return (Math.floor(x / width) + 0.5) * width;
+    return (Math.floor(x / width) + 0.5 - this.shift) * width;
   }
 
   #wheel(event) {

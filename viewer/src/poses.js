@@ -170,8 +170,10 @@ export class Poses {
   /** Common direction of the axes about which most bodies turn, world. */
   axis() {
     const sum = new Vector3();
+    // links that swing count where nothing goes round
+    const round = this.bodies.some((body) => body.gross);
     this.bodies.forEach((body, k) => {
-      if (!body.gross && !body.spin) return;
+      if (!body.gross && (round || !body.spin)) return;
       const z = new Vector3().setFromMatrixColumn(this.rest[k], 2);
       sum.addScaledVector(z, sum.dot(z) < 0 ? -1 : 1);
     });

@@ -52,7 +52,9 @@ export function png(page, times = 1) {
   pen.font = `600 14px ${style.fontFamily}`;
   pen.fillStyle = ink;
   const each = width / page.scenes.length;
-  page.scenes.forEach((scene, n) => pen.fillText(scene.title, 12 + n * each, 10));
+  page.scenes.forEach((scene, n) =>
+    pen.fillText([scene.title, scene.label].filter(Boolean).join(", "), 12 + n * each, 10),
+  );
   pen.font = `12px ${style.fontFamily}`;
   pen.fillStyle = soft;
   const when = page.modes?.active

@@ -87,6 +87,8 @@ export class Stage {
     this.size = { width: 1, height: 1 };
     this.drawn = 0;
     this.coarse = false;
+    /** how far left of the middle the camera's target is shown, as a part of the width of a picture */
+    this.shift = 0;
     /** the world as the camera sees it: what follows a body turns the world instead of the camera */
     this.seen = new Matrix4();
   }
@@ -132,7 +134,8 @@ export class Stage {
     const away = target.distanceTo(centre);
     camera.near = Math.max(0.01 * distance, distance - away - 1.3 * radius);
     camera.far = distance + away + 2.5 * radius;
-    camera.updateProjectionMatrix();
+    const part = this.size.width / this.pictures.length;
+    camera.setViewOffset(part, this.size.height, this.shift * part, 0, part, this.size.height);
     this.setLights();
     renderer.setScissorTest(true);
     const width = this.size.width / this.pictures.length;

@@ -26,11 +26,14 @@ export class Views {
     if (side.length() < 1e-3) side.crossVectors(new Vector3(0, 0, 1), axis);
     side.normalize();
     const third = new Vector3().crossVectors(axis, side);
+    // what turns about a vertical axis is looked at from the side, not from above
+    const upright = Math.abs(axis.dot(up)) > 0.9;
+    const [along, across, over] = upright ? [0.55 * Math.sign(axis.dot(up)), 1, 0.7] : [1, 0.75, 0.55];
     return {
       axis,
       front: side,
-      top: third,
-      iso: axis.clone().addScaledVector(side, 0.75).addScaledVector(third, 0.55),
+      top: upright ? axis : third,
+      iso: axis.clone().multiplyScalar(along).addScaledVector(side, across).addScaledVector(third, over),
     };
   }
 
@@ -39,6 +42,11 @@ export class Views {
     const { camera } = this.stage;
     const half = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(1, camera.aspect));
     return radius / Math.sin(half);
+  }
+
+  /** What is looked at goes to the middle of what no legend covers. @param {number} taken part of the width */
+  #shift(taken) {
+    this.stage.shift = this.orbit.shift = taken / 2;
   }
 
   /** @param {boolean} atOnce */
@@ -77,16 +85,17 @@ export class Views {
       target.addScaledVector(right, (distance * (ends[0] + ends[1])) / 2);
       target.addScaledVector(above, (distance * (ends[2] + ends[3])) / 2);
     }
-    distance = Math.max(distance, 0.1 * radius);
-    // to the middle of what no legend covers
-    target.addScaledVector(right, (distance * taken * tall * camera.aspect) / 0.9);
-    this.orbit.look({ target, distance }, atOnce);
+    this.#shift(taken);
+    this.orbit.look({ target, distance: Math.max(distance, 0.1 * radius) }, atOnce);
     this.orbit.chosen = false;
   }
 
   /** @param {"axis"|"front"|"top"|"iso"} name @param {boolean} atOnce */
   named(name, atOnce = false) {
-    this.orbit.look({ direction: this.directions()[name] }, atOnce);
+    const directions = this.directions();
+    // from above the axis lies across, as it does from the side
+    if (name === "top") this.orbit.look({ direction: directions.front });
+    this.orbit.look({ direction: directions[name] }, atOnce);
     this.fit(atOnce);
   }
 
@@ -124,6 +133,7 @@ export class Views {
   /** @param {number[]} target @param {number[]} direction to the camera @param {number} height of what is seen there [m] */
   look(target, direction, height) {
     const distance = height / (2 * Math.tan((this.stage.camera.fov * Math.PI) / 360));
+    this.#shift(0);
     this.orbit.look(
       { target: new Vector3(...target), direction: direction && new Vector3(...direction), distance },
       true,

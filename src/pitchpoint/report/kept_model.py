@@ -22,7 +22,7 @@ def kept_model(path: str, allow_code: bool = False) -> Model:
     from pitchpoint.io.reading import read_header
     from pitchpoint.io.yaml_model import loads_model
 
-    text = read_header(path)["model_text"]
+    text = read_header(path).get("model_text")
     if not text:
         problem = Problem("model", "is not kept in this result file", remedy="name the model file as well")
         raise ModelError([problem], path)

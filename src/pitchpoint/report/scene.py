@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.report.scene_contacts import ContactLines, scene_contacts
 from pitchpoint.report.scene_elastic import elastic_parts
@@ -65,10 +66,13 @@ def scene_of(
     Raises
     ------
     PitchpointError
-        If the model cannot be compiled.
+        If the model cannot be compiled, or the result holds no place of the bodies.
     """
     from pitchpoint.system.compile import compile_model
 
+    whole = result
+    if result is not None and "time" in result.dims:
+        result = _known(result)
     chosen = scenario or (None if result is None else result.attrs.get("scenario")) or None
     system = compile_model(model, chosen)
     names = system.layout.bodies
@@ -84,6 +88,11 @@ def scene_of(
     solids, notes = scene_solids(model, places)
     bending, said = elastic_parts(model, places, record.at_frames)
     solids, notes = solids + bending, notes + said
+    if result is not None and whole is not None and result.sizes["time"] < whole.sizes["time"]:
+        notes.append(
+            f"shown up to {float(result['time'][-1]):.6g} s: after that the result holds numbers that are "
+            "not finite"
+        )
     if result is not None and moved.unknown:
         notes.append("not in the result, drawn at rest: " + ", ".join(moved.unknown))
     arrows: list[SceneArrow] = []
@@ -117,6 +126,19 @@ def scene_of(
         modes=found,
         notes=notes,
     )
+
+
+def _known(result: xr.Dataset) -> xr.Dataset:
+    """A result up to the first sample at which a body has no place: a run that failed may end so."""
+    moving = [n for n in result.data_vars if str(n).startswith(("angle[", "displacement["))]
+    known = np.isfinite(result["time"].values)
+    for name in moving:
+        if result[name].dims == ("time",):
+            known = known & np.isfinite(result[name].values)
+    count = int(known.size if known.all() else np.argmin(known))
+    if count == 0:
+        raise PitchpointError("the result holds no sample at which all bodies have a place; run it again")
+    return result if count == known.size else result.isel(time=slice(0, count))
 
 
 def _another_state(model: Model, result: xr.Dataset) -> list[str]:
@@ -172,12 +194,13 @@ class _Record:
         return cls(result, samples, time[samples])
 
     def at_frames(self, name: str) -> Array | None:
-        """A channel at the frames; None where the result does not hold it."""
+        """A channel at the frames; None where the result does not hold it, or no numbers."""
         if self.result is None:
             return np.zeros(1)
         if name not in self.result:
             return None
-        return np.asarray(self.result[name].values[self.samples], dtype=np.float64)
+        values = np.asarray(self.result[name].values[self.samples], dtype=np.float64)
+        return values if np.isfinite(values).all() else None
 
     def curves(self) -> Sequence[SceneChannel]:
         """Every channel over time, thinned to least and most of each piece."""

@@ -78,10 +78,13 @@ def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
         np.c_[0 * k[1:-1], after[1:-1], k[1:-1]],
         np.c_[last + 0 * k[1:-1], last + k[1:-1], last + after[1:-1]],
     ]
-    first = np.minimum((share * part.pieces + 1e-9).astype(np.int64), part.pieces - 1)
-    weight = share * part.pieces - first
-    bodies = [at.seat(split(part.ends[0])[0], root)[0]]
-    bodies += [at.names[label] for label in station_names(name, part.pieces)[1:]]
+    stations = [at.names.get(label) for label in station_names(name, part.pieces)[1:]]
+    between = [number for number in stations if number is not None]
+    # a scene at rest knows no stations of beams
+    pieces = len(between) + 1 if len(between) == len(stations) else 1
+    first = np.minimum((share * pieces + 1e-9).astype(np.int64), pieces - 1)
+    weight = share * pieces - first
+    bodies = [at.seat(split(part.ends[0])[0], root)[0], *between[: pieces - 1]]
     bodies.append(at.seat(split(part.ends[1])[0], tip)[0])
     _, origin, axes = at.seat(split(part.ends[0])[0], root)
     return SceneSolid(

@@ -26,6 +26,8 @@ STEEL = 7850.0
 """Density of balls and discs that stand for masses and inertias [kg/m^3]."""
 BAR, PIN, BALL, DISC = 0.010, 0.017, 0.045, 0.4
 """Radii of bars, pins, the largest ball and disc, as parts of the size of the machine."""
+GUESSED = 0.2
+"""The same of a disc whose inertia alone is known: that of a whole vehicle is no disc."""
 RAIL = 0.15
 """Half the length of a rail, as a part of the size of the machine."""
 PINNED = ("revolute", "cylindrical", "screw", "universal", "planar")
@@ -148,7 +150,7 @@ def _disc(at: Places, name: str) -> shapes.Surface:
     radius = (2.0 * inertia / (0.3 * math.pi * STEEL)) ** 0.2
     if mass > 0.0 and inertia > 0.0:
         radius = math.sqrt(2.0 * inertia / mass)
-    radius = min(max(radius, 0.04 * at.size), DISC * at.size)
+    radius = min(max(radius, 0.04 * at.size), (DISC if mass > 0.0 else GUESSED) * at.size)
     return shapes.disc(radius, 0.3 * radius, 0.12 * radius)
 
 
@@ -171,21 +173,17 @@ def _pins(at: Places) -> list[SceneSolid]:
 
 
 def _guides(at: Places) -> list[SceneSolid]:
-    """Sleeves in which slides move; those that are boxes have a rail through them."""
-    found, bar = [], BAR * at.size
+    """A rail on either side of what slides."""
+    found, thin = [], 0.4 * BAR * at.size
     for name, joint in at.model.joints.items():
         place = joint_place(at.model, joint)
         if joint.type != "prismatic" or place is None:
             continue
-        base, slide = (split(end)[0] for end in joint.bodies)
-        axis = joint_axes(at.model, joint)[:, 2]
-        part = at.model.bodies.get(slide)
-        if part is not None and part.center is None:
-            long = RAIL * at.size * axis
-            surface = shapes.rod(place - long, place + long, 0.6 * bar)
-        else:
-            surface = shapes.moved(shapes.disc(2.0 * bar, 4.0 * bar, 1.25 * bar), place, shapes.across(axis))
-        found.append(stand_in(at, f"joint {name}", "bearing", base, surface, place))
+        axes = joint_axes(at.model, joint)
+        long, beside = RAIL * at.size * axes[:, 2], (0.5 * BALL * at.size + thin) * axes[:, 0]
+        rails = [shapes.rod(p - long, p + long, thin, 10) for p in (place - beside, place + beside)]
+        base = split(joint.bodies[0])[0]
+        found.append(stand_in(at, f"joint {name}", "bearing", base, shapes.joined(rails), place))
     return found
 
 

@@ -4,11 +4,15 @@
 from __future__ import annotations
 
 import re
+import shutil
 from pathlib import Path
 
+import h5py
+import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.io.reading import open_result
 from tests.support.model_files import TORSIONAL_PAIR
 from tests.support.scene_reader import Seen
 
@@ -57,7 +61,9 @@ def test_a_model_alone_and_two_side_by_side(result: Path) -> None:
     (alone,) = scenes(model.with_suffix(".view.html"))
     assert len(alone.times) == 1
     assert run_command(["view", str(model), str(result), "-o", str(page), "-q"]) == 0
-    assert [len(s.times) > 1 for s in scenes(page)] == [False, True]
+    found = scenes(page)
+    assert [len(s.times) > 1 for s in found] == [False, True]
+    assert [s.header["label"] for s in found] == ["pair.yaml", "pair.h5"] and "label" not in alone.header
 
 
 def test_modes_of_a_result_and_of_a_model_are_the_same(
@@ -105,7 +111,55 @@ def test_a_truncated_result_and_a_page_in_place_of_a_file(
     cut.write_bytes(result.read_bytes()[:5000])
     assert run_command(["view", str(cut), "-o", str(tmp_path / "cut.html")]) == 2
     assert "cut.h5" in capsys.readouterr().err
+    assert run_command(["view", str(result), str(cut), "-o", str(tmp_path / "cut.html")]) == 2
+    assert "cut.h5" in capsys.readouterr().err
     other = tmp_path / "mine.html"
     other.write_text("mine", encoding="utf-8")
     assert run_command(["view", str(result), "-o", str(other)]) == 2
     assert other.read_text(encoding="utf-8") == "mine"
+
+
+def damaged(result: Path, out: Path, how: str) -> Path:
+    """A copy of a result without its model, without samples, or without numbers from the fourth on."""
+    shutil.copy(result, out)
+    with h5py.File(out, "a") as file:
+        if how == "no model":
+            del file.attrs["model_text"]
+        elif how == "not finite":
+            file["angle[driven]"][3:] = np.nan
+    if how == "no samples":
+        out.unlink()
+        with open_result(str(result)) as whole:
+            whole.isel(time=slice(0, 0)).to_netcdf(out, engine="h5netcdf")
+    return out
+
+
+@pytest.mark.parametrize(
+    ("how", "says"),
+    [("no model", "model: is not kept in this result file"), ("no samples", "holds no sample")],
+)
+def test_results_that_cannot_be_shown_are_refused(
+    result: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], how: str, says: str
+) -> None:
+    file = damaged(result, tmp_path / "damaged.h5", how)
+    assert run_command(["view", str(file), "-o", str(tmp_path / "no.html")]) == 2
+    assert says in capsys.readouterr().err and not (tmp_path / "no.html").exists()
+
+
+def test_a_run_that_failed_is_shown_up_to_there(
+    result: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, page = damaged(result, tmp_path / "failed.h5", "not finite"), tmp_path / "failed.html"
+    assert run_command(["view", str(file), "-o", str(page)]) == 0
+    assert "not finite" in capsys.readouterr().out
+    (scene,) = scenes(page)
+    with open_result(str(result)) as whole:
+        assert scene.times == pytest.approx(whole["time"].values[:3], rel=1e-12)
+
+
+def test_a_model_without_shapes_is_an_empty_scene(tmp_path: Path) -> None:
+    model = tmp_path / "fixed.yaml"
+    model.write_text("bodies: {base: {motion: fixed, position: [0, 0, 0]}}\n", encoding="utf-8")
+    assert run_command(["view", str(model), "-o", str(tmp_path / "fixed.html"), "-q"]) == 0
+    (scene,) = scenes(tmp_path / "fixed.html")
+    assert scene.header["solids"] == []

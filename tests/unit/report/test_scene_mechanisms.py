@@ -10,6 +10,7 @@ import pytest
 
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.report.scene import scene_of
+from pitchpoint.report.scene_rest import rest_scene
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
@@ -141,6 +142,15 @@ def test_a_beam_ends_at_its_bodies_and_bends_smoothly():
     rings = points.reshape(-1, 4, 3).mean(axis=1)
     # clamped at its root: the first ring leaves along the axis
     assert np.abs(rings[1, 1:]).max() < 0.03 * np.abs(rings[-1, 1:]).max()
+
+
+def test_a_beam_of_a_model_that_is_not_compiled_is_straight():
+    """Its stations are no bodies of the file: it goes from end to end."""
+    scene = Seen(*scene_texts(rest_scene(loads_model(BEAM))))
+    rings = scene.placed("blade", 0).reshape(-1, 4, 3).mean(axis=1)
+    block = scene.rest(scene.body("block"))[0]
+    assert scene.solid("blade")["skin"]["bodies"] == [-1, scene.body("block")]
+    assert rings == pytest.approx(np.outer(np.linspace(0.0, 1.0, len(rings)), block), abs=1e-7)
 
 
 def test_modes_are_those_of_the_solver_in_the_order_of_the_scene():
