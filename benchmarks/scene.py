@@ -19,6 +19,13 @@ SETTLE, SPAN, TRIES = 2.0, 4.0, 3
 LEAST = 10
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 SOFTWARE = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+# the policy of a page lets no driver evaluate texts later on
+READY = """
+() => new Promise((done) => {
+  const look = () => window.pitchpointViewer?.state() ? done() : setTimeout(look, 50);
+  look();
+})
+"""
 COUNT = """
 (span) => new Promise((done) => {
   const drawn = () => pitchpointViewer.state().drawn;
@@ -88,7 +95,7 @@ def paces(files: dict[str, Path], browser: Path | str) -> dict[str, tuple[float,
             for name, file in files.items():
                 page = program.new_page(viewport={"width": WIDTH, "height": HEIGHT})
                 page.goto(file.as_uri())
-                page.wait_for_function("window.pitchpointViewer && pitchpointViewer.state()")
+                page.evaluate(READY)
                 page.evaluate("pitchpointViewer.play()")
                 page.wait_for_timeout(1e3 * SETTLE)
                 pace = float(page.evaluate(COUNT, SPAN))
