@@ -12,7 +12,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks import command_line, dataset, gearbox, mechanisms, shovel, two_inertia
+from benchmarks import command_line, dataset, gearbox, mechanisms, scene, shovel, two_inertia
 from benchmarks.rows import Row
 
 
@@ -42,6 +42,7 @@ def main() -> None:
         ("shovel gearbox", shovel.rows),
         ("data set of the PHM 2009 rig", dataset.rows),
         ("command line", command_line.rows),
+        ("scene in a browser", scene.rows),
     ):
         console.print(f"measuring: {text} ...")
         rows += work()

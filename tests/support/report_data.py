@@ -7,6 +7,7 @@ That is no oracle for physics and none is needed: what is tested is that picture
 
 from __future__ import annotations
 
+import base64
 from dataclasses import dataclass
 from typing import Any
 
@@ -42,6 +43,16 @@ class Cycle:
     mean: float
     minimum: float
     maximum: float
+
+
+def numbers_of(trace: dict[str, Any], letter: str) -> np.ndarray:
+    """Numbers of a line of a page, as its script reads them."""
+    offset, step, *even = trace.get("meta", {}).get("steps", {}).get(letter, (0.0, 1.0))
+    if even:
+        return offset + step * np.arange(even[0])
+    values = trace[letter]
+    raw = np.frombuffer(base64.b64decode(values["bdata"]), values["dtype"])
+    return offset + step * (np.cumsum(raw, dtype=np.int64) if raw.dtype == np.uint8 else raw)
 
 
 def pair() -> GearPair:

@@ -192,7 +192,8 @@ export class Repeated extends Group {
    */
   whole(which) {
     const blocks = this.pieces.flatMap(({ turns, levels }) => {
-      const { geometry } = levels[which === "fine" ? Math.min(1, levels.length - 1) : 0];
+      const fine = levels.length - (levels.length > 2 ? 2 : 1);
+      const { geometry } = levels[which === "fine" ? fine : 0];
       return turns.map((turn) => ({ geometry, turn }));
     });
     const sum = (count) => blocks.reduce((total, { geometry }) => total + count(geometry), 0);

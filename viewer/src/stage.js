@@ -140,9 +140,9 @@ export class Stage {
     renderer.setScissorTest(true);
     const width = this.size.width / this.pictures.length;
     camera.updateMatrixWorld();
-    // size of a pixel at distance 1; drawing in software is content with coarser teeth
-    const pixel =
-      ((this.software ? 2.5 : 1) * 2 * Math.tan((camera.fov * Math.PI) / 360)) / this.size.height;
+    // size of a drawn pixel at distance 1; drawing in software is content with coarser teeth
+    const drawn = this.size.height * Math.min(1, this.ratio);
+    const pixel = ((this.software ? 2.5 : 1) * 2 * Math.tan((camera.fov * Math.PI) / 360)) / drawn;
     this.pictures.forEach((picture, k) => {
       renderer.setViewport(k * width, 0, width, this.size.height);
       renderer.setScissor(k * width, 0, width, this.size.height);

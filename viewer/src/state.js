@@ -22,6 +22,7 @@ export function stateOf(page) {
     marks: page.transport.marks.length,
     message: page.area.querySelector(".ppv-message")?.textContent ?? null,
     drawn: stage?.drawn ?? 0,
+    ratio: stage?.ratio ?? 0,
     section: page.section
       ? { on: page.section.on, normal: triple(page.section.normal), at: page.section.at }
       : null,

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-ERRORS = (0.04, 4e-3)
+ERRORS = (0.2, 0.04, 4e-3)
 """Distances of chords from the exact tooth, in modules, of the coarser levels."""
 FINEST = (1e-6, 1e-4)
 """Those of the finest one on the flanks: the larger of a length [m] and a part of the module."""
@@ -277,7 +277,7 @@ class _Teeth:
         breaks = [f for f in faults if isinstance(f, BrokenTooth)]
         pits = [p for f in faults if isinstance(f, Pitting) for p in f.on(self.gear.geometry)]
         found = []
-        for most, error in zip(DAMAGED, ERRORS, strict=True):
+        for most, error in zip(DAMAGED, ERRORS[1:], strict=True):
             slices = most if pits else 12
             heights = set(slices_for(self.shape, error * self.shape.m_n)) | set(
                 np.linspace(-0.5, 0.5, slices + 1) * self.shape.b

@@ -39,8 +39,8 @@ def channel_entries(channels: Sequence[SceneChannel], block: Block) -> dict[str,
         table = tables.setdefault((steps, channel.times.tobytes()), _Table(len(tables), channel))
         low, high = float(channel.least.min()), float(channel.most.max())
         # an offset with all its digits: a torque of 1e5 N m may ripple by 1 N m
-        step, low = float(f"{(high - low) / steps * (1.0 + 1e-5):.6g}"), float(f"{low:.12g}")
-        parts = [np.rint((part - low) / (step or 1.0)) for part in (channel.least, channel.most)]
+        step, low = float(f"{(high - low) / steps * (1.0 + 1e-5):.10g}"), float(f"{low:.12g}")
+        parts = [np.rint((x - low) / (step or 1.0)).astype(np.int64) for x in (channel.least, channel.most)]
         entry: dict[str, Any] = {
             "name": channel.name,
             "label": channel.label,

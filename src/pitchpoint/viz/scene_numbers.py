@@ -112,8 +112,10 @@ class Block:
     def _mixed(self, tables: Sequence[Array], basis: Array, error: float) -> list[Entry]:
         """Tables by the columns that all of them follow from."""
         together = np.concatenate(tables, axis=1)
-        mean = np.array([_short(x, 12) for x in together.mean(axis=0)])
-        rows = np.array([[_short(x, 8) for x in row] for row in basis]).reshape(len(basis), -1)
+        mean = together.mean(axis=0)
+        digits = _digits(np.ptp(together, axis=0), error)
+        rows = np.array([[_short(x, digits) for x in row] for row in basis]).reshape(len(basis), -1)
+        mean = np.array([_short(x, _digits(mean, error)) for x in mean])
         step = 2.0 * (1.0 - _LEFT) * error / np.sqrt(max(1, len(rows)))
         stored = self.put_steps((together - mean) @ rows.T, step)
         found, at = [], 0
@@ -177,6 +179,11 @@ def _basis(table: Array, error: float) -> Array:
         if np.abs(left).max() <= _LEFT * error:
             return np.asarray(rows[:count])
     return np.eye(width)
+
+
+def _digits(values: Array, error: float) -> int:
+    """Digits that keep numbers so large within a hundredth of an error."""
+    return int(np.clip(np.ceil(np.log10(max(float(np.abs(values).max()), error) / error)) + 3, 4, 17))
 
 
 def _short(value: float, digits: int = 4) -> float:

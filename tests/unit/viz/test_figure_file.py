@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import base64
 import json
 
 import numpy as np
@@ -11,19 +10,10 @@ import plotly.graph_objects as go
 import pytest
 
 from pitchpoint.viz.figure_file import figure_json
+from tests.support.report_data import numbers_of as read
 
 X = np.linspace(0.0, 15.0, 4000)
 Y = 861e3 + 50.0 * np.random.default_rng(3).standard_normal(X.size)
-
-
-def read(trace: dict, letter: str) -> np.ndarray:
-    """Numbers of a line, as the script of the page reads them."""
-    values = trace[letter]
-    raw = np.frombuffer(base64.b64decode(values["bdata"]), values["dtype"])
-    if letter not in trace.get("meta", {}).get("steps", {}):
-        return raw
-    offset, step = trace["meta"]["steps"][letter]
-    return offset + step * raw
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
@@ -32,10 +22,24 @@ def test_long_lines_are_as_exact_as_16_bits_of_their_range(kind: type) -> None:
     (trace,) = json.loads(figure_json(figure))["data"]
     for letter, truth in (("x", X.astype(kind)), ("y", Y.astype(kind))):
         assert np.abs(read(trace, letter) - truth).max() <= 0.5001 * np.ptp(truth) / 65535
-        # two bytes each, a third more in base 64
-        assert len(trace[letter]["bdata"]) <= 2 * X.size * 4 / 3 + 3
+    # even instants need no numbers; two bytes for each of the others, a third more in base 64
+    assert trace["x"] is None
+    assert len(trace["y"]["bdata"]) <= 2 * X.size * 4 / 3 + 3
     # the plot itself is as it was
     assert np.array_equal(figure.data[0].y, Y.astype(kind))
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_chosen_samples_of_a_record_are_where_they_were(kind: type) -> None:
+    """One byte each says how many samples are left out; more than 250 in a row take two, and instants that
+    single precision blurs."""
+    random = np.random.default_rng(5)
+    for most, size in ((20, 1), (250, 1 if kind is np.float64 else 2), (400, 2)):
+        kept = np.cumsum(np.append([0, 1], random.integers(1, most + 1, 3000)))
+        truth = (3.0 + 1e-4 * kept).astype(kind)
+        (trace,) = json.loads(figure_json(go.Figure(go.Scatter(x=truth, y=Y[: truth.size]))))["data"]
+        assert np.abs(read(trace, "x") - truth).max() <= 0.5001 * np.ptp(truth) / 65535
+        assert len(trace["x"]["bdata"]) <= size * truth.size * 4 / 3 + 3
 
 
 def test_logarithms_short_lines_and_gaps_keep_their_digits() -> None:

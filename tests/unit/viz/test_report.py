@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import base64
 import json
 import re
 from dataclasses import replace
@@ -28,7 +27,7 @@ from pitchpoint.viz.report import (
 from pitchpoint.viz.report_cycles import mesh_cycle_section
 from pitchpoint.viz.report_extremes import extreme_section
 from pitchpoint.viz.tables import symbol_html
-from tests.support.report_data import power, run
+from tests.support.report_data import numbers_of, power, run
 
 VOID = {"meta", "link", "br", "img", "input", "hr", "rect", "circle", "line", "path"}
 
@@ -238,11 +237,7 @@ def test_a_given_roll_has_a_section_with_all_its_periods(model: ReportModel) -> 
 
 def plotted(trace: Any, letter: str) -> Any:
     """Numbers of a trace as the script of a page reads them."""
-    values = trace[letter]
-    if isinstance(values, list):
-        return values
-    offset, step = trace.get("meta", {}).get("steps", {}).get(letter, (0.0, 1.0))
-    return offset + step * np.frombuffer(base64.b64decode(values["bdata"]), dtype=values["dtype"])
+    return trace[letter] if isinstance(trace.get(letter), list) else numbers_of(trace, letter)
 
 
 def test_what_a_table_of_channels_leaves_out_is_said(model: ReportModel) -> None:

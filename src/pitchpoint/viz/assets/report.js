@@ -44,13 +44,16 @@
     return Array.from(values.dtype === "f8" ? new Float64Array(bytes.buffer) : new Float32Array(bytes.buffer));
   }
 
-  // Lines whose numbers stand in the page as steps, with the value of 0 and that of a step.
+  // Lines whose numbers stand in the page as steps (figure_file.py).
   function unpacked(text) {
     const figure = JSON.parse(text);
     for (const trace of figure.data) {
-      for (const [letter, [offset, step]] of Object.entries((trace.meta || {}).steps || {})) {
-        const bytes = Uint8Array.from(atob(trace[letter].bdata), (c) => c.charCodeAt(0));
-        trace[letter] = Float64Array.from(new Uint16Array(bytes.buffer), (k) => offset + step * k);
+      for (const [letter, [offset, step, even]] of Object.entries((trace.meta || {}).steps || {})) {
+        const bytes = even ? null : Uint8Array.from(atob(trace[letter].bdata), (c) => c.charCodeAt(0));
+        let sum = 0;
+        trace[letter] = even ? Float64Array.from({ length: even }, (_, k) => offset + step * k)
+          : trace[letter].dtype === "u1" ? Float64Array.from(bytes, (gap) => offset + step * (sum += gap))
+          : Float64Array.from(new Uint16Array(bytes.buffer), (k) => offset + step * k);
       }
     }
     return figure;
@@ -172,8 +175,26 @@
     }
   }
 
+  // The library for plots stands in the page packed; the rest of the page does not wait for it.
+  async function library() {
+    const packed = document.getElementById("pp-plots");
+    if (!packed) return;
+    const bytes = Uint8Array.from(atob(packed.textContent), (c) => c.charCodeAt(0));
+    const script = document.createElement("script");
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+    script.textContent = await new Response(stream).text();
+    document.head.append(script);
+  }
+
+  function noLibrary() {
+    const words = "This browser cannot unpack the plots of this page (no DecompressionStream); a newer one can.";
+    for (const node of waiting.splice(0)) node.textContent = words;
+    next();
+  }
+
   const waiting = [...document.querySelectorAll(".plot")];
   function rest() {
+    if (waiting.length && !window.Plotly) return;
     for (const node of waiting.splice(0)) draw(node);
   }
   function next() {
@@ -203,5 +224,5 @@
     fit(false);
     apply(current());
   });
-  next();
+  library().then(next, noLibrary);
 })();
