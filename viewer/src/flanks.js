@@ -149,8 +149,9 @@ export class FlankBox {
   update() {
     const { flanks } = this;
     const gauge = flanks.meshes[flanks.gauged];
-    this.element.hidden =
-      flanks.hidden || !flanks.meshes.length || (!flanks.showsLines && flanks.mode === "off" && !gauge);
+    // a law that tells no loads leaves nothing to say but the gap
+    const loads = flanks.greatest > 0 && (flanks.showsLines || flanks.mode !== "off");
+    this.element.hidden = flanks.hidden || !(loads || gauge);
     if (this.element.hidden) return;
     const most = Math.max(0, ...flanks.meshes.flatMap(({ lines }) => lines.flatMap(({ loads }) => [...loads])));
     this.now.textContent = most > 0 ? `now ${perWidth(most)}` : "now none";
