@@ -192,6 +192,19 @@ def test_gap_is_told_by_the_channels_and_drawn_magnified(open_page: OpenPage, sc
     assert found["fitting"] in (1, 2, 5, 10, 20, 50, 100) and found["gone"] == 0
 
 
+def test_box_of_the_flanks_is_there_when_it_has_something_to_say(open_page: OpenPage) -> None:
+    """A law that tells no loads: only a gap fills it."""
+    header, block = touching()
+    for flank in header["contacts"][0]["flanks"]:
+        del flank["loads"], flank["forces"]
+    script = """
+      const box = () => (V.draw(), $(".ppv-flanks").checkVisibility() && $(".ppv-flanks").innerText);
+      const out = [box()]; V.gauge(0, 40); out.push(box()); V.gauge(-1); out.push(box()); return out;
+    """
+    before, gap, after = asked(shown(open_page, texts_of(header, block)), script)
+    assert before is after is False and gap.endswith("drawn × 40")
+
+
 def test_marks_are_listed_and_lead_to_their_instants(open_page: OpenPage, scene: tuple[str, str]) -> None:
     script = """
       named("Marks").click();

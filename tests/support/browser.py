@@ -60,7 +60,12 @@ class Browsers:
 
     @contextmanager
     def opened(
-        self, file: Path, *, webgl: bool = True, dark: bool = False, size: tuple[int, int] = (1000, 700)
+        self,
+        file: Path,
+        *,
+        webgl: bool = True,
+        dark: bool | None = False,
+        size: tuple[int, int] = (1000, 700),
     ) -> Iterator[Page]:
         """Keep a page open; at the end it has said nothing and asked for nothing but itself.
 
@@ -71,12 +76,13 @@ class Browsers:
         webgl
             Whether the browser offers it.
         dark
-            Whether the reader prefers dark colours.
+            Whether the reader prefers dark colours; None leaves it to the system, and frames to their page.
         size
             Of the window [px].
         """
+        scheme = "null" if dark is None else "dark" if dark else "light"
         context = self._browser(SOFTWARE_3D if webgl else NO_WEBGL).new_context(
-            viewport={"width": size[0], "height": size[1]}, color_scheme="dark" if dark else "light"
+            viewport={"width": size[0], "height": size[1]}, color_scheme=scheme
         )
         context.set_default_timeout(PATIENCE)
         heard = _listen(context, file.as_uri())

@@ -178,8 +178,9 @@ export class FlankBox {
   update() {
     const { flanks } = this;
     const gauge = flanks.meshes[flanks.gauged];
-    this.element.hidden =
-      flanks.hidden || !flanks.meshes.length || (!flanks.showsLines && flanks.mode === "off" && !gauge);
+    // a law that tells no loads leaves nothing to say but the gap
+    const loads = flanks.greatest > 0 && (flanks.showsLines || flanks.mode !== "off");
+    this.element.hidden = flanks.hidden || !(loads || gauge);
     if (this.element.hidden) return;
     const { legend, told } = SHADES[flanks.shade];
     let most = 0;

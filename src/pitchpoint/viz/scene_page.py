@@ -74,6 +74,8 @@ def scene_page(*scenes: Scene) -> str:
 def scene_frame(*scenes: Scene, height: str = "480px") -> str:
     """A page with a scene as a frame within another document, which may hold several of them.
 
+    It is light or dark as the theme of that document, where it tells its theme, else as the system.
+
     Parameters
     ----------
     *scenes
@@ -83,6 +85,8 @@ def scene_frame(*scenes: Scene, height: str = "480px") -> str:
     """
     title = " and ".join(dict.fromkeys(s.title for s in scenes))
     return (
-        f'<iframe title="{escape(title)}" sandbox="allow-scripts allow-downloads" '
+        f"<style>{theme.LIGHT_PAGE} .pp-cell{{color-scheme:light}}"
+        f"{theme.DARK_PAGE} .pp-cell{{color-scheme:dark}}</style>"
+        f'<iframe class="pp-cell" title="{escape(title)}" sandbox="allow-scripts allow-downloads" '
         f'style="width:100%;height:{height};border:0" srcdoc="{escape(scene_page(*scenes))}"></iframe>'
     )

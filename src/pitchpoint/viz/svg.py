@@ -21,6 +21,8 @@ def _variables(colours: dict[str, str]) -> str:
 STYLE = (
     f".pp-drawing{{{_variables(theme.LIGHT)}font:14px {theme.FONT.replace(chr(39), '')}}}"
     f"@media screen and (prefers-color-scheme:dark){{.pp-drawing{{{_variables(theme.DARK)}}}}}"
+    f"{theme.LIGHT_PAGE} .pp-drawing{{{_variables(theme.LIGHT)}}}"
+    f"@media screen{{{theme.DARK_PAGE} .pp-drawing{{{_variables(theme.DARK)}}}}}"
     ".pp-paper{fill:var(--pp-paper)}"
     ".pp-gear{fill:var(--pp-gear);stroke:var(--pp-edge);stroke-width:1.1;stroke-linejoin:round;"
     "fill-rule:evenodd}"
@@ -47,7 +49,7 @@ STYLE = (
 
 
 def document(width: float, height: float, parts: Iterable[str], title: str) -> str:
-    """A complete drawing that fills the width it is given and follows light or dark mode."""
+    """A complete drawing that fills its width, light or dark as the theme of the page, else of the system."""
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="pp-drawing" viewBox="0 0 {width:.0f} {height:.0f}" '
         f'role="img" aria-label="{escape(title)}" '

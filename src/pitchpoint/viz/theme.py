@@ -41,6 +41,14 @@ DARK = {
     "edge": "#9aa9b8",
 }
 
+# Notebooks and sites have a theme of their own, which the system may contradict, and mark their pages with
+# it: JupyterLab and the pages of nbconvert, the editor of VS Code, sites made with Sphinx.
+LIGHT_PAGE = ':is(body[data-jp-theme-light="true"],body.vscode-light,[data-theme="light"])'
+DARK_PAGE = (
+    ':is(body[data-jp-theme-light="false"],body.vscode-dark,'
+    'body.vscode-high-contrast:not(.vscode-high-contrast-light),[data-theme="dark"])'
+)
+
 # Maps: perceptually even, dark = little in both modes, so that a map reads the same on screen and on paper.
 MAP_SCALE = "Cividis"
 MAP_RANGE_DB = 60.0
