@@ -195,6 +195,19 @@ def structure(
     return program, index, parts
 
 
+def products(records: NDArray[np.void], pairs: set[tuple[int, int]]) -> int:
+    """How many products of two joints the matrix is made of: rows of the projection programme.
+
+    Every pair of bodies acts through all joints on the way to either, so that a chain of n bodies needs
+    n^3 / 3 of them.
+    """
+    count = [0] * records.size
+    for b in range(1, records.size):
+        count[b] = count[int(records[b]["parent"])] + (1 if records[b]["n"] > 0 else 0)
+    both = {(min(i, j), max(i, j)) for i, j in pairs if i != j}
+    return sum(n * n for n in count) + 2 * sum(count[i] * count[j] for i, j in both)
+
+
 def _owners(records: NDArray[np.void]) -> list[list[int]]:
     """Bodies whose joints move each body, from ground outwards; parents come before their children."""
     owners: list[list[int]] = [[]]
