@@ -62,10 +62,10 @@ lint: $(STAMP)
 
 # studies run in validate; kernels are compiled before, as every worker would compile them for itself; folders
 # in their order: files of many small tests come last and fill what long ones leave; examples in docstrings of
-# geometry and contact are among the tests of these
+# geometry and contact are among the tests of these, all others come at the end
 pytest: $(STAMP)
 	$(BIN)/pitchpoint warmup -q
-	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile --no-loadscope-reorder -m "not study" tests --doctest-modules src/pitchpoint/analysis src/pitchpoint/core
+	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile --no-loadscope-reorder -m "not study" tests --doctest-modules src/pitchpoint --ignore=src/pitchpoint/geometry --ignore=src/pitchpoint/contact
 
 # the same kernels as plain Python: what the compiler accepts must also be right without it
 nojit: $(STAMP)

@@ -17,6 +17,7 @@ from tests.contracts.source import (
     tree,
 )
 
+MAKEFILE = PACKAGE.parents[1] / "Makefile"
 LAYERS = ("geometry", "contact", "analysis", "core")
 FILES = [p for p in python_files("src") if p.relative_to(PACKAGE).parts[0] in LAYERS]
 _SECTION = re.compile(r"^(\w[\w ]*)\n-{3,}\n", re.MULTILINE)
@@ -51,6 +52,15 @@ def test_all_public_names_say_what_they_are():
         and not (ast.get_docstring(node) or "").strip()
     ]
     assert not silent
+
+
+def test_examples_of_every_package_are_run():
+    """Those of packages that `make test` leaves out run in tests of their own."""
+    (command,) = (line for line in MAKEFILE.read_text().splitlines() if "--doctest-modules" in line)
+    assert " --doctest-modules src/pitchpoint " in command
+    for package in re.findall(r"--ignore=src/pitchpoint/(\w+)", command):
+        tests = (MAKEFILE.parent / "tests" / "unit" / package).glob("test_*docstrings.py")
+        assert any("doctest" in path.read_text() for path in tests), package
 
 
 def undocumented(path):

@@ -30,6 +30,10 @@ STATISTICS = ("min", "max", "mean", "rms")
 BLOCK_GROUP = "blocks"
 EVENT_GROUP = "events"
 
+MOST_CHANNELS = 6000
+"""HDF5 loses the structure of files that others may read while they grow with 8000 channels, of two variables
+each, and needs minutes to close them well before that."""
+
 #: Numbers of the attribute `statistics` of a channel, in this order; `rms` of the alternating part.
 RUN_STATISTICS = ("mean", "rms", "min", "max")
 
@@ -162,6 +166,12 @@ class ResultWriter:
         names = [c.name for c in channels]
         if len(set(names)) != len(names):
             raise ResultError("two channels have the same name; every channel needs its own")
+        if len(names) > MOST_CHANNELS:
+            raise ResultError(
+                f"{os.fspath(path)}: the run has {len(names)} channels, more than a result file takes (limit "
+                f"{MOST_CHANNELS}); compute parts of the machine apart, or give bodies less freedom "
+                "(motion: torsion or planar) and shafts fewer pieces (largest_piece)"
+            )
         if block < 1 or decimate < 1:
             raise ResultError(f"block {block} and decimate {decimate} must be at least 1")
         self.channels = tuple(channels)

@@ -67,15 +67,7 @@ def gear_inertia(gear: Gear) -> tuple[float, float, float]:
 
 def gear_by_geometry(gear: Gear) -> tuple[float, float, float]:
     """Mass [kg], polar and transverse moment of inertia [kg m^2] of teeth and blank."""
-    from pitchpoint.geometry.mass_properties import gear_mass_properties
-
-    found = gear_mass_properties(
-        gear.geometry,
-        gear.material_data.density,
-        rim_thickness=gear.rim_thickness,
-        web_thickness=gear.web_thickness,
-        bore_diameter=gear.bore_diameter,
-    )
+    found = gear.mass_properties
     return found.mass, found.polar_inertia, found.transverse_inertia
 
 

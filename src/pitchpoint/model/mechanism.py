@@ -83,6 +83,22 @@ class Mechanism:
         """Seat that a joint makes; None for one that closes a loop."""
         return self._carriers.get(joint)
 
+    def carried_by(self, body: str) -> list[str]:
+        """Bodies that hang on a body, directly or on others that do, in the order of the seats."""
+        found, open_ = {body}, [body]
+        while open_:
+            for name in self._children.get(open_.pop(), ()):
+                found.add(name)
+                open_.append(name)
+        return [n for n in self.seats if n in found and n != body] if len(found) > 1 else []
+
+    @cached_property
+    def _children(self) -> dict[str, list[str]]:
+        found: dict[str, list[str]] = {}
+        for name, seat in self.seats.items():
+            found.setdefault(seat.parent, []).append(name)
+        return found
+
     @cached_property
     def _carriers(self) -> dict[str, Seat]:
         return {s.joint: s for s in self.seats.values() if s.joint is not None}

@@ -2,16 +2,16 @@
 """Inertia of a mechanism where the file places it: every free direction needs some.
 
 The mass matrix itself would take the square of the number of bodies. It is factorised body by body instead,
-from the tips of the tree to its roots: what a body brings to the one it hangs on is its inertia less what its
-own joint gives way (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, ch. 7). The mass matrix is singular
-where the inertia that the joint of some body then feels is.
+from the tips of the tree to its roots: what a body brings to the one it hangs on is its inertia less what
+its own joint gives way (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, ch. 7). The mass matrix is
+singular where the inertia that the joint of some body then feels is.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -138,7 +138,7 @@ def alone(links: list[Link]) -> list[tuple[str, float]]:
 
 def yielding(links: list[Link]) -> list[tuple[str, float]]:
     """Coordinates that move together without any inertia, with their shares; none if there are none."""
-    pivots: dict[int, tuple[Array, Array]] = {}
+    pivots: dict[int, tuple[Array, Any]] = {}
     for k in reversed(range(len(links))):
         link = links[k]
         S = link.moves
@@ -172,7 +172,7 @@ def _shifted(apart: Array) -> Array:
 
 
 def _motion(
-    links: list[Link], pivots: dict[int, tuple[Array, Array]], root: int, x: Array
+    links: list[Link], pivots: dict[int, tuple[Array, Any]], root: int, x: Array
 ) -> list[tuple[str, float]]:
     """Rates of all coordinates behind a joint that moves by `x`, such that no inertia is felt."""
     motion = {root: links[root].moves @ x}

@@ -153,7 +153,9 @@ def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
                 found[shaft].append((("loads", name, key), along(shaft, place_of_load(machine, load))))
     for name, joint in machine.joints.items():
         at = joint_place(machine, joint)
-        for shaft in {split(e)[0] for e in joint.bodies} & found.keys() if at is not None else ():
+        if at is None:
+            continue
+        for shaft in {split(e)[0] for e in joint.bodies} & found.keys():
             found[shaft].append((("joints", name, "position"), along(shaft, at)))
     return found
 

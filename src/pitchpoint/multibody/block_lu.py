@@ -9,6 +9,7 @@ rows, backward rows). After factoring, diagonal blocks hold inverses.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from heapq import heapify, heappop, heappush
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,10 +56,14 @@ def plan(
             blocks[i, j] = len(blocks) + 1
     factor: list[tuple[int, ...]] = []
     forward: list[tuple[int, ...]] = []
-    backward: list[tuple[int, ...]] = []
+    backward: list[list[tuple[int, ...]]] = []
+    queue = [(len(near[i]), i) for i in range(n)]  # a heap; what stands there twice counts as it is now
+    heapify(queue)
     left = set(range(n))
-    while left:
-        k = min(left, key=lambda i: (len(near[i] & left), i))
+    while queue:
+        degree, k = heappop(queue)
+        if k not in left or degree != len(near[k]):
+            continue
         left.remove(k)
         others = sorted(near[k] & left)
         factor.append((INVERT, blocks[k, k], 0, 0, sizes[k], 0, 0))
@@ -74,10 +79,12 @@ def plan(
                 factor.append(
                     (SUBTRACT, blocks[i, j], blocks[i, k], blocks[k, j], sizes[i], sizes[k], sizes[j])
                 )
-            near[i].discard(i)
+            near[i] -= {i, k}
+            heappush(queue, (len(near[i]), i))
         last.append((FINISH, blocks[k, k], offsets[k], offsets[k], sizes[k], sizes[k]))
-        backward = last + backward
-    return blocks, np.array(factor, FACTOR), np.array(forward + backward, SOLVE)
+        backward.append(last)
+    solve = forward + [row for rows in reversed(backward) for row in rows]
+    return blocks, np.array(factor, FACTOR), np.array(solve, SOLVE)
 
 
 @kernel

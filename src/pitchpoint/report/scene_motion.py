@@ -180,12 +180,13 @@ def scene_bodies(system: System, moved: Motion, rest: Motion) -> list[SceneBody]
         Its motion over the frames of the scene, and at rest, one frame.
     """
     names, shown = system.layout.bodies, shown_bodies(system)
+    numbers = {b: k for k, b in enumerate(shown)}
     guide = _guide(moved.angle)
     size = float(np.linalg.norm(np.ptp(moved.place.reshape(-1, 3), axis=0))) if shown else 0.0
     found: list[SceneBody] = []
     for b in shown:
         parent = int(system.program["body"]["parent"][b])
-        while parent and parent not in shown:
+        while parent and parent not in numbers:
             parent = int(system.program["body"]["parent"][parent])
         place, axes = _in_parent(moved, b, parent)
         place0, axes0 = (x[0] for x in _in_parent(rest, b, parent))
@@ -199,7 +200,7 @@ def scene_bodies(system: System, moved: Motion, rest: Motion) -> list[SceneBody]
         found.append(
             SceneBody(
                 name=names[b],
-                parent=shown.index(parent) if parent else -1,
+                parent=numbers[parent] if parent else -1,
                 place=place0,
                 axes=axes0,
                 travel=way if far else None,

@@ -13,6 +13,7 @@ from pitchpoint.model.frames import GROUND, axes_of, body_frame, joint_place, pl
 from pitchpoint.system.rules.bodies import frame_at
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.joint import Joint
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
@@ -33,6 +34,10 @@ class Places:
 
     def __init__(self, model: Model, numbers: Mapping[int, int], names: Mapping[str, int]) -> None:
         self.model, self.numbers, self.names = model, numbers, names
+        self._joints: dict[str, list[Joint]] = {}
+        for joint in model.joints.values():
+            for body in {split(end)[0] for end in joint.bodies}:
+                self._joints.setdefault(body, []).append(joint)
         points = [p for name in model.bodies for p in (self.origin(name), *self.anchors(name))]
         reach = float(np.linalg.norm(np.ptp(np.array(points), axis=0))) if points else 0.0
         gears = [abs(g.geometry.d_a) for g in model.gears.values()]
@@ -49,7 +54,7 @@ class Places:
         """Places in the world where something joins a body [m]."""
         model = self.model
         found = [place_of(model, f"{body}.{m}") for m in model.bodies[body].markers]
-        joints = [j for j in model.joints.values() if body in (split(end)[0] for end in j.bodies)]
+        joints = self._joints.get(body, ())
         return [p for p in (*found, *(joint_place(model, j) for j in joints)) if p is not None]
 
     def seat(self, body: str, place: ArrayLike | None = None) -> tuple[int, Array, Array]:

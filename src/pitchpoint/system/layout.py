@@ -176,17 +176,11 @@ def structure(
                 index.setdefault(key, len(index) + 1)
     blocks, factor, solve = plan(sizes, {(node_of[a], node_of[c]) for a, c in live}, starts)
     path = _paths(records, owners)
-    proj = [
-        _projection(records, pair, (path, p), (path, s), blocks, node_of, offset_of)
-        for (i, j), pair in index.items()
-        for p in range(records[i]["first"], records[i]["first"] + records[i]["count"])
-        for s in range(records[j]["first"], records[j]["first"] + records[j]["count"])
-    ]
     spins = [(records[b]["spin"], b) for b in range(nb) if records[b]["spin"] >= 0]
     program = {
         "body": records,
         "path": path,
-        "proj": np.array(proj, PROJ),
+        "proj": _projection(records, path, index, blocks, (node_of, offset_of)),
         "factor": factor,
         "solve": solve,
         "spins": np.array(spins, np.int64).reshape(-1, 2),
@@ -199,6 +193,19 @@ def structure(
         "node_size": tuple(sizes),
     }
     return program, index, parts
+
+
+def products(records: NDArray[np.void], pairs: set[tuple[int, int]]) -> int:
+    """How many products of two joints the matrix is made of: rows of the projection programme.
+
+    Every pair of bodies acts through all joints on the way to either, so that a chain of n bodies needs
+    n^3 / 3 of them.
+    """
+    count = [0] * records.size
+    for b in range(1, records.size):
+        count[b] = count[int(records[b]["parent"])] + (1 if records[b]["n"] > 0 else 0)
+    both = {(min(i, j), max(i, j)) for i, j in pairs if i != j}
+    return sum(n * n for n in count) + 2 * sum(count[i] * count[j] for i, j in both)
 
 
 def _owners(records: NDArray[np.void]) -> list[list[int]]:
@@ -224,21 +231,44 @@ def _paths(records: NDArray[np.void], owners: list[list[int]]) -> NDArray[np.voi
 
 def _projection(
     records: NDArray[np.void],
-    pair: int,
-    one: tuple[NDArray[np.void], int],
-    two: tuple[NDArray[np.void], int],
+    path: NDArray[np.void],
+    index: Mapping[tuple[int, int], int],
     blocks: Mapping[tuple[int, int], int],
-    node_of: Sequence[int],
-    offset_of: Sequence[int],
-) -> tuple[int, ...]:
-    """One row of the projection programme: a pair of bodies through one joint of either."""
-    (path, p), (_, s) = one, two
-    a, c = int(path[p]["owner"]), int(path[s]["owner"])
-    joints = path[p]["joint"], path[s]["joint"]
-    short = SPINS if joints == (TORSION, TORSION) else SHAFTS if joints == (FREE, FREE) else ANY
-    block = blocks[node_of[a], node_of[c]]
-    sizes = int(records[a]["n"]), int(records[c]["n"])
-    return (pair, p, s, block, *sizes, offset_of[a], offset_of[c], short)
+    places: tuple[Sequence[int], Sequence[int]],
+) -> NDArray[np.void]:
+    """Projection programme: every pair of bodies through every joint on the way to either.
+
+    Parameters
+    ----------
+    records, path
+        Bodies and the joints on the way to each.
+    index
+        Numbers of the pairs of bodies.
+    blocks
+        Block of every pair of nodes.
+    places
+        Node of every body, and offset of its first coordinate there.
+    """
+    one, two = np.array(list(index), np.int64).reshape(-1, 2).T
+    across = records["count"][two]
+    total = records["count"][one] * across
+    row = np.repeat(np.arange(total.size), total)  # number of the pair from 0, and of the row within it
+    within = np.arange(row.size) - np.repeat(np.cumsum(total) - total, total)
+    found = np.zeros(row.size, PROJ)
+    found["pair"] = np.array(list(index.values()), np.int64)[row]
+    found["pi"] = records["first"][one][row] + within // across[row]
+    found["pj"] = records["first"][two][row] + within % across[row]
+    a, c = path["owner"][found["pi"]], path["owner"][found["pj"]]
+    node, offset = (np.array(x, np.int64) for x in places)
+    keys, where = np.unique(node[a] * records.size + node[c], return_inverse=True)
+    found["blk"] = np.array([blocks[divmod(int(k), records.size)] for k in keys], np.int64)[where]
+    for size, start, body in (("ni", "oi", a), ("nj", "oj", c)):
+        found[size], found[start] = records["n"][body], offset[body]
+    joints = path["joint"][found["pi"]], path["joint"][found["pj"]]
+    found["short"] = ANY
+    for joint, short in ((TORSION, SPINS), (FREE, SHAFTS)):
+        found["short"][(joints[0] == joint) & (joints[1] == joint)] = short
+    return found
 
 
 def body_channels(

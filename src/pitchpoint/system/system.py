@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
 from pitchpoint.multibody.bodies import Body, body_records, spin_of
-from pitchpoint.system.layout import Layout, body_channels, structure
+from pitchpoint.system.layout import Layout, body_channels, products, structure
 from pitchpoint.system.link import fit_signals, link, link_parts
 from pitchpoint.system.mass_programmes import mass_programmes
 from pitchpoint.system.records import checked, fill, number, pairs
@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from pitchpoint.system.controller import SampledController
 
 TWO_PI = 6.283185307179586
+MOST_PRODUCTS = 12_000_000
+"""Products of two joints in the matrix beyond which it takes gigabytes, and every step a second: a chain of
+330 bodies."""
 Law = Callable[..., float] | int
 
 
@@ -212,11 +215,10 @@ def assemble(
     _check_bodies(bodies, named)
     records = body_records(bodies)
     ordered = _ordered({**banks, **(constraints or {})}, records)
-    program, pair_index, parts = structure(
-        records,
-        set().union(*(pairs(ordered, c) for c in (registry.FRAME, registry.FRICTION, registry.CONSTRAINT))),
-        pairs(ordered, registry.COORDINATE),
-    )
+    framed = (registry.FRAME, registry.FRICTION, registry.CONSTRAINT)
+    joined: set[tuple[int, int]] = set().union(*(pairs(ordered, c) for c in framed))
+    _check_depth(records, named, products(records, joined))
+    program, pair_index, parts = structure(records, joined, pairs(ordered, registry.COORDINATE))
     for name, bank in ordered.items():
         fill(registry.find(name), bank, records, pair_index, parts)
     channels, events, rows, row_bodies = number(ordered, names or {})
@@ -273,6 +275,21 @@ def _check_bodies(bodies: Sequence[Body], named: Sequence[str]) -> None:
     ]
     if faults:
         raise CompileError("; ".join(faults))
+
+
+def _check_depth(records: NDArray[np.void], named: Sequence[str], count: int) -> None:
+    """Refuse bodies that hang on so many others that the matrix takes gigabytes and every step seconds."""
+    if count <= MOST_PRODUCTS:
+        return
+    depth = [0] * records.size
+    for b in range(1, records.size):
+        depth[b] = depth[int(records[b]["parent"])] + (1 if records[b]["n"] > 0 else 0)
+    last = int(np.argmax(depth))
+    raise CompileError(
+        f"{named[last - 1]}: hangs on {depth[last] - 1} other bodies one behind the other, so that the "
+        f"matrix is made of {count:.2g} products of joints (limit {MOST_PRODUCTS:.2g}); shorten the chain of "
+        "joints, or let its bodies move freely (motion: free) and join them by bushings"
+    )
 
 
 def _ordered(given: Mapping[str, NDArray[np.void]], records: NDArray[np.void]) -> dict[str, NDArray[np.void]]:

@@ -93,8 +93,8 @@ def quaternion(axes: NDArray[np.float64]) -> list[float]:
 
     Examples
     --------
-    >>> quaternion(np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]))
-    [0.0, 0.0, 0.7071067811865476, 0.7071067811865476]
+    >>> quaternion(np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]))  # 120 deg about [1, 1, 1]
+    [0.5, 0.5, 0.5, 0.5]
     """
     r = np.asarray(axes, dtype=np.float64)
     trace = float(np.trace(r))

@@ -19,6 +19,7 @@ from pitchpoint.model.keys import choice, component, derived, integer, key, posi
 if TYPE_CHECKING:
     from pitchpoint.geometry.cutter import PinionCutter
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.geometry.mass_properties import MassProperties
     from pitchpoint.geometry.materials import Material
 
 
@@ -170,6 +171,19 @@ class Gear:
         """ISO 21771 macro-geometry with signs (z < 0 for internal gears, beta > 0 for right hand)."""
         x = self.profile_shift_coefficient if self.x is None else self.x
         return self.with_profile_shift(0.0 if x is None else x)
+
+    @cached_property
+    def mass_properties(self) -> MassProperties:
+        """Mass and moments of inertia of teeth and blank, by geometry and density."""
+        from pitchpoint.geometry.mass_properties import gear_mass_properties
+
+        return gear_mass_properties(
+            self.geometry,
+            self.material_data.density,
+            rim_thickness=self.rim_thickness,
+            web_thickness=self.web_thickness,
+            bore_diameter=self.bore_diameter,
+        )
 
     def with_profile_shift(self, x: float) -> CylindricalGear:
         """Geometry of this gear with the profile shift coefficient `x`, and with its real tooth."""

@@ -8,6 +8,7 @@ the axes of the body is brought over here, once.
 from __future__ import annotations
 
 import math
+import weakref
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -78,11 +79,19 @@ def bodies(model: Model) -> list[Body]:
 
 def body_numbers(model: Model) -> dict[str, int]:
     """Number of every body in the records; ground is 0, and a shaft has that of its start."""
-    found, k = {GROUND: 0}, 1
-    for name in model.mechanism.seats:
-        found[name] = k
-        k += count_of(model, name)
+    known, found = _LAST.get("model", (None, {}))
+    if known is None or known() is not model:  # rules ask once per component
+        found, k = {GROUND: 0}, 1
+        for name in model.mechanism.seats:
+            found[name] = k
+            k += count_of(model, name)
+        if not model.elastic_bodies:  # of those their files decide, which may change
+            _LAST["model"] = weakref.ref(model), found
     return found
+
+
+_LAST: dict[str, tuple[weakref.ref[Model], dict[str, int]]] = {}
+"""Numbers of the model that was asked for last."""
 
 
 def count_of(model: Model, body: str) -> int:

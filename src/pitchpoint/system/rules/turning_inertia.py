@@ -33,7 +33,7 @@ def turning_inertia(model: Model, body: str) -> float:
             return float("inf")
         body = seats[body].parent
     polar = model.body_inertia(body).polar
-    hanging = [n for n in seats if n != body and _hangs_on(model, n, body)]
+    hanging = model.mechanism.carried_by(body)
     if not hanging:
         return polar
     place, axes = seat_frame(model, seats[body])
@@ -49,11 +49,3 @@ def turning_inertia(model: Model, body: str) -> float:
         beside = arm - (arm @ axis) * axis
         polar += float(along @ inertia.about_center() @ along + inertia.mass * beside @ beside)
     return polar
-
-
-def _hangs_on(model: Model, name: str, body: str) -> bool:
-    """Whether joints carry a body from another one."""
-    seats = model.mechanism.seats
-    while name in seats and name != body:
-        name = seats[name].parent
-    return name == body
