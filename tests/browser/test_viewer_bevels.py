@@ -3,23 +3,20 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
-import pytest
 
 from pitchpoint.report.scene import scene_of
 from pitchpoint.viz.scene_file import scene_texts
 from tests.support.bevel_teeth import PAIR, RUN
-from tests.support.scene_browser import BROWSER, STATES, fine, probed
+from tests.support.browser import OpenPage, needs_browser
+from tests.support.scene_browser import STATES, asked
+from tests.support.scene_browser import scene as shown
 from tests.support.scene_models import seen
 
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
 
 
-def test_lines_and_pair_forces_of_bevel_gears_are_where_the_numbers_put_them(tmp_path: Path) -> None:
+def test_lines_and_pair_forces_of_bevel_gears_are_where_the_numbers_put_them(open_page: OpenPage) -> None:
     """Lines are curved in the plane of action; forces of all pairs add up to that of the mesh.
 
     The force of a pair acts in the middle of its load, which leaves out how it turns along the line."""
@@ -29,7 +26,7 @@ def test_lines_and_pair_forces_of_bevel_gears_are_where_the_numbers_put_them(tmp
     times = [float(scene.times[k]) for k in frames]
     texts = scene_texts(scene_of(system.model, result))
     script = "V.arrows('pair');V.arrows('mesh');" + STATES % times
-    for frame, state in zip(frames, fine(probed(tmp_path, script, texts)), strict=True):
+    for frame, state in zip(frames, asked(shown(open_page, texts), script), strict=True):
         picture = state["pictures"][0]
         (mesh,) = picture["contacts"]["meshes"]
         expected = scene.lines(contact, 1, frame)

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -14,15 +12,15 @@ from pitchpoint.viz.scene import (
     SceneBody,
     SceneChannel,
     SceneSolid,
-    SceneSpectrum,
 )
 from pitchpoint.viz.scene_file import scene_parts, scene_texts
-from tests.support.scene_browser import BROWSER, STATES, fine, matrix, probed
+from pitchpoint.viz.scene_spectrum import SceneSpectrum
+from tests.support.browser import OpenPage, needs_browser
+from tests.support.scene_browser import STATES, asked, matrix
+from tests.support.scene_browser import scene as opened
 from tests.support.scene_data import box
 
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
 T = np.linspace(0.0, 2.0, 401)
 WAY = np.column_stack([3e-4 * np.sin(9 * T), 2e-4 * np.cos(23 * T), 1e-5 * np.sin(5 * T)])
 TURN = 1e-4 * np.sin(17 * T)[:, None] * [0.6, -0.8, 0.0]
@@ -58,7 +56,7 @@ def scene() -> Scene:
     )
 
 
-def test_the_viewer_reads_what_the_package_writes(tmp_path: Path) -> None:
+def test_the_viewer_reads_what_the_package_writes(open_page: OpenPage) -> None:
     header, _ = scene_parts(scene())
     # the forms that are tried: planes, columns that follow from fewer, a shared column, a logarithm
     turn, radial = header["bodies"][0]["turn"], header["arrows"][0]["components"]["radial"]
@@ -66,7 +64,8 @@ def test_the_viewer_reads_what_the_package_writes(tmp_path: Path) -> None:
     assert header["channels"][0]["curve"] == header["channels"][1]["curve"]
     assert header["spectra"][0]["amplitude"]["exponent"]
     frames = [0, 137, 400]
-    states = fine(probed(tmp_path, STATES % [float(T[k]) for k in frames], scene_texts(scene())))
+    script = STATES % [float(T[k]) for k in frames]
+    states = asked(opened(open_page, scene_texts(scene())), script)
     for k, state in zip(frames, states, strict=True):
         (picture,) = state["pictures"]
         first, second = (matrix(body) for body in picture["bodies"])

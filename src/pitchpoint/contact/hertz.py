@@ -91,8 +91,8 @@ def flank_radius(T1Y: ArrayLike, T1T2: ArrayLike, beta_b: float) -> FloatArray:
     T1Y
         Place on the path of contact, from the point where it leaves the base circle of gear 1 [m].
     T1T2
-        Signed length of the common base tangent [m]; negative with an internal gear. Of bevel gears the sum of
-        both geodesic radii.
+        Signed length of the common base tangent [m]; negative with an internal gear. Of bevel gears the sum
+        of both geodesic radii.
     beta_b
         Base helix angle [rad].
 

@@ -9,6 +9,9 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from pitchpoint.io.yaml_model import loads_model
+from tests.support.bevel_teeth import PAIR as PAIR_OF_BEVELS
+from tests.support.bevel_teeth import RUN
 from tests.support.scene_models import CARRIER, PAIR, seen
 
 STEEL, IRON = (206e9, 0.3), (175e9, 0.26)
@@ -35,16 +38,16 @@ def alpha_wt() -> float:
     return float(brentq(lambda alpha: involute(alpha) - wanted, 0.1, 0.8))
 
 
-def unit_pressures(text: str, name: str = "m") -> tuple[np.ndarray, np.ndarray]:
+def unit_pressures(text: str, name: str = "m", scenario: str = "on") -> tuple[np.ndarray, np.ndarray]:
     """Places from the pitch point and pressures of 1 N/m, as the page holds them."""
-    scene, _, _ = seen(text)
+    scene, _, _ = seen(text, scenario)
     contact = scene.contact(name)
     pressure = scene.array(contact["unit_pressure"])
     return np.linspace(*contact["path"], len(pressure)), pressure
 
 
-def at_pitch_point(text: str, name: str = "m") -> float:
-    places, pressure = unit_pressures(text, name)
+def at_pitch_point(text: str, name: str = "m", scenario: str = "on") -> float:
+    places, pressure = unit_pressures(text, name, scenario)
     return float(np.interp(0.0, places, pressure))
 
 
@@ -94,3 +97,22 @@ def test_flank_of_an_internal_gear_is_hollow():
 def test_laws_without_pairs_have_no_pressure():
     scene, _, _ = seen(CARRIER.replace("0.4 s", "0.02 s"))
     assert all("unit_pressure" not in contact for contact in scene.header["contacts"])
+
+
+@pytest.mark.parametrize("beta", [0.0, 30.0], ids=["straight", "spiral"])
+def test_bevel_flanks_have_the_radii_of_their_virtual_gears_at_the_pitch_cones(beta):
+    """There the geodesic radius of the involute, R tan σ, is r_v sin α_t with r_v = R tan δ (Tredgold)."""
+    text = PAIR_OF_BEVELS if beta else PAIR_OF_BEVELS.replace("spiral_angle: 30 deg, hand: left, ", "")
+    text = text if beta else text.replace("spiral_angle: 30 deg, hand: right, ", "")
+    text += RUN % 60
+    pair = loads_model(text).bevel_pairs["stage"]
+    alpha_t = math.atan(math.tan(ALPHA_N) / math.cos(math.radians(beta)))
+    beta_b = math.atan(math.tan(math.radians(beta)) * math.cos(alpha_t))
+    curvature = sum(
+        1.0 / (pair.R_m * math.tan(gear.delta) * math.sin(alpha_t)) for gear in (pair.gear1, pair.gear2)
+    )
+    c = sum(
+        (1.0 - m.poisson_ratio**2) / m.youngs_modulus for m in [model.bevel_gears["pinion"].material_data] * 2
+    )
+    wanted = math.sqrt(curvature * math.cos(beta_b) / (math.pi * c))
+    assert at_pitch_point(text, "stage", "turn") == pytest.approx(wanted, rel=2e-4)
