@@ -188,8 +188,10 @@ def bevel_laws(model: Model, name: str) -> MeshLaws:
 
 
 def _seat(model: Model, gear: str, R_m: float) -> tuple[int, float, float, Array]:
-    """Number of the frame that carries a gear, place of the apex along it [m], angle of tooth 0 in it [rad], at
-    rest and R_m, and its axes."""
+    """Number of the frame that carries a gear, place of the apex along it [m], and its axes.
+
+    Before the axes the angle of tooth 0 in it, at rest and R_m [rad].
+    """
     body = str(model.body_of(gear))
     axes = seat_frame(model, model.mechanism.seats[body])[1]
     number, apex = seat_at(model, body, model.bodies[body].bevel_gears[gear])
