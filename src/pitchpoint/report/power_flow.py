@@ -197,7 +197,7 @@ class _Machine:
     def on_bevels(self, record: np.void, name: str) -> list[float]:
         """Powers of a bevel mesh on both bodies, by torques: its force has no one cone distance.
 
-        What rides on a carrier goes round the axis of the other gear too, and feels the opposite torque there.
+        What rides on a carrier goes round the axis of the other gear too, with the opposite torque there.
         """
         bodies = int(record["i"]), int(record["j"])
         radii = float(record["r_b1"]), float(record["r_b2"])

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A differential: bevel planets on a carrier that turns, between two sun gears."""
+"""The differential of the example `bevel-drive`: bevel planets on a carrier between two gears on one axis."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,35 +15,7 @@ from pitchpoint.solvers.equilibrium import solve_equilibrium
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 
-TEETH = "outer_transverse_module: 4 mm, face_width: 12 mm, tooth_thickness_allowance: -0.03 mm"
-FILE = f"""
-title: differential
-bevel_gears:
-  left: {{number_of_teeth: 16, mate_teeth: 10, {TEETH}, opens: -z}}
-  right: {{number_of_teeth: 16, mate_teeth: 10, {TEETH}}}
-  above: {{number_of_teeth: 10, mate_teeth: 16, {TEETH}}}
-  below: {{number_of_teeth: 10, mate_teeth: 16, {TEETH}}}
-bodies:
-  cage: {{motion: torsion, inertia: 0.02 kg m^2, position: [0, 0, 0]}}
-  one: {{motion: torsion, bevel_gears: [left], inertia: 1e-3 kg m^2, position: [0, 0, 0]}}
-  two: {{motion: torsion, bevel_gears: [right], inertia: 1e-3 kg m^2, position: [0, 0, 0]}}
-  up: {{bevel_gears: [above], position: [0, 0, 0], axes: {{z: [1, 0, 0], x: [0, 1, 0]}}}}
-  down: {{bevel_gears: [below], position: [0, 0, 0], axes: {{z: [-1, 0, 0], x: [0, 1, 0]}}}}
-joints:
-  pin: {{type: revolute, bodies: [cage, up], axes: {{z: [1, 0, 0], x: [0, 1, 0]}}}}
-  peg: {{type: revolute, bodies: [cage, down], axes: {{z: [-1, 0, 0], x: [0, 1, 0]}}}}
-bevel_meshes:
-  lu: {{gears: [left, above], stiffness: {{law: constant, value: 2e8}}, damping: {{ratio: 0.1}}}}
-  ru: {{gears: [above, right], stiffness: {{law: constant, value: 2e8}}, damping: {{ratio: 0.1}}}}
-  ld: {{gears: [left, below], stiffness: {{law: constant, value: 2e8}}, damping: {{ratio: 0.1}}}}
-  rd: {{gears: [right, below], stiffness: {{law: constant, value: 2e8}}, damping: {{ratio: 0.1}}}}
-loads:
-  engine: {{body: cage, torque: balance}}
-  wheel_1: {{body: one, torque: -60 N m}}
-  wheel_2: {{body: two, torque: -60 N m}}
-scenarios:
-  bend: {{speed: {{cage: 60 rad/s, one: 50 rad/s}}, duration: 0.3 s, step: 40 us, settle_time: 0.1 s}}
-"""
+FILE = (Path(__file__).parents[2] / "examples" / "bevel-drive" / "differential.yaml").read_text("utf-8")
 
 
 @pytest.fixture(scope="module")
