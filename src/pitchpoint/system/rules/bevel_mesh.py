@@ -16,6 +16,7 @@ from pitchpoint.contact.stiffness.din3990 import LOW_LOAD, SingleStiffness, Virt
 from pitchpoint.elements import bevel_mesh_record as layout
 from pitchpoint.geometry.bevel_gear import spherical_involute
 from pitchpoint.model.bevel_places import pitch_ray, turned_to
+from pitchpoint.model.carried_trains import carrying
 from pitchpoint.model.components.stiffness import ConstantStiffness
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.mechanism import seat_frame
@@ -217,6 +218,8 @@ def bevel_bank(model: Model) -> Bank:
         )
         row = bevel_row(model.bevel_pairs[name], place, bevel_laws(model, name), model.backlash(name))
         row["i"], row["j"] = one[0], two[0]
+        # the checks of the model have found out that some gear rides on a carrier, or none
+        row["carried"] = carrying(model, *(str(model.body_of(g)) for g in mesh.gears)) or 0  # type: ignore[arg-type]
         rows.append(row)
         names.append(name)
     return pack("bevel_mesh", layout.RECORD, rows, names)
