@@ -24,7 +24,7 @@ _GEOMETRY = [
     (
         "carried",
         "i8",
-    ),  # 1: the plane of the axes goes round with a carrier; whole base pitches drop out
+    ),  # gear whose carrier takes the plane of the axes round, 0: both hang on one base
     ("z1", "i8"),
     ("z2", "i8"),  # numbers of teeth, signed by the side that the cone opens to
     ("r_b1", "f8"),

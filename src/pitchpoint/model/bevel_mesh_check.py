@@ -80,7 +80,7 @@ def check_bevel_pairs(parts: Parts, report: Reader) -> None:
 
 def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
     """Whether apexes and directions are where the pair wants them; says by how much they miss."""
-    from pitchpoint.model.scenario_check import same_base
+    from pitchpoint.model.carried_trains import carrying
 
     first, second = (apex_of(parts, gear) for gear in mesh.gears)
     if first is None or second is None:
@@ -109,12 +109,14 @@ def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
             limit=f"{PLACE_TOLERANCE:g} rad",
             remedy=f"correct the axes of {one} and {two}, or `opens` of the gears",
         )
-    if not same_base(parts, one, two):
+    if carrying(parts, one, two) is None:
         report.problem(
             (*at, "gears"),
-            f"sit on {one} and {two}, which hang on different bodies",
+            f"sit on {one} and {two}, which hang on different bodies, none of which turns about the axis of "
+            "the other gear",
             value=" and ".join(mesh.gears),
-            remedy="let both turn against the same body: bevel gears on carriers are not possible",
+            remedy="let both turn against the same body, or one against a carrier that turns about the "
+            "axis of the other",
         )
     return len(report.problems) == before
 

@@ -37,6 +37,23 @@ def line_carrier(parts: Parts, one: str, two: str) -> str:
     return bases[0] if len(chains[0]) > len(chains[1]) else bases[1]
 
 
+def carrying(parts: Parts, one: str, two: str) -> int | None:
+    """Which of two bodies with bevel gears in mesh rides on a carrier that turns about the axis of the other.
+
+    1 or 2; 0 if both hang on one body; None if neither is so, and nobody can say how their teeth meet.
+    """
+    mechanism = parts.mechanism
+    bases = [base_of(parts, mechanism, body) for body in (one, two)]
+    if bases[0] == bases[1]:
+        return 0
+    for k, (rider, other) in enumerate(((one, two), (two, one)), start=1):
+        carrier = base_of(parts, mechanism, rider)
+        around = base_of(parts, mechanism, carrier) == base_of(parts, mechanism, other)
+        if around and carrier not in (GROUND, other) and _sense(parts, carrier, other) != 0.0:
+            return k
+    return None
+
+
 def has_carriers(parts: Parts, links: list[Link]) -> bool:
     """Whether some link joins bodies whose spins count from different frames or are those of others."""
     from pitchpoint.model.scenario_check import same_base
@@ -145,6 +162,9 @@ def _relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
     base = np.zeros(len(place))
     if where[0] == "meshes":
         base = _in_space(parts, place, line_carrier(parts, one, two), about=one)
+    if where[0] == "bevel_meshes":  # each gear turns about an axis of its own
+        carrier = line_carrier(parts, one, two)
+        w_1, w_2 = (w - _in_space(parts, place, carrier, about=b) for w, b in ((w_1, one), (w_2, two)))
     return np.asarray((w_2 - base) - ratio * (w_1 - base))
 
 

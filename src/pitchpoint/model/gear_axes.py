@@ -90,8 +90,5 @@ def _skew(name: str, gears: tuple[str, str], bodies: tuple[str, str], angle: flo
         f"turn about axes {math.degrees(angle):.6g} deg apart, the z axes of {one} and {two}",
         value=" and ".join(gears),
         limit=f"parallel to {PARALLEL:g} rad",
-        remedy=(
-            f"give {one} and {two} the same axes; bevel gears, ratios or universal joints couple shafts "
-            "that cross"
-        ),
+        remedy=f"give {one} and {two} the same axes; bevel gears, ratios or universal joints couple others",
     )

@@ -173,7 +173,6 @@ def _meshes(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any
     """Frequencies of every mesh, and the body that carries its line of centres; None if that is still."""
     from pitchpoint.analysis.fault_frequencies import gear_pair_frequencies
     from pitchpoint.model.carried_trains import line_carrier, speed_in_space
-    from pitchpoint.model.mechanism import base_of
 
     machine: Any = model
     found = {}
@@ -182,8 +181,7 @@ def _meshes(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any
         if None in bodies:  # gears without bodies do not turn
             continue
         one, two = (str(body) for body in bodies)
-        bevel = name in model.bevel_meshes  # whose gears hang on one base
-        carrier = base_of(machine, model.mechanism, one) if bevel else line_carrier(machine, one, two)
+        carrier = line_carrier(machine, one, two)
         turning = speed_in_space(machine, spins, one) - speed_in_space(machine, spins, carrier, about=one)
         z_1, z_2 = (_teeth(model.toothed[g]) for g in mesh.gears)
         pair = gear_pair_frequencies(z_1, z_2, turning)
@@ -233,7 +231,7 @@ def _planet_sets(
     from pitchpoint.model.mechanism import base_of
 
     found: dict[str, dict[str, Any]] = {}
-    for name, row in meshes.items():
+    for name, row in ((n, r) for n, r in meshes.items() if n in model.meshes):
         bodies = [str(model.body_of(gear)) for gear in row["gears"]]
         rides = [base_of(model, model.mechanism, body) == row["carrier"] for body in bodies]
         if row["carrier"] is None or rides[0] == rides[1]:

@@ -195,11 +195,23 @@ class _Machine:
         return on
 
     def on_bevels(self, record: np.void, name: str) -> list[float]:
-        """Powers of a bevel mesh on both bodies, by their torques: its force has no one cone distance."""
-        bodies = ((int(record["i"]), record["r_b1"]), (int(record["j"]), record["r_b2"]))
-        return [
-            self.power(f"mesh_force[{name}]", -float(r) * self.turning(b, self.axis[b])) for b, r in bodies
-        ]
+        """Powers of a bevel mesh on both bodies, by torques: its force has no one cone distance.
+
+        What rides on a carrier goes round the axis of the other gear too, with the opposite torque there.
+        """
+        bodies = int(record["i"]), int(record["j"])
+        radii = float(record["r_b1"]), float(record["r_b2"])
+        speeds = [-r * self.turning(b, self.axis[b]) for b, r in zip(bodies, radii, strict=True)]
+        if record["carried"]:
+            rider = int(record["carried"]) - 1
+            carrier, own, other = (
+                self.parent[bodies[rider]],
+                self.axis[bodies[rider]],
+                self.axis[bodies[1 - rider]],
+            )
+            speeds[rider] += radii[rider] * self.turning(carrier, own)
+            speeds[rider] += radii[1 - rider] * self.turning(carrier, other)
+        return [self.power(f"mesh_force[{name}]", speed) for speed in speeds]
 
     def torques(self) -> Iterator[PowerLink]:
         """Couplings and clutches: what does not arrive is lost in them."""

@@ -251,9 +251,8 @@ def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[A
                 i, j = int(record["i"]), int(record["j"])
                 one, two = (_turning(system, index, b) for b in (i, j))
                 if kind in KINDS:
-                    bases = (_base(system, index, record, end) for end in "ij")
-                    one, two = (turn - base for turn, base in zip((one, two), bases, strict=True))
-                    row = float(record["z1"]) * one + float(record["z2"]) * two
+                    base1, base2 = (_base(system, index, record, end) for end in "ij")
+                    row = float(record["z1"]) * (one - base1) + float(record["z2"]) * (two - base2)
                 elif kind == "bearing" and record["K"][5, 5] == 0.0:
                     continue
                 else:
@@ -270,14 +269,26 @@ def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[A
 def _base(system: System, index: dict[int, int], record: np.void, end: str) -> Array:
     """How what carries the line of centres of a mesh turns about the axis of a gear, per rate of any spin.
 
-    Axes of cylindrical gears are the same; of bevel gears each has its own, and both hang on one base. A
-    housing that turns about another axis takes the gears along and turns none against the other.
+    Axes of cylindrical gears are the same, bevel gears have their own. A housing that turns about another
+    axis takes the gears along and turns none against the other.
     """
     body = system.program["body"]
-    parallel = "i" if record["carried"] == 1 else "j"
-    gear = int(record[end if is_bevel(record) else parallel])
+    carried = "i" if record["carried"] == 1 else "j"
+    if is_bevel(record) and carried != end:
+        return _bevel_base(system, index, (int(record[carried]), int(record[end])))
+    gear = int(record[carried])
     own = int(body[gear]["spinner"]) or gear
     return _turning(system, index, base_of(body, gear), float(body[own]["sense"]))
+
+
+def _bevel_base(system: System, index: dict[int, int], gears: tuple[int, int]) -> Array:
+    """How the base of the first of two bevel gears turns about the axis of the second, if it is parallel."""
+    base = base_of(system.program["body"], gears[0])
+    if base == 0:
+        return np.zeros(len(index))
+    one, two = (np.asarray(system.bodies[b - 1].axes, float)[:, 2] for b in (base, gears[1]))
+    along = float(one @ two)
+    return _turning(system, index, base, float(np.sign(along)) if abs(abs(along) - 1.0) < SAME else 0.0)
 
 
 def _ratio(record: np.void, index: dict[int, int]) -> Array:

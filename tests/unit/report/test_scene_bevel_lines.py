@@ -17,7 +17,13 @@ from tests.support.scene_models import seen
 STRAIGHT = PAIR
 for hand in ("left", "right"):
     STRAIGHT = STRAIGHT.replace(f"spiral_angle: 30 deg, hand: {hand}, ", "")
-CASES = {"spiral": (PAIR, 60, 1), "straight": (STRAIGHT, 60, 1), "backwards": (PAIR, -60, -1)}
+NARROW = PAIR.replace("face_width: 14 mm, bore_diameter: 25 mm", "face_width: 9 mm, bore_diameter: 25 mm")
+CASES = {
+    "spiral": (PAIR, 60, 1),
+    "straight": (STRAIGHT, 60, 1),
+    "backwards": (PAIR, -60, -1),
+    "narrow mate": (NARROW, 60, 1),
+}
 
 
 @pytest.fixture(scope="module", params=CASES)
