@@ -168,8 +168,9 @@ def test_two_scenes_are_told_apart_and_both_have_their_forces(
 
 
 def test_a_view_leaves_room_for_the_forces_and_looks_from_the_side(open_page: OpenPage) -> None:
-    """No pixel of the solids lies under the table of forces; without it they stand in the middle."""
+    """No pixel of a long bar lies under the table of forces; without it the bar stands in the middle."""
     header, block = gears()
+    header["solids"].append(solid(block, "bar", [-0.4, -0.4, -0.1], [0.4, 0.4, 0.1]))
     script = """
       const canvas = $(".ppv-canvas"), gl = canvas.getContext("webgl2"), legend = $(".ppv-legend");
       const {width, height} = canvas, data = new Uint8Array(4 * width * height);

@@ -79,8 +79,13 @@ export class Legend {
   /** Part of the width that it takes from the right; nothing where that would leave too little. */
   get share() {
     if (this.element.hidden || this.folded) return 0;
-    const share = this.element.offsetWidth / Math.max(this.element.parentElement.clientWidth, 1);
+    const share = (this.element.offsetWidth + 12) / Math.max(this.element.parentElement.clientWidth, 1);
     return share > MOST ? 0 : share;
+  }
+
+  /** Part of the height that it takes from above. */
+  get drop() {
+    return (this.element.offsetHeight + 12) / Math.max(this.element.parentElement.clientHeight, 1);
   }
 
   /** @param {import("./arrows.js").Force[]} forces @param {Set<string>} shown kinds @param {boolean} hidden */

@@ -51,20 +51,37 @@ export class Views {
 
   /** @param {boolean} atOnce */
   fit(atOnce = false) {
+    const { seen, pictures } = this.stage;
+    const points = pictures.flatMap((picture) =>
+      [...picture.bounds.outline, ...picture.arrows.ends()].map((point) => point.clone().applyMatrix4(seen)),
+    );
+    const legends = this.legends() ?? [];
+    const [wide, high] = ["share", "drop"].map((side) => Math.max(0, ...legends.map((legend) => legend[side])));
+    let taken = 0;
+    let view = this.#framed(points, taken);
+    // room for the legends where something would lie under them
+    if (wide && points.some((point) => view.under(point, wide, high)))
+      view = this.#framed(points, (taken = wide));
+    this.#shift(taken);
+    this.orbit.look({ target: view.target, distance: view.distance }, atOnce);
+    this.orbit.chosen = false;
+  }
+
+  /**
+   * Target and distance from which points fill the picture.
+   * @param {Vector3[]} points @param {number} taken part of the width that is left free
+   */
+  #framed(points, taken) {
     const { centre, radius } = this.stage.bounds();
-    const { camera, seen, pictures } = this.stage;
+    const { camera } = this.stage;
     const toward = this.orbit.direction(this.orbit.goal);
     const right = new Vector3().crossVectors(this.orbit.up, toward).normalize();
     const above = new Vector3().crossVectors(toward, right);
     const tall = 0.9 * Math.tan((camera.fov * Math.PI) / 360);
-    const taken = Math.max(0, ...(this.legends() ?? []).map(({ share }) => share));
     const wide = tall * camera.aspect * (1 - taken);
     // twice: the first look tells how far the middle of the picture is from the middle of the solids
     const target = centre.clone();
     let distance = this.distanceFor(radius);
-    const points = pictures.flatMap((picture) =>
-      [...picture.bounds.outline, ...picture.arrows.ends()].map((point) => point.clone().applyMatrix4(seen)),
-    );
     for (let round = 0; points.length && round < 3; round++) {
       const ends = [Infinity, -Infinity, Infinity, -Infinity];
       let least = 0;
@@ -85,9 +102,16 @@ export class Views {
       target.addScaledVector(right, (distance * (ends[0] + ends[1])) / 2);
       target.addScaledVector(above, (distance * (ends[2] + ends[3])) / 2);
     }
-    this.#shift(taken);
-    this.orbit.look({ target, distance: Math.max(distance, 0.1 * radius) }, atOnce);
-    this.orbit.chosen = false;
+    distance = Math.max(distance, 0.1 * radius);
+    /** whether a point is shown in a corner at the upper right, in parts of the picture */
+    const under = (point, share, drop) => {
+      const from = point.clone().sub(target);
+      const half = (tall / 0.9) * (distance - from.dot(toward));
+      return (
+        from.dot(right) > half * camera.aspect * (1 - 2 * share) && from.dot(above) > half * (1 - 2 * drop)
+      );
+    };
+    return { target, distance, under };
   }
 
   /** @param {"axis"|"front"|"top"|"iso"} name @param {boolean} atOnce */
