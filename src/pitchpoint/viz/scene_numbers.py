@@ -89,25 +89,22 @@ class Block:
             As above, for all of them.
         """
         wide = [table.reshape(len(table), -1) for table in tables]
-        together = np.concatenate(wide, axis=1)
-        if np.ptp(together, axis=0).max(initial=0.0) <= within:
-            # they stay where they are: one row says so
-            middles = [
-                0.5 * (table.min(axis=0, keepdims=True) + table.max(axis=0, keepdims=True)) for table in wide
-            ]
-            return [
-                self.put(row.reshape(1, *t.shape[1:]), "f8") for row, t in zip(middles, tables, strict=True)
-            ]
         bases = [_basis(table, within) for table in wide]
-        common = _basis(together, within) if len(wide) > 1 else None
-        if common is not None and len(common) < sum(len(basis) for basis in bases):
-            return self._mixed(wide, common, within)
-        return [
-            self._mixed([table], basis, within)[0]
-            if len(basis) < table.shape[1]
-            else self.put_steps(given, 1.99 * within)
-            for given, table, basis in zip(tables, wide, bases, strict=True)
-        ]
+        if len(wide) > 1:
+            common = _basis(np.concatenate(wide, axis=1), within)
+            if 0 < len(common) < sum(len(basis) for basis in bases):
+                return self._mixed(wide, common, within)
+        return [self._track(*one, within) for one in zip(tables, wide, bases, strict=True)]
+
+    def _track(self, given: Array, table: Array, basis: Array, error: float) -> Entry:
+        """A table by itself, `table` with all but the first axis as columns."""
+        low, high = table.min(axis=0), table.max(axis=0)
+        if (high - low).max(initial=0.0) <= error:
+            # it stays where it is: one row says so
+            return self.put((0.5 * (low + high)).reshape(1, *given.shape[1:]), "f8")
+        if len(basis) < table.shape[1]:
+            return self._mixed([table], basis, error)[0]
+        return self.put_steps(given, 1.99 * error)
 
     def _mixed(self, tables: Sequence[Array], basis: Array, error: float) -> list[Entry]:
         """Tables by the columns that all of them follow from."""

@@ -64,6 +64,12 @@ def test_what_does_not_move_is_one_row() -> None:
     assert entry["shape"] == [1, 3]
     assert np.abs(read(block, entry) - still).max() < 1e-7
     assert block.put_track(np.full(9, 5.0), 1e-3)["shape"] == [1]
+    # beside others that do, or not
+    noise = RANDOM.standard_normal((500, 3))
+    for other in (noise, TRACKS["one direction"], still + 1.0):
+        found = [read(block, entry) for entry in block.put_tracks([other, still], 1e-7)]
+        for values, truth in zip(found, (other, still), strict=True):
+            assert np.abs(values - truth).max() <= 1.001e-7
 
 
 def test_steps_have_a_zero_and_neighbours_may_lie_across() -> None:
