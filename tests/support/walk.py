@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from tests.support.scene_browser import HELPERS
@@ -18,12 +19,15 @@ from tests.support.scene_browser import HELPERS
 if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
 
-PATIENCE = 1.5
-"""How long an effect may take to be seen [s]."""
+WORDS, PIXELS = 0.4, 1.5
+"""How long an effect may take to be told, and to be painted when nothing is told [s]."""
+TWO_FRAMES = "for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);"
 CONTROLS = "button, select, summary, input"
 LAST = "Close"
 """It takes the others away."""
-TOLD = f"""(control) => {{ {HELPERS}
+SUM = """const sum = (text) => {
+  let n = 7; for (const c of text) n = (Math.imul(n, 31) + c.charCodeAt()) | 0; return n; };"""
+TOLD = f"""(control) => {{ {HELPERS} {SUM}
   const own = (node) => control && ((control.closest("label") || control).contains(node)
     || control.title && node.title === control.title);
   const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), words = [];
@@ -35,13 +39,13 @@ TOLD = f"""(control) => {{ {HELPERS}
   }}
   const on = all(".active, [aria-pressed=true], [aria-expanded=true]").filter((node) => !own(node));
   const state = V?.state() ? {{...V.state(), drawn: 0, frame: 0}} : null;
-  return JSON.stringify([words.join("|"), on.map((node) => node.ariaLabel), state, scrollY]);
+  return sum(JSON.stringify([words.join("|"), on.map((node) => node.ariaLabel), state, scrollY]));
 }}"""
 """Texts and numbers, without those of the control itself."""
-SEEN = f"""() => {{ {HELPERS}
+SEEN = f"""() => {{ {HELPERS} {SUM}
   if (V?.state()) V.draw();
   const canvases = all("canvas").filter((canvas) => canvas.checkVisibility() && canvas.width);
-  return canvases.map((canvas) => canvas.toDataURL()).join();
+  return sum(canvases.map((canvas) => canvas.toDataURL()).join());
 }}"""
 """Pixels of the scene and of its plots."""
 NAMES = f"""([area, but]) => {{ {HELPERS}
@@ -98,7 +102,9 @@ class Walk:
         assert not lame, f"without effect: {lame}"
         return done
 
-    def changes(self, act: Callable[[], Any], control: Locator | None = None) -> bool:
+    def changes(
+        self, act: Callable[[], Any], control: Locator | None = None, undo: Callable[[], Any] = bool
+    ) -> bool:
         """Whether something is different soon after an act.
 
         Parameters
@@ -107,15 +113,28 @@ class Walk:
             What the reader does.
         control
             Where; its own looks do not count.
+        undo
+            What has to be done before the same act has the same effect again.
         """
-        files, seen, told = len(self.files), self.page.evaluate(SEEN), self._told(control)
+        files, told = len(self.files), self._told(control)
         act()
-        end = time.monotonic() + PATIENCE
-        while time.monotonic() < end:
-            if len(self.files) > files or self._told(control) != told or self.page.evaluate(SEEN) != seen:
-                return True
+        if self._soon(lambda: len(self.files) > files or self._told(control) != told, WORDS):
+            return True
+        undo()
+        self.begin()
+        seen = self.page.evaluate(SEEN)
+        act()
+        return self._soon(lambda: self.page.evaluate(SEEN) != seen, PIXELS)
+
+    def begin(self) -> None:
+        """Where every control has something to do, and all of that is drawn."""
+        self.page.evaluate(f"async () => {{ {self.start}; {TWO_FRAMES} }}")
+
+    def _soon(self, holds: Callable[[], bool], patience: float) -> bool:
+        end = time.monotonic() + patience
+        while not (there := holds()) and time.monotonic() < end:
             self.page.wait_for_timeout(20)
-        return False
+        return there
 
     def _told(self, control: Locator | None) -> str:
         """Nothing once the control has gone."""
@@ -130,7 +149,7 @@ class Walk:
     def _works(self, area: str, name: str) -> bool:
         """Whether all that a control can do has an effect."""
         control = self.page.locator(f"{area} [data-place={json.dumps(name, ensure_ascii=False)}]").first
-        self.page.evaluate(self.start)
+        self.begin()
         tag, kind = control.evaluate("(node) => [node.localName, node.type]")
         if tag == "select":
             return self._choices(control)
@@ -149,6 +168,11 @@ class Walk:
         """Whether every choice makes a difference to the one before it."""
         options = "(node) => [...node.options].filter((o) => !o.hidden).map((o) => o.value)"
         values, now = control.evaluate(options), control.input_value()
-        ring = values[values.index(now) + 1 :] + values[: values.index(now) + 1]
-        works = [self.changes(lambda v=v: control.select_option(v), control) for v in ring]
+        first = values.index(now)
+        ring = values[first:] + values[: first + 1]
+        choose = control.select_option
+        works = [
+            self.changes(lambda new=new: choose(new), control, lambda old=old: choose(old))
+            for old, new in pairwise(ring)
+        ]
         return all(works)
