@@ -217,6 +217,11 @@ def test_a_phone_shows_everything_and_follows_fingers(open_page: OpenPage) -> No
       touch("move", 1, 80, 100); touch("move", 2, 280, 100); out.zoomed = state();
       touch("move", 1, 80, 140); touch("move", 2, 280, 140); out.shifted = state();
       touch("up", 1, 80, 140); touch("up", 2, 280, 140);
+      const label = $(".ppv-label"); out.quiet = label.hidden;
+      V.look([0.035, 0, 0], [0, 0, 1], 0.3); V.draw();
+      touch("down", 1, box.width / 2, box.height / 2); touch("up", 1, box.width / 2, box.height / 2);
+      out.named = label.hidden ? "" : label.textContent;
+      touch("down", 1, 9, 9); touch("up", 1, 9, 9); out.nothing = label.hidden;
       return out;
     """
     out = asked(scene(open_page, texts_of(header, block), box="360px;height:640px"), script)
@@ -229,4 +234,5 @@ def test_a_phone_shows_everything_and_follows_fingers(open_page: OpenPage) -> No
     pixel = 2 * zoomed["distance"] * np.tan(np.radians(14.0)) / out["scene"][1]
     moved = np.linalg.norm(np.subtract(shifted["target"], zoomed["target"]))
     assert moved == pytest.approx(40 * pixel, rel=0.1)
+    assert out["quiet"] and out["named"] == "Z1, gear of 24 teeth" and out["nothing"]
     assert shifted["distance"] == pytest.approx(zoomed["distance"], rel=0.02)

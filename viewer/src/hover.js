@@ -2,6 +2,8 @@
 // The name of the part under the pointer; a double click follows its body.
 import { el } from "./dom.js";
 
+const TAP = 8; // way of a finger that still is a tap [px]
+
 export class Hover {
   /** @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit @param {(body: number) => void} follow */
   constructor(stage, orbit, follow) {
@@ -17,9 +19,21 @@ export class Hover {
       if (!this.waiting) setTimeout(() => this.#look(), 60);
       this.waiting = true;
     });
-    canvas.addEventListener("pointerleave", () => {
+    canvas.addEventListener("pointerleave", (event) => {
       this.at = null;
-      this.label.hidden = true;
+      if (event.pointerType !== "touch") this.label.hidden = true;
+    });
+    // fingers do not hover: a tap names the part until the next touch
+    let down = { x: 0, y: 0 };
+    canvas.addEventListener("pointerdown", ({ clientX: x, clientY: y, pointerType }) => {
+      down = { x, y };
+      if (pointerType === "touch") this.label.hidden = true;
+    });
+    canvas.addEventListener("pointerup", ({ clientX: x, clientY: y, pointerType }) => {
+      if (pointerType !== "touch" || Math.hypot(x - down.x, y - down.y) > TAP) return;
+      this.at = { x, y };
+      this.#look();
+      this.at = null;
     });
     canvas.addEventListener("dblclick", (event) => {
       const found = stage.hit(event.clientX, event.clientY);
