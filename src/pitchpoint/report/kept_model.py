@@ -24,6 +24,7 @@ def kept_model(path: str, allow_code: bool = False) -> Model:
 
     text = read_header(path).get("model_text")
     if not text:
-        problem = Problem("model", "is not kept in this result file", remedy="name the model file as well")
+        remedy = "for a report, name the model file as well; else run the model again"
+        problem = Problem("model", "is not kept in this result file", remedy=remedy)
         raise ModelError([problem], path)
     return loads_model(text, allow_code=allow_code, file=path)
