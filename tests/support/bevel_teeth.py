@@ -26,6 +26,18 @@ bevel_meshes:
 """The wheel's cone opens towards -z of its body, whose origin lies 80 mm from the apex at [10, 20, 30] mm."""
 
 
+RUN = """\
+loads:
+  drive: {body: one, torque: %s N m}
+  brake: {body: two, torque: balance}
+scenarios:
+  turn: {speed: {one: 300 rpm}, duration: 20 ms, sample_rate: 10 kHz}
+"""
+"""What makes it run, with the torque of the drive left open [N m]."""
+EDGE = 1e-7
+"""Angle by which numbers of a page may stand beside an edge [rad]."""
+
+
 def angles_inside(gear, angle, points):
     """Angles by which points in the frame of a gear lie inside its teeth [rad]; below 0 outside of them.
 
@@ -40,5 +52,5 @@ def angles_inside(gear, angle, points):
     form = tooth.involute(np.array([tooth.sigma_form]))[0][0]
     sigma = np.array([gear.sigma_at(p) for p in np.maximum(polar, form)])
     half = np.where(polar >= form, tooth.involute(sigma)[1], np.interp(polar, low, half))
-    depth = np.where(polar > gear.delta_a, -1.0, half - azimuth)
+    depth = np.where(polar > gear.delta_a + EDGE, -1.0, half - azimuth)
     return np.where(polar < gear.delta_f, gear.delta_f - polar, depth)

@@ -150,7 +150,12 @@ class Seen:
             if z.size < 2:
                 continue
             z = np.linspace(z[0], z[-1], loads.shape[1])
-            points = origin + np.outer(z, axes[:, 2]) + np.outer(place + slope * z, normal)
+            along, across = z, place + slope * z
+            if "cone" in contact:
+                R_m = contact["cone"][0]
+                R, sigma = R_m * np.exp(z / R_m), (place + slope * z) / R_m
+                along, across = R * np.cos(sigma) - R_m, R * np.sin(sigma)
+            points = origin + np.outer(along, axes[:, 2]) + np.outer(across, normal)
             slot = pair % len(forces)
             found[pair] = {"z": z, "points": points, "force": forces[slot], "loads": loads[slot]}
         return found

@@ -75,7 +75,7 @@ export class ContactLines {
       for (let s = 0; s < this.stations; s++) {
         const load = loaded && greatest > 0 ? litColour(line.loads[s] / greatest) : this.plain[line.side];
         const colour = carries ? load : NONE;
-        POINT.copy(line.from).addScaledVector(ALONG, s / (this.stations - 1));
+        POINT.copy(line.at(s / (this.stations - 1)));
         for (let k = 0; k < AROUND; k++) {
           const angle = (2 * Math.PI * k) / AROUND;
           const at = (n * this.stations + s) * AROUND + k;

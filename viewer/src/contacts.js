@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the teeth of a mesh touch at an instant: straight lines in the plane of action, and what they carry.
 import { Matrix4, Quaternion, Vector3 } from "three";
+import { alongPairs, place as placed } from "./cones.js";
 import { lerp } from "./frames.js";
 
 /**
  * A contact line: two ends in the world, its pair and side, force along the base tangent and loads along it.
- * @typedef {{pair: number, slot: number, side: number, from: Vector3, to: Vector3, force: number, loads: Float64Array, centre: Vector3, share: (z: number) => number}} Line
+ * @typedef {{pair: number, slot: number, side: number, from: Vector3, to: Vector3, at: (share: number) => Vector3, force: number, loads: Float64Array, centre: Vector3, ray: number}} Line
  */
 
 const modulo = (a, n) => ((a % n) + n) % n;
@@ -63,25 +64,26 @@ export class Contact {
     return this.contact.flanks.flatMap((flank) => {
       const travel = lerp(flank.travel, this.poses.where);
       const normal = this.normal(flank.side);
-      const point = (place, slope, z) =>
-        normal
-          .clone()
-          .multiplyScalar(place + slope * z)
-          .setZ(z)
-          .applyMatrix4(frame);
+      const point = (x, z) => placed(this.contact.cone, normal, x, z).applyMatrix4(frame);
       return reached(this.contact, flank, travel).map(({ pair, place, slope, from, to }) => {
         const { force, loads } = this.#carried(flank, pair);
         const weight = loads.reduce((sum, load) => sum + load, 0);
         const middle = weight
           ? loads.reduce((sum, load, k) => sum + (load * k) / (loads.length - 1), 0) / weight
           : 0.5;
+        const at = (share) => {
+          const z = from + share * (to - from);
+          return point(place + slope * z, z);
+        };
         return {
           pair,
           side: flank.side,
           slot: modulo(pair, Math.max(1, this.pairs)),
-          from: point(place, slope, from),
-          to: point(place, slope, to),
-          centre: point(place, slope, from + middle * (to - from)),
+          from: at(0),
+          to: at(1),
+          at,
+          centre: at(middle),
+          ray: place + slope * (from + middle * (to - from)),
           force,
           loads,
         };
@@ -119,14 +121,18 @@ export class Contact {
     const frame = this.matrix;
     const alpha = lerp(this.contact.pressure_angle, this.poses.where);
     const tangent = Math.tan(this.contact.base_helix);
-    const parts = (force) => ({
-      circumferential: new Vector3(0, force * Math.cos(alpha), 0),
-      radial: new Vector3(Math.abs(force) * Math.sin(alpha), 0, 0),
-      axial: new Vector3(0, 0, -force * tangent),
-    });
+    const { cone } = this.contact;
+    const parts = (force, ray) =>
+      cone
+        ? alongPairs(cone, alpha, tangent, force, ray)
+        : {
+            circumferential: new Vector3(0, force * Math.cos(alpha), 0),
+            radial: new Vector3(Math.abs(force) * Math.sin(alpha), 0, 0),
+            axial: new Vector3(0, 0, -force * tangent),
+          };
     return Array.from({ length: this.pairs }, (_, slot) => {
       const line = lines.find((one) => one.slot === slot && one.force);
-      const vectors = parts(line?.force ?? 0);
+      const vectors = parts(line?.force ?? 0, line?.ray ?? 0);
       const values = {};
       for (const [part, vector] of Object.entries(vectors)) {
         values[part] = vector.length();

@@ -2,6 +2,7 @@
 // All contacts of a picture: lines, patterns, gauges, forces of pairs; and what the reader is told about them.
 import { button, choice, el, logSlider, tick } from "./dom.js";
 import { Contact } from "./contacts.js";
+import { alongPairs } from "./cones.js";
 import { ContactLines } from "./contact_lines.js";
 import { Gauge } from "./gauge.js";
 import { gradient } from "./load_colours.js";
@@ -119,6 +120,10 @@ export class Flanks {
 function largest(contact, size) {
   const base = size * Math.cos(contact.base_helix);
   const alpha = contact.pressure_angle.data[0];
+  if (contact.cone) {
+    const parts = alongPairs(contact.cone, alpha, Math.tan(contact.base_helix), base, 0);
+    return Object.fromEntries(Object.entries(parts).map(([part, vector]) => [part, vector.length()]));
+  }
   return {
     circumferential: base * Math.cos(alpha),
     radial: base * Math.sin(alpha),
@@ -172,13 +177,19 @@ function length3(metres) {
 
 /** Between which diameters the flanks of a mesh touch. @param {import("./contacts.js").Contact} contact */
 export function activeWords({ contact, name }) {
+  const { cone, width } = contact;
   const gears = contact.flanks[0].surfaces.map(({ gear, points }) => {
-    const nx = points.shape[1];
-    const ends = [0, nx - 1].map((k) => 2e3 * Math.hypot(points.data[3 * k], points.data[3 * k + 1]));
+    const [nz, nx] = points.shape;
+    // diameters of bevel gears grow along the face: those at the mean cone distance are told
+    const row = cone ? (-width[0] / (width[1] - width[0])) * (nz - 1) : 0;
+    const first = Math.min(Math.floor(row), nz - 2);
+    const at = (j, k) => Math.hypot(points.data[3 * (j * nx + k)], points.data[3 * (j * nx + k) + 1]);
+    const ends = [0, nx - 1].map((k) => 2e3 * (at(first, k) + (row - first) * (at(first + 1, k) - at(first, k))));
     const [least, most] = [Math.min(...ends), Math.max(...ends)].map((d) => d.toFixed(2));
     return `${gear.replaceAll("_", " ")} ${least} to ${most}`;
   });
-  return `${name.replaceAll("_", " ")} touches between the diameters ${gears.join(", ")} mm.`;
+  const where = cone ? " in the middle of the face" : "";
+  return `${name.replaceAll("_", " ")} touches between the diameters ${gears.join(", ")} mm${where}.`;
 }
 
 /** Change what all pictures show of their flanks. @param {import("./page.js").Page} page @param {(flanks: Flanks) => void} change */

@@ -60,19 +60,30 @@ def pitch_ray(axes: Array, own: Array, other: Array) -> float:
     return math.atan2(y, x)
 
 
+def turned_to(machine: Model | Parts, gear: str, R: float) -> float:
+    """Angle about the z axis of its body by which a tooth at R stands before that in the middle of its face.
+
+    Only spiral teeth do, and it only counts where gears of unequal widths have other middles.
+    """
+    shape = machine.bevel_gears[gear].geometry
+    return float(machine.bevel_gears[gear].direction * shape.spiral_rate * math.log(R / shape.R_m))
+
+
 def tooth_phases(machine: Model | Parts, mesh: BevelMesh, angles: dict[str, float]) -> list[float]:
-    """Signed phases z (gamma - ray) of the teeth 0 of both gears at the pitch ray [rad].
+    """Signed phases z (gamma - ray) of the teeth 0 of both gears at the pitch ray, at R_m of gear 1 [rad].
 
     Teeth stand in the middle of the spaces of the mate where both add up to an odd multiple of pi.
     """
     ways = [apex_of(machine, g) for g in mesh.gears]
     assert ways[0] is not None and ways[1] is not None  # a mesh of gears without bodies has no place
     found = []
+    R_m = machine.bevel_gears[mesh.gears[0]].geometry.R_m
     for k, name in enumerate(mesh.gears):
         gear = machine.bevel_gears[name]
         axes = body_frame(machine, str(machine.body_of(name)))[1]
         ray = pitch_ray(axes, ways[k][1], ways[1 - k][1])  # type: ignore[index]
-        found.append(gear.direction * gear.number_of_teeth * (angles[name] - ray))
+        angle = angles[name] + turned_to(machine, name, R_m)
+        found.append(gear.direction * gear.number_of_teeth * (angle - ray))
     return found
 
 

@@ -21,6 +21,7 @@ from pitchpoint.core.status import OK, sentence
 from pitchpoint.elements import mesh_lines
 from pitchpoint.elements.gear_mesh_record import PROFILE
 from pitchpoint.elements.mesh_pairs import pair_teeth
+from pitchpoint.report.scene_bevel_lines import BevelLines, bevel_tooth_at
 from pitchpoint.report.scene_motion import shown_bodies
 from pitchpoint.system.meshes import mesh_names
 from pitchpoint.viz.scene_contact import ContactFlank, FlankSurface, SceneContact
@@ -59,6 +60,10 @@ class ContactLines:
         self.names = tuple(system.names.get("gear_mesh", ()))
         self.deflection = [read(f"deflection[{name}]") for name in self.names]
         self.found = [_Mesh(system.records["gear_mesh"][m : m + 1], n) for m in range(len(self.names))]
+        self.bevels = {
+            name: BevelLines(system.records["bevel_mesh"][m : m + 1], n)
+            for m, name in enumerate(system.names.get("bevel_mesh", ()))
+        }
         self.questions = np.zeros(2 * len(self.names), mesh_lines.LINES)
         for m, mesh in enumerate(self.found):
             for k, flank in enumerate((1, -1)):
@@ -73,6 +78,8 @@ class ContactLines:
         SolverError
             If the core refuses.
         """
+        for bevel in self.bevels.values():
+            bevel.look(frame)
         if not self.names:
             return
         for m, mesh in enumerate(self.found):
@@ -133,7 +140,10 @@ def scene_contacts(
     """
     found, notes = [], []
     shown = shown_bodies(system)
-    for name, mesh in zip(lines.names, lines.found, strict=True):
+    for bevel in lines.bevels.values():
+        bevel.close()
+    meshes: list[tuple[str, _Mesh | BevelLines]] = [*zip(lines.names, lines.found, strict=True)]
+    for name, mesh in (*meshes, *lines.bevels.items()):
         m = mesh_names(system).index(name)
         if mesh.first["source"] != PROFILE:
             notes.append(
@@ -142,6 +152,9 @@ def scene_contacts(
         forces, loads = _as_kept(name, mesh, read)
         at = moved.pitch_points[:, m]
         axes = np.swapaxes(moved.directions[:, m][:, (1, 0, 2)], 1, 2)
+        cone = None
+        if isinstance(mesh, BevelLines):
+            axes, cone = mesh.axes, mesh.cone
         path = tuple(float(x) for x in mesh.line[0, :2])
         steady = max(_moves(at), _moves(axes) * max(abs(x) for x in path)) < STEADY
         rows = slice(0, 1) if steady else slice(None)
@@ -157,6 +170,7 @@ def scene_contacts(
                 base_pitch=float(mesh.first["p_bt"]),
                 width=(float(mesh.line[0, 2]), float(mesh.line[0, 3])),
                 path=(path[0], path[1]),
+                cone=cone,
                 penetration=_penetration(name, mesh, read),
                 flanks=[
                     ContactFlank(
@@ -178,7 +192,7 @@ def _moves(values: Array) -> float:
     return float(np.ptp(values, axis=0).max())
 
 
-def _as_kept(name: str, mesh: _Mesh, read: Read) -> tuple[Array, Array]:
+def _as_kept(name: str, mesh: _Mesh | BevelLines, read: Read) -> tuple[Array, Array]:
     """Forces and loads of all slots, brought to the forces that the result keeps, damping included."""
     kept = [read(f"pair_force[{name}.{k}]") for k in range(mesh.pairs)]
     if any(one is None for one in kept) or not kept:
@@ -189,7 +203,7 @@ def _as_kept(name: str, mesh: _Mesh, read: Read) -> tuple[Array, Array]:
     return forces, mesh.loads * factor[..., None]
 
 
-def _penetration(name: str, mesh: _Mesh, read: Read) -> Array:
+def _penetration(name: str, mesh: _Mesh | BevelLines, read: Read) -> Array:
     """Of the front and the back flanks [m]: channels tell that of the nearer one, and on which side it is."""
     nearer = read(f"penetration[{name}]")
     cos_b = math.cos(math.atan(float(mesh.first["tan_b"])))
@@ -202,7 +216,7 @@ def _penetration(name: str, mesh: _Mesh, read: Read) -> Array:
 
 
 def _surfaces(
-    model: Model, name: str, mesh: _Mesh, side: int, moved: Motion, shown: list[int]
+    model: Model, name: str, mesh: _Mesh | BevelLines, side: int, moved: Motion, shown: list[int]
 ) -> list[FlankSurface]:
     """Flanks of both gears where the path of contact reaches them: what the kernel's lines sweep over.
 
@@ -218,10 +232,9 @@ def _surfaces(
     half = 0.5 * (side * mesh.deflection[0] - 0.5 * mesh.line[0, 5])
     normal = side * b["cos_a"] * b["t"] + b["sin_a"] * b["e"]
     points = b["P"] + width[..., None] * b["m"] + path[..., None] * normal
+    if isinstance(mesh, BevelLines):
+        points = mesh.placed(width, path, normal)
     found = []
-    pair_0 = b.copy()
-    pair_0["flank"], pair_0["tooth"] = side, 0
-    teeth = pair_teeth.py_func(pair_0, 0)
     for gear, (field, sign) in enumerate((("i", 1.0), ("j", -1.0))):
         body, z = int(b[field]), int(b[f"z{gear + 1}"])
         turn = sign * side * (path - line - sign * half) / float(b[f"r_b{gear + 1}"])
@@ -231,15 +244,23 @@ def _surfaces(
         placed = np.stack(
             [c * here[..., 0] - s * here[..., 1], s * here[..., 0] + c * here[..., 1], here[..., 2]], axis=-1
         )
+        own = model.every_mesh[name].gears[gear]
+        if isinstance(mesh, BevelLines):
+            tooth, step = bevel_tooth_at(model, own, placed), side if gear else -side
+        else:
+            pair_0 = b.copy()
+            pair_0["flank"], pair_0["tooth"] = side, 0
+            tooth = int(pair_teeth.py_func(pair_0, 0)[gear]) % abs(z)
+            step = -side if gear == 0 else side * (1 if z > 0 else -1)
         found.append(
             FlankSurface(
                 body=shown.index(body),
-                gear=model.meshes[name].gears[gear],
+                gear=own,
                 teeth=abs(z),
                 points=placed,
                 turn=-sign * side * 2.0 * math.pi / z,
-                tooth=int(teeth[gear]) % abs(z),
-                step=-side if gear == 0 else side * (1 if z > 0 else -1),
+                tooth=tooth,
+                step=step,
             )
         )
     return found

@@ -175,7 +175,9 @@ def fault_marks(model: Model, contact: SceneContact, frames: Array) -> list[tupl
     frames
         Times of its travel [s], shape (n,).
     """
-    found = []
+    found: list[tuple[SceneMark, float]] = []
+    if contact.cone is not None:
+        return found  # bevel gears have no faults
     for flank in contact.flanks:
         if len(contact.flanks) > 1 and not np.any(flank.forces):
             continue

@@ -89,6 +89,9 @@ class SceneContact:
         Ends of the shared face width, from the plane of the pitch point [m].
     path
         Ends A and E of the path of contact, from the pitch point [m].
+    cone
+        Of bevel gears: mean cone distance [m] and pitch cone angle of gear 2 [rad]. The third axis then goes
+        along the pitch ray; widths are R_m ln(R/R_m), paths are arcs at R_m, and lines are straight in these.
     penetration
         Of front and back flanks normal to them at the pitch point, below 0 their distance, shape (n, 2) [m].
     flanks
@@ -105,3 +108,4 @@ class SceneContact:
     path: tuple[float, float]
     penetration: Array
     flanks: Sequence[ContactFlank]
+    cone: tuple[float, float] | None = None

@@ -52,6 +52,7 @@ def contact_entry(contact: SceneContact, block: Numbers) -> dict[str, Any]:
         "base_pitch": contact.base_pitch,
         "width": list(contact.width),
         "path": list(contact.path),
+        **({} if contact.cone is None else {"cone": list(contact.cone)}),
         "penetration": block.put_coarse(contact.penetration),
         "flanks": [_flank(flank, block) for flank in contact.flanks],
     }

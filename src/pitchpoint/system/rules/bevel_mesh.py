@@ -15,7 +15,7 @@ from pitchpoint.contact.stiffness.description import Description, PairShape, Pha
 from pitchpoint.contact.stiffness.din3990 import LOW_LOAD, SingleStiffness, VirtualTooth, stiffness_of_teeth
 from pitchpoint.elements import bevel_mesh_record as layout
 from pitchpoint.geometry.bevel_gear import spherical_involute
-from pitchpoint.model.bevel_places import pitch_ray
+from pitchpoint.model.bevel_places import pitch_ray, turned_to
 from pitchpoint.model.carried_trains import carrying
 from pitchpoint.model.components.stiffness import ConstantStiffness
 from pitchpoint.model.frames import body_frame
@@ -188,14 +188,17 @@ def bevel_laws(model: Model, name: str) -> MeshLaws:
     return MeshLaws(stiffness=stiffness, k_ref=k, **losses)
 
 
-def _seat(model: Model, gear: str) -> tuple[int, float, float, Array]:
-    """Number of the frame that carries a gear, place of the apex along it [m], angle of tooth 0 in it at rest
-    [rad], and its axes."""
+def _seat(model: Model, gear: str, R_m: float) -> tuple[int, float, float, Array]:
+    """Number of the frame that carries a gear, place of the apex along it [m], and its axes.
+
+    Before the axes the angle of tooth 0 in it, at rest and R_m [rad].
+    """
     body = str(model.body_of(gear))
     axes = seat_frame(model, model.mechanism.seats[body])[1]
     number, apex = seat_at(model, body, model.bodies[body].bevel_gears[gear])
     x, y, _ = axes.T @ body_frame(model, body)[1][:, 0]
-    return number, apex, model.bevel_angles[gear] + math.atan2(y, x), axes
+    angle = model.bevel_angles[gear] + turned_to(model, gear, R_m)
+    return number, apex, angle + math.atan2(y, x), axes
 
 
 def bevel_bank(model: Model) -> Bank:
@@ -204,7 +207,7 @@ def bevel_bank(model: Model) -> Bank:
     for name, mesh in model.bevel_meshes.items():
         if None in [model.body_of(g) for g in mesh.gears]:
             continue
-        one, two = (_seat(model, g) for g in mesh.gears)
+        one, two = (_seat(model, g, model.bevel_pairs[name].R_m) for g in mesh.gears)
         sides = [model.bevel_gears[g].direction for g in mesh.gears]
         place = Placement(
             axes1=one[3],
