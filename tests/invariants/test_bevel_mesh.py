@@ -4,6 +4,7 @@
 Sums over the width have five Gauss points per piece: on the pieces of these pairs they are good to 1e-9.
 """
 
+import dataclasses
 import math
 
 import numpy as np
@@ -12,6 +13,8 @@ import pytest
 from pitchpoint.contact.bevel_cycle import bevel_cycle
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.contact.stiffness.din3990 import VirtualTooth, single_stiffness, stiffness_of_teeth
+from pitchpoint.geometry.bevel_gear import BevelGear
+from pitchpoint.geometry.bevel_pair import BevelPair
 from pitchpoint.system.rules.bevel_mesh import square_mean
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.one_bevel import OneBevel, make_bevels
@@ -28,6 +31,13 @@ CONSTANT = PhaseStiffness(mean=4e8)
 PAIR = PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)
 BARE = PairShape(c_prime=14e9, S_R=0.8)
 SOFT = PairShape(c_prime=14e9, S_R=0.8, load_limit=1e5)
+
+
+def vars_of(gear):
+    """Fields of a gear."""
+    return {f.name: getattr(gear, f.name) for f in dataclasses.fields(gear)}
+
+
 every_pair = pytest.mark.parametrize("pair", PAIRS)
 both_flanks = pytest.mark.parametrize("flank", [1, -1])
 both_laws = pytest.mark.parametrize("shape", [CONSTANT, PAIR], ids=["constant", "pair"])
@@ -351,6 +361,34 @@ def test_single_stiffness_of_the_cylindrical_limit():
     )
     found = stiffness_of_teeth((one, two), bevels.eps_alpha)
     assert found.c_prime == pytest.approx(single_stiffness(pair).c_prime, rel=1e-6)
+
+
+@every_pair
+@both_flanks
+def test_numbering_the_gears_the_other_way_changes_nothing(pair, flank):
+    """Gear 2 as gear 1, with another face width than its mate: what was E is A, the rest is the same."""
+    given = make_bevels(**PAIRS[pair])
+    wide = BevelGear(**{**vars_of(given.gear2), "b": 1.2 * given.gear2.b})
+    m = OneBevel(BevelPair(given.gear1, wide, given.Sigma), MeshLaws(stiffness=PAIR))
+    other = OneBevel(BevelPair(wide, given.gear1, given.Sigma), MeshLaws(stiffness=PAIR))
+    for _ in range(3):
+        m.roll(0.29)
+        m.press(1e-5, flank)
+        other.press(1e-5, flank)
+        pitches = [x.get("mesh_phase") if flank > 0 else float(x.row["psi"]) for x in (m, other)]
+        other.roll(flank * (m.row["eps"] - pitches[0] - pitches[1]))
+        other.press(1e-5, flank)
+        for name in (
+            "mesh_force",
+            "mesh_stiffness",
+            "normal_force",
+            "circumferential_force",
+            "elastic_energy",
+        ):
+            assert other.get(name) == pytest.approx(m.get(name), rel=1e-9), name
+        for name in ("axial_force", "radial_force"):
+            assert other.get(name) == pytest.approx(m.get(f"{name}_1"), rel=1e-9)
+            assert other.get(f"{name}_1") == pytest.approx(m.get(name), rel=1e-9)
 
 
 @every_pair
