@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The bevel mesh against others: the cylindrical one, the formula of its cycle, itself with gears exchanged."""
+"""The bevel mesh against others: cylindrical gears, the formula of its cycle, itself with gears exchanged."""
 
 import dataclasses
 import math
