@@ -9,13 +9,10 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.contact.bevel_cycle import bevel_cycle
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
-from pitchpoint.contact.stiffness.din3990 import VirtualTooth, single_stiffness, stiffness_of_teeth
-from pitchpoint.system.rules.bevel_mesh import square_mean
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.one_bevel import OneBevel, make_bevels
-from tests.support.one_mesh import OneMesh, make_pair, moved, rotation
+from tests.support.one_mesh import moved, rotation
 
 PAIRS = {
     "straight": dict(),
@@ -28,6 +25,8 @@ CONSTANT = PhaseStiffness(mean=4e8)
 PAIR = PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)
 BARE = PairShape(c_prime=14e9, S_R=0.8)
 SOFT = PairShape(c_prime=14e9, S_R=0.8, load_limit=1e5)
+
+
 every_pair = pytest.mark.parametrize("pair", PAIRS)
 both_flanks = pytest.mark.parametrize("flank", [1, -1])
 both_laws = pytest.mark.parametrize("shape", [CONSTANT, PAIR], ids=["constant", "pair"])
@@ -285,117 +284,3 @@ def test_leaning_gears_touch_along_a_part_of_the_width(beta, flank):
     assert 0.2 < touching / in_mesh < 0.8
     assert abs(F[1, :3] - force).max() < 1e-4 * abs(force).max()
     assert m.get("mesh_force") == pytest.approx(flank * moment / row["R_m"], rel=1e-4)
-
-
-def limit(Sigma, beta, flank):
-    """Largest differences between a bevel pair and the cylindrical one, over the force, and b/R_m."""
-    z1, z2, b, shape = 25, 60, 0.03, PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)
-    bevels = make_bevels(z1, z2, Sigma, beta, 3e-3, b)
-    m = OneBevel(bevels, MeshLaws(stiffness=shape), backlash=3e-5, apexes=(0.0, 0.0))
-    pair = make_pair(z1, z2, beta, 3e-3, b, widening=0.0)
-    straight = OneMesh(pair, MeshLaws(stiffness=shape), backlash=3e-5)
-    left = [m.row["r_b1"] / straight.row["r_b1"] - 1.0, m.row["r_b2"] / straight.row["r_b2"] - 1.0]
-    for _ in range(3):
-        way = 0.31 * straight.row["p_bt"]
-        straight.frames["phi"] += [way / straight.row["r_b1"], -way / straight.row["r_b2"]]
-        m.roll(0.31)
-        straight.press(1e-5, flank)
-        m.press(1e-5, flank)
-        left += [m.row["eps"] - pair.eps_alpha, m.get("mesh_phase") - straight.get("mesh_phase")]
-        scale = abs(straight.get("mesh_force"))
-        for name in ("mesh_force", "circumferential_force", "radial_force", "axial_force", "normal_force"):
-            left.append((m.get(name) - straight.get(name)) / scale)
-        for name in ("mesh_stiffness", "elastic_energy", "penetration"):
-            left.append(m.get(name) / straight.get(name) - 1.0)
-    return max(abs(x) for x in left), b / bevels.R_m
-
-
-@pytest.mark.parametrize("beta", [0.0, 0.3])
-@both_flanks
-def test_cylindrical_limit(beta, flank):
-    """As the shaft angle goes to zero, with one c' and one backlash: phase, forces and stiffness of the
-    cylindrical pair, to the order of b/R_m, which here is also that of the cone angles."""
-    coarse, fine = (limit(Sigma, beta, flank) for Sigma in (4e-3, 1e-3))
-    assert fine[0] < 10.0 * fine[1] < 3e-3
-    assert fine[0] == pytest.approx(0.25 * coarse[0], rel=0.1)
-
-
-@pytest.mark.parametrize("pair", ["straight", "right", "left"])
-@both_flanks
-@pytest.mark.parametrize("shape", [PAIR, BARE], ids=["ramp", "bare"])
-def test_the_cycle_of_the_stiffness_is_that_of_the_formula(pair, flank, shape):
-    """Rigid gears in their places, phase by phase; the mean over the cycle is that of spur gears."""
-    m = mesh(pair, shape)
-    face = (m.pair.R_i / m.pair.R_m, m.pair.R_e / m.pair.R_m)
-    rate = flank * math.tan(m.pair.beta_b) / m.pair.sigma_p
-    cycle = bevel_cycle(shape, m.pair.eps_alpha, rate, face, 4001)
-    for _ in range(7):
-        m.roll(0.137)
-        m.press(1e-6, flank)
-        psi = (
-            m.get("mesh_phase") if flank > 0 else float(m.row["psi"])
-        )  # the back flank is the last one summed
-        ratio = m.get("mesh_stiffness") / (shape.c_prime * square_mean(m.pair))
-        expected = np.interp(psi, cycle.phase, cycle.stiffness_ratio)
-        assert ratio == pytest.approx(expected, rel=3e-6)
-    if rate != 0.0:
-        assert cycle.stiffness_ratio[:-1].mean() == pytest.approx(cycle.mean, rel=1e-6)
-
-
-def test_single_stiffness_of_the_cylindrical_limit():
-    """Virtual gears of bevel gears that are nearly cylindrical are the virtual spur gears of these."""
-    bevels, pair = make_bevels(25, 60, 1e-3, 0.3, 3e-3, 0.03), make_pair(25, 60, 0.3, 3e-3, 0.03)
-    one, two = (
-        VirtualTooth(g.z_vn, g.x_hm, g.rack.h_fP_star, g.alpha_n, g.beta_m)
-        for g in (bevels.gear1, bevels.gear2)
-    )
-    found = stiffness_of_teeth((one, two), bevels.eps_alpha)
-    assert found.c_prime == pytest.approx(single_stiffness(pair).c_prime, rel=1e-6)
-
-
-@every_pair
-def test_events_change_sign_where_flanks_touch(pair):
-    m = mesh(pair, PAIR)
-    for flank in (1, -1):
-        for depth, sign in ((-1e-7, -1.0), (1e-7, 1.0)):
-            m.press(depth, flank)
-            gap = m.events[0 if flank > 0 else 1]
-            assert math.copysign(1.0, gap) == sign
-            assert gap == pytest.approx(depth, rel=0.2)
-            assert m.events[1 if flank > 0 else 0] < 0.0
-
-
-@pytest.mark.parametrize("smooth, share", [(False, 0.25), (True, 0.15625)])
-def test_contact_damping_grows_with_the_penetration(smooth, share):
-    """At a quarter of s_0, on a face so narrow that the penetration is even: 1/4 of the damping, or
-    t^2 (3 - 2 t) = 0.15625 of it."""
-    m = OneBevel(
-        make_bevels(b=1e-5), MeshLaws(stiffness=CONSTANT, d_in=2e4, d_out=2e4, s_0=4e-5, smooth=smooth)
-    )
-    m.press(1e-5)
-    at_rest = m.get("mesh_force")
-    m.frames["tw"][0, 3:] = 0.01 / m.row["r_b1"] * m.axes[0][:, 2]
-    m.evaluate()
-    assert m.get("mesh_force") - at_rest == pytest.approx(share * 2e4 * 0.01, rel=1e-5)
-
-
-def test_sliding_is_that_of_two_rolling_cones():
-    """Each pair loses mu F_n |omega_1 - omega_2| R sin(sigma)."""
-    m = OneBevel(make_bevels(b=1e-5), MeshLaws(stiffness=PAIR, mu=0.1, v_eps=1e-6))
-    m.roll(0.4)
-    m.press(1e-5)
-    speeds = 100.0, -100.0 * m.row["r_b1"] / m.row["r_b2"]
-    for k in range(2):
-        m.frames["tw"][k, 3:] = speeds[k] * m.axes[k][:, 2]
-    m.evaluate()
-    row, n, first = m.row, int(m.row["n_pair"]), m.out.size - 8
-    relative = np.linalg.norm(m.frames["tw"][0, 3:] - m.frames["tw"][1, 3:])
-    assert relative == pytest.approx(100.0 * math.sin(m.pair.Sigma) / math.sin(m.pair.gear2.delta), rel=1e-9)
-    forces = sorted(f for f in m.out[first : first + n] if f > 0.0)
-    psi = m.get("mesh_phase")
-    sigma = [(row["xi_A"] + (psi + q) * row["p_bt"]) / row["R_m"] for q in range(2) if psi + q < row["eps"]]
-    assert len(forces) == len(sigma)
-    zeta = [2.0 * (psi + q) / row["eps"] - 1.0 for q in range(len(sigma))]
-    order = sorted(range(len(sigma)), key=lambda q: 1.0 - 0.2 * zeta[q] ** 2)
-    lost = sum(0.1 * forces[i] * relative * row["R_m"] * abs(math.sin(sigma[q])) for i, q in enumerate(order))
-    assert m.get("friction_power") == pytest.approx(lost, rel=1e-4)

@@ -109,7 +109,7 @@ def test_bodies_that_a_scenario_holds_are_named(file: Path) -> None:
     model = pp.load_model(file)
     assert held_bodies(model.scenarios["driven"]) == ["driver"]
     assert held_bodies(model.scenarios["steady"]) == held_bodies(None) == []
-    assert set(geometry_of_model(model)) == {"gears", "meshes"}
+    assert set(geometry_of_model(model)) == {"gears", "meshes", "bevel_gears", "bevel_meshes"}
 
 
 def test_neither_an_input_nor_a_foreign_file_is_written_over(file: Path, tmp_path: Path) -> None:

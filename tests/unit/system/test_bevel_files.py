@@ -14,6 +14,7 @@ from pitchpoint.solvers.quasistatic import roll_through
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.bevel_files import bevel_file
+from tests.support.turned_world import about, turned
 
 FREE = "motion: free, mass: 2 kg, inertia: {inertia}, transverse_inertia: 2e-2 kg m^2"
 BEARINGS = """
@@ -172,3 +173,14 @@ def test_given_angles_of_both_gears_leave_the_offset_in_the_travel():
     record = compile_model(both).records["bevel_mesh"][0]
     assert record["u0"] == pytest.approx(base_radii(model)[1] * math.radians(0.01), rel=1e-9)
     assert compile_model(model).records["bevel_mesh"][0]["u0"] == pytest.approx(0.0, abs=1e-15)
+
+
+def test_a_machine_may_stand_along_any_axis_of_the_world():
+    """Turned as a whole it does the same; an equilibrium leaves 1e-9 of the largest load over."""
+    model = loads_model(bevel_file(shaft=75.0, spiral=25.0, bodies=FREE, rest=BEARINGS + LOADS))
+    other = turned(model, about([1.0, -2.0, 0.5], 1.1))
+    one, two = (find_modes(compile_model(m)).frequency for m in (model, other))
+    assert two == pytest.approx(one, rel=1e-6, abs=1e-3)
+    one, two = (solve_equilibrium(compile_model(m)) for m in (model, other))
+    for name in ("mesh_force[m]", "axial_force_1[m]", "bearing_force[two.fz]", "displacement[first.z]"):
+        assert float(two[name]) == pytest.approx(float(one[name]), rel=1e-5)
