@@ -9,6 +9,7 @@ import pytest
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.solvers import runge_kutta
 from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.frequency_response import find_response
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.quasistatic import roll_through
 from pitchpoint.system import evaluate
@@ -184,3 +185,16 @@ def test_a_machine_may_stand_along_any_axis_of_the_world():
     one, two = (solve_equilibrium(compile_model(m)) for m in (model, other))
     for name in ("mesh_force[m]", "axial_force_1[m]", "bearing_force[two.fz]", "displacement[first.z]"):
         assert float(two[name]) == pytest.approx(float(one[name]), rel=1e-5)
+
+
+def test_errors_of_the_flanks_shake_two_inertias_as_the_closed_form_says():
+    """F/e = k omega^2/(omega_0^2 - omega^2): two inertias on a spring whose rest length goes to and fro."""
+    model = loads_model(bevel_file(rest=LOADS))
+    r1, r2 = base_radii(model)
+    omega_0 = math.sqrt(3e8 * (r1**2 / 2e-3 + r2**2 / 3e-2))
+    frequency = np.array([10.0, 900.0, 5000.0])
+    omega = math.tau * frequency
+    system = compile_model(model)
+    found = find_response(system, ["transmission_error[m]"], ["mesh_force[m]"], frequency)
+    expected = 3e8 * omega**2 / (omega_0**2 - omega**2)
+    assert found.response[:, 0, 0].real == pytest.approx(expected, rel=1e-5)
