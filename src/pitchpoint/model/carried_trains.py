@@ -19,7 +19,7 @@ from pitchpoint.model.mechanism import base_of, seat_frame, spinner_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
-    from pitchpoint.model.scenario_check import Link
+    from pitchpoint.model.speed_ratios import Link
 
 Array = NDArray[np.float64]
 
@@ -56,7 +56,7 @@ def carrying(parts: Parts, one: str, two: str) -> int | None:
 
 def has_carriers(parts: Parts, links: list[Link]) -> bool:
     """Whether some link joins bodies whose spins count from different frames or are those of others."""
-    from pitchpoint.model.scenario_check import same_base
+    from pitchpoint.model.speed_ratios import same_base
 
     return any(
         place[0] != "ratios"
@@ -71,7 +71,7 @@ def has_carriers(parts: Parts, links: list[Link]) -> bool:
 def carried_speeds(
     parts: Parts, links: list[Link], given: Mapping[str, float], tolerance: float
 ) -> tuple[dict[str, float], list[tuple[str, float]]]:
-    """Speeds of all spins and given ones that contradict earlier ones, see `scenario_check.start_speeds`."""
+    """Speeds of all spins and given ones that contradict earlier ones, see `speed_ratios.start_speeds`."""
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
     place = {name: k for k, name in enumerate(turning)}
     rows = [row for link in links if (row := _relation(parts, place, link)).any()]

@@ -58,8 +58,8 @@ from pitchpoint.model.read import Reader
 from pitchpoint.model.recheck import recheck
 from pitchpoint.model.replace import replace_at
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.model.scenario_check import start_speeds, sweep_meshes
 from pitchpoint.model.shafts import own_bodies, station_names, stations_of
+from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
 from pitchpoint.model.validate import check
 
 if TYPE_CHECKING:

@@ -24,7 +24,8 @@ from pitchpoint.model.keys import Place
 from pitchpoint.model.mesh_check import check_meshes
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.read import Reader
-from pitchpoint.model.scenario_check import check_scenarios, links_of
+from pitchpoint.model.scenario_check import check_scenarios
+from pitchpoint.model.speed_ratios import links_of
 
 INERTIAS = {
     "torsion": ("inertia",),

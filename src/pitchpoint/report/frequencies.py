@@ -98,7 +98,7 @@ def turning_speeds(
     """
     from difflib import get_close_matches
 
-    from pitchpoint.model.scenario_check import locked_links, start_speeds
+    from pitchpoint.model.speed_ratios import locked_links, start_speeds
 
     machine: Any = model
     problems = []

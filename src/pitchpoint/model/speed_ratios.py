@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Ratios of speed between bodies: what gives them, and the start speeds that follow from the given ones."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from pitchpoint.model.keys import Place
+
+if TYPE_CHECKING:
+    from pitchpoint.model.parts import Parts
+
+SPEED_TOLERANCE = 1e-6
+"""Relative difference up to which two given speeds fit a gear ratio."""
+
+Link = tuple[Place, str, str, float]
+"""Mesh or coupling by its place, the two bodies it joins, speed of the second per speed of the first."""
+
+
+def links_of(parts: Parts) -> list[Link]:
+    """What gives two bodies a speed ratio: meshes, couplings that carry torque, ratios of two spins."""
+    from pitchpoint.model.mechanism import coordinate
+
+    found: list[Link] = []
+    for name, mesh in parts.meshes.items():
+        bodies = [parts.body_of(g) for g in mesh.gears]
+        if None in bodies or bodies[0] == bodies[1] or not all(g in parts.gears for g in mesh.gears):
+            continue
+        z_1, z_2 = (parts.gears[g].sign * parts.gears[g].number_of_teeth for g in mesh.gears)
+        found.append((("meshes", name), str(bodies[0]), str(bodies[1]), -z_1 / z_2))
+    found += _bevel_links(parts)
+    for name, coupling in parts.couplings.items():
+        one, two = coupling.bodies
+        if one != two and one in parts.bodies and two in parts.bodies and coupling.carries_torque:
+            found.append((("couplings", name), one, two, 1.0))
+    for name, spring in parts.torsion_springs.items():
+        if len(set(spring.bodies) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
+            found.append((("torsion_springs", name), *spring.bodies, 1.0))
+    for name, ratio in parts.ratios.items():
+        ends = [coordinate(parts.mechanism, parts, term) for term in ratio.terms]
+        spins = [e[0] for e in ends if not isinstance(e, str) and _is_spin(parts, e)]
+        if len(spins) == len(ends) == 2:
+            c_1, c_2 = ratio.terms.values()
+            found.append((("ratios", name), spins[0], spins[1], -c_1 / c_2))
+    return found
+
+
+def _bevel_links(parts: Parts) -> list[Link]:
+    """Bevel meshes; spins count about the z axes of bodies, and cones open along these or against them."""
+    found: list[Link] = []
+    for name, mesh in parts.bevel_meshes.items():
+        one, two = (parts.body_of(g) for g in mesh.gears)
+        gears = [parts.bevel_gears.get(g) for g in mesh.gears]
+        if one is not None and two is not None and one != two and None not in gears:
+            z_1, z_2 = (g.direction * g.number_of_teeth for g in gears)  # type: ignore[union-attr]
+            found.append((("bevel_meshes", name), one, two, -z_1 / z_2))
+    return found
+
+
+def same_base(parts: Parts, one: str, two: str) -> bool:
+    """Whether two bodies hang on the same one, so that their spins count from the same frame."""
+    seats = parts.mechanism.seats
+    return one not in seats or two not in seats or seats[one].parent == seats[two].parent
+
+
+def _is_spin(parts: Parts, place: tuple[str, int, str]) -> bool:
+    """Whether a coordinate is the spin of its body."""
+    return parts.mechanism.seats[place[0]].coordinates[place[1]] == "spin"
+
+
+def ratios(parts: Parts) -> dict[str, list[tuple[str, float]]]:
+    """Speed ratios between neighbouring bodies: body -> [(neighbour, speed of it per own speed)]."""
+    out: dict[str, list[tuple[str, float]]] = {}
+    for place, one, two, ratio in links_of(parts):
+        if place[0] != "ratios" and not same_base(parts, one, two):
+            continue  # the spins count from different frames: see `carried_trains`
+        out.setdefault(one, []).append((two, ratio))
+        out.setdefault(two, []).append((one, 1.0 / ratio))
+    return out
+
+
+def train_of(parts: Parts, body: str) -> set[str]:
+    """Bodies that a body turns by meshes and couplings between bodies with one base; itself among them."""
+    links = ratios(parts)
+    found, queue = {body}, deque([body])
+    while queue:
+        for there, _ in links.get(queue.popleft(), ()):
+            if there not in found:
+                found.add(there)
+                queue.append(there)
+    return found
+
+
+def locked_links(parts: Parts, body: str) -> list[Link]:
+    """Links that close a loop with a body and contradict the ratios of the rest of it: nothing can turn."""
+    from pitchpoint.model.carried_trains import has_carriers
+
+    turning = start_speeds(parts, {body: 1.0})[0]
+    if has_carriers(parts, joined := links_of(parts)):
+        return [] if turning[body] != 0.0 else [link for link in joined if body in link[1:3]]
+    return [
+        link
+        for link in links_of(parts)
+        for one, two, ratio in [link[1:]]
+        if turning[one] != 0.0
+        and turning[two] != 0.0
+        and abs(turning[two] - ratio * turning[one]) > SPEED_TOLERANCE * abs(turning[two])
+    ]
+
+
+def start_speeds(
+    parts: Parts, given: Mapping[str, float]
+) -> tuple[dict[str, float], list[tuple[str, float]]]:
+    """Speeds of all bodies at the start, and the given ones that do not fit the others.
+
+    Parameters
+    ----------
+    parts
+        The parts of a model.
+    given
+        Speeds of some bodies [rad/s].
+
+    Returns
+    -------
+    tuple
+        Speed by body [rad/s], 0 for bodies that nothing sets in motion; and (body, fitting speed) for each
+        given speed that contradicts an earlier one.
+    """
+    from pitchpoint.model.carried_trains import carried_speeds, has_carriers
+
+    if has_carriers(parts, joined := links_of(parts)):
+        return carried_speeds(parts, joined, given, SPEED_TOLERANCE)
+    links = ratios(parts)
+    speeds: dict[str, float] = {}
+    wrong = []
+    for name, value in given.items():
+        if name in speeds:
+            if abs(speeds[name] - value) > SPEED_TOLERANCE * max(abs(value), abs(speeds[name])):
+                wrong.append((name, speeds[name]))
+            continue
+        speeds[name] = value
+        queue = deque([name])
+        while queue:
+            here = queue.popleft()
+            for there, ratio in links.get(here, ()):
+                if there not in speeds:
+                    speeds[there] = speeds[here] * ratio
+                    queue.append(there)
+    fixed = {n for n, b in parts.bodies.items() if b.moves == "fixed"}
+    return {n: 0.0 if n in fixed else speeds.get(n, 0.0) for n in parts.bodies}, wrong
+
+
+def sweep_meshes(parts: Parts, body: str) -> dict[str, int]:
+    """Meshes of a body and the number of teeth it has in each of them."""
+    return {
+        name: gears[g].number_of_teeth
+        for meshes, gears, own in (
+            (parts.meshes, parts.gears, "gears"),
+            (parts.bevel_meshes, parts.bevel_gears, "bevel_gears"),
+        )
+        for name, mesh in meshes.items()
+        for g in mesh.gears
+        if body in parts.bodies and g in getattr(parts.bodies[body], own) and g in gears
+    }
