@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import base64
-import gzip
 import json
 import re
+import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
@@ -130,12 +130,14 @@ def _scripts(with_plots: bool) -> str:
 
 @cache
 def packed_plots() -> str:
-    """The library for plots, gzip and base64, which `report.js` unpacks, below its licence in clear."""
+    """The library for plots below its licence in clear; `report.js` unpacks it: DEFLATE, then base64."""
     notices = re.match(r"(/\*.*?\*/\s*)+", asset("plots.js"), re.DOTALL)
-    packed = gzip.compress(asset("plots.js").encode("utf-8"), compresslevel=9, mtime=0)
-    text = base64.b64encode(packed).decode("ascii")
+    plain = asset("plots.js").encode("utf-8")
+    packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+    text = base64.b64encode(packer.compress(plain) + packer.flush()).decode("ascii")
     head = notices.group() if notices else ""
-    return f'<script>{head}</script>\n<script type="text/plain" id="pp-plots">{text}</script>\n'
+    element = f'<script type="text/plain" id="pp-plots" data-size="{len(plain)}">{text}</script>'
+    return f"<script>{head}</script>\n{element}\n<script>{asset('inflate.js')}</script>\n"
 
 
 def asset(name: str) -> str:

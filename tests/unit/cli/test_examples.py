@@ -63,7 +63,9 @@ def test_a_wheel_brings_the_examples_and_everything_else_that_is_no_code(tmp_pat
     subprocess.run(command, cwd=root, check=True, capture_output=True)
     (wheel,) = tmp_path.glob("*.whl")
     names = set(zipfile.ZipFile(wheel).namelist())
-    pages = [f"viz/assets/{name}" for name in ("report.css", "report.js", "plots.js", "viewer.js")]
+    pages = [
+        f"viz/assets/{name}" for name in ("report.css", "report.js", "inflate.js", "plots.js", "viewer.js")
+    ]
     for name in ("py.typed", "core/nomenclature.csv", *pages):
         assert f"pitchpoint/{name}" in names
     for name in examples.example_names():

@@ -175,26 +175,18 @@
     }
   }
 
-  // The library for plots stands in the page packed; the rest of the page does not wait for it.
-  async function library() {
+  // The library for plots stands in the page packed. It is there at once, as a printer may be before anything else.
+  function library() {
     const packed = document.getElementById("pp-plots");
-    if (!packed) return;
+    if (!packed || window.Plotly) return;
     const bytes = Uint8Array.from(atob(packed.textContent), (c) => c.charCodeAt(0));
     const script = document.createElement("script");
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-    script.textContent = await new Response(stream).text();
+    script.textContent = new TextDecoder().decode(inflate(bytes, Number(packed.dataset.size)));
     document.head.append(script);
-  }
-
-  function noLibrary() {
-    const words = "This browser cannot unpack the plots of this page (no DecompressionStream); a newer one can.";
-    for (const node of waiting.splice(0)) node.textContent = words;
-    next();
   }
 
   const waiting = [...document.querySelectorAll(".plot")];
   function rest() {
-    if (waiting.length && !window.Plotly) return;
     for (const node of waiting.splice(0)) draw(node);
   }
   function next() {
@@ -224,5 +216,6 @@
     fit(false);
     apply(current());
   });
-  library().then(next, noLibrary);
+  library();
+  next();
 })();
