@@ -9,16 +9,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.core.errors import PitchpointError
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.frames import Array, body_frame, joint_place, place_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.components.shaft import Shaft
     from pitchpoint.model.parts import Parts
 
@@ -31,6 +34,7 @@ def stand_in(shaft: Shaft) -> Body:
     """Body that stands for a shaft: its gears, place and markers, and the mass of its sections."""
     return Body(
         gears=dict(shaft.gears),
+        bevel_gears=dict(shaft.bevel_gears),
         motion="free",
         position=shaft.position,
         axes=shaft.axes,
@@ -126,6 +130,12 @@ def seats_on(machine: Any, shaft: str) -> Iterator[tuple[Place, float]]:
 
     for gear, place in body.gears.items():
         yield ("shafts", shaft, "gears", gear), place
+    for gear, apex in body.bevel_gears.items():
+        middle = None
+        with suppress(KeyError, PitchpointError):  # problems of the gear have been reported already
+            middle = middle_of(machine.bevel_gears[gear], apex)
+        if middle is not None:
+            yield ("shafts", shaft, "bevel_gears", gear), middle
     for name, marker in body.markers.items():
         yield ("shafts", shaft, "markers", name, "position"), marker.position[2]
     for group in ("bearings", "unbalances"):
@@ -150,6 +160,11 @@ def seats_on(machine: Any, shaft: str) -> Iterator[tuple[Place, float]]:
         at = joint_place(machine, joint)
         if at is not None and shaft in {split(e)[0] for e in joint.bodies}:
             yield ("joints", name, "position"), along(at)
+
+
+def middle_of(gear: BevelGear, apex: float) -> float:
+    """Axial place of the middle of the face of a bevel gear whose apex lies at `apex` [m]."""
+    return apex + gear.direction * gear.geometry.R_m * math.cos(gear.delta)
 
 
 def _place_on_axis(machine: Any, body: str, part: Any) -> Array:
