@@ -206,6 +206,31 @@ def test_power_balance(pair, shape, flank, motion):
     assert lost > 0.0
 
 
+@every_pair
+def test_the_damper_brakes_the_travel_that_is_told(pair):
+    """In the gap it is all there is: its force is the damping times the rate of the transmission error, made of
+    rotations and displacements; the gap grows as the axes part."""
+    m = shaken(mesh(pair, d_gap=1e3), 2e-6, 1e-5)
+    m.press(-2e-5)
+    twist = np.random.default_rng(5).normal(size=(2, 6)) * [0.03, 0.03, 0.05, 1.0, 1.0, 1.0]
+    h, told = 1e-6, []
+    for sign in (-1, 1):
+        fr = m.frames
+        for body in range(2):
+            fr = moved(fr, body, sign * h * twist[body])
+        m.evaluate(fr)
+        assert m.get("contact_state") == 0.0
+        told.append(m.get("transmission_error"))
+    m.frames["tw"] = twist
+    m.evaluate()
+    assert m.get("mesh_force") == pytest.approx(1e3 * (told[1] - told[0]) / (2 * h), rel=1e-4)
+    gap = float(m.row["gap"])
+    apart = np.zeros(6)
+    apart[:3] = 1e-4 * m.row["e"]
+    m.evaluate(moved(m.frames, 1, apart))
+    assert m.row["gap"] - gap == pytest.approx(2e-4 * math.sin(m.pair.alpha_t), rel=1e-2)
+
+
 @both_flanks
 def test_moving_the_whole_machine_changes_nothing(flank):
     m = shaken(mesh("right", PAIR, mu=0.05), 1e-5, 1e-4)
