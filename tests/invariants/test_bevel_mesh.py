@@ -208,8 +208,8 @@ def test_power_balance(pair, shape, flank, motion):
 
 @every_pair
 def test_the_damper_brakes_the_travel_that_is_told(pair):
-    """In the gap it is all there is: its force is the damping times the rate of the transmission error, be that
-    made of rotations or displacements; the gap grows as the axes part."""
+    """In the gap it is all there is: its force is the damping times the rate of the transmission error,
+    whatever motion makes that; the gap grows as the axes part."""
     m = shaken(mesh(pair, d_gap=1e3), 2e-6, 1e-5)
     m.press(-2e-5)
     twist = np.random.default_rng(5).normal(size=(2, 6)) * [0.03, 0.03, 0.05, 1.0, 1.0, 1.0]
