@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -130,12 +129,7 @@ def seats_on(machine: Any, shaft: str) -> Iterator[tuple[Place, float]]:
 
     for gear, place in body.gears.items():
         yield ("shafts", shaft, "gears", gear), place
-    for gear, apex in body.bevel_gears.items():
-        middle = None
-        with suppress(KeyError, PitchpointError):  # problems of the gear have been reported already
-            middle = middle_of(machine.bevel_gears[gear], apex)
-        if middle is not None:
-            yield ("shafts", shaft, "bevel_gears", gear), middle
+    yield from bevel_seats(machine, shaft)
     for name, marker in body.markers.items():
         yield ("shafts", shaft, "markers", name, "position"), marker.position[2]
     for group in ("bearings", "unbalances"):
@@ -160,6 +154,17 @@ def seats_on(machine: Any, shaft: str) -> Iterator[tuple[Place, float]]:
         at = joint_place(machine, joint)
         if at is not None and shaft in {split(e)[0] for e in joint.bodies}:
             yield ("joints", name, "position"), along(at)
+
+
+def bevel_seats(machine: Any, shaft: str) -> list[tuple[Place, float]]:
+    """The same of the bevel gears of a shaft: the middles of their faces."""
+    found: list[tuple[Place, float]] = []
+    for gear, apex in machine.bodies[shaft].bevel_gears.items():
+        try:
+            found.append((("shafts", shaft, "bevel_gears", gear), middle_of(machine.bevel_gears[gear], apex)))
+        except (KeyError, PitchpointError):
+            continue  # problems of the gear have been reported already
+    return found
 
 
 def middle_of(gear: BevelGear, apex: float) -> float:
