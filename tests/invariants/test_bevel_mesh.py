@@ -206,6 +206,31 @@ def test_power_balance(pair, shape, flank, motion):
     assert lost > 0.0
 
 
+@every_pair
+def test_the_damper_brakes_the_travel_that_is_told(pair):
+    """In the gap it is all there is: its force is the damping times the rate of the transmission error,
+    whatever motion makes that; the gap grows as the axes part."""
+    m = shaken(mesh(pair, d_gap=1e3), 2e-6, 1e-5)
+    m.press(-2e-5)
+    twist = np.random.default_rng(5).normal(size=(2, 6)) * [0.03, 0.03, 0.05, 1.0, 1.0, 1.0]
+    h, told = 1e-6, []
+    for sign in (-1, 1):
+        fr = m.frames
+        for body in range(2):
+            fr = moved(fr, body, sign * h * twist[body])
+        m.evaluate(fr)
+        assert m.get("contact_state") == 0.0
+        told.append(m.get("transmission_error"))
+    m.frames["tw"] = twist
+    m.evaluate()
+    assert m.get("mesh_force") == pytest.approx(1e3 * (told[1] - told[0]) / (2 * h), rel=1e-4)
+    gap = float(m.row["gap"])
+    apart = np.zeros(6)
+    apart[:3] = 1e-4 * m.row["e"]
+    m.evaluate(moved(m.frames, 1, apart))
+    assert m.row["gap"] - gap == pytest.approx(2e-4 * math.sin(m.pair.alpha_t), rel=1e-2)
+
+
 @both_flanks
 def test_moving_the_whole_machine_changes_nothing(flank):
     m = shaken(mesh("right", PAIR, mu=0.05), 1e-5, 1e-4)
@@ -259,7 +284,7 @@ def test_leaning_gears_touch_along_a_part_of_the_width(beta, flank):
     row = m.row
     cos_a, sin_a = row["cos_a"], math.sqrt(1.0 - row["cos_a"] ** 2)
     across = flank * cos_a * row["t"] + sin_a * row["e"] - flank * row["tan_b"] * row["m"]
-    m.press(-across @ row["d"], flank)  # at mid-face they just touch
+    m.press(0.0, flank)  # at mid-face they just touch
     F = m.evaluate()
     n = 40_000
     R = row["R_m"] + row["z_lo"] + (row["z_hi"] - row["z_lo"]) * (np.arange(n) + 0.5) / n
@@ -273,7 +298,7 @@ def test_leaning_gears_touch_along_a_part_of_the_width(beta, flank):
         sigma = (row["xi_A"] + place * row["p_bt"]) / row["R_m"]
         r = np.cos(sigma)[:, None] * p + np.sin(sigma)[:, None] * np.cross(N, p)
         normal = np.cross(N, r) - flank * row["tan_b"] * r
-        x = R * (flank * row["u"] - 0.5 * row["gap"]) / row["R_m"] + normal @ row["d"]
+        x = R * (flank * row["u"] - 0.5 * row["gap"] - across @ row["d"]) / row["R_m"] + normal @ row["d"]
         zeta = 2 * place / row["eps"] - 1
         k = 14e9 * (1 - 0.2 * zeta**2) * (abs(zeta) <= 1) * (row["z_hi"] - row["z_lo"]) / n
         touched.append([((x > 0) & (k > 0)).sum(), (k > 0).sum()])

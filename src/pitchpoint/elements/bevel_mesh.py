@@ -84,7 +84,7 @@ def _begin(b, flank, x):
     d = triple(b["d"], 0)
     for k in range(2):
         b["x"][k] = dot(triple(b["basis_j"][k], 0), d)
-    b["x"][2] = (flank * x - 0.5 * b["gap"]) / b["R_m"]
+    b["x"][2] = (flank * (x - b["aside"][0]) - 0.5 * (b["gap"] - b["aside"][1])) / b["R_m"]
 
 
 @kernel

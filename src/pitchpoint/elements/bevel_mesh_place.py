@@ -14,9 +14,11 @@ base tangent at the cone distance R is
 
     x = R (f u - gap/2)/R_m + (e - f tan(beta_b) r) . d
 
-with u and gap at R_m. Its gradient at frozen R and sigma is the wrench of a unit force: e - f tan(beta_b) r
-at the apexes, a couple R N, and a couple for the turn of e with the axes. So forces can neither create nor
-lose energy, and since x is invariant, action is reaction.
+with u and gap at R_m. What d adds at the pitch point to both flanks, with opposite signs and alike, is told
+as part of the travel and of the gap, as for cylindrical gears that pass each other or come nearer. The
+gradient of x at frozen R and sigma is the wrench of a unit force: e - f tan(beta_b) r at the apexes, a couple
+R N, and a couple for the turn of e with the axes. So forces can neither create nor lose energy, and since x
+is invariant, action is reaction.
 """
 
 from __future__ import annotations
@@ -130,7 +132,11 @@ def place_flanks(b, f, g):
         u -= p_bt * k
         n = 2 * n1 + k
     half = n % 2
-    b["u"] = u
+    d = triple(b["d"], 0)
+    b["aside"][0] = b["cos_a"] * dot(triple(b["t"], 0), d) - b["tan_b"] * dot(triple(b["m"], 0), d)
+    b["aside"][1] = -2.0 * b["sin_a"] * dot(triple(b["e"], 0), d)
+    b["u"] = u + b["aside"][0]
+    b["gap"] += b["aside"][1]
     b["turn"] = (n - half) // 2
     b["travel"] = 0.5 * (first - second + p_bt * half)
 

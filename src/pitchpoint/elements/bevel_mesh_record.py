@@ -85,6 +85,7 @@ _SCRATCH = [
     ("e", "f8", 3),  # q, across the pitch ray in the plane of the axes, towards gear 2
     ("t", "f8", 3),  # p x q
     ("d", "f8", 3),  # apex of gear 1 from that of gear 2
+    ("aside", "f8", 2),  # what that adds to travel and gap at the pitch point
     ("N", "f8", 3),  # normal of the plane of action of the current flank
     ("cos_a", "f8"),
     ("sin_a", "f8"),

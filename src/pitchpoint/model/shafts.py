@@ -13,12 +13,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.core.errors import PitchpointError
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.frames import Array, body_frame, joint_place, place_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.components.shaft import Shaft
     from pitchpoint.model.parts import Parts
 
@@ -31,6 +33,7 @@ def stand_in(shaft: Shaft) -> Body:
     """Body that stands for a shaft: its gears, place and markers, and the mass of its sections."""
     return Body(
         gears=dict(shaft.gears),
+        bevel_gears=dict(shaft.bevel_gears),
         motion="free",
         position=shaft.position,
         axes=shaft.axes,
@@ -132,6 +135,7 @@ def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
     for shaft, seats in found.items():
         body = machine.bodies[shaft]
         seats += [(("shafts", shaft, "gears", gear), place) for gear, place in body.gears.items()]
+        seats += bevel_seats(machine, shaft)
         for name, marker in body.markers.items():
             seats.append((("shafts", shaft, "markers", name, "position"), marker.position[2]))
     for group in ("bearings", "unbalances"):
@@ -158,6 +162,22 @@ def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
         for shaft in {split(e)[0] for e in joint.bodies} & found.keys():
             found[shaft].append((("joints", name, "position"), along(shaft, at)))
     return found
+
+
+def bevel_seats(machine: Any, shaft: str) -> list[tuple[Place, float]]:
+    """The same of the bevel gears of a shaft: the middles of their faces."""
+    found: list[tuple[Place, float]] = []
+    for gear, apex in machine.bodies[shaft].bevel_gears.items():
+        try:
+            found.append((("shafts", shaft, "bevel_gears", gear), middle_of(machine.bevel_gears[gear], apex)))
+        except (KeyError, PitchpointError):
+            continue  # problems of the gear have been reported already
+    return found
+
+
+def middle_of(gear: BevelGear, apex: float) -> float:
+    """Axial place of the middle of the face of a bevel gear whose apex lies at `apex` [m]."""
+    return apex + gear.direction * gear.geometry.R_m * math.cos(gear.delta)
 
 
 def _place_on_axis(machine: Any, body: str, part: Any) -> Array:

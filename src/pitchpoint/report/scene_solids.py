@@ -19,7 +19,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.shaft_solid import shaft_solid
 from pitchpoint.geometry.triangle_file import join_corners, placed_triangles, read_triangles
 from pitchpoint.model.frames import frame
-from pitchpoint.model.shafts import section_at, station_names
+from pitchpoint.model.shafts import middle_of, section_at, station_names
 from pitchpoint.report.scene_bevel_gears import bevel_part
 from pitchpoint.report.scene_gears import gear_part
 from pitchpoint.report.scene_joining import joining_parts
@@ -76,7 +76,11 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
         body = model.body_of(name)
         if body is None:
             continue
-        seat = at.own(body, (0.0, 0.0, model.bodies[body].bevel_gears[name]))
+        apex = model.bodies[body].bevel_gears[name]
+        # on an elastic shaft the gear moves with the station where its teeth are
+        middle = middle_of(model.bevel_gears[name], apex) if body in model.shafts else apex
+        number, place, axes = at.own(body, (0.0, 0.0, middle))
+        seat = number, place + (apex - middle) * axes[:, 2], axes
         try:
             found.append(bevel_part(model, name, seat, thinner.get(name, 0.0)))
         except GeometryError as error:

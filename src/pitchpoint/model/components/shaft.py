@@ -48,6 +48,12 @@ class Shaft:
     gears: dict[str, float] = key(
         "gears", "names of the gears, with the places of their mid-faces from the start of the shaft [m]", {}
     )
+    bevel_gears: dict[str, float] = key(
+        "gears",
+        "names of the bevel gears, with the places of their apexes from the start of the shaft [m], which "
+        "may lie beyond its ends",
+        {},
+    )
     position: tuple[float, float, float] | None = quantities(
         "length",
         "start of the shaft [x, y, z]; it lies along its z axis",

@@ -20,6 +20,7 @@ from pitchpoint.model.carried_trains import carrying
 from pitchpoint.model.components.stiffness import ConstantStiffness
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.mechanism import seat_frame
+from pitchpoint.model.shafts import middle_of
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
 from pitchpoint.system.rules.mesh_laws import MeshLaws, flank_losses
@@ -195,7 +196,10 @@ def _seat(model: Model, gear: str, R_m: float) -> tuple[int, float, float, Array
     """
     body = str(model.body_of(gear))
     axes = seat_frame(model, model.mechanism.seats[body])[1]
-    number, apex = seat_at(model, body, model.bodies[body].bevel_gears[gear])
+    at = model.bodies[body].bevel_gears[gear]
+    middle = middle_of(model.bevel_gears[gear], at) if body in model.shafts else at
+    number, apex = seat_at(model, body, middle)  # on an elastic shaft it sits where its teeth are
+    apex += at - middle
     x, y, _ = axes.T @ body_frame(model, body)[1][:, 0]
     angle = model.bevel_angles[gear] + turned_to(model, gear, R_m)
     return number, apex, angle + math.atan2(y, x), axes

@@ -18,8 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements.shaft_beam import RECORD, shaft_row
 from pitchpoint.model.frames import Array, body_frame
-from pitchpoint.model.inertia import gear_inertia
-from pitchpoint.model.shafts import cut, on_shaft, section_at, station_names
+from pitchpoint.model.inertia import bevel_gear_inertia, gear_inertia
+from pitchpoint.model.shafts import cut, middle_of, on_shaft, section_at, station_names
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system.rules.bank import Bank
@@ -157,6 +157,11 @@ def shaft_of(model: Model, name: str, first: int) -> ShaftParts:
     for gear, place in body.gears.items():
         mass, polar, transverse = gear_inertia(model.gears[gear])
         riders[gear] = Rider(place=place, mass=mass, polar=polar, central=transverse)
+    for gear, apex in body.bevel_gears.items():
+        mass, polar, transverse, center = bevel_gear_inertia(model.bevel_gears[gear])
+        middle = middle_of(model.bevel_gears[gear], apex)
+        off = apex + center - middle
+        riders[gear] = Rider(place=middle, mass=mass, polar=polar, central=transverse, center=off)
     return shaft_parts(
         name,
         shaft,
