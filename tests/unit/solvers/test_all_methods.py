@@ -217,7 +217,7 @@ def test_a_run_that_takes_too_long_is_stopped_and_says_so(monkeypatch):
 
 
 def test_ctrl_c_ends_a_comparison_also_when_the_time_of_its_run_is_up_meanwhile(monkeypatch):
-    """A run that ends by Ctrl-C before it looks at the clock was ended by the user, however late it is then."""
+    """A run that Ctrl-C ends before it looks at the clock was ended by the user, however late it is then."""
     rest = "scenarios:\n  turn: {speed: {driver: 300}, duration: 20 ms, step: 20 us}\n"
     model, system = compiled(pair(LAWS["constant"][0], rest=rest), "turn")
 
