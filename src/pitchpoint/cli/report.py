@@ -36,7 +36,7 @@ def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: 
         raise click.UsageError(f"more than one model file: {', '.join(models)}")
     model = read_model(models[0], allow_code, quiet) if models else kept_model(results[0], allow_code)
     target = Path(output) if output else Path(models[0] if models else results[0]).with_suffix(".html")
-    with ProgressDisplay("report", "meshes", quiet=quiet) as progress:
+    with ProgressDisplay("report", "parts", quiet=quiet) as progress:
         notes: list[str] = []
         options: dict[str, Any] = {"allow_code": allow_code, "progress": progress, "on_note": notes.append}
         write_report(model, target, *results, **options)

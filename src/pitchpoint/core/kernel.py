@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import sys
 import threading
 from collections.abc import Callable, Sequence
 from functools import cached_property, partial, update_wrapper
@@ -227,8 +228,26 @@ def invoke(entry: Any, ctl: int, records: int, n: int) -> int:
     KeyboardInterrupt
         If the user stopped it while a law in plain Python ran.
     """
-    call_it = _ENTRY_CALL(address(entry)) if COMPILING else entry
-    status = int(call_it(ctl, records, n))
+    if COMPILING:
+        return invoke_address(address(entry), ctl, records, n)
+    return _unless_stopped(int(entry(ctl, records, n)))
+
+
+def invoke_address(where: int, ctl: int, records: int, n: int) -> int:
+    """The same for the address of an entry.
+
+    Parameters
+    ----------
+    where
+        Address of a compiled entry.
+    ctl, records, n
+        Its three arguments.
+    """
+    return _unless_stopped(int(_ENTRY_CALL(where)(ctl, records, n)))
+
+
+def _unless_stopped(status: int) -> int:
+    """A status; or the Ctrl-C that came while plain laws ran."""
     if _stopped:
         raise _stopped.pop()
     return status
@@ -247,7 +266,29 @@ def _guarded(function: Any) -> Callable[..., float]:
             pass
         return float("nan")
 
+    law.guarded = True  # type: ignore[attr-defined]
     return law
+
+
+def _hear_callbacks() -> None:
+    """Keep a Ctrl-C that Python acts upon before a law has begun or after it has ended, as it often does.
+
+    It was pressed while compiled code ran, and the first instruction behind that is the first one of the
+    callback, where nothing catches yet. ctypes then calls `sys.unraisablehook` and hands on a zero.
+    """
+    before = sys.unraisablehook
+    if getattr(before, "hears_callbacks", False):
+        return
+
+    def hook(found: Any) -> None:
+        """Keep Ctrl-C for `invoke`, hand on everything else."""
+        if issubclass(found.exc_type, KeyboardInterrupt) and getattr(found.object, "guarded", False):
+            _stopped.append(KeyboardInterrupt())
+        else:
+            before(found)
+
+    hook.hears_callbacks = True  # type: ignore[attr-defined]
+    sys.unraisablehook = hook
 
 
 def law_address(function: Any) -> int:
@@ -271,6 +312,7 @@ def law_address(function: Any) -> int:
     with _lock:  # a second callback in its place would end the first one, whose address is in use
         if function not in _laws:
             plain = _guarded(function)
+            _hear_callbacks()
             if COMPILING:
                 from pitchpoint.core import compiler
 

@@ -111,7 +111,7 @@ def collect(
         for name, (cycle, relative_to, unit) in cycles_of_model(model, 401).items()
     }
     filled, notes = with_rolls(model, cycles, progress)
-    modes, campbell, more = linear_parts(model)
+    modes, campbell, more = linear_parts(model, progress, len(cycles))
     shown = ReportResults(
         mesh_cycles=without_given(filled, found.rolls),
         rolls=found.rolls,

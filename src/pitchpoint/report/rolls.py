@@ -22,6 +22,8 @@ Array = np.ndarray
 POSITION = "mesh_phase_position"
 POINTS, FEWEST_POINTS, ALL_POINTS = 96, 16, 960
 """Points per period of a roll, at least and altogether."""
+LARGE, POINTS_OF_LARGE = 100, 240
+"""Coordinates from which a roll has fewer points altogether: each takes a hundredth of a second then."""
 MOST_PERIODS, MOST_TURNS = 12, 60
 """Periods that are rolled at most: of meshes that disturb each other, and where single teeth differ."""
 SAME = 1e-3
@@ -46,15 +48,20 @@ def periods_until_repeat(model: Model, mesh: str) -> int:
     return math.lcm(*(_denominator(rate / order) for rate in rates))
 
 
-def periods_to_roll(model: Model, mesh: str) -> int:
-    """Periods that a report rolls: until everything repeats, unless that is too long."""
+def points_to_roll(coordinates: int) -> int:
+    """Points of a roll altogether, fewer of a large machine."""
+    return POINTS_OF_LARGE if coordinates > LARGE else ALL_POINTS
+
+
+def periods_to_roll(model: Model, mesh: str, points: int = ALL_POINTS) -> int:
+    """Periods that a report rolls with so many points: until everything repeats, unless that is too long."""
     most = MOST_TURNS if _single_teeth(model) else MOST_PERIODS
-    return min(periods_until_repeat(model, mesh), most)
+    return min(periods_until_repeat(model, mesh), most, points // FEWEST_POINTS)
 
 
-def points_per_period(periods: int) -> int:
+def points_per_period(periods: int, points: int = ALL_POINTS) -> int:
     """Points per period, fewer where many periods are rolled."""
-    return max(FEWEST_POINTS, min(POINTS, ALL_POINTS // periods))
+    return max(FEWEST_POINTS, min(POINTS, points // periods))
 
 
 def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:

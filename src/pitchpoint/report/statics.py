@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.progress import silent
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,6 +26,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Drive, Scenario
     from pitchpoint.viz.report import CampbellData, MeshCycleData, ModeData
 
+LINEAR = 2
+"""Parts of the work of a report beside the slow rolls: matrices of the linear system, Campbell diagram."""
 SPEEDS = 41
 FOLLOWED = 20
 """Modes of a large system in the Campbell diagram: each takes some milliseconds per speed."""
@@ -38,26 +42,43 @@ def with_rolls(
     model: Model, cycles: dict[str, tuple[MeshCycleData, float | None]], progress: Progress
 ) -> tuple[dict[str, MeshCycleData], list[str]]:
     """Add transmission errors and load sharing to mesh cycles (with the stiffness of their ratio 1 [N/m])."""
-    from pitchpoint.report.rolls import from_roll, periods_to_roll, points_per_period
+    from pitchpoint.core.status import INTERRUPTED
+    from pitchpoint.report.rolls import (
+        ALL_POINTS,
+        LARGE,
+        POINTS_OF_LARGE,
+        from_roll,
+        periods_to_roll,
+        points_per_period,
+        points_to_roll,
+    )
     from pitchpoint.solvers.quasistatic import roll_through
     from pitchpoint.system.compile import compile_model
 
     plain = {name: data for name, (data, _) in cycles.items()}
     scenario = loaded_scenario(model)
-    found, notes = dict(plain), []
+    found = dict(plain)
+    notes: list[str] = []
     try:
         steady = at_start(model, scenario) if model.bodies else model
     except PitchpointError as error:
         return found, [f"No slow roll: {error}."]
+    fewer: list[str] = []
     for k, (name, (data, unit)) in enumerate(cycles.items()):
         if not rolls(model, name):
             continue
         try:
             system = compile_model(steady, scenario)
             still = replace(scenario, quasi_static=None) if scenario is not None else None
-            periods = periods_to_roll(model, name)
-            points = points_per_period(periods)
-            roll = roll_through(system, still, points, periods, mesh=name)
+            most = points_to_roll(system.sizes["nd"])
+            periods = periods_to_roll(model, name, most)
+            points = points_per_period(periods, most)
+            if periods * points < (whole := periods_to_roll(model, name)) * points_per_period(whole):
+                fewer.append(name)
+            part = partial(_part_of, progress, k, len(cycles) + LINEAR)
+            roll = roll_through(system, still, points, periods, mesh=name, others=False, progress=part)
+            if roll.status == INTERRUPTED:  # a report of what was rolled before is not what was asked for
+                raise KeyboardInterrupt
             if roll.sentence != "finished":
                 notes.append(f"{name}: the slow roll stopped: {roll.sentence}.")
             notes += [f"{note}." for note in roll.notes]
@@ -65,8 +86,19 @@ def with_rolls(
                 found[name] = from_roll(model, name, data, unit, system, roll, points)
         except PitchpointError as error:
             notes.append(f"{name}: no slow roll: {error}.")
-        progress(k + 1, len(cycles), name)
+        progress(k + 1, len(cycles) + LINEAR, name)
+    if fewer:
+        notes.append(
+            f"Slow rolls have {POINTS_OF_LARGE} points at most instead of {ALL_POINTS}, as the machine has "
+            f"more than {LARGE} coordinates: {', '.join(fewer)}. "
+            "A scenario with quasi_static has as many as it says."
+        )
     return found, notes
+
+
+def _part_of(progress: Progress, before: int, parts: int, done: float, total: float, note: str = "") -> None:
+    """Tell how far one of several parts of equal length is."""
+    progress(before + done / total, parts, note)
 
 
 def rolls(model: Model, mesh: str) -> bool:
@@ -104,9 +136,15 @@ def at_start(model: Model, scenario: Scenario | None) -> Model:
     return model.replace_all({f"loads.{name}.torque": value for name, value in found.items()})
 
 
-def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, list[str]]:
-    """Modes about the loaded state and Campbell data over the speed of the first body in mesh."""
+def linear_parts(
+    model: Model, progress: Progress = silent, before: int = 0
+) -> tuple[ModeData | None, CampbellData | None, list[str]]:
+    """Modes about the loaded state and Campbell data over the speed of the first body in mesh.
+
+    `before` parts of the work that `progress` is told of are done.
+    """
     from pitchpoint.solvers.campbell import follow_modes
+    from pitchpoint.solvers.linear_system import linearise
     from pitchpoint.solvers.modal import find_modes
     from pitchpoint.system.compile import compile_model
     from pitchpoint.viz.report import CampbellData, ModeData
@@ -114,9 +152,11 @@ def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, li
     if not model.bodies:
         return None, None, []
     scenario = loaded_scenario(model)
+    parts = [partial(_part_of, progress, before + k, before + LINEAR) for k in range(LINEAR)]
     try:
         system = compile_model(model, scenario)
-        found = find_modes(system, scenario)
+        linear = linearise(system, scenario, progress=parts[0])
+        found = find_modes(system, scenario, linear=linear)
         modes = ModeData(
             names=found.names,
             frequency=found.frequency.tolist(),
@@ -129,7 +169,8 @@ def linear_parts(model: Model) -> tuple[ModeData | None, CampbellData | None, li
         if not top > 0.0:
             return modes, None, []
         followed = FOLLOWED if found.total > len(found.frequency) else None
-        data = follow_modes(system, np.linspace(0.0, top, SPEEDS), body, scenario, count=followed)
+        speeds = np.linspace(0.0, top, SPEEDS)
+        data = follow_modes(system, speeds, body, scenario, count=followed, progress=parts[1], linear=linear)
         frequency = found.frequency[: data.frequency.shape[1]]
     except PitchpointError as error:
         return None, None, [f"No modes: {error}."]

@@ -43,7 +43,7 @@ def write_report(
     allow_code
         Whether a model file may name Python code.
     progress
-        Told the number of meshes that have been rolled.
+        Told how many parts of the work are done: the slow roll of every mesh, modes, Campbell diagram.
     on_note
         Told every warning that the page has, as soon as the page is written.
 

@@ -73,14 +73,15 @@ def follow_modes(
     *,
     count: int | None = None,
     progress: Progress = silent,
+    linear: Linearised | None = None,
 ) -> Campbell:
-    """Natural frequencies over speed; parameters as in `solve_campbell`."""
+    """Natural frequencies over speed; parameters as in `solve_campbell`, `linear` if it is known already."""
     body = body or system.layout.bodies[1]
     if body not in system.layout.bodies[1:]:
         known = ", ".join(system.layout.bodies[1:] if system.model is None else system.model.bodies)
         raise SolverError(f"no body {body!r}; there are: {known}", INCONSISTENT)
     omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
-    linear = linearise(system, scenario)
+    linear = linear or linearise(system, scenario)
     own, parts = linear.system, linear.at_rest
     rates = speed_ratios(own, body)
     modes = lowest(linear, count)

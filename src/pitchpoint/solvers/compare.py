@@ -8,6 +8,7 @@ a share of the alternating part of that channel; the worst channel counts.
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -208,9 +209,12 @@ def _attempt(
     begun = time.process_time()
     end = time.monotonic() + limit_s
 
+    late = threading.Event()
+
     def stop_in_time(done: float, total: float, note: str = "") -> None:
         """End a run whose time is up, as Ctrl-C would."""
         if time.monotonic() > end:
+            late.set()
             raise KeyboardInterrupt
 
     status, steps, t_end = INTERRUPTED, 0, begin.state.t
@@ -221,7 +225,7 @@ def _attempt(
         status, sentence = error.status, str(error)
     cpu_s = time.process_time() - begun
     if status == INTERRUPTED:
-        if time.monotonic() <= end:
+        if not late.is_set():
             raise KeyboardInterrupt  # it was the user
         sentence = f"stopped after {limit_s:g} s at t = {t_end:.4g} s"
     rows = np.zeros((0, 1))

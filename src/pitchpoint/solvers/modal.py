@@ -28,7 +28,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.body_shapes import DIRECTIONS, base_momenta, body_motions, participation
 from pitchpoint.solvers.eigen import ratio_of
-from pitchpoint.solvers.linear_system import damped_modes, linearise, lowest
+from pitchpoint.solvers.linear_system import Linearised, damped_modes, linearise, lowest
 from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.stiffness_parts import Array, Parts
 from pitchpoint.system import evaluate
@@ -128,6 +128,7 @@ def find_modes(
     count: int | None = None,
     start: State | None = None,
     progress: Progress = silent,
+    linear: Linearised | None = None,
 ) -> Modes:
     """Modes about the loaded state of a scenario.
 
@@ -149,6 +150,8 @@ def find_modes(
         and the initial state of a system made from numbers.
     progress
         Told after every element.
+    linear
+        What `linearise` gives for all of these, if it is known already.
 
     Returns
     -------
@@ -159,7 +162,8 @@ def find_modes(
     SolverError
         If there is no equilibrium to vibrate about.
     """
-    linear = linearise(system, scenario, phase=phase, mean=mean, start=start, progress=progress)
+    if linear is None:
+        linear = linearise(system, scenario, phase=phase, mean=mean, start=start, progress=progress)
     own, parts = linear.system, linear.at_rest
     modes = lowest(linear, count)
     omega, shapes = modes.omega, modes.shapes

@@ -134,9 +134,13 @@ def roll_through(
     periods: int = 1,
     *,
     mesh: str | None = None,
+    others: bool = True,
     progress: Progress = silent,
 ) -> Roll:
-    """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, `mesh` beside a scenario."""
+    """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, `mesh` beside a scenario.
+
+    Without `others`, what `Roll.meshes` holds is found for the rolled mesh alone.
+    """
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
         raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
@@ -155,6 +159,7 @@ def roll_through(
     n = points * periods + 1
     rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
     names = mesh_names(own)
+    told = range(len(names)) if others else (k,)
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
     clear = without_deflections(own, state, held)
@@ -165,7 +170,7 @@ def roll_through(
             state = found.state
             rows[s] = found.observe(own)
             reaction[s] = found.reaction
-            for m in range(len(names)):
+            for m in told:
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 tangent[m, s] = tangent_stiffness(own, state, m)
                 unloaded[m, s] = touching_error(own, clear, m, contact)
@@ -177,7 +182,8 @@ def roll_through(
     except SolverError as error:
         status, text = error.status, f"{error} (after {done} of {n} points)"
     rows = rows[:done]
-    meshes = _mesh_rolls(own, rows, (unloaded[:, :done], tangent[:, :done]), rates, (spin, z))
+    curves = {m: (unloaded[m, :done], tangent[m, :done]) for m in told}
+    meshes = _mesh_rolls(own, rows, curves, rates, (spin, z))
     position = np.arange(done) / points
     spans = {
         c.name: {"min": column.min(initial=np.inf), "max": column.max(initial=-np.inf)}
@@ -188,18 +194,17 @@ def roll_through(
 
 
 def _mesh_rolls(
-    system: System, rows: Array, curves: tuple[Array, Array], rates: Array, rolled: tuple[int, int]
+    system: System, rows: Array, curves: dict[int, tuple[Array, Array]], rates: Array, rolled: tuple[int, int]
 ) -> dict[str, MeshRoll]:
-    """Every mesh over the points done; `rolled` is the spin that was turned and the number of its teeth."""
-    unloaded, tangent = curves
+    """Meshes over the points done; `rolled` is the spin that was turned and the number of its teeth."""
+    names = mesh_names(system)
     return {
-        name: MeshRoll(
-            unloaded[m],
-            tangent[m],
-            _shares(system, rows, name, int(mesh_record(system, m)["n_pair"])),
+        names[m]: MeshRoll(
+            *own,
+            _shares(system, rows, names[m], int(mesh_record(system, m)["n_pair"])),
             _pitches(system, mesh_record(system, m), rates, *rolled),
         )
-        for m, name in enumerate(mesh_names(system))
+        for m, own in curves.items()
     }
 
 

@@ -328,18 +328,19 @@ def _resisted(system: System, index: dict[int, int]) -> list[Array]:
             if kind == "bearing":
                 between -= _along(system, int(record["i"]))
             held |= between - (_unresisted(body, record) if kind == "bushing" else set())
-    return [np.eye(len(index))[index[s]] for s in sorted(held)]
+    rows = np.zeros((len(held), len(index)))
+    rows[range(len(held)), [index[s] for s in sorted(held)]] = 1.0
+    return list(rows)
 
 
 def _along(system: System, b: int) -> set[int]:
     """Spins of all bodies about the axis of body b, where they are drawn."""
     place, axis = (np.asarray(x, float) for x in (system.bodies[b - 1].position, system.bodies[b - 1].axes))
-    found = set()
-    for k, other in enumerate(system.bodies, start=1):
-        z, way = np.asarray(other.axes, float)[:, 2], np.asarray(other.position, float) - place
-        if max(np.linalg.norm(np.cross(z, axis[:, 2])), np.linalg.norm(np.cross(way, axis[:, 2]))) <= SAME:
-            found.add(int(system.program["body"][k]["spin"]))
-    return found
+    z = np.array([np.asarray(other.axes, float)[:, 2] for other in system.bodies])
+    way = np.array([np.asarray(other.position, float) for other in system.bodies]) - place
+    off = [np.linalg.norm(np.cross(x, axis[:, 2]), axis=1) for x in (z, way)]
+    spins = system.program["body"]["spin"][1:]
+    return {int(s) for s in spins[(off[0] <= SAME) & (off[1] <= SAME)]}
 
 
 def _unresisted(body: NDArray[np.void], record: np.void) -> set[int]:

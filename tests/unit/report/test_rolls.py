@@ -14,7 +14,7 @@ from pitchpoint.core.progress import silent
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
 from pitchpoint.report.collect import collect
-from pitchpoint.report.rolls import given_roll, periods_to_roll, periods_until_repeat
+from pitchpoint.report.rolls import given_roll, periods_to_roll, periods_until_repeat, points_to_roll
 
 PITCH = ", ".join(["0 um"] * 5 + ["30 um", "-30 um"] + ["0 um"] * 12)
 
@@ -167,3 +167,35 @@ def test_a_roll_without_load_has_one_curve() -> None:
     model = train().replace("loads.motor.torque", 0.0)
     roll = given_roll(pp.solve_quasistatic(pp.compile_model(model, "roll")))
     assert all(list(errors) == ["without load"] for _, errors in roll.curves.values())
+
+
+def test_ctrl_c_in_a_roll_ends_the_report() -> None:
+    """A roll keeps what it has and says that it was stopped; the report must not go on with the next mesh."""
+    told = []
+
+    def stop(done: float, total: float, note: str = "") -> None:
+        """What Ctrl-C does in the midst of the first roll."""
+        told.append((done, note))
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        collect(train(), [], stop)
+    ((done, note),) = told
+    assert 0.0 < done < 1.0 and note == "first: roll"
+
+
+def test_rolls_of_large_machines_have_fewer_points_and_the_page_says_which(monkeypatch) -> None:
+    """Three periods of the first mesh, of which one is drawn, have 96 points each; 80 where 240 are all."""
+    assert points_to_roll(100) == 960 and points_to_roll(101) == 240
+    model, told = train(), []
+    found, notes = collect(model, [], lambda done, total, note="": told.append((done, total)))
+    monkeypatch.setattr("pitchpoint.report.rolls.LARGE", 1)
+    fewer, said = collect(model, [], silent)
+    counts = [{n: len(c.error_phase) for n, c in x.mesh_cycles.items()} for x in (found, fewer)]
+    assert counts[0] == {"first": 96 + 2, "second": 96 + 2}
+    assert counts[1] == {"first": 80 + 2, "second": 96 + 2}
+    assert [n for n in said if n not in notes] == [
+        "Slow rolls have 240 points at most instead of 960, as the machine has more than 1 coordinates: "
+        "first. A scenario with quasi_static has as many as it says."
+    ]
+    assert told == sorted(told) and told[-1] == (4.0, 4), "two rolls, matrices, Campbell diagram"

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INTERRUPTED, OK
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.scenario import FORMS, METHODS, STIFF_METHODS
@@ -213,3 +214,17 @@ def test_a_run_that_takes_too_long_is_stopped_and_says_so(monkeypatch):
     assert "stopped after 0.3 s at t = " in stopped.sentence
     assert 0.0 < stopped.t_end < 0.02
     assert math.isnan(stopped.error)
+
+
+def test_ctrl_c_ends_a_comparison_also_when_the_time_of_its_run_is_up_meanwhile(monkeypatch):
+    """A run that Ctrl-C ends before it looks at the clock was ended by the user, however late it is then."""
+    rest = "scenarios:\n  turn: {speed: {driver: 300}, duration: 20 ms, step: 20 us}\n"
+    model, system = compiled(pair(LAWS["constant"][0], rest=rest), "turn")
+
+    def interrupted(system, scenario, **more):
+        """A run that Ctrl-C ends, which says so by its status."""
+        raise SolverError("interrupted", INTERRUPTED)
+
+    monkeypatch.setattr("pitchpoint.solvers.compare.run_time", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        compare_solvers(system, model.scenarios["turn"], limit_s=0.0)
