@@ -57,8 +57,8 @@ def test_keys_and_buttons_move_time(open_page: OpenPage, pair: tuple[str, str]) 
     assert asked(page, f"return all('.ppv button, .ppv input').filter({nameless}).length;") == 0
 
 
-def test_cursor_and_time_are_linked_both_ways(open_page: OpenPage, pair: tuple[str, str]) -> None:
-    page = scene(open_page, pair)
+def test_cursor_and_time_are_linked_both_ways(same_scene: OpenPage, pair: tuple[str, str]) -> None:
+    page = same_scene(pair)
     page.evaluate("pitchpointViewer.seek(0.05)")
     cursors = state(page)["cursor"]
     # a pixel of the plot is 1/900 of the record

@@ -48,6 +48,7 @@ class Browsers:
     def __init__(self) -> None:
         self._playwright: Playwright | None = None
         self._running: dict[tuple[str, ...], Browser] = {}
+        self._heard: dict[Page, list[str]] = {}
 
     def close(self) -> None:
         """End all of them."""
@@ -88,12 +89,20 @@ class Browsers:
         heard = _listen(context, file.as_uri())
         try:
             page = context.new_page()
+            self._heard[page] = heard
             page.goto(file.as_uri())
             yield page
-            page.evaluate("0")  # what it has said before has arrived then
+            self.judge(page)
         finally:
             context.close()
-        assert not heard, "\n".join(heard)
+
+    def judge(self, page: Page) -> None:
+        """Complain of what a page has said and asked for so far."""
+        page.evaluate("0")  # what it has said before has arrived then
+        heard = self._heard[page]
+        said = "\n".join(heard)
+        heard.clear()
+        assert not said, said
 
     def _browser(self, flags: tuple[str, ...]) -> Browser:
         from playwright.sync_api import sync_playwright
