@@ -34,7 +34,9 @@ MISSING = " and ".join(
 """Why pages cannot be opened; empty if they can."""
 needs_browser = pytest.mark.skipif(bool(MISSING), reason=MISSING)
 
-SOFTWARE_3D = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+# the page around a scene is put together without the graphics that are made in software
+SOFTWARE_3D = tuple("--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader".split())
+SOFTWARE_3D += ("--disable-gpu-compositing",)
 NO_WEBGL = ("--disable-3d-apis", "--disable-gpu", "--disable-software-rasterizer")
 OpenPage = Callable[..., Any]
 """What the fixture `open_page` gives."""
