@@ -73,10 +73,13 @@ def scene(open_page: OpenPage, *texts: tuple[str, str], **how: Any) -> Page:
 
 
 def as_at_first(page: Page) -> None:
-    """Undo what tests do to a scene by its functions and its keys, apart from chosen curves and the speed."""
+    """Undo what tests do to a scene by its functions and its keys, apart from the speed."""
     asked(
         page,
         """
+        window.curvesAtFirst ??= S().channels;
+        for (const name of S().channels) if (!curvesAtFirst.includes(name)) V.show(name, false);
+        for (const name of curvesAtFirst) V.show(name);
         V.pause(); V.repeat("record"); V.follow(-1); V.magnify(1); V.seek(0); V.view("iso"); V.gauge(-1, 1);
         V.pattern("off"); V.lines(); V.arrows("mesh"); V.arrows("bearing"); V.arrows("pair", false);
         if (S().mode >= 0) V.mode(-1);
