@@ -9,7 +9,8 @@ from typing import Any
 
 import pytest
 
-from tests.support.browser import MISSING, Browsers, opening
+from tests.support.browser import MISSING, Browsers, OpenPage, opening
+from tests.support.scene_browser import as_at_first, scene
 
 
 @pytest.fixture(scope="package")
@@ -27,3 +28,32 @@ def open_page(browsers: Browsers, tmp_path: Path) -> Iterator[Callable[..., Any]
     """Opens a page of a text or a file; after the test it must have said and asked for nothing."""
     with opening(browsers, tmp_path) as function:
         yield function
+
+
+@pytest.fixture(scope="module")
+def scenes_of_file(browsers: Browsers, tmp_path_factory: pytest.TempPathFactory) -> Iterator[OpenPage]:
+    """Opens a scene once for all tests of a file."""
+    found: dict[Any, Any] = {}
+    with opening(browsers, tmp_path_factory.mktemp("scenes")) as open_page:
+
+        def same(text: tuple[str, str]) -> Any:
+            if text not in found:
+                found[text] = scene(open_page, text)
+            return found[text]
+
+        yield same
+
+
+@pytest.fixture
+def same_scene(browsers: Browsers, scenes_of_file: OpenPage) -> Iterator[OpenPage]:
+    """A scene that other tests of the file look at too, as it was at first: mounting one takes a second."""
+    used = []
+
+    def same(text: tuple[str, str]) -> Any:
+        used.append(scenes_of_file(text))
+        as_at_first(used[-1])
+        return used[-1]
+
+    yield same
+    for page in used:
+        browsers.judge(page)

@@ -32,9 +32,15 @@ def cell() -> str:
 
 
 def test_a_model_in_a_cell(open_page: OpenPage, cell: str) -> None:
-    page = open_page(f'<!DOCTYPE html><meta charset="utf-8">{cell}', size=(1000, 900))
+    """It is as dark as the page around it says, until that changes its mind."""
+    body = '<body data-jp-theme-light="false">'
+    page = open_page(f'<!DOCTYPE html><meta charset="utf-8">{body}{cell}', size=(1000, 900), dark=None)
     (frame,) = page.main_frame.child_frames
     until(frame, READY)
+    colour = "getComputedStyle(document.querySelector('.ppv')).backgroundColor"
+    assert frame.evaluate(colour) == rgb(theme.DARK["paper"])
+    page.evaluate("document.body.dataset.jpThemeLight = 'true'")
+    until(frame, f"{colour} === '{rgb(theme.LIGHT['paper'])}'")
     assert frame.evaluate("self.origin") == "null"  # the sandbox is there: the frame belongs to nobody
     state = frame.evaluate("pitchpointViewer.state()")
     assert state["message"] is None and len(state["pictures"][0]["bodies"]) == 2
@@ -45,8 +51,8 @@ def test_a_model_in_a_cell(open_page: OpenPage, cell: str) -> None:
     assert file.value.suggested_filename.endswith(".stl")
 
 
-def test_cells_follow_the_theme_of_the_notebook(open_page: OpenPage, cell: str) -> None:
-    """Whatever the system prefers; a drawing by rules of its own, a frame as far as browsers hand it on."""
+def test_drawings_follow_the_theme_of_the_notebook(open_page: OpenPage, cell: str) -> None:
+    """Whatever the system prefers."""
     drawing = cell[: cell.index("<iframe")]
     page = open_page(f'<!DOCTYPE html><meta charset="utf-8">{drawing}', dark=True)
     paper = "getComputedStyle($('.pp-paper')).fill"
@@ -57,15 +63,6 @@ def test_cells_follow_the_theme_of_the_notebook(open_page: OpenPage, cell: str) 
         assert found == [rgb(getattr(theme, expected.upper())["paper"]), rgb(theme.DARK["paper"])], mark
     page.emulate_media(color_scheme="light")
     assert asked(page, f"return {paper};") == rgb(theme.LIGHT["paper"])
-    framed = open_page(
-        f'<!DOCTYPE html><meta charset="utf-8"><body data-jp-theme-light="false">{cell}', dark=None
-    )
-    (frame,) = framed.main_frame.child_frames
-    until(frame, READY)
-    style = "getComputedStyle(document.querySelector('.ppv')).backgroundColor"
-    assert frame.evaluate(style) == rgb(theme.DARK["paper"])
-    framed.evaluate("document.body.dataset.jpThemeLight = 'true'")
-    until(frame, f"{style} === '{rgb(theme.LIGHT['paper'])}'")
 
 
 def rgb(colour: str) -> str:

@@ -7,6 +7,7 @@ One run of the browser answers the questions of several tests.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -120,23 +121,6 @@ def test_keys_reach_everything(wide: dict[str, Any]) -> None:
     assert wide["lost"] == wide["nameless"] == 0
 
 
-def test_every_control_has_an_effect(report: str, open_page: OpenPage) -> None:
-    """Without WebGL, the scene has tests of its own. Tools of plots are alike; none leads out of the page."""
-    page = drawn(open_page, report, webgl=False, size=(800, 600))
-    walk = Walk(page, "pitchpointViewer.seek(0)")
-    found = walk.over("main", but=".ppv, .modebar")
-    assert sum(name.startswith("show the scene at") for name in found) >= 8
-    assert sum(name.startswith("orders of") for name in found) == 4
-    labels = "(bar) => [...bar.querySelectorAll('button')].map((b) => b.ariaLabel)"
-    tools = asked(page, f"return all('.modebar').map({labels});")
-    assert len(tools) > 15 and all(bar == TOOLS for bar in tools)
-    page.evaluate("document.querySelector('#time .plot').id = 'first'")
-    page.locator("#first").hover()
-    walk.start = "Plotly.relayout('first', {'xaxis.range': [20, 60]})"
-    assert sorted(walk.over("#first .modebar")) == sorted(TOOLS)
-    assert [file.rpartition(".")[2] for file in walk.files] == ["png"]
-
-
 def test_a_narrow_page_in_the_dark_without_webgl(
     report: str, open_page: OpenPage, wide: dict[str, Any]
 ) -> None:
@@ -154,7 +138,14 @@ def test_a_narrow_page_in_the_dark_without_webgl(
     assert narrow["colours"] == ["#e6e9ed", "rgb(20, 24, 29)"]
 
 
-def test_reader_chooses_whose_orders_a_picture_shows(report: str, open_page: OpenPage) -> None:
+@pytest.fixture(scope="module")
+def plain(browsers: Browsers, report: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    """The report without WebGL."""
+    with opening(browsers, tmp_path_factory.mktemp("plain")) as open_page:
+        yield drawn(open_page, report, webgl=False)
+
+
+def test_reader_chooses_whose_orders_a_picture_shows(plain: Any) -> None:
     """The driven shaft turns half as fast in these data: orders double, speeds halve, titles follow."""
     script = """
       const look = (node) => [node._fullData[0].x[10], node.layout.xaxis.range[1],
@@ -174,5 +165,21 @@ def test_reader_chooses_whose_orders_a_picture_shows(report: str, open_page: Ope
       return said;
     """
     title = "order [per revolution of driven]"
-    said = found(open_page, report, script, webgl=False)
+    said = asked(plain, script)
     assert said == [f"{title} 2.00 2.00 2.00 1.00"] * 2 + [f"{title} 2.00 2.00 - 0.50"] * 2
+
+
+def test_every_control_has_an_effect(plain: Any) -> None:
+    """Without WebGL, the scene has tests of its own. Tools of plots are alike; none leads out of the page."""
+    walk = Walk(plain, "pitchpointViewer.seek(0)")
+    found = walk.over("main", but=".ppv, .modebar")
+    assert sum(name.startswith("show the scene at") for name in found) >= 8
+    assert sum(name.startswith("orders of") for name in found) == 4
+    labels = "(bar) => [...bar.querySelectorAll('button')].map((b) => b.ariaLabel)"
+    tools = asked(plain, f"return all('.modebar').map({labels});")
+    assert len(tools) > 15 and all(bar == TOOLS for bar in tools)
+    plain.evaluate("document.querySelector('#time .plot').id = 'first'")
+    plain.locator("#first").hover()
+    walk.start = "Plotly.relayout('first', {'xaxis.range': [20, 60]})"
+    assert sorted(walk.over("#first .modebar")) == sorted(TOOLS)
+    assert [file.rpartition(".")[2] for file in walk.files] == ["png"]

@@ -35,11 +35,11 @@ def pair() -> tuple[str, str]:
     return texts_of(*gears())
 
 
-def test_bodies_are_where_the_numbers_put_them(open_page: OpenPage, pair: tuple[str, str]) -> None:
+def test_bodies_are_where_the_numbers_put_them(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     """At a frame, and half-way between two: angles and displacements are straight lines there."""
     times = [float(TIMES[210]), float(0.5 * (TIMES[333] + TIMES[334]))]
     script = STATES % times
-    found = asked(scene(open_page, pair), script)
+    found = asked(same_scene(pair), script)
     for t, state in zip(times, found, strict=True):
         assert state["time"] == t and state["message"] is None
         pinion, wheel, end = map(matrix, state["pictures"][0]["bodies"])
@@ -53,10 +53,10 @@ def test_bodies_are_where_the_numbers_put_them(open_page: OpenPage, pair: tuple[
         assert np.abs(wheel[:3, :3] - about_z(-SPEED * t * TEETH[0] / TEETH[1])).max() < 1e-12
 
 
-def test_magnified_vibrations_leave_the_turning_alone(open_page: OpenPage, pair: tuple[str, str]) -> None:
+def test_magnified_vibrations_leave_the_turning_alone(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     t = float(TIMES[213])
     script = f"V.seek({t}); V.magnify(500); V.draw(); return S();"
-    picture = asked(scene(open_page, pair), script)["pictures"][0]
+    picture = asked(same_scene(pair), script)["pictures"][0]
     pinion, wheel, _ = map(matrix, picture["bodies"])
     wave = SHAKE * np.sin(2 * np.pi * 200.0 * TIMES)
     spin = 1e-4 * np.cos(2 * np.pi * 300 * TIMES)
@@ -68,11 +68,11 @@ def test_magnified_vibrations_leave_the_turning_alone(open_page: OpenPage, pair:
     assert np.abs(wheel[:3, :3] - about_z(-SPEED * t * TEETH[0] / TEETH[1])).max() < 1e-12
 
 
-def test_arrows_follow_the_force(open_page: OpenPage, pair: tuple[str, str]) -> None:
+def test_arrows_follow_the_force(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     times = [float(TIMES[k]) for k in (0, 60, 300, 450, 540)]
     script = STATES % times
     longest = []
-    for t, state in zip(times, asked(scene(open_page, pair), script), strict=True):
+    for t, state in zip(times, asked(same_scene(pair), script), strict=True):
         mesh, bearing = state["pictures"][0]["arrows"]
         share = float(load(np.array(t)))
         expected = {"circumferential": [0, 1, 0], "radial": [-1, 0, 0], "axial": [0, 0, 1]}
@@ -94,7 +94,7 @@ def test_arrows_follow_the_force(open_page: OpenPage, pair: tuple[str, str]) -> 
     assert longest[-1] == 0 and np.diff(longest[:-1]).min() > 0
 
 
-def test_arrows_are_painted_as_long_as_the_force(open_page: OpenPage, pair: tuple[str, str]) -> None:
+def test_arrows_are_painted_as_long_as_the_force(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     """Pixels that change when arrows are hidden: along y the circumferential force, along -x the radial."""
     times = [float(TIMES[k]) for k in (60, 300, 450, 540)]
     script = """
@@ -122,7 +122,7 @@ def test_arrows_are_painted_as_long_as_the_force(open_page: OpenPage, pair: tupl
       return {out, height};
     """
     seen = 0.25
-    found = asked(scene(open_page, pair), script % (seen, times))
+    found = asked(same_scene(pair), script % (seen, times))
     ends = []
     for t, one in zip(times, found["out"], strict=True):
         if not load(np.array(t)):
@@ -139,7 +139,7 @@ def test_arrows_are_painted_as_long_as_the_force(open_page: OpenPage, pair: tupl
     assert ends == pytest.approx(3 * [np.mean(ends)], rel=0.05), "a point of 2 in 40 pixels"
 
 
-def test_legend_says_what_the_arrows_are_worth(open_page: OpenPage, pair: tuple[str, str]) -> None:
+def test_legend_says_what_the_arrows_are_worth(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     script = """
       V.seek(0.06); V.draw();
       const rows = [...document.querySelectorAll(".ppv-legend tbody tr")].map((row) =>
@@ -150,7 +150,7 @@ def test_legend_says_what_the_arrows_are_worth(open_page: OpenPage, pair: tuple[
       return {rows, hidden, lengths: S().pictures[0].arrows.map((a) => a.lengths.circumferential),
         state: $(".ppv-state").title, colour: getComputedStyle($(".ppv-radial i")).backgroundColor};
     """
-    found = asked(scene(open_page, pair), script)
+    found = asked(same_scene(pair), script)
     share = float(load(np.array(0.06)))
     values = found["rows"][0]
     assert values[0].strip() == "stage 1" and found["state"] == "front flank"
@@ -160,7 +160,7 @@ def test_legend_says_what_the_arrows_are_worth(open_page: OpenPage, pair: tuple[
     assert found["colour"] == "rgb(0, 114, 178)"
 
 
-def test_loops_last_one_turn_or_one_mesh_cycle(open_page: OpenPage, pair: tuple[str, str]) -> None:
+def test_loops_last_one_turn_or_one_mesh_cycle(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     script = """
       const out = [];
       V.seek(0.01);
@@ -170,7 +170,7 @@ def test_loops_last_one_turn_or_one_mesh_cycle(open_page: OpenPage, pair: tuple[
       V.play(); for (let k = 0; k < 5; k++) { V.advance(0.02); out.push(S().time); }
       return out;
     """
-    turn, cycle, wheel, *later = asked(scene(open_page, pair), script)
+    turn, cycle, wheel, *later = asked(same_scene(pair), script)
     # the pinion's deviation of 1e-4 rad shifts the end of its turn
     assert turn[0] == "" and turn[2] - turn[1] == pytest.approx(2 * np.pi / SPEED, abs=2.1e-4 / SPEED)
     assert cycle[2] - cycle[1] == pytest.approx(2 * np.pi / TEETH[0] / SPEED, abs=2.1e-4 / SPEED)
@@ -178,13 +178,13 @@ def test_loops_last_one_turn_or_one_mesh_cycle(open_page: OpenPage, pair: tuple[
     assert all(wheel[1] <= t <= wheel[2] for t in later) and len(set(later)) > 1
 
 
-def test_nothing_is_drawn_while_nothing_changes(open_page: OpenPage, pair: tuple[str, str]) -> None:
+def test_nothing_is_drawn_while_nothing_changes(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     """Neither while thirty pictures go by, nor in a while after them."""
     script = """
       const pictures = async (n) => { for (; n; n--) await new Promise(requestAnimationFrame); };
       await pictures(10); const n = S().drawn; await pictures(30); await wait(500); return [n, S().drawn];
     """
-    before, after = asked(scene(open_page, pair), script)
+    before, after = asked(same_scene(pair), script)
     assert 0 < before == after
 
 
@@ -237,20 +237,17 @@ def damaged(header: dict[str, Any], block: Any, how: str) -> tuple[str, str]:
     return text.replace("pitchpoint-scene-1", "pitchpoint-scene-9"), numbers
 
 
-@pytest.mark.parametrize(
-    ("how", "says"),
-    [
-        ("no base64", "not base64"),
-        ("short gzip", "truncated"),
-        ("short header", "header of this scene cannot be read"),
-        ("array beyond the end", "beyond the end of the numbers"),
-        ("unknown type", "no type or shape"),
-        ("unknown format", 'format "pitchpoint-scene-9"'),
-    ],
-)
-def test_damaged_scenes_are_refused_in_a_sentence(open_page: OpenPage, how: str, says: str) -> None:
-    said = refused(open_page, damaged(*gears(), how))
-    assert says in said and said.endswith(".")
+def test_damaged_scenes_are_refused_in_a_sentence(open_page: OpenPage) -> None:
+    says = {
+        "no base64": "not base64",
+        "short gzip": "truncated",
+        "short header": "header of this scene cannot be read",
+        "array beyond the end": "beyond the end of the numbers",
+        "unknown type": "no type or shape",
+        "unknown format": 'format "pitchpoint-scene-9"',
+    }
+    said = refused(open_page, {how: damaged(*gears(), how) for how in says})
+    assert all(says[how] in said[how] and said[how].endswith(".") for how in says), said
 
 
 def test_scene_without_solids_still_has_curves(open_page: OpenPage) -> None:

@@ -38,12 +38,12 @@ def scene() -> tuple[str, str]:
 
 
 def test_lines_and_forces_of_pairs_are_where_the_numbers_put_them(
-    open_page: OpenPage, scene: tuple[str, str]
+    same_scene: OpenPage, scene: tuple[str, str]
 ) -> None:
     """At frames and half-way between two, where lines move on and loads of pairs in both frames are held."""
     times = [float(TIMES[37]), float(TIMES[301]), 0.5 * float(TIMES[444] + TIMES[445])]
     script = "V.arrows('pair');" + STATES % times
-    for t, state in zip(times, asked(shown(open_page, scene), script), strict=True):
+    for t, state in zip(times, asked(same_scene(scene), script), strict=True):
         picture = state["pictures"][0]
         (mesh,) = picture["contacts"]["meshes"]
         expected = pairs_at(t)
@@ -78,7 +78,7 @@ def test_lines_and_forces_of_pairs_are_where_the_numbers_put_them(
         assert total == pytest.approx(sum(line["force"] for line in lines.values()) * np.cos(ALPHA), rel=1e-6)
 
 
-def test_forces_of_pairs_are_shown_when_asked_for(open_page: OpenPage, scene: tuple[str, str]) -> None:
+def test_forces_of_pairs_are_shown_when_asked_for(same_scene: OpenPage, scene: tuple[str, str]) -> None:
     script = """
       V.seek(0.06); V.draw();
       const rows = () => [...document.querySelectorAll(".ppv-legend tbody tr")].filter((r) => !r.hidden)
@@ -88,7 +88,7 @@ def test_forces_of_pairs_are_shown_when_asked_for(open_page: OpenPage, scene: tu
       labels.find((l) => /tooth pairs/.test(l.innerText)).querySelector("input").click(); V.draw();
       return {before, after: rows(), legend: $(".ppv-flanks").innerText};
     """
-    found = asked(shown(open_page, scene), script)
+    found = asked(same_scene(scene), script)
     assert found["before"] == ["stage 1", "bearing a"]
     slots = sorted(1 + pair % SLOTS for pair in pairs_at(0.06))
     assert found["after"][2:] == [f"stage 1, pair {slot}" for slot in slots]
@@ -96,12 +96,12 @@ def test_forces_of_pairs_are_shown_when_asked_for(open_page: OpenPage, scene: tu
     assert f"{3 * LOAD * 1.3 / 1e3:.1f}\u2009N/mm" in found["legend"]
 
 
-def test_pattern_keeps_the_largest_load_so_far(open_page: OpenPage, scene: tuple[str, str]) -> None:
+def test_pattern_keeps_the_largest_load_so_far(same_scene: OpenPage, scene: tuple[str, str]) -> None:
     times = [float(TIMES[k]) for k in (3, 150, 600, 3)]
     script = (
         "const none = (V.draw(), S().pictures[0].contacts); V.pattern('each');" + STATES % times
     ).replace("return out;", "return {none, out};")
-    found = asked(shown(open_page, scene), script)
+    found = asked(same_scene(scene), script)
     assert found["none"]["pattern"] == "off" and found["none"]["meshes"][0]["pattern"] == []
     covered = []
     for t, state in zip(times, found["out"], strict=True):
@@ -120,7 +120,7 @@ def test_pattern_keeps_the_largest_load_so_far(open_page: OpenPage, scene: tuple
     assert 0.9 * 3 * LOAD * 1.3 < last["greatest"] <= 3 * LOAD * 1.3 * (1 + 1e-6)
 
 
-def test_colours_tell_pressure_when_asked_for(open_page: OpenPage, scene: tuple[str, str]) -> None:
+def test_colours_tell_pressure_when_asked_for(same_scene: OpenPage, scene: tuple[str, str]) -> None:
     """Pressure of every station from its place on the path and its load; legend and largest of all."""
     t = float(TIMES[301])
     script = """
@@ -133,7 +133,7 @@ def test_colours_tell_pressure_when_asked_for(open_page: OpenPage, scene: tuple[
       V.shade("load"); V.draw();
       return {...out, chosen: select.value, after: $(".ppv-flanks").innerText};
     """
-    found = asked(shown(open_page, scene), script % t)
+    found = asked(same_scene(scene), script % t)
     assert found["load"] == "load" and found["contacts"]["shade"] == "pressure"
     now = 0.0
     for line in found["contacts"]["meshes"][0]["lines"]:
@@ -157,7 +157,7 @@ def test_colours_tell_pressure_when_asked_for(open_page: OpenPage, scene: tuple[
     assert found["chosen"] == "load" and "N/mm" in found["after"] and "MPa" not in found["after"]
 
 
-def test_pattern_is_painted_on_the_picture(open_page: OpenPage, scene: tuple[str, str]) -> None:
+def test_pattern_is_painted_on_the_picture(same_scene: OpenPage, scene: tuple[str, str]) -> None:
     """Pixels change with the pattern, and come back without it."""
     script = """
       V.seek(0.1); V.lines(false); for (const kind of ["mesh", "bearing"]) V.arrows(kind, false);
@@ -168,10 +168,12 @@ def test_pattern_is_painted_on_the_picture(open_page: OpenPage, scene: tuple[str
       V.pattern("all"); V.shade("pressure"); shots.push(await bytes());
       return [0, 0, 1].map((k, n) => shots[k] === shots[n + 1]);
     """
-    assert asked(shown(open_page, scene), script) == [False, True, False]
+    assert asked(same_scene(scene), script) == [False, True, False]
 
 
-def test_gap_is_told_by_the_channels_and_drawn_magnified(open_page: OpenPage, scene: tuple[str, str]) -> None:
+def test_gap_is_told_by_the_channels_and_drawn_magnified(
+    same_scene: OpenPage, scene: tuple[str, str]
+) -> None:
     script = """
       V.seek(%s); V.draw(); V.gauge(0); V.draw();
       const fitting = S().pictures[0].contacts.meshes[0].magnified; V.gauge(0, 40); V.draw();
@@ -181,7 +183,7 @@ def test_gap_is_told_by_the_channels_and_drawn_magnified(open_page: OpenPage, sc
     """
     t = 0.25 * LENGTH
     front, back = PENETRATION[0] + 1e-6, PENETRATION[1] - 1e-6
-    found = asked(shown(open_page, scene), script % t)
+    found = asked(same_scene(scene), script % t)
     assert "front flank 5.00\u2009µm deep, back flank 97.0\u2009µm apart; drawn × 40" in found["words"]
     a, b, c, d = np.array(found["mesh"]["plates"])
     thick = 0.03 * np.pi * 4e-3 * np.cos(ALPHA)
@@ -220,17 +222,14 @@ def test_marks_are_listed_and_lead_to_their_instants(open_page: OpenPage, scene:
     assert found["at"] == pytest.approx(0.03)
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "says"),
-    [
-        ('"body": 1, "gear"', '"body": 99, "gear"', "on no body"),
-        ('"pressure_angle"', '"angle"', "has no pressure_angle"),
-        ('"base_pitch": 0', '"base_pitch": -0', "has no flanks"),
-    ],
-)
-def test_damaged_contacts_are_refused_in_a_sentence(
-    open_page: OpenPage, scene: tuple[str, str], old: str, new: str, says: str
-) -> None:
+def test_damaged_contacts_are_refused_in_a_sentence(open_page: OpenPage, scene: tuple[str, str]) -> None:
     header, numbers = scene
-    assert old in header
-    assert says in refused(open_page, (header.replace(old, new), numbers))
+    damage = {
+        "on no body": ('"body": 1, "gear"', '"body": 99, "gear"'),
+        "has no pressure_angle": ('"pressure_angle"', '"angle"'),
+        "has no flanks": ('"base_pitch": 0', '"base_pitch": -0'),
+    }
+    assert all(old in header for old, _ in damage.values())
+    texts = {says: (header.replace(old, new), numbers) for says, (old, new) in damage.items()}
+    said = refused(open_page, texts)
+    assert all(says in said[says] for says in damage), said

@@ -57,8 +57,8 @@ def test_keys_and_buttons_move_time(open_page: OpenPage, pair: tuple[str, str]) 
     assert asked(page, f"return all('.ppv button, .ppv input').filter({nameless}).length;") == 0
 
 
-def test_cursor_and_time_are_linked_both_ways(open_page: OpenPage, pair: tuple[str, str]) -> None:
-    page = scene(open_page, pair)
+def test_cursor_and_time_are_linked_both_ways(same_scene: OpenPage, pair: tuple[str, str]) -> None:
+    page = same_scene(pair)
     page.evaluate("pitchpointViewer.seek(0.05)")
     cursors = state(page)["cursor"]
     # a pixel of the plot is 1/900 of the record
@@ -86,9 +86,9 @@ def test_cursor_and_time_are_linked_both_ways(open_page: OpenPage, pair: tuple[s
 
 
 def test_curves_are_found_by_words_and_share_a_plot_by_unit(
-    open_page: OpenPage, pair: tuple[str, str]
+    same_scene: OpenPage, pair: tuple[str, str]
 ) -> None:
-    page = scene(open_page, pair)
+    page = same_scene(pair)
     page.fill(".ppv-picker input", "RADIAL stage")
     (only,) = page.locator(".ppv-list button").all()
     assert only.text_content() == "radial force, stage_1"
@@ -104,7 +104,7 @@ def test_curves_are_found_by_words_and_share_a_plot_by_unit(
 
 
 def test_wheel_scrolls_a_longer_page_until_the_scene_is_clicked(
-    open_page: OpenPage, pair: tuple[str, str]
+    open_page: OpenPage, same_scene: OpenPage, pair: tuple[str, str]
 ) -> None:
     def zoomed(page: Any) -> float:
         """How much nearer the camera goes by a turn of the wheel."""
@@ -118,4 +118,4 @@ def test_wheel_scrolls_a_longer_page_until_the_scene_is_clicked(
     assert zoomed(small) == 1.0
     small.click(".ppv-canvas", position={"x": 400, "y": 100})
     assert zoomed(small) < 0.8
-    assert zoomed(scene(open_page, pair)) < 0.8
+    assert zoomed(same_scene(pair)) < 0.8

@@ -21,7 +21,7 @@ def pair() -> tuple[str, str]:
     return texts_of(*gears())
 
 
-def test_modes_swing_about_the_place_at_rest(open_page: OpenPage, pair: tuple[str, str]) -> None:
+def test_modes_swing_about_the_place_at_rest(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     """Second body up, third down and twice as wide, a quarter of it a quarter period late."""
     script = """
       V.seek(0.07); V.draw(); const before = S(); V.mode(0); const out = [];
@@ -29,7 +29,7 @@ def test_modes_swing_about_the_place_at_rest(open_page: OpenPage, pair: tuple[st
       V.mode(1); V.draw(); const twist = S();
       V.mode(-1); V.draw(); return {before, out, twist, after: S()};
     """
-    found = asked(scene(open_page, pair), script)
+    found = asked(same_scene(pair), script)
     assert found["out"][0]["mode"] == 0 and found["after"]["mode"] == -1
     one, other = (
         np.array([matrix(s["pictures"][0]["bodies"][k])[1, 3] for s in found["out"]]) for k in (1, 2)
@@ -46,13 +46,13 @@ def test_modes_swing_about_the_place_at_rest(open_page: OpenPage, pair: tuple[st
     assert found["after"]["pictures"] == found["before"]["pictures"]
 
 
-def test_look_into_a_mesh_cuts_it_where_it_acts(open_page: OpenPage, pair: tuple[str, str]) -> None:
+def test_look_into_a_mesh_cuts_it_where_it_acts(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     script = """
       named("View").click();
       [...document.querySelectorAll(".ppv-panel button")].find((b) => b.textContent === "stage 1").click();
       V.draw(); return S();
     """
-    state = asked(scene(open_page, pair), script)
+    state = asked(same_scene(pair), script)
     point = np.array([TEETH[0] * 2e-3, 0, 0])
     assert state["camera"]["target"] == pytest.approx(list(point), abs=1e-6)
     view = np.array(state["camera"]["position"]) - point
@@ -185,7 +185,7 @@ def test_two_results_share_time_camera_and_scale(open_page: OpenPage, pair: tupl
     assert "|" in found["state"]["cursor"][0]["readings"][0]
 
 
-def test_files_hold_what_is_shown(open_page: OpenPage, pair: tuple[str, str]) -> None:
+def test_files_hold_what_is_shown(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     """STL: triangles where the bodies are. GLB: tracks that a reader can follow. PNG: the size asked for."""
     script = """
       const text = async (kind, times) => {
@@ -198,7 +198,7 @@ def test_files_hold_what_is_shown(open_page: OpenPage, pair: tuple[str, str]) ->
       const state = S(), png = await text("png", 2);
       return {size, state, png, stl: await text("stl"), glb: await text("glb")};
     """
-    found = asked(scene(open_page, pair), script)
+    found = asked(same_scene(pair), script)
     picture = base64.b64decode(found["png"])
     assert picture[:8] == b"\x89PNG\r\n\x1a\n"
     assert [int.from_bytes(picture[k : k + 4]) for k in (16, 20)] == [2 * n for n in found["size"]]

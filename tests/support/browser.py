@@ -34,7 +34,9 @@ MISSING = " and ".join(
 """Why pages cannot be opened; empty if they can."""
 needs_browser = pytest.mark.skipif(bool(MISSING), reason=MISSING)
 
-SOFTWARE_3D = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+# the page around a scene is put together without the graphics that are made in software
+SOFTWARE_3D = tuple("--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader".split())
+SOFTWARE_3D += ("--disable-gpu-compositing",)
 NO_WEBGL = ("--disable-3d-apis", "--disable-gpu", "--disable-software-rasterizer")
 OpenPage = Callable[..., Any]
 """What the fixture `open_page` gives."""
@@ -48,6 +50,7 @@ class Browsers:
     def __init__(self) -> None:
         self._playwright: Playwright | None = None
         self._running: dict[tuple[str, ...], Browser] = {}
+        self._heard: dict[Page, list[str]] = {}
 
     def close(self) -> None:
         """End all of them."""
@@ -88,12 +91,20 @@ class Browsers:
         heard = _listen(context, file.as_uri())
         try:
             page = context.new_page()
+            self._heard[page] = heard
             page.goto(file.as_uri())
             yield page
-            page.evaluate("0")  # what it has said before has arrived then
+            self.judge(page)
         finally:
             context.close()
-        assert not heard, "\n".join(heard)
+
+    def judge(self, page: Page) -> None:
+        """Complain of what a page has said and asked for so far."""
+        page.evaluate("0")  # what it has said before has arrived then
+        heard = self._heard[page]
+        said = "\n".join(heard)
+        heard.clear()
+        assert not said, said
 
     def _browser(self, flags: tuple[str, ...]) -> Browser:
         from playwright.sync_api import sync_playwright

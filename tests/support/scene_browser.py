@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -71,16 +72,46 @@ def scene(open_page: OpenPage, *texts: tuple[str, str], **how: Any) -> Page:
     return page
 
 
+def as_at_first(page: Page) -> None:
+    """Undo what tests do to a scene by its functions and its keys, apart from the speed."""
+    asked(
+        page,
+        """
+        window.curvesAtFirst ??= S().channels;
+        for (const name of S().channels) if (!curvesAtFirst.includes(name)) V.show(name, false);
+        for (const name of curvesAtFirst) V.show(name);
+        V.pause(); V.repeat("record"); V.follow(-1); V.magnify(1); V.seek(0); V.view("iso"); V.gauge(-1, 1);
+        V.pattern("off"); V.lines(); V.arrows("mesh"); V.arrows("bearing"); V.arrows("pair", false);
+        if (S().mode >= 0) V.mode(-1);
+        for (const key of S().section.on ? ["s", "Escape"] : ["Escape"])
+          document.body.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true}));
+        V.draw();
+        """,
+    )
+
+
 def refusal(page: Page) -> str:
     """The sentence that stands where a scene cannot."""
     return str(page.text_content(".ppv-message"))
 
 
-def refused(open_page: OpenPage, text: tuple[str, str]) -> str:
-    """The sentence in the place of a scene that cannot be read."""
-    page = open_page(page_of(text))
+def refused(open_page: OpenPage, texts: Mapping[str, tuple[str, str]]) -> dict[str, str]:
+    """The sentences in the place of scenes that cannot be read, which are tried one after the other.
+
+    Parameters
+    ----------
+    open_page
+        The fixture.
+    texts
+        Header and numbers of each, by any name.
+    """
+    page = open_page(page_of(*list(texts.values())[:1]))
     assert not page.evaluate("mounted")
-    return refusal(page)
+    again = """([header, numbers]) => {
+      document.getElementById("pp-scene").textContent = header;
+      document.getElementById("pp-scene-numbers").textContent = numbers;
+      return pitchpointViewer.mount(document.getElementById("view")); }"""
+    return {name: refusal(page) for name, text in texts.items() if not page.evaluate(again, list(text))}
 
 
 def matrix(elements: list[float]) -> np.ndarray:
