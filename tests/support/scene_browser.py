@@ -81,7 +81,8 @@ def as_at_first(page: Page) -> None:
         for (const name of S().channels) if (!curvesAtFirst.includes(name)) V.show(name, false);
         for (const name of curvesAtFirst) V.show(name);
         V.pause(); V.repeat("record"); V.follow(-1); V.magnify(1); V.seek(0); V.view("iso"); V.gauge(-1, 1);
-        V.pattern("off"); V.lines(); V.arrows("mesh"); V.arrows("bearing"); V.arrows("pair", false);
+        V.pattern("off"); V.shade("load"); V.lines();
+        V.arrows("mesh"); V.arrows("bearing"); V.arrows("pair", false);
         if (S().mode >= 0) V.mode(-1);
         for (const key of S().section.on ? ["s", "Escape"] : ["Escape"])
           document.body.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true}));

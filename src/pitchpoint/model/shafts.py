@@ -156,10 +156,11 @@ def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
             if shaft in found and (key == "position" or shaft != load.body):
                 found[shaft].append((("loads", name, key), along(shaft, place_of_load(machine, load))))
     for name, joint in machine.joints.items():
-        at = joint_place(machine, joint)
+        ends = {split(e)[0] for e in joint.bodies} & found.keys()
+        at = joint_place(machine, joint) if ends else None
         if at is None:
             continue
-        for shaft in {split(e)[0] for e in joint.bodies} & found.keys():
+        for shaft in ends:
             found[shaft].append((("joints", name, "position"), along(shaft, at)))
     return found
 
