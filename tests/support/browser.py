@@ -128,7 +128,7 @@ def _listen(context: BrowserContext, own: str) -> list[str]:
             heard.append(f"console, {message.type}: {message.text}")
 
     context.on("console", said)
-    context.on("weberror", lambda event: heard.append(f"error: {event.error}"))
+    context.on("page", lambda page: page.on("pageerror", lambda error: heard.append(f"error: {error}")))
 
     def asked(request: Any) -> None:
         if request.url.partition("#")[0] != own and not request.url.startswith(("data:", "blob:")):

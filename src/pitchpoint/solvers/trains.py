@@ -370,18 +370,21 @@ def _leaning(system: System) -> set[int]:
     """Spins about whose axes the weight of what hangs there has a lever."""
     body = system.program["body"]
     places = [np.zeros(3), *(np.asarray(b.position, float) for b in system.bodies)]
-    found = set()
+    turning: dict[int, list[int]] = {}
     for k in range(1, len(body)):
-        if body[k]["spin"] < 0:
-            continue
-        axis = np.asarray(system.bodies[k - 1].axes, float)[:, 2]
-        lever, mass = np.zeros(3), 0.0
-        for b in range(k, len(body)):
-            if int(body[k]["spin"]) in _movers(body, b):
-                own = system.bodies[b - 1]
-                center = places[b] + np.asarray(own.axes, float) @ own.center_of_mass()
-                lever += own.mass * (center - places[k])
-                mass += own.mass
-        if np.linalg.norm(lever - (lever @ axis) * axis) > ECCENTRIC * mass:
-            found.add(int(body[k]["spin"]))
+        if body[k]["spin"] >= 0:
+            turning.setdefault(int(body[k]["spin"]), []).append(k)
+    lever, mass = np.zeros((len(body), 3)), np.zeros(len(body))
+    for b in range(1, len(body)):
+        own = system.bodies[b - 1]
+        center = places[b] + np.asarray(own.axes, float) @ own.center_of_mass()
+        for k in (k for spin in _movers(body, b) for k in turning[spin] if k <= b):
+            lever[k] += own.mass * (center - places[k])
+            mass[k] += own.mass
+    found = set()
+    for spin, bodies in turning.items():
+        for k in bodies:
+            axis = np.asarray(system.bodies[k - 1].axes, float)[:, 2]
+            if np.linalg.norm(lever[k] - (lever[k] @ axis) * axis) > ECCENTRIC * mass[k]:
+                found.add(spin)
     return found
