@@ -74,6 +74,7 @@ class BevelLines:
         self.line = np.zeros((n, 6))
         self.axes = np.zeros((n, 3, 3))
         self.apart = np.zeros((n, 3))
+        self.aside = np.zeros((n, 2))
         self.first: Any = None
 
     @property
@@ -104,6 +105,7 @@ class BevelLines:
         self.line[frame] = (*path, *face, math.atan2(b["sin_a"], b["cos_a"]), b["gap"])
         self.axes[frame] = np.column_stack([b["e"], b["t"], b["m"]])
         self.apart[frame] = self.axes[frame].T @ b["d"]
+        self.aside[frame] = b["aside"]
 
     def close(self) -> None:
         """Loads of all frames, once they have been kept."""
@@ -149,7 +151,9 @@ class BevelLines:
         across = side * np.cos(alpha) * along + np.sin(alpha) * towards
         c, s = np.cos(sigma), np.sin(sigma)
         deep = c * (across - tan * ray)[:, None] - s * (ray + tan * across)[:, None]
-        deep += R * ((side * self.deflection - 0.5 * self.line[:, 5]) / float(b["R_m"]))[:, None]
+        # what displaced apexes add to travel and backlash at the pitch point is in the first line
+        turned = side * (self.deflection - self.aside[:, 0]) - 0.5 * (self.line[:, 5] - self.aside[:, 1])
+        deep += R * (turned / float(b["R_m"]))[:, None]
         start, end = (self.line[:, i, None] for i in range(2))
         eps = (end - start) / float(b["p_bt"])
         p = np.clip((x - start) / float(b["p_bt"]), 0.0, eps)

@@ -119,7 +119,7 @@ def _owner(channel: str) -> str:
 def _shafts(model: Model, result: xr.Dataset) -> Mapping[str, _Shaft]:
     """Shafts that turn one way, by the mesh whose first gear they carry; without a name the first of all."""
     found: dict[str, _Shaft] = {}
-    for name, mesh in model.meshes.items():
+    for name, mesh in model.every_mesh.items():
         body = model.body_of(mesh.gears[0])
         channel = f"angle[{body}]"
         if channel not in result:
@@ -128,7 +128,7 @@ def _shafts(model: Model, result: xr.Dataset) -> Mapping[str, _Shaft]:
             angle = one_way(np.asarray(result[channel].values, dtype=np.float64))
         except SignalError:
             continue
-        teeth = model.gears[mesh.gears[0]].number_of_teeth
+        teeth = model.toothed[mesh.gears[0]].number_of_teeth
         shaft = _Shaft(str(body), angle, ORDERS * teeth)
         if shaft.turns >= FEWEST_TURNS:
             found[name] = shaft
