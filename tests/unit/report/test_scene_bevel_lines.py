@@ -121,7 +121,7 @@ def test_painted_flanks_are_those_of_the_numbered_teeth(machine):
 @pytest.mark.parametrize("kind", ["spiral", "straight"])
 def test_loads_of_gears_that_bearings_let_aside_are_those_of_the_kernel(kind):
     """On bearings of 50 N/µm apexes shift and axes lean; pair forces are those that the kernel kept,
-    before they are brought to them: Simpson's rule is exact to 3 % beside the kinks of the law; nothing is damped."""
+    before they are brought to them: Simpson's rule is exact to 3 % beside kinks of the law."""
     text = CASES[kind][0].replace("bodies:\n  one: {", "bodies:\n  one: {motion: free, ")
     text = text.replace("  two: {", "  two: {motion: free, ")
     shafts = {"one": (40, 90), "two": (-90, -40)}
