@@ -94,7 +94,7 @@ def collect(
     """Collect what a report shows: what follows from the model, the results given, and remarks."""
     from pitchpoint.report.numbers import C_PRIME_B, MEAN, cycles_of_model
     from pitchpoint.report.overview import power_part, scene_part
-    from pitchpoint.report.statics import linear_parts, with_rolls
+    from pitchpoint.report.statics import linear_parts, rolled_meshes, with_rolls
 
     found = _Found()
     words = {C_PRIME_B: "c′·b", MEAN: "mean"}
@@ -111,7 +111,7 @@ def collect(
         for name, (cycle, relative_to, unit) in cycles_of_model(model, 401).items()
     }
     filled, notes = with_rolls(model, cycles, progress)
-    modes, campbell, more = linear_parts(model, progress, len(cycles))
+    modes, campbell, more = linear_parts(model, progress, len(rolled_meshes(model, cycles)[0]))
     shown = ReportResults(
         mesh_cycles=without_given(filled, found.rolls),
         rolls=found.rolls,

@@ -26,6 +26,8 @@ LARGE, POINTS_OF_LARGE = 100, 240
 """Coordinates from which a roll has fewer points altogether: each takes a hundredth of a second then."""
 MOST_PERIODS, MOST_TURNS = 12, 60
 """Periods that are rolled at most: of meshes that disturb each other, and where single teeth differ."""
+MOST_MESHES = 20
+"""Meshes that are rolled at most, the first ones of the file."""
 SAME = 1e-3
 """Relative difference up to which two periods, or the stiffness under load and of the law, are the same."""
 ROUND_OFF = 1e-10

@@ -18,6 +18,8 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import silent
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from numpy.typing import NDArray
 
     from pitchpoint.core.progress import Progress
@@ -64,9 +66,14 @@ def with_rolls(
     except PitchpointError as error:
         return found, [f"No slow roll: {error}."]
     fewer: list[str] = []
-    for k, (name, (data, unit)) in enumerate(cycles.items()):
-        if not rolls(model, name):
-            continue
+    rolled, left = rolled_meshes(model, cycles)
+    if left:
+        notes.append(
+            f"Slow rolls of {len(rolled) + left} meshes would take too long: the first {len(rolled)} are "
+            "rolled. A scenario with quasi_static rolls any other."
+        )
+    for k, name in enumerate(rolled):
+        data, unit = cycles[name]
         try:
             system = compile_model(steady, scenario)
             still = replace(scenario, quasi_static=None) if scenario is not None else None
@@ -75,7 +82,7 @@ def with_rolls(
             points = points_per_period(periods, most)
             if periods * points < (whole := periods_to_roll(model, name)) * points_per_period(whole):
                 fewer.append(name)
-            part = partial(_part_of, progress, k, len(cycles) + LINEAR)
+            part = partial(_part_of, progress, k, len(rolled) + LINEAR)
             roll = roll_through(system, still, points, periods, mesh=name, others=False, progress=part)
             if roll.status == INTERRUPTED:  # a report of what was rolled before is not what was asked for
                 raise KeyboardInterrupt
@@ -86,7 +93,7 @@ def with_rolls(
                 found[name] = from_roll(model, name, data, unit, system, roll, points)
         except PitchpointError as error:
             notes.append(f"{name}: no slow roll: {error}.")
-        progress(k + 1, len(cycles) + LINEAR, name)
+        progress(k + 1, len(rolled) + LINEAR, name)
     if fewer:
         notes.append(
             f"Slow rolls have {POINTS_OF_LARGE} points at most instead of {ALL_POINTS}, as the machine has "
@@ -99,6 +106,14 @@ def with_rolls(
 def _part_of(progress: Progress, before: int, parts: int, done: float, total: float, note: str = "") -> None:
     """Tell how far one of several parts of equal length is."""
     progress(before + done / total, parts, note)
+
+
+def rolled_meshes(model: Model, meshes: Iterable[str]) -> tuple[list[str], int]:
+    """Meshes that a report rolls, and how many more could be."""
+    from pitchpoint.report.rolls import MOST_MESHES
+
+    turning = [name for name in meshes if rolls(model, name)]
+    return turning[:MOST_MESHES], len(turning[MOST_MESHES:])
 
 
 def rolls(model: Model, mesh: str) -> bool:

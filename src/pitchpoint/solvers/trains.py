@@ -14,6 +14,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
 from pitchpoint.elements.ratio import place_of
 from pitchpoint.elements.registry import MODAL
@@ -27,6 +28,8 @@ Array = NDArray[np.float64]
 
 SAME = 1e-9
 """Singular value over the largest, and length of a row over one, that count as zero."""
+MOST_SPINS = 3000
+"""Spins up to which trains are looked for: the time grows with their cube, to a minute for these."""
 ECCENTRIC = 1e-6
 """Distance of a centre of mass from an axis [m] from which weight turns what hangs there."""
 
@@ -205,7 +208,16 @@ def _free(system: System) -> tuple[Array, dict[int, int]]:
     """Orthonormal basis of the free rotations over the spins, shape (n, k), and the place of every spin."""
     body = system.program["body"]
     index = {int(s): k for k, s in enumerate(s for s in body["spin"] if s >= 0)}
-    rows = [*_relations(system, index, True), *_resisted(system, index)]
+    resisted = _resisted(system, index)
+    if len(resisted) == len(index) > 0:  # nothing turns freely, as in machines of bodies on bushings
+        return np.zeros((len(index), 0)), index
+    if len(index) > MOST_SPINS:
+        raise CompileError(
+            f"{len(index)} bodies and stations of shafts spin, and which of them turn together is found for "
+            f"{MOST_SPINS} at most; compute parts of the machine apart, or give shafts fewer pieces "
+            "(largest_piece)"
+        )
+    rows = [*_relations(system, index, True), *resisted]
     if not rows:
         return np.eye(len(index)), index
     L = np.array(rows)

@@ -15,6 +15,7 @@ from pitchpoint.io.writing import MOST_CHANNELS, Channel, ResultWriter
 from pitchpoint.model.mobility import alone, tree_of, yielding
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.remarks import warn_of_remarks
+from pitchpoint.solvers.trains import free_spins
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.layout import products
 from tests.support.mechanism_files import model_of, random_chain
@@ -207,3 +208,14 @@ def test_a_run_of_too_many_channels_is_refused_before_its_file_is_made(tmp_path)
     with pytest.raises(TooMany, match=r"run\.h5: the run has 6001 channels, .*limit 6000\); compute parts"):
         ResultWriter(target, Header("time"), channels)
     assert not target.exists()
+
+
+def test_trains_are_looked_for_among_so_many_spins_and_not_where_bushings_hold_all_of_them(monkeypatch):
+    """Three gears in mesh have one free rotation; bodies on bushings none, however many there are."""
+    monkeypatch.setattr("pitchpoint.solvers.trains.MOST_SPINS", 3)
+    assert len(free_spins(compile_model(model_of(gear_chain(3))))) == 1
+    with pytest.raises(
+        CompileError, match=r"^4 bodies and stations .* is found for 3 at most; compute parts"
+    ):
+        free_spins(compile_model(model_of(gear_chain(4))))
+    assert free_spins(compile_model(model_of(free_bodies(5)))) == ()

@@ -199,3 +199,13 @@ def test_rolls_of_large_machines_have_fewer_points_and_the_page_says_which(monke
         "first. A scenario with quasi_static has as many as it says."
     ]
     assert told == sorted(told) and told[-1] == (4.0, 4), "two rolls, matrices, Campbell diagram"
+
+
+def test_of_many_meshes_only_the_first_ones_are_rolled_and_the_page_says_so(monkeypatch) -> None:
+    monkeypatch.setattr("pitchpoint.report.rolls.MOST_MESHES", 1)
+    found, notes = collect(train(middle=(57, 19)), [], silent)
+    assert found.mesh_cycles["first"].errors and not found.mesh_cycles["second"].errors
+    assert (
+        "Slow rolls of 2 meshes would take too long: the first 1 are rolled. "
+        "A scenario with quasi_static rolls any other."
+    ) in notes
