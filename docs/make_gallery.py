@@ -113,10 +113,11 @@ def shrink(shot: Path, target: Path) -> None:
 
 
 def state_of(name: str, card: dict[str, Any]) -> str:
-    """What a picture depends on, as far as it can be told cheaply: the example, its commands, the viewer."""
+    """What a picture depends on: the example, its commands, the package with its viewer."""
     mark = hashlib.sha256(str(card).encode())
     files = sorted(path for path in (EXAMPLES / name).rglob("*") if path.is_file() and path.suffix != ".pyc")
-    for path in [*files, HERE.parent / "src/pitchpoint/viz/assets/viewer.js"]:
+    package = HERE.parent / "src/pitchpoint"
+    for path in [*files, *sorted(package.rglob("*.py")), package / "viz/assets/viewer.js"]:
         mark.update(path.read_bytes())
     return mark.hexdigest()
 
@@ -128,9 +129,7 @@ def write_pictures(pages: Path, target: Path, found: dict[str, dict[str, Any]]) 
     def bring(name: str) -> None:
         card, page, picture = found[name], pages / f"{name}.html", target / f"{name}.webp"
         mark = picture.with_suffix(".state")
-        if "commands" not in card or (
-            page.exists() and mark.exists() and mark.read_text() == state_of(name, card)
-        ):
+        if page.exists() and mark.exists() and mark.read_text() == state_of(name, card):
             return
         write_page(name, card, page)
         if not take_picture(page, picture):
@@ -144,10 +143,9 @@ def write_pictures(pages: Path, target: Path, found: dict[str, dict[str, Any]]) 
 def card_text(name: str, card: dict[str, Any]) -> str:
     """One card of the overview."""
     title = title_of(name)
-    picture = f"/{card['picture']}" if "picture" in card else f"/gallery/pictures/{name}.webp"
     return (
         f":::{{grid-item-card}} {title}\n:link: {name}/index\n:link-type: doc\n"
-        f":img-top: {picture}\n:img-alt: {title}\n\n{card['sentence']}\n:::\n"
+        f":img-top: /gallery/pictures/{name}.webp\n:img-alt: {title}\n\n{card['sentence']}\n:::\n"
     )
 
 
@@ -156,15 +154,13 @@ def title_of(name: str) -> str:
     return (EXAMPLES / name / "README.md").read_text(encoding="utf-8").splitlines()[0].removeprefix("# ")
 
 
-def example_page(name: str, card: dict[str, Any]) -> str:
+def example_page(name: str) -> str:
     """Page of an example: what its README says, the picture, the files."""
     readme = (EXAMPLES / name / "README.md").read_text(encoding="utf-8").replace("](../../docs/", "](../../")
     title, text = readme.split("\n", 1)
-    parts = [title, ""]
-    if "commands" in card:
-        address = f"../../scenes/{name}.html"
-        frame = f'<iframe class="pp-scene" src="{address}" title="{title[2:]}" loading="lazy"></iframe>'
-        parts += ["```{raw} html", frame, "```", ""]
+    address = f"../../scenes/{name}.html"
+    frame = f'<iframe class="pp-scene" src="{address}" title="{title[2:]}" loading="lazy"></iframe>'
+    parts = [title, "", "```{raw} html", frame, "```", ""]
     parts += [text.strip(), "", "## Files", "", f"`pitchpoint examples copy {name}` copies the folder.", ""]
     for path in sorted((EXAMPLES / name).iterdir()):
         if path.suffix not in SHOWN:
@@ -201,8 +197,8 @@ def write_gallery(target: Path) -> None:
     shutil.copytree(
         EXAMPLES, folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__", "*.h5")
     )
-    for name, card in found.items():
-        (folder / name / "index.md").write_text(example_page(name, card), encoding="utf-8")
+    for name in found:
+        (folder / name / "index.md").write_text(example_page(name), encoding="utf-8")
     (folder / "index.md").write_text(overview(found), encoding="utf-8")
     write_pictures(target / "_extra" / "scenes", folder / "pictures", found)
 

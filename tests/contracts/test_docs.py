@@ -90,7 +90,7 @@ def test_every_example_has_a_card_and_a_small_picture() -> None:
     assert set(cards) == {path.parent.name for path in (ROOT / "examples").glob("*/README.md")}
     for name, card in cards.items():
         assert card["sentence"].endswith(".")
-        path = DOCS / card["picture"] if "picture" in card else DOCS / "images" / "gallery" / f"{name}.webp"
+        path = DOCS / "images" / "gallery" / f"{name}.webp"
         assert path.exists()
         assert path.stat().st_size <= 60_000
 
