@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.errors import CompileError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.elements.registry import MODAL
 from pitchpoint.model.scenario import Scenario
@@ -37,6 +38,9 @@ LOWEST = 40
 """Modes that are found of a larger one."""
 SPARSE = 0.3
 """Share of its modes up to which they are found one by one."""
+
+MOST_COORDINATES = 20_000
+"""Coordinates up to which there are matrices of the linear system, three gigabytes each."""
 
 
 @dataclass(frozen=True)
@@ -101,6 +105,12 @@ def linearise(
     progress: Progress = silent,
 ) -> Linearised:
     """Matrices about the loaded state of a scenario; arguments as in `modal.find_modes`."""
+    if (count := system.sizes["nd"]) > MOST_COORDINATES:
+        raise CompileError(
+            f"the machine has {count} coordinates, and each matrix of the linear system would take "
+            f"{8e-9 * count**2:.2g} GB (limit {MOST_COORDINATES} coordinates); compute parts of it apart, or "
+            "give bodies less freedom (motion: torsion or planar) and shafts fewer pieces (largest_piece)"
+        )
     point = _frictionless_point(system, scenario, start)
     own, state = point.system.copy(), point.state
     if phase is not None:

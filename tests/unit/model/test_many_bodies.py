@@ -15,6 +15,7 @@ from pitchpoint.io.writing import MOST_CHANNELS, Channel, ResultWriter
 from pitchpoint.model.mobility import alone, tree_of, yielding
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.remarks import warn_of_remarks
+from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.trains import free_spins
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.layout import products
@@ -219,3 +220,9 @@ def test_trains_are_looked_for_among_so_many_spins_and_not_where_bushings_hold_a
     ):
         free_spins(compile_model(model_of(gear_chain(4))))
     assert free_spins(compile_model(model_of(free_bodies(5)))) == ()
+
+
+def test_matrices_of_gigabytes_are_refused_with_their_size(monkeypatch):
+    monkeypatch.setattr("pitchpoint.solvers.linear_system.MOST_COORDINATES", 11)
+    with pytest.raises(CompileError, match=r"has 12 coordinates, .* 1\.2e-06 GB \(limit 11 coordin"):
+        find_modes(compile_model(model_of(free_bodies(2))))
