@@ -103,7 +103,7 @@ def flank_radius(T1Y: ArrayLike, T1T2: ArrayLike, beta_b: float) -> FloatArray:
 
     Examples
     --------
-    >>> float(flank_radius(0.01, 0.04, 0.0))
+    >>> round(float(flank_radius(0.01, 0.04, 0.0)), 12)
     0.0075
     """
     rho = np.asarray(T1Y, dtype=np.float64)
