@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
+from pitchpoint.geometry.bevel_gear import BevelGear
+from pitchpoint.geometry.bevel_pair import BevelPair
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.one_bevel import OneBevel, make_bevels
 from tests.support.one_mesh import moved, rotation
@@ -309,3 +311,35 @@ def test_leaning_gears_touch_along_a_part_of_the_width(beta, flank):
     assert 0.2 < touching / in_mesh < 0.8
     assert abs(F[1, :3] - force).max() < 1e-4 * abs(force).max()
     assert m.get("mesh_force") == pytest.approx(flank * moment / row["R_m"], rel=1e-4)
+
+
+@pytest.mark.parametrize("teeth", [(17, 43), (43, 17)])
+@pytest.mark.parametrize("tilt", [0.0, 5e-3])
+def test_a_working_cone_may_be_wider_than_a_plane(teeth, tilt):
+    """A wheel of 89.8 deg whose axis leans by 0.29 deg: the pitch cones fill the wider shaft angle."""
+    wide = math.radians(89.8)
+    Sigma = wide + math.asin(math.sin(wide) * 17 / 43)
+    m = OneBevel(make_bevels(*teeth, Sigma=Sigma), MeshLaws(stiffness=CONSTANT))
+    m.evaluate()
+    turn = rotation(np.array(m.row["t"]), tilt)
+    m.frames["R"][1] = turn @ m.frames["R"][1]
+    m.frames["r"][1] = np.array(m.at) - m.apexes[1] * m.frames["R"][1][:, 2]
+    m.press(2e-5)
+    F = m.evaluate()
+    torques = [F[k, 3:] @ m.frames["R"][k][:, 2] for k in range(2)]
+    assert torques[1] / torques[0] == pytest.approx(teeth[1] / teeth[0], rel=1e-12)
+    by_difference = -slope(m, lambda F: m.get("elastic_energy"))
+    assert abs(F - by_difference).max() < 1e-6 * abs(F[:, :3]).max()
+
+
+def test_rounded_angles_of_drawings_let_no_gear_gain_on_the_other():
+    """Cones of 21.571 and 68.429 deg would make 17 pinion teeth 0.16 µm longer than those of the wheel."""
+    gears = [
+        BevelGear.of_outer_module(
+            z=z, m_et=4e-3, delta=math.radians(delta), b=26e-3, thickness_allowance=-3e-5
+        )
+        for z, delta in ((17, 21.571), (43, 68.429))
+    ]
+    m = OneBevel(BevelPair(*gears, 0.5 * math.pi), MeshLaws(stiffness=CONSTANT))
+    for r_b, z in (("r_b1", 17), ("r_b2", 43)):
+        assert 2.0 * math.pi * m.row[r_b] == pytest.approx(z * m.row["p_bt"], rel=1e-15)

@@ -49,7 +49,7 @@ def clearance(file: str, output: str | None, only: str | None, as_json: bool, al
     if others:
         _print("Parts that do not mesh", others)
     if not stages and not others:
-        show(f"{file}: has no meshes, and no gears beside each other")
+        show(f"{file}: has no meshes of cylindrical gears, and none of these beside each other")
     tight = [room for stage in stages.values() for room in stage.rooms.values() if not room.fine]
     tight += [room for room in others if not room.fine]
     hit = sum(room.distance < -room.slack for room in tight)

@@ -56,8 +56,9 @@ def axes_of_action(b, f, g):
     cos_a = math.sqrt(rest) / s
     s1 /= cos_a
     s2 /= cos_a
-    c1 = math.sqrt(1.0 - s1 * s1)
-    c2 = math.sqrt(1.0 - s2 * s2)
+    # the cones fill the shaft angle; one of them may be wider than a plane
+    c1 = (s2 + s1 * dot(one, two)) / s
+    c2 = (s1 + s2 * dot(one, two)) / s
     across = cross(t, one)
     p = plus(times(c1, one), s1, across)
     q = cross(t, p)
@@ -71,6 +72,8 @@ def axes_of_action(b, f, g):
     b["cos_a"] = cos_a
     b["sin_a"] = math.sqrt(1.0 - cos_a * cos_a)
     b["sin_S"] = s
+    b["cone"][0] = c1
+    b["cone"][1] = c2
     b["open"][0] = s1 * c2 / s
     b["open"][1] = c1 * s2 / s
     for k in range(3):
@@ -86,10 +89,9 @@ def axes_of_action(b, f, g):
 def _roll(b, gear):
     """Roll up to the pitch ray of a gear and its turn about the axis less that, both as arcs [rad]."""
     s = b["base"][gear]
-    sine = s / b["cos_a"]
-    tan = sine / math.sqrt(1.0 - sine * sine) * b["sin_a"]
-    sigma = math.atan(tan)
-    return sigma, sigma - s * math.atan(tan / s)
+    across = s / b["cos_a"] * b["sin_a"]
+    sigma = math.atan2(across, b["cone"][gear])
+    return sigma, sigma - s * math.atan2(across, s * b["cone"][gear])
 
 
 @kernel
@@ -180,10 +182,7 @@ def _couple(b, side, v, bends):
 @kernel
 def _pressure_change(b):
     """Change of the pressure angle per shaft angle, cot(alpha) cos(delta1) cos(delta2)/sin(Sigma)."""
-    s1 = b["base"][0] / b["cos_a"]
-    s2 = b["base"][1] / b["cos_a"]
-    c = math.sqrt((1.0 - s1 * s1) * (1.0 - s2 * s2))
-    return b["cos_a"] * c / (b["sin_a"] * b["sin_S"])
+    return b["cos_a"] * b["cone"][0] * b["cone"][1] / (b["sin_a"] * b["sin_S"])
 
 
 @kernel

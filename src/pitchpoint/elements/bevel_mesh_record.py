@@ -90,6 +90,7 @@ _SCRATCH = [
     ("cos_a", "f8"),
     ("sin_a", "f8"),
     ("sin_S", "f8"),  # sine of the shaft angle
+    ("cone", "f8", 2),  # cosines of the working pitch cone angles
     ("open", "f8", 2),  # change of the pitch cone angles with the shaft angle
     ("u", "f8"),
     ("e_t", "f8"),  # 0: no excitation

@@ -21,7 +21,9 @@ from pitchpoint.geometry.rack import BasicRack
 def _number(where: str, value: object, low: float, high: float, limit: str) -> None:
     """Refuse booleans, NaN and everything outside the open interval."""
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not low < value < high:
-        raise GeometryError("is not possible", where=where, value=f"{value!r}", limit=limit)
+        raise GeometryError(
+            "is not possible", where=where, value=f"{value!r}", limit=limit, remedy="give a number within"
+        )
 
 
 def spherical_involute(sigma: float, delta_b: float) -> float:
@@ -146,10 +148,16 @@ class BevelGear:
         >>> round(BevelGear.of_outer_module(z=20, m_et=3e-3, delta=math.atan(0.5), b=22e-3).m_mn * 1e3, 6)
         2.508065
         """
+        if isinstance(z, bool) or not isinstance(z, int) or z < 3:
+            raise GeometryError(
+                "is not possible", where="number_of_teeth", value=f"{z!r}", limit="a whole number, 3 to 1e6"
+            )
         _number("outer_transverse_module", m_et, 1e-9, 1e3, "above 0 and below 1000 m")
         _number("pitch_cone_angle", delta, 1e-6, 0.5 * math.pi, "above 0 and below 90 deg")
         outer = 0.5 * z * m_et / math.sin(delta)
-        _number("face_width", b, 0.0, outer, "above 0 and below the outer cone distance")
+        _number(
+            "face_width", b, 0.0, outer, f"above 0 and below the outer cone distance, {1e3 * outer:.5g} mm"
+        )
         mean = 1.0 - 0.5 * b / outer
         return cls(z=z, m_mn=m_et * mean * math.cos(others.get("beta_m", 0.0)), delta=delta, b=b, **others)
 
@@ -334,6 +342,19 @@ class BevelGear:
     def psi_b(self) -> float:
         """Half angle of the tooth at the base cone, s_mt / d_m + θ(σ_w) [rad]."""
         return self.s_mt / self.d_m + spherical_involute(self.sigma_w, self.delta_b)
+
+    def thickness_cause(self) -> tuple[str, str]:
+        """Key that moves the tooth thickness farthest from half a pitch, and its value in words."""
+        shares = {
+            "profile_shift_coefficient": (2.0 * self.x_hm * math.tan(self.alpha_n), f"{self.x_hm:g}"),
+            "thickness_modification_coefficient": (2.0 * self.x_sm, f"{self.x_sm:g}"),
+            "tooth_thickness_allowance": (
+                self.thickness_allowance / self.m_mn,
+                f"{1e3 * self.thickness_allowance:.6g} mm",
+            ),
+        }
+        key = max(shares, key=lambda name: abs(shares[name][0]))
+        return key, shares[key][1]
 
     def half_angle_at(self, delta_y: float) -> float:
         """Half angle of the tooth between its involutes on the cone δ_y ≥ δ_b [rad]."""

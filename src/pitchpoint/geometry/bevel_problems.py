@@ -81,7 +81,11 @@ def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Problem]:
     if tip < TIP_THICKNESS_LIMIT:
         message = f"leaves a mean tip thickness of {tip:.2g} m_mn"
         limit = f"{TIP_THICKNESS_LIMIT:g} m_mn"
-        add("profile_shift_coefficient", message, shift, limit, "reduce it, or the addendum of the rack")
+        # teeth that are thin all over are so by their thickness, others by their height
+        thin = gear.s_mt < 0.8 * 0.5 * math.pi * gear.m_mt
+        key, value = gear.thickness_cause() if thin else ("profile_shift_coefficient", shift)
+        remedy = "take a smaller magnitude" if thin else "reduce it, or the addendum of the rack"
+        add(key, message, value, limit, remedy)
     return found
 
 

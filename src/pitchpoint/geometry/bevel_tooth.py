@@ -246,11 +246,12 @@ def bevel_tooth(gear: BevelGear) -> BevelTooth:
     (False, 2.21, 9.7043)
     """
     if not 0.0 < gear.s_mt < 2.0 * math.pi * gear.R_m * math.sin(gear.delta) / gear.z:
+        key, value = gear.thickness_cause()
         raise GeometryError(
             f"leaves no {'tooth' if gear.s_mt <= 0.0 else 'space'} on the pitch cone",
-            where="profile_shift_coefficient",
-            value=f"{gear.x_hm:g}",
-            remedy="change the profile shift or the thickness allowance",
+            where=key,
+            value=value,
+            remedy="take a smaller magnitude",
         )
     tool = crown_tool(gear)
     sigma = gear.sigma_w - (tool.sigma - 0.5 * math.pi)

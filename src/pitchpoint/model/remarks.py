@@ -73,24 +73,24 @@ def bushings_apart(model: Model) -> tuple[str, ...]:
 def negative_backlash(model: Model) -> tuple[str, ...]:
     """A sentence for every mesh whose teeth are too thick for its centre distance."""
     found = []
-    for name, mesh in model.every_mesh.items():
+    for name in model.every_mesh:
         gap = model.backlash(name)
         if gap < -INTERFERENCE:
-            as_given = mesh.backlash is not None or name in model.bevel_meshes
             at, size = f"{model.section_of(name)}.{name}", format_quantity(gap, "length", 3)
             found.append(
                 f"{at}: the backlash along the base tangent is {size}: both flanks carry without load; "
-                f"if that is not wanted, {'give a backlash >= 0' if as_given else _wider(model.pairs[name])}"
-            )
-    for name in model.bevel_meshes:
-        gap = model.backlash(name)
-        if gap < -INTERFERENCE:
-            found.append(
-                f"bevel_meshes.{name}: the backlash along the base tangent is "
-                f"{format_quantity(gap, 'length', 3)}: both flanks carry without load; if that is not "
-                "wanted, use opposite profile shifts, tooth_thickness_allowance < 0 or a backlash >= 0"
+                f"if that is not wanted, {_more_room(model, name)}"
             )
     return tuple(found)
+
+
+def _more_room(model: Model, name: str) -> str:
+    """What to do about the negative backlash of a mesh."""
+    if model.every_mesh[name].backlash is not None:
+        return "give a backlash >= 0"
+    if name in model.bevel_meshes:
+        return "use opposite profile shifts, tooth_thickness_allowance < 0 or a backlash >= 0"
+    return _wider(model.pairs[name])
 
 
 def _wider(pair: GearPair) -> str:

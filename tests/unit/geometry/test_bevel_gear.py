@@ -191,7 +191,7 @@ def test_numbers_without_meaning_are_refused(changes, where):
         ({"x_hm": 1.0, "z": 12}, "profile_shift_coefficient"),
         ({"x_hm": 1.3}, "profile_shift_coefficient"),
         ({"rack": BasicRack(h_fP_star=2.4)}, "rack.dedendum"),
-        ({"x_sm": -0.9}, "profile_shift_coefficient"),
+        ({"x_sm": -0.9}, "thickness_modification_coefficient"),
     ],
 )
 def test_gears_that_cannot_be_made_are_listed(changes, where):
@@ -221,3 +221,17 @@ def test_shaft_angles_without_external_cones_are_refused(z1, z2, Sigma):
     with pytest.raises(GeometryError) as caught:
         pitch_angles(z1, z2, radians(Sigma))
     assert caught.value.problem.where == "shaft_angle"
+
+
+@pytest.mark.parametrize(
+    ("changes", "key"),
+    [
+        ({"thickness_allowance": -10e-3}, "tooth_thickness_allowance"),
+        ({"thickness_allowance": -2.5e-3}, "tooth_thickness_allowance"),
+        ({"x_sm": 1.0}, "thickness_modification_coefficient"),
+        ({"x_hm": 1.1}, "profile_shift_coefficient"),
+    ],
+)
+def test_what_makes_teeth_too_thin_or_spaces_too_narrow_is_named(changes, key):
+    gear = BevelGear(z=20, m_mn=2.5e-3, delta=0.5, b=15e-3).replace(**changes)
+    assert [problem.where for problem in gear.problems()] == [key]

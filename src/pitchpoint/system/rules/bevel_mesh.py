@@ -79,7 +79,9 @@ def _cones(row: Any, pair: BevelPair, place: Placement) -> None:
     row["side"], row["apex"] = place.sides, place.apexes
     row["z1"], row["z2"] = (int(s * g.z) for s, g in zip(place.sides, (g1, g2), strict=True))
     row["R_m"] = R = pair.R_m
-    row["base"] = math.sin(g1.delta_b), math.sin(g2.delta_b)
+    # teeth go by one by one: rounded angles of a drawing must not let one gear gain on the other
+    base = math.sin(g1.delta_b)
+    row["base"] = base, base * g2.z / g1.z
     row["tip"] = g1.sigma_a, g2.sigma_a
     row["r_b1"], row["r_b2"] = R * row["side"] * row["base"]
     row["p_bt"] = R * pair.sigma_p
