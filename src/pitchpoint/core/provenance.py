@@ -38,7 +38,7 @@ def content_hash(data: Any) -> str:
     data
         Numbers, texts, sequences, mappings, arrays, dataclasses, nested. Of a file that a dataclass names, a
         field with a key of kind "file", its content counts and its name does not. Fields by which nobody
-        compares, such as lines in a file, do not count.
+        compares, such as lines in a file, do not count, nor do empty ones whose key is marked `later`.
 
     Returns
     -------
@@ -91,6 +91,7 @@ def _plain(data: Any) -> Any:
     if dataclasses.is_dataclass(data) and not isinstance(data, type):
         read = bool(getattr(data, "digest", ""))  # of what it names the content counts, not the place
         compared = [f for f in dataclasses.fields(data) if f.compare and not (read and f.name == "file")]
+        compared = [f for f in compared if getattr(data, f.name) or not _came_later(f)]
         fields = {f.name: _plain(_content(f, getattr(data, f.name))) for f in compared}
         return {"": type(data).__name__, **fields}
     if isinstance(data, Mapping):
@@ -110,6 +111,11 @@ def _plain(data: Any) -> Any:
     if isinstance(data, np.integer | np.bool_):
         return data.item()
     return str(data)
+
+
+def _came_later(field: dataclasses.Field[Any]) -> bool:
+    """Whether a key is newer than models without it: these keep their hashes, from which noise is drawn."""
+    return bool(getattr(field.metadata.get("key"), "later", False))
 
 
 def _content(field: dataclasses.Field[Any], value: Any) -> Any:

@@ -50,6 +50,7 @@ class Key:
     of: Any = None  # dataclass of nested components, or table of variants
     display: str = ""  # default in the words of a user, where a formula stands behind it
     sample: str = ""  # a usual value, where the example of the dimension would be none
+    later: bool = False  # came with a later version: empty, it leaves the hash of a model as it was
     range_words: str = ""  # range in the words of a user, where another key decides about its ends
 
     @property

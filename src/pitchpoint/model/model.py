@@ -98,7 +98,9 @@ class Model:
         sample="[0, 0, -9.81 m/s^2]",
     )
     gears: Mapping[str, Gear] = key("components", "the gears by name", {}, of=Gear)
-    bevel_gears: Mapping[str, BevelGear] = key("components", "the bevel gears by name", {}, of=BevelGear)
+    bevel_gears: Mapping[str, BevelGear] = key(
+        "components", "the bevel gears by name", {}, of=BevelGear, later=True
+    )
     bodies: Mapping[str, Body] = key("components", "bodies, with the gears that they carry", {}, of=Body)
     shafts: Mapping[str, Shaft] = key("components", "elastic shafts, with the gears on them", {}, of=Shaft)
     elastic_bodies: Mapping[str, ElasticBody] = key(
@@ -141,7 +143,7 @@ class Model:
     ratios: Mapping[str, Ratio] = key("components", "fixed ratios between coordinates", {}, of=Ratio)
     meshes: Mapping[str, Mesh] = key("components", "pairs of gears in mesh", {}, of=Mesh)
     bevel_meshes: Mapping[str, BevelMesh] = key(
-        "components", "pairs of bevel gears in mesh", {}, of=BevelMesh
+        "components", "pairs of bevel gears in mesh", {}, of=BevelMesh, later=True
     )
     bearings: Mapping[str, Bearing] = key("components", "bearings between bodies and ground", {}, of=Bearing)
     couplings: Mapping[str, Coupling] = key("components", "couplings between bodies", {}, of=Coupling)

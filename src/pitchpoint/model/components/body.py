@@ -29,6 +29,7 @@ class Body:
         "gears",
         "names of the bevel gears, or a mapping of names to the axial places of their apexes [m]",
         {},
+        later=True,
     )
     motion: str | None = choice(
         MOTIONS,

@@ -53,6 +53,7 @@ class Shaft:
         "names of the bevel gears, with the places of their apexes from the start of the shaft [m], which "
         "may lie beyond its ends",
         {},
+        later=True,
     )
     position: tuple[float, float, float] | None = quantities(
         "length",
