@@ -55,7 +55,7 @@ def plot_mesh_stiffness(
         y=ratio,
         mode="lines",
         name=name or "stiffness",
-        line={"color": theme.BLUE, "width": 2, "simplify": False},
+        line={"color": theme.SERIES[0], "width": 2, "simplify": False},
     )
     if loaded is not None:
         x, y = _repeated(*loaded, cycles)
@@ -145,7 +145,7 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
         x=np.asarray(way, dtype=np.float64),
         y=100.0 * np.asarray(share, dtype=np.float64),
         mode="lines",
-        line={"color": theme.BLUE, "width": 2, "simplify": False},
+        line={"color": theme.SERIES[0], "width": 2, "simplify": False},
     )
     figure.update_yaxes(range=[0.0, 105.0])
     return figure
