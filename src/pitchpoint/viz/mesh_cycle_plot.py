@@ -119,6 +119,9 @@ def plot_transmission_error(
             line={"color": theme.SERIES[index % len(theme.SERIES)], "width": 2, "simplify": False},
         )
     figure.update_layout(showlegend=True)
+    # round-off would fill the picture with a wave of its own
+    if max((float(np.abs(v).max()) for v in sizes if v.size), default=0.0) < ROUND_OFF:
+        figure.update_yaxes(range=[-ROUND_OFF * shown.factor, ROUND_OFF * shown.factor])
     return figure
 
 
