@@ -23,23 +23,24 @@ def table(head: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
 def model_table(model: Model) -> str:
     """Title and tables of gears, meshes and bodies."""
     out = [f"<p><b>{escape(model.title or 'Model')}</b></p>"]
-    out.append(
-        table(
-            ("gear", "type", "z", "m_n", "beta", "x", "b"),
-            (
+    if model.gears:
+        out.append(
+            table(
+                ("gear", "type", "z", "m_n", "beta", "x", "b"),
                 (
-                    name,
-                    gear.type,
-                    gear.number_of_teeth,
-                    format_quantity(gear.normal_module, "length"),
-                    f"{format_quantity(gear.helix_angle, 'angle')} {gear.hand or ''}",
-                    f"{gear.x:.4f}",
-                    format_quantity(gear.face_width, "length"),
-                )
-                for name, gear in model.gears.items()
-            ),
+                    (
+                        name,
+                        gear.type,
+                        gear.number_of_teeth,
+                        format_quantity(gear.normal_module, "length"),
+                        f"{format_quantity(gear.helix_angle, 'angle')} {gear.hand or ''}",
+                        f"{gear.x:.4f}",
+                        format_quantity(gear.face_width, "length"),
+                    )
+                    for name, gear in model.gears.items()
+                ),
+            )
         )
-    )
     if model.bevel_gears:
         out.append(
             table(

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -15,7 +14,7 @@ from pitchpoint.analysis.orders import highest_resolved_order, one_way, order_ma
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.time_frequency import time_frequency_map
-from pitchpoint.viz.run_record import settled_part, uniform
+from pitchpoint.viz.run_record import MAP_TURNS, ORDER_TURNS, settled_part, turns_of, uniform
 from pitchpoint.viz.scene_spectrum import SceneMap, SceneSpectrum
 
 if TYPE_CHECKING:
@@ -45,8 +44,6 @@ FEWEST = 64
 """Samples below which there is no spectrum."""
 ORDERS = 4.5
 """Orders that are shown, in numbers of teeth of the first gear: four harmonics of the mesh."""
-FEWEST_TURNS = 2.0
-"""Turns of a shaft below which a record has no orders of it."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +57,7 @@ class _Shaft:
     @property
     def turns(self) -> float:
         """Whole way that it turns [revolutions]."""
-        return float(abs(self.angle[-1] - self.angle[0])) / (2.0 * math.pi)
+        return turns_of(self.angle)
 
 
 def scene_spectra(
@@ -130,7 +127,7 @@ def _shafts(model: Model, result: xr.Dataset) -> Mapping[str, _Shaft]:
             continue
         teeth = model.toothed[mesh.gears[0]].number_of_teeth
         shaft = _Shaft(str(body), angle, ORDERS * teeth)
-        if shaft.turns >= FEWEST_TURNS:
+        if shaft.turns >= ORDER_TURNS:
             found[name] = shaft
             found.setdefault("", shaft)
     return found
@@ -140,7 +137,7 @@ def _orders(
     name: str, unit: str, values: Array, shaft: _Shaft | None, inside: NDArray[np.bool_]
 ) -> list[SceneSpectrum]:
     """Spectrum over the orders of a shaft, where it turns far enough in the part that counts."""
-    if shaft is None:
+    if shaft is None or turns_of(shaft.angle[inside]) < ORDER_TURNS:
         return []
     try:
         spectrum = tracked_spectrum(values - values.mean(), shaft.angle[inside], highest_order=shaft.highest)
@@ -152,6 +149,8 @@ def _orders(
 
 def _map(name: str, unit: str, values: Array, time: Array, shaft: _Shaft | None) -> list[SceneMap]:
     """How a spectrum changes: over the orders of a shaft, over frequencies where there is none."""
+    if shaft is not None and shaft.turns < MAP_TURNS:
+        shaft = None
     try:
         if shaft is None:
             signal, rate = uniform(time, values)

@@ -14,7 +14,7 @@ from pitchpoint.viz.quantities import scale
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-THERE, MISSING = theme.BLUE, theme.RED
+THERE, MISSING = theme.TEAL, theme.RED
 
 
 def plot_missing(z: ArrayLike, diameter: ArrayLike, level: ArrayLike) -> go.Figure:

@@ -55,7 +55,7 @@ def plot_mesh_stiffness(
         y=ratio,
         mode="lines",
         name=name or "stiffness",
-        line={"color": theme.BLUE, "width": 2, "simplify": False},
+        line={"color": theme.SERIES[0], "width": 2, "simplify": False},
     )
     if loaded is not None:
         x, y = _repeated(*loaded, cycles)
@@ -119,6 +119,9 @@ def plot_transmission_error(
             line={"color": theme.SERIES[index % len(theme.SERIES)], "width": 2, "simplify": False},
         )
     figure.update_layout(showlegend=True)
+    # round-off would fill the picture with a wave of its own
+    if max((float(np.abs(v).max()) for v in sizes if v.size), default=0.0) < ROUND_OFF:
+        figure.update_yaxes(range=[-ROUND_OFF * shown.factor, ROUND_OFF * shown.factor])
     return figure
 
 
@@ -145,7 +148,7 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
         x=np.asarray(way, dtype=np.float64),
         y=100.0 * np.asarray(share, dtype=np.float64),
         mode="lines",
-        line={"color": theme.BLUE, "width": 2, "simplify": False},
+        line={"color": theme.SERIES[0], "width": 2, "simplify": False},
     )
     figure.update_yaxes(range=[0.0, 105.0])
     return figure

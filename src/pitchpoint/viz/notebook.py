@@ -15,7 +15,10 @@ from typing import Any
 SHOWN = {
     ("pitchpoint.geometry.cylindrical_gear", "CylindricalGear"): "gear_html",
     ("pitchpoint.geometry.gear_pair", "GearPair"): "pair_html",
+    ("pitchpoint.geometry.bevel_gear", "BevelGear"): "bevel_gear_html",
+    ("pitchpoint.geometry.bevel_pair", "BevelPair"): "bevel_pair_html",
     ("pitchpoint.model.components.gear", "Gear"): "component_html",
+    ("pitchpoint.model.components.bevel_gear", "BevelGear"): "bevel_component_html",
     ("pitchpoint.model.model", "Model"): "model_html",
 }
 # Notebooks centre and embolden the heads of rows; these tables are read from left to right.
@@ -67,12 +70,33 @@ def pair_html(pair: Any) -> str:
     return _framed(pair_svg(pair), mesh_zone_svg(pair)) + _framed(table)
 
 
+def bevel_gear_html(gear: Any) -> str:
+    """Data of a bevel gear."""
+    from pitchpoint.viz.tables import BEVEL_GEAR_ROWS, quantity_table
+
+    return _framed(quantity_table(BEVEL_GEAR_ROWS, {"bevel gear": _known(gear, BEVEL_GEAR_ROWS)}))
+
+
+def bevel_component_html(gear: Any) -> str:
+    """Data of a bevel gear of a model."""
+    return bevel_gear_html(gear.geometry)
+
+
+def bevel_pair_html(pair: Any) -> str:
+    """Data of a pair of bevel gears, and of each of them."""
+    from pitchpoint.viz.tables import BEVEL_GEAR_ROWS, BEVEL_MESH_ROWS, quantity_table
+
+    gears = {f"gear {k}": _known(gear, BEVEL_GEAR_ROWS) for k, gear in enumerate((pair.gear1, pair.gear2), 1)}
+    both = quantity_table(BEVEL_GEAR_ROWS, gears)
+    return _framed(quantity_table(BEVEL_MESH_ROWS, {"pair": _known(pair, BEVEL_MESH_ROWS)}), both)
+
+
 def model_html(model: Any) -> str:
     """The tables of a model, and a drawing of every pair of gears in it."""
     from pitchpoint.viz.gear_drawing import pair_svg
 
     drawings = [pair_svg(pair, names=tuple(model.meshes[name].gears)) for name, pair in model.pairs.items()]
-    return model._repr_html_() + _framed(*drawings)
+    return model._repr_html_() + (_framed(*drawings) if drawings else "")
 
 
 def _known(thing: Any, identifiers: tuple[str, ...]) -> dict[str, Any]:
@@ -86,6 +110,7 @@ def _known(thing: Any, identifiers: tuple[str, ...]) -> dict[str, Any]:
         except PitchpointError:
             continue
         if isinstance(value, int | float) and not isinstance(value, bool):
-            # ISO 21771 counts an internal gear negative; tables for people do not
-            found[key] = value if key.startswith(("x", "beta")) else abs(value)
+            # ISO 21771 counts an internal gear negative; tables for people do not. Backlash and crown of
+            # bevel gears have a sign that means something.
+            found[key] = value if key.startswith(("x", "beta", "j_m", "t_xo")) else abs(value)
     return found

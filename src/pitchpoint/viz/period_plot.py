@@ -41,7 +41,7 @@ def plot_search(result: xr.Dataset, channel: str) -> list[go.Figure]:
         x=period[kept] * clock.factor,
         y=score[kept].astype(np.float32),
         mode="lines",
-        line={"color": theme.BLUE, "width": 1.3, "simplify": False},
+        line={"color": theme.SERIES[0], "width": 1.3, "simplify": False},
         hovertemplate="%{x:.5g}: %{y:.3g}<extra></extra>",
     )
     chance = max(float(result["p_value"]), _LEAST)
@@ -102,7 +102,7 @@ def plot_evidence(result: xr.Dataset, channel: str) -> list[go.Figure]:
     figure.add_bar(
         x=[f"{number(value * clock.factor, 5)} {clock.unit}" for value in period],
         y=np.abs(score),
-        marker={"color": theme.BLUE},
+        marker={"color": theme.SERIES[0]},
         text=[f"chance {number(float(value), 3)}" for value in result["p_value"].values[known]],
         textposition="outside",
         cliponaxis=False,

@@ -180,13 +180,13 @@ def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> st
     words = text(x, y - 0.5 * width - 19.0, link.name, "pp-halo")
     words += text(x, y - 0.5 * width - 5.0, _amount(link.given, unit), "pp-small")
     if link.lost > 0.0:
-        words += _drop(x, y + 0.5 * width, max(THINNEST, width * link.lost / link.given), link.lost)
+        words += _drop(x, y + 0.5 * width, max(THINNEST, width * link.lost / link.given), _loss(link))
     return words
 
 
 def _beside(link: PowerLink, unit: Scale, x: float, y: float, from_y: float, half: float) -> str:
     """Name, power and loss at the end of a band that bends, on the side that it does not come from."""
-    lost = f"−{_amount(link.lost, scale('W', [link.lost]))}" if link.lost > 0.0 else ""
+    lost = _loss(link) if link.lost > 0.0 else ""
     lines = [line for line in (link.name, _amount(link.given, unit), lost) if line]
     top = y + half + 15.0 if from_y < y else y - half - 6.0 - 14.0 * (len(lines) - 1)
     return "".join(
@@ -195,14 +195,18 @@ def _beside(link: PowerLink, unit: Scale, x: float, y: float, from_y: float, hal
     )
 
 
-def _drop(x: float, y: float, width: float, lost: float) -> str:
+def _loss(link: PowerLink) -> str:
+    """What is lost, with the sign that it has in the table."""
+    return f"{_amount(link.lost, scale('W', [link.lost]))} lost"
+
+
+def _drop(x: float, y: float, width: float, lost: str) -> str:
     """What is lost, falling out of the band."""
-    shown = scale("W", [lost])
     line = (
         f'<line class="pp-drop" stroke-width="{min(width, 40.0):.1f}" '
         f'x1="{x:.1f}" x2="{x:.1f}" y1="{y:.1f}" y2="{y + 12.0:.1f}"/>'
     )
-    return line + text(x, y + 26.0, f"−{number(lost * shown.factor, 3)} {shown.unit}", "pp-small")
+    return line + text(x, y + 26.0, lost, "pp-small")
 
 
 def _block(box: _Box, x: float) -> str:

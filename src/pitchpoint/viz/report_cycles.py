@@ -20,6 +20,8 @@ from pitchpoint.viz.report_page import Section
 
 MOST_CYCLES = 4
 """Cycles of the stiffness that are drawn at most; more cannot be told apart."""
+ROUND_OFF_WAY = 1e-6
+"""Way before contact at mid-face that is round-off [base pitches]: spur gears have none."""
 
 
 def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
@@ -35,7 +37,7 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
             section.add_figure(drawn, words)
         if np.size(cycle.share):
             words = "Share of one tooth pair in the load, from its first to its last contact"
-            if float(np.min(cycle.share_way)) < 0.0:
+            if float(np.min(cycle.share_way)) < -ROUND_OFF_WAY:
                 words += "; helical teeth touch at one end of the face before its middle comes into contact"
             section.add_figure(plot_load_sharing(cycle.share_way, cycle.share), f"{words}.")
     return section

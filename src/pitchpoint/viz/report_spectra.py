@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pitchpoint.analysis.orders import highest_resolved_order, order_map, tracked_spectrum
+from pitchpoint.analysis.orders import highest_resolved_order, one_way, order_map, tracked_spectrum
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.time_frequency import time_frequency_map
@@ -17,11 +17,14 @@ from pitchpoint.viz import spectrum_plots
 from pitchpoint.viz.quantities import Array, Channel, channels
 from pitchpoint.viz.report_page import Section
 from pitchpoint.viz.run_record import (
+    MAP_TURNS,
+    ORDER_TURNS,
     changes_speed,
     geared_speeds,
     owner,
     settled_part,
     turning_angle,
+    turns_of,
     uniform,
 )
 from pitchpoint.viz.spectrum_plots import Shafts
@@ -84,6 +87,7 @@ def _add_order_spectrum(
 ) -> None:
     name = channel.label
     try:
+        _long_enough(angle, ORDER_TURNS)
         spectrum = tracked_spectrum(channel.values, angle, highest_order=highest)
     except SignalError as reason:
         section.add(f"<p>No order spectrum of {escape(name)}: {escape(str(reason))}.</p>")
@@ -106,6 +110,7 @@ def _add_maps(
         "Amplitudes over time and frequency: orders rise with the speed, resonances stay at their frequency.",
     )
     try:
+        _long_enough(angle, MAP_TURNS)
         shown = min(highest, highest_resolved_order(angle))
         tracked = order_map(channel.values, angle, time, highest_order=shown, revolutions=_frame(angle))
     except SignalError as reason:
@@ -117,6 +122,13 @@ def _add_maps(
     )
 
 
+def _long_enough(angle: Array, limit: float) -> None:
+    """Refuse angles that do not turn far enough one way."""
+    turns = turns_of(one_way(angle))
+    if turns < limit:
+        raise SignalError(f"angle: turns {turns:.3g} revolutions (limit {limit:g}); use a longer record")
+
+
 def _top_speed(time: Array, angle: Array) -> float:
     marks = np.linspace(0, time.size - 1, min(101, time.size)).round().astype(np.int64)
     return float(np.abs(np.diff(angle[marks]) / np.diff(time[marks])).max())
@@ -124,4 +136,4 @@ def _top_speed(time: Array, angle: Array) -> float:
 
 def _frame(angle: Array) -> float:
     """Revolutions per frame: a fortieth of the run, one at least and eight at most."""
-    return float(np.clip(np.floor(abs(angle[-1] - angle[0]) / (2.0 * np.pi) / 40.0), 1.0, 8.0))
+    return float(np.clip(np.floor(turns_of(angle) / 40.0), 1.0, 8.0))

@@ -33,6 +33,8 @@ FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
 RUN_UP = 0.05
 # Relative change of the ratio of two shafts up to which one is geared to the other.
 GEARED = 0.01
+# Turns of a shaft from which a record has an order spectrum of it, and a map over its orders.
+ORDER_TURNS, MAP_TURNS = 1.0, 2.0
 
 
 def owner(channel: Channel) -> str:
@@ -74,6 +76,18 @@ def changes_speed(time: Array, angle: Channel | None, window: np.ndarray) -> boo
     speed = tenth_speeds(time, angle.values[window])
     fastest = float(np.abs(speed).max())
     return fastest > 0.0 and float(np.ptp(speed)) > RUN_UP * fastest
+
+
+def turns_of(angle: Array) -> float:
+    """Whole way that a shaft turns [revolutions], given its unwrapped angle [rad].
+
+    Examples
+    --------
+    >>> turns_of(2.0 * np.pi * np.array([0.5, 1.0, 2.0]))
+    1.5
+    """
+    # the end of a whole turn is not missed by round-off
+    return round(float(abs(angle[-1] - angle[0])) / (2.0 * np.pi), 9)
 
 
 def turning_angle(run: Any, found: Mapping[str, Channel], body: str = "") -> Channel | None:

@@ -16,7 +16,7 @@ from pitchpoint.viz.quantities import Array, Channel, Scale, scale
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-STATE_COLOURS = {0: theme.RED, -1: theme.ORANGE, 2: theme.PURPLE}
+STATE_COLOURS = {0: theme.RED, -1: theme.OCHRE, 2: theme.MAGENTA}
 STATE_NAMES = {0: "separated", -1: "back flank", 2: "both flanks"}
 MAX_BANDS = 120
 NOISE = 1e-5

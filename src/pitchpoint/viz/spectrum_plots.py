@@ -293,14 +293,14 @@ def plot_tones(
         y=[value for a in amplitude * shown.factor for value in (0.0, float(a), None)],
         mode="lines",
         name="tone",
-        line={"color": theme.BLUE, "width": 2.5},
+        line={"color": theme.TEAL, "width": 2.5},
     )
     figure.add_scatter(
         x=x,
         y=background * shown.factor,
         mode="markers",
         name="around it",
-        marker={"color": theme.ORANGE, "size": 7, "symbol": "line-ew-open", "line": {"width": 2}},
+        marker={"color": theme.OCHRE, "size": 7, "symbol": "line-ew-open", "line": {"width": 2}},
     )
     for place, height in zip(x, amplitude * shown.factor, strict=True):
         look = {"showarrow": False, "yshift": 9, "font": {"size": 11}}

@@ -13,10 +13,13 @@ FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, s
 
 BLUE, ORANGE, GREEN, RED = "#3a7fc4", "#d9782d", "#2f9e62", "#d2484f"
 PURPLE, TEAL, OCHRE, GREY = "#8a68c4", "#2296a0", "#a88a1e", "#8a8f98"
-SERIES = (BLUE, ORANGE, GREEN, PURPLE, RED, TEAL, OCHRE, GREY)
+MAGENTA, BROWN = "#b8429e", "#8f6248"
 
-# The three parts of a tooth force keep their colour in every plot, drawing and animation.
+# The three parts of a tooth force keep their colour in every plot, drawing and animation; the lines of other
+# quantities take theirs from a series that holds none of the three. Its first three differ most for readers
+# who do not tell red from green or blue from yellow.
 FORCE_PARTS = {"circumferential": BLUE, "radial": ORANGE, "axial": PURPLE}
+SERIES = (TEAL, OCHRE, RED, MAGENTA, BROWN, GREEN, GREY)
 
 # Sweeps: upwards green, downwards red; the symbols say the same to readers who do not tell these colours
 # apart.
@@ -59,7 +62,7 @@ def colour_of(name: str, index: int) -> str:
 
     Examples
     --------
-    >>> colour_of("radial_force[stage]", 0) == FORCE_PARTS["radial"], colour_of("speed[g1]", 1) == ORANGE
+    >>> colour_of("radial_force[stage]", 0) == FORCE_PARTS["radial"], colour_of("speed[g1]", 1) == OCHRE
     (True, True)
     """
     for part, colour in FORCE_PARTS.items():

@@ -68,7 +68,7 @@ def plot_packets(result: xr.Dataset, channel: str) -> list[go.Figure]:
         x=middle,
         y=100.0 * result["energy_share"].values,
         width=width,
-        marker={"color": theme.BLUE, "line": {"color": theme.LIGHT["paper"], "width": 0.5}},
+        marker={"color": theme.SERIES[0], "line": {"color": theme.LIGHT["paper"], "width": 0.5}},
         customdata=[span(*edges) for edges in band],
         hovertemplate="%{customdata}: %{y:.3g} %<extra></extra>",
     )

@@ -21,6 +21,7 @@ from pitchpoint.report.notebook import dataset_html, is_result, model_html
 from pitchpoint.report.scene import scene_of
 from pitchpoint.report.scene_rest import rest_scene
 from pitchpoint.report.view import write_view
+from pitchpoint.viz import notebook as drawings
 from tests.support.gearbox_files import GEARBOX
 from tests.support.model_files import TORSIONAL_PAIR
 from tests.support.report_data import pair
@@ -116,6 +117,27 @@ def test_what_cannot_be_drawn_is_said(result: xr.Dataset) -> None:
     assert "<table" in text and "no scene: the model holds no body" in text
     stopped = result.assign_attrs(status=-7, status_text="the step <became> too small")
     assert "not finished, status -7: the step &lt;became&gt; too small" in dataset_html(stopped)
+
+
+def test_bevel_gears_and_their_pairs_show_tables() -> None:
+    """The drive of 17 to 43 teeth: 21.571 and 68.429 deg, outer pitch diameters of 68 and 172 mm."""
+    model = load_model(Path(__file__).parents[3] / "examples/bevel-drive/straight.yaml")
+    told = notebook.shown()
+
+    def cells(thing: Any, meaning: str) -> list[float]:
+        made = told[type(thing).__module__, type(thing).__name__](thing)
+        row = re.search(rf"<tr><th scope=\"row\">{meaning}.*?</tr>", made)
+        assert row, meaning
+        return [float(cell) for cell in re.findall(r'class="num">([^<]*)<', row.group())]
+
+    for pinion in (model.bevel_gears["pinion"], model.bevel_gears["pinion"].geometry):
+        assert cells(pinion, "pitch cone angle") == pytest.approx([21.571], abs=1e-2)
+        assert cells(pinion, "outer pitch diameter") == pytest.approx([68.0])
+    stage = model.bevel_pairs["stage"]
+    assert cells(stage, "shaft angle") == pytest.approx([90.0])
+    assert cells(stage, "outer pitch diameter") == pytest.approx([68.0, 172.0])
+    html = drawings.model_html(model)
+    assert "<th>bevel gear</th>" in html and "<th>gear</th>" not in html and "<tbody></tbody>" not in html
 
 
 def test_a_scene_that_is_too_large_is_said(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -59,6 +59,14 @@ def test_a_shaft_that_turns_back_or_hardly_turns_has_no_orders(model, angle):
     assert found.lines[np.argmax(found.amplitude.max(axis=0))] == pytest.approx(100.0, abs=8.0)
 
 
+def test_one_turn_has_orders_and_two_have_a_map_over_them(model):
+    """The same turns as in reports; a map over frequencies stands in for that of too short a record."""
+    for turns, lines, drawn in ((0.99, [""], ""), (1.2, ["", "pinion"], ""), (2.0, ["", "pinion"], "pinion")):
+        angle = 2.0 * np.pi * turns * TIME / TIME[-1]
+        spectra, (found,) = scene_spectra(model, record(angle, np.cos(23 * angle)))
+        assert [s.of for s in spectra] == lines and found.of == drawn, turns
+
+
 def test_levels_of_a_map_are_decibels_below_the_largest():
     """Half an amplitude is 6.02 dB, 19 of the 255 levels that make 80 dB."""
     assert map_levels(np.array([[2.0, 1.0], [2e-4, 0.0]])).tolist() == [[255, 236], [0, 0]]

@@ -124,7 +124,7 @@ def test_lines_that_overlap_share_an_axis_and_are_named_above_it() -> None:
     figure = plot_signals(TIME, [speeds()[0], speeds()[2]])
     assert {t.yaxis for t in figure.data} == {"y"}
     assert titles(figure)[1] == "speed [rpm]"
-    assert theme.BLUE in figure.layout.annotations[0].text
+    assert theme.SERIES[0] in figure.layout.annotations[0].text
 
 
 def test_names_of_many_lines_have_room_above_them() -> None:
@@ -161,6 +161,7 @@ def test_force_parts_have_their_colours() -> None:
     parts = [Channel(f"{part}_force[stage]", TIME, "N") for part in theme.FORCE_PARTS]
     figure = plot_force_parts(TIME, parts)
     assert [t.line.color for t in figure.data] == list(theme.FORCE_PARTS.values())
+    assert not set(theme.SERIES) & set(theme.FORCE_PARTS.values())
 
 
 def test_spectrum_axes_and_labels() -> None:
