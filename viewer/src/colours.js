@@ -37,8 +37,9 @@ export function colourOfForce(element, part) {
   return getComputedStyle(element).getPropertyValue(`--pp-force-${part}`).trim() || FORCE_DEFAULTS[part];
 }
 
-// Apart from the three of forces, of middle lightness: they stand out on white and on near-black alike.
-const CURVES = ["#3a8fd4", "#8a68c4", "#a88a1e", "#2296a0", "#d2484f", "#6b8e23", "#8a8f98"];
+// Neither blue, orange nor violet, which are forces here and on pages; of middle lightness: they stand out on white
+// and on near-black alike.
+const CURVES = ["#2296a0", "#c2509a", "#a88a1e", "#d2484f", "#6b8e23", "#8f6b52", "#8a8f98"];
 
 /** @param {string} name of a channel */
 export const isForce = (name) => FORCES.some((part) => name.startsWith(`${part}_force`));

@@ -12,7 +12,7 @@ const TALL = 0.32;
 export class Legend {
   /** @param {any[]} arrows of a scene */
   constructor(arrows) {
-    this.arrows = arrows;
+    this.sizes = sizesOf(arrows);
     this.columns = FORCES.filter((part) =>
       arrows.some((arrow) => (arrow.components ?? arrow.largest)?.[part]),
     );
@@ -100,7 +100,7 @@ export class Legend {
       this.columns.forEach((part, c) => {
         const text =
           part in each.values
-            ? force(each.values[part], each.unit, this.arrows[k].size || each.values[part])
+            ? this.#words(each.values[part], each.unit)
             : "";
         if (cells[c].textContent !== text) cells[c].textContent = text;
       });
@@ -114,16 +114,33 @@ export class Legend {
     });
   }
 
+  /** A force with the prefix that all of its unit have here. @param {number} value @param {string} unit */
+  #words(value, unit) {
+    const { most, least } = this.sizes[unit] ?? {};
+    return force(value, unit, most || value, least || value);
+  }
+
   /** Lines for a picture that is saved. @param {import("./arrows.js").Force[]} forces @param {Set<string>} shown */
   lines(forces, shown) {
     return forces
-      .map((each, k) => ({ each, size: this.arrows[k].size }))
-      .filter(({ each }) => shown.has(each.kind) && (each.kind !== "pair" || each.total))
-      .map(({ each, size }) => ({
+      .filter((each) => shown.has(each.kind) && (each.kind !== "pair" || each.total))
+      .map((each) => ({
         name: each.name.replaceAll("_", " "),
         values: this.columns
           .filter((part) => part in each.values)
-          .map((part) => ({ part, text: force(each.values[part], each.unit, size || each.values[part]) })),
+          .map((part) => ({ part, text: this.#words(each.values[part], each.unit) })),
       }));
   }
+}
+
+/** Largest and least size of the arrows of each unit, those without a force aside. @param {any[]} arrows */
+function sizesOf(arrows) {
+  const sizes = {};
+  for (const { unit = "N", size } of arrows) {
+    if (!size) continue;
+    const known = (sizes[unit] ??= { most: size, least: size });
+    known.most = Math.max(known.most, size);
+    known.least = Math.min(known.least, size);
+  }
+  return sizes;
 }

@@ -32,12 +32,12 @@ export function fixed(largest) {
       .replace("-", MINUS);
 }
 
-/** A force with the prefix that suits its size. @param {number} value [N or N m] @param {string} unit @param {number} scale value that decides the prefix */
-export function force(value, unit, scale = value) {
+/** A force with the prefix that suits its size. @param {number} value [N or N m] @param {string} unit @param {number} scale value that decides the prefix @param {number} least value that decides the decimals */
+export function force(value, unit, scale = value, least = scale) {
   const size = Math.abs(scale);
   const [factor, prefix] = size >= 1e6 ? [1e-6, "M"] : size >= 1e3 ? [1e-3, "k"] : [1, ""];
   const x = value * factor;
-  const digits = Math.abs(scale * factor) >= 100 ? 1 : Math.abs(scale * factor) >= 10 ? 2 : 3;
+  const digits = Math.abs(least * factor) >= 100 ? 1 : Math.abs(least * factor) >= 10 ? 2 : 3;
   return `${x < 0 ? MINUS : ""}${Math.abs(x).toFixed(digits)}${THIN}${prefix}${unit}`;
 }
 

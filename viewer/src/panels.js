@@ -168,21 +168,29 @@ export function saveRows(page) {
   const picture = (times) => download(png(page, times), fileName(page, "png"));
   const camera = film(stage.canvas);
   let stop = null;
+  const says = (text, title) => {
+    record.textContent = text;
+    record.title = record.ariaLabel = title;
+    record.setAttribute("aria-pressed", String(Boolean(stop)));
+  };
+  const offer = camera && `Film what is played, to the end of the record, ${camera.ending}`;
   const record = camera
-    ? button("film", `Film what is played, ${camera.ending}`, async () => {
-        record.setAttribute("aria-pressed", String(!stop));
+    ? button("film", offer, async () => {
         if (!stop) {
           page.filming = true;
           stage.coarsen(false);
           stop = camera.start();
-          record.textContent = "stop the film";
+          says("stop and save", "Stop the film and save it; it stops by itself at the end of what is played");
+          page.player.atEnd = () => record.click();
           page.toggle(true);
           return;
         }
         const end = stop;
         stop = null;
+        page.player.atEnd = null;
         page.filming = false;
-        record.textContent = "film";
+        page.toggle(false);
+        says("film", offer);
         download(await end(), fileName(page, camera.ending));
       })
     : null;
@@ -213,7 +221,7 @@ export function vibrationRows(page) {
     least: 1,
     most: 1e4,
     value: 1,
-    show: (x) => number(x < 10 ? Number(x.toPrecision(2)) : Math.round(x), x < 10 ? 2 : 5),
+    show: (x) => String(x < 10 ? Number(x.toPrecision(2)) : Math.round(x)),
     changed: (x) => page.magnify(x),
   });
   return [

@@ -23,6 +23,8 @@ export class Player {
     this.last = times.length ? times[times.length - 1] : 0;
     this.time = this.first;
     this.playing = false;
+    /** heard once the piece that is played has come to its end, where it then stays */
+    this.atEnd = null;
     this.loop = "record";
     this.window = [this.first, this.last];
     this.body = -1;
@@ -52,8 +54,11 @@ export class Player {
     const [a, b] = this.window;
     let t = this.time + dt * this.speed;
     if (t < a) t = a;
+    const ended = t > b && this.atEnd;
+    if (ended) t = b;
     if (t > b) t = b > a ? a + ((t - a) % (b - a)) : a;
     this.time = t;
+    if (ended) this.atEnd();
   }
 
   /** To the next frame but one, and so on. @param {number} frames */

@@ -2,7 +2,7 @@
 // A plane that cuts all solids, square to x, y or z or to the axis of a mesh.
 import { Plane, Vector3 } from "three";
 import { choice, el, tick } from "./dom.js";
-import { number } from "./numbers.js";
+import { fixed } from "./numbers.js";
 
 const AXES = { x: new Vector3(1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
 
@@ -59,6 +59,7 @@ export class SectionView {
     this.axis.select.value = name;
     const [low, high] = this.#ends();
     this.#set((low + high) / 2);
+    this.#face();
   }
 
   /** Square to any direction, through a point. @param {Vector3} point @param {Vector3} normal */
@@ -72,7 +73,7 @@ export class SectionView {
     this.flipped = this.normal.dot(normal) < 0;
     this.flip.input.checked = this.flipped;
     this.#set(this.normal.dot(point));
-    this.turn(true);
+    this.#cut(true);
   }
 
   /** Least and largest place of the solids along the normal. */
@@ -93,7 +94,7 @@ export class SectionView {
   #moved() {
     const [low, high] = this.#ends();
     this.at = low + (Number(this.place.value) / 1000) * (high - low);
-    this.said.textContent = `${number(this.at * 1000, 4)} mm`;
+    this.#say();
     this.update();
     this.changed();
   }
@@ -102,13 +103,33 @@ export class SectionView {
     const [low, high] = this.#ends();
     this.at = at;
     this.place.value = String((1000 * (at - low)) / (high - low || 1));
-    this.said.textContent = `${number(at * 1000, 4)} mm`;
+    this.#say();
     this.update();
     this.changed();
   }
 
+  /** The place, as finely as the size of the scene makes sense. */
+  #say() {
+    const text = fixed(1000 * Math.max(...this.#ends().map(Math.abs)))(this.at * 1000);
+    this.said.textContent = `${Number(text) === 0 ? "0" : text} mm`;
+  }
+
+  /** The half on the camera's side goes, so that the cut looks at the camera. */
+  #face() {
+    const camera = this.stage.camera.position.clone().applyMatrix4(this.stage.seen.clone().invert());
+    this.flipped = this.normal.dot(camera) < this.at;
+    this.flip.input.checked = this.flipped;
+    this.update();
+  }
+
   /** @param {boolean} on */
   turn(on) {
+    if (on) this.#face();
+    this.#cut(on);
+  }
+
+  /** @param {boolean} on */
+  #cut(on) {
     this.on = on;
     this.enable.input.checked = on;
     for (const { solids, flanks } of this.stage.pictures)

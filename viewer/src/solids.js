@@ -14,16 +14,28 @@ const MOST_MESHES = 300;
 // Covers so many times as large as what they hold are not fitted into the picture.
 const LARGE_COVER = 2.5;
 
+// Part of its distance at which a cut is drawn: more than facets of round surfaces differ, less than a tooth is thick.
+const NEARER = 0.9996;
+
 // Where members of a crowd are that are not shown: triangles without area are not drawn.
 const NOWHERE = new Matrix4().multiplyScalar(0);
 
-/** Back faces seen through a cut are the cut: flat, hatched, whatever the light. */
+/**
+ * Back faces seen through a cut are the cut: flat, hatched, whatever the light. A shaft and the bore around it share
+ * a surface, seen from one side as the cut of one and the outside of the other: the cut is drawn as a little nearer.
+ */
 function drawCut(material) {
   material.onBeforeCompile = (shader) => {
-    shader.fragmentShader = shader.fragmentShader.replace(
+    shader.fragmentShader = `#ifdef DOUBLE_SIDED
+        uniform mat4 projectionMatrix;
+      #endif
+      ${shader.fragmentShader}`.replace(
       "#include <opaque_fragment>",
       `#ifdef DOUBLE_SIDED
+        gl_FragDepth = gl_FragCoord.z;
         if (!gl_FrontFacing) {
+          float nearer = ${NEARER} / gl_FragCoord.w;
+          gl_FragDepth = clamp(0.5 + 0.5 * (projectionMatrix[3][2] / nearer - projectionMatrix[2][2]), 0.0, 1.0);
           float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 9.0);
           outgoingLight = diffuseColor.rgb * (stripe < 1.1 ? 0.66 : 0.86);
         }
