@@ -239,7 +239,7 @@ export class Page {
     const words = namesOf(this.scenes);
     this.names.forEach((node, k) => {
       const end = this.scenes[k].times?.data.at(-1);
-      const text = ended(end, this.told) ? `${words[k]} (ended at ${duration(end)})` : words[k];
+      const text = ended(end, this.told) ? `ended at ${duration(end)}: ${words[k]}` : words[k];
       if (node && node.textContent !== text) node.textContent = text;
     });
   }
