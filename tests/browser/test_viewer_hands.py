@@ -10,7 +10,7 @@ import pytest
 
 from tests.support.browser import OpenPage, needs_browser
 from tests.support.scene_browser import asked, scene, until
-from tests.support.scene_data import FORCE, LENGTH, TIMES, gears, load, texts_of
+from tests.support.scene_data import FORCE, LENGTH, SPEED, TIMES, gears, load, texts_of
 
 pytestmark = needs_browser
 
@@ -119,3 +119,49 @@ def test_wheel_scrolls_a_longer_page_until_the_scene_is_clicked(
     small.click(".ppv-canvas", position={"x": 400, "y": 100})
     assert zoomed(small) < 0.8
     assert zoomed(same_scene(pair)) < 0.8
+
+
+def test_curves_far_apart_have_plots_of_their_own(open_page: OpenPage) -> None:
+    """Ripples of 10 µm about 0 and 100 µm share no plot; those about 0 and 30 µm, four spans or less, do."""
+    header, block = gears()
+    shake = next(c for c in header["channels"] if c["name"] == "position_y[wheel]")
+    shake["first"] = False
+    for away, name in ((100e-6, "far"), (30e-6, "near")):
+        tables = {
+            side: {**shake[side], "offset": [shake[side]["offset"][0] + away]} for side in ("least", "most")
+        }
+        header["channels"].append({**shake, **tables, "name": name, "label": name})
+    script = """const out = [];
+      for (const chosen of [["position_y[wheel]", "near"], ["position_y[wheel]", "far"]]) {
+        for (const name of S().channels) V.show(name, false);
+        for (const name of chosen) V.show(name);
+        out.push(S().cursor.map(({readings}) => readings.length)); }
+      return out;"""
+    near, far = asked(scene(open_page, texts_of(header, block)), script)
+    assert (near, far) == ([2], [1, 1])
+
+
+def test_a_record_that_has_ended_has_no_value(open_page: OpenPage, pair: tuple[str, str]) -> None:
+    """The second ends half-way; the first goes on."""
+    header, block = gears(title="Short")
+    half = LENGTH / 2
+    for body in header["bodies"]:
+        body.pop("spin", None), body.pop("position", None)
+        body["gross"] = block.put(SPEED * TIMES[:301])
+    header |= {"arrows": [], "marks": [], "times": block.put(TIMES[:301])}
+    for channel in header["channels"]:
+        starts = block.put(TIMES[:300:2])
+        channel |= {
+            "times": starts,
+            "least": block.put(np.full(150, 1.0)),
+            "most": block.put(np.full(150, 1.0)),
+        }
+    script = f"""const out = [];
+      for (const t of [{half}, {half + 1e-3}]) {{
+        V.seek(t); await wait(50);
+        out.push([S().cursor[0].readings[0].split(" | ")[1], all(".ppv-name").map((n) => n.textContent)]); }}
+      return out;"""
+    before, after = asked(scene(open_page, pair, texts_of(header, block)), script)
+    assert before == ["0.001", ["Two gears", "Short"]]
+    assert after[0] == "–" and after[1][0] == "Two gears"
+    assert after[1][1].replace("\u2009", " ") == "ended at 60.0 ms: Short"

@@ -22,7 +22,10 @@ def pair() -> tuple[str, str]:
 def test_the_spectrum_around_the_cursor_is_the_piece_of_the_map_that_it_stands_in(
     open_page: OpenPage, pair: tuple[str, str]
 ) -> None:
-    """Levels are decibels: 255 is the largest amplitude, 1 kN, and 255/80 of them are one decibel."""
+    """Levels are decibels: 255 is the largest amplitude, 1 kN, and 255/80 of them are one decibel.
+
+    Amplitudes are in the unit that the channel is shown in, kN.
+    """
     times, levels = passing()
     script = f"""V.spectrum("{FORCE}", "orders of pinion"); const out = [];
       for (const t of {times[[0, 7, 19]].tolist()}) {{ V.seek(t); await wait(50); out.push(S().spectrum); }}
@@ -33,7 +36,7 @@ def test_the_spectrum_around_the_cursor_is_the_piece_of_the_map_that_it_stands_i
         near = np.array([value or 0.0 for value in state["near"]])
         assert np.flatnonzero(near).tolist() == [TEETH[0] - 1]
         level = levels[piece, TEETH[0] - 1]
-        assert near.max() == pytest.approx(1e3 * 10 ** ((level / 255 - 1) * 4), rel=1e-9)
+        assert near.max() == pytest.approx(10 ** ((level / 255 - 1) * 4), rel=1e-9)
 
 
 def test_a_map_moves_the_time_and_the_time_the_cursor_of_the_map(
@@ -54,7 +57,7 @@ def test_a_map_moves_the_time_and_the_time_the_cursor_of_the_map(
     assert before == pytest.approx(0.3 * LENGTH, abs=0.01 * LENGTH)
     assert time == pytest.approx(0.5 * LENGTH, abs=0.01 * LENGTH)
     assert after == pytest.approx(time, abs=0.01 * LENGTH)
-    assert "order 38" in read and "< 0.100 N" in read
+    assert "order 38" in read and "< 0.000100 kN" in read
 
 
 def test_choices_keep_the_kind_of_picture(open_page: OpenPage, pair: tuple[str, str]) -> None:

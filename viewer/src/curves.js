@@ -8,7 +8,8 @@ export class Curves {
   /** @param {any[]} scenes @param {number[]} range @param {any[]} marks @param {(t: number) => void} seek */
   constructor(scenes, range, marks, seek) {
     const channels = scenes.map((scene) => scene.channels);
-    this.plots = new Plots(channels, marks, range, seek);
+    const ends = scenes.map((scene) => scene.times?.data.at(-1));
+    this.plots = new Plots(channels, marks, range, seek, ends);
     this.spectra = new Spectra(scenes, channels, seek);
     this.labels = new Map(channels.flat().map((channel) => [channel.name, channel.label ?? channel.name]));
     this.search = el("input", {

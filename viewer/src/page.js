@@ -6,13 +6,14 @@ import { Hover } from "./hover.js";
 import { FlankBox, flankRows } from "./flanks.js";
 import { keys, KEYS } from "./keys.js";
 import { Legend } from "./legend.js";
-import { length } from "./numbers.js";
+import { duration, length } from "./numbers.js";
 import { markRows } from "./marks_panel.js";
 import { namesOf } from "./names.js";
 import { Modes } from "./modes.js";
 import { Orbit } from "./orbit.js";
 import { Panels, forceRows, saveRows, vibrationRows, viewRows } from "./panels.js";
 import { Player, round125 } from "./player.js";
+import { ended } from "./plots.js";
 import { Poses } from "./poses.js";
 import { SectionView } from "./section_view.js";
 import { Stage, graphics } from "./stage.js";
@@ -116,13 +117,14 @@ export class Page {
     this.scale = el("div", { className: "ppv-scale", "aria-hidden": "true" }, el("span"), el("i"));
     this.status = el("div", { className: "ppv-status", role: "status" });
     const names = namesOf(this.scenes);
+    this.names = names.map((name, k) => name && el("span", { className: "ppv-name", title: this.scenes[k].label }, name));
     const halves = this.legends.map((legend, k) =>
       el(
         "div",
         { className: "ppv-half" },
         legend.element,
         this.boxes[k].element,
-        names[k] && el("span", { className: "ppv-name", title: this.scenes[k].label }, names[k]),
+        this.names[k],
       ),
     );
     this.host.append(
@@ -227,7 +229,19 @@ export class Page {
   #tell() {
     if (this.player.time === this.told) return;
     this.told = this.player.time;
+    this.#sayEnds();
     this.root.dispatchEvent(new CustomEvent("pp-time", { bubbles: true, detail: this.told }));
+  }
+
+  /** Bodies of a record that is shorter than the other one stand still after it. */
+  #sayEnds() {
+    if (this.scenes.length < 2 || !this.names) return;
+    const words = namesOf(this.scenes);
+    this.names.forEach((node, k) => {
+      const end = this.scenes[k].times?.data.at(-1);
+      const text = ended(end, this.told) ? `ended at ${duration(end)}: ${words[k]}` : words[k];
+      if (node && node.textContent !== text) node.textContent = text;
+    });
   }
 
   draw() {

@@ -6,6 +6,8 @@ import { colourOfChannel, colourOfMark, isForce } from "./colours.js";
 import { fixed } from "./numbers.js";
 
 const LOW = 84; // least height of a plot [px]
+/** Curves whose middles lie more of their spans apart than this would be two straight lines in one plot. */
+const APART = 4;
 
 /** Instants at which the pieces of a channel are drawn: their starts where each is one sample, else their middles. @param {any} channel */
 export function middles(channel) {
@@ -21,8 +23,12 @@ function shown(channel, table) {
   return Float64Array.from(table.data, (value) => value * scale);
 }
 
-/** Piece of a channel at an instant. @param {any} channel @param {number} t */
-export function valueAt(channel, t) {
+/** Whether a record that ends then has ended by an instant; rounding of a frame's time is no end. */
+export const ended = (end, t) => t > end + 1e-9 * Math.abs(end);
+
+/** Piece of a channel at an instant, nothing after its record. @param {any} channel @param {number} t @param {number} [end] of the record */
+export function valueAt(channel, t, end = Infinity) {
+  if (ended(end, t)) return null;
   const { times, least, most } = channel;
   let low = 0,
     high = times.count;
@@ -35,14 +41,35 @@ export function valueAt(channel, t) {
   return { least: least.data[low] * scale, most: (most ?? least).data[low] * scale };
 }
 
+/** Least and most of a curve in all results, and its longest way between them in one. @param {any[]} found */
+function extent(found) {
+  const sides = found.filter(Boolean).map(({ least, most }) => {
+    const of = (table, pick) => table.data.reduce((a, b) => pick(a, b), table.data[0]);
+    return [of(least, Math.min), of(most ?? least, Math.max)];
+  });
+  const low = Math.min(...sides.map(([a]) => a)),
+    high = Math.max(...sides.map(([, b]) => b));
+  return { middle: (low + high) / 2, span: Math.max(...sides.map(([a, b]) => b - a)) };
+}
+
+/** Whether the ways of two curves would not be seen in one plot. */
+function apart(a, b) {
+  const span = Math.max(a.span, b.span),
+    gap = Math.abs(a.middle - b.middle);
+  // two that stand still have nothing to be seen
+  return gap > APART * span && span > 1e-9 * gap;
+}
+
 export class Plots {
   /**
    * @param {any[][]} channels of each result
    * @param {any[]} marks @param {number[]} range of time
    * @param {(t: number) => void} seek
+   * @param {number[]} ends of the records
    */
-  constructor(channels, marks, range, seek) {
+  constructor(channels, marks, range, seek, ends = []) {
     this.channels = channels;
+    this.ends = ends;
     this.marks = marks;
     this.kinds = [...new Set(marks.map((mark) => mark.kind))];
     this.full = range;
@@ -68,17 +95,21 @@ export class Plots {
     this.build();
   }
 
-  /** Chosen channels in groups of one unit. */
+  /** Chosen channels in groups of one unit, that are near enough for their ways to be seen. */
   #groups() {
-    const groups = new Map();
+    const groups = [];
     for (const name of this.order) {
       if (!this.names.has(name)) continue;
       const found = this.channels.map((list) => list.find((channel) => channel.name === name));
       const unit = (found.find(Boolean).shown_unit ?? found.find(Boolean).unit) || "1";
-      if (!groups.has(unit)) groups.set(unit, []);
-      groups.get(unit).push({ name, found });
+      const member = { name, found, ...extent(found) };
+      const near = groups.find((group) => group.unit === unit && !group.members.some((other) => apart(member, other)));
+      if (near) near.members.push(member);
+      else groups.push({ unit, members: [member] });
     }
-    return groups;
+    // plots of one unit below each other
+    const units = [...new Set(groups.map(({ unit }) => unit))];
+    return groups.sort((a, b) => units.indexOf(a.unit) - units.indexOf(b.unit));
   }
 
   build() {
@@ -88,20 +119,20 @@ export class Plots {
     const groups = this.#groups();
     this.ratio = window.devicePixelRatio || 1;
     // curves of force parts have their own colours, the others take turns
-    this.turns = [...groups.values()]
-      .flat()
+    this.turns = groups
+      .flatMap(({ members }) => members)
       .map(({ name }) => name)
       .filter((name) => !isForce(name));
-    for (const [unit, members] of groups) {
+    for (const { unit, members } of groups) {
       const holder = el("div", { className: "ppv-plot" });
       const caption = el("div", { className: "ppv-caption" });
       const box = el("div", { className: "ppv-box" });
       holder.append(caption, box);
       this.element.append(holder);
       const made = this.#plot(unit, members, box, caption);
-      this.drawn.push({ ...made, box });
+      this.drawn.push({ ...made, box, caption });
     }
-    if (!groups.size)
+    if (!groups.length)
       this.element.append(
         el(
           "p",
@@ -121,13 +152,16 @@ export class Plots {
     const ink = getComputedStyle(this.element);
     members.forEach(({ name, found }) => {
       const colour = colourOfChannel(this.element, name, this.turns.indexOf(name));
+      const tints = [colour, secondTint(this.element, colour)];
       const values = el("output", {});
       const first = found.find(Boolean);
       caption.append(
         el(
           "span",
           { className: "ppv-curve" },
-          el("i", { style: `background:${colour}` }),
+          ...tints
+            .filter((_, result) => found[result])
+            .map((tint) => el("i", { style: `background:${tint}` })),
           el("span", {}, first.label ?? name),
           values,
           el("small", {}, unit === "1" ? "" : unit),
@@ -155,13 +189,13 @@ export class Plots {
       found.forEach((channel, result) => {
         if (!channel) return;
         const dash = result ? [6, 4] : undefined;
-        const line = { stroke: colour, width: 1.4, dash, points: { show: false }, spanGaps: true };
+        const line = { stroke: tints[result], width: 1.4, dash, points: { show: false }, spanGaps: true };
         const table = [middles(channel), shown(channel, channel.least)];
         if (channel.most) {
           table.push(shown(channel, channel.most));
           bands.push({
             series: [series.length + 1, series.length],
-            fill: `color-mix(in srgb, ${colour} 30%, transparent)`,
+            fill: `color-mix(in srgb, ${tints[result]} ${result ? 8 : 30}%, transparent)`,
           });
           series.push({ ...line, width: 1 });
         }
@@ -195,7 +229,7 @@ export class Plots {
         scales: { x: { time: false, range: () => this.x }, y: { range: (_, low, high) => range(low, high) } },
         axes: [
           { ...axis, size: 22, gap: 3, values: (_, splits) => labels(splits, "s") },
-          { ...axis, size: 62, gap: 4, space: 24, values: (_, splits) => labels(splits) },
+          { ...axis, size: 62, gap: 4, space: ticks, values: (_, splits) => labels(splits) },
         ],
         hooks: { draw: [(self) => this.#drawMarks(self)] },
       },
@@ -256,12 +290,10 @@ export class Plots {
   }
 
   resize() {
-    const height = this.element.clientHeight;
-    const caption = 20;
-    const each = Math.max(
-      LOW,
-      Math.min(260, Math.floor(height / Math.max(1, this.drawn.length)) - caption - 4),
-    );
+    // captions of many curves take several lines on narrow pages
+    const captions = this.drawn.reduce((sum, { caption }) => sum + caption.offsetHeight, 0);
+    const height = this.element.clientHeight - captions - 4;
+    const each = Math.max(LOW, Math.min(260, Math.floor(height / Math.max(1, this.drawn.length)) - 4));
     for (const { plot, box } of this.drawn)
       plot.setSize({ width: Math.max(120, box.clientWidth), height: each });
     this.cursor(this.time);
@@ -276,10 +308,12 @@ export class Plots {
       line.style.transform = `translateX(${x}px)`;
       for (const { values, found, digits } of shows) {
         const text = found
-          .filter(Boolean)
-          .map((channel) => {
-            const { least, most } = valueAt(channel, t);
-            return least === most ? digits(least) : `${digits(least)} … ${digits(most)}`;
+          .flatMap((channel, result) => {
+            if (!channel) return [];
+            const value = valueAt(channel, t, this.ends[result]);
+            if (!value) return ["–"];
+            const { least, most } = value;
+            return [least === most ? digits(least) : `${digits(least)} … ${digits(most)}`];
           })
           .join(" | ");
         if (values.textContent !== text) values.textContent = text;
@@ -287,6 +321,15 @@ export class Plots {
     }
   }
 }
+
+/** Colour of the second of two results: darker on white, lighter on black. @param {Element} element @param {string} colour */
+export function secondTint(element, colour) {
+  const ink = getComputedStyle(element).getPropertyValue("--v-ink").trim() || "#1f2933";
+  return `color-mix(in srgb, ${colour} 40%, ${ink})`;
+}
+
+/** Least room of a tick [px]; steps of 1, 2, 2.5 and 5 then leave two of them at least. @param {any} _ @param {number} __ @param {number} ___ @param {number} ____ @param {number} size of the axis */
+const ticks = (_, __, ___, ____, size) => Math.max(9, Math.min(24, size / 4));
 
 /** A range with air, that is never empty. */
 function range(low, high) {

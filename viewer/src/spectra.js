@@ -4,7 +4,8 @@ import uPlot from "uplot";
 import { choice, el } from "./dom.js";
 import { colourOfChannel } from "./colours.js";
 import { number } from "./numbers.js";
-import { Waterfall, amplitudeOf, nearest } from "./waterfall.js";
+import { labels, secondTint } from "./plots.js";
+import { Waterfall, amplitudeOf, frequencyUnit, nearest } from "./waterfall.js";
 
 const OVER_TIME = " and time";
 /** Colour of what is around the cursor. */
@@ -20,6 +21,7 @@ export class Spectra {
     this.maps = scenes.map((scene) => scene.maps);
     this.names = [...new Set(this.spectra.flat().map((spectrum) => spectrum.channel))];
     const label = (name) => channels.flat().find((channel) => channel.name === name)?.label ?? name;
+    this.channels = channels;
     this.name = this.names[0];
     this.time = scenes[0]?.times.data[0] ?? 0;
     this.box = el("div", { className: "ppv-box" });
@@ -75,6 +77,14 @@ export class Spectra {
     return lists.map((list) => list.find((found) => found.channel === this.name && (found.of ?? "") === of));
   }
 
+  /** Unit of the chosen channel that is shown, and the factor to it. @param {any} found spectrum or map */
+  #shown(found) {
+    const unit = found?.unit ?? "1";
+    const channel = this.channels.flat().find(({ name }) => name === this.name);
+    if (!channel?.shown_unit || channel.unit !== unit) return { unit, scale: 1 };
+    return { unit: channel.shown_unit, scale: channel.scale ?? 1 };
+  }
+
   build() {
     if (!this.over) return this.choose(this.name);
     this.plot?.destroy();
@@ -85,12 +95,14 @@ export class Spectra {
     const ink = (name, otherwise) => style.getPropertyValue(name).trim() || otherwise;
     const inks = { soft: ink("--v-soft", "#666"), grid: ink("--v-grid", "#ddd"), paper: ink("--v-paper", "#fff") };
     const map = this.over.endsWith(OVER_TIME);
-    const unit = this.#found(this.spectra).concat(this.#found(this.maps)).find(Boolean)?.unit ?? "1";
+    this.shown = this.#shown(this.#found(this.spectra).concat(this.#found(this.maps)).find(Boolean));
+    const { unit } = this.shown;
     this.unit.textContent = unit === "1" ? "peak amplitude" : `peak amplitude in ${unit}`;
+    if (map) this.unit.textContent = "colours: peak amplitude in dB below the largest";
     this.box.hidden = map;
     this.maps_box.hidden = !map;
     this.near.hidden = true;
-    if (map) this.waterfall.build(this.#found(this.maps).filter(Boolean), inks);
+    if (map) this.waterfall.build(this.#found(this.maps).filter(Boolean), inks, this.shown);
     else this.#plot(inks);
     this.resize();
     this.cursor(this.time);
@@ -98,11 +110,12 @@ export class Spectra {
 
   #plot(inks) {
     const found = this.#found(this.spectra);
+    const { unit, scale } = this.shown;
     const tables = found
       .filter(Boolean)
       .map(({ lines, amplitude }) => [
         Array.from(lines.data),
-        Array.from(amplitude.data, (value) => (value > 0 ? value : null)),
+        Array.from(amplitude.data, (value) => (value > 0 ? value * scale : null)),
       ]);
     const axis = {
       stroke: inks.soft,
@@ -111,13 +124,15 @@ export class Spectra {
       font: "11px system-ui, sans-serif",
     };
     const colour = colourOfChannel(this.element, this.name, 0);
-    const { unit = "", of = "" } = found.find(Boolean) ?? {};
+    const { of = "" } = found.find(Boolean) ?? {};
     const line = { width: 1.2, points: { show: false }, spanGaps: true };
     const series = found.flatMap((spectrum, result) =>
-      spectrum ? [{ ...line, stroke: colour, dash: result ? [6, 4] : undefined }] : [],
+      spectrum
+        ? [{ ...line, stroke: result ? secondTint(this.element, colour) : colour, dash: result ? [6, 4] : undefined }]
+        : [],
     );
-    // eight decades are what an eye needs; below lies rounding
-    const most = Math.max(...tables.flatMap(([, y]) => y.map((value) => value ?? 0)), 1e-300);
+    const most = tables.reduce((top, [, y]) => y.reduce((a, value) => Math.max(a, value ?? 0), top), 1e-300);
+    const [per, hertz] = frequencyUnit(tables.map(([x]) => x.at(-1)));
     // the first result around the cursor
     this.passing = this.#found(this.maps)[0];
     if (this.passing) {
@@ -126,7 +141,7 @@ export class Spectra {
       this.near.hidden = false;
       this.near.firstChild.style.background = NEAR;
     }
-    const place = of ? (x) => `order ${number(x, 5)}` : (x) => `${number(x, 5)} Hz`;
+    const place = of ? (x) => `order ${number(x, 5)}` : (x) => `${number(x * per, 5)} ${hertz}`;
     this.plot = new uPlot(
       {
         width: 300,
@@ -137,14 +152,15 @@ export class Spectra {
         series: [{}, ...series],
         scales: {
           x: { time: false },
-          y: { distr: 3, range: (_, low) => [Math.max(low ?? 0, most * 1e-8), most * 1.6] },
+          // five decades are what is worth looking at
+          y: { distr: 3, range: (_, low) => [Math.max(low ?? 0, most * 1e-5), most * 1.6] },
         },
         axes: [
           {
             ...axis,
             size: 22,
             gap: 3,
-            values: (_, splits) => splits.map((x, k) => (k === splits.length - 1 && !of ? `${x} Hz` : String(x))),
+            values: (_, splits) => labels(of ? splits : splits.map((x) => x * per), of ? "order" : hertz),
           },
           {
             ...axis,
@@ -188,7 +204,7 @@ export class Spectra {
     const column = new Array(data[0].length).fill(undefined);
     this.rows.forEach((row, k) => {
       const level = levels.data[piece * lines.data.length + k];
-      column[row] = level ? amplitudeOf(this.passing, level) : null;
+      column[row] = level ? amplitudeOf(this.passing, level) * this.shown.scale : null;
     });
     data[data.length - 1] = column;
     // a new plot has no axis yet; one that somebody has zoomed stays as it is
@@ -209,7 +225,8 @@ export class Spectra {
 
   resize() {
     if (this.element.hidden) return;
-    const height = Math.max(110, this.element.parentElement.clientHeight - 28);
+    const caption = this.element.querySelector(".ppv-caption");
+    const height = Math.max(90, this.element.parentElement.clientHeight - caption.offsetHeight - 8);
     this.maps_box.style.height = `${height}px`;
     if (!this.maps_box.hidden) this.waterfall.resize();
     this.plot?.setSize({ width: Math.max(120, this.box.clientWidth), height });

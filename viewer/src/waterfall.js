@@ -30,6 +30,9 @@ export function nearest(places, x) {
 /** Amplitude that a level of a map stands for; level 0 is that or less. @param {any} map @param {number} level */
 export const amplitudeOf = (map, level) => map.most * 10 ** ((level / 255 - 1) * (map.decibels / 20));
 
+/** Factor and name of the unit of frequencies up to some ends [Hz]. @param {number[]} ends */
+export const frequencyUnit = (ends) => (Math.max(...ends) > 1e4 ? [1e-3, "kHz"] : [1, "Hz"]);
+
 export class Waterfall {
   /** @param {HTMLElement} element @param {(t: number) => void} seek @param {(text: string) => void} say */
   constructor(element, seek, say) {
@@ -46,21 +49,24 @@ export class Waterfall {
     this.element.replaceChildren();
   }
 
-  /** @param {any[]} maps of each result @param {{soft: string, grid: string, paper: string}} inks */
-  build(maps, inks) {
+  /** @param {any[]} maps of each result @param {{soft: string, grid: string, paper: string}} inks @param {{unit: string, scale: number}} shown */
+  build(maps, inks, shown) {
     this.destroy();
+    this.shown = shown;
     for (const map of maps) {
       const box = el("div", { className: "ppv-box" });
       this.element.append(box);
       this.drawn.push({ ...this.#plot(map, box, inks), box, map });
     }
     const [first] = maps;
+    // each map counts from its own largest amplitude
+    const worth = [...new Set(maps.map(({ most }) => number(most * shown.scale, 3)))].join(" | ");
     this.element.append(
       el(
         "div",
         { className: "ppv-map-scale", title: "Amplitudes below the largest one of the map" },
         el("i", { style: `background:${gradient().replace("to right", "to top")}` }),
-        el("span", {}, "0 dB"),
+        el("span", {}, `0 dB = ${worth} ${shown.unit === "1" ? "" : shown.unit}`),
         el("span", {}, `\u2212${first.decibels} dB`),
       ),
     );
@@ -79,7 +85,7 @@ export class Waterfall {
       ticks: { show: false },
       font: "11px system-ui, sans-serif",
     };
-    const unit = map.of ? "" : "Hz";
+    const [per, unit] = map.of ? [1, "order"] : frequencyUnit([lines.at(-1)]);
     const plot = new uPlot(
       {
         width: 300,
@@ -91,7 +97,7 @@ export class Waterfall {
         scales: { x: { time: false, range: () => [left, right] }, y: { range: () => [Math.max(0, low), high] } },
         axes: [
           { ...axis, size: 22, gap: 3, values: (_, splits) => labels(splits, "s") },
-          { ...axis, size: 62, gap: 4, space: 28, values: (_, splits) => labels(splits, unit) },
+          { ...axis, size: 62, gap: 4, space: 28, values: (_, splits) => labels(splits.map((x) => x * per), unit) },
         ],
         hooks: {
           draw: [() => this.cursor(this.time)],
@@ -138,8 +144,9 @@ export class Waterfall {
       const k = nearest(lines, at(event, "y")),
         n = nearest(times, at(event, "x"));
       const level = map.levels.data[n * lines.length + k];
-      const what = map.of ? `order ${number(lines[k], 4)}` : `${number(lines[k], 4)} Hz`;
-      this.say(`${number(times[n], 4)} s, ${what}: ${level ? "" : "< "}${number(amplitudeOf(map, level), 3)} ${map.unit}`);
+      const [per, hertz] = frequencyUnit([lines.at(-1)]);
+      const what = map.of ? `order ${number(lines[k], 4)}` : `${number(lines[k] * per, 4)} ${hertz}`;
+      this.say(`${number(times[n], 4)} s, ${what}: ${level ? "" : "< "}${number(amplitudeOf(map, level) * this.shown.scale, 3)} ${this.shown.unit}`);
     });
     over.addEventListener("pointerleave", () => this.say(""));
     for (const name of ["pointerup", "pointercancel"]) over.addEventListener(name, () => (down = false));
