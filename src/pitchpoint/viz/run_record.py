@@ -33,8 +33,9 @@ FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
 RUN_UP = 0.05
 # Relative change of the ratio of two shafts up to which one is geared to the other.
 GEARED = 0.01
-# Turns of a shaft from which a record has an order spectrum of it, and a map over its orders.
-ORDER_TURNS, MAP_TURNS = 1.0, 2.0
+# Turns of a shaft from which a record has an order spectrum of it, which has many teeth, and a map over its
+# orders.
+ORDER_TURNS, MAP_TURNS = 0.25, 2.0
 
 
 def owner(channel: Channel) -> str:
