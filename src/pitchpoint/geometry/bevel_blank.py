@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.bevel_tooth import bevel_tooth
+from pitchpoint.geometry.shaft_solid import RoundMass
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel_gear import BevelGear
@@ -48,28 +49,6 @@ class BevelBlank:
     def corners(self) -> list[tuple[float, float]]:
         """The section, counter-clockwise with the radius to the right and the height upwards."""
         return [self.toe, self.heel, self.back, (self.bore, self.back[1]), (self.bore, self.toe[1])]
-
-
-@dataclass(frozen=True)
-class BevelMass:
-    """Mass and moments of inertia of a bevel gear.
-
-    Parameters
-    ----------
-    mass
-        [kg].
-    center
-        Centre of mass from the apex along the axis [m].
-    polar_inertia
-        About the axis [kg m²].
-    transverse_inertia
-        About any diameter through the centre of mass [kg m²].
-    """
-
-    mass: float
-    center: float
-    polar_inertia: float
-    transverse_inertia: float
 
 
 def bevel_blank(gear: BevelGear, bore_diameter: float, rim_thickness: float | None) -> BevelBlank:
@@ -222,7 +201,7 @@ def toothed(gear: BevelGear) -> FloatArray:
 
 def bevel_mass(
     gear: BevelGear, density: float, *, bore_diameter: float = 0.0, rim_thickness: float | None = None
-) -> BevelMass:
+) -> RoundMass:
     """Mass and moments of inertia of a bevel gear with its body.
 
     Parameters
@@ -236,7 +215,7 @@ def bevel_mass(
 
     Returns
     -------
-    BevelMass
+    RoundMass
 
     Raises
     ------
@@ -264,4 +243,4 @@ def bevel_mass(
     volume, moment, axial, polar = (float(v) for v in revolved(blank.corners) + toothed(gear))
     center = moment / volume
     about = axial + 0.5 * polar - volume * center * center
-    return BevelMass(density * volume, center, density * polar, density * about)
+    return RoundMass(density * volume, center, density * polar, density * about)

@@ -7,6 +7,7 @@ import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.geometry.problems import at_key
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel_gear import BevelGear
@@ -18,10 +19,6 @@ TIP_THICKNESS_LIMIT = 0.2
 """Thinnest tip in mean normal modules, as for cylindrical gears."""
 INTERFERENCE_TOLERANCE = 0.01
 """Mean normal modules along the path of contact that tips may reach too far, as for cylindrical gears."""
-
-
-def _at(where: str, key: str) -> str:
-    return f"{where}.{key}" if where else key
 
 
 def _degrees(angle: float) -> str:
@@ -54,7 +51,7 @@ def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Problem]:
 
     def add(key: str, message: str, value: str, limit: str, remedy: str) -> list[Problem]:
         """Note a problem at a key of the gear; all problems so far."""
-        found.append(Problem(_at(where, key), message, value, limit, remedy))
+        found.append(Problem(at_key(where, key), message, value, limit, remedy))
         return found
 
     shift = f"{gear.x_hm:g}"
@@ -71,7 +68,7 @@ def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Problem]:
         form = gear.sigma_Ff
     except GeometryError as error:
         p = error.problem
-        return [Problem(_at(where, p.where), p.message, p.value, p.limit, p.remedy)]
+        return [Problem(at_key(where, p.where), p.message, p.value, p.limit, p.remedy)]
     if not gear.sigma_a > form:
         remedy = "use a larger profile shift, more teeth or a smaller dedendum"
         message = "leaves no involute between root fillet and tip"
@@ -120,9 +117,9 @@ def bevel_pair_problems(
 40.107 deg); correct pitch_cone_angle or shaft_angle
     """
     alone = [p for g, n in zip((pair.gear1, pair.gear2), names, strict=True) for p in g.problems(n)]
-    found = (alone if gears else []) + _mismatches(pair, _at(where, "gears"), names)
+    found = (alone if gears else []) + _mismatches(pair, at_key(where, "gears"), names)
     # the rest would only repeat that in other words
-    return found if found or alone else _contact(pair, _at(where, "gears"), names)
+    return found if found or alone else _contact(pair, at_key(where, "gears"), names)
 
 
 def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Problem]:
@@ -253,7 +250,7 @@ def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> 
 
     if pair.problems():
         return []
-    one, two, place = pair.gear1, pair.gear2, _at(where, "gears")
+    one, two, place = pair.gear1, pair.gear2, at_key(where, "gears")
     slack = INTERFERENCE_TOLERANCE * min(one.m_mn / one.R_m, two.m_mn / two.R_m)
     found = []
     ends = (

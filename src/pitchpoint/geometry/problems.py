@@ -31,13 +31,27 @@ def _mm(length: float) -> str:
     return f"{1e3 * abs(length):.4f} mm"
 
 
-def _at(where: str, key: str) -> str:
+def at_key(where: str, key: str) -> str:
+    """Place of a key below the place of its part.
+
+    Parameters
+    ----------
+    where
+        Place of the part, empty for none.
+    key
+        Name of the key.
+
+    Examples
+    --------
+    >>> at_key("gears.pinion", "rack"), at_key("", "rack")
+    ('gears.pinion.rack', 'rack')
+    """
     return f"{where}.{key}" if where else key
 
 
 def _from_error(where: str, error: GeometryError) -> Problem:
     p = error.problem
-    return Problem(_at(where, p.where), p.message, p.value, p.limit, p.remedy)
+    return Problem(at_key(where, p.where), p.message, p.value, p.limit, p.remedy)
 
 
 def _largest_shift(gear: CylindricalGear) -> str:
@@ -85,7 +99,7 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
 
     def add(key: str, message: str, value: str, limit: str, remedy: str) -> None:
         """Note a problem at a key of the gear."""
-        found.append(Problem(_at(where, key), message, value, limit, remedy))
+        found.append(Problem(at_key(where, key), message, value, limit, remedy))
 
     if gear.rack.rho_fP_star_max(gear.alpha_n) < 0.0 and not gear.is_internal:
         deepest = f"{0.25 * math.pi / math.tan(gear.alpha_n):.4g}"
@@ -179,7 +193,7 @@ def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: boo
 def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
     """Two gears that cannot belong together, whatever the centre distance."""
     g1, g2 = pair.gear1, pair.gear2
-    place = _at(where, "gears")
+    place = at_key(where, "gears")
     if g1.is_internal and g2.is_internal:
         return [
             Problem(
@@ -238,7 +252,7 @@ def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Prob
 def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
     """No contact, interference, tips in roots: what depends on the centre distance."""
     g1, g2, a = pair.gear1, pair.gear2, pair.a_w
-    place = _at(where, "center_distance")
+    place = at_key(where, "center_distance")
     farther = "reduce" if not pair.is_internal else "increase"
     closer = "increase" if not pair.is_internal else "reduce"
     pair.working_pressure_angle(a)  # raises when the base circles have no common tangent
@@ -265,7 +279,7 @@ def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> lis
 
 def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
     """A tip that wants contact beyond the mate's base circle, or runs through the mate's tip (internal)."""
-    place = _at(where, "gears")
+    place = at_key(where, "gears")
     slack = INTERFERENCE_TOLERANCE * pair.gear1.m_n
     remedy = "increase the mate's profile shift, shorten the tip (tip_diameter) or change the centre distance"
     found: list[Problem] = []
@@ -336,12 +350,12 @@ def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
             limit = f"{_mm(mate.d_Ff)}, contact would start at {_mm(d_Nf)}"
             left = f"the transverse contact ratio left is {pair.eps_alpha_form:.4g}"
             remedy = f"{left}; shorten the tip or set the rack"
-            found.append(Problem(_at(where, "gears"), message, f"tip of {tip}", limit, remedy))
+            found.append(Problem(at_key(where, "gears"), message, f"tip of {tip}", limit, remedy))
     if pair.eps_gamma < 1.0:
         message = "leaves moments without a tooth pair in contact"
         remedy = "bring the axes closer together or lengthen the teeth"
         value = f"total contact ratio {pair.eps_gamma:.4g}"
-        found.append(Problem(_at(where, "gears"), message, value, "1", remedy))
+        found.append(Problem(at_key(where, "gears"), message, value, "1", remedy))
     return found
 
 

@@ -23,15 +23,15 @@ ROUND = 180
 
 
 @dataclass(frozen=True)
-class ShaftProperties:
-    """Mass of a shaft and how it lies.
+class RoundMass:
+    """Mass of a body of revolution and how it lies: of a shaft from its start, of a bevel gear from its apex.
 
     Parameters
     ----------
     mass
         [kg].
     center
-        Centre of mass from the start of the shaft [m].
+        Centre of mass along the axis, from the start or the apex [m].
     polar_inertia
         About the axis [kg m²].
     transverse_inertia
@@ -44,7 +44,7 @@ class ShaftProperties:
     transverse_inertia: float
 
 
-def shaft_mass_properties(sections: Sequence[Section], density: float) -> ShaftProperties:
+def shaft_mass_properties(sections: Sequence[Section], density: float) -> RoundMass:
     """Mass, centre of mass and central moments of inertia of a stepped, hollow shaft.
 
     Parameters
@@ -81,7 +81,7 @@ def shaft_mass_properties(sections: Sequence[Section], density: float) -> ShaftP
     center = math.fsum(m * z for m, z, _, _ in parts) / mass if mass > 0.0 else 0.5 * start
     polar = math.fsum(j for _, _, j, _ in parts)
     across = math.fsum(t + m * (z - center) ** 2 for m, z, _, t in parts)
-    return ShaftProperties(mass, center, polar, across)
+    return RoundMass(mass, center, polar, across)
 
 
 def shaft_outline(sections: Sequence[Section]) -> list[tuple[float, float]]:
