@@ -76,7 +76,8 @@ def diagram(lines: Curves) -> list[str]:
                 x, _ = pixels((t, 1.0))
                 parts.append(line([(x, top), (x, top + height)], LIGHT["grid"], 1.0))
                 parts.append(words(x, top + height + 22, f"{t * 1e3:g}", "middle", LIGHT["soft"]))
-    colours = {m: SERIES[k % len(SERIES)] for k, m in enumerate(dict.fromkeys(m for m, _ in lines))}
+    methods = dict.fromkeys(method for method, _ in lines)
+    colours = dict(zip(methods, (*SERIES, LIGHT["ink"]), strict=True))
     for k, ((method, form), points) in enumerate(lines.items()):
         colour, places = colours[method], [pixels(p) for p in points]
         dash = f'stroke-dasharray="{DASHES[form]}"' if DASHES[form] else ""
