@@ -108,6 +108,6 @@ def test_only_the_compiler_modules_import_the_compiler():
     core = "src/pitchpoint/core"
     code = {f"{core}/compiler.py", f"{core}/compiler_parts.py"}
     assert found == {
-        "numba": code | {f"{core}/compiler_passes.py"},
+        "numba": code | {f"{core}/compiler_cache.py", f"{core}/compiler_passes.py"},
         "llvmlite": code | {f"{core}/machine_code.py"},
     }

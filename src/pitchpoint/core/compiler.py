@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Compiles kernels, entries and user laws with Numba. `kernel` imports it on demand.
-
-Numba's own cache looks only at the file of the function itself; the locator here stamps the *import closure*
-of that file, so an edited helper is noticed and an unrelated edit is not.
-"""
+"""Compiles kernels, entries and user laws with Numba. `kernel` imports it on demand."""
 
 from __future__ import annotations
 
 import ctypes
 import math
-import os
 import types as pytypes
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
@@ -17,67 +12,23 @@ from typing import TYPE_CHECKING, Any
 from llvmlite import binding, ir
 from numba import cfunc, config, njit, types
 from numba.core import cgutils, sigutils
-from numba.core.caching import CompileResultCacheImpl, _CacheLocator
+from numba.core.ccallback import CFunc
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.registry import CPUDispatcher, cpu_target
 from numba.extending import intrinsic
 from numba.np.arrayobj import populate_array
 
 from pitchpoint.core import machine_code
+from pitchpoint.core.compiler_cache import FLAGS, KernelCache, Locator
 from pitchpoint.core.compiler_parts import PartCache, PartCompiler, PartType
 from pitchpoint.core.compiler_passes import KernelCompiler
 
 if TYPE_CHECKING:
     from pitchpoint.core.kernel import Kernel
 
-_FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract", "nsz"}}
 _BARE = {"nopython": True, "nogil": True, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 _ENTRY = types.int64(types.int64, types.int64, types.int64)
 _LAW = types.float64(types.float64, types.float64, types.CPointer(types.float64))
-
-# ---------------------------------------------------------------------------------------------- cache stamp
-
-
-class Locator(_CacheLocator):
-    """Tells Numba where compiled kernels live and when they are out of date; serves marked functions only."""
-
-    def __init__(self, py_func: Any, py_file: str) -> None:
-        self._py_file = py_file
-        self._lineno = py_func.__code__.co_firstlineno
-        self._variant = py_func._pitchpoint
-        mode = "bounds" if config.BOUNDSCHECK else "plain"
-        self._path = str(machine_code.cache_folder() / mode / self.get_suitable_cache_subpath(py_file))
-
-    def get_cache_path(self) -> str:
-        """Folder of the compiled files."""
-        return self._path
-
-    def get_source_stamp(self) -> str:
-        """Hash of everything that the compiled code depends on."""
-        # a set prints in another order in each process: its sorted members make the stamp
-        fixed = (_FLAGS["error_model"], sorted(_FLAGS["fastmath"]))
-        flags = (config.BOUNDSCHECK, config.OPT, config.DEBUG, fixed)
-        return f"{flags!r} {machine_code.source_stamp(self._py_file)}"
-
-    def get_disambiguator(self) -> str:
-        """Line of the function, which tells functions of one name apart."""
-        return f"{self._lineno}{self._variant}"
-
-    @classmethod
-    def from_function(cls, py_func: Any, py_file: str) -> Locator | None:
-        """Locator of a function marked by `kernel`; None for others and where nothing can be written."""
-        if not getattr(py_func, "_pitchpoint", None) or not os.path.exists(py_file):
-            return None
-        self = cls(py_func, py_file)
-        try:
-            self.ensure_cache_path()
-        except OSError:
-            return None
-        return self
-
-
-CompileResultCacheImpl._locator_classes = [Locator, *CompileResultCacheImpl._locator_classes]
-
 
 # --------------------------------------------------------------------------------------------------- kernels
 
@@ -123,7 +74,7 @@ def dispatcher(kernel: Kernel) -> Dispatcher:
     """Make what stands for a kernel inside other kernels."""
     copy, cached = _twin(kernel.py_func, "k")
     copy.kernel, copy.cached = kernel, cached
-    options = {**_BARE, **_FLAGS, "forceinline": kernel.inline}
+    options = {**_BARE, **FLAGS, "forceinline": kernel.inline}
     made = Dispatcher(py_func=copy, targetoptions=options, pipeline_class=PartCompiler)
     if cached:
         made.enable_caching()
@@ -133,7 +84,10 @@ def dispatcher(kernel: Kernel) -> Dispatcher:
 def python_callable(kernel: Kernel) -> Any:
     """Make what a call of a kernel from Python runs: a compilation with a wrapper."""
     copy, cached = _twin(kernel.py_func, "p")
-    return njit(cache=cached, nogil=True, **_FLAGS)(copy)
+    made = njit(nogil=True, **FLAGS)(copy)
+    if cached:
+        made._cache = KernelCache(copy)
+    return made
 
 
 def _twin(source: Any, variant: str) -> tuple[Any, bool]:
@@ -171,7 +125,10 @@ def entry_address(kernel: Kernel) -> tuple[int, Any]:
             machine_code.save(source, code, needs)
             return where, None
     copy, cached = _twin(source, "c")
-    made = cfunc(_ENTRY, cache=cached, **_FLAGS)(copy)
+    made: Any = CFunc(copy, (_ENTRY.args, _ENTRY.return_type), locals={}, options=FLAGS)
+    if cached:
+        made._cache = KernelCache(copy)
+    made.compile()
     if not config.BOUNDSCHECK:
         machine_code.save(source, b"", [])  # the next process need not try
     return int(made.address), made
@@ -183,7 +140,7 @@ def _standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
     Empty if the code refers to Numba's run time, to this process, or can raise: such an exception must be
     reported, which needs the interpreter.
     """
-    options = {**_BARE, **_FLAGS}
+    options = {**_BARE, **FLAGS}
     compiler = Dispatcher(py_func=source, targetoptions=options, pipeline_class=KernelCompiler)._compiler
     customize = compiler._customize_flags
 
@@ -256,7 +213,7 @@ def law_callback(function: Any, plain: Callable[..., float]) -> Any:
         The same for the interpreter, with exceptions caught.
     """
     try:
-        return cfunc(_LAW, **_FLAGS)(_caught(function))
+        return cfunc(_LAW, **FLAGS)(_caught(function))
     except Exception:
         kind = ctypes.CFUNCTYPE(
             ctypes.c_double, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double)
@@ -266,7 +223,7 @@ def law_callback(function: Any, plain: Callable[..., float]) -> Any:
 
 def _caught(function: Any) -> Any:
     """A law to compile; an exception raised in compiled code would otherwise return an unmarked zero."""
-    inner = njit(nogil=True, **_FLAGS)(getattr(function, "py_func", function))
+    inner = njit(nogil=True, **FLAGS)(getattr(function, "py_func", function))
 
     def law(t, x, p):
         """The law, with NaN in place of an exception."""

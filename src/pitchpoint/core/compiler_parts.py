@@ -16,7 +16,7 @@ from typing import Any
 
 from llvmlite import binding
 from numba import _dynfunc, types
-from numba.core.caching import CompileResultCacheImpl, FunctionCache
+from numba.core.caching import CompileResultCacheImpl
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompileResult
 from numba.core.compiler_machinery import register_pass
@@ -24,6 +24,7 @@ from numba.core.datamodel import models
 from numba.core.imputils import lower_constant
 
 from pitchpoint.core import machine_code
+from pitchpoint.core.compiler_cache import KernelCache
 from pitchpoint.core.compiler_passes import KernelCompiler, KernelLowering
 
 
@@ -187,7 +188,7 @@ def _is_reachable(kernel: Any) -> bool:
     return found is kernel
 
 
-class PartCache(FunctionCache):
+class PartCache(KernelCache):
     """Cache of parts."""
 
     _impl_class = _PartCacheImpl

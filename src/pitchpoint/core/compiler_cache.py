@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Compiled kernels on disk: where they lie, when they are out of date, and one file for each of them.
+
+Numba's own cache looks only at the file of the function itself; the locator here stamps the *import closure*
+of that file, so an edited helper is noticed and an unrelated edit is not. Numba numbers the files of a
+function through an index that processes read and write without knowing of each other: of two that compile at
+once the code of one signature may end under another, and what calls it ends the process.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import pickle
+import uuid
+from pathlib import Path
+from typing import Any
+
+from numba import config
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
+from numba.core.serialize import dumps
+
+from pitchpoint.core import machine_code
+
+FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract", "nsz"}}
+
+
+class Locator(_CacheLocator):
+    """Tells Numba where compiled kernels live and when they are out of date; serves marked functions only."""
+
+    def __init__(self, py_func: Any, py_file: str) -> None:
+        self._py_file = py_file
+        self._lineno = py_func.__code__.co_firstlineno
+        self._variant = py_func._pitchpoint
+        mode = "bounds" if config.BOUNDSCHECK else "plain"
+        self._path = str(machine_code.cache_folder() / mode / self.get_suitable_cache_subpath(py_file))
+
+    def get_cache_path(self) -> str:
+        """Folder of the compiled files."""
+        return self._path
+
+    def get_source_stamp(self) -> str:
+        """Hash of everything that the compiled code depends on."""
+        # a set prints in another order in each process: its sorted members make the stamp
+        fixed = (FLAGS["error_model"], sorted(FLAGS["fastmath"]))
+        flags = (config.BOUNDSCHECK, config.OPT, config.DEBUG, fixed)
+        return f"{flags!r} {machine_code.source_stamp(self._py_file)}"
+
+    def get_disambiguator(self) -> str:
+        """Line of the function, which tells functions of one name apart."""
+        return f"{self._lineno}{self._variant}"
+
+    @classmethod
+    def from_function(cls, py_func: Any, py_file: str) -> Locator | None:
+        """Locator of a function marked by `kernel`; None for others and where nothing can be written."""
+        if not getattr(py_func, "_pitchpoint", None) or not os.path.exists(py_file):
+            return None
+        self = cls(py_func, py_file)
+        try:
+            self.ensure_cache_path()
+        except OSError:
+            return None
+        return self
+
+
+CompileResultCacheImpl._locator_classes = [Locator, *CompileResultCacheImpl._locator_classes]
+
+
+class KernelFiles:
+    """What is kept of one function: a file for every key, which says itself what it holds.
+
+    Parameters
+    ----------
+    folder
+        Where the files lie.
+    name
+        What their names begin with.
+    stamp
+        Hash of what the code depends on; files with another are not used, and overwritten.
+    """
+
+    def __init__(self, folder: str | os.PathLike[str], name: str, stamp: str) -> None:
+        self._start = Path(folder, name)
+        self._stamp = stamp
+
+    def _file(self, key: Any) -> Path:
+        digest = hashlib.sha256(repr(key).encode()).hexdigest()[:16]
+        return self._start.with_name(f"{self._start.name}.{digest}.nbc")
+
+    def load(self, key: Any) -> Any:
+        """What was kept under a key and the present stamp; None without a sound file."""
+        try:
+            digest, body = self._file(key).read_bytes().split(b"\n", 1)
+        except (OSError, ValueError):
+            return None
+        if digest != hashlib.sha256(body).hexdigest().encode():
+            return None
+        head, _, kept = body.partition(b"\n")
+        return pickle.loads(kept) if head == self._head(key) else None
+
+    def save(self, key: Any, data: Any) -> None:
+        """Keep data under a key, at once also for a process that reads it now."""
+        body = self._head(key) + b"\n" + dumps(data)
+        file = self._file(key)
+        draft = file.with_name(f"{file.name}.{uuid.uuid4().hex[:16]}")
+        try:
+            draft.write_bytes(hashlib.sha256(body).hexdigest().encode() + b"\n" + body)
+            draft.replace(file)
+        finally:
+            draft.unlink(missing_ok=True)
+
+    def _head(self, key: Any) -> bytes:
+        return hashlib.sha256(repr((self._stamp, key)).encode()).hexdigest().encode()
+
+
+class KernelCache(FunctionCache):
+    """Numba's cache of a function with a file for every signature."""
+
+    def __init__(self, py_func: Any) -> None:
+        super().__init__(py_func)
+        locator = self._impl.locator
+        self._cache_file = KernelFiles(
+            locator.get_cache_path(), self._impl.filename_base, locator.get_source_stamp()
+        )
