@@ -22,7 +22,15 @@ from numba.core.serialize import dumps
 
 from pitchpoint.core import machine_code
 
-FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract", "nsz"}}
+
+class Liberties(set[str]):
+    """Liberties taken with numbers; they print in one order in every process, as names of code hold them."""
+
+    def __repr__(self) -> str:
+        return repr(sorted(self))
+
+
+FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": Liberties({"contract", "nsz"})}
 
 
 class Locator(_CacheLocator):
@@ -41,9 +49,7 @@ class Locator(_CacheLocator):
 
     def get_source_stamp(self) -> str:
         """Hash of everything that the compiled code depends on."""
-        # a set prints in another order in each process: its sorted members make the stamp
-        fixed = (FLAGS["error_model"], sorted(FLAGS["fastmath"]))
-        flags = (config.BOUNDSCHECK, config.OPT, config.DEBUG, fixed)
+        flags = (config.BOUNDSCHECK, config.OPT, config.DEBUG, FLAGS)
         return f"{flags!r} {machine_code.source_stamp(self._py_file)}"
 
     def get_disambiguator(self) -> str:

@@ -52,6 +52,7 @@ class Part(JITCodeLibrary):
         super().__init__(codegen, name)
         self.kernel = kernel
         self.args = args
+        self.symbol = ""
         self._shared_module: Any = None
 
     @property
@@ -69,7 +70,9 @@ class Part(JITCodeLibrary):
                 self._final_module.link_in(other._get_module_for_linking(), preserve=True)
         for function in self._final_module.functions:
             if not function.is_declaration and function.linkage == binding.Linkage.external:
-                function.linkage = "linkonce_odr"  # several callers in one entry may bring it along
+                # Several callers in one entry may bring a part along. Names of Numba's own code tell it apart
+                # in this process alone, and a part may come from another.
+                function.linkage = "linkonce_odr" if function.name == self.symbol else "internal"
         self._finalize_final_module()
 
     def _finalize_final_module(self) -> None:
@@ -105,6 +108,7 @@ class PartLowering(KernelLowering):
         state.library = Part(codegen, who.func_qualname, who.func.kernel, tuple(state.args))
         state.flags.no_compile = True
         super().run_pass(state)
+        state.library.symbol = state.cr.fndesc.llvm_func_name
         mark = _mark(state.cr.fndesc, state.cr.env, state.library)
         state.targetctx.insert_user_function(mark, state.cr.fndesc, [state.library])
         state.cr = state.cr._replace(cfunc=mark)
@@ -148,18 +152,21 @@ class _PartCacheImpl(CompileResultCacheImpl):
         """What the cache keeps of a part."""
         described, library = compiled.fndesc, compiled.library
         described.typemap = described.calltypes = None  # large, and of use to the compiler only
-        called = [(other.kernel, other.args) for other in library.called]
+        called = [(other.kernel, other.args, other.symbol) for other in library.called]
         code = library._final_module.as_bitcode()
         return library.name, code, called, described, compiled.environment, compiled.signature
 
-    def rebuild(self, target_context: Any, payload: Any) -> CompileResult:
-        """Compile result of what `reduce` wrote."""
+    def rebuild(self, target_context: Any, payload: Any) -> CompileResult | None:
+        """Compile result of what `reduce` wrote; None if what it calls has another name by now."""
         name, code, called, described, environment, signature = payload
         library = Part(target_context.codegen(), name, self.kernel, signature.args)
-        library._final_module = binding.parse_bitcode(code)
-        for kernel, args in called:
+        library._final_module, library.symbol = binding.parse_bitcode(code), described.llvm_func_name
+        for kernel, args, symbol in called:
             kernel.dispatcher.compile(args)
-            library.add_linking_library(kernel.dispatcher.overloads[args].library)
+            other = kernel.dispatcher.overloads[args].library
+            if other.symbol != symbol:  # LLVM ends the process over a name that nobody has
+                return None
+            library.add_linking_library(other)
         library._finalize_final_module()
         return CompileResult(
             target_context=target_context,

@@ -8,6 +8,7 @@ are short and many: all of that takes longer than their own code, which stays th
 
 from __future__ import annotations
 
+import hashlib
 import operator
 from types import BuiltinFunctionType
 from typing import Any
@@ -17,6 +18,7 @@ from numba.core import cgutils, ir
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import PassManager, register_pass
 from numba.core.cpu import CPUContext
+from numba.core.itanium_mangler import mangle
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 
@@ -150,6 +152,13 @@ class Target(CPUContext):
     """Numba's target, which remembers what it has no code for: the search in all registries takes long."""
 
     _absent: dict[Any, Any] = {}
+
+    def mangler(
+        self, name: str, args: tuple[Any, ...], *, abi_tags: tuple[str, ...] = (), uid: Any = None
+    ) -> str:
+        """Name of code, the same in every process; Numba writes the number that a record has in this one."""
+        text = f"{uid} {args} {abi_tags}"
+        return str(mangle(name, (), uid=hashlib.sha256(text.encode()).hexdigest()[:16]))
 
     def get_function(self, fn: Any, sig: Any, _firstcall: bool = True) -> Any:
         """Code of a function for a signature."""
