@@ -64,7 +64,7 @@ class OneBevel:
             self.frames["R"][k] = self.axes[k]
             self.frames["r"][k] = np.array(self.at) - self.apexes[k] * self.axes[k][:, 2]
         self.ctl = np.zeros(1, CTL)
-        self.out = np.zeros(layout.N_OUT + layout.MAX_PAIRS)
+        self.out = np.zeros(layout.N_OUT + int(self.row["n_pair"]))
         self.events = np.zeros(len(layout.EVENTS))
         self.ctl["no"], self.ctl["ne"] = self.out.size, self.events.size
         self.ctl["out"], self.ctl["ev"] = self.out.ctypes.data, self.events.ctypes.data

@@ -106,8 +106,6 @@ def _sum(b, ctl, f, g):
         b["w"][row] = rate_of_row(b, f, g, row)
     begin_sums(b)
     if ctl["out"] != 0 or ctl["ev"] != 0:
-        for k in range(b["n_pair"]):
-            b["pair"][k] = 0.0
         sum_flank(b, ctl, 1)
     else:
         sum_flank(b, ctl, None)
@@ -142,13 +140,13 @@ def _tangent(b, kk, c, p, q):
 @kernel
 def _follow(b, ctl, f, g, flank):
     """Exact tangents: add what turns with the plane of action; the flank is summed again for its damping."""
-    ck = ctl["ck"]
-    cd = ctl["cd"]
+    kept = (ctl["ck"], ctl["cd"], ctl["out"], ctl["ev"])
     ctl["ck"] = 0.0
     ctl["cd"] = 1.0
+    ctl["out"] = 0
+    ctl["ev"] = 0
     _sum(b, ctl, f, g)
-    ctl["ck"] = ck
-    ctl["cd"] = cd
+    ctl["ck"], ctl["cd"], ctl["out"], ctl["ev"] = kept
     call(b["turning"], b["here"], b["control"], flank)
     normal_rows(b, flank)
 
@@ -170,7 +168,8 @@ def _damper(b, ctl, f, g, kk):
 
 @kernel
 def _write_flank(b, out, flank):
-    """Add one flank to the observations; the force on gear 2 is that of the first two rows."""
+    """Add one flank to the observations, where its pairs are already; the force on gear 2 is that of the
+    first two rows."""
     k = b["out"]
     acc = b["acc"]
     more = b["more"]
@@ -189,8 +188,6 @@ def _write_flank(b, out, flank):
     out[k + 13] += more[ENERGY]
     out[k + 15] += dot(V, triple(b["away"][0], 0))
     out[k + 16] -= dot(V, triple(b["axis"][0], 0))
-    for p in range(b["n_pair"]):
-        out[k + N_OUT + p] += b["pair"][p]
 
 
 @kernel

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from pitchpoint.elements.gear_mesh_record import EVENTS, MAX_PAIRS, PHASE, PROFILE
+from pitchpoint.elements.gear_mesh_record import EVENTS, PHASE, PROFILE
 from pitchpoint.elements.gear_mesh_record import OUTPUTS as OF_MESHES
 
-__all__ = ["EVENTS", "MAX_PAIRS", "N_OUT", "OUTPUTS", "PHASE", "PROFILE", "RECORD"]
+__all__ = ["EVENTS", "N_OUT", "OUTPUTS", "PHASE", "PROFILE", "RECORD"]
 
 ROWS = 6
 """Rows of the wrench basis: normal force along two rays and about the plane of action, friction in three."""
@@ -120,7 +120,6 @@ _SCRATCH = [
         "f8",
         7,
     ),  # fields named in `bevel_mesh_sums`
-    ("pair", "f8", MAX_PAIRS),
     ("basis_i", "f8", (ROWS, 6)),
     ("basis_j", "f8", (ROWS, 6)),
     ("moved", "f8", (3, 12)),

@@ -17,8 +17,9 @@ from pitchpoint.contact.damping import linear_ramp, ramp
 from pitchpoint.contact.elastic import low_load, stored_energy
 from pitchpoint.contact.friction import static_dynamic
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate
-from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.bevel_mesh_record import PHASE, ROWS
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.bevel_mesh_record import N_OUT, PHASE, ROWS
+from pitchpoint.multibody.channels import F8
 
 #: Fields of `more`; FORCE adds the base-tangent forces of nodes, NEAREST is the largest force over stiffness.
 STIFFNESS, FRICTION, DAMPING, PARAMETRIC, ENERGY, FORCE, NEAREST = range(7)
@@ -315,6 +316,7 @@ def sum_flank(b, ctl, watch):
     stop = math.floor(b["eps"] - min(first, last))
     while q <= stop:
         f = _pair(b, ctl, watch, b["psi"] + q)
-        if watch is not None and b["n_pair"] > 0:
-            b["pair"][(b["tooth"] - int(q)) % b["n_pair"]] += b["flank"] * f
+        if watch is not None and ctl["out"] != 0 and b["n_pair"] > 0:
+            slot = (b["tooth"] - int(q)) % b["n_pair"]
+            view(ctl["out"], ctl["no"], F8)[b["out"] + N_OUT + slot] += b["flank"] * f
         q += 1.0

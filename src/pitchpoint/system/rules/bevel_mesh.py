@@ -119,7 +119,7 @@ def _stiffness(row: Any, pair: BevelPair, stiffness: Description) -> None:
         row["source"] = layout.PROFILE
         row["c_prime"], row["S_R"], row["T_R"] = stiffness.c_prime, stiffness.S_R, stiffness.T_R
         row["load_limit"] = stiffness.load_limit
-        row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
+        row["n_pair"] = math.ceil(pair.eps_gamma) + 1
     else:
         row["source"] = layout.PHASE
         row["c_prime"], row["spread"] = stiffness.mean, 1.0 / square_mean(pair)
