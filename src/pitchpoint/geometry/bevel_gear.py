@@ -286,6 +286,10 @@ class BevelGear:
         leg = math.sin(delta_y + self.delta_b) * math.sin(delta_y - self.delta_b)
         return math.atan2(math.sqrt(max(0.0, leg)), math.cos(delta_y))
 
+    def cone_at(self, sigma: float) -> float:
+        """Cone that the roll σ reaches [rad], the inverse of `sigma_at`."""
+        return math.acos(math.cos(self.delta_b) * math.cos(sigma))
+
     @cached_property
     def sigma_p(self) -> float:
         """Base pitch as an angle in the plane of action, 2π sin δ_b / z [rad]."""
@@ -307,6 +311,13 @@ class BevelGear:
         from pitchpoint.geometry.bevel_tooth import bevel_tooth
 
         return bevel_tooth(self).sigma_form
+
+    @property
+    def undercut(self) -> bool:
+        """True when the crown gear's tip cuts away part of the involute."""
+        from pitchpoint.geometry.bevel_tooth import bevel_tooth
+
+        return bevel_tooth(self).undercut
 
     # --- virtual cylindrical gear (Tredgold) ----------------------------------------------------------
     @property
@@ -371,3 +382,9 @@ class BevelGear:
         from pitchpoint.geometry.bevel_problems import bevel_gear_problems
 
         return bevel_gear_problems(self, where)
+
+    def warnings(self, where: str = "") -> list[Problem]:
+        """What is odd about this gear: a wide face, a root radius without room."""
+        from pitchpoint.geometry.bevel_problems import bevel_gear_warnings
+
+        return bevel_gear_warnings(self, where)

@@ -103,10 +103,11 @@ def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
     if abs(angle - pair.Sigma) > PLACE_TOLERANCE:
         report.problem(
             (*at, "shaft_angle") if mesh.shaft_angle is not None else (*at, "gears"),
-            f"is {math.degrees(pair.Sigma):.6g} deg, but the axes from the apex into the gears are "
-            f"{math.degrees(angle):.6g} deg apart",
-            value=" and ".join(mesh.gears),
-            limit=f"{PLACE_TOLERANCE:g} rad",
+            f"is the angle between the axes of {' and '.join(mesh.gears)}, from the apex into the gears, "
+            f"{math.degrees(abs(angle - pair.Sigma)):.3g} deg off",
+            value=f"{math.degrees(angle):.6g} deg",
+            limit=f"{math.degrees(pair.Sigma):.6g} deg, "
+            + ("as given" if mesh.shaft_angle is not None else "the sum of their pitch cone angles"),
             remedy=f"correct the axes of {one} and {two}, or `opens` of the gears",
         )
     if carrying(parts, one, two) is None:
