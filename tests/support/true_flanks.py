@@ -13,7 +13,7 @@ GRID = np.linspace(0.0, 1.0, 61)
 """Places of a flank among which the deepest one is sought, again and again."""
 
 
-def true_depths(m, flank, tooth, R):
+def true_depths(m, flank, tooth, R, ahead=(0.0, 0.0)):
     """Deepest place of a tooth of gear 1 in a tooth of gear 2, along the base tangent.
 
     Parameters
@@ -26,6 +26,8 @@ def true_depths(m, flank, tooth, R):
         Number of the tooth of gear 1.
     R
         Distances from the apex of gear 1 [m].
+    ahead
+        Angles by which this tooth and that of gear 2 stand before their places [rad].
 
     Returns
     -------
@@ -47,7 +49,7 @@ def true_depths(m, flank, tooth, R):
     for _ in range(5):
         sigma = low[:, None] + (high - low)[:, None] * GRID
         polar, half = bevel_tooth(one).involute(sigma)
-        at = turned[0] + 2.0 * math.pi * tooth / one.z + flank * half
+        at = turned[0] + 2.0 * math.pi * tooth / one.z + flank * half + ahead[0]
         world = apexes[0] + placed(one, polar, at + np.zeros_like(polar), np.array(R)[:, None]) @ frames[0].T
         x, y, z = np.moveaxis((world - apexes[1]) @ frames[1], -1, 0)
         away = np.sqrt(x * x + y * y + z * z)
@@ -56,7 +58,7 @@ def true_depths(m, flank, tooth, R):
         rolls = np.arctan2(np.sqrt(np.maximum(leg, 0.0)), np.cos(polar))
         inv = rolls / base - np.arctan2(np.sin(rolls), np.cos(rolls) * base)
         # the tooth of gear 2 on the other side of this tooth's space turns its flank of the same hand here
-        beside = turned[1] - (2.0 * math.pi * tooth + flank * math.pi) / two.z
+        beside = turned[1] - (2.0 * math.pi * tooth + flank * math.pi) / two.z + ahead[1]
         surface = beside + flank * (two.psi_b - inv) + two.spiral_rate * np.log(away / two.R_m)
         depth = flank * np.remainder(surface - np.arctan2(y, x) + math.pi, 2.0 * math.pi) - flank * math.pi
         depth = depth * base * away

@@ -91,8 +91,9 @@ def _begin(b, flank, x):
 def _touches(b):
     """Whether any place of the shared face may be in contact."""
     x = b["x"]
-    R = b["R_m"] + (b["z_lo"] if x[2] < 0.0 else b["z_hi"])
-    return R * x[2] + math.sqrt(x[0] * x[0] + x[1] * x[1]) > 0.0
+    per_R = x[2] - b["sep_min"] / b["R_m"]
+    R = b["R_m"] + (b["z_lo"] if per_R < 0.0 else b["z_hi"])
+    return R * per_R + math.sqrt(x[0] * x[0] + x[1] * x[1]) > 0.0
 
 
 @kernel
@@ -250,8 +251,8 @@ def _one_mesh(b, ctl, fr, kk):
             out[b["out"] + k] = 0.0
     exact = c["jac"] == 2 and c["ck"] != 0.0
     x = b["u"]
-    front = _contact(x - 0.5 * b["gap"], 0.0)
-    back = _contact(-x - 0.5 * b["gap"], 0.0)
+    front = _contact(x - 0.5 * b["gap"] - b["sep_min"], 0.0)
+    back = _contact(-x - 0.5 * b["gap"] - b["sep_min"], 0.0)
     for flank in (1, -1):
         _begin(b, flank, x)
         if b["eps"] <= 0.0 or not _touches(b):

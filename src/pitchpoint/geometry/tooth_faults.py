@@ -17,6 +17,7 @@ from pitchpoint.core.errors import GeometryError, Problem
 from pitchpoint.geometry.tooth_form import root_radius
 
 if TYPE_CHECKING:
+    from pitchpoint.geometry.bevel_gear import BevelGear
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 FloatArray = NDArray[np.float64]
@@ -160,13 +161,13 @@ def break_level(
     return np.asarray(FRACTURE_SLOPE * level)
 
 
-def displaced_gap(gear: CylindricalGear, flank: str, amount: float) -> float:
+def displaced_gap(gear: CylindricalGear | BevelGear, flank: str, amount: float) -> float:
     """Gap along the base tangent of a flank whose tooth is displaced on the reference circle [m].
 
     Parameters
     ----------
     gear
-        External or internal gear.
+        Cylindrical gear, or bevel gear, whose circle is that of the pitch cone in the middle of the face.
     flank
         "left" or "right".
     amount

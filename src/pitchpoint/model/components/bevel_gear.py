@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.components.gear import Rack
+from pitchpoint.model.components.tooth_faults import BEVEL_FAULTS, BevelFault
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantity
 
 if TYPE_CHECKING:
@@ -93,6 +95,9 @@ class BevelGear:
         "angle of the centre of tooth 0, in the middle of the face, from the x axis of its body at spin 0",
         None,
         display="assembled in mesh",
+    )
+    faults: Mapping[str, BevelFault] = key(
+        "components", "faults of its teeth, by label", {}, apart=True, of=BEVEL_FAULTS
     )
     rim_thickness: float | None = positive(
         "length",
