@@ -177,6 +177,11 @@ class BevelGear:
         return self.m_mn / math.cos(self.beta_m)
 
     @property
+    def m_n(self) -> float:
+        """The normal module that sizes of its teeth are measured by, m_mn [m]."""
+        return self.m_mn
+
+    @property
     def d_m(self) -> float:
         """Mean pitch diameter z m_mt [m]."""
         return self.z * self.m_mt

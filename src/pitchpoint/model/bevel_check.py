@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Problem
 from pitchpoint.model.choices import exactly_one
+from pitchpoint.model.fault_check import check_faults
 from pitchpoint.model.keys import Place
 from pitchpoint.model.pair_check import told_shape
 
@@ -38,7 +39,8 @@ def check_bevel_gears(parts: Parts, report: Reader) -> None:
         if len(report.problems) > before or at in report.tainted:
             parts.misshapen.add(name)
             continue
-        told_shape(parts, at, partial(_impossible, gear), report)
+        if not told_shape(parts, at, partial(_impossible, gear), report):
+            check_faults(gear, (*at, "faults"), report)
 
 
 def _carriers(parts: Parts, report: Reader) -> None:

@@ -110,7 +110,17 @@ def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
             + ("as given" if mesh.shaft_angle is not None else "the sum of their pitch cone angles"),
             remedy=f"correct the axes of {one} and {two}, or `opens` of the gears",
         )
-    if carrying(parts, one, two) is None:
+    rides = carrying(parts, one, two)
+    faulty = [f"bevel_gears.{g}.faults" for g in mesh.gears if parts.bevel_gears[g].faults]
+    if rides and faulty:
+        report.problem(
+            (*at, "gears"),
+            "have faults of single teeth, which are not followed where a gear rides on a carrier",
+            value=" and ".join(faulty),
+            limit="gears that turn against one body",
+            remedy="remove the faults, or let both gears turn against the same body",
+        )
+    if rides is None:
         report.problem(
             (*at, "gears"),
             f"sit on {one} and {two}, which hang on different bodies, none of which turns about the axis of "

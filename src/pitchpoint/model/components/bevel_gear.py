@@ -127,6 +127,16 @@ class BevelGear:
     )
 
     @property
+    def tooth_faults(self) -> dict[str, BevelFault]:
+        """Faults of the teeth, by label."""
+        return dict(self.faults)
+
+    @property
+    def teeth_differ(self) -> bool:
+        """Whether some teeth may differ from others."""
+        return bool(self.faults)
+
+    @property
     def beta_m(self) -> float:
         """Mean spiral angle, > 0 right hand, < 0 left hand [rad]."""
         return -self.spiral_angle if self.hand == "left" else self.spiral_angle

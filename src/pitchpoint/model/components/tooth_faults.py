@@ -93,9 +93,10 @@ class BrokenBevelTooth:
     )
     severity: float = _severity("scales the width")
 
-    def missing(self, face_width: float) -> float:
-        """Width that is missing [m]."""
-        return self.severity * (face_width if self.width is None else self.width)
+    def left(self, R_i: float, R_e: float) -> tuple[float, float]:
+        """Cone distances between which the tooth stands [m], from those of the face; none if they cross."""
+        missing = self.severity * (R_e - R_i if self.width is None else self.width)
+        return (R_i, R_e - missing) if self.at == "outer" else (R_i + missing, R_e)
 
 
 @dataclass(frozen=True, kw_only=True)

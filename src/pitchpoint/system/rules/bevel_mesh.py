@@ -243,10 +243,9 @@ def own_teeth(row: Any, pair: BevelPair, gears: Sequence[BevelGear], keep: Calla
             if isinstance(fault, PitchError):
                 moved = -displaced_gap(shape, "left", fault.severity * fault.amount)
                 tooth[2] += moved * pair.R_m / shape.R_m
-            elif fault.at == "outer":
-                tooth[1] = min(tooth[1], shape.R_e - fault.missing(shape.b) - pair.R_m)
             else:
-                tooth[0] = max(tooth[0], shape.R_i + fault.missing(shape.b) - pair.R_m)
+                low, high = fault.left(shape.R_i, shape.R_e)
+                tooth[:2] = max(tooth[0], low - pair.R_m), min(tooth[1], high - pair.R_m)
         row["n_sep"], row["n_t"][k], row["teeth"][k] = 1, len(table), keep(table)
         row["sep_min"] -= np.abs(table[:, 2]).max()
 
