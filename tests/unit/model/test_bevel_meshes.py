@@ -2,11 +2,12 @@
 """Bevel meshes in model files: what is wrong is told with its place, value, limit and remedy, all at once."""
 
 import math
+from pathlib import Path
 
 import pytest
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.model.remarks import odd_shapes
 from pitchpoint.model.schema import json_schema
 from tests.support.bevel_files import bevel_file
@@ -138,6 +139,24 @@ def test_teeth_that_stand_in_each_other_are_told():
     whole = text.replace("opens: +z}", f"opens: +z, initial_angle: {first + 0.01}}}", 1)
     message = told(whole)
     assert "overlap by" in message and "off the middle of the gap" in message
+
+
+FAULT = "opens: +z, faults: {x: {type: broken_tooth, tooth: 0}}"
+
+
+def test_faults_need_a_law_of_single_teeth_and_gears_on_one_base():
+    text = bevel_file().replace("opens: +z", FAULT, 1)
+    message = told(text)
+    assert "bevel_gears.a.faults.x (line 3): has no effect in the mesh m, whose law constant" in message
+    assert "use din3990 there" in message
+    sound = loads_model(text.replace("{law: constant, value: 3e8}", "{law: din3990}"))
+    assert sound.bevel_gears["a"].faults["x"].severity == 1.0
+    healthy = sound.replace("bevel_gears.a.faults.x.severity", 0.0)
+    assert loads_model(dump_model(healthy)) == healthy
+    example = Path(__file__).parents[3] / "examples" / "bevel-drive" / "differential.yaml"
+    rides = example.read_text(encoding="utf-8").replace("opens: -z", FAULT.replace("+z", "-z"), 1)
+    refused = told(rides.replace("{law: constant, value: 2e8}", "{law: din3990}"))
+    assert "bevel_gears.left.faults have faults of single teeth, which are not followed" in refused
 
 
 def test_names_of_meshes_are_their_own():
