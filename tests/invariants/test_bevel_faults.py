@@ -62,6 +62,7 @@ def test_a_displaced_tooth_stands_where_its_surface_does(pair, flank, gear, side
     assert met >= 1
 
 
+@pytest.mark.nojit
 @both_flanks
 @pytest.mark.parametrize("at", ["outer", "inner"])
 def test_a_straight_tooth_broken_at_an_end_carries_on_the_rest(at, flank):

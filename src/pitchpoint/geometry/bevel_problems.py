@@ -248,7 +248,7 @@ def _words() -> Words:
         surface="cone",
         beside="tangent ray",
         path=_degrees,
-        heights="change addendum, dedendum or profile shift",
+        heights="give gear and mate opposite profile shifts, or change addendum or dedendum",
         shifts="increase the mate's profile shift and reduce its own, use more teeth or a smaller addendum",
         lengths="lengthen the teeth",
     )
