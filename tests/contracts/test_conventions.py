@@ -625,6 +625,23 @@ def test_eccentric_teeth_are_displaced_towards_their_phase() -> None:
     assert found[1] - found[0] == pytest.approx(-1e-6, abs=1e-9)
 
 
+def test_teeth_of_bevel_gears_count_about_the_direction_into_the_gear() -> None:
+    """Tooth 1 of gear a, on the pitch ray, stands 20 µm ahead on the pitch cone: front flanks touch after
+    20 µm cos(alpha) less travel, to what 1 N m bends. About the z of a body that opens to -z it is behind."""
+    for opens, way in (("+z", 1.0), ("-z", -1.0)):
+        # axis 2 is x of the world, which is -y or y of the body
+        at = -way * (0.5 * math.pi + 2.0 * math.pi / 20)
+        ends = f"  in: {{body: first, torque: {way}}}\n  out: {{body: second, torque: balance}}\n"
+        text = bevel_file(opens=(opens, "+z"), mesh="backlash: {normal: 0.1 mm}", rest=f"loads:\n{ends}")
+        error = []
+        for amount in ("0 um", "20 um"):
+            fault = f"faults: {{x: {{type: pitch_error, tooth: 1, amount: {amount}}}}}, initial_angle: {at}"
+            found = loaded(text.replace(f"opens: {opens}", f"opens: {opens}, {fault}", 1))
+            error.append(found("transmission_error[m]"))
+            assert found("contact_state[m]") == 1.0
+        assert error[1] - error[0] == pytest.approx(-20e-6 * math.cos(math.radians(20.0)), rel=0.02)
+
+
 def test_bevel_meshes_count_about_the_directions_from_the_apex() -> None:
     """A torque about +z of a body presses the front flank where the cone opens to +z, the back flank else."""
     loads = "loads:\n  in: {body: first, torque: 80 N m}\n  out: {body: second, torque: balance}\n"
@@ -661,6 +678,10 @@ def test_pair_forces_add_up_to_the_force_of_the_flanks() -> None:
     m = one(beta=0.3, n_pair=4)
     m.press(5e-6, -1)
     assert m.out[N_OUT : N_OUT + 4].sum() == pytest.approx(m.get("mesh_force"), rel=1e-9)
+    wide = one(beta=0.5, b=0.2, n_pair=13)  # as many as there are
+    wide.press(5e-6, -1)
+    assert (wide.out[N_OUT:] < 0.0).sum() in (11, 12)
+    assert wide.out[N_OUT:].sum() == pytest.approx(wide.get("mesh_force"), rel=1e-9)
 
 
 # ----------------------------------------------------------------------------------- loads and drives

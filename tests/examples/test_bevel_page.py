@@ -12,7 +12,7 @@ import pytest
 from pitchpoint.io.yaml_model import loads_model
 
 PAGE = (Path(__file__).parents[2] / "docs" / "bevel_gears.md").read_text(encoding="utf-8")
-MODEL = re.search(r"```yaml\n(.*?)```", PAGE, re.DOTALL)[1]
+MODEL, _, FAULTS = re.findall(r"```yaml\n(.*?)```", PAGE, re.DOTALL)
 
 
 def test_the_file_of_the_page_is_a_pair_that_runs():
@@ -23,3 +23,13 @@ def test_the_file_of_the_page_is_a_pair_that_runs():
     assert pair.eps_gamma > 1.0
     assert model.backlash("stage") == pytest.approx(1e-4 / math.cos(pair.beta_b))
     assert model.body_inertia("input").mass > 0.0
+
+
+def test_the_faults_of_the_page_are_faults_of_that_pair():
+    faults = re.search(r"    faults:\n.*", FAULTS, re.DOTALL)[0]
+    model = loads_model(MODEL.replace("    bore_diameter: 12 mm\n", f"    bore_diameter: 12 mm\n{faults}"))
+    assert {n: f.form for n, f in model.bevel_gears["pinion"].faults.items()} == {
+        "gone": "broken_tooth",
+        "chip": "broken_tooth",
+        "late": "pitch_error",
+    }

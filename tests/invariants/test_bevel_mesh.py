@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
+from pitchpoint.elements.bevel_mesh_record import N_OUT
 from pitchpoint.geometry.bevel_gear import BevelGear
 from pitchpoint.geometry.bevel_pair import BevelPair
 from pitchpoint.system.rules.mesh_laws import MeshLaws
@@ -269,9 +270,37 @@ def test_teeth_repeat_after_a_base_pitch():
     F, out = m.evaluate(), m.out.copy()
     m.roll(1.0)
     assert np.allclose(m.evaluate(), F, rtol=0, atol=1e-8 * abs(F).max())
-    n, first = int(m.row["n_pair"]), m.out.size - 8
-    assert np.allclose(np.roll(out[first : first + n], 1), m.out[first : first + n], rtol=1e-7, atol=1e-6)
-    assert m.out[first : first + n].sum() == pytest.approx(m.get("normal_force") * math.cos(m.pair.beta_b))
+    assert np.allclose(np.roll(out[N_OUT:], 1), m.out[N_OUT:], rtol=1e-7, atol=1e-6)
+    assert m.out[N_OUT:].sum() == pytest.approx(m.get("normal_force") * math.cos(m.pair.beta_b))
+
+
+@both_flanks
+def test_every_pair_is_told_apart_however_many_there_are(flank):
+    """An overlap of nine pitches: as many slots carry as contact lines cross the face, each counted here."""
+    m = OneBevel(make_bevels(30, 45, beta=1.0, b=90e-3), MeshLaws(stiffness=BARE))
+    assert m.pair.eps_gamma > 9.0
+    for step in range(4):
+        m.roll(0.21 * (step > 0))
+        m.press(1e-5, flank)
+        row = m.row
+        way = row["xi_0"] + row["travel"] if flank > 0 else row["xi_b"] - row["travel"]
+        psi = float(row["start"][0 if flank > 0 else 1] + way / row["p_bt"])
+        per_ln = flank * row["tan_b"] * row["R_m"] / row["p_bt"]
+        first, last = sorted(per_ln * math.log1p(row[z] / row["R_m"]) for z in ("z_lo", "z_hi"))
+        lines = [q for q in range(-30, 31) if -last < psi % 1.0 + q < row["eps"] - first]
+        carried = flank * m.out[N_OUT:]
+        assert len(lines) >= 9 and (carried >= 0.0).all()
+        assert np.count_nonzero(carried) == len(lines)
+        assert carried.sum() == pytest.approx(m.get("normal_force") * math.cos(m.pair.beta_b))
+
+
+def test_exact_tangents_leave_the_pair_forces_alone():
+    """They sum a flank twice; it is told once."""
+    m = OneBevel(make_bevels(beta=0.5), MeshLaws(stiffness=PAIR, d_in=3e4, d_out=3e4))
+    m.press(1e-5)
+    seen = m.out.copy()
+    m.evaluate(jac=2, ck=1.0, cd=1.0)
+    assert np.array_equal(m.out, seen)
 
 
 @both_flanks

@@ -10,6 +10,8 @@ import pytest
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.contact.width_integral import width_moments
 from pitchpoint.contact.width_table import table_width_moments
+from pitchpoint.core.kernel import address
+from pitchpoint.elements.mesh_turning import turning
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.one_mesh import OneMesh, make_pair, moved, rotation
@@ -545,3 +547,17 @@ def test_contact_damping_grows_with_the_penetration(smooth, share):
     m.frames["tw"][0, 5] = 0.01 / m.row["r_b1"]
     m.evaluate()
     assert m.get("mesh_force") - at_rest == pytest.approx(share * 2e4 * 0.01, rel=1e-6)
+
+
+@both_flanks
+def test_exact_tangents_leave_the_observations_alone(flank):
+    """They sum a flank twice; its pairs and powers are told once."""
+    m = OneMesh(make_pair(beta=0.3), MeshLaws(stiffness=SHAPES["parabola"], d_in=3e4, d_out=1e4), n_pair=4)
+    m.rec["turning"] = address(turning)
+    shaken(m, 1e-4)
+    m.press(8e-6, flank)
+    m.frames["tw"][0] = [0.001, 0.0, 0.002, 0.01, 0.0, 0.02]
+    m.evaluate()
+    seen = m.out.copy()
+    m.evaluate(jac=2, ck=1.0, cd=1.0)
+    assert np.array_equal(m.out, seen) and np.abs(m.kk).max() > 0.0

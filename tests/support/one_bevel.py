@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -13,10 +14,11 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements import bevel_mesh_record as layout
 from pitchpoint.elements.bevel_mesh import entry
 from pitchpoint.elements.bevel_mesh_turning import turning
+from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.bevel_gear import BevelGear
 from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles
 from pitchpoint.multibody.channels import CTL, FRAME
-from pitchpoint.system.rules.bevel_mesh import Placement, bevel_row
+from pitchpoint.system.rules.bevel_mesh import Placement, bevel_row, own_teeth
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.one_mesh import rotation
 
@@ -45,6 +47,8 @@ class OneBevel:
     at: tuple = (0.02, -0.03, 0.05)
     apexes: tuple = (-0.04, 0.03)
     backlash: float | None = None
+    faults: tuple = ({}, {})
+    angles: tuple | None = None
 
     def __post_init__(self):
         whole = rotation((0, 0, 1), self.turn[0]) @ rotation((0, 1, 0), self.turn[1])
@@ -54,8 +58,19 @@ class OneBevel:
             flip = np.eye(3) if side > 0 else rotation((1, 0, 0), math.pi)
             self.axes.append(axes @ flip @ rotation((0, 0, 1), spin))
         place = Placement(axes1=self.axes[0], axes2=self.axes[1], apexes=self.apexes, sides=self.sides)
+        if self.angles is not None:
+            place = replace(place, angles=self.angles)
         self.rec = np.zeros(1, layout.RECORD)
         self.rec[0] = bevel_row(self.pair, place, self.laws, self.backlash)
+        pool = Pool()
+        shapes = (self.pair.gear1, self.pair.gear2)
+        gears = [
+            SimpleNamespace(geometry=g, number_of_teeth=g.z, faults=f)
+            for g, f in zip(shapes, self.faults, strict=True)
+        ]
+        own_teeth(self.row, self.pair, gears, pool.add)
+        self.pool = pool.array()
+        self.rec["pool"] = self.pool.ctypes.data
         for name, value in zip(("i", "j", "ii", "ij", "ji", "jj"), (0, 1, 0, 1, 2, 3), strict=True):
             self.rec[name] = value
         self.rec["turning"] = address(turning)
@@ -64,7 +79,7 @@ class OneBevel:
             self.frames["R"][k] = self.axes[k]
             self.frames["r"][k] = np.array(self.at) - self.apexes[k] * self.axes[k][:, 2]
         self.ctl = np.zeros(1, CTL)
-        self.out = np.zeros(layout.N_OUT + layout.MAX_PAIRS)
+        self.out = np.zeros(layout.N_OUT + int(self.row["n_pair"]))
         self.events = np.zeros(len(layout.EVENTS))
         self.ctl["no"], self.ctl["ne"] = self.out.size, self.events.size
         self.ctl["out"], self.ctl["ev"] = self.out.ctypes.data, self.events.ctypes.data

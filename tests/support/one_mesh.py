@@ -73,7 +73,7 @@ class OneMesh:
         self.frames["r"] = o1, o2
         self.frames["R"] = np.eye(3)
         self.ctl = np.zeros(1, CTL)
-        self.out = np.zeros(layout.N_OUT + layout.MAX_PAIRS)
+        self.out = np.zeros(layout.N_OUT + self.n_pair)
         self.ctl["no"] = self.out.size
         self.ctl["out"] = self.out.ctypes.data
         self.kk = np.zeros((4, 6, 6))

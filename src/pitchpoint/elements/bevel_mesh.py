@@ -91,8 +91,9 @@ def _begin(b, flank, x):
 def _touches(b):
     """Whether any place of the shared face may be in contact."""
     x = b["x"]
-    R = b["R_m"] + (b["z_lo"] if x[2] < 0.0 else b["z_hi"])
-    return R * x[2] + math.sqrt(x[0] * x[0] + x[1] * x[1]) > 0.0
+    per_R = x[2] - b["sep_min"] / b["R_m"]
+    R = b["R_m"] + (b["z_lo"] if per_R < 0.0 else b["z_hi"])
+    return R * per_R + math.sqrt(x[0] * x[0] + x[1] * x[1]) > 0.0
 
 
 @kernel
@@ -106,8 +107,6 @@ def _sum(b, ctl, f, g):
         b["w"][row] = rate_of_row(b, f, g, row)
     begin_sums(b)
     if ctl["out"] != 0 or ctl["ev"] != 0:
-        for k in range(b["n_pair"]):
-            b["pair"][k] = 0.0
         sum_flank(b, ctl, 1)
     else:
         sum_flank(b, ctl, None)
@@ -142,13 +141,13 @@ def _tangent(b, kk, c, p, q):
 @kernel
 def _follow(b, ctl, f, g, flank):
     """Exact tangents: add what turns with the plane of action; the flank is summed again for its damping."""
-    ck = ctl["ck"]
-    cd = ctl["cd"]
+    kept = (ctl["ck"], ctl["cd"], ctl["out"], ctl["ev"])
     ctl["ck"] = 0.0
     ctl["cd"] = 1.0
+    ctl["out"] = 0
+    ctl["ev"] = 0
     _sum(b, ctl, f, g)
-    ctl["ck"] = ck
-    ctl["cd"] = cd
+    ctl["ck"], ctl["cd"], ctl["out"], ctl["ev"] = kept
     call(b["turning"], b["here"], b["control"], flank)
     normal_rows(b, flank)
 
@@ -170,7 +169,8 @@ def _damper(b, ctl, f, g, kk):
 
 @kernel
 def _write_flank(b, out, flank):
-    """Add one flank to the observations; the force on gear 2 is that of the first two rows."""
+    """Add one flank to the observations, where its pairs are already; the force on gear 2 is that of the
+    first two rows."""
     k = b["out"]
     acc = b["acc"]
     more = b["more"]
@@ -189,8 +189,6 @@ def _write_flank(b, out, flank):
     out[k + 13] += more[ENERGY]
     out[k + 15] += dot(V, triple(b["away"][0], 0))
     out[k + 16] -= dot(V, triple(b["axis"][0], 0))
-    for p in range(b["n_pair"]):
-        out[k + N_OUT + p] += b["pair"][p]
 
 
 @kernel
@@ -253,8 +251,8 @@ def _one_mesh(b, ctl, fr, kk):
             out[b["out"] + k] = 0.0
     exact = c["jac"] == 2 and c["ck"] != 0.0
     x = b["u"]
-    front = _contact(x - 0.5 * b["gap"], 0.0)
-    back = _contact(-x - 0.5 * b["gap"], 0.0)
+    front = _contact(x - 0.5 * b["gap"] - b["sep_min"], 0.0)
+    back = _contact(-x - 0.5 * b["gap"] - b["sep_min"], 0.0)
     for flank in (1, -1):
         _begin(b, flank, x)
         if b["eps"] <= 0.0 or not _touches(b):

@@ -10,11 +10,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from pitchpoint.elements.gear_mesh_record import EVENTS, MAX_PAIRS, PHASE, PROFILE
+from pitchpoint.elements.gear_mesh_record import EVENTS, PHASE, PROFILE
 from pitchpoint.elements.gear_mesh_record import OUTPUTS as OF_MESHES
 
-__all__ = ["EVENTS", "MAX_PAIRS", "N_OUT", "OUTPUTS", "PHASE", "PROFILE", "RECORD"]
+__all__ = ["EVENTS", "N_OUT", "N_OWN", "OUTPUTS", "PHASE", "PROFILE", "RECORD"]
 
+N_OWN = 3
+"""What the table of a gear holds for a tooth: inner and outer end of its face, from R_m of the pair, and how
+far it stands ahead of its place, counter-clockwise about the axis into the gear, as a travel at R_m [m]."""
 ROWS = 6
 """Rows of the wrench basis: normal force along two rays and about the plane of action, friction in three."""
 
@@ -43,6 +46,12 @@ _GEOMETRY = [
     ("gap_0", "f8"),  # backlash at R_m, where the rolls up to the pitch ray are zero
     ("xi_0", "f8"),
     ("xi_b", "f8"),  # mean path position of front and back flank at zero angles, less the involute part
+    ("t1_0", "i8"),
+    ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
+    ("n_sep", "i8"),  # 1: some teeth have a face or a place of their own
+    ("n_t", "i8", 2),  # teeth that the tables of both gears tell apart, 0: none
+    ("teeth", "i8", 2),  # offsets of these tables in the pool [tooth, N_OWN]
+    ("sep_min", "f8"),  # smallest sum of both gaps, at R_m
 ]
 
 _LAW = [
@@ -95,7 +104,6 @@ _SCRATCH = [
     ("u", "f8"),
     ("e_t", "f8"),  # 0: no excitation
     ("gap", "f8"),
-    ("sep_min", "f8"),  # 0
     ("travel", "f8"),
     ("turn", "i8"),
     ("xi_A", "f8"),
@@ -109,6 +117,9 @@ _SCRATCH = [
     ("flank", "i8"),
     ("psi", "f8"),
     ("tooth", "i8"),
+    ("lo", "f8"),
+    ("hi", "f8"),  # shared face of the pair being summed, from R_m
+    ("lacks", "f8"),  # gap of its teeth at R_m
     ("lam", "f8"),  # base pitches per ln(R/R_m) along a contact line
     ("x", "f8", ROWS),  # penetration over cos(sigma), sin(sigma) and R, first three
     ("w", "f8", ROWS),  # rates over the rows of the basis
@@ -120,7 +131,6 @@ _SCRATCH = [
         "f8",
         7,
     ),  # fields named in `bevel_mesh_sums`
-    ("pair", "f8", MAX_PAIRS),
     ("basis_i", "f8", (ROWS, 6)),
     ("basis_j", "f8", (ROWS, 6)),
     ("moved", "f8", (3, 12)),
@@ -130,7 +140,17 @@ _SCRATCH = [
 ]
 
 RECORD = np.dtype(
-    [*_BODIES, *_GEOMETRY, *_LAW, *_SCRATCH, ("n_pair", "i8"), ("ev", "i8"), ("out", "i8")], align=True
+    [
+        *_BODIES,
+        *_GEOMETRY,
+        *_LAW,
+        *_SCRATCH,
+        ("n_pair", "i8"),
+        ("pool", "i8"),  # address of the float array that holds all tables
+        ("ev", "i8"),
+        ("out", "i8"),
+    ],
+    align=True,
 )
 
 #: Observations of one mesh: those of `gear_mesh`, at R_m and on gear 2, then of gear 1; pair forces follow.

@@ -17,8 +17,9 @@ from pitchpoint.contact.damping import linear_ramp, ramp
 from pitchpoint.contact.elastic import low_load, stored_energy
 from pitchpoint.contact.friction import static_dynamic
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate
-from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.bevel_mesh_record import PHASE, ROWS
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.bevel_mesh_record import N_OUT, N_OWN, PHASE, ROWS
+from pitchpoint.multibody.channels import F8
 
 #: Fields of `more`; FORCE adds the base-tangent forces of nodes, NEAREST is the largest force over stiffness.
 STIFFNESS, FRICTION, DAMPING, PARAMETRIC, ENERGY, FORCE, NEAREST = range(7)
@@ -70,7 +71,7 @@ def _stand(b, R, sigma):
     lever[3] = 1.0
     lever[4] = R * c
     lever[5] = R * s
-    return _across(b, b["x"])
+    return _across(b, b["x"]) - b["lacks"] * R / b["R_m"]
 
 
 @kernel
@@ -265,7 +266,7 @@ def _end(b, p_0, p, leaves):
     `leaves` is the rate at which the contact line passes that end [base pitches/s].
     """
     R = _crossing(b, p_0, p)
-    if R <= b["R_m"] + b["z_lo"] or R >= b["R_m"] + b["z_hi"]:
+    if R <= b["R_m"] + b["lo"] or R >= b["R_m"] + b["hi"]:
         return
     x = _depth(b, p_0, R)
     if x > 0.0 and b["S_R"] > 0.0:
@@ -276,10 +277,12 @@ def _end(b, p_0, p, leaves):
 @kernel
 def _pair(b, ctl, watch, p_0):
     """Sum over one contact line, split at its kinks."""
-    R = b["R_m"] + b["z_lo"]
-    end = b["R_m"] + b["z_hi"]
+    R = b["R_m"] + b["lo"]
+    end = b["R_m"] + b["hi"]
     eps = b["eps"]
     lam = b["lam"]
+    if R >= end:
+        return 0.0
     if lam == 0.0:
         return _piece(b, ctl, watch, p_0, R, end) if p_0 >= 0.0 and p_0 <= eps else 0.0
     if watch is not None and b["L"] == 0.0:
@@ -304,8 +307,35 @@ def _pair(b, ctl, watch, p_0):
 
 
 @kernel
+def _nominal(b):
+    """The whole shared face, teeth in their places."""
+    b["lo"] = b["z_lo"]
+    b["hi"] = b["z_hi"]
+    b["lacks"] = 0.0
+
+
+@kernel
+def _own(b, q):
+    """What the two teeth of the pair q have of their own: the tooth of gear 1 and that before or behind the
+    space of gear 2. Displaced teeth stand before their place on one flank and behind it on the other."""
+    flank = b["flank"]
+    pair = flank * (int(q) - b["tooth"])
+    for gear in range(2):
+        n = b["n_t"][gear]
+        if n == 0:
+            continue
+        first = b["t1_0"] + pair if gear == 0 else b["t2_0"] - pair + (1 if flank < 0 else 0)
+        table = view(b["pool"] + 8 * b["teeth"][gear], (n, N_OWN), F8)
+        tooth = first % n
+        b["lo"] = max(b["lo"], table[tooth, 0])
+        b["hi"] = min(b["hi"], table[tooth, 1])
+        b["lacks"] -= flank * table[tooth, 2]
+
+
+@kernel
 def sum_flank(b, ctl, watch):
     """All pairs of the current flank, or its constant total stiffness."""
+    _nominal(b)
     if b["source"] == PHASE:
         _piece(b, ctl, watch, 0.0, b["R_m"] + b["z_lo"], b["R_m"] + b["z_hi"])
         return
@@ -314,7 +344,11 @@ def sum_flank(b, ctl, watch):
     q = float(math.ceil(-max(first, last)))
     stop = math.floor(b["eps"] - min(first, last))
     while q <= stop:
+        if b["n_sep"] > 0:
+            _nominal(b)
+            _own(b, q)
         f = _pair(b, ctl, watch, b["psi"] + q)
-        if watch is not None and b["n_pair"] > 0:
-            b["pair"][(b["tooth"] - int(q)) % b["n_pair"]] += b["flank"] * f
+        if watch is not None and ctl["out"] != 0 and b["n_pair"] > 0:
+            slot = (b["tooth"] - int(q)) % b["n_pair"]
+            view(ctl["out"], ctl["no"], F8)[b["out"] + N_OUT + slot] += b["flank"] * f
         q += 1.0

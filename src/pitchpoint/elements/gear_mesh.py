@@ -22,7 +22,6 @@ from pitchpoint.core.kernel import call, call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.gear_mesh_record import (
     EVENTS,
-    MAX_PAIRS,
     N_ACC,
     N_OUT,
     NEAREST,
@@ -62,7 +61,7 @@ from pitchpoint.elements.mesh_wrench import (
 )
 from pitchpoint.multibody.channels import F8, bounded, events, frame_args, observations
 
-__all__ = ["EVENTS", "MAX_PAIRS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
+__all__ = ["EVENTS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
 
 _LEAST = 1e-15
@@ -105,7 +104,7 @@ def bends(record: np.void) -> tuple[str, ...]:
 
 
 @kernel
-def _begin(b, flank, watch):
+def _begin(b, flank):
     """Phase and contact-line slope of one flank, into the scratch; empty sums."""
     b["flank"] = flank
     psi = flank_phase(b, flank)
@@ -117,9 +116,6 @@ def _begin(b, flank, watch):
     for k in range(N_ACC):
         acc[k] = 0.0
     acc[NEAREST] = _NOWHERE
-    if watch:
-        for k in range(b["n_pair"]):
-            b["pair"][k] = 0.0
 
 
 @kernel
@@ -147,7 +143,7 @@ def _stiffness_ratio(b, watch):
 def _flank(b, ctl, f, g, flank, x_0, spins, rate):
     """Sum one flank into `acc`; `spins` 1: the gears only spin and their travel rate is `rate`."""
     watched = ctl["out"] != 0 or ctl["ev"] != 0
-    _begin(b, flank, watched)
+    _begin(b, flank)
     b["kappa"] = 0.0
     if spins == 1:
         spin_flank_rates(b, rate)
@@ -183,13 +179,13 @@ def _sum(b, ctl, watch, x_0):
 @kernel
 def _turning(b, c, f, g, flank, x_0):
     """Exact tangents: add what turns with the line of action; the flank is summed again for its damping."""
-    ck = c["ck"]
-    cd = c["cd"]
+    kept = (c["ck"], c["cd"], c["out"], c["ev"])
     c["ck"] = 0.0
     c["cd"] = 1.0
+    c["out"] = 0
+    c["ev"] = 0
     _flank(b, c, f, g, flank, x_0, 0, 0.0)
-    c["ck"] = ck
-    c["cd"] = cd
+    c["ck"], c["cd"], c["out"], c["ev"] = kept
     call(b["turning"], b["here"], b["control"], flank)
 
 
@@ -219,7 +215,7 @@ def _write(b, out, psi, damper, rate):
 
 @kernel
 def _write_flank(b, out, flank):
-    """Add one flank to the observations."""
+    """Add one flank to the observations; forces of pairs are there already."""
     k = b["out"]
     acc = b["acc"]
     F = acc[0]
@@ -235,8 +231,6 @@ def _write_flank(b, out, flank):
     out[k + 11] += acc[22]
     out[k + 12] += acc[23] - flank * F * b["e_rate"]
     out[k + 13] += acc[24]
-    for p in range(b["n_pair"]):
-        out[k + N_OUT + p] += b["pair"][p]
 
 
 @kernel
@@ -315,6 +309,8 @@ def _one_mesh(b, ctl, fr, kk):
                 front = _contact(b["acc"][NEAREST], b["acc"][0])
             else:
                 back = _contact(b["acc"][NEAREST], b["acc"][0])
+            if watch:
+                _write_flank(b, observations(ctl), flank)
             if spins == 1:
                 force += flank * b["acc"][0]
                 tangent += b["acc"][5]
@@ -329,8 +325,6 @@ def _one_mesh(b, ctl, fr, kk):
                         add_roll_tangent(b, kk, 5 if b["mu"] > 0.0 else 2)
                     if exact:
                         _turning(b, c, f, g, flank, x_0)
-            if watch:
-                _write_flank(b, observations(ctl), flank)
     damper = 0.0
     if b["d_gap"] > 0.0:
         if spins == 1:

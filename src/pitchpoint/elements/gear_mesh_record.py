@@ -16,9 +16,6 @@ PHASE = 1  # prescribed total stiffness over the mesh phase
 #: Form of a prescribed stiffness given by a user law; the others are those of `contact.pair_shape`.
 USER = 3
 
-#: Most tooth pairs whose forces can be observed one by one.
-MAX_PAIRS = 8
-
 #: Sums over the nodes of one flank. With y = z + f tan(beta_b) xi, the lever of the normal force: 0-1 normal
 #: force (times 1, y), 2-4 friction force (times 1, z, xi), 5-7 normal tangent (1, y, yy), 8-13 tangent of
 #: friction over displacement (rows 1, z, xi; columns 1, y), 14-19 of friction over velocity (1, z, xi, zz,
@@ -180,7 +177,6 @@ _SCRATCH = [
     ("lo_slope", "f8"),
     ("hi_slope", "f8"),  # their change per axial offset of the gears
     ("rate", "f8", 5),  # normal rate at the pitch point and its slope over y; sliding likewise over z and xi
-    ("pair", "f8", MAX_PAIRS),
     ("acc", "f8", N_ACC),
     ("basis_i", "f8", (5, 6)),
     ("basis_j", "f8", (5, 6)),  # wrench basis on both bodies: 1, y of the normal force; 1, z, xi of friction

@@ -20,7 +20,7 @@ import math
 from pitchpoint.contact.elastic import series_energy, series_overlap, stored_energy
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
 from pitchpoint.core.kernel import call, kernel, view
-from pitchpoint.elements.gear_mesh_record import NEAREST
+from pitchpoint.elements.gear_mesh_record import N_OUT, NEAREST
 from pitchpoint.elements.mesh_line import pooled
 from pitchpoint.elements.mesh_nodes import GAUSS, drift, nearer, node, width_rate
 from pitchpoint.elements.mesh_separation import (
@@ -330,6 +330,7 @@ def profile_flank(b, ctl, watch, x_0):
             f = b["line"][2]
         else:
             f = pair_line(b, ctl, watch, p_0, x_q, None)
-        if watch is not None and b["n_pair"] > 0:
-            b["pair"][(b["tooth"] - int(q)) % b["n_pair"]] += b["flank"] * f
+        if watch is not None and ctl["out"] != 0 and b["n_pair"] > 0:
+            slot = (b["tooth"] - int(q)) % b["n_pair"]
+            view(ctl["out"], ctl["no"], F8)[b["out"] + N_OUT + slot] += b["flank"] * f
         q += 1.0

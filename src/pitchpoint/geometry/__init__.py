@@ -28,7 +28,13 @@ from pitchpoint.geometry.measures import (
     span_contact_diameter,
     span_tooth_count,
 )
-from pitchpoint.geometry.problems import gear_problems, pair_problems, pair_warnings, tip_overlap_gap
+from pitchpoint.geometry.problems import (
+    gear_problems,
+    gear_warnings,
+    pair_problems,
+    pair_warnings,
+    tip_overlap_gap,
+)
 from pitchpoint.geometry.profile_shift import (
     center_distance_for_profile_shift,
     missing_profile_shift,
@@ -75,6 +81,7 @@ __all__ = [
     "dimension_over_balls",
     "dimension_over_pins",
     "gear_problems",
+    "gear_warnings",
     "helix_angle_at",
     "ideal_ball_diameter",
     "inv",

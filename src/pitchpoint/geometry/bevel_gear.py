@@ -177,6 +177,11 @@ class BevelGear:
         return self.m_mn / math.cos(self.beta_m)
 
     @property
+    def m_n(self) -> float:
+        """The normal module that sizes of its teeth are measured by, m_mn [m]."""
+        return self.m_mn
+
+    @property
     def d_m(self) -> float:
         """Mean pitch diameter z m_mt [m]."""
         return self.z * self.m_mt
@@ -286,6 +291,10 @@ class BevelGear:
         leg = math.sin(delta_y + self.delta_b) * math.sin(delta_y - self.delta_b)
         return math.atan2(math.sqrt(max(0.0, leg)), math.cos(delta_y))
 
+    def cone_at(self, sigma: float) -> float:
+        """Cone that the roll σ reaches [rad], the inverse of `sigma_at`."""
+        return math.acos(math.cos(self.delta_b) * math.cos(sigma))
+
     @cached_property
     def sigma_p(self) -> float:
         """Base pitch as an angle in the plane of action, 2π sin δ_b / z [rad]."""
@@ -307,6 +316,13 @@ class BevelGear:
         from pitchpoint.geometry.bevel_tooth import bevel_tooth
 
         return bevel_tooth(self).sigma_form
+
+    @property
+    def undercut(self) -> bool:
+        """True when the crown gear's tip cuts away part of the involute."""
+        from pitchpoint.geometry.bevel_tooth import bevel_tooth
+
+        return bevel_tooth(self).undercut
 
     # --- virtual cylindrical gear (Tredgold) ----------------------------------------------------------
     @property
@@ -371,3 +387,9 @@ class BevelGear:
         from pitchpoint.geometry.bevel_problems import bevel_gear_problems
 
         return bevel_gear_problems(self, where)
+
+    def warnings(self, where: str = "") -> list[Problem]:
+        """What is odd about this gear: a wide face, a root radius without room."""
+        from pitchpoint.geometry.bevel_problems import bevel_gear_warnings
+
+        return bevel_gear_warnings(self, where)

@@ -187,6 +187,13 @@ class BevelPair:
         return max(0.0, self.sigma_E - self.sigma_A) / self.sigma_p
 
     @property
+    def eps_alpha_form(self) -> float:
+        """Transverse contact ratio of what the root form cones leave of the path A-E [-]."""
+        low = max(self.sigma_A, self.gear1.sigma_Ff)
+        high = min(self.sigma_E, self.sigma_T - self.gear2.sigma_Ff)
+        return max(0.0, high - low) / self.sigma_p
+
+    @property
     def eps_beta(self) -> float:
         """Overlap ratio tan |β_b| ln(R_e/R_i) / σ_p [-]."""
         if self.beta_b == 0.0 or self.b == 0.0:
@@ -267,7 +274,7 @@ class BevelPair:
         return bevel_pair_problems(self, where, names, gears)
 
     def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Problem]:
-        """What runs, but not as the involute promises: tips that reach below the mate's root form cone."""
+        """What runs, but not as drawings promise: faces beside each other, tips below the mate's involute."""
         from pitchpoint.geometry.bevel_problems import bevel_pair_warnings
 
         return bevel_pair_warnings(self, where, names)

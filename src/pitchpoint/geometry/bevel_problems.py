@@ -1,13 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What makes a bevel gear or a pair of them impossible, listed completely: where, value, limit, remedy."""
+"""What makes a bevel gear or a pair of them impossible or odd, listed completely: where, value, limit,
+remedy."""
 
 from __future__ import annotations
 
 import math
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import GeometryError, Problem
-from pitchpoint.geometry.problems import at_key
+from pitchpoint.core.errors import Problem
+from pitchpoint.geometry.tooth_problems import (
+    INTERFERENCE_TOLERANCE,
+    Told,
+    Words,
+    at_key,
+    full_rounding,
+    interferences,
+    odd_contact,
+    problems_of_gear,
+    problems_of_pair,
+    thin_tip,
+    tips_in_roots,
+    unequal,
+    wrong_hands,
+)
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel_gear import BevelGear
@@ -15,14 +30,18 @@ if TYPE_CHECKING:
 
 ANGLE_TOLERANCE = 1e-5
 """By how much angles of both gears may differ [rad]: what four digits behind the point of a degree leave."""
-TIP_THICKNESS_LIMIT = 0.2
-"""Thinnest tip in mean normal modules, as for cylindrical gears."""
-INTERFERENCE_TOLERANCE = 0.01
-"""Mean normal modules along the path of contact that tips may reach too far, as for cylindrical gears."""
+SHARED_FACE = 0.95
+"""Share of the narrower face that both gears have in common, which rounded sizes of drawings keep."""
+WIDE_CONE, WIDE_MODULES = 1.0 / 3.0, 10.0
+"""Widest usual face in outer cone distances and in outer modules."""
 
 
 def _degrees(angle: float) -> str:
     return f"{math.degrees(angle):.6g} deg"
+
+
+def _mm(length: float) -> str:
+    return f"{1e3 * length:.6g} mm"
 
 
 def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Problem]:
@@ -47,43 +66,83 @@ def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Problem]:
     >>> [problem.where for problem in bevel_gear_problems(gear, "gears.pinion")]
     ['gears.pinion.profile_shift_coefficient']
     """
-    found: list[Problem] = []
+    return problems_of_gear(where, lambda: _no_tooth(gear), lambda: _pointed(gear))
 
-    def add(key: str, message: str, value: str, limit: str, remedy: str) -> list[Problem]:
-        """Note a problem at a key of the gear; all problems so far."""
-        found.append(Problem(at_key(where, key), message, value, limit, remedy))
-        return found
 
-    shift = f"{gear.x_hm:g}"
-    heights = "change the profile shift or the rack"
+def _no_tooth(gear: BevelGear) -> Told | None:
+    """Why a gear has no tooth or no flank."""
+    shift, heights = f"{gear.x_hm:g}", "change the profile shift or the rack"
     if not gear.h_am > -gear.h_fm or not gear.h_fm > 0.0:
-        return add("profile_shift_coefficient", "leaves no dedendum", shift, "below the dedendum", heights)
+        return "profile_shift_coefficient", "leaves no dedendum", shift, "below the dedendum", heights
     if not gear.delta_f > 0.0:
         remedy = "use more teeth or a smaller dedendum"
-        return add("rack.dedendum", "leaves no gear body", f"{gear.rack.h_fP_star:g}", "above 0", remedy)
+        return "rack.dedendum", "leaves no gear body", f"{gear.rack.h_fP_star:g}", "above 0", remedy
     if not gear.delta_a > gear.delta_b:
         limit = f"a tip cone above {_degrees(gear.delta_b)}"
-        return add("profile_shift_coefficient", "leaves no flank above the base cone", shift, limit, heights)
-    try:
-        form = gear.sigma_Ff
-    except GeometryError as error:
-        p = error.problem
-        return [Problem(at_key(where, p.where), p.message, p.value, p.limit, p.remedy)]
-    if not gear.sigma_a > form:
-        remedy = "use a larger profile shift, more teeth or a smaller dedendum"
+        return "profile_shift_coefficient", "leaves no flank above the base cone", shift, limit, heights
+    if not gear.sigma_a > gear.sigma_Ff:
         message = "leaves no involute between root fillet and tip"
-        return add("number_of_teeth", message, f"{gear.z}", "a tip cone above the fillet", remedy)
+        remedy = "use a larger profile shift, more teeth or a smaller dedendum"
+        return "number_of_teeth", message, f"{gear.z}", "a tip cone above the fillet", remedy
+    return None
+
+
+def _pointed(gear: BevelGear) -> Told | None:
+    """A tip that is too thin in the middle of the face; at every other place it is so, too."""
     half = gear.half_angle_at(gear.delta_a)
-    tip = 2.0 * half * gear.R_m * math.sin(gear.delta_a) * math.cos(gear.beta_at(gear.delta_a)) / gear.m_mn
-    if tip < TIP_THICKNESS_LIMIT:
-        message = f"leaves a mean tip thickness of {tip:.2g} m_mn"
-        limit = f"{TIP_THICKNESS_LIMIT:g} m_mn"
-        # teeth that are thin all over are so by their thickness, others by their height
-        thin = gear.s_mt < 0.8 * 0.5 * math.pi * gear.m_mt
-        key, value = gear.thickness_cause() if thin else ("profile_shift_coefficient", shift)
-        remedy = "take a smaller magnitude" if thin else "reduce it, or the addendum of the rack"
-        add(key, message, value, limit, remedy)
-    return found
+    tip = 2.0 * half * gear.R_m * math.sin(gear.delta_a) * math.cos(gear.beta_at(gear.delta_a))
+    # teeth that are thin all over are so by their thickness, others by their height
+    thin = gear.s_mt < 0.8 * 0.5 * math.pi * gear.m_mt
+    key, value = gear.thickness_cause() if thin else ("profile_shift_coefficient", f"{gear.x_hm:g}")
+    remedy = "take a smaller magnitude" if thin else "reduce it, or the addendum of the rack"
+    return thin_tip(tip / gear.m_mn, "m_mn", key, value, remedy)
+
+
+def bevel_gear_warnings(gear: BevelGear, where: str = "") -> list[Problem]:
+    """What is odd about a bevel gear that can be made: a wide face, a tool without room for its root radius.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    where
+        Place of the gear in its description.
+
+    Returns
+    -------
+    list of Problem
+        Empty for most, and for impossible gears.
+
+    Notes
+    -----
+    A face is usually at most a third of the outer cone distance and ten outer modules wide (KHK, *Gear
+    technical reference*, calculation of bevel gears): further in teeth are small and carry little, and tools
+    find no room.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.bevel_gear import BevelGear
+    >>> gear = BevelGear.of_outer_module(z=20, m_et=3e-3, delta=math.atan(0.5), b=23e-3)
+    >>> print(*bevel_gear_warnings(gear, "pinion"))
+    pinion.face_width: 23 mm is a wide face for a bevel gear (limit 22.3607 mm, a third of the outer cone \
+distance); reduce it, or use more teeth or a larger module
+    """
+    from pitchpoint.geometry.bevel_tooth import crown_tool
+
+    if gear.problems():
+        return []
+    limits = (
+        (WIDE_CONE * gear.R_e, "a third of the outer cone distance"),
+        (WIDE_MODULES * gear.m_et, "ten outer modules"),
+    )
+    found, (most, which) = [], min(limits)
+    if gear.b > most * (1.0 + 1e-9):
+        message, limit = "is a wide face for a bevel gear", f"{_mm(most)}, {which}"
+        remedy = "reduce it, or use more teeth or a larger module"
+        found.append(Problem(at_key(where, "face_width"), message, _mm(gear.b), limit, remedy))
+    # a tip with room for its radius may be made smaller by 1e-6 of it, so that its formulas hold
+    room = crown_tool(gear).rho * gear.R_m / gear.m_mn * (1.0 + 1e-5)
+    return found + full_rounding(where, gear.rack.rho_fP_star, room)
 
 
 def bevel_pair_problems(
@@ -113,13 +172,17 @@ def bevel_pair_problems(
     >>> from pitchpoint.geometry.bevel_pair import BevelPair
     >>> gear = BevelGear(z=20, m_mn=2e-3, delta=math.pi / 4, b=5e-3)
     >>> print(bevel_pair_problems(BevelPair(gear, gear, 1.4), "stage", ("a", "b"))[0])
-    stage.gears: a 45 deg, b 45 deg are not the pitch cone angles of this shaft angle (limit 40.107 deg, \
-40.107 deg); correct pitch_cone_angle or shaft_angle
+    stage.gears: a 45 deg, b 45 deg are not the pitch cone angles of this shaft angle (limit a 40.107 deg, \
+b 40.107 deg); correct pitch_cone_angle or shaft_angle
     """
-    alone = [p for g, n in zip((pair.gear1, pair.gear2), names, strict=True) for p in g.problems(n)]
-    found = (alone if gears else []) + _mismatches(pair, at_key(where, "gears"), names)
-    # the rest would only repeat that in other words
-    return found if found or alone else _contact(pair, at_key(where, "gears"), names)
+    place = at_key(where, "gears")
+    return problems_of_pair(
+        pair,
+        where,
+        names if gears else None,
+        lambda: _mismatches(pair, place, names),
+        lambda: _contact(pair, place, names),
+    )
 
 
 def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Problem]:
@@ -127,95 +190,68 @@ def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Pro
     from pitchpoint.geometry.bevel_pair import pitch_angles
 
     one, two = pair.gear1, pair.gear2
-    try:
-        right = pitch_angles(one.z, two.z, pair.Sigma)
-    except GeometryError as error:
-        return [error.problem]
+    right = pitch_angles(one.z, two.z, pair.Sigma)
     found = []
-
-    def both(of_one: str, of_two: str) -> str:
-        """Values of both gears."""
-        return f"{names[0]} {of_one}, {names[1]} {of_two}"
-
-    off = max(abs(one.delta - right[0]), abs(two.delta - right[1]))
-    if off > ANGLE_TOLERANCE:
+    if max(abs(one.delta - right[0]), abs(two.delta - right[1])) > ANGLE_TOLERANCE:
+        value, limit = (
+            ", ".join(f"{name} {_degrees(delta)}" for name, delta in zip(names, cones, strict=True))
+            for cones in ((one.delta, two.delta), right)
+        )
         message = "are not the pitch cone angles of this shaft angle"
-        limit = f"{_degrees(right[0])}, {_degrees(right[1])}"
-        remedy = "correct pitch_cone_angle or shaft_angle"
-        found.append(Problem(place, message, both(_degrees(one.delta), _degrees(two.delta)), limit, remedy))
-    if abs(one.alpha_n - two.alpha_n) > ANGLE_TOLERANCE:
-        message, remedy = "have unequal pressure angles", "give both gears the same normal_pressure_angle"
-        value = both(_degrees(one.alpha_n), _degrees(two.alpha_n))
-        found.append(Problem(place, message, value, "equal", remedy))
-    if abs(one.beta_m + two.beta_m) > ANGLE_TOLERANCE:
-        message = "have spirals that do not fit"
-        value = both(f"{one.hand} {_degrees(abs(one.beta_m))}", f"{two.hand} {_degrees(abs(two.beta_m))}")
-        limit, remedy = "equal spiral angles and opposite hands", "correct spiral_angle or hand"
-        found.append(Problem(place, message, value, limit, remedy))
+        found.append(Problem(place, message, value, limit, "correct pitch_cone_angle or shaft_angle"))
+    alpha, beta = (one.alpha_n, two.alpha_n), (abs(one.beta_m), abs(two.beta_m))
+    if abs(alpha[0] - alpha[1]) > ANGLE_TOLERANCE:
+        what = "normal pressure angles"
+        found.append(unequal(place, what, alpha, _degrees, names, "normal_pressure_angle"))
+    if abs(beta[0] - beta[1]) > ANGLE_TOLERANCE:
+        found.append(unequal(place, "spiral angles", beta, _degrees, names, "spiral_angle"))
+    elif one.hand == two.hand != "straight":
+        found.append(wrong_hands(place, (one.hand, two.hand), names))
     if not pair.b > 0.0:
-        message, remedy = "have no face in common", "check modules and face widths"
-        value = both(f"{1e3 * one.R_i:.6g} mm to {1e3 * one.R_e:.6g} mm", "beyond")
-        limit = f"{1e3 * two.R_i:.6g} mm to {1e3 * two.R_e:.6g} mm from the apex"
-        found.append(Problem(place, message, value, limit, remedy))
+        message, remedy = "have no face in common", f"{_modules(pair)}, or correct the face widths"
+        limit = "cone distances that overlap"
+        found.append(Problem(place, message, _faces(pair, names), limit, remedy))
     return found
+
+
+def _faces(pair: BevelPair, names: tuple[str, str]) -> str:
+    """From where to where the faces of both gears reach."""
+    gears = zip(names, (pair.gear1, pair.gear2), strict=True)
+    return ", ".join(f"{name} {_mm(g.R_i)} to {_mm(g.R_e)}" for name, g in gears) + " from the apex"
+
+
+def _modules(pair: BevelPair) -> str:
+    """What to do about faces at different cone distances."""
+    m_et = f"{_mm(pair.gear1.m_et)} and {_mm(pair.gear2.m_et)}"
+    return f"give both the same outer_transverse_module ({m_et} now)"
 
 
 def _contact(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Problem]:
     """No contact, tips in roots."""
-    from pitchpoint.geometry.bevel_tooth import bevel_tooth
-
-    one, two = pair.gear1, pair.gear2
-    found = []
-    module = min(one.m_mn / one.R_m, two.m_mn / two.R_m)
-    for tip, root, a, b in ((one, two, *names), (two, one, *names[::-1])):
-        clearance = root.theta_f - tip.theta_a
-        if clearance < 0.0:
-            message = f"is the tip clearance of {a} in the root of {b}"
-            remedy = "change addendum, dedendum or profile shift"
-            found.append(Problem(place, message, _degrees(clearance), "above 0", remedy))
+    one, two, words = pair.gear1, pair.gear2, _words()
+    found = tips_in_roots(place, (two.theta_f - one.theta_a, one.theta_f - two.theta_a), names, words)
     if pair.eps_alpha <= 0.0:
-        message, remedy = "leave no path of contact", "lengthen the teeth"
-        found.append(Problem(place, message, " and ".join(names), "tips that overlap", remedy))
-    slack = INTERFERENCE_TOLERANCE * module
-    ends = (
-        (-pair.sigma_A, one, names[1], names[0]),
-        (pair.sigma_E - pair.sigma_T, two, names[0], names[1]),
+        message, remedy = "leave no path of contact", words.lengths
+        return [*found, Problem(place, message, " and ".join(names), "tips that overlap", remedy)]
+    beyond = (-pair.sigma_A, pair.sigma_E - pair.sigma_T)
+    return found + interferences(pair, place, beyond, _slack(pair), names, words)
+
+
+def _slack(pair: BevelPair) -> float:
+    """How far tips may reach beyond base cones and involutes [rad]."""
+    return INTERFERENCE_TOLERANCE * min(gear.m_mn / gear.R_m for gear in (pair.gear1, pair.gear2))
+
+
+def _words() -> Words:
+    """How problems of bevel pairs are told."""
+    return Words(
+        surface="cone",
+        beside="tangent ray",
+        path=_degrees,
+        heights="give gear and mate opposite profile shifts, or change addendum or dedendum",
+        shifts="increase the mate's profile shift and reduce its own, use more teeth or a smaller addendum",
+        lengths="lengthen the teeth",
     )
-    for beyond, mate, tip_name, name in ends:
-        if beyond > slack and not (bevel_tooth(mate).undercut and mate_gives_way(pair)):
-            message = f"interferes with the root of {name}: it would touch beyond the base cone"
-            limit = f"the base cone, it is {_degrees(beyond)} beyond in the plane of action"
-            remedy = f"increase the profile shift of {name}, use more teeth or a smaller addendum"
-            found.append(Problem(place, message, f"tip of {tip_name}", limit, remedy))
-    return found
-
-
-def mate_gives_way(pair: BevelPair) -> bool:
-    """Whether undercut roots have room for the mate's tips and leave enough involute to carry the motion.
-
-    Parameters
-    ----------
-    pair
-        The pair.
-
-    Notes
-    -----
-    The crown gear reaches deeper than any mate's tip: where it has undercut a gear nothing is left to collide
-    with, as in `pitchpoint.geometry.problems`.
-
-    Examples
-    --------
-    >>> from pitchpoint.geometry.bevel_gear import BevelGear
-    >>> from pitchpoint.geometry.bevel_pair import BevelPair
-    >>> gear = BevelGear(z=20, m_mn=2e-3, delta=math.pi / 4, b=5e-3)
-    >>> mate_gives_way(BevelPair(gear, gear, math.pi / 2))
-    True
-    """
-    from pitchpoint.geometry.problems import USABLE_CONTACT_RATIO
-
-    low = max(pair.sigma_A, pair.gear1.sigma_Ff)
-    high = min(pair.sigma_E, pair.sigma_T - pair.gear2.sigma_Ff)
-    return (high - low) / pair.sigma_p + pair.eps_beta >= USABLE_CONTACT_RATIO
 
 
 def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> list[Problem]:
@@ -233,8 +269,8 @@ def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> 
     Returns
     -------
     list of Problem
-        Empty where the involutes cover the whole path of contact and one pair always carries, and for
-        impossible pairs.
+        Empty where the involutes cover the whole path of contact, one pair always carries and the faces lie
+        in each other, and for impossible pairs.
 
     Examples
     --------
@@ -246,26 +282,24 @@ def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> 
     >>> [p.message for p in bevel_pair_warnings(BevelPair(*gears, math.pi / 2), "", ("p", "w"))]
     ['reaches below the root form cone of p (undercut)']
     """
-    from pitchpoint.geometry.bevel_tooth import bevel_tooth
-
     if pair.problems():
         return []
-    one, two, place = pair.gear1, pair.gear2, at_key(where, "gears")
-    slack = INTERFERENCE_TOLERANCE * min(one.m_mn / one.R_m, two.m_mn / two.R_m)
-    found = []
-    ends = (
-        (one.sigma_Ff - pair.sigma_A, one, names[1], names[0]),
-        (two.sigma_Ff - pair.sigma_T + pair.sigma_E, two, names[0], names[1]),
+    place, found = at_key(where, "gears"), []
+    share = pair.b / min(pair.gear1.b, pair.gear2.b)
+    if share < SHARED_FACE:
+        message = f"share {100.0 * share:.3g} % of the narrower face"
+        limit = f"{100.0 * SHARED_FACE:g} %"
+        found.append(Problem(place, message, _faces(pair, names), limit, _modules(pair)))
+    one, two = pair.gear1, pair.gear2
+    starts = (
+        (one, one.sigma_Ff - pair.sigma_A, pair.sigma_A),
+        (two, two.sigma_Ff - (pair.sigma_T - pair.sigma_E), pair.sigma_T - pair.sigma_E),
     )
-    for missing, mate, tip, name in ends:
-        if missing > slack:
-            cause = "undercut" if bevel_tooth(mate).undercut else "root fillet"
-            message = f"reaches below the root form cone of {name} ({cause})"
-            limit = f"the involute lacks {_degrees(missing)} in the plane of action"
-            remedy = "shorten the tip, use another profile shift or set the rack"
-            found.append(Problem(place, message, f"tip of {tip}", limit, remedy))
-    if pair.eps_gamma < 1.0:
-        message, remedy = "leaves moments without a tooth pair in contact", "lengthen the teeth"
-        value = f"total contact ratio {pair.eps_gamma:.4g}"
-        found.append(Problem(place, message, value, "1", remedy))
-    return found
+    first, second = (
+        (
+            missing,
+            f"{_degrees(g.cone_at(g.sigma_Ff))}, contact would start at {_degrees(g.cone_at(max(0.0, at)))}",
+        )
+        for g, missing, at in starts
+    )
+    return found + odd_contact(pair, place, (first, second), _slack(pair), names, _words())

@@ -8,7 +8,7 @@ where it is largest. Frame of the gear: apex at the origin, third axis into the 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -163,6 +163,7 @@ def bevel_sector(
     bore_diameter: float = 0.0,
     rim_thickness: float | None = None,
     corners: int = ROUND,
+    whole: tuple[float, float] | None = None,
 ) -> Sector:
     """Surface of the pitch of tooth 0: copies turned by 2πk/z about the axis close it.
 
@@ -178,6 +179,9 @@ def bevel_sector(
         The body, as in `pitchpoint.geometry.bevel_blank.bevel_blank` [m].
     corners
         Corners of the circles of the body, at least.
+    whole
+        Cone distances between which the tooth stands [m]; beyond them it is broken off at its root. None: all
+        of it stands.
 
     Raises
     ------
@@ -188,16 +192,34 @@ def bevel_sector(
     made = Pieces()
     polar = np.append(outline.polar, outline.polar[0])
     azimuth = np.append(outline.azimuth, outline.azimuth[0] + 2.0 * math.pi / gear.z)
-    rings = [made.put(placed(gear, polar, azimuth, at_cone(gear, polar, float(R)))) for R in slices]
+    root = np.full(polar.size, gear.delta_f)
+    places = _places(slices, whole)
+    cones = [polar if stands else root for _, stands in places]
+    rings = [
+        made.put(placed(gear, cone, azimuth, at_cone(gear, cone, R)))
+        for (R, _), cone in zip(places, cones, strict=True)
+    ]
     for low, high in zip(rings, rings[1:], strict=False):
         made.quads(low, high)
-    ends = [_end(made, gear, outline, rings[k], float(slices[k])) for k in (-1, 0)]
+    ends = [_end(made, gear, replace(outline, polar=cones[k][:-1]), rings[k], places[k][0]) for k in (-1, 0)]
     at = ends[0][1]
     # the back cone goes on from the teeth to the rim: it counts with them
     teeth = len(made.faces) + 1
     around = np.linspace(at[0], at[-1], max(1, math.ceil(corners / gear.z)) + 1)
     _close(made, gear, [line for line, _ in ends], (at, around), blank)
     return made.sector(teeth, False)
+
+
+def _places(slices: FloatArray, whole: tuple[float, float] | None) -> list[tuple[float, bool]]:
+    """Cone distances of the rings of a tooth, and whether it stands there; both at the faces of a break."""
+    low, high = whole or (slices[0], slices[-1])
+    if low >= high:
+        return [(float(R), False) for R in slices]
+    found = [(float(R), False) for R in slices if R < low]
+    found += [(low, False)] if found else []
+    found += [(float(R), True) for R in np.unique([low, *slices[(slices > low) & (slices < high)], high])]
+    beyond = [(float(R), False) for R in slices if R > high]
+    return found + ([(high, False), *beyond] if beyond else [])
 
 
 def _end(

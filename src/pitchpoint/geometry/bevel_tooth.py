@@ -165,9 +165,9 @@ def crown_tool(gear: BevelGear) -> CrownTool:
     half_space = 0.5 * (2.0 * math.pi * math.sin(gear.delta) / gear.z - gear.s_mt / gear.R_m)
     at_pitch = spherical_involute(0.5 * math.pi, base)
 
-    def center(rho: float) -> tuple[float, float, float]:
-        """Polar angle, roll and half angle of the centre of a tip with radius ρ [rad]."""
-        polar = 0.5 * math.pi + gear.theta_f - rho
+    def center(rho: float, theta_f: float = gear.theta_f) -> tuple[float, float, float]:
+        """Polar angle, roll and half angle of the centre of a tip with radius ρ at a dedendum angle [rad]."""
+        polar = 0.5 * math.pi + theta_f - rho
         reach = math.sin(polar + base) * math.sin(polar - base)
         if not reach > 0.0:
             raise GeometryError(
@@ -184,10 +184,12 @@ def crown_tool(gear: BevelGear) -> CrownTool:
     if abs(rho - gear.theta_f) < 1e-6 * rho:
         rho *= 1.0 - 1e-6  # the great circle from the pitch ray through a centre on it has no direction
     if not center(0.0)[2] > 0.0:
+        deepest = bisect(lambda theta: center(0.0, theta)[2], 0.0, gear.theta_f)
         raise GeometryError(
             "modules end beyond the point of the tool",
             where="rack.dedendum",
             value=f"{gear.rack.h_fP_star:g}",
+            limit=f"{gear.R_m / gear.m_mn * math.tan(deepest) + gear.x_hm:.4g}",
             remedy="use a smaller dedendum",
         )
     if center(rho)[2] < 0.0:
@@ -245,12 +247,14 @@ def bevel_tooth(gear: BevelGear) -> BevelTooth:
     >>> tooth.undercut, round(math.degrees(tooth.sigma_form), 4), round(math.degrees(tooth.gear.sigma_w), 4)
     (False, 2.21, 9.7043)
     """
-    if not 0.0 < gear.s_mt < 2.0 * math.pi * gear.R_m * math.sin(gear.delta) / gear.z:
+    pitch = 2.0 * math.pi * gear.R_m * math.sin(gear.delta) / gear.z
+    if not 0.0 < gear.s_mt < pitch:
         key, value = gear.thickness_cause()
         raise GeometryError(
             f"leaves no {'tooth' if gear.s_mt <= 0.0 else 'space'} on the pitch cone",
             where=key,
             value=value,
+            limit=f"a mean transverse thickness of 0 to {1e3 * pitch:.6g} mm, it is {1e3 * gear.s_mt:.6g} mm",
             remedy="take a smaller magnitude",
         )
     tool = crown_tool(gear)
@@ -283,6 +287,7 @@ def _undercut(gear: BevelGear, tool: CrownTool, root: float, form: float) -> Bev
         "leaves no involute between root fillet and tip",
         where="number_of_teeth",
         value=f"{gear.z}",
+        limit="a tip cone above the fillet",
         remedy="use a larger profile shift, more teeth or a smaller dedendum",
     )
 

@@ -377,3 +377,9 @@ class CylindricalGear:
         from pitchpoint.geometry.problems import gear_problems
 
         return gear_problems(self, where)
+
+    def warnings(self, where: str = "") -> list[Problem]:
+        """What is odd about this gear: a root radius without room."""
+        from pitchpoint.geometry.problems import gear_warnings
+
+        return gear_warnings(self, where)

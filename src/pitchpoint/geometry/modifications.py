@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import GeometryError, Problem
 
 if TYPE_CHECKING:
+    from pitchpoint.geometry.bevel_gear import BevelGear
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 FloatArray = NDArray[np.float64]
@@ -268,7 +269,7 @@ def modification_problems(
     return found
 
 
-def size_problems(amounts: Mapping[str, float], gear: CylindricalGear) -> list[Problem]:
+def size_problems(amounts: Mapping[str, float], gear: CylindricalGear | BevelGear) -> list[Problem]:
     """Changes of a flank that are larger than the module, by their places: a unit was forgotten.
 
     Parameters
@@ -276,7 +277,7 @@ def size_problems(amounts: Mapping[str, float], gear: CylindricalGear) -> list[P
     amounts
         Amounts by their places [m].
     gear
-        External or internal gear.
+        The gear.
 
     Examples
     --------

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What makes a gear or a pair impossible, listed completely: where, value, limit, remedy.
-
-Nothing here raises: a loader shows every problem of a file at once.
-"""
+"""What makes a cylindrical gear or a pair of them impossible or odd, listed completely: where, value, limit,
+remedy."""
 
 from __future__ import annotations
 
@@ -12,18 +10,28 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import GeometryError, Problem
 from pitchpoint.geometry.bisection import bisect
 from pitchpoint.geometry.involute import inv
+from pitchpoint.geometry.tooth_problems import (
+    INTERFERENCE_TOLERANCE,
+    TIP_THICKNESS_LIMIT,
+    Told,
+    Words,
+    at_key,
+    full_rounding,
+    interferences,
+    odd_contact,
+    problems_of_gear,
+    problems_of_pair,
+    thin_tip,
+    tips_in_roots,
+    unequal,
+    wrong_hands,
+)
 from pitchpoint.geometry.tooth_thickness import tip_thickness
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     from pitchpoint.geometry.gear_pair import GearPair
 
-# Thinner tips break or burn through in hardening; the usual lower limit of design practice.
-TIP_THICKNESS_LIMIT = 0.2
-# In modules along the path of contact: less than what tip diameters and centre distances are made to.
-INTERFERENCE_TOLERANCE = 0.01
-# Below this a pair with undercut teeth does not reliably hand over from one pair of teeth to the next.
-USABLE_CONTACT_RATIO = 1.1
 _ANGLE_TOLERANCE = 1e-6
 
 
@@ -31,27 +39,8 @@ def _mm(length: float) -> str:
     return f"{1e3 * abs(length):.4f} mm"
 
 
-def at_key(where: str, key: str) -> str:
-    """Place of a key below the place of its part.
-
-    Parameters
-    ----------
-    where
-        Place of the part, empty for none.
-    key
-        Name of the key.
-
-    Examples
-    --------
-    >>> at_key("gears.pinion", "rack"), at_key("", "rack")
-    ('gears.pinion.rack', 'rack')
-    """
-    return f"{where}.{key}" if where else key
-
-
-def _from_error(where: str, error: GeometryError) -> Problem:
-    p = error.problem
-    return Problem(at_key(where, p.where), p.message, p.value, p.limit, p.remedy)
+def _degrees(angle: float) -> str:
+    return f"{math.degrees(angle):g} deg"
 
 
 def _largest_shift(gear: CylindricalGear) -> str:
@@ -95,33 +84,51 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
     >>> problem.where, problem.limit, problem.remedy
     ('gears.pinion.profile_shift_coefficient', '0.2 m_n', 'use at most 0.94 or set tip_diameter')
     """
-    found: list[Problem] = []
-
-    def add(key: str, message: str, value: str, limit: str, remedy: str) -> None:
-        """Note a problem at a key of the gear."""
-        found.append(Problem(at_key(where, key), message, value, limit, remedy))
-
+    found = []
+    deepest = 0.25 * math.pi / math.tan(gear.alpha_n)
     if gear.rack.rho_fP_star_max(gear.alpha_n) < 0.0 and not gear.is_internal:
-        deepest = f"{0.25 * math.pi / math.tan(gear.alpha_n):.4g}"
-        message = "modules end beyond the point of the tool"
-        add("rack.dedendum", message, f"{gear.rack.h_fP_star:g}", deepest, "use a smaller dedendum")
-    try:
-        missing = _no_tooth(gear)
-    except GeometryError as error:
-        return [*found, _from_error(where, error)]
-    if missing is not None:
-        add(*missing)
-        return found
+        message, value = "modules end beyond the point of the tool", f"{gear.rack.h_fP_star:g}"
+        place = at_key(where, "rack.dedendum")
+        found.append(Problem(place, message, value, f"{deepest:.4g}", "use a smaller dedendum"))
+    return found + problems_of_gear(where, lambda: _no_tooth(gear), lambda: _pointed(gear))
+
+
+def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Problem]:
+    """What is odd about a gear that can be made: a tool without room for its root radius.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+    where
+        Place of the gear in its description.
+
+    Returns
+    -------
+    list of Problem
+        Empty for most.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.rack import BasicRack
+    >>> gear = CylindricalGear(z=20, m_n=0.003, rack=BasicRack(rho_fP_star=0.8))
+    >>> [(p.where, p.limit) for p in gear_warnings(gear, "a")]
+    [('a.rack.root_radius', '0.4719')]
+    """
+    most = -1.0 if gear.is_internal else gear.rack.rho_fP_star_max(gear.alpha_n)
+    return full_rounding(where, gear.rack.rho_fP_star, most)
+
+
+def _pointed(gear: CylindricalGear) -> Told | None:
+    """A tip that is too thin."""
     thickness = tip_thickness(gear) / gear.m_n
-    if thickness < TIP_THICKNESS_LIMIT:
-        message = f"leaves a tip thickness of {thickness:.2g} m_n"
-        remedy = _largest_shift(gear)
-        add("profile_shift_coefficient", message, f"{gear.x:g}", f"{TIP_THICKNESS_LIMIT:g} m_n", remedy)
-    return found
+    remedy = _largest_shift(gear) if thickness < TIP_THICKNESS_LIMIT else ""
+    return thin_tip(thickness, "m_n", "profile_shift_coefficient", f"{gear.x:g}", remedy)
 
 
-def _no_tooth(gear: CylindricalGear) -> tuple[str, str, str, str, str] | None:
-    """Why a gear has no tooth or no flank: key, message, value, limit, remedy; what else is wrong follows."""
+def _no_tooth(gear: CylindricalGear) -> Told | None:
+    """Why a gear has no tooth or no flank; what else is wrong follows."""
     if not gear.s_n > 0.0 or not gear.e_n > 0.0:
         message = f"leaves no {'tooth' if gear.s_n <= 0.0 else 'space'} on the reference circle"
         limit = f"tooth thickness 0 to {_mm(gear.p_n)}"
@@ -175,19 +182,14 @@ def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: boo
     >>> print(pair_problems(GearPair(gear, gear, 0.16), "stage", ("g1", "g2"))[0])
     stage.center_distance: 160.0000 mm keeps the tips apart (limit below 156.0000 mm); reduce the distance
     """
-    found: list[Problem] = []
-    if gears:
-        for gear, name in zip((pair.gear1, pair.gear2), names, strict=True):
-            found += gear_problems(gear, name)
-    structural = _mismatches(pair, where, names)
-    found += structural
-    if structural or any(gear_problems(gear) for gear in (pair.gear1, pair.gear2)):
-        # The rest would only repeat that in other words, with numbers that mean nothing.
-        return found
-    try:
-        return found + _contact_problems(pair, where, names)
-    except GeometryError as error:
-        return [*found, _from_error(where, error)]
+    called = names if gears else None
+    return problems_of_pair(
+        pair,
+        where,
+        called,
+        lambda: _mismatches(pair, where, names),
+        lambda: _contact_problems(pair, where, names),
+    )
 
 
 def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
@@ -216,30 +218,15 @@ def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Prob
         ]
     found: list[Problem] = []
     if not math.isclose(g1.m_n, g2.m_n, rel_tol=1e-9):
-        value = f"{names[0]} {_mm(g1.m_n)}, {names[1]} {_mm(g2.m_n)}"
-        found.append(
-            Problem(
-                place, "have unequal normal modules", value, "equal", "give both gears the same normal_module"
-            )
-        )
-    if abs(g1.alpha_n - g2.alpha_n) > _ANGLE_TOLERANCE:
-        value = f"{names[0]} {math.degrees(g1.alpha_n):g} deg, {names[1]} {math.degrees(g2.alpha_n):g} deg"
-        remedy = "give both gears the same normal_pressure_angle"
-        found.append(Problem(place, "have unequal normal pressure angles", value, "equal", remedy))
-    if abs(abs(g1.beta) - abs(g2.beta)) > _ANGLE_TOLERANCE:
-        value = (
-            f"{names[0]} {math.degrees(abs(g1.beta)):g} deg, {names[1]} {math.degrees(abs(g2.beta)):g} deg"
-        )
-        found.append(
-            Problem(
-                place, "have unequal helix angles", value, "equal", "give both gears the same helix_angle"
-            )
-        )
+        found.append(unequal(place, "normal modules", (g1.m_n, g2.m_n), _mm, names, "normal_module"))
+    alpha, beta = (g1.alpha_n, g2.alpha_n), (abs(g1.beta), abs(g2.beta))
+    if abs(alpha[0] - alpha[1]) > _ANGLE_TOLERANCE:
+        what = "normal pressure angles"
+        found.append(unequal(place, what, alpha, _degrees, names, "normal_pressure_angle"))
+    if abs(beta[0] - beta[1]) > _ANGLE_TOLERANCE:
+        found.append(unequal(place, "helix angles", beta, _degrees, names, "helix_angle"))
     elif g1.hand != "spur" and (g1.hand == g2.hand) != pair.is_internal:
-        kind, rule = ("internal", "equal") if pair.is_internal else ("external", "opposite")
-        value = f"{names[0]} {g1.hand}, {names[1]} {g2.hand}"
-        message = f"have hands that do not fit an {kind} pair"
-        found.append(Problem(place, message, value, f"{rule} hands", "change the hand of one gear"))
+        found.append(wrong_hands(place, (g1.hand, g2.hand), names, pair.is_internal))
     if pair.is_internal and -g2.z <= g1.z:
         value = f"{names[1]} with {-g2.z} teeth"
         message = f"is not larger than its pinion {names[0]}"
@@ -254,19 +241,13 @@ def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> lis
     g1, g2, a = pair.gear1, pair.gear2, pair.a_w
     place = at_key(where, "center_distance")
     farther = "reduce" if not pair.is_internal else "increase"
-    closer = "increase" if not pair.is_internal else "reduce"
     pair.working_pressure_angle(a)  # raises when the base circles have no common tangent
     reach = 0.5 * (g1.d_a + g2.d_a)
     if a >= reach:
         limit = f"{'above' if pair.is_internal else 'below'} {_mm(reach)}"
         message = "keeps the tips apart"
         return [Problem(place, message, _mm(a), limit, f"{farther} the distance")]
-    found: list[Problem] = []
-    for clearance, tip, root in ((pair.c_1, names[0], names[1]), (pair.c_2, names[1], names[0])):
-        if clearance < 0.0:
-            message = f"is the tip clearance of {tip} in the root of {root}"
-            remedy = f"{closer} the centre distance, or change tip_diameter or dedendum"
-            found.append(Problem(place, message, f"{1e3 * clearance:.4f} mm", "above 0", remedy))
+    found = tips_in_roots(place, (pair.c_1, pair.c_2), names, _words(pair))
     if pair.g_alpha <= 0.0:
         message = f"leaves no path of contact between {names[0]} and {names[1]}"
         limit = "tip circles that overlap on the line of action"
@@ -280,22 +261,10 @@ def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> lis
 def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
     """A tip that wants contact beyond the mate's base circle, or runs through the mate's tip (internal)."""
     place = at_key(where, "gears")
+    # the tip of a pinion passes the base of a ring, which is on its other side
+    beyond = (-pair.T1A, *(() if pair.is_internal else (pair.T1E - pair.T1T2,)))
     slack = INTERFERENCE_TOLERANCE * pair.gear1.m_n
-    remedy = "increase the mate's profile shift, shorten the tip (tip_diameter) or change the centre distance"
-    found: list[Problem] = []
-    ends = [(-pair.T1A, pair.gear1, names[1], names[0])]
-    if not pair.is_internal:
-        ends.append((pair.T1E - pair.T1T2, pair.gear2, names[0], names[1]))
-    # A rack reaches deeper than any mate's tip: where it has undercut the gear, nothing is left to collide
-    # with, and the question is only whether enough involute remains to carry the motion.
-    remains = pair.eps_alpha_form + pair.eps_beta
-    for beyond, mate, tip, name in ends:
-        if beyond > slack and not (mate.undercut and remains >= USABLE_CONTACT_RATIO):
-            message = f"interferes with the root of {name}: it would touch beyond the base circle"
-            limit = f"the tangent point, it is {_mm(beyond)} beyond"
-            if mate.undercut:
-                limit += f", and undercut leaves a contact ratio of {remains:.3g} of {USABLE_CONTACT_RATIO:g}"
-            found.append(Problem(place, message, f"tip of {tip}", limit, remedy))
+    found = interferences(pair, place, beyond, slack, names, _words(pair))
     if pair.is_internal and tip_overlap_gap(pair) < -1e-12:
         message = "cut each other outside the path of contact"
         limit = f"angular gap above 0, it is {math.degrees(tip_overlap_gap(pair)):.4g} deg"
@@ -304,13 +273,22 @@ def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
     return found
 
 
+def _words(pair: GearPair) -> Words:
+    """How problems of cylindrical pairs are told."""
+    closer = "reduce" if pair.is_internal else "increase"
+    return Words(
+        surface="circle",
+        beside="tangent point",
+        path=lambda length: f"{1e3 * length:.4f} mm",
+        heights=f"{closer} the centre distance, or change tip_diameter or dedendum",
+        shifts="increase the mate's profile shift, shorten the tip (tip_diameter) or change the centre "
+        "distance",
+        lengths="bring the axes closer together or lengthen the teeth",
+    )
+
+
 def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
     """What is odd about a pair that can be built: flank missing below its mate's tip, gaps between contacts.
-
-    Where a tip reaches below the mate's root form circle the geometry still follows the tip circles (as
-    published contact ratios do), but the involute ends sooner, in a fillet or an undercut. It depends on the
-    tool, which is rarely known exactly, so it does not forbid the pair. A total contact ratio below one
-    leaves moments without any contact.
 
     Parameters
     ----------
@@ -338,25 +316,12 @@ def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
     if pair.problems():
         return []
     slack = INTERFERENCE_TOLERANCE * pair.gear1.m_n
-    found: list[Problem] = []
-    ends = (
-        (pair.T1A_form - pair.T1A, pair.gear1, pair.d_Nf1, names[1], names[0]),
-        (pair.T1E - pair.T1E_form, pair.gear2, pair.d_Nf2, names[0], names[1]),
+    one, two = (
+        f"{_mm(gear.d_Ff)}, contact would start at {_mm(d_Nf)}"
+        for gear, d_Nf in ((pair.gear1, pair.d_Nf1), (pair.gear2, pair.d_Nf2))
     )
-    for missing, mate, d_Nf, tip, name in ends:
-        if missing > slack:
-            cause = "undercut" if mate.undercut else "root fillet"
-            message = f"reaches below the root form circle of {name} ({cause})"
-            limit = f"{_mm(mate.d_Ff)}, contact would start at {_mm(d_Nf)}"
-            left = f"the transverse contact ratio left is {pair.eps_alpha_form:.4g}"
-            remedy = f"{left}; shorten the tip or set the rack"
-            found.append(Problem(at_key(where, "gears"), message, f"tip of {tip}", limit, remedy))
-    if pair.eps_gamma < 1.0:
-        message = "leaves moments without a tooth pair in contact"
-        remedy = "bring the axes closer together or lengthen the teeth"
-        value = f"total contact ratio {pair.eps_gamma:.4g}"
-        found.append(Problem(at_key(where, "gears"), message, value, "1", remedy))
-    return found
+    ends = (pair.T1A_form - pair.T1A, one), (pair.T1E - pair.T1E_form, two)
+    return odd_contact(pair, at_key(where, "gears"), ends, slack, names, _words(pair))
 
 
 def tip_overlap_gap(pair: GearPair) -> float:

@@ -17,6 +17,7 @@ from pitchpoint.core.errors import GeometryError, Problem
 from pitchpoint.geometry.tooth_form import root_radius
 
 if TYPE_CHECKING:
+    from pitchpoint.geometry.bevel_gear import BevelGear
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 FloatArray = NDArray[np.float64]
@@ -65,22 +66,34 @@ def break_problems(width: float, height: float, gear: CylindricalGear, where: st
     width: 30 mm is wider than the face (limit 20 mm); leave it out for the whole face
     """
     place = f"{where}." if where else ""
-    found = []
-    for key, value, most, message, remedy in (
-        ("width", width, gear.b, "is wider than the face", "leave it out for the whole face"),
-        (
-            "height",
-            height,
-            tooth_height(gear),
-            "is higher than the tooth",
-            "leave it out for the whole tooth",
-        ),
-    ):
-        if value > most * (1.0 + _FIT):
-            found.append(
-                Problem(f"{place}{key}", message, f"{1e3 * value:.6g} mm", f"{1e3 * most:.6g} mm", remedy)
-            )
+    found = wider_than_face(width, gear.b, f"{place}width")
+    most = tooth_height(gear)
+    if height > most * (1.0 + _FIT):
+        message, remedy = "is higher than the tooth", "leave it out for the whole tooth"
+        value, limit = f"{1e3 * height:.6g} mm", f"{1e3 * most:.6g} mm"
+        found.append(Problem(f"{place}height", message, value, limit, remedy))
     return found
+
+
+def wider_than_face(width: float, face_width: float, where: str = "width") -> list[Problem]:
+    """A missing width that is larger than the face.
+
+    Parameters
+    ----------
+    width, face_width
+        Missing width and face width [m].
+    where
+        Place of the width in its description.
+
+    Examples
+    --------
+    >>> print(*wider_than_face(0.03, 0.02))
+    width: 30 mm is wider than the face (limit 20 mm); leave it out for the whole face
+    """
+    if width <= face_width * (1.0 + _FIT):
+        return []
+    value, limit = f"{1e3 * width:.6g} mm", f"{1e3 * face_width:.6g} mm"
+    return [Problem(where, "is wider than the face", value, limit, "leave it out for the whole face")]
 
 
 def break_level(
@@ -160,13 +173,13 @@ def break_level(
     return np.asarray(FRACTURE_SLOPE * level)
 
 
-def displaced_gap(gear: CylindricalGear, flank: str, amount: float) -> float:
+def displaced_gap(gear: CylindricalGear | BevelGear, flank: str, amount: float) -> float:
     """Gap along the base tangent of a flank whose tooth is displaced on the reference circle [m].
 
     Parameters
     ----------
     gear
-        External or internal gear.
+        Cylindrical gear, or bevel gear, whose circle is that of the pitch cone in the middle of the face.
     flank
         "left" or "right".
     amount

@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.errors import Problem
 from pitchpoint.model.choices import exactly_one
-from pitchpoint.model.fault_check import hand_on
+from pitchpoint.model.fault_check import check_faults
 from pitchpoint.model.keys import Place
+from pitchpoint.model.pair_check import told_shape
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bevel_gear import BevelGear
@@ -37,7 +39,8 @@ def check_bevel_gears(parts: Parts, report: Reader) -> None:
         if len(report.problems) > before or at in report.tainted:
             parts.misshapen.add(name)
             continue
-        _shape(parts, name, gear, report)
+        if not told_shape(parts, at, partial(_impossible, gear), report):
+            check_faults(gear, (*at, "faults"), report)
 
 
 def _carriers(parts: Parts, report: Reader) -> None:
@@ -70,14 +73,9 @@ def _choices(gear: BevelGear, at: Place, report: Reader) -> None:
         )
 
 
-def _shape(parts: Parts, name: str, gear: BevelGear, report: Reader) -> None:
-    """Report everything that makes one gear or its body impossible."""
-    try:
-        problems = gear.geometry.problems()
-        if not problems:
-            _ = gear.blank
-    except GeometryError as error:
-        problems = [error.problem]
-    for problem in problems:
-        hand_on(report, ("bevel_gears", name), problem, taint=False)
-        parts.misshapen.add(name)
+def _impossible(gear: BevelGear) -> list[Problem]:
+    """What makes a gear or its body impossible."""
+    problems = gear.geometry.problems()
+    if not problems:
+        _ = gear.blank
+    return problems

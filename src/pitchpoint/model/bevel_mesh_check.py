@@ -103,13 +103,24 @@ def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
     if abs(angle - pair.Sigma) > PLACE_TOLERANCE:
         report.problem(
             (*at, "shaft_angle") if mesh.shaft_angle is not None else (*at, "gears"),
-            f"is {math.degrees(pair.Sigma):.6g} deg, but the axes from the apex into the gears are "
-            f"{math.degrees(angle):.6g} deg apart",
-            value=" and ".join(mesh.gears),
-            limit=f"{PLACE_TOLERANCE:g} rad",
+            f"is the angle between the axes of {' and '.join(mesh.gears)}, from the apex into the gears, "
+            f"{math.degrees(abs(angle - pair.Sigma)):.3g} deg off",
+            value=f"{math.degrees(angle):.6g} deg",
+            limit=f"{math.degrees(pair.Sigma):.6g} deg, "
+            + ("as given" if mesh.shaft_angle is not None else "the sum of their pitch cone angles"),
             remedy=f"correct the axes of {one} and {two}, or `opens` of the gears",
         )
-    if carrying(parts, one, two) is None:
+    rides = carrying(parts, one, two)
+    faulty = [f"bevel_gears.{g}.faults" for g in mesh.gears if parts.bevel_gears[g].faults]
+    if rides and faulty:
+        report.problem(
+            (*at, "gears"),
+            "have faults of single teeth, which are not followed where a gear rides on a carrier",
+            value=" and ".join(faulty),
+            limit="gears that turn against one body",
+            remedy="remove the faults, or let both gears turn against the same body",
+        )
+    if rides is None:
         report.problem(
             (*at, "gears"),
             f"sit on {one} and {two}, which hang on different bodies, none of which turns about the axis of "

@@ -3,18 +3,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Problem
+from pitchpoint.model.components.bevel_gear import BevelGear
 from pitchpoint.model.components.gear_faults import Eccentricity
-from pitchpoint.model.components.stiffness import OF_PAIRS
-from pitchpoint.model.components.tooth_faults import BrokenTooth, PitchError, Pitting, RootCrack, Wear
+from pitchpoint.model.components.stiffness import BEVEL_LAWS, OF_PAIRS
+from pitchpoint.model.components.tooth_faults import (
+    BrokenBevelTooth,
+    BrokenTooth,
+    PitchError,
+    Pitting,
+    RootCrack,
+    Wear,
+)
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.bevel_mesh import BevelMesh
     from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.mesh import Mesh
     from pitchpoint.model.parts import Parts
 
 
@@ -27,7 +38,7 @@ def hand_on(report: Reader, base: Place, problem: Problem, taint: bool = True) -
     )
 
 
-def check_faults(gear: Gear, at: Place, report: Reader) -> None:
+def check_faults(gear: Gear | BevelGear, at: Place, report: Reader) -> None:
     """Report faults that no tooth of a gear can have."""
     for label, fault in gear.faults.items():
         here = (*at, label)
@@ -45,7 +56,18 @@ def check_faults(gear: Gear, at: Place, report: Reader) -> None:
             hand_on(report, here, problem, taint=False)
 
 
-def _problems(gear: Gear, fault: object) -> list[Problem]:
+def _problems(gear: Gear | BevelGear, fault: object) -> list[Problem]:
+    from pitchpoint.geometry.modifications import size_problems
+    from pitchpoint.geometry.tooth_faults import wider_than_face
+
+    if isinstance(fault, BrokenBevelTooth):
+        return wider_than_face(fault.width or 0.0, gear.face_width)
+    if isinstance(fault, PitchError):
+        return size_problems({"amount": fault.amount}, gear.geometry)
+    return [] if isinstance(gear, BevelGear) else _cylindrical(gear, fault)
+
+
+def _cylindrical(gear: Gear, fault: object) -> list[Problem]:
     from pitchpoint.geometry.modifications import size_problems
     from pitchpoint.geometry.tooth_faults import break_problems
 
@@ -57,8 +79,6 @@ def _problems(gear: Gear, fault: object) -> list[Problem]:
         return _pit_problems(gear, fault)
     if isinstance(fault, Wear):
         return _wear_problems(gear, fault)
-    if isinstance(fault, PitchError):
-        return size_problems({"amount": fault.amount}, gear.geometry)
     if isinstance(fault, Eccentricity):
         return size_problems({"amount": fault.amount}, gear.geometry)
     return []
@@ -130,15 +150,22 @@ def _wear_problems(gear: Gear, wear: Wear) -> list[Problem]:
 
 def check_fault_laws(parts: Parts, report: Reader) -> None:
     """Report faulty gears in meshes whose stiffness knows no single teeth."""
-    for name, mesh in parts.meshes.items():
-        if mesh.stiffness.law in OF_PAIRS or ("meshes", name, "stiffness") in report.tainted:
-            continue
-        for gear in mesh.gears:
-            for label in parts.gears[gear].tooth_faults if gear in parts.gears else ():
-                report.problem(
-                    ("gears", gear, "faults", label),
-                    f"has no effect in the mesh {name}, whose law {mesh.stiffness.law} is that of the whole "
-                    "mesh and knows no single teeth",
-                    remedy=f"use one of {', '.join(OF_PAIRS)} there",
-                    taint=False,
-                )
+    for section in ("meshes", "bevel_meshes"):
+        for name, mesh in getattr(parts, section).items():
+            if mesh.stiffness.law not in OF_PAIRS and (section, name, "stiffness") not in report.tainted:
+                _without_teeth(parts, section, name, mesh, report)
+
+
+def _without_teeth(parts: Parts, section: str, name: str, mesh: Mesh | BevelMesh, report: Reader) -> None:
+    """Report the faults of teeth of a mesh that knows none."""
+    gears: Mapping[str, Gear | BevelGear] = parts.gears if section == "meshes" else parts.bevel_gears
+    laws = OF_PAIRS if section == "meshes" else [law for law in BEVEL_LAWS if law in OF_PAIRS]
+    for gear in mesh.gears:
+        for label in gears[gear].tooth_faults if gear in gears else ():
+            report.problem(
+                ("gears" if section == "meshes" else "bevel_gears", gear, "faults", label),
+                f"has no effect in the mesh {name}, whose law {mesh.stiffness.law} is that of the whole "
+                "mesh and knows no single teeth",
+                remedy=f"use {'one of ' if len(laws) > 1 else ''}{', '.join(laws)} there",
+                taint=False,
+            )

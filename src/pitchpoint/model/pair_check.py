@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -26,18 +27,41 @@ OFFSET_TOLERANCE = 1e-4
 
 def check_gear(parts: Parts, name: str, report: Reader) -> None:
     """Report everything that makes one gear impossible; hands and modules of its pairs are still checked."""
+    gear = parts.gears[name]
+
+    def problems() -> list[Problem]:
+        """What makes it impossible, at the keys of the file."""
+        return [_pointed_by_tip(gear, problem) for problem in gear.geometry.problems()]
+
+    if not told_shape(parts, ("gears", name), problems, report):
+        _check_modifications(gear, ("gears", name, "modifications"), report)
+        _check_deviations(gear, ("gears", name, "deviations"), report)
+        check_faults(gear, ("gears", name, "faults"), report)
+        _check_wheel_body(gear, ("gears", name), report)
+
+
+def told_shape(parts: Parts, at: Place, find: Callable[[], list[Problem]], report: Reader) -> bool:
+    """Whether something makes the shape of the gear at a place impossible; it is reported and noted there.
+
+    Parameters
+    ----------
+    parts
+        The parts of the model.
+    at
+        Section and name of the gear.
+    find
+        Lists the problems, or raises one.
+    report
+        Where problems go.
+    """
     try:
-        problems = parts.gears[name].geometry.problems()
+        problems = find()
     except GeometryError as error:
         problems = [error.problem]
     for problem in problems:
-        hand_on(report, ("gears", name), _pointed_by_tip(parts.gears[name], problem), taint=False)
-        parts.misshapen.add(name)
-    if not problems:
-        _check_modifications(parts.gears[name], ("gears", name, "modifications"), report)
-        _check_deviations(parts.gears[name], ("gears", name, "deviations"), report)
-        check_faults(parts.gears[name], ("gears", name, "faults"), report)
-        _check_wheel_body(parts.gears[name], ("gears", name), report)
+        hand_on(report, at, problem, taint=False)
+        parts.misshapen.add(str(at[1]))
+    return bool(problems)
 
 
 def _pointed_by_tip(gear: Gear, problem: Problem) -> Problem:
@@ -45,7 +69,7 @@ def _pointed_by_tip(gear: Gear, problem: Problem) -> Problem:
     if gear.tip_diameter is None or problem.where != "profile_shift_coefficient":
         return problem
     from pitchpoint.geometry.bisection import bisect
-    from pitchpoint.geometry.problems import TIP_THICKNESS_LIMIT
+    from pitchpoint.geometry.tooth_problems import TIP_THICKNESS_LIMIT
     from pitchpoint.geometry.tooth_thickness import tip_thickness
 
     shape = gear.geometry

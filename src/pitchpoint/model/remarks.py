@@ -27,6 +27,8 @@ INTERFERENCE = 1e-7
 NEAR_WHOLE = 0.05
 """Distance of eps_alpha from a whole number up to which a small change of the centre distance passes it."""
 
+_DISTANCE = ("centre distance", "center_distance or a tip diameter")
+"""What moves the contact ratio of cylindrical gears, and what to change about it."""
 
 DRAWN_APART = 1e-6
 """Distance of the ends of a bushing as drawn [m] that comes from rounded places."""
@@ -118,29 +120,25 @@ def jumping_ramps(model: Model) -> tuple[str, ...]:
         ramp = getattr(mesh.stiffness, "tip_relief_factor", 0.0)
         bevel = name in model.bevel_meshes
         eps_alpha = model.bevel_pairs[name].eps_alpha if bevel else model.pairs[name].eps_alpha
+        moves, cure = ("shaft angle", "an addendum") if bevel else _DISTANCE
         whole, at = round(eps_alpha), f"{model.section_of(name)}.{name}"
         if ramp > 0.0 and whole >= 1 and abs(eps_alpha - whole) <= NEAR_WHOLE:
             found.append(
                 f"{at}: eps_alpha = {eps_alpha:.4f} is nearly {whole}, where the ramps of "
                 f"tip_relief_factor jump: T_R frac(eps_alpha) is nearly {ramp:g} base pitches below {whole} "
-                "and nearly none above, and the stiffness jumps with it, also in a run where the centre "
-                "distance moves; if that is not wanted, write tip_relief_factor: 0 or change center_distance "
-                "or a tip diameter"
+                f"and nearly none above, and the stiffness jumps with it, also in a run where the {moves} "
+                f"moves; if that is not wanted, write tip_relief_factor: 0 or change {cure}"
             )
     return tuple(found)
 
 
 def odd_shapes(model: Model) -> tuple[str, ...]:
-    """A sentence for every tool without room for its root radius and for all that is odd about a pair."""
+    """A sentence for all that is odd about the shape of a gear or of a pair that can be made."""
     found = []
     for name, gear in model.gears.items():
-        rack = gear.geometry.rack
-        most = rack.rho_fP_star_max(gear.geometry.alpha_n)
-        if not gear.geometry.is_internal and 0.0 <= most < rack.rho_fP_star:
-            found.append(
-                f"gears.{name}.rack.root_radius: {rack.rho_fP_star:g} modules have no room between the "
-                f"flanks of the rack (limit {most:.4g}): the teeth get the full rounding of {most:.4g}"
-            )
+        found += [f"gears.{problem}" for problem in gear.geometry.warnings(name)]
+    for name, cone in model.bevel_gears.items():
+        found += [f"bevel_gears.{problem}" for problem in cone.geometry.warnings(name)]
     for name, pair in model.pairs.items():
         found += [f"meshes.{problem}" for problem in pair.warnings(name, model.meshes[name].gears)]
     for name, cones in model.bevel_pairs.items():

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.gear_faults import SeatFault
     from pitchpoint.model.components.modifications import Deviations
-    from pitchpoint.model.components.tooth_faults import ToothFault
+    from pitchpoint.model.components.tooth_faults import BevelFault, ToothFault
     from pitchpoint.model.model import Model
 
 HEIGHTS = ("profile_crowning", "lead_crowning", "profile_slope", "helix_slope")
@@ -24,7 +24,10 @@ Line = tuple[str, str, str, str, str]
 
 def flank_lines(model: Model) -> list[Line]:
     """Describe what the flanks of all gears have besides the involute, amounts in micrometres."""
-    return [(name, *line) for name, gear in model.gears.items() for line in _lines(gear)]
+    found = [(name, *line) for name, gear in model.gears.items() for line in _lines(gear)]
+    for name, cone in model.bevel_gears.items():
+        found += [(name, *_fault(label, fault)) for label, fault in cone.faults.items()]
+    return found
 
 
 def _lines(gear: Gear) -> list[tuple[str, str, str, str]]:
@@ -81,7 +84,7 @@ def _deviations(real: Deviations) -> list[tuple[str, str, str, str]]:
     return found
 
 
-def _fault(label: str, fault: ToothFault | SeatFault) -> tuple[str, str, str, str]:
+def _fault(label: str, fault: ToothFault | BevelFault | SeatFault) -> tuple[str, str, str, str]:
     """A fault of the teeth or of the seat: flanks, what, severity, tooth."""
     tooth = getattr(fault, "tooth", None)
     flanks = getattr(fault, "flank", "both").replace("both", "left and right")

@@ -13,6 +13,8 @@ import numpy as np
 if TYPE_CHECKING:
     import xarray as xr
 
+    from pitchpoint.model.components.bevel_gear import BevelGear
+    from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.quasistatic import Roll
     from pitchpoint.system.system import System
@@ -44,8 +46,9 @@ def periods_until_repeat(model: Model, mesh: str) -> int:
     if not order:
         return 1
     rates = [_order_of(model, name, turning) for name in model.every_mesh]
-    for name, body in ((g, model.body_of(g)) for g in model.gears):
-        if model.gears[name].teeth_differ and body is not None:
+    for name, gear in _every_gear(model):
+        body = model.body_of(name)
+        if gear.teeth_differ and body is not None:
             rates.append(abs(turning.get(body, 0.0)))
     return math.lcm(*(_denominator(rate / order) for rate in rates))
 
@@ -174,7 +177,12 @@ def _cycles(model: Model, mesh: str, curves: list[Array], points: int) -> tuple[
 
 def _single_teeth(model: Model) -> bool:
     """Whether some teeth differ from others of their gear."""
-    return any(gear.teeth_differ for gear in model.gears.values())
+    return any(gear.teeth_differ for _, gear in _every_gear(model))
+
+
+def _every_gear(model: Model) -> list[tuple[str, Gear | BevelGear]]:
+    """Names and descriptions of all gears."""
+    return [*model.gears.items(), *model.bevel_gears.items()]
 
 
 def force_title(force: Array) -> str:

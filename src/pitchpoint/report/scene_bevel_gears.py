@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.geometry.bevel_sector import bevel_outline, bevel_sector, bevel_slices
+from pitchpoint.model.components.tooth_faults import PitchError
 from pitchpoint.report.scene_gears import ERRORS, FINEST, MOST_POINTS
 from pitchpoint.viz.scene import SceneLevel, ScenePiece, SceneSolid
 
@@ -59,7 +60,6 @@ def bevel_part(model: Model, name: str, seat: tuple[int, Array, Array], thinner:
     shape = gear.geometry
     shape = replace(shape, thickness_allowance=shape.thickness_allowance - thinner)
     number, place, frame = seat
-    turns = 2.0 * math.pi / shape.z * np.arange(shape.z)
     return SceneSolid(
         name=name,
         kind="gear",
@@ -67,14 +67,43 @@ def bevel_part(model: Model, name: str, seat: tuple[int, Array, Array], thinner:
         teeth=shape.z,
         place=place,
         axes=frame @ bevel_axes(gear, model.bevel_angles[name]),
-        pieces=[ScenePiece(np.asarray(turns, np.float64), levels) for levels in _levels(gear, shape)],
+        pieces=_pieces(gear, shape),
     )
 
 
-def _levels(gear: BevelGear, shape: Shape) -> tuple[list[SceneLevel], list[SceneLevel]]:
+def _pieces(gear: BevelGear, shape: Shape) -> list[ScenePiece]:
+    """Teeth where they stand and the bodies behind them, and every broken tooth with what has befallen it."""
+    pitches: Array = 2.0 * math.pi / shape.z * np.arange(shape.z, dtype=np.float64)
+    turns = pitches.copy()
+    broken: dict[int, list[str]] = {}
+    whole: dict[int, tuple[float, float]] = {}
+    for label, fault in gear.faults.items():
+        tooth = fault.tooth
+        if isinstance(fault, PitchError):
+            turns[tooth] += fault.severity * fault.amount / (0.5 * shape.d_m)
+        elif fault.severity > 0.0:
+            ends = fault.left(shape.R_i, shape.R_e)
+            before = whole.get(tooth, ends)
+            whole[tooth] = max(before[0], ends[0]), min(before[1], ends[1])
+            broken.setdefault(tooth, []).append(f"tooth {tooth}: {label} (broken tooth)")
+    sound = np.array([tooth for tooth in range(shape.z) if tooth not in broken], np.int64)
+    teeth, body = _levels(gear, shape)
+    found = [ScenePiece(pitches, body)]
+    if sound.size:
+        found.insert(0, ScenePiece(turns[sound], teeth))
+    for tooth, said in broken.items():
+        stump = _levels(gear, shape, whole[tooth])[0]
+        found.append(ScenePiece(turns[[tooth]], stump, "; ".join(said)))
+    return found
+
+
+def _levels(
+    gear: BevelGear, shape: Shape, whole: tuple[float, float] | None = None
+) -> tuple[list[SceneLevel], list[SceneLevel]]:
     """A tooth, and the body behind it, from coarse to fine; chords as those of cylindrical gears.
 
-    They are apart because a back cone that is nearly flat would look round where it ends.
+    They are apart because a back cone that is nearly flat would look round where it ends. `whole`: cone
+    distances between which the tooth stands [m].
     """
     teeth, body = [], []
     coarse = [e * shape.m_mn for e in ERRORS]
@@ -93,6 +122,7 @@ def _levels(gear: BevelGear, shape: Shape) -> tuple[list[SceneLevel], list[Scene
             bevel_slices(shape, 10.0 * error if finest else error),
             bore_diameter=gear.bore_diameter,
             rim_thickness=gear.rim_thickness,
+            whole=whole,
         )
         teeth.append(SceneLevel(error, *sector.part(0, sector.blank)))
         body.append(SceneLevel(error, *sector.part(sector.blank, len(sector.triangles))))

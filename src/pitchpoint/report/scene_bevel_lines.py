@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.contact.elastic import low_load
 from pitchpoint.contact.pair_shape import pair_shape
-from pitchpoint.elements.bevel_mesh_record import PROFILE
+from pitchpoint.elements.bevel_mesh_record import N_OWN, PROFILE
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -47,6 +47,8 @@ class BevelLines:
         Its record in the system, shape (1,).
     n
         Number of frames.
+    pool
+        Tables of the records of its kind, shape (m,).
 
     Attributes
     ----------
@@ -64,8 +66,9 @@ class BevelLines:
         The record in the first frame.
     """
 
-    def __init__(self, record: NDArray[np.void], n: int) -> None:
+    def __init__(self, record: NDArray[np.void], n: int, pool: Array) -> None:
         self.record = record
+        self.pool = pool
         self.pairs = int(record[0]["n_pair"])
         self.forces = np.zeros((n, 2, self.pairs))
         self.loads = np.zeros((n, 2, self.pairs, STATIONS))
@@ -128,22 +131,50 @@ class BevelLines:
             if slope != 0.0:
                 cuts = np.sort(np.stack([start - place, end - place]) / slope, axis=0)
                 first, last = np.maximum(low, cuts[0]), np.minimum(high, cuts[1])
-            share = _INSIDE + (1.0 - 2.0 * _INSIDE) * np.linspace(0.0, 1.0, STATIONS)
-            zeta = first[:, None] + (last - first)[:, None] * share
             there = last > first
             if slope == 0.0:
                 there &= (place >= start) & (place <= end)
-            R = R_m * np.exp(zeta / R_m)
-            loads = self._load(side, place[:, None] + slope * zeta, R) * there[:, None]
+            inner, outer, lacks = self._own(side, pair.astype(np.int64), first, last)
+            zeta, loads = self._along(side, place, (first, last), lacks)
+            loads *= (zeta >= inner[:, None]) & (zeta <= outer[:, None])
+            # what is left of a broken tooth has ends between the places of the line
+            zeta, left = self._along(side, place, (inner, np.maximum(inner, outer)), lacks)
             # the width of a piece of ζ is R / R_m as long
-            force = side * (last - first) * ((loads * R / R_m) @ _SIMPSON)
-            slot = (pair.astype(np.int64) % self.pairs)[there]
+            force = side * np.maximum(outer - inner, 0.0) * ((left * np.exp(zeta / R_m)) @ _SIMPSON)
             rows = np.flatnonzero(there)
+            slot = (pair.astype(np.int64) % self.pairs)[rows]
             self.loads[rows, k, slot] = loads[rows]
             self.forces[rows, k, slot] = force[rows]
 
-    def _load(self, side: int, x: Array, R: Array) -> Array:
-        """Load per width along the base tangent at places of the plane of action [N/m]."""
+    def _along(self, side: int, place: Array, face: tuple[Array, Array], lacks: Array) -> tuple[Array, Array]:
+        """Places ζ between two ends of lines [m], and the loads there [N/m], shape (n, s) each."""
+        b = self.first
+        share = _INSIDE + (1.0 - 2.0 * _INSIDE) * np.linspace(0.0, 1.0, STATIONS)
+        zeta = face[0][:, None] + (face[1] - face[0])[:, None] * share
+        x = place[:, None] + side * float(b["tan_b"]) * zeta
+        R_m = float(b["R_m"])
+        return zeta, self._load(side, x, R_m * np.exp(zeta / R_m), lacks)
+
+    def _own(self, side: int, pair: NDArray[np.int64], low: Array, high: Array) -> tuple[Array, Array, Array]:
+        """Ends of the face in ζ, gap at R_m of the teeth of a pair [m], as `bevel_mesh_sums` reads them."""
+        b, lacks = self.first, np.zeros(pair.size)
+        if b["n_sep"] == 0:
+            return low, high, lacks
+        R_m = float(b["R_m"])
+        teeth = (b["t1_0"] - side * pair, b["t2_0"] + side * pair + (1 if side < 0 else 0))
+        for gear, tooth in enumerate(teeth):
+            n = int(b["n_t"][gear])
+            if n > 0:
+                start = int(b["teeth"][gear])
+                table = self.pool[start : start + n * N_OWN].reshape(n, N_OWN)
+                inner, outer, ahead = table[tooth % n].T
+                low = np.maximum(low, R_m * np.log1p(inner / R_m))
+                high = np.minimum(high, R_m * np.log1p(outer / R_m))
+                lacks = lacks - side * ahead
+        return low, high, lacks
+
+    def _load(self, side: int, x: Array, R: Array, lacks: Array) -> Array:
+        """Load per width along the base tangent at places of the plane of action, teeth with a gap [N/m]."""
         b = self.first
         tan, sigma = side * float(b["tan_b"]), x / float(b["R_m"])
         alpha = self.line[:, 4]
@@ -153,7 +184,7 @@ class BevelLines:
         deep = c * (across - tan * ray)[:, None] - s * (ray + tan * across)[:, None]
         # what displaced apexes add to travel and backlash at the pitch point is in the first line
         turned = side * (self.deflection - self.aside[:, 0]) - 0.5 * (self.line[:, 5] - self.aside[:, 1])
-        deep += R * (turned / float(b["R_m"]))[:, None]
+        deep += R * ((turned - lacks) / float(b["R_m"]))[:, None]
         start, end = (self.line[:, i, None] for i in range(2))
         eps = (end - start) / float(b["p_bt"])
         p = np.clip((x - start) / float(b["p_bt"]), 0.0, eps)

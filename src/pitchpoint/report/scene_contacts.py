@@ -64,7 +64,7 @@ class ContactLines:
         self.deflection = [read(f"deflection[{name}]") for name in self.names]
         self.found = [_Mesh(system.records["gear_mesh"][m : m + 1], n) for m in range(len(self.names))]
         self.bevels = {
-            name: BevelLines(system.records["bevel_mesh"][m : m + 1], n)
+            name: BevelLines(system.records["bevel_mesh"][m : m + 1], n, system.pools["bevel_mesh"])
             for m, name in enumerate(system.names.get("bevel_mesh", ()))
         }
         self.questions = np.zeros(2 * len(self.names), mesh_lines.LINES)

@@ -8,7 +8,7 @@ teeth go by faster than that can see, it is said.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,7 +21,9 @@ from pitchpoint.viz.scene_contact import ContactFlank, FlankSurface, SceneContac
 if TYPE_CHECKING:
     import xarray as xr
 
-    from pitchpoint.model.components.tooth_faults import ToothFault
+    from pitchpoint.model.components.bevel_gear import BevelGear
+    from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.tooth_faults import BevelFault, ToothFault
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
@@ -176,18 +178,17 @@ def fault_marks(model: Model, contact: SceneContact, frames: Array) -> list[tupl
         Times of its travel [s], shape (n,).
     """
     found: list[tuple[SceneMark, float]] = []
-    if contact.cone is not None:
-        return found  # bevel gears have no faults
+    gears: Mapping[str, Gear | BevelGear] = model.gears if contact.cone is None else model.bevel_gears
     for flank in contact.flanks:
         if len(contact.flanks) > 1 and not np.any(flank.forces):
             continue
         for number, surface in enumerate(flank.surfaces):
-            gear = model.gears[surface.gear]
+            gear = gears[surface.gear]
             for label, fault in gear.tooth_faults.items():
                 tooth = getattr(fault, "tooth", None)
                 if tooth is None or fault.severity == 0.0:
                     continue
-                if not _concerns(fault, flank.side, number == 1 and gear.type == "internal"):
+                if not _concerns(fault, flank.side, number == 1 and getattr(gear, "type", "") == "internal"):
                     continue
                 said = f"{surface.gear}, tooth {tooth} ({label.replace('_', ' ')}) in {contact.name}"
                 for begins, ends in tooth_in_mesh(contact, flank, surface, tooth, frames):
@@ -195,7 +196,7 @@ def fault_marks(model: Model, contact: SceneContact, frames: Array) -> list[tupl
     return found
 
 
-def _concerns(fault: ToothFault, side: int, turned: bool) -> bool:
+def _concerns(fault: ToothFault | BevelFault, side: int, turned: bool) -> bool:
     """Whether a fault is on the flanks of one side; those of internal mates are named the other way round."""
     front = "right" if turned else "left"
     behind = "left" if turned else "right"

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.units import format_quantity
-from pitchpoint.model.components.tooth_faults import BrokenTooth
+from pitchpoint.model.components.tooth_faults import BrokenBevelTooth, BrokenTooth
 from pitchpoint.system import evaluate
 from pitchpoint.system.remarks import DEEPEST
 
@@ -40,7 +40,9 @@ def missing_tooth(system: System, state: State) -> str:
         if f"deflection[{mesh}]" not in known:
             continue
         depth = abs(float(values[known[f"deflection[{mesh}]"]])) - 0.5 * model.backlash(mesh)
-        if depth > DEEPEST * model.gears[model.meshes[mesh].gears[0]].normal_module:
+        first = model.every_mesh[mesh].gears[0]
+        shape = (model.gears[first] if first in model.gears else model.bevel_gears[first]).geometry
+        if depth > DEEPEST * shape.m_n:
             return (
                 f"no equilibrium: no pair of teeth carries in the mesh {mesh} here, where "
                 f"{' or '.join(faults)} leaves a gap (the next pair would be "
@@ -53,11 +55,12 @@ def missing_tooth(system: System, state: State) -> str:
 def _broken(model: Model) -> dict[str, list[str]]:
     """Faults that break something out of the gears of a mesh, by mesh, with their lines."""
     found: dict[str, list[str]] = {}
-    for name, mesh in model.meshes.items():
+    for name, mesh in model.every_mesh.items():
         for gear in mesh.gears:
-            for label, fault in model.gears[gear].faults.items():
-                if isinstance(fault, BrokenTooth) and fault.severity > 0.0:
-                    line = model.line(("gears", gear, "faults", label))
+            section = "gears" if gear in model.gears else "bevel_gears"
+            for label, fault in getattr(model, section)[gear].faults.items():
+                if isinstance(fault, BrokenTooth | BrokenBevelTooth) and fault.severity > 0.0:
+                    line = model.line((section, gear, "faults", label))
                     where = f" (line {line})" if line else ""
-                    found.setdefault(name, []).append(f"gears.{gear}.faults.{label}{where}")
+                    found.setdefault(name, []).append(f"{section}.{gear}.faults.{label}{where}")
     return found

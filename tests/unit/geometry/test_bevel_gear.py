@@ -196,7 +196,19 @@ def test_numbers_without_meaning_are_refused(changes, where):
 )
 def test_gears_that_cannot_be_made_are_listed(changes, where):
     gear = BevelGear(**{"z": 20, "m_mn": 3e-3, "delta": 0.5, "b": 0.01, **changes})
-    assert [p.where for p in gear.problems("gears.a")] == [f"gears.a.{where}"]
+    (told,) = gear.problems("gears.a")
+    assert told.where == f"gears.a.{where}" and None not in (told.value, told.limit, told.remedy)
+
+
+def test_the_deepest_tool_is_told_and_works():
+    """A crown gear that ends in an edge: just above its depth the teeth of the tool are pointed."""
+    gear = BevelGear(z=20, m_mn=3e-3, delta=0.5, b=0.01, x_hm=0.2)
+    (told,) = gear.replace(rack=BasicRack(h_fP_star=2.4)).problems()
+    assert "beyond the point of the tool" in told.message
+    deepest = float(told.limit)
+    for depth, works in ((deepest - 1e-3, True), (deepest + 1e-3, False)):
+        problems = gear.replace(rack=BasicRack(h_fP_star=depth)).problems()
+        assert ("rack.dedendum" not in [p.where for p in problems]) == works
 
 
 def test_pairs_that_do_not_fit_are_listed():
@@ -204,6 +216,8 @@ def test_pairs_that_do_not_fit_are_listed():
     assert pair.problems() == []
     same_hand = BevelPair(pair.gear1, pair.gear2.replace(beta_m=0.5), pair.Sigma)
     assert "opposite hands" in str(same_hand.problems("stage")[0])
+    flatter = BevelPair(pair.gear1, pair.gear2.replace(beta_m=-0.4), pair.Sigma)
+    assert "unequal spiral angles" in str(flatter.problems("stage")[0])
     steeper = BevelPair(pair.gear1, pair.gear2.replace(alpha_n=radians(25.0)), pair.Sigma)
     assert "pressure angles" in str(steeper.problems()[0])
     apart = BevelPair(pair.gear1, pair.gear2.replace(m_mn=1e-3, b=1e-3), pair.Sigma)
@@ -212,6 +226,15 @@ def test_pairs_that_do_not_fit_are_listed():
         *(g.replace(rack=BasicRack(h_aP_star=0.4)) for g in (pair.gear1, pair.gear2)), pair.Sigma
     )
     assert short.problems() == []
+    under = pair_of(13, 40, b=5e-3)
+    (told,) = under.warnings("", ("p", "w"))
+    assert told.value == "tip of w" and told.message.endswith("root form cone of p (undercut)")
+    low, start = (float(x.split()[0]) for x in told.limit.split(", contact would start at "))
+    base = math.cos(under.gear1.delta_b)
+    assert math.cos(radians(low)) == pytest.approx(base * math.cos(under.gear1.sigma_Ff), rel=1e-6)
+    assert under.sigma_A < 0.0 and math.cos(radians(start)) == pytest.approx(base, rel=1e-6)
+    usable = (under.sigma_E - under.gear1.sigma_Ff) / under.sigma_p
+    assert f"contact ratio left is {usable:.4g}; " in told.remedy and usable < under.eps_alpha
     few = pair_of(7, 9, b=5e-3)
     assert any("beyond the base cone" in str(p) for p in few.problems())
 
@@ -234,4 +257,5 @@ def test_shaft_angles_without_external_cones_are_refused(z1, z2, Sigma):
 )
 def test_what_makes_teeth_too_thin_or_spaces_too_narrow_is_named(changes, key):
     gear = BevelGear(z=20, m_mn=2.5e-3, delta=0.5, b=15e-3).replace(**changes)
-    assert [problem.where for problem in gear.problems()] == [key]
+    (told,) = gear.problems()
+    assert told.where == key and None not in (told.value, told.limit, told.remedy)

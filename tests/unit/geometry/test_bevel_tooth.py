@@ -13,7 +13,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.bevel_blank import bevel_blank, bevel_mass, revolved
 from pitchpoint.geometry.bevel_gear import BevelGear
 from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles
-from pitchpoint.geometry.bevel_sector import bevel_solid
+from pitchpoint.geometry.bevel_sector import bevel_outline, bevel_sector, bevel_slices, bevel_solid
 from pitchpoint.geometry.bevel_tooth import bevel_tooth, placed
 from pitchpoint.geometry.solid_file import solid_of_triangles
 from pitchpoint.geometry.triangle_file import join_corners
@@ -160,3 +160,28 @@ def test_a_body_that_does_not_fit_is_refused():
         bevel_blank(gear, 0.05, None)
     with pytest.raises(GeometryError, match="reaches beyond the axis"):
         bevel_blank(gear, 0.0, 0.5)
+
+
+@pytest.mark.parametrize("beta", [0.0, 0.6])
+def test_what_is_broken_off_a_tooth_has_the_volume_between_its_cone_distances(beta):
+    """Slices at R are R^2 as large: (R_e^3 - R^3)/(R_e^3 - R_i^3) of a tooth. Faces of a break go straight
+    from root to flank, ends of teeth are as round as their cone: 2e-4 of a tooth; spirals are cut between
+    their slices, which moves 3e-3."""
+    gear = BevelGear.of_outer_module(z=17, m_et=3e-3, delta=0.5, b=14e-3, beta_m=beta)
+    outline, slices = bevel_outline(gear, 1e-6), bevel_slices(gear, 1e-6)
+
+    def volume(whole):
+        """Of the pyramids from the apex to the surface of one pitch [m^3]."""
+        sector = bevel_sector(gear, outline, slices, bore_diameter=8e-3, whole=whole)
+        a, b, c = np.moveaxis(sector.points[sector.triangles], 1, 0)
+        return float(np.einsum("ni,ni->", a, np.cross(b, c))) / 6.0
+
+    R_i, R_e = gear.R_i, gear.R_e
+    full, gone = volume(None), volume((R_e, R_i))
+    assert volume((R_i, R_e)) == pytest.approx(full, rel=1e-12)
+    teeth = 2.0 * gear.m_mn * 14e-3 * 0.5 * math.pi * gear.m_mt
+    assert 0.5 * teeth < full - gone < 1.5 * teeth
+    for low, high in ((R_i, R_e - 5e-3), (R_i + 4e-3, R_e), (R_i + 3e-3, R_e - 6e-3)):
+        share = (volume((low, high)) - gone) / (full - gone)
+        expected = (high**3 - low**3) / (R_e**3 - R_i**3)
+        assert share == pytest.approx(expected, abs=2e-4 if beta == 0.0 else 3e-3)

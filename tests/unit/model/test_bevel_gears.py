@@ -82,6 +82,11 @@ def test_given_mass_takes_the_place_of_that_of_the_geometry():
         ("bevel_gears: {a: 50 mm}", "gears: [a]", "names the gear 'a', which does not exist"),
         ("opens: +z", "opens: up", "opens"),
         ("opens", "helix_angle: 3 deg, opens", "helix_angle"),
+        ("opens", "faults: {x: {type: broken_tooth, tooth: 20}}, opens", "x.tooth (line 3): 20 is no tooth"),
+        ("opens", "faults: {x: {type: broken_tooth, tooth: 0, width: 13 mm}}, opens", "limit 12 mm"),
+        ("opens", "faults: {x: {type: broken_tooth, tooth: 0, height: 1 mm}}, opens", "height"),
+        ("opens", "faults: {x: {type: pitch_error, tooth: 0, amount: 5}}, opens", "limit 2.5 mm"),
+        ("opens", "faults: {x: {type: root_crack, tooth: 0}}, opens", "broken_tooth, pitch_error"),
     ],
 )
 def test_what_is_wrong_is_told_at_its_key(old, new, words):

@@ -2,11 +2,13 @@
 """Bevel meshes in model files: what is wrong is told with its place, value, limit and remedy, all at once."""
 
 import math
+from pathlib import Path
 
 import pytest
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.io.yaml_model import dump_model, loads_model
+from pitchpoint.model.remarks import odd_shapes
 from pitchpoint.model.schema import json_schema
 from tests.support.bevel_files import bevel_file
 
@@ -51,7 +53,7 @@ def test_a_sound_file_has_its_pair_and_backlash():
         ("backlash: {normal: 0.05 mm}", "damping: {pair: 3}", ("damping.pair", "law constant knows none")),
         ("backlash: {normal: 0.05 mm}", "shaft_angle: 80 deg", ("pitch cone angles of this shaft angle",)),
         ("position: [-0.0, -0.0, -0.0]", "position: [0, 0.3 mm, 0]", ("0.3 mm apart", "one apex", "first")),
-        ("hand: left", "hand: right", ("spirals that do not fit", "opposite hands")),
+        ("hand: left", "hand: right", ("hands that do not fit an external pair", "opposite hands")),
         (
             "number_of_teeth: 40, mate_teeth: 20",
             "number_of_teeth: 41, mate_teeth: 20",
@@ -73,12 +75,42 @@ def test_apexes_apart_and_axes_askew_are_told_with_how_much():
     askew = bevel_file(shaft=90.0).replace("axes: {z: [1.0, 0.0, 0.0]", "axes: {z: [1.0, 0.0, 0.01]")
     askew = askew.replace("axes: {z: [1.0, 0.0, 6.123233995736766e-17]", "axes: {z: [1.0, 0.0, 0.01]")
     message = told(askew)
-    assert "89.427" in message and "90 deg" in message
+    words = (
+        "89.4271 deg is the angle between the axes of a and b, from the apex into the gears, 0.573 deg off"
+    )
+    assert f"m.gears (line 9): {words} (limit 90 deg, the sum of their pitch cone angles); correct" in message
+    given = told(askew.replace("backlash: {", "shaft_angle: 90 deg, backlash: {"))
+    assert f"m.shaft_angle (line 9): {words} (limit 90 deg, as given)" in given
 
 
 def test_opposite_opening_is_an_axis_at_the_wrong_angle():
     message = told(bevel_file(shaft=75.0).replace("opens: +z", "opens: -z", 1))
-    assert "105 deg apart" in message and "`opens`" in message
+    assert "105 deg is the angle" in message and "`opens`" in message
+
+
+def test_faces_beside_each_other_and_wide_ones_are_remarked():
+    """Cone distances by hand: R_e = 1.5 mm sqrt(20^2 + 40^2) = 67.082 mm, 10 % more for a module of 3.3 mm;
+    the shared part of both widths of 20 mm is 67.082 - (73.790 - 20) = 13.292 mm, 66.5 %."""
+    text = bevel_file()
+    assert odd_shapes(loads_model(text)) == ()
+    (beside,) = odd_shapes(loads_model(text.replace("module: 3 mm", "module: 3.3 mm", 1)))
+    assert beside == (
+        "bevel_meshes.m.gears: a 53.7902 mm to 73.7902 mm, b 47.082 mm to 67.082 mm from the apex share "
+        "66.5 % of the narrower face (limit 95 %); "
+        "give both the same outer_transverse_module (3.3 mm and 3 mm now)"
+    )
+    rounded = text.replace("outer_transverse_module: 3 mm", "mean_normal_module: 2.553 mm", 1)
+    assert odd_shapes(loads_model(rounded)) == ()
+    wide = text.replace("face_width: 20 mm", "face_width: 22.5 mm")
+    assert [w[: w.index(";")] for w in odd_shapes(loads_model(wide))] == [
+        f"bevel_gears.{g}.face_width: 22.5 mm is a wide face for a bevel gear (limit 22.3607 mm, a third of "
+        "the outer cone distance)"
+        for g in "ab"
+    ]
+    fine = text.replace("number_of_teeth: 20, mate_teeth: 40", "number_of_teeth: 30, mate_teeth: 60")
+    fine = fine.replace("number_of_teeth: 40, mate_teeth: 20", "number_of_teeth: 60, mate_teeth: 30")
+    fine = fine.replace("face_width: 20 mm", "face_width: 30.5 mm")
+    assert "limit 30 mm, ten outer modules" in odd_shapes(loads_model(fine))[0]
 
 
 def test_gears_of_one_body_and_gears_without_a_body():
@@ -107,6 +139,24 @@ def test_teeth_that_stand_in_each_other_are_told():
     whole = text.replace("opens: +z}", f"opens: +z, initial_angle: {first + 0.01}}}", 1)
     message = told(whole)
     assert "overlap by" in message and "off the middle of the gap" in message
+
+
+FAULT = "opens: +z, faults: {x: {type: broken_tooth, tooth: 0}}"
+
+
+def test_faults_need_a_law_of_single_teeth_and_gears_on_one_base():
+    text = bevel_file().replace("opens: +z", FAULT, 1)
+    message = told(text)
+    assert "bevel_gears.a.faults.x (line 3): has no effect in the mesh m, whose law constant" in message
+    assert "use din3990 there" in message
+    sound = loads_model(text.replace("{law: constant, value: 3e8}", "{law: din3990}"))
+    assert sound.bevel_gears["a"].faults["x"].severity == 1.0
+    healthy = sound.replace("bevel_gears.a.faults.x.severity", 0.0)
+    assert loads_model(dump_model(healthy)) == healthy
+    example = Path(__file__).parents[3] / "examples" / "bevel-drive" / "differential.yaml"
+    rides = example.read_text(encoding="utf-8").replace("opens: -z", FAULT.replace("+z", "-z"), 1)
+    refused = told(rides.replace("{law: constant, value: 2e8}", "{law: din3990}"))
+    assert "bevel_gears.left.faults have faults of single teeth, which are not followed" in refused
 
 
 def test_names_of_meshes_are_their_own():

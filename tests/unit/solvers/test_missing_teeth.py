@@ -119,3 +119,41 @@ def test_the_command_keeps_the_part_and_exits_3(tmp_path: Path, capsys: pytest.C
     with open_result(out) as data:
         assert 0 < data.sizes["mesh_phase_position"] < 505
         assert np.isfinite(data["deflection[stage]"].values).all()
+
+
+BEVEL = """\
+bevel_gears:
+  p: {number_of_teeth: 21, mate_teeth: 34, outer_transverse_module: 3 mm, face_width: 18 mm, faults: {FAULT}}
+  w: {number_of_teeth: 34, mate_teeth: 21, outer_transverse_module: 3 mm, face_width: 18 mm}
+bodies:
+  driver: {bevel_gears: [p], position: [0, 0, 0]}
+  driven: {bevel_gears: [w], position: [0, 0, 0], axes: {z: [1, 0, 0], x: [0, 1, 0]}}
+bevel_meshes: {stage: {gears: [p, w], backlash: {normal: 50 um}}}
+loads: {motor: {body: driver, torque: balance}, brake: {body: driven, torque: 100 N m}}
+scenarios: {roll: {quasi_static: {points: 24, periods: 21}}}
+"""
+
+
+def test_a_roll_of_bevel_gears_names_the_tooth_that_is_missing():
+    text = BEVEL.replace("FAULT", "gone: {type: broken_tooth, tooth: 4}")
+    roll = roll_through(compile_model(loads_model(text)), "roll")
+    assert roll.status != 0 and "where bevel_gears.p.faults.gone (line 2) leaves a gap" in roll.sentence
+    assert 0 < len(roll.position) < 505
+
+
+@pytest.mark.parametrize("amount", [12e-6, -12e-6])
+def test_a_displaced_tooth_of_a_bevel_gear_is_the_transmission_error_without_load(amount):
+    """One that stands ahead carries alone while it is in mesh: a cos(alpha) between the largest and the
+    smallest error; one behind leaves a step of as much only where it is alone, within the contact ratio."""
+    text = BEVEL.replace("FAULT", f"late: {{type: pitch_error, tooth: 4, amount: {amount} m}}")
+    system = compile_model(loads_model(text))
+    roll = roll_through(system, "roll")
+    error = roll.meshes["stage"].unloaded
+    force = roll.rows[:, system.layout.channel("mesh_force[stage]")]
+    eps = system.model.bevel_pairs["stage"].eps_alpha
+    full = 12e-6 * math.cos(math.radians(20.0))
+    assert np.ptp(error) == pytest.approx(full, rel=1e-6)
+    away = abs(error - np.median(error)) > 0.5 * full
+    # 24 points per pitch; counter-clockwise is ahead where front flanks carry
+    first = eps if amount * force.mean() > 0.0 else 2.0 - eps
+    assert away.sum() / 24.0 == pytest.approx(first, abs=1.5 / 24.0)

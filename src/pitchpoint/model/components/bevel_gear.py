@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.components.gear import Rack
+from pitchpoint.model.components.tooth_faults import BEVEL_FAULTS, BevelFault
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantity
 
 if TYPE_CHECKING:
@@ -94,6 +96,9 @@ class BevelGear:
         None,
         display="assembled in mesh",
     )
+    faults: Mapping[str, BevelFault] = key(
+        "components", "faults of its teeth, by label", {}, apart=True, of=BEVEL_FAULTS
+    )
     rim_thickness: float | None = positive(
         "length",
         "thickness of the body behind the tooth root, along the back cone",
@@ -120,6 +125,16 @@ class BevelGear:
         maximum=10000,
         display="20 in files, chords within 1 µm in the scene",
     )
+
+    @property
+    def tooth_faults(self) -> dict[str, BevelFault]:
+        """Faults of the teeth, by label."""
+        return dict(self.faults)
+
+    @property
+    def teeth_differ(self) -> bool:
+        """Whether some teeth may differ from others."""
+        return bool(self.faults)
 
     @property
     def beta_m(self) -> float:

@@ -82,6 +82,24 @@ class PitchError:
 
 
 @dataclass(frozen=True, kw_only=True)
+class BrokenBevelTooth:
+    """A bevel gear's tooth of which one end is missing, or all of it."""
+
+    form: ClassVar[str] = "broken_tooth"
+    tooth: int = _tooth()
+    at: str = choice(("outer", "inner"), "end of the face from which width counts", "outer")
+    width: float | None = positive(
+        "length", "width that is missing along the pitch cone", None, display="the whole face"
+    )
+    severity: float = _severity("scales the width")
+
+    def left(self, R_i: float, R_e: float) -> tuple[float, float]:
+        """Cone distances between which the tooth stands [m], from those of the face; none if they cross."""
+        missing = self.severity * (R_e - R_i if self.width is None else self.width)
+        return (R_i, R_e - missing) if self.at == "outer" else (R_i + missing, R_e)
+
+
+@dataclass(frozen=True, kw_only=True)
 class RootCrack:
     """A crack at the root of a tooth, which makes it softer under loads that open it."""
 
@@ -173,3 +191,8 @@ FAULTS: dict[str, type[ToothFault]] = {
     cls.form: cls for cls in (BrokenTooth, RootCrack, Pitting, Wear, PitchError)
 }
 """Classes of faults by the word of their key `type`."""
+
+BevelFault = BrokenBevelTooth | PitchError
+
+BEVEL_FAULTS: dict[str, type[BevelFault]] = {cls.form: cls for cls in (BrokenBevelTooth, PitchError)}
+"""Those of bevel gears."""

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -14,10 +15,13 @@ from pitchpoint.contact.mesh_cycle import pair_cycle
 from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
 from pitchpoint.contact.stiffness.din3990 import LOW_LOAD, SingleStiffness, VirtualTooth, stiffness_of_teeth
 from pitchpoint.elements import bevel_mesh_record as layout
+from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.bevel_gear import spherical_involute
+from pitchpoint.geometry.tooth_faults import displaced_gap
 from pitchpoint.model.bevel_places import pitch_ray, turned_to
 from pitchpoint.model.carried_trains import carrying
 from pitchpoint.model.components.stiffness import ConstantStiffness
+from pitchpoint.model.components.tooth_faults import PitchError
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.model.shafts import middle_of
@@ -27,6 +31,7 @@ from pitchpoint.system.rules.mesh_laws import MeshLaws, flank_losses
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel_pair import BevelPair
+    from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
@@ -105,8 +110,10 @@ def _assembly(row: Any, pair: BevelPair, place: Placement, backlash: float) -> N
             abs(float(row[f"r_b{k + 1}"])) * place.sides[k] * (place.angles[k] - rays[k]) for k in range(2)
         )
         space += 0.5 * p_bt
-    tooth -= p_bt * round(tooth / p_bt)
+    row["t1_0"] = -round(tooth / p_bt)
+    tooth += p_bt * row["t1_0"]
     offset = math.remainder(tooth + space, p_bt)
+    row["t2_0"] = -round((tooth + space - offset) / p_bt)
     space = offset - tooth
     row["u0"] = offset
     rest = half[0] - half[1] + 0.5 * p_bt
@@ -119,7 +126,7 @@ def _stiffness(row: Any, pair: BevelPair, stiffness: Description) -> None:
         row["source"] = layout.PROFILE
         row["c_prime"], row["S_R"], row["T_R"] = stiffness.c_prime, stiffness.S_R, stiffness.T_R
         row["load_limit"] = stiffness.load_limit
-        row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
+        row["n_pair"] = math.ceil(pair.eps_gamma) + 1
     else:
         row["source"] = layout.PHASE
         row["c_prime"], row["spread"] = stiffness.mean, 1.0 / square_mean(pair)
@@ -207,9 +214,45 @@ def _seat(model: Model, gear: str, R_m: float) -> tuple[int, float, float, Array
     return number, apex, angle + math.atan2(y, x), axes
 
 
+def own_teeth(row: Any, pair: BevelPair, gears: Sequence[BevelGear], keep: Callable[[Array], int]) -> None:
+    """Fill what single teeth of a mesh have of their own; nothing to do for two sound gears.
+
+    Parameters
+    ----------
+    row
+        A record of the mesh.
+    pair
+        The gears of the mesh.
+    gears
+        The same as they stand in the model.
+    keep
+        Puts an array into the pool of the kind and gives its offset.
+
+    Notes
+    -----
+    A tooth displaced by a on the pitch cone at its R_m has turned by a/(R_m sin δ), so that its flanks stand
+    sin δ_b times that times R ahead along the base tangent: exact at every cone distance R.
+    """
+    for k, gear in enumerate(gears):
+        if not gear.faults:
+            continue
+        shape = gear.geometry
+        table = np.tile([shape.R_i - pair.R_m, shape.R_e - pair.R_m, 0.0], (gear.number_of_teeth, 1))
+        for fault in gear.faults.values():
+            tooth = table[fault.tooth]
+            if isinstance(fault, PitchError):
+                moved = -displaced_gap(shape, "left", fault.severity * fault.amount)
+                tooth[2] += moved * pair.R_m / shape.R_m
+            else:
+                low, high = fault.left(shape.R_i, shape.R_e)
+                tooth[:2] = max(tooth[0], low - pair.R_m), min(tooth[1], high - pair.R_m)
+        row["n_sep"], row["n_t"][k], row["teeth"][k] = 1, len(table), keep(table)
+        row["sep_min"] -= np.abs(table[:, 2]).max()
+
+
 def bevel_bank(model: Model) -> Bank:
     """All bevel meshes."""
-    rows, names = [], []
+    rows, names, pool = [], [], Pool()
     for name, mesh in model.bevel_meshes.items():
         if None in [model.body_of(g) for g in mesh.gears]:
             continue
@@ -224,8 +267,11 @@ def bevel_bank(model: Model) -> Bank:
         )
         row = bevel_row(model.bevel_pairs[name], place, bevel_laws(model, name), model.backlash(name))
         row["i"], row["j"] = one[0], two[0]
+        if row["source"] == layout.PROFILE:  # a constant total stiffness knows no tooth pairs
+            gears = [model.bevel_gears[g] for g in mesh.gears]
+            own_teeth(row, model.bevel_pairs[name], gears, pool.add)
         # the checks of the model have found out that some gear rides on a carrier, or none
         row["carried"] = carrying(model, *(str(model.body_of(g)) for g in mesh.gears)) or 0  # type: ignore[arg-type]
         rows.append(row)
         names.append(name)
-    return pack("bevel_mesh", layout.RECORD, rows, names)
+    return pack("bevel_mesh", layout.RECORD, rows, names, pool=pool.array())

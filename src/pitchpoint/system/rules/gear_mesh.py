@@ -225,7 +225,7 @@ def mesh_bank(model: Model) -> Bank:
         row = mesh_row(pair, place, law_of_mesh, pool.add, model.backlash(name))
         row["i"], row["j"], row["skew"] = seats[0][0], seats[1][0], skew
         if row["source"] == layout.PROFILE:  # a prescribed total stiffness knows no tooth pairs
-            row["n_pair"] = min(layout.MAX_PAIRS, math.ceil(pair.eps_gamma) + 1)
+            row["n_pair"] = math.ceil(pair.eps_gamma) + 1
             worn = worn_flanks(pair, law_of_mesh.stiffness, gears, (mesh.offset1, mesh.offset2))
             separation_grids(row, gears, pool.add, worn)
         put_seats(row, gears, (place.phi1 - place.turn1, place.phi2 - place.turn2), pool.add)
