@@ -113,6 +113,29 @@ def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
     return Scale(pretty(shown), in_unit(1.0, kind, shown))
 
 
+def channel_scale(name: str, unit: str, values: Array) -> Scale:
+    """Display unit of a channel: transmission errors count in micrometres and microradians, whatever their mean is.
+
+    Parameters
+    ----------
+    name
+        Of the channel, with its element.
+    unit
+        SI.
+    values
+        Of the channel, in SI.
+
+    Examples
+    --------
+    >>> [channel_scale(f"{q}[stage]", "m", np.array([2e-4])).unit for q in ("transmission_error", "travel")]
+    ['µm', 'mm']
+    """
+    small = {"m": Scale("µm", 1e6), "rad": Scale("µrad", 1e6)}.get(_SPELLINGS.get(unit, unit))
+    if small is not None and name.partition("[")[0].endswith("transmission_error"):
+        return small
+    return scale(unit, values)
+
+
 def pretty(unit: str) -> str:
     """Unit with raised powers, as it stands in print.
 
