@@ -194,7 +194,7 @@ export class FlankBox {
     const both = gauge.contact.penetration();
     const words = (side, name) =>
       `${name} ${length3(Math.abs(both[side]))} ${both[side] > 0 ? "deep" : "apart"}`;
-    this.gap.textContent = `${gauge.contact.name.replaceAll("_", " ")}: ${words(1, "front flank")}, ${words(-1, "back flank")}; drawn × ${number(gauge.gauge.times, 2)}`;
+    this.gap.textContent = `${gauge.contact.name}: ${words(1, "front flank")}, ${words(-1, "back flank")}; drawn × ${number(gauge.gauge.times, 2)}`;
   }
 }
 
@@ -215,10 +215,10 @@ export function activeWords({ contact, name }) {
     const at = (j, k) => Math.hypot(points.data[3 * (j * nx + k)], points.data[3 * (j * nx + k) + 1]);
     const ends = [0, nx - 1].map((k) => 2e3 * (at(first, k) + (row - first) * (at(first + 1, k) - at(first, k))));
     const [least, most] = [Math.min(...ends), Math.max(...ends)].map((d) => d.toFixed(2));
-    return `${gear.replaceAll("_", " ")} ${least} to ${most}`;
+    return `${gear} ${least} to ${most}`;
   });
   const where = cone ? " in the middle of the face" : "";
-  return `${name.replaceAll("_", " ")} touches between the diameters ${gears.join(", ")} mm${where}.`;
+  return `${name} touches between the diameters ${gears.join(", ")} mm${where}.`;
 }
 
 /** Change what all pictures show of their flanks. @param {import("./page.js").Page} page @param {(flanks: Flanks) => void} change */
@@ -295,7 +295,7 @@ export function flankRows(page) {
   });
   const gauge = choice(
     "gap of",
-    [["-1", "none"], ...meshes.map(({ contact }, k) => [String(k), contact.name.replaceAll("_", " ")])],
+    [["-1", "none"], ...meshes.map(({ contact }, k) => [String(k), contact.name])],
     (k) => showGauge(page, Number(k)),
     "Mesh whose gap is shown, magnified",
   );

@@ -69,18 +69,25 @@ export function png(page, times = 1) {
   page.boxes.forEach((box, n) => {
     if (!box.element.hidden) loads(pen, box, 12 + n * each, height - 62, soft);
   });
-  const [text, bar] = page.scale.children;
   pen.fillStyle = pen.strokeStyle = soft;
-  pen.fillText(text.textContent, 12, height - 30);
-  const length = parseFloat(bar.style.width);
-  pen.beginPath();
-  pen.moveTo(12, height - 15);
-  pen.lineTo(12, height - 10);
-  pen.lineTo(12 + length, height - 10);
-  pen.lineTo(12 + length, height - 15);
-  pen.stroke();
+  page.scales.forEach((scale, n) => {
+    if (!scale.hidden) ruler(pen, scale, 12 + n * each, height);
+  });
   const bytes = atob(paper.toDataURL("image/png").split(",")[1]);
   return new Blob([Uint8Array.from(bytes, (letter) => letter.charCodeAt(0))], { type: "image/png" });
+}
+
+/** The bar that says how long something is, at the lower edge. */
+function ruler(pen, scale, x, height) {
+  const [text, bar] = scale.children;
+  const length = parseFloat(bar.style.width);
+  pen.fillText(text.textContent, x, height - 30);
+  pen.beginPath();
+  pen.moveTo(x, height - 15);
+  pen.lineTo(x, height - 10);
+  pen.lineTo(x + length, height - 10);
+  pen.lineTo(x + length, height - 15);
+  pen.stroke();
 }
 
 /** Colours of the loads on flanks and the gap, above the scale. */
