@@ -114,7 +114,7 @@ def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
 
 
 def channel_scale(name: str, unit: str, values: Array) -> Scale:
-    """Display unit of a channel: transmission errors count in micrometres and microradians, whatever their mean is.
+    """Display unit of a channel: transmission errors count in µm and µrad, whatever their mean is.
 
     Parameters
     ----------
