@@ -270,7 +270,7 @@ export function flankRows(page) {
     "pattern so far",
     [
       ["off", "none"],
-      ["all", "all teeth together"],
+      ["all", "all teeth as one"],
       ["each", "each tooth"],
     ],
     (mode) => set((flanks) => (flanks.mode = mode)),

@@ -11,6 +11,12 @@ const OVER_TIME = " and time";
 /** Colour of what is around the cursor. */
 const NEAR = "#d2484f";
 
+/** Down to one digit: ticks of a logarithmic axis that begins at 9.7 would never come to 10. @param {number} x */
+const oneDigit = (x) => {
+  const power = Math.floor(Math.log10(x));
+  return Number(`${Math.max(1, Math.floor(x / 10 ** power))}e${power}`);
+};
+
 /** Numbers of values with a gap on both sides. @param {(number|null|undefined)[]} column */
 const alone = (column) =>
   column.flatMap((value, k) => (value != null && column[k - 1] == null && column[k + 1] == null ? [k] : []));
@@ -165,7 +171,7 @@ export class Spectra {
         scales: {
           x: { time: false },
           // five decades are what is worth looking at
-          y: { distr: 3, range: (_, low) => [Math.max(low ?? 0, most * 1e-5), most * 1.6] },
+          y: { distr: 3, range: (_, low) => [oneDigit(Math.max(low ?? 0, most * 1e-5)), most * 1.6] },
         },
         axes: [
           {
