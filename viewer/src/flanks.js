@@ -241,9 +241,11 @@ export function changeFlanks(page, change) {
  * @param {import("./page.js").Page} page @param {number} mesh -1 none @param {number} times one that suits it, if left out
  */
 export function showGauge(page, mesh, times) {
-  const factor = times ?? page.stage.pictures[0].flanks.meshes[mesh]?.gauge.fitting() ?? 1;
+  const chosen = page.stage.pictures[0].flanks.meshes[mesh];
+  const factor = times ?? chosen?.gauge.fitting() ?? 1;
   changeFlanks(page, (flanks) => {
-    flanks.gauged = mesh;
+    // another result may have other meshes: that of the same name
+    flanks.gauged = flanks.meshes.findIndex(({ contact }) => contact.name === chosen?.contact.name);
     for (const { gauge } of flanks.meshes) gauge.times = factor;
   });
   if (!page.flankRows) return;
