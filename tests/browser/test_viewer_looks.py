@@ -144,7 +144,8 @@ def test_a_film_ends_by_itself_and_plays(open_page: OpenPage, pair: tuple[str, s
       return [film.ended, film.videoWidth, film.error?.message ?? "", film.currentTime];"""
     ended, width, wrong, length = asked(page, script)
     assert ended and width == 1000 and not wrong
-    assert 0.3 * LENGTH / speed < length < 3 * LENGTH / speed + 1
+    # a slow machine draws few pictures, and the last of them has no length
+    assert 0.1 * LENGTH / speed < length < 3 * LENGTH / speed + 1
 
 
 def test_lines_are_told_as_exactly_as_the_record_resolves_them(open_page: OpenPage) -> None:

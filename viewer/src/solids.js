@@ -280,7 +280,8 @@ export class Solids {
       part.geometry.computeBoundingBox();
       const { min, max } = part.geometry.boundingBox;
       if (!(radius >= 0)) continue;
-      for (const at of extremes(part.geometry.attributes.position, ways)) outline.push(at.applyMatrix4(matrix));
+      part.reaches ??= extremes(part.geometry.attributes.position, ways);
+      for (const at of part.reaches) outline.push(at.clone().applyMatrix4(matrix));
       for (let corner = 0; corner < 8; corner++) {
         point.set(corner & 1 ? max.x : min.x, corner & 2 ? max.y : min.y, corner & 4 ? max.z : min.z);
         // a corner of a box reaches further than a round body does

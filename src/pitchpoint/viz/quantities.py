@@ -74,8 +74,7 @@ class Channel:
         >>> Channel("mesh_force[stage]", np.zeros(1), "N", "mesh force").label
         'mesh force, stage'
         """
-        words, owner = self.words, self.name.partition("[")[2].rstrip("]")
-        return f"{words}, {owner}" if owner else words
+        return channel_label(self.name)
 
     @property
     def words(self) -> str:
@@ -86,6 +85,19 @@ class Channel:
     def quantity(self) -> str:
         """Name without the element: `mesh_force` of `mesh_force[stage]`."""
         return self.name.partition("[")[0]
+
+
+def channel_label(name: str) -> str:
+    """Readable name of a channel: its quantity in words, the element that it belongs to as the model has it.
+
+    Examples
+    --------
+    >>> channel_label("mesh_force[stage_1]"), channel_label("power_balance")
+    ('mesh force, stage_1', 'power balance')
+    """
+    quantity, _, owner = name.partition("[")
+    words = quantity.replace("_", " ")
+    return f"{words}, {owner.rstrip(']')}" if owner else words
 
 
 def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
