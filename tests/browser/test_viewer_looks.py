@@ -172,10 +172,11 @@ def test_lines_are_told_as_exactly_as_the_record_resolves_them(open_page: OpenPa
 
 
 def test_the_line_around_the_cursor_has_gaps(open_page: OpenPage) -> None:
-    """Orders 12 and 24 are in the map, all between are less than it tells: no red line joins the two."""
+    """Orders 12, 24 and 30 to 35 are in the map, all else is less than it tells: no red line joins them."""
     header, block = gears()
     _, levels = passing()
     levels[:, TEETH[0] // 2 - 1] = 255
+    levels[:, 29:35] = 255
     header["maps"][0]["levels"] = block.put(levels, "u1")
     # other lines than those of the map, as of a record that is longer than a piece of it
     header["spectra"][1] |= {"lines": block.put(np.arange(0.3, 40.3, 1.0))}
@@ -195,4 +196,8 @@ def test_the_line_around_the_cursor_has_gaps(open_page: OpenPage) -> None:
     columns, left, width = asked(scene(open_page, texts_of(header, block)), script)
     red = (np.flatnonzero(columns) - left) / width * (40.0 - 0.3) + 0.3
     assert len(red) and all(np.abs(red - order).min() < 0.3 for order in (12, 24))
-    assert np.minimum(np.abs(red - 12), np.abs(red - 24)).max() < 0.6, "nothing elsewhere"
+    lone = red[red < 29.5]
+    assert np.minimum(np.abs(lone - 12), np.abs(lone - 24)).max() < 0.6, "nothing elsewhere"
+    # five lines in a row are a line without points
+    row = np.array(columns)[np.flatnonzero(columns)[(red > 30.5) & (red < 34.5)]]
+    assert len(row) > 50 and row.max() <= 3

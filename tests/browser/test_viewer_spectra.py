@@ -72,6 +72,7 @@ def test_choices_keep_the_kind_of_picture(open_page: OpenPage, pair: tuple[str, 
       for (let k = 0; k < data.length; k += 4) colours.add(data[k] * 65536 + data[k + 1] * 256 + data[k + 2]);
       out.push(colours.size);
       document.querySelector(".ppv-bar > button").click();
+      V.spectrum("a channel without spectrum");
       out.push(S().spectrum); return out;"""
     first, second, colours, closed = asked(scene(open_page, pair), script)
     assert (first, second, closed) == ("frequency", "orders of pinion and time", None)

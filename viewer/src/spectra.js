@@ -17,9 +17,9 @@ const oneDigit = (x) => {
   return Number(`${Math.max(1, Math.floor(x / 10 ** power))}e${power}`);
 };
 
-/** Numbers of values with a gap on both sides. @param {(number|null|undefined)[]} column */
+/** Numbers of values with a gap on both sides; rows of other lines are undefined. @param {(number|null|undefined)[]} column */
 const alone = (column) =>
-  column.flatMap((value, k) => (value != null && column[k - 1] == null && column[k + 1] == null ? [k] : []));
+  column.flatMap((value, k) => (value != null && column[k - 1] === null && column[k + 1] === null ? [k] : []));
 
 /** How far apart the lines of a record are; of many only some are kept. @param {any} spectrum */
 const resolution = ({ resolution: told, lines }) =>
