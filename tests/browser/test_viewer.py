@@ -153,7 +153,7 @@ def test_legend_says_what_the_arrows_are_worth(same_scene: OpenPage, pair: tuple
     found = asked(same_scene(pair), script)
     share = float(load(np.array(0.06)))
     values = found["rows"][0]
-    assert values[0].strip() == "stage 1" and found["state"] == "front flank"
+    assert values[0].strip() == "stage_1" and found["state"] == "front flank"
     for text, full in zip(values[1:], FORCE.values(), strict=True):
         assert text == f"{full * share / 1e3:.3f}\u2009kN"
     assert found["hidden"] and found["lengths"][0] == 0 < found["lengths"][1]

@@ -89,9 +89,9 @@ def test_forces_of_pairs_are_shown_when_asked_for(same_scene: OpenPage, scene: t
       return {before, after: rows(), legend: $(".ppv-flanks").innerText};
     """
     found = asked(same_scene(scene), script)
-    assert found["before"] == ["stage 1", "bearing a"]
+    assert found["before"] == ["stage_1", "bearing_a"]
     slots = sorted(1 + pair % SLOTS for pair in pairs_at(0.06))
-    assert found["after"][2:] == [f"stage 1, pair {slot}" for slot in slots]
+    assert found["after"][2:] == [f"stage_1, pair {slot}" for slot in slots]
     # the largest load is that of a pair of the last slot, at the end of its line
     assert f"{3 * LOAD * 1.3 / 1e3:.1f}\u2009N/mm" in found["legend"]
 

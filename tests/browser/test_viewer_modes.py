@@ -49,7 +49,7 @@ def test_modes_swing_about_the_place_at_rest(same_scene: OpenPage, pair: tuple[s
 def test_look_into_a_mesh_cuts_it_where_it_acts(same_scene: OpenPage, pair: tuple[str, str]) -> None:
     script = """
       named("View").click();
-      [...document.querySelectorAll(".ppv-panel button")].find((b) => b.textContent === "stage 1").click();
+      [...document.querySelectorAll(".ppv-panel button")].find((b) => b.textContent === "stage_1").click();
       V.draw(); return S();
     """
     state = asked(same_scene(pair), script)

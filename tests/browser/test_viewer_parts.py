@@ -163,8 +163,8 @@ def test_two_scenes_are_told_apart_and_both_have_their_forces(
         texts_of({**h, **more}, b) for (h, b), more in zip(((one, block), (two, other)), scenes, strict=True)
     ]
     found = asked(scene(open_page, *texts), script)
-    assert found["names"] == names and found["rows"] == ["stage 1", "another"]
-    assert found["looks"] == ["stage 1", "another"]
+    assert found["names"] == names and found["rows"] == ["stage_1", "another"]
+    assert found["looks"] == ["stage_1", "another"]
 
 
 def test_a_view_leaves_room_for_the_forces_and_looks_from_the_side(open_page: OpenPage) -> None:

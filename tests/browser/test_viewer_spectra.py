@@ -72,7 +72,22 @@ def test_choices_keep_the_kind_of_picture(open_page: OpenPage, pair: tuple[str, 
       for (let k = 0; k < data.length; k += 4) colours.add(data[k] * 65536 + data[k + 1] * 256 + data[k + 2]);
       out.push(colours.size);
       document.querySelector(".ppv-bar > button").click();
+      V.spectrum("a channel without spectrum");
       out.push(S().spectrum); return out;"""
     first, second, colours, closed = asked(scene(open_page, pair), script)
     assert (first, second, closed) == ("frequency", "orders of pinion and time", None)
     assert colours > 20
+
+
+def test_amplitudes_may_begin_just_below_a_power_of_ten(open_page: OpenPage) -> None:
+    """9.7e-5 kN at the lower end: the ticks go on beyond 1e-4 and the line is painted."""
+    header, block = gears()
+    amplitude = np.geomspace(0.097, 900.0, 400)
+    header["spectra"][0]["amplitude"] = block.put(amplitude)
+    script = f"""V.spectrum("{FORCE}", "frequency"); await wait(100);
+      const canvas = $(".ppv-spectra canvas"), ink = canvas.getContext("2d"), {{width, height}} = canvas;
+      const {{data}} = ink.getImageData(0, 0, width, height);
+      let painted = 0;
+      for (let k = 0; k < data.length; k += 4) painted += data[k + 3] > 0 && data[k] - data[k + 2] > 100;
+      return painted;"""
+    assert asked(scene(open_page, texts_of(header, block)), script) > 300

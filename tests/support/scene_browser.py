@@ -22,6 +22,24 @@ HELPERS = """
   const $ = (what) => document.querySelector(what), all = (what) => [...document.querySelectorAll(what)];
   const named = (text) => all(".ppv-tools button").find((b) => b.textContent === text);
 """
+PAINTED = """
+  // box of the solids in a part of the canvas, in parts of it: left, right, top, bottom
+  const painted = (part = 0, parts = 1) => {
+    for (const kind of ["mesh", "bearing", "pair"]) V.arrows(kind, false);
+    V.lines(false); V.draw();
+    const canvas = $(".ppv-canvas"), gl = canvas.getContext("webgl2"), {height} = canvas;
+    const width = Math.floor(canvas.width / parts), all = new Uint8Array(4 * width * height);
+    gl.readPixels(part * width, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+    let [left, right, top, bottom] = [1, 0, 1, 0];
+    for (let k = 0; k < width * height; k++) {
+      if ([0, 1, 2].every((c) => Math.abs(all[4 * k + c] - all[c]) < 3)) continue;
+      const x = (k % width) / width, y = 1 - (Math.floor(k / width) + 1) / height;
+      left = Math.min(left, x); right = Math.max(right, x + 1 / width);
+      top = Math.min(top, y); bottom = Math.max(bottom, y + 1 / height);
+    }
+    return [left, right, top, bottom];
+  };
+"""
 STATES = "const out = []; for (const t of %s) { V.seek(t); V.draw(); out.push(S()); } return out;"
 
 

@@ -97,6 +97,7 @@ export class Curves {
 
   /** @param {string} channel @param {string} [over] */
   spectrum(channel, over) {
+    if (!this.spectra.names.includes(channel)) return;
     if (this.spectra.element.hidden) this.turn();
     this.spectra.choose(channel, over);
   }

@@ -194,7 +194,7 @@ export class FlankBox {
     const both = gauge.contact.penetration();
     const words = (side, name) =>
       `${name} ${length3(Math.abs(both[side]))} ${both[side] > 0 ? "deep" : "apart"}`;
-    this.gap.textContent = `${gauge.contact.name.replaceAll("_", " ")}: ${words(1, "front flank")}, ${words(-1, "back flank")}; drawn × ${number(gauge.gauge.times, 2)}`;
+    this.gap.textContent = `${gauge.contact.name}: ${words(1, "front flank")}, ${words(-1, "back flank")}; drawn × ${number(gauge.gauge.times, 2)}`;
   }
 }
 
@@ -215,10 +215,10 @@ export function activeWords({ contact, name }) {
     const at = (j, k) => Math.hypot(points.data[3 * (j * nx + k)], points.data[3 * (j * nx + k) + 1]);
     const ends = [0, nx - 1].map((k) => 2e3 * (at(first, k) + (row - first) * (at(first + 1, k) - at(first, k))));
     const [least, most] = [Math.min(...ends), Math.max(...ends)].map((d) => d.toFixed(2));
-    return `${gear.replaceAll("_", " ")} ${least} to ${most}`;
+    return `${gear} ${least} to ${most}`;
   });
   const where = cone ? " in the middle of the face" : "";
-  return `${name.replaceAll("_", " ")} touches between the diameters ${gears.join(", ")} mm${where}.`;
+  return `${name} touches between the diameters ${gears.join(", ")} mm${where}.`;
 }
 
 /** Change what all pictures show of their flanks. @param {import("./page.js").Page} page @param {(flanks: Flanks) => void} change */
@@ -241,9 +241,11 @@ export function changeFlanks(page, change) {
  * @param {import("./page.js").Page} page @param {number} mesh -1 none @param {number} times one that suits it, if left out
  */
 export function showGauge(page, mesh, times) {
-  const factor = times ?? page.stage.pictures[0].flanks.meshes[mesh]?.gauge.fitting() ?? 1;
+  const chosen = page.stage.pictures[0].flanks.meshes[mesh];
+  const factor = times ?? chosen?.gauge.fitting() ?? 1;
   changeFlanks(page, (flanks) => {
-    flanks.gauged = mesh;
+    // another result may have other meshes: that of the same name
+    flanks.gauged = flanks.meshes.findIndex(({ contact }) => contact.name === chosen?.contact.name);
     for (const { gauge } of flanks.meshes) gauge.times = factor;
   });
   if (!page.flankRows) return;
@@ -270,7 +272,7 @@ export function flankRows(page) {
     "pattern so far",
     [
       ["off", "none"],
-      ["all", "all teeth together"],
+      ["all", "all teeth as one"],
       ["each", "each tooth"],
     ],
     (mode) => set((flanks) => (flanks.mode = mode)),
@@ -295,7 +297,7 @@ export function flankRows(page) {
   });
   const gauge = choice(
     "gap of",
-    [["-1", "none"], ...meshes.map(({ contact }, k) => [String(k), contact.name.replaceAll("_", " ")])],
+    [["-1", "none"], ...meshes.map(({ contact }, k) => [String(k), contact.name])],
     (k) => showGauge(page, Number(k)),
     "Mesh whose gap is shown, magnified",
   );

@@ -5,7 +5,7 @@ import { el } from "./dom.js";
 const TAP = 8; // way of a finger that still is a tap [px]
 
 export class Hover {
-  /** @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit @param {(body: number) => void} follow */
+  /** @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit @param {(body: string) => void} follow */
   constructor(stage, orbit, follow) {
     this.stage = stage;
     this.label = el("div", { className: "ppv-label", hidden: true });
@@ -37,7 +37,7 @@ export class Hover {
     });
     canvas.addEventListener("dblclick", (event) => {
       const found = stage.hit(event.clientX, event.clientY);
-      if (found) follow(found.part.solid.body);
+      if (found) follow(stage.pictures[found.picture].data.bodies[found.part.solid.body]?.name);
     });
   }
 
@@ -56,7 +56,7 @@ export class Hover {
 
 /** @param {any} solid */
 export function words(solid) {
-  const name = solid.name.replaceAll("_", " ");
+  const { name } = solid;
   return solid.teeth
     ? `${name}, ${solid.kind} of ${solid.teeth} teeth`
     : name === solid.kind

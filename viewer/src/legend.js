@@ -19,7 +19,7 @@ export class Legend {
     this.rows = arrows.map((arrow) => {
       const state = arrow.state ? el("span", { className: "ppv-state" }) : null;
       const cells = this.columns.map((part) => el("td", { className: `ppv-${part}` }));
-      const name = arrow.name.replaceAll("_", " ");
+      const { name } = arrow;
       return {
         state,
         cells,
@@ -83,6 +83,12 @@ export class Legend {
     return share > MOST ? 0 : share;
   }
 
+  /** Part of the width that its head covers where it is folded. */
+  get strip() {
+    if (this.element.hidden || !this.folded) return 0;
+    return (this.element.offsetWidth + 12) / Math.max(this.element.parentElement.clientWidth, 1);
+  }
+
   /** Part of the height that it takes from above. */
   get drop() {
     return (this.element.offsetHeight + 12) / Math.max(this.element.parentElement.clientHeight, 1);
@@ -125,7 +131,7 @@ export class Legend {
     return forces
       .filter((each) => shown.has(each.kind) && (each.kind !== "pair" || each.total))
       .map((each) => ({
-        name: each.name.replaceAll("_", " "),
+        name: each.name,
         values: this.columns
           .filter((part) => part in each.values)
           .map((part) => ({ part, text: this.#words(each.values[part], each.unit) })),

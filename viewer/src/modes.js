@@ -22,9 +22,10 @@ export class Modes {
       }),
     );
     this.buttons.forEach((each, k) =>
-      each.append(el("span", {}, modes[k].name), el("span", {}, this.#facts(modes[k]))),
+      each.append(...this.#lines(modes[k]).map((line) => el("span", {}, line))),
     );
-    this.stop = button("back to the record", "End the mode shape", () => this.choose(-1));
+    const moves = stage.pictures[0].poses.times.length > 1;
+    this.stop = button(moves ? "back to the record" : "back to rest", "End the mode shape", () => this.choose(-1));
     this.stop.hidden = true;
     const slider = logSlider({
       label: "amplitude",
@@ -42,7 +43,14 @@ export class Modes {
   }
 
   #facts({ frequency, damping }) {
-    return `${number(frequency, 4)} Hz${damping == null ? "" : `, ${number(100 * damping, 2)} %`}`;
+    const fades = damping == null ? "" : `, damping ${number(100 * damping, 2)} %${damping < 0 ? ", grows" : ""}`;
+    return `${number(frequency, 4)} Hz${fades}`;
+  }
+
+  /** Number and facts, and below what swings. */
+  #lines(mode) {
+    const [, number, name] = /^(\d+: )?(.*)$/s.exec(mode.name);
+    return [(number ?? "") + this.#facts(mode), name];
   }
 
   /** Factor that makes the largest way of a mode WIDTH. A mode has no size of its own. */

@@ -21,6 +21,12 @@ function trim(text) {
   return text.includes(".") && !text.includes("e") ? text : plain;
 }
 
+/** A place that is known to that much each way: 32.1 ± 0.4. @param {number} value @param {number} half */
+export function within(value, half) {
+  const decimals = Math.min(9, Math.max(0, -Math.floor(Math.log10(half) + 1e-9)));
+  return `${value.toFixed(decimals).replace("-", MINUS)} ± ${half.toFixed(decimals)}`;
+}
+
 /** Writes numbers with as many decimals as four digits of the largest have. @param {number} largest */
 export function fixed(largest) {
   const decimals = largest > 0 ? 3 - Math.floor(Math.log10(largest)) : 0;

@@ -29,6 +29,8 @@ export class Orbit {
     this.takesWheel = () => true;
     /** how far left of the middle the target is shown, as a part of the width */
     this.shift = 0;
+    /** and how far below the middle, as a part of the height */
+    this.drop = 0;
     this.pointers = new Map();
     element.addEventListener("pointerdown", (event) => this.#down(event));
     element.addEventListener("pointermove", (event) => this.#move(event));
@@ -187,7 +189,7 @@ export class Orbit {
       );
       this.goal.target.addScaledVector(
         RIGHT.set(0, 1, 0).applyQuaternion(this.camera.quaternion),
-        (box.height / 2 - (y - box.top)) * share,
+        ((0.5 + this.drop) * box.height - (y - box.top)) * share,
       );
     }
     this.changed();

@@ -15,6 +15,7 @@ import { Panels, forceRows, saveRows, vibrationRows, viewRows } from "./panels.j
 import { Player, round125 } from "./player.js";
 import { ended } from "./plots.js";
 import { Poses } from "./poses.js";
+import { sharedFrames } from "./shared_frames.js";
 import { SectionView } from "./section_view.js";
 import { Stage, graphics } from "./stage.js";
 import { touches } from "./touch.js";
@@ -32,7 +33,8 @@ export class Page {
     this.last = 0;
     this.waiting = 0;
     this.stage = null;
-    const times = allTimes(scenes);
+    this.shared = sharedFrames(scenes);
+    const { times } = this.shared;
     this.poses = new Poses(scenes[0]);
     this.player = new Player(times, this.poses);
     const marks = allMarks(scenes);
@@ -44,7 +46,7 @@ export class Page {
       step: (n) => this.step(n),
       speed: (x) => (this.player.speed = x),
       loop: (what) => this.loop(what),
-    });
+    }, this.shared.whose);
     this.panels = new Panels();
     this.host = el("div", { className: "ppv-view" });
     this.area = el("div", { className: "ppv-scene" }, this.host, this.panels.panel);
@@ -111,10 +113,12 @@ export class Page {
     this.orbit.nearest = 2e-5 * radius;
     this.orbit.farthest = 40 * radius;
     this.views = new Views(stage, this.orbit, () => this.legends);
-    this.hover = new Hover(stage, this.orbit, (body) => this.follow(body));
+    this.hover = new Hover(stage, this.orbit, (name) => this.follow(this.views.names.indexOf(name)));
     this.legends = stage.pictures.map(({ arrows }) => new Legend(arrows.arrows));
     this.boxes = stage.pictures.map(({ flanks }) => new FlankBox(flanks));
-    this.scale = el("div", { className: "ppv-scale", "aria-hidden": "true" }, el("span"), el("i"));
+    this.scales = stage.pictures.map(() =>
+      el("div", { className: "ppv-scale", "aria-hidden": "true" }, el("span"), el("i")),
+    );
     this.status = el("div", { className: "ppv-status", role: "status" });
     const names = namesOf(this.scenes);
     this.names = names.map((name, k) => name && el("span", { className: "ppv-name", title: this.scenes[k].label }, name));
@@ -125,12 +129,12 @@ export class Page {
         legend.element,
         this.boxes[k].element,
         this.names[k],
+        this.scales[k],
       ),
     );
     this.host.append(
       el("div", { className: "ppv-halves" }, ...halves),
       this.hover.label,
-      this.scale,
       this.status,
     );
   }
@@ -156,7 +160,7 @@ export class Page {
     }
     if (this.transport.marks.length)
       panels.add("Marks", "Instants worth looking at", markRows(this));
-    const notes = [...new Set(this.scenes.flatMap((scene) => scene.notes))];
+    const notes = [...new Set([this.shared.note, ...this.scenes.flatMap((scene) => scene.notes)])].filter(Boolean);
     const help = [el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)]))];
     if (notes.length)
       help.unshift(el("ul", { className: "ppv-notes" }, ...notes.map((note) => el("li", {}, note))));
@@ -254,11 +258,12 @@ export class Page {
     if (!this.modes?.active) this.views.update();
     this.section?.update();
     for (const picture of stage.pictures) {
-      picture.solids.update(0.25 * orbit.pixel);
+      const pixel = picture.factor * orbit.pixel;
+      picture.solids.update(0.25 * pixel);
       picture.arrows.hidden = picture.flanks.hidden = Boolean(this.modes?.active);
       picture.flanks.look();
-      picture.flanks.update(orbit.pixel);
-      picture.arrows.update(orbit.pixel);
+      picture.flanks.update(pixel);
+      picture.arrows.update(pixel);
     }
     stage.render(orbit);
     stage.pictures.forEach(({ arrows }, k) =>
@@ -269,12 +274,18 @@ export class Page {
   }
 
   #scaleBar() {
-    const size = round125(90 * this.orbit.pixel);
-    const [text, bar] = this.scale.children;
-    text.textContent = length(size);
-    bar.style.width = `${size / this.orbit.pixel}px`;
-    const body = this.views.body;
-    const following = body >= 0 ? `following ${this.scenes[0].bodies[body].name}` : "";
+    const { alike, pictures } = this.stage;
+    const wide = this.host.clientWidth / pictures.length < 300 ? 60 : 90;
+    this.scales.forEach((scale, k) => {
+      const pixel = pictures[k].factor * this.orbit.pixel;
+      const size = round125(wide * pixel);
+      const [text, bar] = scale.children;
+      scale.hidden = alike && k > 0;
+      text.textContent = length(size);
+      bar.style.width = `${size / pixel}px`;
+    });
+    const { body, names } = this.views;
+    const following = body >= 0 ? `following ${names[body]}` : "";
     const larger =
       this.stage.pictures[0].poses.magnification > 1
         ? `vibrations × ${this.magnification.row.lastChild.textContent}`
@@ -324,16 +335,16 @@ export class Page {
 
   /** @param {string} what @returns {string} what is wrong with it */
   loop(what) {
-    const wrong = this.player.repeat(what, this.views?.body ?? -1, this.scenes[0].solids);
+    const wrong = this.player.repeat(what, this.views?.first ?? -1, this.scenes[0].solids);
     this.transport.loop.select.value = this.player.loop;
     this.transport.draw();
     this.changed();
     return wrong;
   }
 
-  /** @param {number} body -1 none */
+  /** @param {number} body of those that can be followed, -1 none */
   follow(body) {
-    if (body >= this.scenes[0].bodies.length || !this.stage) return;
+    if (!this.stage || body >= this.views.names.length) return;
     this.views.follow(body);
     if (body >= 0) this.views.closeUp();
     this.followed.select.value = String(body);
@@ -355,8 +366,11 @@ export class Page {
 
   /** @param {any} arrow of a mesh */
   intoMesh(arrow) {
-    const { point, axis } = this.views.intoMesh(arrow);
-    this.section.through(point, axis);
+    const found = this.views.intoMesh(arrow);
+    this.section.through(
+      found.map((each) => each?.point),
+      found.find(Boolean).axis,
+    );
   }
 }
 
@@ -366,11 +380,4 @@ function allMarks(scenes) {
   return scenes.flatMap((scene, k) =>
     scene.marks.map((mark) => ({ ...mark, what: [mark.what, names[k]].filter(Boolean).join(", ") })),
   );
-}
-
-/** Frames of all results in one ascending list. @param {any[]} scenes */
-function allTimes(scenes) {
-  const lists = scenes.map((scene) => scene.times?.data ?? []);
-  if (lists.length === 1) return lists[0];
-  return Float64Array.from(new Set(lists.flatMap((list) => [...list]))).sort();
 }

@@ -63,7 +63,6 @@ export class Panels {
 /** Rows of the panel of views. @param {import("./page.js").Page} page */
 export function viewRows(page) {
   const { stage } = page;
-  const data = stage.pictures[0].data;
   const views = [
     ["axis", "Along the axis"],
     ["front", "From the side"],
@@ -72,7 +71,7 @@ export function viewRows(page) {
   ];
   page.followed = choice(
     "follow",
-    [["-1", "nothing"], ...data.bodies.map((body, k) => [String(k), body.name])],
+    [["-1", "nothing"], ...page.views.names.map((name, k) => [String(k), name])],
     (value) => page.follow(Number(value)),
     "Body that the camera follows (1 to 9, 0)",
   );
@@ -105,7 +104,7 @@ export function viewRows(page) {
     .flatMap((scene) => scene.arrows.filter((arrow) => arrow.kind === "mesh"))
     .filter((arrow, k, all) => all.findIndex(({ name }) => name === arrow.name) === k);
   const looks = meshes.map((arrow) =>
-    button(arrow.name.replaceAll("_", " "), `Look into the mesh ${arrow.name}, along its axis`, () =>
+    button(arrow.name, `Look into the mesh ${arrow.name}, along its axis`, () =>
       page.intoMesh(arrow),
     ),
   );

@@ -31,11 +31,16 @@ export class Player {
     this.speed = this.#pleasant();
   }
 
+  /** Frames of the bodies that turn around an instant: results that are compared have others. @param {number} t */
+  #frame(t) {
+    return between(this.poses?.times ?? this.times, t);
+  }
+
   /** A speed at which the fastest body turns about once in three seconds, or the record lasts ten. */
   #pleasant() {
     const length = this.last - this.first;
     let fastest = 0;
-    const ends = [between(this.times, this.first), between(this.times, this.last)];
+    const ends = [this.#frame(this.first), this.#frame(this.last)];
     this.poses?.bodies.forEach((_, k) => {
       fastest = Math.max(fastest, Math.abs(this.poses.angle(k, ends[1]) - this.poses.angle(k, ends[0])));
     });
@@ -80,8 +85,7 @@ export class Player {
     const turns = (k) =>
       this.poses &&
       Math.abs(
-        this.poses.angle(k, between(this.times, this.last)) -
-          this.poses.angle(k, between(this.times, this.first)),
+        this.poses.angle(k, this.#frame(this.last)) - this.poses.angle(k, this.#frame(this.first)),
       ) > 0;
     if (followed >= 0 && turns(followed)) return followed;
     const gear = solids.find((solid) => solid.teeth && turns(solid.body));
@@ -102,7 +106,7 @@ export class Player {
     const teeth = solids.find((solid) => solid.body === body && solid.teeth)?.teeth;
     if (loop === "cycle" && !teeth) return "The followed body is not a gear.";
     const angle = (2 * Math.PI) / (loop === "cycle" ? teeth : 1);
-    const at = (t) => this.poses.angle(body, between(this.times, t));
+    const at = (t) => this.poses.angle(body, this.#frame(t));
     const swept = Math.abs(at(this.last) - at(this.first));
     if (swept < angle) return "The record is shorter than that.";
     // as late a start as leaves one whole piece

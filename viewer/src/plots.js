@@ -313,7 +313,7 @@ export class Plots {
             const value = valueAt(channel, t, this.ends[result]);
             if (!value) return ["–"];
             const { least, most } = value;
-            return [least === most ? digits(least) : `${digits(least)} … ${digits(most)}`];
+            return [...new Set([digits(least), digits(most)])].join(" … ");
           })
           .join(" | ");
         if (values.textContent !== text) values.textContent = text;

@@ -52,35 +52,44 @@ export function png(page, times = 1) {
   pen.font = `600 14px ${style.fontFamily}`;
   pen.fillStyle = ink;
   const each = width / page.scenes.length;
-  page.scenes.forEach((scene, n) =>
-    pen.fillText([scene.title, scene.label].filter(Boolean).join(", "), 12 + n * each, 10),
-  );
+  const written = page.scenes.map((scene, n) => {
+    const title = cut(pen, [scene.title, scene.label].filter(Boolean).join(", "), each - 24);
+    pen.fillText(title, 12 + n * each, 10);
+    return pen.measureText(title).width + 24;
+  });
   pen.font = `12px ${style.fontFamily}`;
   pen.fillStyle = soft;
   const when = page.modes?.active
     ? page.modes.words
     : `t = ${instant(page.player.time, page.transport.stepLength / 10)}`;
   page.scenes.forEach((scene, n) =>
-    pen.fillText([scene.subtitle, when].filter(Boolean).join(", "), 12 + n * each, 28),
+    pen.fillText(cut(pen, [scene.subtitle, when].filter(Boolean).join(", "), each - 24), 12 + n * each, 28),
   );
   page.legends.forEach((shown, n) => {
-    if (!shown.element.hidden) legend(pen, page, n, (n + 1) * each, ink, style);
+    if (!shown.element.hidden) legend(pen, page, n, { right: (n + 1) * each, room: each - written[n] }, ink, style);
   });
   page.boxes.forEach((box, n) => {
     if (!box.element.hidden) loads(pen, box, 12 + n * each, height - 62, soft);
   });
-  const [text, bar] = page.scale.children;
   pen.fillStyle = pen.strokeStyle = soft;
-  pen.fillText(text.textContent, 12, height - 30);
-  const length = parseFloat(bar.style.width);
-  pen.beginPath();
-  pen.moveTo(12, height - 15);
-  pen.lineTo(12, height - 10);
-  pen.lineTo(12 + length, height - 10);
-  pen.lineTo(12 + length, height - 15);
-  pen.stroke();
+  page.scales.forEach((scale, n) => {
+    if (!scale.hidden) ruler(pen, scale, 12 + n * each, height);
+  });
   const bytes = atob(paper.toDataURL("image/png").split(",")[1]);
   return new Blob([Uint8Array.from(bytes, (letter) => letter.charCodeAt(0))], { type: "image/png" });
+}
+
+/** The bar that says how long something is, at the lower edge. */
+function ruler(pen, scale, x, height) {
+  const [text, bar] = scale.children;
+  const length = parseFloat(bar.style.width);
+  pen.fillText(text.textContent, x, height - 30);
+  pen.beginPath();
+  pen.moveTo(x, height - 15);
+  pen.lineTo(x, height - 10);
+  pen.lineTo(x + length, height - 10);
+  pen.lineTo(x + length, height - 15);
+  pen.stroke();
 }
 
 /** Colours of the loads on flanks and the gap, above the scale. */
@@ -98,25 +107,34 @@ function loads(pen, box, x, y, soft) {
   if (!box.gap.hidden) pen.fillText(box.gap.textContent, x, y - 16);
 }
 
-/** Rows of the forces, in their colours, at the right edge. */
-function legend(pen, page, n, width, ink, style) {
+/** As much of a text as there is room for. @param {CanvasRenderingContext2D} pen @param {string} text @param {number} room [px] */
+function cut(pen, text, room) {
+  if (pen.measureText(text).width <= room) return text;
+  let end = text.length;
+  while (end > 1 && pen.measureText(`${text.slice(0, end)}…`).width > room) end--;
+  return `${text.slice(0, end).trimEnd()}…`;
+}
+
+/** Rows of the forces, unless they are folded, in their colours at the right edge, below the title where it needs the width. */
+function legend(pen, page, n, { right: width, room }, ink, style) {
   const { arrows } = page.stage.pictures[n];
   const shown = page.legends[n];
   const { columns } = shown;
-  const lines = shown.lines(arrows.now, arrows.shown).slice(0, 20);
+  const lines = shown.folded ? [] : shown.lines(arrows.now, arrows.shown).slice(0, 20);
   const wide =
     92 * columns.length + 24 + Math.max(0, ...lines.map(({ name }) => pen.measureText(name).width));
+  const top = wide > room ? 44 : 0;
   pen.globalAlpha = 0.85;
   pen.fillStyle = style.getPropertyValue("--v-paper").trim() || "#fff";
-  pen.fillRect(width - wide, 0, wide, 34 + 16 * lines.length);
+  pen.fillRect(width - wide, top, wide, 34 + 16 * lines.length);
   pen.globalAlpha = 1;
   pen.textAlign = "right";
   columns.forEach((part, c) => {
     pen.fillStyle = colourOfForce(page.root, part);
-    pen.fillText(part, width - 12 - 92 * (columns.length - 1 - c), 10);
+    pen.fillText(part, width - 12 - 92 * (columns.length - 1 - c), top + 10);
   });
   lines.forEach(({ name, values }, row) => {
-    const y = 27 + 16 * row;
+    const y = top + 27 + 16 * row;
     pen.fillStyle = ink;
     pen.font = `12px ${style.fontFamily}`;
     pen.fillText(name, width - 12 - 92 * columns.length, y);

@@ -14,9 +14,10 @@ export class SectionView {
     this.on = false;
     this.normal = new Vector3(0, 0, 1);
     this.flipped = false;
-    this.at = 0;
-    /** in the world as the camera sees it, which follows the world */
-    this.plane = new Plane();
+    /** place along the normal in each picture */
+    this.places = stage.pictures.map(() => 0);
+    /** in the world of each picture as the camera sees it, which follows the world */
+    this.planes = stage.pictures.map(() => new Plane());
     const [axis] = Object.entries(AXES).reduce((best, each) =>
       Math.abs(each[1].dot(stage.pictures[0].poses.axis())) >
       Math.abs(best[1].dot(stage.pictures[0].poses.axis()))
@@ -57,13 +58,16 @@ export class SectionView {
   along(name) {
     if (name in AXES) this.normal.copy(AXES[name]);
     this.axis.select.value = name;
-    const [low, high] = this.#ends();
-    this.#set((low + high) / 2);
+    this.#share(0.5);
     this.#face();
   }
 
-  /** Square to any direction, through a point. @param {Vector3} point @param {Vector3} normal */
-  through(point, normal) {
+  get at() {
+    return this.places[0];
+  }
+
+  /** Square to any direction, through a point of each picture, or as far on as in the others. @param {(Vector3|null)[]} points @param {Vector3} normal */
+  through(points, normal) {
     const near = Object.entries(AXES).find(([, axis]) => Math.abs(axis.dot(normal)) > 1 - 1e-9);
     this.normal.copy(normal).normalize();
     if (near) this.normal.copy(near[1]);
@@ -72,13 +76,18 @@ export class SectionView {
     // what is between the camera and the cut goes
     this.flipped = this.normal.dot(normal) < 0;
     this.flip.input.checked = this.flipped;
-    this.#set(this.normal.dot(point));
+    const known = points.findIndex(Boolean);
+    const [low, high] = this.#ends(known);
+    this.#share((this.normal.dot(points[known]) - low) / (high - low || 1));
+    points.forEach((point, k) => point && (this.places[k] = this.normal.dot(point)));
+    this.#say();
     this.#cut(true);
   }
 
-  /** Least and largest place of the solids along the normal. */
-  #ends() {
-    const { low, high } = this.stage.bounds();
+  /** Least and largest place of the solids of a picture along the normal. @param {number} [picture] */
+  #ends(picture = 0) {
+    const { alike, pictures } = this.stage;
+    const { low, high } = alike ? this.stage.bounds() : pictures[picture].bounds;
     let least = Infinity,
       most = -Infinity;
     for (let k = 0; k < 8; k++) {
@@ -92,17 +101,16 @@ export class SectionView {
   }
 
   #moved() {
-    const [low, high] = this.#ends();
-    this.at = low + (Number(this.place.value) / 1000) * (high - low);
-    this.#say();
-    this.update();
-    this.changed();
+    this.#share(Number(this.place.value) / 1000);
   }
 
-  #set(at) {
-    const [low, high] = this.#ends();
-    this.at = at;
-    this.place.value = String((1000 * (at - low)) / (high - low || 1));
+  /** The cut goes through the same part of all machines. @param {number} share */
+  #share(share) {
+    this.places = this.places.map((_, k) => {
+      const [low, high] = this.#ends(k);
+      return low + share * (high - low);
+    });
+    this.place.value = String(1000 * share);
     this.#say();
     this.update();
     this.changed();
@@ -116,7 +124,7 @@ export class SectionView {
 
   /** The half on the camera's side goes, so that the cut looks at the camera. */
   #face() {
-    const camera = this.stage.camera.position.clone().applyMatrix4(this.stage.seen.clone().invert());
+    const camera = this.stage.camera.position.clone().applyMatrix4(this.stage.pictures[0].seen.clone().invert());
     this.flipped = this.normal.dot(camera) < this.at;
     this.flip.input.checked = this.flipped;
     this.update();
@@ -132,18 +140,21 @@ export class SectionView {
   #cut(on) {
     this.on = on;
     this.enable.input.checked = on;
-    for (const { solids, flanks } of this.stage.pictures)
-      for (const part of [solids, flanks]) part.cut(on ? [this.plane] : []);
+    this.stage.pictures.forEach(({ solids, flanks }, k) => {
+      for (const part of [solids, flanks]) part.cut(on ? [this.planes[k]] : []);
+    });
     this.update();
     this.changed();
   }
 
-  /** The plane where the camera sees the world. */
+  /** The planes where the camera sees the worlds. */
   update() {
     // what is kept lies on the side to which the normal of the plane points
     const sign = this.flipped ? 1 : -1;
-    this.plane.normal.copy(this.normal).multiplyScalar(sign);
-    this.plane.constant = -sign * this.at;
-    this.plane.applyMatrix4(this.stage.seen);
+    this.planes.forEach((plane, k) => {
+      plane.normal.copy(this.normal).multiplyScalar(sign);
+      plane.constant = -sign * this.places[k];
+      plane.applyMatrix4(this.stage.pictures[k].seen);
+    });
   }
 }

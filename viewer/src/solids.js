@@ -4,6 +4,7 @@ import { Color, DoubleSide, FrontSide, Matrix4, Mesh, MeshLambertMaterial, Vecto
 import { FAULT, colourOfPart } from "./colours.js";
 import { Crowd } from "./crowd.js";
 import { creaseNormals } from "./crease_normals.js";
+import { directions, extremes } from "./extremes.js";
 import { Repeated, geometryOf } from "./repeated.js";
 import { Skin } from "./skin.js";
 import { Sway } from "./sway.js";
@@ -14,19 +15,29 @@ const MOST_MESHES = 300;
 // Covers so many times as large as what they hold are not fitted into the picture.
 const LARGE_COVER = 2.5;
 
-// Part of its distance at which a cut is drawn: more than facets of round surfaces differ, less than a tooth is thick.
-const NEARER = 0.9996;
+// How much nearer a cut is drawn: a part of its distance that depth resolves, and a part of the distance from the axis
+// of its solid, by which facets of a bore and of what sits in it differ; less than a tooth is thick.
+const NEARER = 4e-4;
+const FACETS = 3e-3;
 
 // Where members of a crowd are that are not shown: triangles without area are not drawn.
 const NOWHERE = new Matrix4().multiplyScalar(0);
 
 /**
  * Back faces seen through a cut are the cut: flat, hatched, whatever the light. A shaft and the bore around it share
- * a surface, seen from one side as the cut of one and the outside of the other: the cut is drawn as a little nearer.
+ * a surface, seen from one side as the cut of one and the outside of the other: the cut is drawn as a little nearer,
+ * near the eye too, where their facets are far apart.
  */
 function drawCut(material) {
   material.onBeforeCompile = (shader) => {
-    shader.fragmentShader = `#ifdef DOUBLE_SIDED
+    shader.vertexShader = `varying float fromAxis;
+      ${shader.vertexShader}`.replace(
+      "#include <begin_vertex>",
+      `#include <begin_vertex>
+        fromAxis = length(position.xy);`,
+    );
+    shader.fragmentShader = `varying float fromAxis;
+      #ifdef DOUBLE_SIDED
         uniform mat4 projectionMatrix;
       #endif
       ${shader.fragmentShader}`.replace(
@@ -34,7 +45,10 @@ function drawCut(material) {
       `#ifdef DOUBLE_SIDED
         gl_FragDepth = gl_FragCoord.z;
         if (!gl_FrontFacing) {
-          float nearer = ${NEARER} / gl_FragCoord.w;
+          float away = 1.0 / gl_FragCoord.w;
+          // what is seen at a slant lies farther behind
+          float facing = abs(dot(normalize(vNormal), normalize(vViewPosition)));
+          float nearer = away - max(${NEARER} * away, ${FACETS} * fromAxis / max(facing, 0.15));
           gl_FragDepth = clamp(0.5 + 0.5 * (projectionMatrix[3][2] / nearer - projectionMatrix[2][2]), 0.0, 1.0);
           float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 9.0);
           outgoingLight = diffuseColor.rgb * (stripe < 1.1 ? 0.66 : 0.86);
@@ -259,16 +273,15 @@ export class Solids {
     const point = new Vector3();
     /** some points of every solid, from which a view is fitted */
     const outline = [];
+    const ways = directions(this.parts.length > MOST_MESHES ? 6 : 64);
     for (const part of parts) {
       const matrix = this.poses.ofSolid(part.solid);
       const { center, radius } = part.geometry.boundingSphere;
       part.geometry.computeBoundingBox();
       const { min, max } = part.geometry.boundingBox;
       if (!(radius >= 0)) continue;
-      const points = part.geometry.attributes.position;
-      const step = Math.max(1, Math.ceil(points.count / (this.parts.length > MOST_MESHES ? 4 : 80)));
-      for (let k = 0; k < points.count; k += step)
-        outline.push(new Vector3().fromBufferAttribute(points, k).applyMatrix4(matrix));
+      part.reaches ??= extremes(part.geometry.attributes.position, ways);
+      for (const at of part.reaches) outline.push(at.clone().applyMatrix4(matrix));
       for (let corner = 0; corner < 8; corner++) {
         point.set(corner & 1 ? max.x : min.x, corner & 2 ? max.y : min.y, corner & 4 ? max.z : min.z);
         // a corner of a box reaches further than a round body does

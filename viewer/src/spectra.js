@@ -3,13 +3,27 @@
 import uPlot from "uplot";
 import { choice, el } from "./dom.js";
 import { colourOfChannel } from "./colours.js";
-import { number } from "./numbers.js";
+import { number, within } from "./numbers.js";
 import { labels, secondTint } from "./plots.js";
 import { Waterfall, amplitudeOf, frequencyUnit, nearest } from "./waterfall.js";
 
 const OVER_TIME = " and time";
 /** Colour of what is around the cursor. */
 const NEAR = "#d2484f";
+
+/** Down to one digit: ticks of a logarithmic axis that begins at 9.7 would never come to 10. @param {number} x */
+const oneDigit = (x) => {
+  const power = Math.floor(Math.log10(x));
+  return Number(`${Math.max(1, Math.floor(x / 10 ** power))}e${power}`);
+};
+
+/** Numbers of values with a gap on both sides; rows of other lines are undefined. @param {(number|null|undefined)[]} column */
+const alone = (column) =>
+  column.flatMap((value, k) => (value != null && column[k - 1] === null && column[k + 1] === null ? [k] : []));
+
+/** How far apart the lines of a record are; of many only some are kept. @param {any} spectrum */
+const resolution = ({ resolution: told, lines }) =>
+  told ?? lines.data.reduce((least, x, k) => (k ? Math.min(least, x - lines.data[k - 1]) : least), lines.data[0]);
 
 export class Spectra {
   /**
@@ -137,11 +151,15 @@ export class Spectra {
     this.passing = this.#found(this.maps)[0];
     if (this.passing) {
       tables.push([Array.from(this.passing.lines.data), Array.from(this.passing.lines.data, () => null)]);
-      series.push({ ...line, stroke: NEAR, width: 1 });
+      // what is too little for the map is a gap; a line of the spectrum between two gaps is a point
+      const points = { show: false, filter: (self, k) => alone(self.data[k]), size: 4, fill: NEAR, stroke: NEAR };
+      series.push({ ...line, stroke: NEAR, width: 1, spanGaps: false, points });
       this.near.hidden = false;
       this.near.firstChild.style.background = NEAR;
     }
-    const place = of ? (x) => `order ${number(x, 5)}` : (x) => `${number(x * per, 5)} ${hertz}`;
+    // what a record resolves; of two the one that resolves less
+    const half = Math.max(...found.filter(Boolean).map(resolution)) / 2;
+    const place = of ? (x) => `order ${within(x, half)}` : (x) => `${within(x * per, half * per)} ${hertz}`;
     this.plot = new uPlot(
       {
         width: 300,
@@ -153,7 +171,7 @@ export class Spectra {
         scales: {
           x: { time: false },
           // five decades are what is worth looking at
-          y: { distr: 3, range: (_, low) => [Math.max(low ?? 0, most * 1e-5), most * 1.6] },
+          y: { distr: 3, range: (_, low) => [oneDigit(Math.max(low ?? 0, most * 1e-5)), most * 1.6] },
         },
         axes: [
           {
@@ -205,6 +223,11 @@ export class Spectra {
     this.rows.forEach((row, k) => {
       const level = levels.data[piece * lines.data.length + k];
       column[row] = level ? amplitudeOf(this.passing, level) * this.shown.scale : null;
+    });
+    // rows of the other lines of the plot lie in the gap, too
+    this.rows.forEach((row, k) => {
+      const next = this.rows[k + 1];
+      if (next > row + 1 && (column[row] === null || column[next] === null)) column.fill(null, row + 1, next);
     });
     data[data.length - 1] = column;
     // a new plot has no axis yet; one that somebody has zoomed stays as it is

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The canvas: one picture a result, side by side, all with one camera; draws only when asked.
+// The canvas: one picture a result, side by side, all seen from one direction; draws only when asked.
 import {
   Color,
   DirectionalLight,
@@ -34,10 +34,19 @@ export function graphics() {
   }
 }
 
+/** Results whose sizes, or places, are farther apart than this are no variants of one machine. */
+const ALIKE = { size: 1.5, away: 0.5 };
+
 class Picture {
-  /** @param {any} data one scene @param {Element} element */
-  constructor(data, element) {
+  /** @param {any} data one scene @param {Element} element @param {PerspectiveCamera} camera */
+  constructor(data, element, camera) {
     this.data = data;
+    this.camera = camera;
+    /** the world as the camera sees it: what follows a body turns the world instead of the camera */
+    this.seen = new Matrix4();
+    /** size of what is looked at beside that of the first picture, and a point that is shown where `centre` of the first is */
+    this.factor = 1;
+    this.centre = new Vector3();
     this.scene = new Scene();
     this.over = new Scene();
     this.root = new Group();
@@ -74,13 +83,16 @@ export class Stage {
     this.canvas.className = "ppv-canvas";
     host.append(this.canvas);
     this.camera = new PerspectiveCamera(28, 1, 0.01, 100);
-    this.pictures = scenes.map((scene) => new Picture(scene, host));
+    this.pictures = scenes.map((scene, k) => new Picture(scene, host, k ? this.camera.clone() : this.camera));
+    this.alike = alike(this.pictures);
+    const [{ bounds }] = this.pictures;
+    this.meet(this.pictures.map(() => new Vector3()), this.pictures.map((picture) => picture.bounds.size));
     // arrows of results that are compared have one scale, so that the eye compares forces
     const size = Math.max(...this.pictures.map((picture) => picture.arrows.size));
-    const radius = Math.max(...this.pictures.map((picture) => picture.bounds.size));
+    const radius = this.alike ? Math.max(...this.pictures.map((picture) => picture.bounds.size)) : bounds.size;
     const greatest = Math.max(...this.pictures.map((picture) => picture.flanks.greatest));
-    for (const { arrows, flanks } of this.pictures) {
-      Object.assign(arrows, { size, radius });
+    for (const { arrows, flanks, factor } of this.pictures) {
+      Object.assign(arrows, { size, radius: factor * radius });
       flanks.greatest = greatest;
     }
     this.background = new Color("#ffffff");
@@ -89,8 +101,8 @@ export class Stage {
     this.coarse = false;
     /** how far left of the middle the camera's target is shown, as a part of the width of a picture */
     this.shift = 0;
-    /** the world as the camera sees it: what follows a body turns the world instead of the camera */
-    this.seen = new Matrix4();
+    /** and how far below the middle, as a part of the height */
+    this.drop = 0;
   }
 
   /** Fewer pixels while something moves, where drawing is slow. @param {boolean} on @returns {boolean} whether that is new */
@@ -112,45 +124,76 @@ export class Stage {
     this.size = { width, height };
     this.renderer.setPixelRatio(this.ratio);
     this.renderer.setSize(width, height);
-    this.camera.aspect = width / this.pictures.length / height;
-    this.camera.updateProjectionMatrix();
+    for (const { camera } of this.pictures) {
+      camera.aspect = width / this.pictures.length / height;
+      camera.updateProjectionMatrix();
+    }
   }
 
-  /** Centre and radius of what all pictures show, as the camera sees it. @param {"fit"|"whole"} which of what fills the picture, or of everything */
-  bounds(which = "fit") {
-    const each = this.pictures.map(({ bounds }) => (which === "fit" ? bounds : bounds.whole));
+  /** Centre and radius of what all pictures show that look at the same place, as the camera sees it. */
+  bounds() {
+    const each = (this.alike ? this.pictures : this.pictures.slice(0, 1)).map(({ bounds }) => bounds);
     const low = each.reduce((sum, part) => sum.min(part.low), each[0].low.clone());
     const high = each.reduce((sum, part) => sum.max(part.high), each[0].high.clone());
     const centre = low.clone().add(high).multiplyScalar(0.5);
     const radius = Math.max(...each.map((part) => part.centre.distanceTo(centre) + part.radius));
-    return { centre: centre.applyMatrix4(this.seen), radius, low, high };
+    return { centre: centre.applyMatrix4(this.pictures[0].seen), radius, low, high };
+  }
+
+  /** What a picture shows where the first shows a point, as the camera sees it. @param {any} picture @param {Vector3} point */
+  targetOf(picture, point) {
+    const [first] = this.pictures;
+    return picture.centre.clone().addScaledVector(point.clone().sub(first.centre), picture.factor);
+  }
+
+  /**
+   * These points are to be shown in the same place of all pictures, and machines that are not alike as large as these sizes say.
+   * @param {Vector3[]} points one a picture, as the camera sees them @param {number[]} [sizes]
+   */
+  meet(points, sizes) {
+    this.pictures.forEach((picture, k) => {
+      picture.centre.copy(points[k]);
+      if (sizes && !this.alike) picture.factor = sizes[k] / sizes[0];
+    });
+  }
+
+  /** The camera of a picture, as far away as its machine is large. @param {any} picture @param {import("./orbit.js").Orbit} orbit */
+  #aim(picture, orbit) {
+    const { camera, seen, factor } = picture;
+    const { whole } = picture.bounds;
+    const distance = factor * orbit.now.distance,
+      target = this.targetOf(picture, orbit.now.target);
+    if (camera !== this.camera) {
+      camera.position.copy(target).addScaledVector(orbit.direction(), distance);
+      camera.quaternion.copy(this.camera.quaternion);
+    }
+    const away = target.distanceTo(whole.centre.clone().applyMatrix4(seen));
+    camera.near = Math.max(0.01 * distance, distance - away - 1.3 * whole.radius);
+    camera.far = distance + away + 2.5 * whole.radius;
+    const part = this.size.width / this.pictures.length;
+    camera.setViewOffset(part, this.size.height, this.shift * part, -this.drop * this.size.height, part, this.size.height);
+    camera.updateMatrixWorld();
   }
 
   /** @param {import("./orbit.js").Orbit} orbit */
   render(orbit) {
-    const { renderer, camera } = this;
-    const { centre, radius } = this.bounds("whole");
-    const { distance, target } = orbit.now;
-    const away = target.distanceTo(centre);
-    camera.near = Math.max(0.01 * distance, distance - away - 1.3 * radius);
-    camera.far = distance + away + 2.5 * radius;
-    const part = this.size.width / this.pictures.length;
-    camera.setViewOffset(part, this.size.height, this.shift * part, 0, part, this.size.height);
+    const { renderer } = this;
     this.setLights();
     renderer.setScissorTest(true);
     const width = this.size.width / this.pictures.length;
-    camera.updateMatrixWorld();
     // size of a drawn pixel at distance 1; drawing in software is content with coarser teeth
     const drawn = this.size.height * Math.min(1, this.ratio);
-    const pixel = ((this.software ? 2.5 : 1) * 2 * Math.tan((camera.fov * Math.PI) / 360)) / drawn;
+    const pixel = ((this.software ? 2.5 : 1) * 2 * Math.tan((this.camera.fov * Math.PI) / 360)) / drawn;
     this.pictures.forEach((picture, k) => {
+      const { camera, seen } = picture;
+      this.#aim(picture, orbit);
       renderer.setViewport(k * width, 0, width, this.size.height);
       renderer.setScissor(k * width, 0, width, this.size.height);
       renderer.setClearColor(this.background, 1);
       renderer.clear();
-      picture.root.matrix.copy(this.seen);
-      picture.overRoot.matrix.copy(this.seen);
-      picture.solids.choose(this.seen, camera, pixel);
+      picture.root.matrix.copy(seen);
+      picture.overRoot.matrix.copy(seen);
+      picture.solids.choose(seen, camera, pixel);
       renderer.render(picture.scene, camera);
       if ((picture.arrows.hidden || !picture.arrows.shown.size) && !picture.flanks.over) return;
       renderer.clearDepth();
@@ -182,15 +225,25 @@ export class Stage {
       1 - ((y - box.top) / box.height) * 2,
     );
     const ray = new Raycaster();
-    ray.setFromCamera(at, this.camera);
+    ray.setFromCamera(at, picture.camera);
     const found = picture.solids.hit(ray);
     return found && { ...found, picture: k };
   }
 
   /** Place in the window of a point of the world. @param {Vector3} point @param {number} picture */
   onScreen(point, picture = 0) {
-    const p = point.clone().applyMatrix4(this.seen).project(this.camera);
+    const { seen, camera } = this.pictures[picture];
+    const p = point.clone().applyMatrix4(seen).project(camera);
     const width = this.size.width / this.pictures.length;
     return { x: (picture + (p.x + 1) / 2) * width, y: ((1 - p.y) / 2) * this.size.height, front: p.z < 1 };
   }
+}
+
+/** Whether all pictures may be looked at from one place: nearly the same size, in nearly the same place. @param {any[]} pictures */
+function alike(pictures) {
+  const [{ bounds: first }] = pictures;
+  return pictures.every(({ bounds }) => {
+    const [small, large] = [bounds.size, first.size].sort((a, b) => a - b);
+    return large <= ALIKE.size * small && bounds.centre.distanceTo(first.centre) <= ALIKE.away * large;
+  });
 }

@@ -39,7 +39,9 @@ export function stateOf(page) {
       : null,
     pictures: (stage?.pictures ?? []).map((picture) => ({
       bodies: picture.poses.world.map((matrix) => [...matrix.elements]),
-      seen: [...stage.seen.elements],
+      seen: [...picture.seen.elements],
+      factor: picture.factor,
+      target: triple(stage.targetOf(picture, page.orbit.now.target)),
       magnification: picture.poses.magnification,
       triangles: picture.solids.triangles,
       drawnTriangles: picture.solids.drawn,

@@ -12,8 +12,9 @@ export class Transport {
   /**
    * @param {import("./player.js").Player} player
    * @param {any[]} marks of all results @param {{seek: (t: number) => void, toggle: () => void, step: (n: number) => void, speed: (x: number) => void, loop: (what: string) => string}} does
+   * @param {string} whose frames the buttons step through, where two results have different ones
    */
-  constructor(player, marks, does) {
+  constructor(player, marks, does, whose = "") {
     this.player = player;
     this.marks = [...marks].sort((a, b) => a.time - b.time);
     this.kinds = [...new Set(this.marks.map((mark) => mark.kind))];
@@ -23,6 +24,7 @@ export class Transport {
     for (let k = 1; k < player.times.length; k++)
       this.stepLength = Math.min(this.stepLength, player.times[k] - player.times[k - 1] || Infinity);
     if (!Number.isFinite(this.stepLength)) this.stepLength = 1;
+    const step = whose && `, ${duration(this.stepLength)}, as the frames of ${whose}`;
     this.play = button("", "Play (space)", does.toggle, { className: "ppv-play" });
     this.range = el("input", {
       type: "range",
@@ -85,8 +87,8 @@ export class Transport {
         { className: "ppv-transport" },
         this.play,
         button("|◂", "To the start (Home)", () => does.seek(player.window[0])),
-        button("◂", "One frame back (left arrow)", () => does.step(-1)),
-        button("▸", "One frame on (right arrow)", () => does.step(1)),
+        button("◂", `One frame back (left arrow)${step}`, () => does.step(-1)),
+        button("▸", `One frame on (right arrow)${step}`, () => does.step(1)),
         ...this.jump,
         this.read,
         this.speed.row,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Named views, following a body, and the look into a mesh.
+// Named views, following a body, and the look into a mesh, in all pictures at once.
 import { Matrix4, Vector3 } from "three";
 
 export class Views {
@@ -8,9 +8,21 @@ export class Views {
     this.stage = stage;
     this.orbit = orbit;
     this.legends = legends;
+    /** names of bodies that can be followed, those of the first picture by their numbers */
+    this.names = [...new Set(stage.pictures.flatMap(({ data }) => data.bodies.map(({ name }) => name)))];
     this.body = -1;
     this.turning = false;
-    this.anchor = new Matrix4();
+    this.anchors = stage.pictures.map(() => new Matrix4());
+  }
+
+  /** Number of the followed body in a picture, each finds its own by the name; -1 where it has none. @param {any} picture */
+  bodyIn({ data }) {
+    return this.body < 0 ? -1 : data.bodies.findIndex(({ name }) => name === this.names[this.body]);
+  }
+
+  /** The same in the first picture. */
+  get first() {
+    return this.bodyIn(this.stage.pictures[0]);
   }
 
   get poses() {
@@ -19,7 +31,7 @@ export class Views {
 
   /** Directions from the scene to the camera. */
   directions() {
-    const axis = this.poses.axis().transformDirection(this.stage.seen);
+    const axis = this.poses.axis().transformDirection(this.stage.pictures[0].seen);
     const up = this.orbit.up;
     const side = new Vector3().crossVectors(up, axis);
     if (side.length() < 1e-3) side.crossVectors(new Vector3(1, 0, 0), axis);
@@ -44,41 +56,69 @@ export class Views {
     return radius / Math.sin(half);
   }
 
-  /** What is looked at goes to the middle of what no legend covers. @param {number} taken part of the width */
-  #shift(taken) {
+  /** What is looked at goes to the middle of what no legend covers. @param {number} taken part of the width @param {number} top part of the height */
+  #shift(taken, top = 0) {
     this.stage.shift = this.orbit.shift = taken / 2;
+    this.stage.drop = this.orbit.drop = top / 2;
   }
 
   /** @param {boolean} atOnce */
   fit(atOnce = false) {
-    const { seen, pictures } = this.stage;
-    const points = pictures.flatMap((picture) =>
-      [...picture.bounds.outline, ...picture.arrows.ends()].map((point) => point.clone().applyMatrix4(seen)),
+    const { alike, pictures } = this.stage;
+    const outlines = pictures.map(({ bounds, arrows, seen }) =>
+      [...bounds.outline, ...arrows.ends()].map((point) => point.clone().applyMatrix4(seen)),
     );
+    // variants of a machine are framed as one, different machines each by itself
+    const groups = alike
+      ? [{ points: outlines.flat(), bounds: this.stage.bounds(), factor: 1 }]
+      : pictures.map(({ bounds, seen }, k) => ({
+          points: outlines[k],
+          bounds: { radius: bounds.radius, centre: bounds.centre.clone().applyMatrix4(seen) },
+          factor: bounds.size / pictures[0].bounds.size,
+        }));
     const legends = this.legends() ?? [];
-    const [wide, high] = ["share", "drop"].map((side) => Math.max(0, ...legends.map((legend) => legend[side])));
-    let taken = 0;
-    let view = this.#framed(points, taken);
-    // room for the legends where something would lie under them
-    if (wide && points.some((point) => view.under(point, wide, high)))
-      view = this.#framed(points, (taken = wide));
-    this.#shift(taken);
-    this.orbit.look({ target: view.target, distance: view.distance }, atOnce);
+    const [wide, strip, high] = ["share", "strip", "drop"].map((side) => Math.max(0, ...legends.map((legend) => legend[side])));
+    let [taken, top] = [0, 0];
+    const framed = () => groups.map(({ points, bounds }) => this.#framed(points, bounds, taken, top));
+    let views = framed();
+    const covers = (share) => share > 0 && groups.some(({ points }, k) => points.some((point) => views[k].under(point, share, high)));
+    // room for the legends where something would lie under them: beside them, or below those that are folded
+    if (covers(wide)) taken = wide;
+    else if (covers(strip)) top = high;
+    if (taken || top) views = framed();
+    this.#shift(taken, top);
+    this.#look(
+      pictures.map((_, k) => views[alike ? 0 : k].target),
+      pictures.map(({ bounds }) => bounds.size),
+      { distance: Math.max(...views.map(({ distance }, k) => distance / groups[k].factor)) },
+      atOnce,
+    );
     this.orbit.chosen = false;
   }
 
   /**
-   * Target and distance from which points fill the picture.
-   * @param {Vector3[]} points @param {number} taken part of the width that is left free
+   * All pictures onto points of their own.
+   * @param {Vector3[]} targets as the camera sees them @param {number[]} sizes of what is to be as large in all pictures
+   * @param {{direction?: Vector3, distance?: number}} view of the first @param {boolean} atOnce
    */
-  #framed(points, taken) {
-    const { centre, radius } = this.stage.bounds();
+  #look(targets, sizes, view, atOnce = false) {
+    this.stage.meet(targets, sizes);
+    // easing knows one picture: what has a place of its own in others would jump first
+    this.orbit.look({ target: targets[0], ...view }, atOnce || !this.stage.alike);
+  }
+
+  /**
+   * Target and distance from which points fill the picture.
+   * @param {Vector3[]} points @param {{centre: Vector3, radius: number}} bounds @param {number} taken part of the width that is left free @param {number} top part of the height
+   */
+  #framed(points, { centre, radius }, taken, top) {
     const { camera } = this.stage;
     const toward = this.orbit.direction(this.orbit.goal);
     const right = new Vector3().crossVectors(this.orbit.up, toward).normalize();
     const above = new Vector3().crossVectors(toward, right);
-    const tall = 0.9 * Math.tan((camera.fov * Math.PI) / 360);
-    const wide = tall * camera.aspect * (1 - taken);
+    const half = Math.tan((camera.fov * Math.PI) / 360);
+    const tall = 0.9 * half * (1 - top);
+    const wide = 0.9 * half * camera.aspect * (1 - taken);
     // twice: the first look tells how far the middle of the picture is from the middle of the solids
     const target = centre.clone();
     let distance = this.distanceFor(radius);
@@ -106,10 +146,8 @@ export class Views {
     /** whether a point is shown in a corner at the upper right, in parts of the picture */
     const under = (point, share, drop) => {
       const from = point.clone().sub(target);
-      const half = (tall / 0.9) * (distance - from.dot(toward));
-      return (
-        from.dot(right) > half * camera.aspect * (1 - 2 * share) && from.dot(above) > half * (1 - 2 * drop)
-      );
+      const tip = half * (distance - from.dot(toward));
+      return from.dot(right) > tip * camera.aspect * (1 - 2 * share) && from.dot(above) > tip * (1 - 2 * drop);
     };
     return { target, distance, under };
   }
@@ -130,20 +168,23 @@ export class Views {
   follow(body, turning = this.turning) {
     this.body = body;
     this.turning = turning;
+    const { pictures } = this.stage;
     if (body < 0) {
       // back to the world: the camera keeps its distance, what it looked at stays in the middle
-      const target = this.orbit.goal.target.clone().applyMatrix4(this.stage.seen.clone().invert());
-      this.stage.seen.identity();
-      this.anchor.identity();
-      this.orbit.look({ target }, true);
+      const targets = pictures.map((picture) =>
+        this.stage.targetOf(picture, this.orbit.goal.target).applyMatrix4(picture.seen.clone().invert()),
+      );
+      for (const { seen } of pictures) seen.identity();
+      this.stage.meet(targets);
+      this.orbit.look({ target: targets[0] }, true);
       return;
     }
-    this.anchor.multiplyMatrices(this.stage.seen, this.#frame());
+    pictures.forEach((picture, k) => this.anchors[k].multiplyMatrices(picture.seen, this.#frame(picture)));
     this.orbit.changed();
   }
 
-  #frame() {
-    const world = this.poses.world[this.body];
+  #frame(picture) {
+    const world = picture.poses.world[this.bodyIn(picture)] ?? new Matrix4();
     return this.turning
       ? world.clone()
       : new Matrix4().setPosition(new Vector3().setFromMatrixPosition(world));
@@ -151,7 +192,10 @@ export class Views {
 
   /** The world as seen at the instant of the poses. */
   update() {
-    if (this.body >= 0) this.stage.seen.multiplyMatrices(this.anchor, this.#frame().invert());
+    if (this.body < 0) return;
+    this.stage.pictures.forEach((picture, k) =>
+      picture.seen.multiplyMatrices(this.anchors[k], this.#frame(picture).invert()),
+    );
   }
 
   /** @param {number[]} target @param {number[]} direction to the camera @param {number} height of what is seen there [m] */
@@ -164,15 +208,36 @@ export class Views {
     );
   }
 
-  /** Middle of the followed body, closer. */
+  /** Middle of the followed body, closer; pictures without it go as near to what they show. */
   closeUp() {
     if (this.body < 0) return;
-    const { solids } = this.stage.pictures[0];
-    const target = new Vector3()
-      .setFromMatrixPosition(this.poses.world[this.body])
-      .applyMatrix4(this.stage.seen);
-    const radius = solids.reachOf(this.body);
-    this.orbit.look({ target, distance: radius > 0 ? this.distanceFor(1.15 * radius) : undefined });
+    const { pictures } = this.stage;
+    const found = pictures.map((picture) => {
+      const body = this.bodyIn(picture);
+      if (body < 0) return null;
+      const target = new Vector3().setFromMatrixPosition(picture.poses.world[body]).applyMatrix4(picture.seen);
+      return { target, size: picture.solids.reachOf(body) };
+    });
+    this.#onto(found, (size) => this.distanceFor(1.15 * size));
+  }
+
+  /**
+   * All pictures onto what each has found.
+   * @param {({target: Vector3, size: number}|null)[]} found one a picture @param {(size: number) => number} away distance for a size
+   * @param {Vector3} [direction]
+   */
+  #onto(found, away, direction) {
+    const { pictures, alike } = this.stage;
+    const { target: goal } = this.orbit.goal;
+    const targets = found.map((each, k) => each?.target ?? this.stage.targetOf(pictures[k], goal));
+    // what a picture has not got is as large as what stands for it in the other, machine by machine
+    const known = found.findIndex((each) => each?.size > 0);
+    if (known < 0) return this.#look(targets, undefined, { direction });
+    const unit = found[known].size / pictures[known].bounds.size;
+    const sizes = pictures.map(({ bounds }, k) =>
+      found[k]?.size > 0 ? found[k].size : unit * (alike ? pictures[known] : { bounds }).bounds.size,
+    );
+    this.#look(targets, sizes, { direction, distance: away(alike ? Math.max(...sizes) : sizes[0]) });
   }
 
   /** The gear whose rim a point is nearest to: arrows of meshes count in the world and name no gear. @param {Vector3} point @param {any} picture */
@@ -190,22 +255,28 @@ export class Views {
     return best;
   }
 
+  /** Where a mesh acts in a picture, about what axis, and how large its teeth are. @param {any} picture @param {any} arrow */
+  #meshIn(picture, arrow) {
+    const { poses, arrows, data, seen, bounds } = picture;
+    const point = arrows.forces()[data.arrows.indexOf(arrow)].at;
+    const gear = this.#gearAt(point, picture);
+    const axis = gear ? gear.axis : poses.axis();
+    return { point, axis, target: point.clone().applyMatrix4(seen), size: gear ? gear.pitch : 0.1 * bounds.radius };
+  }
+
   /**
-   * Along the axis of its gear on the point where a mesh acts.
-   * @param {any} arrow @returns {{point: Vector3, axis: Vector3}} in the world, for a section through it
+   * Along the axis of its gear on the point where a mesh acts, in all pictures that have one of its name.
+   * @param {any} arrow @returns {({point: Vector3, axis: Vector3}|null)[]} in the world of each picture, for a section through it
    */
   intoMesh(arrow) {
-    const picture = this.stage.pictures.find(({ data }) => data.arrows.includes(arrow));
-    const { poses, arrows, data } = picture;
-    const force = arrows.forces()[data.arrows.indexOf(arrow)];
-    const gear = this.#gearAt(force.at, picture);
-    const axis = gear ? gear.axis : poses.axis();
-    const pitch = gear ? gear.pitch : 0.1 * this.stage.bounds().radius;
-    this.orbit.look({
-      target: force.at.clone().applyMatrix4(this.stage.seen),
-      direction: axis.clone().transformDirection(this.stage.seen),
-      distance: (1.6 * pitch) / (2 * Math.tan((this.stage.camera.fov * Math.PI) / 360)),
+    const { pictures, camera } = this.stage;
+    const found = pictures.map((picture) => {
+      const same = picture.data.arrows.find(({ kind, name }) => kind === "mesh" && name === arrow.name);
+      return same ? this.#meshIn(picture, same) : null;
     });
-    return { point: force.at, axis };
+    const at = found.findIndex(Boolean);
+    const direction = found[at].axis.clone().transformDirection(pictures[at].seen);
+    this.#onto(found, (pitch) => (1.6 * pitch) / (2 * Math.tan((camera.fov * Math.PI) / 360)), direction);
+    return found;
   }
 }

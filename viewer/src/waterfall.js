@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 import { el } from "./dom.js";
 import { gradient, loadColour } from "./load_colours.js";
-import { number } from "./numbers.js";
+import { number, within } from "./numbers.js";
 import { labels } from "./plots.js";
 
 /** Width of the scale of colours that stands beside maps [px]. */
@@ -145,7 +145,8 @@ export class Waterfall {
         n = nearest(times, at(event, "x"));
       const level = map.levels.data[n * lines.length + k];
       const [per, hertz] = frequencyUnit([lines.at(-1)]);
-      const what = map.of ? `order ${number(lines[k], 4)}` : `${number(lines[k] * per, 4)} ${hertz}`;
+      const half = (lines[1] - lines[0]) / 2;
+      const what = map.of ? `order ${within(lines[k], half)}` : `${within(lines[k] * per, half * per)} ${hertz}`;
       this.say(`${number(times[n], 4)} s, ${what}: ${level ? "" : "< "}${number(amplitudeOf(map, level) * this.shown.scale, 3)} ${this.shown.unit}`);
     });
     over.addEventListener("pointerleave", () => this.say(""));

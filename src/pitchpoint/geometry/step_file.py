@@ -9,7 +9,7 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -69,58 +69,113 @@ def read_step(file: str | Path) -> SolidFile:
     """
     from pitchpoint.geometry.solid_file import Solid, SolidFile
 
+    found = ask("pitchpoint.geometry.step_file", file)
+    solids = (Solid(n, v, tuple(c), tuple(m)) for n, v, c, m in found["solids"])
+    return SolidFile(tuple(solids), found["unit"])
+
+
+def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
+    """What a module says of a STEP file that it reads in a process of its own.
+
+    Parameters
+    ----------
+    module
+        One that is run with the path of the file and the arguments and writes what `told` gives.
+    file
+        Its path.
+    *arguments
+        What else the module needs.
+
+    Raises
+    ------
+    GeometryError
+        What the module says is wrong with the file, or that it ended before it could say so.
+    MissingDependencyError
+        If OCC is not installed.
+    """
     name = Path(file).name
     _check_whole(name, Path(file))
     if importlib.util.find_spec("OCP") is None:
         raise _missing()
-    command = [sys.executable, "-m", "pitchpoint.geometry.step_file", str(Path(file).absolute())]
+    command = [sys.executable, "-m", module, str(Path(file).absolute()), *arguments]
     paths = os.pathsep.join(p for p in sys.path if p)
     run = subprocess.run(
         command, capture_output=True, check=False, env={**os.environ, "PYTHONPATH": paths, "PYTHONUTF8": "1"}
     )
     try:
-        found = json.loads(run.stdout)
+        found: dict[str, Any] = json.loads(run.stdout)
     except ValueError:
-        raise _refused(name, "cannot be read: its contents are damaged") from None
+        raise refused(name, "cannot be read: its contents are damaged") from None
     if "problem" in found:
         raise GeometryError(found["problem"].pop("message"), **found["problem"])
-    solids = (Solid(n, v, tuple(c), tuple(m)) for n, v, c, m in found["solids"])
-    return SolidFile(tuple(solids), found["unit"])
+    return found
 
 
-def _answer(file: str) -> dict[str, Any]:
-    """What the process that reads a file says of it."""
+def told(answer: Callable[..., dict[str, Any]], *arguments: str) -> dict[str, Any]:
+    """The answer of a process that reads a file, or what is wrong with the file.
+
+    Parameters
+    ----------
+    answer
+        What the process does.
+    *arguments
+        The path of the file and what else `answer` takes.
+    """
     try:
-        unit, solids = _read(file)
+        return answer(*arguments)
     except GeometryError as error:
         p = error.problem
-        told = {"where": p.where, "value": p.value, "limit": p.limit, "remedy": p.remedy}
-        return {"problem": {"message": p.message, **told}}
-    return {"unit": unit, "solids": solids}
+        rest = {"where": p.where, "value": p.value, "limit": p.limit, "remedy": p.remedy}
+        return {"problem": {"message": p.message, **rest}}
 
 
-def _read(file: str) -> tuple[str, list[Any]]:
-    """Unit, and name, volume, centre and moments of every solid."""
-    from pitchpoint.geometry.solid_file import solid_of
+def named_solids(file: str) -> tuple[str, Iterator[tuple[str, Any]]]:
+    """Unit of a file in words, and every solid as a shape of OCC in millimetres with a name of its own.
 
+    Parameters
+    ----------
+    file
+        Its path.
+
+    Raises
+    ------
+    GeometryError
+        If it cannot be read.
+    MissingDependencyError
+        If OCC is not installed.
+    """
     name = Path(file).name
     _check_references(name, Path(file).read_bytes())
     need_occ()
     document, unit = _document(name, file)
+
+    def labelled() -> Iterator[tuple[str, Any]]:
+        """Solids of one product are counted."""
+        seen: dict[str, int] = {}
+        for product, shape in _solids(document):
+            count = seen[product] = seen.get(product, 0) + 1
+            yield (product if count == 1 else f"{product} ({count})"), shape
+
+    return unit, labelled()
+
+
+def _answer(file: str) -> dict[str, Any]:
+    """Unit, and name, volume, centre and moments of every solid."""
+    from pitchpoint.geometry.solid_file import solid_of
+
+    name = Path(file).name
+    unit, shapes = named_solids(file)
     solids: list[Any] = []
-    seen: dict[str, int] = {}
-    for product, shape in _solids(document):
-        count = seen[product] = seen.get(product, 0) + 1
-        label = product if count == 1 else f"{product} ({count})"
+    for label, shape in shapes:
         _check_closed(name, label, shape)
         volume, center, inertia = solid_integrals(shape)
         if not volume > 0.0:
-            raise _refused(name, f"holds the solid '{label}' inside out", f"volume {volume:.6g} m^3")
+            raise refused(name, f"holds the solid '{label}' inside out", f"volume {volume:.6g} m^3")
         one = solid_of(label, volume, center, inertia)
         solids.append((one.name, one.volume, one.center, one.moments))
     if not solids:
-        raise _refused(name, "holds no solid", remedy="export a solid body, not surfaces or a drawing")
-    return unit, solids
+        raise refused(name, "holds no solid", remedy="export a solid body, not surfaces or a drawing")
+    return {"unit": unit, "solids": solids}
 
 
 def solid_integrals(shape: Any) -> tuple[float, np.ndarray, np.ndarray]:
@@ -146,7 +201,18 @@ def solid_integrals(shape: Any) -> tuple[float, np.ndarray, np.ndarray]:
     return found.Mass() * _MM**3, np.array([at.X(), at.Y(), at.Z()]) * _MM, inertia * _MM**5
 
 
-def _refused(name: str, message: str, value: str | None = None, remedy: str = _AGAIN) -> GeometryError:
+def refused(name: str, message: str, value: str | None = None, remedy: str = _AGAIN) -> GeometryError:
+    """The error that a file cannot be used.
+
+    Parameters
+    ----------
+    name
+        Of the file.
+    message
+        What is wrong with it, as the rest of a sentence.
+    value, remedy
+        As of `GeometryError`.
+    """
     return GeometryError(f"the file '{name}' {message}", where="file", value=value, remedy=remedy)
 
 
@@ -159,11 +225,11 @@ def _check_whole(name: str, path: Path) -> None:
             tail = file.read()
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else str(error)
-        raise _refused(name, f"cannot be read: {reason}") from None
+        raise refused(name, f"cannot be read: {reason}") from None
     if _BEGIN not in head:
-        raise _refused(name, "is no STEP file: it does not begin with ISO-10303-21;")
+        raise refused(name, "is no STEP file: it does not begin with ISO-10303-21;")
     if _END not in tail:
-        raise _refused(name, "is cut short: it does not end with END-ISO-10303-21;")
+        raise refused(name, "is cut short: it does not end with END-ISO-10303-21;")
 
 
 def _check_references(name: str, data: bytes) -> None:
@@ -172,7 +238,7 @@ def _check_references(name: str, data: bytes) -> None:
     lost = set(_REFERENCE.findall(bare)) - set(_ENTITY.findall(bare))
     if lost:
         first = min(lost, key=int).decode()
-        raise _refused(name, f"is damaged: it names entities that it does not hold, such as #{first}")
+        raise refused(name, f"is damaged: it names entities that it does not hold, such as #{first}")
 
 
 def _document(name: str, file: str) -> tuple[Any, str]:
@@ -189,9 +255,9 @@ def _document(name: str, file: str) -> tuple[Any, str]:
     try:
         good = reader.ReadFile(file) == IFSelect_ReturnStatus.IFSelect_RetDone and reader.Transfer(document)
     except RuntimeError as error:  # what OCC throws comes as this
-        raise _refused(name, f"cannot be read: {error}") from None
+        raise refused(name, f"cannot be read: {error}") from None
     if not good:
-        raise _refused(name, "cannot be read: its contents are no model")
+        raise refused(name, "cannot be read: its contents are no model")
     lengths = Texts()
     reader.ChangeReader().FileUnits(lengths, Texts(), Texts())
     words = lengths.Value(1).ToCString() if lengths.Length() else "millimetre"
@@ -250,9 +316,9 @@ def _check_closed(name: str, label: str, shape: Any) -> None:
     explorer = TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_SHELL)
     while explorer.More():
         if not BRep_Tool.IsClosed_s(explorer.Current()):
-            raise _refused(name, f"holds the solid '{label}', whose surface is open")
+            raise refused(name, f"holds the solid '{label}', whose surface is open")
         explorer.Next()
 
 
 if __name__ == "__main__":
-    sys.stdout.write(json.dumps(_answer(sys.argv[1])))
+    sys.stdout.write(json.dumps(told(_answer, *sys.argv[1:])))

@@ -22,7 +22,7 @@ from pitchpoint.report.scene_motion import motion, scene_bodies, shown_bodies
 from pitchpoint.report.scene_places import Places
 from pitchpoint.report.scene_solids import scene_solids
 from pitchpoint.report.scene_spectra import scene_spectra
-from pitchpoint.viz.quantities import Channel, scale
+from pitchpoint.viz.quantities import Channel, channel_scale
 from pitchpoint.viz.scene import Scene, SceneArrow, SceneChannel, SceneMark
 from pitchpoint.viz.scene_contact import SceneContact
 from pitchpoint.viz.scene_spectrum import SceneMap, SceneSpectrum
@@ -217,7 +217,7 @@ class _Record:
             if not np.isfinite(x).all():
                 continue
             unit = str(values.attrs.get("units", "1"))
-            shown = scale(unit, x)
+            shown = channel_scale(str(name), unit, x)
             found.append(
                 SceneChannel(
                     name=str(name),

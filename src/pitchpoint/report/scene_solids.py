@@ -9,18 +9,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.errors import GeometryError, MissingDependencyError
 from pitchpoint.geometry.shaft_solid import shaft_solid
-from pitchpoint.geometry.triangle_file import join_corners, placed_triangles, read_triangles
+from pitchpoint.geometry.triangle_file import join_corners
 from pitchpoint.model.frames import frame
 from pitchpoint.model.shafts import middle_of, section_at, station_names
 from pitchpoint.report.scene_bevel_gears import bevel_part
+from pitchpoint.report.scene_files import surface_of
 from pitchpoint.report.scene_gears import gear_part
 from pitchpoint.report.scene_joining import joining_parts
 from pitchpoint.report.scene_ratios import ratio_parts
@@ -91,7 +91,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
         if part.solid is not None:
             try:
                 found.append(_from_file(model, name, at, cover.get(name)))
-            except GeometryError as error:
+            except (GeometryError, MissingDependencyError) as error:
                 notes.append(f"body {name} is not drawn: {error}")
         elif name not in model.shafts and (part.gears or part.bevel_gears):
             found += _spindle(model, name, at)
@@ -227,8 +227,15 @@ def _from_file(model: Model, name: str, at: Places, cover: str | None) -> SceneS
     """The surface of a file, in the axes of its body; what covers others is seen through."""
     reference = model.bodies[name].solid
     assert reference is not None
-    corners = placed_triangles(read_triangles(reference.file), reference.unit or 1.0)
-    corners = (corners - np.array(reference.origin or (0.0, 0.0, 0.0))) @ frame(reference.axes)
+    points, triangles = surface_of(reference)
+    points = (points - np.array(reference.origin or (0.0, 0.0, 0.0))) @ frame(reference.axes)
     number, place, axes = at.own(name)
-    solid = _solid(name, cover or "body", number, corners @ axes.T + place, creases=20.0)
-    return replace(solid, see_through=cover is not None)
+    return SceneSolid(
+        name=name,
+        kind=cover or "body",
+        body=number,
+        points=points @ axes.T + place,
+        triangles=triangles,
+        creases=20.0,
+        see_through=cover is not None,
+    )

@@ -40,6 +40,8 @@ MAPS = 4
 """Most channels with spectra, and of these with maps over time."""
 LINES, MAP_LINES, PIECES = 1500, 256, 160
 """Lines of a spectrum and of a map (of more, every group keeps its largest), pieces of a map."""
+ROUND_OFF = 1e-9
+"""Part of the largest value of a quantity up to which a channel of it that changes does not."""
 FEWEST = 64
 """Samples below which there is no spectrum."""
 ORDERS = 4.5
@@ -87,7 +89,7 @@ def scene_spectra(
         signal, rate = uniform(time[inside], values[inside])
         spectrum = amplitude_spectrum(signal - signal.mean(), rate)
         lines, amplitude = _fewer(spectrum.frequency[1:], spectrum.amplitude[1:], LINES)
-        spectra.append(SceneSpectrum(name, unit, lines, amplitude))
+        spectra.append(SceneSpectrum(name, unit, lines, amplitude, "", spectrum.resolution))
         shaft = shafts.get(_owner(name), shafts.get(""))
         spectra += _orders(name, unit, values[inside], shaft, inside)
         if len(maps) < MAPS:
@@ -98,14 +100,13 @@ def scene_spectra(
 def _chosen(result: xr.Dataset, inside: NDArray[np.bool_]) -> list[str]:
     """Channels that have a spectrum: the first ones that change."""
     names = [str(n) for n, x in result.data_vars.items() if x.dims == ("time",)]
-    found = []
-    for name in (n for q in QUANTITIES for n in names if n.split("[")[0] == q):
-        values = np.asarray(result[name].values, dtype=np.float64)
-        if np.isfinite(values).all() and np.ptp(values[inside]) > 0.0:
-            found.append(name)
-            if len(found) == MOST:
-                break
-    return found
+    found: list[str] = []
+    for quantity in QUANTITIES:
+        same = {n: np.asarray(result[n].values, np.float64) for n in names if n.split("[")[0] == quantity}
+        same = {n: values for n, values in same.items() if np.isfinite(values).all()}
+        largest = max((float(np.abs(values).max()) for values in same.values()), default=0.0)
+        found += [n for n, values in same.items() if np.ptp(values[inside]) > ROUND_OFF * largest]
+    return found[:MOST]
 
 
 def _owner(channel: str) -> str:
@@ -144,7 +145,9 @@ def _orders(
     except SignalError:
         return []
     lines, amplitude = _fewer(spectrum.frequency[1:], spectrum.amplitude[1:], LINES)
-    return [SceneSpectrum(name, unit, lines, amplitude, shaft.name)] if lines.size else []
+    if not lines.size:
+        return []
+    return [SceneSpectrum(name, unit, lines, amplitude, shaft.name, spectrum.resolution)]
 
 
 def _map(name: str, unit: str, values: Array, time: Array, shaft: _Shaft | None) -> list[SceneMap]:

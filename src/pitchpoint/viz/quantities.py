@@ -74,8 +74,7 @@ class Channel:
         >>> Channel("mesh_force[stage]", np.zeros(1), "N", "mesh force").label
         'mesh force, stage'
         """
-        words, owner = self.words, self.name.partition("[")[2].rstrip("]")
-        return f"{words}, {owner}" if owner else words
+        return channel_label(self.name)
 
     @property
     def words(self) -> str:
@@ -86,6 +85,19 @@ class Channel:
     def quantity(self) -> str:
         """Name without the element: `mesh_force` of `mesh_force[stage]`."""
         return self.name.partition("[")[0]
+
+
+def channel_label(name: str) -> str:
+    """Readable name of a channel: its quantity in words, the element that it belongs to as the model has it.
+
+    Examples
+    --------
+    >>> channel_label("mesh_force[stage_1]"), channel_label("power_balance")
+    ('mesh force, stage_1', 'power balance')
+    """
+    quantity, _, owner = name.partition("[")
+    words = quantity.replace("_", " ")
+    return f"{words}, {owner.rstrip(']')}" if owner else words
 
 
 def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
@@ -111,6 +123,29 @@ def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
         return next(s for least, s in _TILTS if largest >= least)
     shown = display_unit(kind, largest) if largest > 0.0 else display_unit(kind)
     return Scale(pretty(shown), in_unit(1.0, kind, shown))
+
+
+def channel_scale(name: str, unit: str, values: Array) -> Scale:
+    """Display unit of a channel: transmission errors count in µm and µrad, whatever their mean is.
+
+    Parameters
+    ----------
+    name
+        Of the channel, with its element.
+    unit
+        SI.
+    values
+        Of the channel, in SI.
+
+    Examples
+    --------
+    >>> [channel_scale(f"{q}[stage]", "m", np.array([2e-4])).unit for q in ("transmission_error", "travel")]
+    ['µm', 'mm']
+    """
+    small = {"m": Scale("µm", 1e6), "rad": Scale("µrad", 1e6)}.get(_SPELLINGS.get(unit, unit))
+    if small is not None and name.partition("[")[0].endswith("transmission_error"):
+        return small
+    return scale(unit, values)
 
 
 def pretty(unit: str) -> str:

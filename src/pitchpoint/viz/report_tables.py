@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.status import OK
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.quantities import channel_label, number, scale
 from pitchpoint.viz.report_page import Section
 from pitchpoint.viz.tables import plain_table
 
@@ -85,8 +85,7 @@ def _table(cases: Sequence[Mapping[str, Any]], paths: Sequence[str]) -> str:
         values = [c["channels"][name][statistic] for c in cases if name in c["channels"]]
         units = [c["channels"][name]["unit"] for c in cases if name in c["channels"]]
         scales.append(scale(units[0], values))
-        words = name.replace("_", " ").replace("[", ", ").rstrip("]")
-        head.append(f"{words}, {WORDS[statistic]} [{scales[-1].unit}]")
+        head.append(f"{channel_label(name)}, {WORDS[statistic]} [{scales[-1].unit}]")
     body = []
     for case in cases[:MOST_ROWS]:
         cells = [f'<th scope="row">{escape(case["values"].get(paths[0], "–"))}</th>'] if paths else []

@@ -23,13 +23,16 @@ class SceneSpectrum:
         Frequencies [Hz], or orders of a body, and peak amplitudes, shape (k,) each.
     of
         Body whose turns the orders count; empty where lines are frequencies.
+    resolution
+        Spacing of the lines of the record, in the unit of the lines; of many some are left out.
     """
 
     channel: str
     unit: str
     lines: Array
     amplitude: Array
-    of: str = ""
+    of: str
+    resolution: float
 
 
 @dataclass(frozen=True)

@@ -43,6 +43,7 @@ def spectrum_entry(spectrum: SceneSpectrum, block: Block) -> dict[str, Any]:
         "channel": spectrum.channel,
         "unit": spectrum.unit,
         "of": spectrum.of,
+        "resolution": spectrum.resolution,
         "lines": _lines(spectrum.lines, block),
         "amplitude": {**block.put_steps(level, 2.0 * _AMPLITUDE), "exponent": True},
     }

@@ -71,3 +71,25 @@ def test_levels_of_a_map_are_decibels_below_the_largest():
     """Half an amplitude is 6.02 dB, 19 of the 255 levels that make 80 dB."""
     assert map_levels(np.array([[2.0, 1.0], [2e-4, 0.0]])).tolist() == [[255, 236], [0, 0]]
     assert map_levels(np.zeros((2, 2))).tolist() == [[0, 0], [0, 0]]
+
+
+def test_a_record_says_how_far_apart_its_lines_are(model):
+    """One in 10 s; one in 1.25 turns; as many lines as are kept, the one where the mesh is among them."""
+    angle = 2.0 * np.pi * 1.25 * TIME / TIME[-1]
+    spectra, _ = scene_spectra(model, record(angle, np.cos(23 * angle)))
+    hertz, orders = spectra
+    assert hertz.resolution == pytest.approx(0.1, rel=1e-4) and hertz.lines.size <= 1500 < 0.5 * TIME.size
+    assert orders.resolution == pytest.approx(1.0 / 1.25, rel=1e-2)
+    mesh = orders.lines[np.argmax(orders.amplitude)]
+    assert abs(mesh - 23.0) <= 0.5 * orders.resolution < abs(mesh + orders.resolution - 23.0)
+
+
+def test_what_only_rounding_changes_has_no_spectrum(model):
+    """A force of 1 kN ± 1 N, one of 0 ± 1e-7 N beside it, and a transmission error that alone is small."""
+    wave = np.cos(2 * np.pi * 100.0 * TIME)
+    force = {"bearing_force[a.fx]": 1e3 + wave, "bearing_force[a.fz]": 1e-7 * wave}
+    result = record(2 * np.pi * TIME, 1e-10 * wave).assign(
+        {name: ("time", values, {"units": "N"}) for name, values in force.items()}
+    )
+    spectra, _ = scene_spectra(model, result)
+    assert {s.channel for s in spectra} == {"transmission_error[stage]", "bearing_force[a.fx]"}

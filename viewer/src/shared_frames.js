@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames of two results that are compared: the steps are those of one of them, and the page says whose.
+import { duration } from "./numbers.js";
+import { namesOf } from "./names.js";
+
+/** Mean time between frames; none where there are fewer than two. @param {ArrayLike<number>} times */
+const stepOf = (times) => (times.length > 1 ? (times[times.length - 1] - times[0]) / (times.length - 1) : Infinity);
+
+/**
+ * Frames that the buttons step through: those of the record with the finer steps and, where only the other goes on, of
+ * that one. All frames of both would make a step now long, now a billionth of a second.
+ * @param {any[]} scenes one or two
+ * @returns {{times: ArrayLike<number>, whose: string, note: string}} `whose` is empty where both have the same frames
+ */
+export function sharedFrames(scenes) {
+  const lists = scenes.map((scene) => scene.times?.data ?? []);
+  if (lists.length === 1) return { times: lists[0], whose: "", note: "" };
+  const steps = lists.map(stepOf);
+  const fine = steps[1] < steps[0] ? 1 : 0;
+  const [own, other] = [lists[fine], lists[1 - fine]];
+  const near = 0.5 * Math.min(...steps);
+  const rest = [...other].filter((t) => !own.length || t < own[0] - near || t > own[own.length - 1] + near);
+  const times = Float64Array.from([...own, ...rest]).sort();
+  const same = own.length === other.length && own.every((t, k) => Math.abs(t - other[k]) < 1e-6 * near);
+  if (same || !Number.isFinite(steps[1 - fine])) return { times, whose: "", note: "" };
+  const names = namesOf(scenes);
+  const [mine, its] = [names[fine], names[1 - fine]];
+  const note = `Time steps through the frames of ${mine}, ${duration(steps[fine])} apart; those of ${its} are ${duration(steps[1 - fine])} apart, with straight lines between them.`;
+  return { times, whose: mine, note };
+}
