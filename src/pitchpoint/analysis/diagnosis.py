@@ -257,7 +257,8 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
     together = float(-np.expm1(tests * np.log1p(-min(found.probability, 1.0 - 1e-16))))
     each = -np.expm1(np.log1p(-allowed) / tests)
     if kind == "comb":
-        value, threshold = found.score, float(norm.isf(each))
+        value = found.score
+        threshold = float(norm.isf(-np.expm1(np.log1p(-each) / found.choices)))
     else:
         one = each / found.lines
         # two of three harmonics of a bearing must be as unlikely

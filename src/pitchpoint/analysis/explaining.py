@@ -22,7 +22,7 @@ from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
 from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import Array
-from pitchpoint.analysis.shaft_tests import HARMONICS, LOW_ORDERS, SIDEBANDS, SLIP, Measured, ShaftView
+from pitchpoint.analysis.shaft_tests import HARMONICS, LOW_ORDERS, OFF, SIDEBANDS, SLIP, Measured, ShaftView
 from pitchpoint.analysis.tones import without_tones
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts
 
@@ -93,11 +93,18 @@ class Strikes:
         place = np.concatenate([alone, single, both])
         return np.asarray(place[(place > 0.0) & (place < highest)], dtype=np.float64)
 
-    def passes_for(self, rate: float) -> bool:
-        """Whether a line beside the strikes is that of others of a rate, to within the slip of rolling."""
+    def have_beside(self, order: float, spectrum: FineSpectrum) -> bool:
+        """Whether a line stands beside strikes, not on them, and is not larger than these.
+
+        The load that a damage goes through only pushes, and no line of a function without negative values is
+        larger than its mean: none beside the strikes is larger than the largest of their own.
+        """
         sides = self._sides(BESIDE)
-        places = np.add.outer(self.rate * np.arange(1, TESTED + 1), sides[sides != 0.0])
-        return bool(np.any(np.abs(places - rate) <= SLIP * rate))
+        strikes = self.rate * np.arange(1, np.ceil(order / self.rate) + BESIDE)
+        places = np.add.outer(strikes, sides[sides != 0.0])
+        there = np.abs(places - order) <= OFF * spectrum.resolution
+        largest = spectrum.power(self.rate * np.arange(1, TESTED + 1)).max()
+        return bool(there.any() and spectrum.power(order) <= largest)
 
     def _sides(self, most: int) -> Array:
         """Distances of the lines beside a harmonic."""
@@ -234,7 +241,9 @@ def _among_others(
             trains.append(_strikes_of(e, channels[e.channel], parts))
             names.append(f"{e.shaft} of {e.gear}")
             together |= _runs_with(_nominal(e, parts) / rate, 2)
-            if not together and trains[-1].passes_for(rate):
+            seen = channels[now.channel].bearings
+            assert seen is not None
+            if not together and trains[-1].have_beside(now.order, seen.spectra[1]):
                 # what has lines of its own stays
                 mine = _strikes_of(now, channels[now.channel], parts)
                 together = not _vanishes(e, channels, parts, [mine], tests)

@@ -70,6 +70,8 @@ class Measured:
         Lines that were looked at [-].
     sideband
         Number of the sideband, 0 for others [-].
+    choices
+        Bands of a comb of which the best one was taken [-].
     """
 
     score: float
@@ -78,6 +80,7 @@ class Measured:
     amplitude: float
     lines: int
     sideband: int = 0
+    choices: int = 1
 
 
 class ShaftView:
@@ -160,12 +163,10 @@ class ShaftView:
             worst = found if worst is None or found.probability > worst.probability else worst
         assert worst is not None
         small = worst.amplitude < SMALLEST_COMB * self.rms
-        return Measured(
-            worst.score,
-            1.0 if small else worst.probability,
-            worst.order * self.order,
-            worst.amplitude,
-            worst.lines,
+        return replace(
+            worst,
+            probability=1.0 if small else worst.probability,
+            order=worst.order * self.order,
         )
 
     def lines(self, orders: NDArray[Any], sideband: NDArray[Any], least: Array | None = None) -> Measured:
@@ -354,4 +355,4 @@ def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array)
             amplitude = float(np.sqrt(max(above, 0.0) * mine.sum()))
             best = Measured(score, probability, float(number[mine].mean()), amplitude, int(mine.sum()))
     some = float(-np.expm1(len(bands) * np.log1p(-min(best.probability, 1.0 - 1e-16))))
-    return Measured(best.score, some, best.order, best.amplitude, best.lines)
+    return replace(best, probability=some, choices=len(bands))

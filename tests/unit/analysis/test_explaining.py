@@ -8,6 +8,7 @@ import pytest
 
 from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
 from pitchpoint.analysis.explaining import Strikes
+from pitchpoint.analysis.line_tests import fine_spectrum
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts, train_parts
 
@@ -165,6 +166,20 @@ def test_lines_of_strikes_stand_at_all_their_products() -> None:
 def test_a_ball_turns_with_its_cage_and_may_strike_one_ring_harder() -> None:
     lines = set(Strikes(4.0, 0.4, np.empty(0), ball=True).lines(9.0, envelope=True).round(6))
     assert {0.4, 0.8, 2.0, 1.6, 4.0, 4.4, 6.0} <= lines
+
+
+def test_lines_beside_strikes_are_no_larger_than_these() -> None:
+    """Strikes at 5.1 with the turns of a shaft beside them; what lies on the strikes is their own."""
+    turned = np.arange(int(RATE * TURNS)) / RATE
+    strikes = Strikes(5.1, 1.0, np.empty(0))
+
+    def beside(order: float, amplitude: float) -> bool:
+        tones = 0.3 * np.cos(2 * np.pi * 5.1 * turned) + amplitude * np.cos(2 * np.pi * order * turned)
+        return strikes.have_beside(order, fine_spectrum(tones, RATE))
+
+    assert beside(4.1, 0.2) and beside(10.2 - 3.0, 0.2)
+    assert not beside(4.1, 0.4)
+    assert not beside(4.1 + 1.0 / TURNS, 0.2) and not beside(10.2, 0.2)
 
 
 def test_one_reason_is_told_once() -> None:
