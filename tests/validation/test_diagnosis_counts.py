@@ -130,11 +130,11 @@ def test_healthy_records_are_accused_by_chance_only(tmp_path: Path) -> None:
         ("pitch", "gears.z80.faults.pitch.severity: 1", TEETH_80, 8),
         ("wear", "gears.z32.faults.wear.severity: 1", TEETH_32, 0),
         ("eccentric", "gears.z48.faults.bore.severity: [0.5, 1]", TEETH_IDLER, 12),
-        ("outer", f"{BEARING}.outer.severity: 1", ("outer ring", INPUT), 8),
+        ("outer", f"{BEARING}.outer.severity: 1", ("outer ring", INPUT), 7),
         ("inner", f"{BEARING}.inner.severity: 1", ("inner ring", INPUT), 8),
         ("ball", f"{BEARING}.ball.severity: 1", ("rolling element", INPUT), 7),
         ("cage", f"{BEARING}.cage.severity: 1", ("cage", INPUT), 0),
-        ("loose", f"{BEARING}.loose.severity: 1", ("outer ring", INPUT), 3),
+        ("loose", f"{BEARING}.loose.severity: 1", ("outer ring", INPUT), 2),
     ],
 )
 def test_what_is_named_has_the_fault(
