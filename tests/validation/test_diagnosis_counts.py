@@ -10,7 +10,9 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor
 from functools import cache
+from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -73,7 +75,16 @@ def machine() -> TurningParts:
     return parts_of(model, turning_speeds(model, {"input": 1.0}), "input")[0]
 
 
-def findings(folder: Path, fault: str, keys: str, speeds: str, seeds: int) -> list[list[Named]]:
+@pytest.fixture(scope="module")
+def workers() -> Iterator[Executor]:
+    """A process for each core: most of the time goes into the diagnoses."""
+    with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
+        yield pool
+
+
+def findings(
+    workers: Executor, folder: Path, fault: str, keys: str, speeds: str, seeds: int
+) -> list[list[Named]]:
     """Findings of every draw of noise, by record."""
     plan = folder / "plan.yaml"
     plan.write_text(
@@ -82,15 +93,17 @@ def findings(folder: Path, fault: str, keys: str, speeds: str, seeds: int) -> li
     assert run_command(["dataset", str(plan), "-o", str(folder / "data"), "-q"]) == 0
     table = folder / "data" / "index.csv"
     with table.open(encoding="utf-8") as file:
-        return [list(draws(table.parent / row["file"])) for row in csv.DictReader(file)]
+        paths = [table.parent / row["file"] for row in csv.DictReader(file)]
+    return list(workers.map(draws, paths))
 
 
-def draws(path: Path) -> Iterator[Named]:
+def draws(path: Path) -> list[Named]:
     """Findings of one record with one draw of noise after the other."""
     record = read_record(str(path))
     shaft = tacho_angle(record.channels["tacho"], record.time, pulses_per_revolution=10)
     held = slice(shaft.first_sample, shaft.first_sample + shaft.angle.size)
     clean = {name: values for name, values in record.channels.items() if name != "tacho"}
+    named = []
     for draw in DRAWS:
         noisy = {
             name: with_white_noise(x, signal_to_noise=NOISE, seed=[draw, k]).values[held]
@@ -104,7 +117,8 @@ def draws(path: Path) -> Iterator[Named]:
             false_alarm=FALSE_ALARM,
             sampled_per_turn=over.sampled_per_turn,
         )
-        yield {(finding.shaft, frozenset(finding.gears)) for finding in found.findings}
+        named.append({(finding.shaft, frozenset(finding.gears)) for finding in found.findings})
+    return named
 
 
 def most_by_chance(records: int) -> int:
@@ -112,9 +126,9 @@ def most_by_chance(records: int) -> int:
     return int(binom.isf(0.01, records, FALSE_ALARM))
 
 
-def test_healthy_records_are_accused_by_chance_only(tmp_path: Path) -> None:
+def test_healthy_records_are_accused_by_chance_only(workers: Executor, tmp_path: Path) -> None:
     """Of 160, 1 % each, more than five would be accused once in a hundred times: none was."""
-    records = findings(tmp_path, "healthy", "", HEALTHY, 2)
+    records = findings(workers, tmp_path, "healthy", "", HEALTHY, 2)
     accused = [named for record in records for named in record if named]
     assert len(records) == 32 and all(len(record) == len(DRAWS) for record in records)
     assert len(accused) <= most_by_chance(160) == 5
@@ -138,10 +152,10 @@ def test_healthy_records_are_accused_by_chance_only(tmp_path: Path) -> None:
     ],
 )
 def test_what_is_named_has_the_fault(
-    tmp_path: Path, fault: str, keys: str, right: tuple[str, set[str]], least: int
+    workers: Executor, tmp_path: Path, fault: str, keys: str, right: tuple[str, set[str]], least: int
 ) -> None:
     """`least` is how many of 8 (16 with two severities) were found with the worst of fifteen draws."""
-    records = findings(tmp_path, fault, keys, FAULTY, 1)
+    records = findings(workers, tmp_path, fault, keys, FAULTY, 1)
     per_draw = np.zeros(len(DRAWS))
     wrong = 0
     for record in records:
@@ -153,11 +167,11 @@ def test_what_is_named_has_the_fault(
     assert wrong <= most_by_chance(len(records) * len(DRAWS))
 
 
-def test_two_faults_are_both_named(tmp_path: Path) -> None:
+def test_two_faults_are_both_named(workers: Executor, tmp_path: Path) -> None:
     """An inner ring and a broken tooth."""
     keys = f"{BEARING}.inner.severity: 1, gears.z48.faults.broken.severity: 0.35"
     both = {("inner ring", frozenset(INPUT)), ("idler", frozenset(TEETH_IDLER[1]))}
-    records = findings(tmp_path, "both", keys, FAULTY, 1)
+    records = findings(workers, tmp_path, "both", keys, FAULTY, 1)
     every = [named for record in records for named in record]
     assert sum(named >= both for named in every) == len(every) == 8 * len(DRAWS)
     assert sum(bool(named - both) for named in every) <= most_by_chance(len(every))
