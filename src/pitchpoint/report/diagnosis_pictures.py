@@ -32,9 +32,9 @@ PARTS = {"outer ring": "○", "inner ring": "◇", "rolling element": "□", "ca
 ABOUT_INDICATORS = (
     "rms of the mean turn, and of its residual, which is without mesh harmonics and the two lowest orders; "
     "crest, kurtosis and tooth energy are those of the residual, FM4, M6A and M8A of the difference signal. "
-    "Tooth energy is the largest part in the angle of one tooth. In brackets: what 1 % of signals of the "
-    "same spectrum exceed that are alike all around, and the energy of a tooth if it is spread evenly. Bold: "
-    "exceeded, which one healthy number in a hundred does; the tests below decide."
+    "Tooth energy is the largest part in the angle of one tooth. In brackets: what 1\N{NO-BREAK SPACE}% of "
+    "signals of the same spectrum exceed that are alike all around, and the energy of a tooth if it is "
+    "spread evenly. Bold: exceeded, which one healthy number in a hundred does; the tests below decide."
 )
 
 
@@ -251,7 +251,7 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
         for part, order in bearing.orders.items()
     ]
     there = {part for bearing in parts.bearings for part in bearing.orders}
-    shown = [f"{sign} {part}" for part, sign in PARTS.items() if part in there]
+    shown = [f"{sign}\N{NO-BREAK SPACE}{part}" for part, sign in PARTS.items() if part in there]
     last = max((float(m.places[-1]) for m in marks if m.places.size), default=spectrum.highest)
     known = math.isfinite(over.frequency)
     band = span(_rate(study, low), _rate(study, high)) if known else f"orders {low:.4g} to {high:.4g}"
