@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How often `pitchpoint diagnose` is right about the rig of the PHM challenge, as docs/diagnosis.md counts.
 
-168 records of 2 s at four to eight speeds and two loads, with a tacho of ten pulses in a turn. Each is
+160 records of 2 s at four to eight speeds and two loads, with a tacho of ten pulses in a turn. Each is
 simulated once and gets five draws of white noise 20 dB below the signal: what one draw shows may be its luck.
 A record is wrong if any part is named that has no fault; as many may be as the rate of false alarms gives.
 """
