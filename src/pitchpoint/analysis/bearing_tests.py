@@ -29,7 +29,8 @@ from pitchpoint.analysis.turning_parts import Bearing, Shaft, TurningParts
 
 HARMONICS = 3
 IMPACTS = 0.01
-"""Chance of being taken for impacts that is left to envelopes which a few lines of the signal make."""
+"""Chance of being taken for impacts that is left to envelopes which a few lines of the signal make, over all
+parts of bearings and both tests of each."""
 FEWEST_EVENTS = 16.0
 NOTHING = 1e-9
 """What is left of a signal, as a part of it, that is round-off."""
@@ -70,6 +71,7 @@ class BearingView:
             ]
         self.spectra = [fine_spectrum(y, samples_per_turn) for y in self.signals]
         # the envelope holds nothing above the width of its band, and little close to it
+        self.impacts = IMPACTS / (2 * max(sum(len(b.orders) for b in alike(parts.bearings)), 1))
         self.end = min(self.spectra[0].highest, 0.8 * (high - low))
 
     def part(self, order: float, known: Sequence[Array] = ()) -> tuple[Measured, bool]:
@@ -82,7 +84,7 @@ class BearingView:
         if found.probability >= IMPACTS:
             return found, True
         impacts = _part(white, order, self.parts, self.end).probability
-        if min(impacts, _comb(lines, order, self.parts, self.samples_per_turn)) > IMPACTS:
+        if min(impacts, _comb(lines, order, self.parts, self.samples_per_turn)) > self.impacts:
             return replace(found, probability=1.0), False
         return found, True
 

@@ -9,7 +9,7 @@ healthy: a test that could not be made is told as well.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,6 +25,8 @@ from pitchpoint.analysis.turning_parts import Mesh, TurningParts
 
 MESH_PROBABILITY = 1e-4
 """Probability with which noise alone is taken for a mesh line."""
+PASSING = "meshes that passing balls modulate"
+"""What explains lines of a bearing that no impacts make."""
 
 
 @dataclass(frozen=True)
@@ -156,6 +158,7 @@ def diagnose(
     channels: dict[str, Channel] = {}
     meshes, turns = {}, {}
     untested: list[Note] = []
+    modulated: set[tuple[str, str]] = set()
     for name, values in signals.items():
         x = as_signal(values, name, 64)
         if float(np.ptp(x)) == 0.0:
@@ -169,6 +172,7 @@ def diagnose(
         channels[name] = Channel(x, rate, mine, envelopes)
         raw += [(name, "bearing", part, bearing, found) for bearing, part, found in bearings]
         untested += remarks
+        modulated |= {(name, note.subject) for note in remarks if note.reason == FROM_MESHES}
     by_meshes = [note for note in untested if note.reason == FROM_MESHES]
     untested = [note for note in untested if note.reason != FROM_MESHES]
     told = {note.subject for note in untested}
@@ -182,7 +186,13 @@ def diagnose(
     tests = sum(1 for row in raw if row[4].lines > 0)
     if not tests:
         raise SignalError("record: is too short for any test; " + "; ".join(grouped([*few, *untested])))
-    evidence = tuple(_evidence(row, tests, allowed) for row in raw if row[4].lines > 0)
+    every = (_evidence(row, tests, allowed) for row in raw if row[4].lines > 0)
+    evidence = tuple(
+        replace(e, explained=PASSING)
+        if (e.channel, f"{e.shaft} of {e.gear}") in modulated and e.value > e.threshold
+        else e
+        for e in every
+    )
     evidence, explained = explain(evidence, channels, parts, tests)
     views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
     findings, spread = findings_of(evidence, views, signals, rate, parts)
@@ -247,7 +257,8 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
     together = float(-np.expm1(tests * np.log1p(-min(found.probability, 1.0 - 1e-16))))
     each = -np.expm1(np.log1p(-allowed) / tests)
     if kind == "comb":
-        value, threshold = found.score, float(norm.isf(each))
+        value = found.score
+        threshold = float(norm.isf(-np.expm1(np.log1p(-each) / found.choices)))
     else:
         one = each / found.lines
         # two of three harmonics of a bearing must be as unlikely

@@ -9,7 +9,7 @@ are taken out of the signal, and the test of the other part is made again on wha
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,11 +17,12 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.bearing_tests import HARMONICS as TESTED
 from pitchpoint.analysis.bearing_tests import BearingView, alike
+from pitchpoint.analysis.beside_passages import lines_beside_passages
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
 from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import Array
-from pitchpoint.analysis.shaft_tests import HARMONICS, LOW_ORDERS, SIDEBANDS, SLIP, Measured, ShaftView
+from pitchpoint.analysis.shaft_tests import HARMONICS, LOW_ORDERS, OFF, SIDEBANDS, SLIP, Measured, ShaftView
 from pitchpoint.analysis.tones import without_tones
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts
 
@@ -91,6 +92,19 @@ class Strikes:
         both = np.add.outer(np.add.outer(self.meshes, about).ravel(), self._sides(ABOUT)).ravel()
         place = np.concatenate([alone, single, both])
         return np.asarray(place[(place > 0.0) & (place < highest)], dtype=np.float64)
+
+    def have_beside(self, order: float, spectrum: FineSpectrum) -> bool:
+        """Whether a line stands beside strikes, not on them, and is not larger than these.
+
+        The load that a damage goes through only pushes, and no line of a function without negative values is
+        larger than its mean: none beside the strikes is larger than the largest of their own.
+        """
+        sides = self._sides(BESIDE)
+        strikes = self.rate * np.arange(1, np.ceil(order / self.rate) + BESIDE)
+        places = np.add.outer(strikes, sides[sides != 0.0])
+        there = np.abs(places - order) <= OFF * spectrum.resolution
+        largest = spectrum.power(self.rate * np.arange(1, TESTED + 1)).max()
+        return bool(there.any() and spectrum.power(order) <= largest)
 
     def _sides(self, most: int) -> Array:
         """Distances of the lines beside a harmonic."""
@@ -163,14 +177,35 @@ def explain(
                 continue
             if _vanishes(e, channels, parts, list(told.values()), tests):
                 left[k] = _explained(e, f"{now.shaft} of {now.gear}", notes)
+    loud = {f"{part} of {bearing}": one.rate for (bearing, part), one in told.items()}
+    loud |= _passing(evidence, parts)
+    for k, e in enumerate(left):
+        asked = bool(loud) and e.found and e.kind in ("sidebands", "low order")
+        if asked and _vanishes(e, channels, parts, list(told.values()), tests, tuple(loud.values())):
+            left[k] = _explained(e, " and ".join(loud), notes)
     return tuple(left), notes
 
 
+def _passing(evidence: tuple[Evidence, ...], parts: TurningParts) -> dict[str, float]:
+    """Passages in one turn of the reference shaft of balls that are seen to modulate, but not to strike."""
+    seen = [e for e in evidence if e.kind == "bearing" and e.shaft == "outer ring" and e.explained]
+    found: dict[str, float] = {}
+    for e in sorted(seen, key=lambda e: e.threshold - e.value):
+        # the harmonic that stands out tells how far they slip
+        found.setdefault(f"balls that pass in {e.gear}", e.order / round(e.order / _nominal(e, parts)))
+    return found
+
+
 def _vanishes(
-    e: Evidence, channels: Mapping[str, Channel], parts: TurningParts, told: list[Strikes], tests: int
+    e: Evidence,
+    channels: Mapping[str, Channel],
+    parts: TurningParts,
+    told: list[Strikes],
+    tests: int,
+    loud: Sequence[float] = (),
 ) -> bool:
-    """Whether nothing of a test stands out without the lines of those that are told."""
-    rest = _again(e, channels[e.channel], parts, told)
+    """Whether nothing of a test stands out without the lines of those that are told, or loud."""
+    rest = _again(e, channels[e.channel], parts, told, loud)
     chance = float(-np.expm1(tests * np.log1p(-min(rest.probability, 1.0 - 1e-16))))
     return chance >= e.allowed
 
@@ -192,10 +227,10 @@ def _among_others(
     """What brings the lines of a bearing's part about, although each of these parts is less sure.
 
     Strikes that come three times as often have every third line of the slower ones, to which passing healthy
-    balls add the others, and a ball that strikes nearly four times a turn has lines near those of a broken
-    tooth: whoever has all these lines looks the surest. Without the lines of the others nothing of it stands
-    out then, while strikes of its own would leave the lines in between. Parts whose lines do not run
-    together with those of another are not asked.
+    balls add the others. A ball that strikes nearly four times a turn has lines near those of a broken tooth,
+    and near the sidebands of an inner ring that strikes nearly five times. Whoever has all these lines looks
+    the surest. Without the lines of the others nothing of it stands out then, while strikes of its own would
+    leave the lines in between. Parts whose lines do not run together with those of another are not asked.
     """
     trains, names, together = list(told), [], False
     rate = _nominal(now, parts)
@@ -206,6 +241,12 @@ def _among_others(
             trains.append(_strikes_of(e, channels[e.channel], parts))
             names.append(f"{e.shaft} of {e.gear}")
             together |= _runs_with(_nominal(e, parts) / rate, 2)
+            seen = channels[now.channel].bearings
+            assert seen is not None
+            if not together and trains[-1].have_beside(now.order, seen.spectra[1]):
+                # what has lines of its own stays
+                mine = _strikes_of(now, channels[now.channel], parts)
+                together = not _vanishes(e, channels, parts, [mine], tests)
         elif e.kind == "comb":
             turn = float(parts.shaft(e.shaft).order)
             trains.append(Strikes(turn, 0.0, np.empty(0)))
@@ -267,8 +308,10 @@ def _gain(spectrum: FineSpectrum, tried: Array, beside: float, harmonics: int) -
     return total
 
 
-def _again(e: Evidence, channel: Channel, parts: TurningParts, told: list[Strikes]) -> Measured:
-    """The test of a part on what is left without the lines of those that are told."""
+def _again(
+    e: Evidence, channel: Channel, parts: TurningParts, told: list[Strikes], loud: Sequence[float]
+) -> Measured:
+    """The test of a part on what is left without the lines of those that are told, or loud."""
     if e.kind == "bearing":
         return _bearing_again(e, channel, parts, told)
     rate, view = channel.samples_per_turn, channel.shafts[e.shaft]
@@ -281,6 +324,8 @@ def _again(e: Evidence, channel: Channel, parts: TurningParts, told: list[Strike
         off = np.abs(order[:, None] - about).min(axis=1)
         order = order[off < (SIDEBANDS + 0.5) * view.order]
     known = _near(_lines(told, 0.5 * rate), order, REACH * view.spectrum.resolution)
+    if loud:
+        known = np.union1d(known, lines_beside_passages(view, order, loud, REACH))
     spectrum = fine_spectrum(without_tones(channel.values, rate, known), rate)
     rest = ShaftView(spectrum, parts, view.shaft, view.rms, view.sampled)
     if e.kind == "comb":
@@ -303,7 +348,8 @@ def _bearing_again(e: Evidence, channel: Channel, parts: TurningParts, told: lis
 
 def _lines(told: list[Strikes], highest: float, *, envelope: bool = False) -> Array:
     """Lines of all that are told, rising."""
-    return np.sort(np.concatenate([one.lines(0.999 * highest, envelope=envelope) for one in told]))
+    lines = [one.lines(0.999 * highest, envelope=envelope) for one in told]
+    return np.sort(np.concatenate([np.empty(0), *lines]))
 
 
 def _near(place: Array, tested: Array, reach: ArrayLike) -> Array:

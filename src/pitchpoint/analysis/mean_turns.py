@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import gcd
 
@@ -132,13 +133,13 @@ def mean_turn(
     counts = sorted({teeth} | {z for z in whole if 2 * z < wanted})
     mean = synchronous_average(x, turned, ratio=shaft.order, samples_per_turn=wanted)
     signals = gear_signals(mean.values, teeth=counts)
+    looked = {kind: getattr(signals, kind) for kind in MOMENTS}
     indicators = {}
-    for kind, powers in MOMENTS.items():
-        signal = signals.residual if kind == "residual" else signals.difference
-        draws = _surrogate_moments(signal, list(powers.values()))
-        for (name, power), drawn in zip(powers.items(), draws, strict=True):
-            value = standardised_moment(signal, power)
-            indicators[name] = (value, float(np.quantile(drawn, 0.99)), float(np.mean(drawn >= value)))
+    for kind, drawn in _surrogate_moments(looked).items():
+        for row, (name, power) in enumerate(MOMENTS[kind].items()):
+            value = standardised_moment(looked[kind], power)
+            limit, part = np.quantile(drawn[row], 0.99), np.mean(drawn[row] >= value)
+            indicators[name] = (value, float(limit), float(part))
     return MeanTurn(
         angle=mean.angle,
         average=mean.values,
@@ -150,21 +151,23 @@ def mean_turn(
     )
 
 
-def _surrogate_moments(signal: Array, powers: list[int]) -> Array:
-    """Moments, shape (n_power, n_draw), of signals with the same amplitudes and random phases, always the
-    same ones."""
+def _surrogate_moments(signals: Mapping[str, Array]) -> dict[str, Array]:
+    """Moments, shape (n_moment, n_draw), of signals with the same amplitudes and random phases, always the
+    same ones, which signals of one length share."""
     from scipy.fft import irfft
 
-    size = np.abs(np.fft.rfft(signal))
-    dice = np.random.default_rng(signal.size)
-    found = np.empty((len(powers), SURROGATES))
+    size = {kind: np.abs(np.fft.rfft(signal)) for kind, signal in signals.items()}
+    found = {kind: np.empty((len(MOMENTS[kind]), SURROGATES)) for kind in signals}
+    [length] = {signal.size for signal in signals.values()}
+    dice = np.random.default_rng(length)
     for start in range(0, SURROGATES, 111):
-        phase = dice.uniform(0.0, 2.0 * np.pi, (111, size.size))
-        x = irfft(size * np.exp(1j * phase), signal.size, axis=1)
-        x -= x.mean(axis=1, keepdims=True)
-        square = x * x
-        variance = square.mean(axis=1)
-        for row, power in enumerate(powers):
-            moment = (square ** (power // 2)).mean(axis=1)
-            found[row, start : start + 111] = moment / variance ** (power // 2)
+        turned = np.exp(1j * dice.uniform(0.0, 2.0 * np.pi, (111, length // 2 + 1)))
+        for kind in signals:
+            x = irfft(size[kind] * turned, length, axis=1)
+            x -= x.mean(axis=1, keepdims=True)
+            square = x * x
+            variance = square.mean(axis=1)
+            for row, power in enumerate(MOMENTS[kind].values()):
+                moment = (square ** (power // 2)).mean(axis=1)
+                found[kind][row, start : start + 111] = moment / variance ** (power // 2)
     return found

@@ -70,6 +70,8 @@ class Measured:
         Lines that were looked at [-].
     sideband
         Number of the sideband, 0 for others [-].
+    choices
+        Bands of a comb of which the best one was taken [-].
     """
 
     score: float
@@ -78,6 +80,7 @@ class Measured:
     amplitude: float
     lines: int
     sideband: int = 0
+    choices: int = 1
 
 
 class ShaftView:
@@ -160,12 +163,10 @@ class ShaftView:
             worst = found if worst is None or found.probability > worst.probability else worst
         assert worst is not None
         small = worst.amplitude < SMALLEST_COMB * self.rms
-        return Measured(
-            worst.score,
-            1.0 if small else worst.probability,
-            worst.order * self.order,
-            worst.amplitude,
-            worst.lines,
+        return replace(
+            worst,
+            probability=1.0 if small else worst.probability,
+            order=worst.order * self.order,
         )
 
     def lines(self, orders: NDArray[Any], sideband: NDArray[Any], least: Array | None = None) -> Measured:
@@ -179,7 +180,7 @@ class ShaftView:
             if one is None:
                 continue
             looked += 1
-            if one.amplitude < limit or not self._has_its_top_at(float(place)):
+            if one.amplitude < limit or not self.has_top_at(float(place)):
                 one = replace(one, probability=1.0)
             if best is None or one.probability < best[0].probability:
                 best = one, int(number)
@@ -213,7 +214,7 @@ class ShaftView:
         off = np.abs(self.passing[:, 0] - order)
         return bool(np.any(off < self.passing[:, 1] + 2.0 * self.spectrum.resolution))
 
-    def _has_its_top_at(self, order: float) -> bool:
+    def has_top_at(self, order: float) -> bool:
         """Whether what is seen at an order is a line there, and not the skirt of one beside it."""
         spectrum = self.spectrum
         reach = int(round(1.25 * spectrum.resolution / spectrum.step))
@@ -305,16 +306,9 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
     >>> passing_balls(parts, 22.0)[:, 0].tolist()
     [3.5, 7.0, 10.5, 10.5, 14.0, 17.5]
     """
-    rates = sorted({b.orders["outer ring"] for b in parts.bearings if "outer ring" in b.orders})
-    if not rates:
+    off, slip = passages(parts)
+    if not off.size:
         return np.empty((0, 2))
-    if len(rates) <= TOGETHER:
-        times = product(range(-PASSES, PASSES + 1), repeat=len(rates))
-        many = np.array([m for m in times if 0 < np.abs(m).sum() <= PASSES], dtype=np.float64)
-    else:
-        each = np.eye(len(rates))
-        many = np.concatenate([k * each for k in range(-PASSES, PASSES + 1) if k])
-    off, slip = many @ rates, SLIP * (np.abs(many) @ rates)
     middle = {0.0}
     for step in (parts.mesh_order(mesh) for mesh in parts.meshes):
         last = int(highest / step) if harmonics is None else harmonics
@@ -323,6 +317,20 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
     found = np.c_[place, np.tile(slip, len(middle))]
     found = found[(place > 0.0) & (place < highest)]
     return np.asarray(found[np.argsort(found[:, 0])], dtype=np.float64)
+
+
+def passages(parts: TurningParts) -> tuple[Array, Array]:
+    """Distances of what passing balls put beside a line, and how far slip may take it, shape (n,) [-]."""
+    rates = sorted({b.orders["outer ring"] for b in parts.bearings if "outer ring" in b.orders})
+    if not rates:
+        return np.empty(0), np.empty(0)
+    if len(rates) <= TOGETHER:
+        times = product(range(-PASSES, PASSES + 1), repeat=len(rates))
+        many = np.array([m for m in times if 0 < np.abs(m).sum() <= PASSES], dtype=np.float64)
+    else:
+        each = np.eye(len(rates))
+        many = np.concatenate([k * each for k in range(-PASSES, PASSES + 1) if k])
+    return np.asarray(many @ rates), np.asarray(SLIP * (np.abs(many) @ rates))
 
 
 def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array) -> Measured:
@@ -347,4 +355,4 @@ def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array)
             amplitude = float(np.sqrt(max(above, 0.0) * mine.sum()))
             best = Measured(score, probability, float(number[mine].mean()), amplitude, int(mine.sum()))
     some = float(-np.expm1(len(bands) * np.log1p(-min(best.probability, 1.0 - 1e-16))))
-    return Measured(best.score, some, best.order, best.amplitude, best.lines)
+    return replace(best, probability=some, choices=len(bands))

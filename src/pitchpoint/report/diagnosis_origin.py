@@ -46,7 +46,7 @@ def origin(request: Request, record: Record, found: Study, noise: Sequence[str])
     ]
     rows += [("bearing", text, "--bearing") for text in request.bearings]
     if any(bearing.name not in _given(request) for bearing in found.parts.bearings):
-        rows.append(("bearings", "all others", "the model"))
+        rows.append(("bearings", "all others" if request.bearings else "all", "the model"))
     chosen = (
         "--channel"
         if request.channels

@@ -10,6 +10,7 @@ from html import escape
 import numpy as np
 
 from pitchpoint.analysis.bearing_signals import envelope_band, without_healthy_lines
+from pitchpoint.analysis.bearing_tests import alike
 from pitchpoint.analysis.envelope import band_envelope
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators
@@ -26,12 +27,14 @@ from pitchpoint.viz.report_page import Section
 
 SIDEBANDS, BEARING_HARMONICS = 6, 3
 """Orders of a shaft on either side of a line, and harmonics of a part of a bearing, that are marked."""
+PARTS = {"outer ring": "○", "inner ring": "◇", "rolling element": "□", "cage": "△"}
+"""Parts of bearings in the order of the symbols that pictures have, and these in words."""
 ABOUT_INDICATORS = (
     "rms of the mean turn, and of its residual, which is without mesh harmonics and the two lowest orders; "
     "crest, kurtosis and tooth energy are those of the residual, FM4, M6A and M8A of the difference signal. "
-    "Tooth energy is the largest part in the angle of one tooth. In brackets: what 1 % of signals of the "
-    "same spectrum exceed that are alike all around, and the energy of a tooth if it is spread evenly. Bold: "
-    "exceeded, which one healthy number in a hundred does; the tests below decide."
+    "Tooth energy is the largest part in the angle of one tooth. In brackets: what 1\N{NO-BREAK SPACE}% of "
+    "signals of the same spectrum exceed that are alike all around, and the energy of a tooth if it is "
+    "spread evenly. Bold: exceeded, which one healthy number in a hundred does; the tests below decide."
 )
 
 
@@ -236,15 +239,19 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
     except SignalError as reason:
         section.add(f"<p>No envelope of {escape(channel)}: {escape(str(reason))}.</p>")
         return
-    rates = [(f"{b.name}, {part}", order) for b in parts.bearings for part, order in b.orders.items()]
     marks = [
         Lines(
-            _named(study, name, order),
+            _named(study, f"{bearing.name}, {part}", order),
             line_places(_rate(study, order), BEARING_HARMONICS, spectrum.highest),
             look=look,
+            group=bearing.name,
+            symbol=list(PARTS).index(part),
         )
-        for look, (name, order) in enumerate(rates, start=1)
+        for look, bearing in enumerate(alike(parts.bearings), start=1)
+        for part, order in bearing.orders.items()
     ]
+    there = {part for bearing in parts.bearings for part in bearing.orders}
+    shown = [f"{sign}\N{NO-BREAK SPACE}{part}" for part, sign in PARTS.items() if part in there]
     last = max((float(m.places[-1]) for m in marks if m.places.size), default=spectrum.highest)
     known = math.isfinite(over.frequency)
     band = span(_rate(study, low), _rate(study, high)) if known else f"orders {low:.4g} to {high:.4g}"
@@ -259,5 +266,6 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
     section.add_figure(
         figure,
         f"Spectrum of the squared envelope of {channel} without mesh lines, band {band}, with the parts of "
-        f"the bearings and their harmonics up to {BEARING_HARMONICS}.",
+        f"the bearings and their harmonics up to {BEARING_HARMONICS}: "
+        f"{', '.join(shown)}.",
     )

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from pitchpoint.analysis.bearing_tests import alike
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.report.diagnosis_places import GAUSSIAN, INDICATORS, GearTurn, crest
@@ -96,7 +97,7 @@ def bearing_table(study: Study) -> str:
     """Bearings with the rates of their parts."""
     rows = [
         (bearing.name, part, number(order, 5), _rates(order, study.over.frequency)[0])
-        for bearing in study.parts.bearings
+        for bearing in alike(study.parts.bearings)
         for part, order in bearing.orders.items()
     ]
     return plain_table(("bearing", "part", "order", "[Hz]"), rows_html(rows, 2)) if rows else ""
@@ -119,7 +120,7 @@ def _test_row(e: Evidence, hertz: float) -> tuple[str, ...]:
     """One test in cells."""
     return (
         e.shaft if e.kind != "bearing" else e.gear,
-        what_is_tested(e),
+        e.shaft if e.kind == "bearing" else what_is_tested(e),
         _rates(e.order, hertz)[0] if math.isfinite(hertz) else number(e.order, 5),
         f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
         f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from pitchpoint.analysis.diagnosis import Diagnosis
@@ -27,7 +28,7 @@ LOST = "sample rate: lost, as they lie above half of it: {}"
 def nothing_found(diagnosis: Diagnosis) -> str:
     """Sentence for a record without findings; it does not say that the machine is healthy."""
     tests = f"{diagnosis.tests} tests" if diagnosis.tests > 1 else "1 test"
-    beyond = sum(e.found for e in diagnosis.evidence)
+    beyond = sum(e.found or bool(e.explained) for e in diagnosis.evidence)
     if beyond:
         which = "1 exceeds its limit" if beyond == 1 else f"{beyond} exceed their limits"
         return f"nothing found: of {tests} {which}, but not as damage does: what stands out is told below"
@@ -52,7 +53,7 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
         Turns of the reference shaft per second [Hz]; NaN if they change.
     """
     mine = evidence_of(finding, diagnosis)
-    seen = "; ".join(dict.fromkeys(_seen(e, parts, frequency) for e in mine[:3]))
+    seen = "; ".join(dict.fromkeys(_seen(e, parts, frequency) for e in _same_lines(mine)[:3]))
     chance = f"by chance: {percent(finding.probability)}, over all {diagnosis.tests} tests"
     where = f"in {finding.channel}"
     if finding.kind == "bearing":
@@ -194,6 +195,16 @@ def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
     if e.kind == "bearing":
         return f"{line} {limit}, in the spectrum of the envelope"
     return f"{line} {limit}"
+
+
+def _same_lines(evidence: Sequence[Evidence]) -> list[Evidence]:
+    """Sidebands that are one line, as meshes of whole ratios have, once with all their gears."""
+    found: dict[tuple[str, float, int], Evidence] = {}
+    for number, e in enumerate(evidence):
+        key = (e.kind, e.order, e.sideband) if e.kind == "sidebands" else (e.kind, 0.0, number)
+        other = found.get(key)
+        found[key] = replace(other, gear=f"{other.gear} and of that of {e.gear}") if other else e
+    return list(found.values())
 
 
 def _cannot_tell(finding: Finding) -> str:

@@ -46,12 +46,18 @@ class Lines:
         Texts above them, as many as places; none if empty.
     look
         Number of its colour and symbol: the same part looks the same in all pictures.
+    group
+        What the legend calls it together with others, which come and go with it; empty if it stands alone.
+    symbol
+        Number of its symbol, if it is another one than that of its colour.
     """
 
     name: str
     places: Array
     labels: tuple[str, ...] = ()
     look: int = 0
+    group: str = ""
+    symbol: int | None = None
 
 
 def plot_lines(
@@ -220,14 +226,16 @@ def _mark(
     if not inside.any():
         return
     places = part.places[inside]
+    first = not any(trace.legendgroup == part.group for trace in figure.data)
+    legend = {"name": part.group, "legendgroup": part.group, "showlegend": first} if part.group else {}
     figure.add_scatter(
         x=places * factors[0],
         y=np.maximum(np.sqrt(spectrum.power(places)) * factors[1], 1e-30),
         mode="markers",
-        name=part.name,
+        **({"name": part.name} | legend),
         marker={
             "color": theme.SERIES[part.look % len(theme.SERIES)],
-            "symbol": SYMBOLS[part.look % len(SYMBOLS)],
+            "symbol": SYMBOLS[(part.look if part.symbol is None else part.symbol) % len(SYMBOLS)],
             "size": 9,
             "line": {"width": 1.8},
         },

@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
 from pitchpoint.analysis.explaining import Strikes
+from pitchpoint.analysis.line_tests import fine_spectrum
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts, train_parts
 
@@ -24,9 +26,11 @@ def _turned() -> np.ndarray:
     return np.arange(int(RATE * TURNS)) / RATE
 
 
-def _knocks(turned: np.ndarray, order: float, *, carried: float = 0.0, depth: float = 0.0) -> np.ndarray:
-    """Strikes that ring at order 130; their size changes with what carries the damage through the load."""
-    since = (turned * order + 0.3) % 1 / order
+def _knocks(
+    turned: np.ndarray, order: float, *, carried: float = 0.0, depth: float = 0.0, late: float = 0.0
+) -> np.ndarray:
+    """Strikes that ring at order 130; size and phase change with what carries the damage through the load."""
+    since = (turned * order + 0.3 + late * np.sin(2 * np.pi * carried * turned)) % 1 / order
     size = 1.0 + depth * (np.cos(2 * np.pi * carried * turned) + np.cos(4 * np.pi * carried * turned))
     return size * np.exp(-300 * since) * np.sin(2 * np.pi * 130 * since)
 
@@ -92,6 +96,39 @@ def test_a_chipped_tooth_is_named_beside_a_bearing() -> None:
     assert _named(found) == {("bearing", "inner ring"), ("local fault", "shaft 2")}
 
 
+def test_a_ball_is_not_named_for_sidebands_that_are_stronger_than_the_strikes() -> None:
+    """Strikes that come early and late, as with a shaft out of true, have lower sidebands above all else."""
+    turned, inner, ball = _turned(), 4.6477, 3.68
+    knocks = 2.0 * _knocks(turned, inner, carried=1.0, depth=0.4, late=-0.2)
+    found = diagnose({"acc": _healthy(turned) + knocks}, RATE, _parts(inner_ring=inner, rolling_element=ball))
+    sure = {e.shaft: e.probability for e in found.evidence}
+    assert sure["rolling element"] < sure["inner ring"] < 1e-6
+    assert ("bearing", "rolling element") not in _named(found) and ("bearing", "inner ring") in _named(found)
+    knocks += 2.0 * _knocks(turned, ball * 0.996, carried=0.3815, depth=0.4)
+    found = diagnose({"acc": _healthy(turned) + knocks}, RATE, _parts(inner_ring=inner, rolling_element=ball))
+    assert {("bearing", "inner ring"), ("bearing", "rolling element")} <= _named(found)
+
+
+@pytest.mark.parametrize(("apart", "named"), [(0.1, set()), (1.0, {("modulation", "shaft 1")})])
+def test_a_mesh_is_not_modulated_where_balls_pass_beside_loud_lines(
+    apart: float, named: set[tuple[str, str]]
+) -> None:
+    """A mesh at 21, five loud passages and one of another bearing: 0.1 lines from a sideband at 41."""
+    turned, loud = _turned(), 3.57
+    other = 41.0 - 21.0 - 5.0 * loud + apart / TURNS
+    bearings = [
+        Bearing("loud", {"outer ring": loud}, "shaft 1"),
+        Bearing("other", {"outer ring": other}, "shaft 2"),
+    ]
+    passing = 1.0 + 0.4 * sum(np.cos(2 * np.pi * k * loud * turned) for k in range(1, 6))
+    x = _healthy(turned) * passing + 0.04 * np.cos(2 * np.pi * 41.0 * turned)
+    found = diagnose({"acc": x}, RATE, train_parts([(21, 40)], bearings))
+    assert _named(found) == {("bearing", "outer ring")} | named
+    (sideband,) = [e for e in found.evidence if (e.kind, e.shaft) == ("sidebands", "shaft 1")]
+    assert sideband.order == 41.0 and sideband.probability < 1e-6
+    assert sideband.explained == ("" if named else "outer ring of loud")
+
+
 SLOW = 1.5193
 """Strikes of an outer ring; those of another one, three times as quick, have every third of its lines."""
 
@@ -129,6 +166,20 @@ def test_lines_of_strikes_stand_at_all_their_products() -> None:
 def test_a_ball_turns_with_its_cage_and_may_strike_one_ring_harder() -> None:
     lines = set(Strikes(4.0, 0.4, np.empty(0), ball=True).lines(9.0, envelope=True).round(6))
     assert {0.4, 0.8, 2.0, 1.6, 4.0, 4.4, 6.0} <= lines
+
+
+def test_lines_beside_strikes_are_no_larger_than_these() -> None:
+    """Strikes at 5.1 with the turns of a shaft beside them; what lies on the strikes is their own."""
+    turned = np.arange(int(RATE * TURNS)) / RATE
+    strikes = Strikes(5.1, 1.0, np.empty(0))
+
+    def beside(order: float, amplitude: float) -> bool:
+        tones = 0.3 * np.cos(2 * np.pi * 5.1 * turned) + amplitude * np.cos(2 * np.pi * order * turned)
+        return strikes.have_beside(order, fine_spectrum(tones, RATE))
+
+    assert beside(4.1, 0.2) and beside(10.2 - 3.0, 0.2)
+    assert not beside(4.1, 0.4)
+    assert not beside(4.1 + 1.0 / TURNS, 0.2) and not beside(10.2, 0.2)
 
 
 def test_one_reason_is_told_once() -> None:

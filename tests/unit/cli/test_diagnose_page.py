@@ -67,7 +67,9 @@ def test_figures_have_axes_with_units_and_marked_lines(
     assert ("tooth pitches since the start of the record", "[m/s²]") in titles
     names = [trace["name"] for trace in drawn[0]["data"]]
     assert names == ["spectrum", "mesh 1, 320 Hz"]
-    assert any("left, outer ring, 35.85 Hz" in trace["name"] for trace in drawn[-1]["data"])
+    shown = {trace["hovertemplate"].partition("<extra>")[2]: trace for trace in drawn[-1]["data"][1:]}
+    assert shown["left, outer ring, 35.85 Hz</extra>"]["marker"]["symbol"] == "circle-open"
+    assert [trace["name"] for trace in shown.values() if trace.get("showlegend")] == ["left"]
     sidebands = next(
         f for f in drawn if any("+1" == note["text"] for note in f["layout"].get("annotations", ()))
     )

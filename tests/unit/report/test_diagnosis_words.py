@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is said when nothing is found although a test exceeds its limit."""
+"""What is said when nothing is found although a test exceeds its limit; a line of two meshes."""
 
 from __future__ import annotations
 
 import pytest
 
 from pitchpoint.analysis.diagnosis import Diagnosis
-from pitchpoint.analysis.findings import Evidence
-from pitchpoint.report.diagnosis_words import nothing_found, outcome
+from pitchpoint.analysis.findings import Evidence, Finding
+from pitchpoint.analysis.turning_parts import train_parts
+from pitchpoint.report.diagnosis_words import nothing_found, outcome, sentence
 
 
 def _evidence(*, found: bool, explained: str = "") -> Evidence:
@@ -25,6 +26,22 @@ def _evidence(*, found: bool, explained: str = "") -> Evidence:
 def test_limits_that_are_exceeded_are_not_denied(beyond: int, words: str) -> None:
     evidence = tuple(_evidence(found=k < beyond) for k in range(5))
     assert nothing_found(Diagnosis((), evidence, {}, (), (), {}, 5, 0.01)) == f"nothing found: {words}"
+    # what something explains has exceeded its limit as well
+    evidence = tuple(_evidence(found=False, explained="cage" if k < beyond else "") for k in range(5))
+    assert nothing_found(Diagnosis((), evidence, {}, (), (), {}, 5, 0.01)) == f"nothing found: {words}"
+
+
+def test_one_line_of_two_meshes_is_told_once() -> None:
+    """Meshes at 32 and 16 orders of one shaft have their second sideband at 32.67 in common."""
+    parts = train_parts([(32, 96), (48, 80)])
+    rows = [
+        Evidence("acc", "sidebands", "shaft 2", gear, 20.0, 11.0, 1e-9, 32.0 + 2.0 / 3.0, 0.1, 2, True, 0.01)
+        for gear in ("Z2", "Z3")
+    ]
+    finding = Finding("modulation", "shaft 2", ("Z2", "Z3"), "acc", 1e-9)
+    words = sentence(finding, Diagnosis((finding,), tuple(rows), {}, (), (), {}, 2, 0.01), parts, 30.0)
+    assert words.count("980 Hz") == 1
+    assert "sideband +2 of the mesh of Z2 and of that of Z3 (by chance" in words
 
 
 def test_a_test_is_found_explained_or_neither() -> None:
