@@ -106,7 +106,7 @@ def extruded(outline: Array, bore: float, width: float, layers: int = 1) -> tupl
 
 
 def with_edges(corners: Array) -> NDArray[np.bool_]:
-    """Triangles of three points: radial edges of a tooth are points in the bore, and eight of a tooth lack one."""
+    """Triangles of three points; radial edges of a tooth are points in the bore, where some have two."""
     return np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).min(axis=1) > 1e-9
 
 

@@ -173,12 +173,16 @@ def test_short_uneven_and_standing_runs(model: ReportModel) -> None:
     swinging = dict(data)
     angle = data["angle[driver]"]
     swinging["angle[driver]"] = type(angle)(angle.name, np.sin(400.0 * data["time"]), "rad", "angle")
-    short = {k: (v[:3] if k == "time" else type(v)(v.name, v.values[:3], v.unit)) for k, v in data.items()}
+
+    def begin(n: int) -> dict:
+        """The first samples of the run."""
+        return {k: (v[:n] if k == "time" else type(v)(v.name, v.values[:n], v.unit)) for k, v in data.items()}
+
     results = ReportResults(
         runs={
             "uneven": TimeRun(data=uneven | rest, note="stopped: <the step became too small>"),
             "swinging": TimeRun(data=swinging),
-            "short": TimeRun(data=short),
+            **{f"{n} samples": TimeRun(data=begin(n)) for n in (1, 2, 3)},
             "empty": TimeRun(data={"time": np.empty(0)}),
         }
     )
@@ -186,6 +190,7 @@ def test_short_uneven_and_standing_runs(model: ReportModel) -> None:
     Page(text)
     assert "stopped: &lt;the step became too small&gt;" in text
     assert "turns back" in text
+    assert "<h3>2 samples</h3>" in text
 
 
 @pytest.mark.parametrize(
