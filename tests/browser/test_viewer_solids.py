@@ -212,3 +212,14 @@ def test_twenty_gears_load_and_turn(open_page: OpenPage) -> None:
     assert picture["drawnTriangles"] == 4 * sum(range(30, 50))
     angle = 10.0 * (1 - 19 / 9)
     assert np.abs(matrix(picture["bodies"][19])[:3, :3] - about_z(angle)).max() < 1e-9
+
+
+def test_the_clock_counts_in_the_unit_of_the_record(open_page: OpenPage) -> None:
+    """Frames seconds, parts of a millisecond and microseconds apart; each at the middle of the record."""
+    clock = "V.seek(%g); V.draw(); return $('.ppv-now').textContent;"
+    for length, text in ((20.0, "10.0 s"), (2e-3, "1.00 ms"), (2e-5, "10.0 µs")):
+        block = Block()
+        times = np.linspace(0.0, length, 21)
+        texts = texts_of(header(block, [], [gear(block, "Z", -1, 17)], times), block)
+        page = scene(open_page, texts)
+        assert asked(page, clock % (length / 2)).replace("\u2009", " ") == text
