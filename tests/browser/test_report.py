@@ -126,12 +126,14 @@ def test_a_narrow_page_in_the_dark_without_webgl(
 ) -> None:
     script = """
       const page = document.documentElement;
-      return {over: page.scrollWidth - page.clientWidth, said: $(".ppv-message")?.textContent,
+      all(".shaft option").forEach((option) => (option.textContent = "a_shaft_of_a_long_name_".repeat(5)));
+      return {choices: all(".shaft option").length,
+        over: page.scrollWidth - page.clientWidth, said: $(".ppv-message")?.textContent,
         colours: [$(".plot").layout.font.color, getComputedStyle(document.body).backgroundColor],
         drawn: all(".plot.js-plotly-plot").length};
     """
     narrow = found(open_page, report, script, webgl=False, dark=True, size=(500, 900))
-    assert narrow["over"] <= 0
+    assert narrow["choices"] > 0 and narrow["over"] <= 0
     assert "no WebGL" in narrow["said"]
     assert narrow["drawn"] == wide["drawn"]
     assert wide["colours"] == ["#1f2933", "rgb(255, 255, 255)"]
