@@ -63,6 +63,11 @@ WIDE = """
   // paper: everything folded is open, the scene is a picture, no table is wider than the page
   dispatchEvent(new Event("beforeprint"));
   const still = $("#pp-still").src.slice(0, 22), folded = all("details:not([open])").length;
+  const image = new Image(), pen = document.createElement("canvas").getContext("2d");
+  image.src = $("#pp-still").src;
+  await image.decode();
+  pen.drawImage(image, 0, 0);
+  const corner = [...pen.getImageData(2, 2, 1, 1).data];
   const paper = $("main").clientWidth;
   const cut = all("table").filter((table) => table.getBoundingClientRect().width > paper + 1).length;
   dispatchEvent(new Event("afterprint"));
@@ -79,7 +84,7 @@ WIDE = """
   const {ready} = document.documentElement.dataset, count = all(".plot").length;
   return {drawn, count, ready, empty, asked, colours, cursor, others,
     clicked, expected: (a + 0.25 * (b - a)) / node.layout.meta.clock, dragged, wanted, sought,
-    still, folded, paper, cut, shown, place, order, lost, nameless};
+    still, corner, folded, paper, cut, shown, place, order, lost, nameless};
 """
 
 
@@ -111,6 +116,7 @@ def test_scene_and_curves_share_their_time(wide: dict[str, Any]) -> None:
 
 def test_paper_gets_a_picture_of_the_scene_and_all_tables(wide: dict[str, Any]) -> None:
     assert wide["still"] == "data:image/png;base64,"
+    assert wide["corner"] == [255, 255, 255, 255]  # paper, not the grey or black of a screen
     assert wide["folded"] == wide["cut"] == 0
     assert wide["paper"] == pytest.approx(182 / 25.4 * 96, abs=1)  # A4 less its margins
 
