@@ -85,9 +85,9 @@ def power_flow_svg(flow: PowerFlow) -> str:
     parts, names = [], []
     for link, start, end, width in order:
         shared = [_load(box, ends, side) > width for box, side in ((start, 1), (end, 0))]
-        band, words = _band(link, start, end, width, unit, x, shared)
+        band, name = _band(link, start, end, width, unit, x, shared)
         parts.append(band)
-        names.append(words)
+        names.append(name)
     # no band of another link lies over a name
     parts += [*names, *(_block(box, x[id(box)]) for box in boxes)]
     title = f"power flow, {_amount(flow.put_in, unit)} put in"
