@@ -63,6 +63,11 @@ WIDE = """
   // paper: everything folded is open, the scene is a picture, no table is wider than the page
   dispatchEvent(new Event("beforeprint"));
   const still = $("#pp-still").src.slice(0, 22), folded = all("details:not([open])").length;
+  const image = new Image(), pen = document.createElement("canvas").getContext("2d");
+  image.src = $("#pp-still").src;
+  await image.decode();
+  pen.drawImage(image, 0, 0);
+  const corner = [...pen.getImageData(2, 2, 1, 1).data];
   const paper = $("main").clientWidth;
   const cut = all("table").filter((table) => table.getBoundingClientRect().width > paper + 1).length;
   dispatchEvent(new Event("afterprint"));
@@ -79,7 +84,7 @@ WIDE = """
   const {ready} = document.documentElement.dataset, count = all(".plot").length;
   return {drawn, count, ready, empty, asked, colours, cursor, others,
     clicked, expected: (a + 0.25 * (b - a)) / node.layout.meta.clock, dragged, wanted, sought,
-    still, folded, paper, cut, shown, place, order, lost, nameless};
+    still, corner, folded, paper, cut, shown, place, order, lost, nameless};
 """
 
 
@@ -111,6 +116,7 @@ def test_scene_and_curves_share_their_time(wide: dict[str, Any]) -> None:
 
 def test_paper_gets_a_picture_of_the_scene_and_all_tables(wide: dict[str, Any]) -> None:
     assert wide["still"] == "data:image/png;base64,"
+    assert wide["corner"] == [255, 255, 255, 255]  # paper, not the grey or black of a screen
     assert wide["folded"] == wide["cut"] == 0
     assert wide["paper"] == pytest.approx(182 / 25.4 * 96, abs=1)  # A4 less its margins
 
@@ -126,12 +132,14 @@ def test_a_narrow_page_in_the_dark_without_webgl(
 ) -> None:
     script = """
       const page = document.documentElement;
-      return {over: page.scrollWidth - page.clientWidth, said: $(".ppv-message")?.textContent,
+      all(".shaft option").forEach((option) => (option.textContent = "a_shaft_of_a_long_name_".repeat(5)));
+      return {choices: all(".shaft option").length,
+        over: page.scrollWidth - page.clientWidth, said: $(".ppv-message")?.textContent,
         colours: [$(".plot").layout.font.color, getComputedStyle(document.body).backgroundColor],
         drawn: all(".plot.js-plotly-plot").length};
     """
     narrow = found(open_page, report, script, webgl=False, dark=True, size=(500, 900))
-    assert narrow["over"] <= 0
+    assert narrow["choices"] > 0 and narrow["over"] <= 0
     assert "no WebGL" in narrow["said"]
     assert narrow["drawn"] == wide["drawn"]
     assert wide["colours"] == ["#1f2933", "rgb(255, 255, 255)"]

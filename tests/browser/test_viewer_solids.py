@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 
 from tests.support.browser import OpenPage, needs_browser
 from tests.support.scene_browser import about_z, asked, matrix, scene
-from tests.support.scene_data import MODULE, WIDTH, Block, box, extruded, texts_of, toothed
+from tests.support.scene_data import MODULE, WIDTH, Block, box, extruded, texts_of, toothed, with_edges
 
 pytestmark = needs_browser
 
@@ -61,6 +61,20 @@ def triangles_of(stl: str) -> np.ndarray:
     return np.frombuffer(data, kind, int.from_bytes(data[80:84], "little"), 84)["corners"].astype(float)
 
 
+def test_solids_of_the_file_are_closed(open_page: OpenPage) -> None:
+    """Copies of a tooth share the points where they meet: every edge has its opposite, to the last bit."""
+    block = Block()
+    seat = {"place": [0.01, 0, 0.02], "axes": [0.1, 0.3, np.sin(0.2), np.sqrt(0.9 - np.sin(0.2) ** 2)]}
+    bodies = [{"name": "a", "place": [0.1, 0, 0], "axes": [0, 0, 0, 1]}]
+    texts = texts_of(header(block, bodies, [gear(block, f"Z{z}", 0, z, **seat) for z in (17, 23)]), block)
+    found = triangles_of(asked(scene(open_page, texts), STL + "return await stl();"))
+    _, corners = np.unique(found.reshape(-1, 3), axis=0, return_inverse=True)
+    edges = corners.reshape(-1, 3)[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+    assert len(edges) == 3 * (8 * POINTS - 8) * (17 + 23)
+    forth, back = (edges[np.lexsort(edges[:, order].T)] for order in ([0, 1], [1, 0]))
+    np.testing.assert_array_equal(forth, back[:, ::-1])
+
+
 def test_copies_of_one_pitch_are_the_whole_gear(open_page: OpenPage) -> None:
     """The file that the page writes has the triangles of the whole gear, moved to its seat and its body."""
     block, teeth = Block(), 17
@@ -70,6 +84,7 @@ def test_copies_of_one_pitch_are_the_whole_gear(open_page: OpenPage) -> None:
     found = triangles_of(asked(scene(open_page, texts), STL + "return await stl();"))
     points, triangles = extruded(toothed(teeth, 0.0), 0.01, WIDTH)
     exact = (points @ about_z(0.4).T + np.array(seat["place"]) + [0.1, 0, 0])[triangles]
+    exact = exact[with_edges(exact)]
 
     def volume(corners: np.ndarray) -> float:
         return float(np.einsum("ni,ni->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6)
@@ -197,3 +212,14 @@ def test_twenty_gears_load_and_turn(open_page: OpenPage) -> None:
     assert picture["drawnTriangles"] == 4 * sum(range(30, 50))
     angle = 10.0 * (1 - 19 / 9)
     assert np.abs(matrix(picture["bodies"][19])[:3, :3] - about_z(angle)).max() < 1e-9
+
+
+def test_the_clock_counts_in_the_unit_of_the_record(open_page: OpenPage) -> None:
+    """Frames seconds, parts of a millisecond and microseconds apart; each at the middle of the record."""
+    clock = "V.seek(%g); V.draw(); return $('.ppv-now').textContent;"
+    for length, text in ((20.0, "10.0 s"), (2e-3, "1.00 ms"), (2e-5, "10.0 µs")):
+        block = Block()
+        times = np.linspace(0.0, length, 21)
+        texts = texts_of(header(block, [], [gear(block, "Z", -1, 17)], times), block)
+        page = scene(open_page, texts)
+        assert asked(page, clock % (length / 2)).replace("\u2009", " ") == text

@@ -105,6 +105,11 @@ def extruded(outline: Array, bore: float, width: float, layers: int = 1) -> tupl
     return points, np.concatenate(faces)
 
 
+def with_edges(corners: Array) -> NDArray[np.bool_]:
+    """Triangles of three points; radial edges of a tooth are points in the bore, where some have two."""
+    return np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).min(axis=1) > 1e-9
+
+
 def circle(radius: float, points: int = 32) -> Array:
     angle = 2 * np.pi * np.arange(points) / points
     return radius * np.c_[np.cos(angle), np.sin(angle)]

@@ -47,6 +47,14 @@ const shown = () => {
   return page;
 };
 
+/** Paper is white, whatever the reader's screen prefers. @param {boolean} on */
+function onPaper(on) {
+  if (page?.stage) page.stage.background.set(on ? "#ffffff" : getComputedStyle(page.area).backgroundColor);
+  if (page && !on) page.draw();
+}
+window.addEventListener("beforeprint", () => onPaper(true));
+window.addEventListener("afterprint", () => onPaper(false));
+
 window.pitchpointViewer = {
   mount,
   state: () => (page ? stateOf(page) : null),

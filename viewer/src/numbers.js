@@ -59,6 +59,9 @@ const TIMES = [
   [1e-6, "µs"],
 ];
 
+/** Unit of an axis of time [s] and its name. @param {number} most largest instant [s] */
+export const timeUnit = (most) => TIMES[most >= 0.02 ? 0 : most >= 2e-5 ? 1 : 2];
+
 function withPrefix(value, prefixes, digits) {
   const [unit, name] =
     prefixes.find(([size]) => Math.abs(value) >= size * 0.999) ?? prefixes[prefixes.length - 1];
@@ -73,12 +76,9 @@ export const duration = (seconds) => (seconds === 0 ? `0${THIN}s` : withPrefix(s
 
 /** An instant, with as many digits as tell two frames apart. @param {number} t @param {number} step [s] */
 export function instant(t, step) {
-  const milli = Math.abs(step) < 5e-4;
-  const decimals = Math.max(
-    0,
-    Math.min(6, Math.ceil(-Math.log10(Math.max(step, 1e-12) * (milli ? 1e3 : 1)))),
-  );
-  return `${(t * (milli ? 1e3 : 1)).toFixed(decimals).replace("-", MINUS)}${THIN}${milli ? "ms" : "s"}`;
+  const [unit, name] = TIMES[step >= 5e-4 ? 0 : step >= 8e-7 || Math.abs(t) >= 1e-3 ? 1 : 2];
+  const decimals = Math.max(0, Math.min(6, Math.ceil(-Math.log10(Math.max(step, 1e-12) / unit) - 1e-9)));
+  return `${(t / unit).toFixed(decimals).replace("-", MINUS)}${THIN}${name}`;
 }
 
 /** @param {number} speed of the scene per real time */

@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 import { button, el } from "./dom.js";
 import { colourOfChannel, colourOfMark, isForce } from "./colours.js";
-import { fixed } from "./numbers.js";
+import { fixed, timeUnit } from "./numbers.js";
 
 const LOW = 84; // least height of a plot [px]
 /** Curves whose middles lie more of their spans apart than this would be two straight lines in one plot. */
@@ -228,7 +228,7 @@ export class Plots {
         cursor: { show: false },
         scales: { x: { time: false, range: () => this.x }, y: { range: (_, low, high) => range(low, high) } },
         axes: [
-          { ...axis, size: 22, gap: 3, values: (_, splits) => labels(splits, "s") },
+          { ...axis, size: 22, gap: 3, values: (_, splits) => timeLabels(splits) },
           { ...axis, size: 62, gap: 4, space: ticks, values: (_, splits) => labels(splits) },
         ],
         hooks: { draw: [(self) => this.#drawMarks(self)] },
@@ -336,6 +336,15 @@ function range(low, high) {
   if (!(high >= low)) return [0, 1];
   const air = 0.06 * (high - low || Math.abs(high) || 1);
   return [low - air, high + air];
+}
+
+/** Labels of an axis of time, in the unit that suits it. @param {number[]} splits [s] */
+export function timeLabels(splits) {
+  const [unit, name] = timeUnit(Math.max(...splits.map(Math.abs)));
+  return labels(
+    splits.map((t) => t / unit),
+    name,
+  );
 }
 
 /** Labels of an axis; large and small numbers share one power of ten. @param {number[]} splits @param {string} unit of the last one */

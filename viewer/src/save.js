@@ -6,6 +6,7 @@ import { glb } from "./glb.js";
 import { colourOfForce } from "./colours.js";
 import { loadColour } from "./load_colours.js";
 import { instant } from "./numbers.js";
+import { welded } from "./weld.js";
 
 /** @param {Blob} blob @param {string} name */
 export function download(blob, name) {
@@ -146,8 +147,11 @@ function legend(pen, page, n, { right: width, room }, ink, style) {
 
 /** All solids where they are now, binary STL, metres. @param {import("./page.js").Page} page */
 export function stl(page) {
-  const parts = page.stage.pictures[0].solids.exported(false);
-  const count = parts.reduce((sum, part) => sum + part.geometry.index.count / 3, 0);
+  const parts = page.stage.pictures[0].solids.exported(false).map(({ solid, geometry }) => {
+    const points = geometry.attributes.position.array;
+    return { solid, points, index: welded(points, geometry.index.array) };
+  });
+  const count = parts.reduce((sum, { index }) => sum + index.length / 3, 0);
   const bytes = new ArrayBuffer(84 + 50 * count);
   const view = new DataView(bytes);
   view.setUint32(80, count, true);
@@ -161,10 +165,8 @@ export function stl(page) {
       at += 4;
     }
   };
-  for (const { solid, geometry } of parts) {
+  for (const { solid, points, index } of parts) {
     const matrix = page.stage.pictures[0].poses.ofSolid(solid);
-    const points = geometry.attributes.position.array,
-      index = geometry.index.array;
     for (let k = 0; k < index.length; k += 3) {
       corners.forEach((corner, i) => corner.fromArray(points, 3 * index[k + i]).applyMatrix4(matrix));
       normal.subVectors(corners[1], corners[0]).cross(edge.subVectors(corners[2], corners[0])).normalize();

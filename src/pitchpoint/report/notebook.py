@@ -137,7 +137,8 @@ def _summary(data: xr.Dataset) -> str:
     """Title, where the result comes from, how it ended, and the first of its channels in numbers."""
     attrs = data.attrs
     bold = escape(str(attrs.get("title") or "Result"))
-    return f"<p><b>{bold}</b><br>{escape('; '.join(_facts(data)))}</p>{_ending(data)}{_numbers(data)}"
+    said = f"<p><b>{bold}</b><br>{escape('; '.join(_facts(data)))}</p>{_ending(data)}"
+    return said + _numbers(data) + _modes(data)
 
 
 def _facts(data: xr.Dataset) -> list[str]:
@@ -186,6 +187,23 @@ def _numbers(data: xr.Dataset) -> str:
         return ""
     head = ("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum")
     return f'{drawings.STYLE}<div class="pp-shown">{plain_table(head, rows)}</div>'
+
+
+def _modes(data: xr.Dataset) -> str:
+    """The lowest natural frequencies and their damping."""
+    from pitchpoint.viz.quantities import number
+    from pitchpoint.viz.tables import plain_table
+
+    if not {"frequency", "damping_ratio"} <= set(data) or data["frequency"].dims != ("mode",):
+        return ""
+    found = zip(data["frequency"].values, data["damping_ratio"].values, strict=True)
+    rows = [
+        f'<tr><th scope="row">{k}</th><td class="num">{number(float(frequency))}</td>'
+        f'<td class="num">{number(100.0 * float(ratio))}</td></tr>'
+        for k, (frequency, ratio) in enumerate(found, start=1)
+    ]
+    table = plain_table(("mode", "natural frequency [Hz]", "damping ratio [%]"), rows[:MOST_ROWS])
+    return f'{drawings.STYLE}<div class="pp-shown">{table}</div>'
 
 
 def _row(name: str, unit: str, x: Any) -> str:

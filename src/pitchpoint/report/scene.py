@@ -43,8 +43,8 @@ CURVES = 1e5
 """Most pieces of all curves: with more of them each has fewer."""
 FIRST = ("normal_force", "transmission_error")
 """Quantities that are drawn without asking."""
-SECOND = ("contact_force", "tension", "reaction_force", "torque", "speed")
-"""Those of which the first is drawn where there is none of these."""
+SECOND = ("contact_force", "tension", "reaction_force", "torque", "speed", "displacement")
+"""Those of which the first that changes is drawn where there is none of these."""
 
 
 def scene_of(
@@ -233,6 +233,13 @@ class _Record:
             )
         if found and not any(channel.first for channel in found):
             order = {quantity: k for k, quantity in enumerate(SECOND)}
-            best = min(range(len(found)), key=lambda k: order.get(found[k].name.split("[")[0], len(order)))
+
+            def rank(k: int) -> tuple[bool, int]:
+                """What changes comes before what stands still, round-off apart; then what people look at."""
+                least, most = float(found[k].least.min()), float(found[k].most.max())
+                level = most - least <= 1e-9 * max(abs(least), abs(most))
+                return level, order.get(found[k].name.split("[")[0], len(order))
+
+            best = min(range(len(found)), key=rank)
             found[best] = replace(found[best], first=True)
         return found

@@ -82,11 +82,14 @@ def power_flow_svg(flow: PowerFlow) -> str:
     for box in boxes:
         box.used = [0.5 * (box.height - _load(box, ends, side)) for side in (0, 1)]
     order = sorted(ends, key=lambda e: (e[1].y, e[2].y))
-    parts = []
+    parts, names = [], []
     for link, start, end, width in order:
-        alone = _load(start, ends, 1) <= width and _load(end, ends, 0) <= width
-        parts.append(_band(link, start, end, width, unit, x, alone=alone))
-    parts += [_block(box, x[id(box)]) for box in boxes]
+        shared = [_load(box, ends, side) > width for box, side in ((start, 1), (end, 0))]
+        band, name = _band(link, start, end, width, unit, x, shared)
+        parts.append(band)
+        names.append(name)
+    # no band of another link lies over a name
+    parts += [*names, *(_block(box, x[id(box)]) for box in boxes)]
     title = f"power flow, {_amount(flow.put_in, unit)} put in"
     width = 20.0 + STEP * span + WIDTH_BLOCK
     drawing = document(width, height, [f"<style>{STYLE}</style>", *parts], title)
@@ -153,9 +156,15 @@ def _near(box: _Box, ends: Sequence[_Joined]) -> float:
 
 
 def _band(
-    link: PowerLink, start: _Box, end: _Box, width: float, unit: Scale, x: dict[int, float], *, alone: bool
-) -> str:
-    """Band between two boxes with its name, and a drop for what is lost."""
+    link: PowerLink,
+    start: _Box,
+    end: _Box,
+    width: float,
+    unit: Scale,
+    x: dict[int, float],
+    shared: Sequence[bool],
+) -> tuple[str, str]:
+    """Band between two boxes, and its name with what is lost; `shared` are ends that other bands join too."""
     a, b = x[id(start)] + WIDTH_BLOCK, x[id(end)]
     ya, yb = start.port(1, width), end.port(0, width)
     reach = 0.5 * (b - a) if b > a else 90.0
@@ -166,13 +175,16 @@ def _band(
         f"V{yb + h:.1f}C{back:.1f} {yb + h:.1f} {there:.1f} {ya + h:.1f} {a:.1f} {ya + h:.1f}Z"
     )
     colour = COLOURS.get(link.kind, theme.TEAL)
-    parts = [f'<path class="pp-band" fill="{colour}" d="{path}"/>']
+    words = ""
     if not start.outside and not end.outside:
-        straight = alone and abs(yb - ya) <= 0.5 * width
-        parts.append(
-            _named(link, unit, 0.5 * (a + b), ya, width) if straight else _beside(link, unit, b, yb, ya, h)
-        )
-    return "".join(parts)
+        if not any(shared) and abs(yb - ya) <= 0.5 * width:
+            words = _named(link, unit, 0.5 * (a + b), ya, width)
+        elif shared[1] and not shared[0]:
+            # bands that come together are told apart where they begin
+            words = _beside(link, unit, (a + 6.0, ya, "start"), yb, h)
+        else:
+            words = _beside(link, unit, (b - 6.0, yb, "end"), ya, h)
+    return f'<path class="pp-band" fill="{colour}" d="{path}"/>', words
 
 
 def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> str:
@@ -184,13 +196,18 @@ def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> st
     return words
 
 
-def _beside(link: PowerLink, unit: Scale, x: float, y: float, from_y: float, half: float) -> str:
-    """Name, power and loss at the end of a band that bends, on the side that it does not come from."""
+def _beside(
+    link: PowerLink, unit: Scale, place: tuple[float, float, str], other_y: float, half: float
+) -> str:
+    """Name, power and loss at an end of a band that bends, on the side away from its other end."""
+    x, y, anchor = place
     lost = _loss(link) if link.lost > 0.0 else ""
-    lines = [line for line in (link.name, _amount(link.given, unit), lost) if line]
-    top = y + half + 15.0 if from_y < y else y - half - 6.0 - 14.0 * (len(lines) - 1)
+    # the blocks say which planet is on which carrier
+    name = "" if link.kind == "carrier" else link.name
+    lines = [line for line in (name, _amount(link.given, unit), lost) if line]
+    top = y + half + 15.0 if other_y < y else y - half - 6.0 - 14.0 * (len(lines) - 1)
     return "".join(
-        text(x - 6.0, top + 14.0 * k, line, "pp-small" if k else "pp-halo", "end")
+        text(x, top + 14.0 * k, line, "pp-halo" if line == name else "pp-small", anchor)
         for k, line in enumerate(lines)
     )
 

@@ -208,9 +208,9 @@ def notes_section(warnings: Sequence[str], assumptions: Sequence[str], sources: 
 def _last_periods(time: Array, values: Array) -> slice:
     """The last dozen periods of a steady record; everything if there are few, or no clear period."""
     tail = slice(time.size // 2, None)
-    piece, rate = uniform(time[tail], values[tail])
-    if piece.size < 256 or not np.all(np.isfinite(piece)):
+    if time[tail].size < 256 or not np.all(np.isfinite(values[tail])):
         return slice(None)
+    piece, rate = uniform(time[tail], values[tail])
     spectrum = amplitude_spectrum(piece, rate)
     top = int(np.argmax(spectrum.amplitude[1:])) + 1
     if spectrum.amplitude[top] <= 1e-9 * abs(spectrum.mean) or top < DETAIL_PERIODS * 2:

@@ -101,6 +101,24 @@ def test_a_result_shows_summary_scene_and_variables(result: xr.Dataset) -> None:
     assert "xr-wrap" in text.partition("<details>")[2]
 
 
+def test_modes_show_their_frequencies() -> None:
+    """A mass on springs: √(k/m) three times, √(k/J) about three axes; damping d/(2 √(k m))."""
+    text = """
+bodies: {mass: {motion: free, mass: 1, inertia: 1e-3, transverse_inertia: 1e-3, position: [0, 0, 0]}}
+bushings: {k: {ends: [mass, ground], stiffness: {x: 1e4, y: 1e4, axial: 1e4, rx: 100, ry: 100, torsion: 100},
+  damping: {x: 2, y: 2, axial: 2, rx: 0, ry: 0, torsion: 0}}}
+scenarios: {run: {duration: 1 s}}
+"""
+    shown = dataset_html(pp.solve_modal(pp.compile_model(loads_model(text), "run")))
+    rows = re.findall(
+        r'scope="row">(\d)</th><td class="num">([\d.]+)</td><td class="num">([\d.]+)</td>', shown
+    )
+    found = np.array(rows, dtype=float)
+    np.testing.assert_array_equal(found[:, 0], np.arange(1, 7))
+    np.testing.assert_allclose(found[:, 1], np.repeat(np.sqrt([1e4, 1e5]) / (2 * np.pi), 3), rtol=1e-4)
+    np.testing.assert_allclose(found[:, 2], np.repeat([1.0, 0.0], 3), rtol=1e-4, atol=1e-12)
+
+
 def test_a_result_in_memory_keeps_its_model(result: xr.Dataset, tmp_path: Any) -> None:
     assert loads_model(result.attrs["model_text"]) == loads_model(SHORT)
     written, _ = write_view(tmp_path / "page.html", result)

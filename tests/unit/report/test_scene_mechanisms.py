@@ -196,3 +196,23 @@ def test_spectra_of_a_run_show_its_mesh_frequency():
     frequency, amplitude = (scene.array(error[key]) for key in ("lines", "amplitude"))
     assert frequency[np.argmax(amplitude)] == pytest.approx(230.0, abs=10.0)
     assert error["unit"] == "m"
+
+
+@pytest.mark.parametrize(
+    ("load", "first"),
+    [
+        ('{body: mass, force: ["10*sin(60*t)", 0, 0]}', "displacement[mass.x]"),
+        ("{body: mass, torque: 2}", "speed[mass]"),
+        ("{body: mass, torque: 2*t}", "torque[push]"),
+    ],
+)
+def test_without_teeth_the_first_curve_is_one_that_changes(load, first):
+    """A torque that is given as a number and a body that does not turn would be flat lines."""
+    model = loads_model(f"""
+bodies: {{mass: {{motion: free, mass: 1, inertia: 1e-3, transverse_inertia: 1e-3, position: [0, 0, 0]}}}}
+bushings: {{k: {{ends: [mass, ground], stiffness: {{x: 1e4, y: 1e4, axial: 1e4, rx: 9, ry: 9, torsion: 9}}}}}}
+loads: {{push: {load}}}
+scenarios: {{run: {{start: assembled, duration: 50 ms, step: 1 ms, sample_rate: 1 kHz}}}}
+""")
+    result = solve_time(compile_model(model, "run"))
+    assert [channel.name for channel in scene_of(model, result).channels if channel.first] == [first]

@@ -173,12 +173,16 @@ def test_short_uneven_and_standing_runs(model: ReportModel) -> None:
     swinging = dict(data)
     angle = data["angle[driver]"]
     swinging["angle[driver]"] = type(angle)(angle.name, np.sin(400.0 * data["time"]), "rad", "angle")
-    short = {k: (v[:3] if k == "time" else type(v)(v.name, v.values[:3], v.unit)) for k, v in data.items()}
+
+    def begin(n: int) -> dict:
+        """The first samples of the run."""
+        return {k: (v[:n] if k == "time" else type(v)(v.name, v.values[:n], v.unit)) for k, v in data.items()}
+
     results = ReportResults(
         runs={
             "uneven": TimeRun(data=uneven | rest, note="stopped: <the step became too small>"),
             "swinging": TimeRun(data=swinging),
-            "short": TimeRun(data=short),
+            **{f"{n} samples": TimeRun(data=begin(n)) for n in (1, 2, 3)},
             "empty": TimeRun(data={"time": np.empty(0)}),
         }
     )
@@ -186,6 +190,7 @@ def test_short_uneven_and_standing_runs(model: ReportModel) -> None:
     Page(text)
     assert "stopped: &lt;the step became too small&gt;" in text
     assert "turns back" in text
+    assert "<h3>2 samples</h3>" in text
 
 
 @pytest.mark.parametrize(
@@ -294,6 +299,21 @@ def test_blocks_stand_behind_what_feeds_them_and_apart() -> None:
     ]
     blocks = [PowerBlock(name=n, speed=1.0) for n in "xy"]
     assert power_flow_svg(PowerFlow(span=(0.0, 1.0), blocks=blocks, links=circle)).count("pp-band") == 3
+
+
+def test_bands_that_come_together_are_named_apart() -> None:
+    """Three planets on one carrier: each power stands by its planet, over all bands."""
+    blocks = [PowerBlock(name=n, speed=1.0) for n in ("sun", "p1", "p2", "p3", "carrier")]
+    links = [
+        PowerLink(name=name, kind=kind, start=a, end=b, given=given, taken=given)
+        for k, given in ((1, 7000.0), (2, 7100.0), (3, 7200.0))
+        for name, kind, a, b in ((f"s{k}", "mesh", 0, k), (f"p{k} on carrier", "carrier", k, 4))
+    ]
+    svg = power_flow_svg(PowerFlow(span=(0.0, 1.0), blocks=blocks, links=links))
+    at = re.findall(r'<text class="pp-small" x="([\d.]+)" y="([\d.]+)" text-anchor="start">(7\d00) W', svg)
+    assert len(at) == 3 and len({x for x, _, _ in at}) == 1
+    assert np.diff(sorted(float(y) for _, y, _ in at)).min() > 28.0  # two lines
+    assert "on carrier" not in svg and svg.rindex('class="pp-band"') < svg.index('class="pp-small"')
 
 
 def extremes(sizes: dict[str, float], seen: str = "") -> str:
