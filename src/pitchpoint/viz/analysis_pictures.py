@@ -32,8 +32,8 @@ def spectrum_of(result: xr.Dataset, axis: str) -> Spectrum:
 
 
 def _spectrum(result: xr.Dataset, channel: str, over: str = "frequency") -> list[go.Figure]:
-    spectra, words = {channel: spectrum_of(result, over)}, f"amplitude, {channel}"
-    return [spectrum_plots.plot_spectrum(spectra, unit=_unit(result), quantity=words, over=over)]
+    spectra = {channel: spectrum_of(result, over)}
+    return [spectrum_plots.plot_spectrum(spectra, unit=_unit(result), over=over)]
 
 
 def _order_spectrum(result: xr.Dataset, channel: str) -> list[go.Figure]:
@@ -52,7 +52,7 @@ def _time_frequency(result: xr.Dataset, channel: str) -> list[go.Figure]:
 
 def _tones(result: xr.Dataset, channel: str) -> list[go.Figure]:
     parts = (result[name].values for name in ("frequency", "amplitude", "background"))
-    return [spectrum_plots.plot_tones(*parts, unit=_unit(result), quantity=f"amplitude, {channel}")]
+    return [spectrum_plots.plot_tones(*parts, unit=_unit(result), name=channel)]
 
 
 def _gear_signals(result: xr.Dataset, channel: str) -> list[go.Figure]:

@@ -74,11 +74,8 @@ def spectrum_section(
 
 def _add_spectrum(section: Section, channel: Channel, time: Array) -> None:
     values, rate = uniform(time, channel.values)
-    name = channel.label
     section.add_figure(
-        spectrum_plots.plot_spectrum(
-            {name: amplitude_spectrum(values, rate)}, unit=channel.unit, quantity=f"amplitude, {name}"
-        ),
+        spectrum_plots.plot_spectrum({channel.label: amplitude_spectrum(values, rate)}, unit=channel.unit)
     )
 
 
@@ -93,9 +90,7 @@ def _add_order_spectrum(
         section.add(f"<p>No order spectrum of {escape(name)}: {escape(str(reason))}.</p>")
         return
     section.add_figure(
-        spectrum_plots.plot_spectrum(
-            {name: spectrum}, unit=channel.unit, quantity=f"amplitude, {name}", over="order", shafts=shafts
-        ),
+        spectrum_plots.plot_spectrum({name: spectrum}, unit=channel.unit, over="order", shafts=shafts),
     )
 
 

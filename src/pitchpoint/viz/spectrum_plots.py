@@ -54,7 +54,7 @@ def plot_spectrum(
     Parameters
     ----------
     spectra
-        Spectra by name.
+        Spectra by the names that stand above the plot; a single one may have none.
     unit
         SI unit of the signal.
     quantity
@@ -101,7 +101,7 @@ def plot_spectrum(
         top = float(np.log10(tallest * shown.factor))
         figure.update_yaxes(type="log", range=[top - 4.2, top + 0.6], dtick=1, exponentformat="power")
     figure.update_xaxes(range=[0.0, end * factor])
-    figure.update_layout(showlegend=len(spectra) > 1)
+    figure.update_layout(showlegend=any(spectra))
     if across is None:
         _offer(figure, shafts)
     return figure
@@ -267,9 +267,7 @@ def known_part(frequency: float, resolution: float) -> float:
     return round(frequency, -int(np.ceil(np.log10(0.1 * resolution))))
 
 
-def plot_tones(
-    frequency: Array, amplitude: Array, background: Array, *, unit: str, quantity: str
-) -> go.Figure:
+def plot_tones(frequency: Array, amplitude: Array, background: Array, *, unit: str, name: str) -> go.Figure:
     """Tones as bars at their frequencies, and the amplitudes around them.
 
     Parameters
@@ -280,19 +278,19 @@ def plot_tones(
         Amplitudes of the tones and of what is around, in SI, shape (n,).
     unit
         SI unit of the amplitudes.
-    quantity
-        Name of the vertical axis.
+    name
+        Name of the signal, above the plot.
     """
     import plotly.graph_objects as go
 
     across, shown = scale("Hz", frequency), scale(unit, amplitude)
-    figure = go.Figure(layout=theme.layout(across.title("frequency"), shown.title(quantity), height=340))
+    figure = go.Figure(layout=theme.layout(across.title("frequency"), shown.title("amplitude"), height=340))
     x = frequency * across.factor
     figure.add_scatter(
         x=np.repeat(x, 3),
         y=[value for a in amplitude * shown.factor for value in (0.0, float(a), None)],
         mode="lines",
-        name="tone",
+        name=f"{name}, tones",
         line={"color": theme.TEAL, "width": 2.5},
     )
     figure.add_scatter(

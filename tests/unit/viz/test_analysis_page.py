@@ -37,8 +37,8 @@ def record():
 @pytest.mark.parametrize(
     "tool, count, across, up",
     [
-        ("amplitude_spectrum", 1, "frequency [Hz]", "amplitude, travel [µm]"),
-        ("tracked_spectrum", 1, "order [per revolution]", "amplitude, travel [µm]"),
+        ("amplitude_spectrum", 1, "frequency [Hz]", "amplitude [µm]"),
+        ("tracked_spectrum", 1, "order [per revolution]", "amplitude [µm]"),
         ("order_map", 1, "order [per revolution]", "time [ms]"),
         ("time_frequency_map", 1, "time [ms]", "frequency [Hz]"),
         ("power_spectral_density", 1, "frequency [Hz]", "density, travel [m²/Hz]"),
@@ -54,7 +54,7 @@ def record():
         ("period_evidence", 1, "period, travel", "−log₁₀ of the chance"),
         ("kurtogram", 1, "frequency [Hz]", "width of the bands"),
         ("gear_signals", 1, "angle [°]", "[µm]"),
-        ("tones", 1, "frequency [Hz]", "amplitude, travel [µm]"),
+        ("tones", 1, "frequency [Hz]", "amplitude [µm]"),
     ],
 )
 def test_pictures_have_axes_with_units(record, tool, count, across, up):
