@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
+from pitchpoint.elements.bevel_mesh_record import N_OUT
 from pitchpoint.geometry.bevel_gear import BevelGear
 from pitchpoint.geometry.bevel_pair import BevelPair
 from pitchpoint.system.rules.mesh_laws import MeshLaws
@@ -269,7 +270,7 @@ def test_teeth_repeat_after_a_base_pitch():
     F, out = m.evaluate(), m.out.copy()
     m.roll(1.0)
     assert np.allclose(m.evaluate(), F, rtol=0, atol=1e-8 * abs(F).max())
-    n, first = int(m.row["n_pair"]), m.out.size - 8
+    n, first = int(m.row["n_pair"]), N_OUT
     assert np.allclose(np.roll(out[first : first + n], 1), m.out[first : first + n], rtol=1e-7, atol=1e-6)
     assert m.out[first : first + n].sum() == pytest.approx(m.get("normal_force") * math.cos(m.pair.beta_b))
 

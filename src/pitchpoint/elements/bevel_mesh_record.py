@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from pitchpoint.elements.gear_mesh_record import EVENTS, MAX_PAIRS, PHASE, PROFILE
+from pitchpoint.elements.gear_mesh_record import EVENTS, MAX_PAIRS, PHASE, PROFILE, mesh_outputs
 from pitchpoint.elements.gear_mesh_record import OUTPUTS as OF_MESHES
 
-__all__ = ["EVENTS", "MAX_PAIRS", "N_OUT", "OUTPUTS", "PHASE", "PROFILE", "RECORD"]
+__all__ = ["EVENTS", "MAX_PAIRS", "N_OUT", "OUTPUTS", "PHASE", "PROFILE", "RECORD", "mesh_outputs"]
 
 ROWS = 6
 """Rows of the wrench basis: normal force along two rays and about the plane of action, friction in three."""
@@ -130,10 +130,12 @@ _SCRATCH = [
 ]
 
 RECORD = np.dtype(
-    [*_BODIES, *_GEOMETRY, *_LAW, *_SCRATCH, ("n_pair", "i8"), ("ev", "i8"), ("out", "i8")], align=True
+    [*_BODIES, *_GEOMETRY, *_LAW, *_SCRATCH, ("n_pair", "i8"), ("rubs", "i8"), ("ev", "i8"), ("out", "i8")],
+    align=True,
 )
 
-#: Observations of one mesh: those of `gear_mesh`, at R_m and on gear 2, then of gear 1; pair forces follow.
+#: Observations of one mesh: those of `gear_mesh`, at R_m and on gear 2, then of gear 1; pair forces follow,
+#: then torques of friction.
 OUTPUTS = (
     *OF_MESHES,
     ("radial_force_1", "N", "separating part on gear 1"),
