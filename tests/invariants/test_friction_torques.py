@@ -115,7 +115,8 @@ def of(kind):
     laws = MeshLaws(stiffness=EVEN, mu=MU, v_eps=0.05, d_in=3e4, d_out=2e4, d_gap=5e3)
     if kind in PAIRS:
         return OneMesh(make_pair(**PAIRS[kind]), laws, n_pair=3)
-    return OneBevel(make_bevels(**(BEVELS | {"spiral": SPIRAL})[kind]), laws)
+    sides = (-1.0, 1.0) if kind == "spiral" else (1.0, 1.0)
+    return OneBevel(make_bevels(**(BEVELS | {"spiral": SPIRAL})[kind]), laws, sides=sides)
 
 
 @pytest.mark.parametrize("kind", [*PAIRS, *BEVELS, "spiral"])
