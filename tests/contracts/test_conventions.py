@@ -667,7 +667,7 @@ def test_friction_turns_round_at_the_pitch_point() -> None:
     start = m.frames["phi"].copy()
     for beyond in (-0.05, 0.05):
         way = (pitch + beyond) * m.row["p_bt"]
-        m.frames["phi"] = start + [way / r1, -way / r2]
+        m.frames["phi"] = start + way / np.array([r1, -r2])
         m.evaluate()
         arms = np.array([r1, r2]) * math.tan(m.pair.alpha_wt) + [
             beyond * m.row["p_bt"],

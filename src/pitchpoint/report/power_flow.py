@@ -172,7 +172,7 @@ class Machine:
                     yield self.link(f"reaction of {name}", word, (0, j), (-on_j, on_j))
 
     def meshes(self) -> Iterator[PowerLink]:
-        """Meshes; friction counts for the gear that drives where a result does not say what it does to each."""
+        """Meshes; where a result does not tell what friction does to each gear, that which drives pays."""
         names = mesh_names(self.system)
         for m, (record, name) in enumerate(zip(mesh_records(self.system), names, strict=True)):
             pair = int(record["i"]), int(record["j"])
