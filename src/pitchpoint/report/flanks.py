@@ -23,8 +23,16 @@ Line = tuple[str, str, str, str, str]
 
 
 def flank_lines(model: Model) -> list[Line]:
-    """Describe what the flanks of all gears have besides the involute, amounts in micrometres."""
+    """Describe what the flanks of all gears have besides the involute, amounts in micrometres.
+
+    Faults of severity 0 are left out, see `idle_faults`.
+    """
     return [(name, *line) for name, gear in model.gears.items() for line in _lines(gear)]
+
+
+def idle_faults(model: Model) -> int:
+    """How many faults of teeth and seats have severity 0: they wait for a study and change nothing."""
+    return sum(fault.severity == 0.0 for gear in model.gears.values() for fault in gear.faults.values())
 
 
 def _lines(gear: Gear) -> list[tuple[str, str, str, str]]:
@@ -38,7 +46,7 @@ def _lines(gear: Gear) -> list[tuple[str, str, str, str]]:
         ]
     if gear.deviations is not None:
         found += _deviations(gear.deviations)
-    found += [_fault(label, fault) for label, fault in gear.faults.items()]
+    found += [_fault(label, fault) for label, fault in gear.faults.items() if fault.severity != 0.0]
     if gear.tooth_profile is not None:
         parts = ", ".join(gear.tooth_profile.given)
         found.append((parts.replace("both", "left and right"), "profile given as points", "–", ""))
