@@ -16,6 +16,7 @@ Journal on Numerical Analysis 35 (1998) 508-523; P. Deuflhard, Newton Methods fo
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -54,6 +55,8 @@ HEAVY = 1e8
 controllers need not, as no energy stands behind them."""
 LONGEST = 0.3
 """Largest turn of a joint in one step then [rad]."""
+SLOW = 1.0
+"""Time [s] from which on a search says how many steps it has taken."""
 SHORT = 1e-6
 """Step [m] below which one that makes no progress is searched for the jump of a force."""
 
@@ -163,7 +166,7 @@ def _pseudo_time(
     if state.v.any():
         damping = abs(rest_matrix(system, state, NEWTON, (0.0, 1.0, 0.0))) @ np.abs(state.v)
     wanted = tolerance * float(np.abs(R * weight).max(initial=0.0))
-    tangent = Tangent(system, state)
+    tangent, started = Tangent(system, state), time.monotonic()
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces that did not hold when they were tried last
     mu = FIRST
@@ -186,7 +189,8 @@ def _pseudo_time(
             continue
         inverse = inverse_of(pulled, root)
         step = -inverse(R[free])
-        tell_aside(f"equilibrium, step {count + 1}")
+        if time.monotonic() - started > SLOW:
+            tell_aside(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
         trial = step_on(system, state, free, step * min(1.0, LONGEST / turn if turn > 0.0 else 1.0))
         try:

@@ -72,7 +72,7 @@ def _blocks(flow: PowerFlow, most: float) -> str:
     worst = max(range(len(flow.blocks)), key=lambda block: abs(flow.left(block)))
     left = flow.left(worst)
     if abs(left) <= NEGLIGIBLE * most:
-        return f" Every block by itself closes to {number(100.0 * NEGLIGIBLE, 2)} % of that."
+        return f" Every block closes by itself, to {number(100.0 * NEGLIGIBLE, 2)} % of the largest power."
     return f" Of single blocks {flow.blocks[worst].name} leaves most: {_power(left)}."
 
 
