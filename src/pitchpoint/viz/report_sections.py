@@ -67,7 +67,7 @@ def gear_section(
         head = ("gear", "flanks", "modification or deviation", "amount", "extent")
         section.add(f"<h3>Flanks</h3>{plain_table(head, rows, numbers=False)}")
     if idle_faults:
-        waiting = "1 fault has" if idle_faults == 1 else f"{idle_faults} faults have"
+        waiting = "1 fault of gears has" if idle_faults == 1 else f"{idle_faults} faults of gears have"
         section.add(f"<p>{waiting} severity 0 and change{'s' if idle_faults == 1 else ''} nothing.</p>")
     table = quantity_table(MESH_ROWS, meshes)
     section.add(f"<h3>Meshes</h3>{table}" if table else "")
