@@ -35,14 +35,16 @@ class Tangent:
     Attributes
     ----------
     joints
-        Coordinates about which bodies may swing; none where elements have states of their own.
+        Coordinates about which bodies may swing; none where elements have states of their own, or the joints
+        turn with a speed that is kept: forces that follow it have no energy behind them.
     exact
         Whether the last matrix holds what turns with the joints.
     """
 
     def __init__(self, system: System, begin: State) -> None:
         self.system = system
-        self.joints = np.zeros(0, np.int64) if system.states.size else turning_joints(system)
+        joints = turning_joints(system)
+        self.joints = joints[:0] if system.states.size or begin.v[joints].any() else joints
         self.exact = False
         self._begin = begin.q.copy()
         self._state: State | None = None
