@@ -674,6 +674,26 @@ def test_misalignment_is_the_lean_of_axis_2() -> None:
         np.testing.assert_allclose(moments[1], moments[0], atol=0.05 * np.abs(moments[0]).max())
 
 
+def test_friction_turns_round_at_the_pitch_point() -> None:
+    m = one(beta=0.0, mu=0.1, v_eps=1e-6)
+    r1, r2 = m.row["r_b1"], m.row["r_b2"]
+    m.frames["spin"] = [50.0, -50.0 * r1 / r2]
+    m.frames["tw"][:, 5] = m.frames["spin"]
+    m.press(5e-6)
+    pitch = -m.row["xi_A"] / m.row["p_bt"] - m.get("mesh_phase")
+    start = m.frames["phi"].copy()
+    for beyond in (-0.05, 0.05):
+        way = (pitch + beyond) * m.row["p_bt"]
+        m.frames["phi"] = start + way / np.array([r1, -r2])
+        m.evaluate()
+        arms = np.array([r1, r2]) * math.tan(m.pair.alpha_wt) + [
+            beyond * m.row["p_bt"],
+            -beyond * m.row["p_bt"],
+        ]
+        expected = -math.copysign(0.1 * m.get("mesh_force"), beyond) * arms
+        assert m.friction_torques() == pytest.approx(expected, rel=1e-3)
+
+
 def test_pair_forces_add_up_to_the_force_of_the_flanks() -> None:
     m = one(beta=0.3, n_pair=4)
     m.press(5e-6, -1)

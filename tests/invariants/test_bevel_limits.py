@@ -157,7 +157,7 @@ def test_sliding_is_that_of_two_rolling_cones():
     row = m.row
     relative = np.linalg.norm(m.frames["tw"][0, 3:] - m.frames["tw"][1, 3:])
     assert relative == pytest.approx(100.0 * math.sin(m.pair.Sigma) / math.sin(m.pair.gear2.delta), rel=1e-9)
-    forces = sorted(f for f in m.out[N_OUT:] if f > 0.0)
+    forces = sorted(f for f in m.out[N_OUT : N_OUT + int(row["n_pair"])] if f > 0.0)
     psi = m.get("mesh_phase")
     sigma = [(row["xi_A"] + (psi + q) * row["p_bt"]) / row["R_m"] for q in range(2) if psi + q < row["eps"]]
     assert len(forces) == len(sigma)

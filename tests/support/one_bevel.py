@@ -79,7 +79,7 @@ class OneBevel:
             self.frames["R"][k] = self.axes[k]
             self.frames["r"][k] = np.array(self.at) - self.apexes[k] * self.axes[k][:, 2]
         self.ctl = np.zeros(1, CTL)
-        self.out = np.zeros(layout.N_OUT + int(self.row["n_pair"]))
+        self.out = np.zeros(layout.N_OUT + int(self.row["n_pair"]) + 2 * int(self.row["rubs"]))
         self.events = np.zeros(len(layout.EVENTS))
         self.ctl["no"], self.ctl["ne"] = self.out.size, self.events.size
         self.ctl["out"], self.ctl["ev"] = self.out.ctypes.data, self.events.ctypes.data
@@ -103,6 +103,11 @@ class OneBevel:
 
     def get(self, name):
         return float(self.out[OUT[name]])
+
+    def friction_torques(self):
+        """Torques of friction on both gears about their axes."""
+        first = layout.N_OUT + int(self.row["n_pair"])
+        return self.out[first : first + 2].copy()
 
     def press(self, depth, flank=1):
         """Turn gear 1 until the travel is `depth` beyond the gap on a flank, gears turned by equal travel."""

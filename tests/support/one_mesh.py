@@ -73,7 +73,7 @@ class OneMesh:
         self.frames["r"] = o1, o2
         self.frames["R"] = np.eye(3)
         self.ctl = np.zeros(1, CTL)
-        self.out = np.zeros(layout.N_OUT + self.n_pair)
+        self.out = np.zeros(layout.N_OUT + self.n_pair + 2 * int(self.row["rubs"]))
         self.ctl["no"] = self.out.size
         self.ctl["out"] = self.out.ctypes.data
         self.kk = np.zeros((4, 6, 6))
@@ -134,6 +134,11 @@ class OneMesh:
 
     def get(self, name):
         return float(self.out[OUT[name]])
+
+    def friction_torques(self):
+        """Torques of friction on both gears about their axes."""
+        first = layout.N_OUT + int(self.row["n_pair"])
+        return self.out[first : first + 2].copy()
 
     def press(self, depth, flank=1, frames=None):
         """Turn gear 1 until the deflection is `depth` beyond the gap on a flank."""

@@ -14,6 +14,7 @@ import math
 import pytest
 
 from pitchpoint.contact.stiffness.hertz import equivalent_radius, hertz, hertz_constant
+from pitchpoint.elements.gear_mesh_record import N_OUT
 from pitchpoint.geometry import CylindricalGear, GearPair, profile_shift_for_center_distance
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.one_mesh import OneMesh
@@ -79,7 +80,7 @@ def test_penetration_of_stage_3_at_the_stated_output():
         m.frames["phi"][1] = -m.frames["phi"][0] * 11 / 36
         m.press(delta / cos_b)
         assert m.get("penetration") == pytest.approx(delta, rel=1e-9)
-        largest = max(largest, *(m.out[-8 + p] for p in range(4)))
+        largest = max(largest, *m.out[N_OUT : N_OUT + 4])
     # eps_alpha of stage 3 is 1.2, its overlap 0.6: lines over the whole width exist in part of the cycle
     assert largest / cos_b == pytest.approx(861.2e3, rel=2e-4)
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.analysis.tools import TOOLS
-from pitchpoint.cli.options import as_json, debug, quantity, quiet
+from pitchpoint.cli.options import as_json, debug, quantity, quiet, writes
 from pitchpoint.cli.output import emit_json, show, table
 
 if TYPE_CHECKING:
@@ -51,8 +51,8 @@ def _tools() -> str:
     metavar="QUANTITY",
     help="Say which of its harmonics are lost.",
 )
-@click.option("--csv", type=click.Path(dir_okay=False), metavar="OUT", help="Write the result as a table.")
-@click.option("--html", type=click.Path(dir_okay=False), metavar="OUT", help="Write a page with pictures.")
+@writes("--csv", help="Write the result as a table.")
+@writes("--html", help="Write a page with pictures.")
 @as_json
 @quiet
 @debug

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet, scenario
-from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
+from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table, write_figure
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -109,12 +109,9 @@ def rows_of(found: Comparison) -> list[dict[str, Any]]:
 
 def _draw(target: Path, runs: list[dict[str, Any]], title: str) -> None:
     """Write the page with the curves."""
-    from pitchpoint.io.target import PAGE_MARK, write_file
     from pitchpoint.viz.work_precision import plot_work_precision
 
-    body = plot_work_precision(runs, title).to_html(full_html=False, include_plotlyjs=True)
-    head = f'<!DOCTYPE html><html><head>{PAGE_MARK}<meta charset="utf-8"></head>'
-    write_file(target, f"{head}<body>{body}</body></html>")
+    write_figure(target, plot_work_precision(runs, title))
 
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, quiet
+from pitchpoint.cli.options import allow_code, as_json, debug, quiet, writes
 from pitchpoint.cli.output import emit_json, show
 
 if TYPE_CHECKING:
@@ -40,11 +40,11 @@ def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int
 
 @click.command()
 @click.argument("file", metavar="PLAN", type=click.Path(exists=True, dir_okay=False))
-@click.option(
+@writes(
     "-o",
     "--output",
-    type=click.Path(file_okay=False),
     metavar="FOLDER",
+    folder=True,
     help="Folder of the data set; PLAN-data in this folder if left out.",
 )
 @click.option(

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quantity, quiet
-from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quantity, quiet, writes
+from pitchpoint.cli.output import emit_json, show, shown, table, write_figure
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -52,7 +52,7 @@ if TYPE_CHECKING:
 @click.option(
     "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if left out."
 )
-@click.option("--picture", type=click.Path(dir_okay=False), metavar="HTML", help="Write a picture.")
+@writes("--picture", metavar="HTML", help="Write a picture.")
 @output("Result file (netCDF-4/HDF5); none if left out.")
 @as_json
 @allow_code
@@ -63,6 +63,7 @@ def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any)
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import known_scenario, result_path, unless_it_cannot_begin
+    from pitchpoint.io.target import check_target
 
     if options["to"] is None:
         raise click.UsageError("--to is needed: the highest frequency, such as --to '2 kHz'")
@@ -70,6 +71,8 @@ def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any)
     scenario = options["scenario"]
     name = known_scenario(model, scenario) if scenario is not None else None
     target = result_path(options["output"], file, name or "") if options["output"] is not None else None
+    if options["picture"] is not None:
+        options["picture"] = check_target(options["picture"], "page", [file])
     summary, error = unless_it_cannot_begin(
         lambda: compute(model, file, name, target, options, quiet=quiet), {"inputs": [], "outputs": []}
     )
@@ -137,13 +140,13 @@ def compute(
     return summary, None
 
 
-def _draw(path: str, found: FrequencyResponse) -> None:
+def _draw(path: Path, found: FrequencyResponse) -> None:
     """Write amplitude and phase as a page."""
     from pitchpoint.viz.frequency_response_plot import plot_frequency_response
 
     units = [f"{o}/({i})" if " " in i else f"{o}/{i}" for o in found.output_units for i in found.input_units]
     figure = plot_frequency_response(found.frequency, found.response, found.outputs, found.inputs, units)
-    figure.write_html(path, include_plotlyjs=True)
+    write_figure(path, figure)
 
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.bevel_gears import export_bevel, print_bevel_gears, print_bevel_pairs
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of, writes
 from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
@@ -32,19 +32,12 @@ POINTS_A_FLANK = 20
 
 @click.command()
 @model_file
-@click.option(
+@writes(
     "--export",
     "target",
-    metavar="OUT",
-    type=click.Path(dir_okay=False),
     help="Write a drawing (dxf, svg), points (csv) or a solid (stl, step).",
 )
-@click.option(
-    "--preview",
-    metavar="OUT",
-    type=click.Path(dir_okay=False),
-    help="Draw the teeth (svg): tool, circles by name, active flanks.",
-)
+@writes("--preview", help="Draw the teeth (svg): tool, circles by name, active flanks.")
 @click.option("--gear", "only", metavar="NAME", help="The gear to draw; the only one if left out.")
 @click.option("--shaft", metavar="NAME", help="An elastic shaft to export instead, as stl or step.")
 @as_json

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet, writes
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
 
 if TYPE_CHECKING:
@@ -43,9 +43,8 @@ ROUNDING = 1e-7
     help="Find and show the lowest N modes. If left out, the 20 lowest are shown, and all of up to 200 modes "
     "(the lowest 40 of more) found for JSON and files.",
 )
-@click.option(
+@writes(
     "--animation",
-    type=click.Path(dir_okay=False),
     metavar="FILE",
     help="Write the motion of bodies and nodes over one cycle of every mode: json or npz.",
 )
@@ -69,10 +68,13 @@ def modes(
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import known_scenario, result_path, unless_it_cannot_begin
+    from pitchpoint.io.target import check_target
 
     model = read_model(file, allow_code, quiet)
     name = known_scenario(model, scenario) if scenario is not None else None
     target = result_path(output, file, name or "") if output is not None else None
+    if animation is not None:
+        check_target(animation, "animation", [file])
     summary, error = unless_it_cannot_begin(
         lambda: compute(
             model, file, name, target, phase=phase, count=count, animation=animation, quiet=quiet

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any, TypeVar
 
 import click
@@ -35,9 +36,43 @@ jobs = click.option(
 )
 
 
+def writes(*names: str, metavar: str = "OUT", help: str, folder: bool = False) -> Callable[[F], F]:
+    """Make an option that names a file to write, or a folder.
+
+    Folders on the way to it that do not exist are made, by every command; which ones is said at the end.
+    """
+    kind = click.Path(file_okay=not folder, dir_okay=folder)
+    return click.option(*names, type=kind, callback=tell_of_folders, metavar=metavar, help=help)
+
+
 def output(what: str) -> Callable[[F], F]:
     """Make the option that names the file to write."""
-    return click.option("-o", "--output", type=click.Path(dir_okay=False), metavar="OUT", help=what)
+    return writes("-o", "--output", help=what)
+
+
+def tell_of_folders(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
+    """Look which folder a file lacks, and say when the command is done that it was made."""
+    missing = None if value is None else first_missing(Path(value))
+
+    def tell() -> None:
+        """Say it if it is so; in quiet runs nothing is said."""
+        if missing is not None and missing.is_dir() and not context.params.get("quiet"):
+            click.echo(f"note: the folder {missing} is new", err=True)
+
+    context.call_on_close(tell)
+    return value
+
+
+def first_missing(target: Path) -> Path | None:
+    """The outermost folder on the way to a file that does not exist yet, if any.
+
+    Examples
+    --------
+    >>> first_missing(Path("/no such folder/of/mine/run.h5")).as_posix()
+    '/no such folder'
+    """
+    missing = [folder for folder in target.absolute().parents if not folder.exists()]
+    return missing[-1] if missing else None
 
 
 def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:

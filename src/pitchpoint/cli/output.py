@@ -12,6 +12,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
+    import plotly.graph_objects as go
     from rich.table import Table
 
     from pitchpoint.cli.columns import Column
@@ -50,6 +53,15 @@ def plain(data: Any) -> Any:
 def show(text: str = "") -> None:
     """Print a line for people on stdout."""
     click.echo(text)
+
+
+def write_figure(target: Path, figure: go.Figure) -> None:
+    """Write a plot as a page of its own."""
+    from pitchpoint.io.target import PAGE_MARK, write_file
+
+    body = figure.to_html(full_html=False, include_plotlyjs=True)
+    head = f'<!DOCTYPE html><html><head>{PAGE_MARK}<meta charset="utf-8"></head>'
+    write_file(target, f"{head}<body>{body}</body></html>")
 
 
 def table(

@@ -13,6 +13,8 @@ from typing import Any, Self
 
 import click
 
+from pitchpoint.core.progress import heard_by
+
 PATIENCE = 2.0
 LINE_EVERY = 3.0
 BAR_EVERY = 0.1
@@ -61,6 +63,8 @@ class ProgressDisplay:
         self._task: Any = None
         self.lines = 0
         self._left_out: tuple[float, float, str] | None = None
+        self._done: tuple[float, float | None] = (0.0, None)
+        self._heard: Any = None
 
     def __call__(self, done: float, total: float, note: str = "") -> None:
         """Take notice; draws at most ten times a second."""
@@ -75,9 +79,22 @@ class ProgressDisplay:
             return
         self._show(now, done, total, note)
 
+    def aside(self, words: str) -> None:
+        """Show what is done before the work itself, or between its parts; of its share nothing is known."""
+        now = time.monotonic()
+        waited = now - self._last >= (BAR_EVERY if self._terminal else LINE_EVERY) or not self.lines
+        if self.quiet or now - self._start < PATIENCE or not waited:
+            return
+        self._last = now
+        self.lines += 1
+        if self._terminal:
+            self._draw(*self._done, "", float("inf"), words)
+        else:
+            click.echo(f"{self.title}: {words}", err=True)
+
     def _show(self, now: float, done: float, total: float, note: str) -> None:
         """Draw the bar, or print a line."""
-        self._last, self._left_out = now, None
+        self._last, self._left_out, self._done = now, None, (done, total)
         self.lines += 1
         since, before = self._first or (now, done)
         rate = (done - before) / (now - since) if now > since else 0.0
@@ -94,7 +111,7 @@ class ProgressDisplay:
     def _rate_text(self, rate: float) -> str:
         return f"{rate:.3g} {self.unit}/s" if self.unit and rate > 0.0 else ""
 
-    def _draw(self, done: float, total: float, rate: str, remaining: float, note: str) -> None:
+    def _draw(self, done: float, total: float | None, rate: str, remaining: float, note: str) -> None:
         if self._bar is None:
             from rich.console import Console
             from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
@@ -117,11 +134,14 @@ class ProgressDisplay:
         self._bar.refresh()
 
     def __enter__(self) -> Self:
+        self._heard = heard_by(self.aside)
+        self._heard.__enter__()
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        self._heard.__exit__(kind, error, trace)
         if self._left_out is not None and self.lines:
             done, total, note = self._left_out
             if done >= total * COMPLETE:  # the last thing to be seen is the end

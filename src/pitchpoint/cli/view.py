@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pitchpoint.cli.options import allow_code, debug, output, quiet
+from pitchpoint.cli.options import allow_code, debug, output, quiet, writes
 from pitchpoint.cli.output import show
 
 if TYPE_CHECKING:
@@ -24,10 +24,8 @@ if TYPE_CHECKING:
     metavar="N",
     help="Compute the lowest N modes as well and show their shapes; none if left out.",
 )
-@click.option(
+@writes(
     "--film",
-    type=click.Path(dir_okay=False),
-    metavar="OUT",
     help="Write the record as a film too (mp4, webm or gif); needs chromium and ffmpeg.",
 )
 @output("HTML file to write; the name of FILE with .view.html if left out.")

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import Protocol
 
 
@@ -38,3 +41,43 @@ def silent(done: float, total: float, note: str = "") -> None:
     note
         Ignored.
     """
+
+
+def _nobody(_: str) -> None:
+    """Where nobody listens."""
+
+
+_listener: ContextVar[Callable[[str], None]] = ContextVar("listener", default=_nobody)
+
+
+@contextmanager
+def heard_by(listener: Callable[[str], None]) -> Iterator[None]:
+    """Let somebody hear what is told aside in the meantime.
+
+    Parameters
+    ----------
+    listener
+        Called with a few words; it may raise KeyboardInterrupt to stop.
+    """
+    before = _listener.set(listener)
+    try:
+        yield
+    finally:
+        _listener.reset(before)
+
+
+def tell_aside(words: str) -> None:
+    """Say what is being done before the work whose share is known, or between its parts.
+
+    Parameters
+    ----------
+    words
+        A few words on what is going on.
+
+    Examples
+    --------
+    >>> with heard_by(print):
+    ...     tell_aside("equilibrium, step 3")
+    equilibrium, step 3
+    """
+    _listener.get()(words)

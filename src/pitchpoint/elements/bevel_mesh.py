@@ -28,7 +28,7 @@ from pitchpoint.elements.bevel_mesh_place import (
     rate_of_row,
     rates_of_place,
 )
-from pitchpoint.elements.bevel_mesh_record import EVENTS, N_OUT, OUTPUTS, PHASE, RECORD, ROWS
+from pitchpoint.elements.bevel_mesh_record import EVENTS, N_OUT, OUTPUTS, PHASE, RECORD, ROWS, mesh_outputs
 from pitchpoint.elements.bevel_mesh_sums import (
     DAMPING,
     ENERGY,
@@ -41,6 +41,7 @@ from pitchpoint.elements.bevel_mesh_sums import (
     sum_flank,
 )
 from pitchpoint.elements.bevel_mesh_turning import turning
+from pitchpoint.elements.mesh_friction import add_friction_torques
 from pitchpoint.multibody.channels import bounded, events, frame_args, observations
 from pitchpoint.multibody.vectors import add, dot, times, triple
 
@@ -57,9 +58,8 @@ _BYTES = RECORD.itemsize
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Observations of one record: those of every mesh and the forces of its tooth pairs."""
-    pairs = range(int(record["n_pair"]))
-    return (*OUTPUTS, *((f"pair_force[{{}}.{k}]", "N", f"force of tooth pair {k}") for k in pairs))
+    """Observations of one record: those of every mesh, the forces of its tooth pairs, torques of friction."""
+    return mesh_outputs(record, OUTPUTS)
 
 
 def bends(record: np.void) -> tuple[str, ...]:
@@ -247,7 +247,7 @@ def _one_mesh(b, ctl, fr, kk):
         rates_of_place(b, f, g)
     if watch:
         out = observations(ctl)
-        for k in range(N_OUT + b["n_pair"]):
+        for k in range(N_OUT + b["n_pair"] + 2 * b["rubs"]):
             out[b["out"] + k] = 0.0
     exact = c["jac"] == 2 and c["ck"] != 0.0
     x = b["u"]
@@ -266,6 +266,8 @@ def _one_mesh(b, ctl, fr, kk):
         _push(b, f, g, kk, ROWS if b["mu"] > 0.0 else 3, c["jac"])
         if watch:
             _write_flank(b, observations(ctl), flank)
+            if b["rubs"] == 1 and b["mu"] > 0.0:
+                add_friction_torques(b, observations(ctl), b["out"] + N_OUT + b["n_pair"], f, g, 3)
         if exact:
             _follow(b, c, f, g, flank)
     force = 0.0

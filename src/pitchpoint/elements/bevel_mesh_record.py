@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from pitchpoint.elements.gear_mesh_record import EVENTS, PHASE, PROFILE
+from pitchpoint.elements.gear_mesh_record import EVENTS, PHASE, PROFILE, mesh_outputs
 from pitchpoint.elements.gear_mesh_record import OUTPUTS as OF_MESHES
 
-__all__ = ["EVENTS", "N_OUT", "N_OWN", "OUTPUTS", "PHASE", "PROFILE", "RECORD"]
+__all__ = ["EVENTS", "N_OUT", "N_OWN", "OUTPUTS", "PHASE", "PROFILE", "RECORD", "mesh_outputs"]
 
 N_OWN = 3
 """What the table of a gear holds for a tooth: inner and outer end of its face, from R_m of the pair, and how
@@ -146,6 +146,7 @@ RECORD = np.dtype(
         *_LAW,
         *_SCRATCH,
         ("n_pair", "i8"),
+        ("rubs", "i8"),
         ("pool", "i8"),  # address of the float array that holds all tables
         ("ev", "i8"),
         ("out", "i8"),
@@ -153,7 +154,8 @@ RECORD = np.dtype(
     align=True,
 )
 
-#: Observations of one mesh: those of `gear_mesh`, at R_m and on gear 2, then of gear 1; pair forces follow.
+#: Observations of one mesh: those of `gear_mesh`, at R_m and on gear 2, then of gear 1; pair forces follow,
+#: then torques of friction.
 OUTPUTS = (
     *OF_MESHES,
     ("radial_force_1", "N", "separating part on gear 1"),

@@ -23,12 +23,12 @@ from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.gear_mesh_record import (
     EVENTS,
     N_ACC,
-    N_OUT,
     NEAREST,
     OUTPUTS,
     PHASE,
     RECORD,
     USER,
+    mesh_outputs,
 )
 from pitchpoint.elements.mesh_apart import apart
 from pitchpoint.elements.mesh_eccentric import begin_displaced, damping_alone, end_displaced, whole
@@ -41,6 +41,7 @@ from pitchpoint.elements.mesh_line import (
 )
 from pitchpoint.elements.mesh_motion import motion, spin_motion
 from pitchpoint.elements.mesh_nodes import phase_flank
+from pitchpoint.elements.mesh_observed import clear, write_flank, write_friction_torques, write_mesh
 from pitchpoint.elements.mesh_pairs import profile_flank
 from pitchpoint.elements.mesh_separation import (
     add_roll_tangent,
@@ -83,9 +84,8 @@ _STEP = 1e-5
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Observations of one record: those of every mesh and the forces of its tooth pairs."""
-    pairs = range(int(record["n_pair"]))
-    return (*OUTPUTS, *((f"pair_force[{{}}.{k}]", "N", f"force of tooth pair {k}") for k in pairs))
+    """Observations of one record: those of every mesh, the forces of its tooth pairs, torques of friction."""
+    return mesh_outputs(record, OUTPUTS)
 
 
 def bends(record: np.void) -> tuple[str, ...]:
@@ -201,39 +201,6 @@ def _slack(b):
 
 
 @kernel
-def _write(b, out, psi, damper, rate):
-    """Observations that do not depend on the flank; sums were added by `_write_flank`."""
-    k = b["out"]
-    out[k + 2] += damper
-    out[k] = b["u"]
-    out[k + 1] = b["u"] - b["e_t"]
-    out[k + 4] = psi
-    out[k + 11] += damper * rate
-    out[k + 12] -= damper * b["e_rate"]
-    out[k + 14] = (abs(b["u"] - b["e_t"]) - 0.5 * b["gap"]) / math.sqrt(1.0 + b["tan_b"] * b["tan_b"])
-
-
-@kernel
-def _write_flank(b, out, flank):
-    """Add one flank to the observations; forces of pairs are there already."""
-    k = b["out"]
-    acc = b["acc"]
-    F = acc[0]
-    out[k + 2] += flank * F
-    out[k + 3] += acc[20]
-    if F > 0.0:
-        out[k + 5] = 2.0 if out[k + 5] == 1.0 else float(flank)
-    out[k + 6] += F * math.sqrt(1.0 + b["tan_b"] * b["tan_b"])
-    out[k + 7] += flank * F * b["cos_a"]
-    out[k + 8] += F * b["sin_a"]
-    out[k + 9] -= flank * F * b["tan_b"]
-    out[k + 10] += acc[21]
-    out[k + 11] += acc[22]
-    out[k + 12] += acc[23] - flank * F * b["e_rate"]
-    out[k + 13] += acc[24]
-
-
-@kernel
 def _place(psi):
     """Distance from the nearest whole base pitch, in [-1/2, 1/2]."""
     return psi - math.floor(psi + 0.5)
@@ -286,9 +253,7 @@ def _one_mesh(b, ctl, fr, kk):
     u_rate -= b["e_rate"]
     watch = c["out"] != 0
     if watch:
-        out = observations(ctl)
-        for k in range(N_OUT + b["n_pair"]):
-            out[b["out"] + k] = 0.0
+        clear(b, observations(ctl))
     x = b["u"] - b["e_t"]
     slack = 0.0 if spins == 1 else _slack(b)
     force = 0.0
@@ -310,7 +275,7 @@ def _one_mesh(b, ctl, fr, kk):
             else:
                 back = _contact(b["acc"][NEAREST], b["acc"][0])
             if watch:
-                _write_flank(b, observations(ctl), flank)
+                write_flank(b, observations(ctl), flank)
             if spins == 1:
                 force += flank * b["acc"][0]
                 tangent += b["acc"][5]
@@ -319,6 +284,8 @@ def _one_mesh(b, ctl, fr, kk):
                     add_roll_tangent(b, kk, 1)
             else:
                 add_wrench(b, f, g)
+                if watch:
+                    write_friction_torques(b, observations(ctl), f, g)
                 if c["jac"] != 0:
                     add_tangent(b, kk)
                     if runs_damped(b):
@@ -342,7 +309,7 @@ def _one_mesh(b, ctl, fr, kk):
         if c["jac"] != 0:
             add_spin_tangent(b, kk, tangent)
     if watch:
-        _write(b, observations(ctl), psi, damper, u_rate)
+        write_mesh(b, observations(ctl), psi, damper, u_rate)
     if c["ev"] != 0:
         _roots(b, events(ctl), x, front, back)
     return OK

@@ -195,6 +195,7 @@ RECORD = np.dtype(
         *_EXCITATION,
         *_SCRATCH,
         ("n_pair", "i8"),
+        ("rubs", "i8"),  # 1: torques of friction are observed
         ("pool", "i8"),  # address of the float array that holds all tables
         ("ev", "i8"),
         ("out", "i8"),
@@ -202,7 +203,7 @@ RECORD = np.dtype(
     align=True,
 )
 
-#: Observations of one mesh, in the order they are written; `n_pair` pair forces follow.
+#: Observations of one mesh, in the order they are written; `n_pair` pair forces follow, then `FRICTION`.
 OUTPUTS = (
     ("transmission_error", "m", "travel of both gears along the base tangent, from mid-gap"),
     ("deflection", "m", "transmission error less its static excitation"),
@@ -222,6 +223,12 @@ OUTPUTS = (
 )
 N_OUT = len(OUTPUTS)
 
+#: Observations of a mesh with friction. Both torques are those of the forces along the teeth alone.
+FRICTION = (
+    ("friction_torque_1", "N m", "friction of the flanks on gear 1 about its axis"),
+    ("friction_torque_2", "N m", "friction of the flanks on gear 2 about its axis"),
+)
+
 #: Event functions of one mesh: they change sign at the instants that users ask for. Those of contact are
 #: positive exactly where the forces of a flank add up to more than zero, as `contact_state` has it; perfect
 #: flanks without contact damping give their penetration [m]. Those of pairs rise where the mesh phase goes on
@@ -238,3 +245,20 @@ EVENTS = (
     ("back_pair_exit", "a tooth pair passes the end E of the path of the back flanks at mid-face"),
     ("back_sliding_reversal", "a tooth pair of the back flanks passes the pitch point at mid-face"),
 )
+
+
+def mesh_outputs(
+    record: np.void, of_all: tuple[tuple[str, str, str], ...]
+) -> tuple[tuple[str, str, str], ...]:
+    """Observations of one record of a mesh.
+
+    Parameters
+    ----------
+    record
+        A mesh of cylindrical or bevel gears.
+    of_all
+        Those that every mesh of its kind has.
+    """
+    pairs = range(int(record["n_pair"]))
+    forces = ((f"pair_force[{{}}.{k}]", "N", f"force of tooth pair {k}") for k in pairs)
+    return (*of_all, *forces, *(FRICTION if record["rubs"] else ()))

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.claim import is_at, keep, make_way
-from pitchpoint.io.target import cannot_be_written, check_target
+from pitchpoint.io.target import cannot_be_written, check_target, make_folder
 
 if TYPE_CHECKING:
     import h5py
@@ -109,7 +109,7 @@ class Container:
 
         self._place = place = self.path.resolve()
         try:
-            place.parent.mkdir(parents=True, exist_ok=True)
+            make_folder(place)
             mode = make_way(place)
             # "w" would empty the file of another writer before it is known to be locked
             file = h5py.File(place, "x", libver="latest", rdcc_nbytes=_CHUNK_CACHE)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.io.container import ResultError
+from pitchpoint.io.target import write_file
 
 RADIUS = 0.1
 """Where a turn counts as a displacement [m]."""
@@ -106,7 +108,9 @@ def write_mode_animation(
     if target.suffix == ".npz":
         flat = {f"{key}[{name}]": value for name, part in elastic.items() for key, value in part.items()}
         everything: dict[str, Any] = {**content, **flat}
-        np.savez_compressed(target, **everything)
+        packed = BytesIO()
+        np.savez_compressed(packed, **everything)
+        write_file(target, packed.getvalue())
         return
     about = "motion: mode, frame of the cycle, body, displacement [m] and turn [rad] in world axes"
     lists: dict[str, Any] = {key: value.tolist() for key, value in content.items()}
@@ -116,7 +120,7 @@ def write_mode_animation(
             name: {key.removeprefix("node_"): value.tolist() for key, value in part.items()}
             for name, part in elastic.items()
         }
-    target.write_text(json.dumps({"about": about, **lists}), encoding="utf-8")
+    write_file(target, json.dumps({"about": about, **lists}))
 
 
 def _node_motion(place: Array, shape: NDArray[np.complex128], frames: int) -> dict[str, NDArray[Any]]:

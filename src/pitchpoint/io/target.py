@@ -60,6 +60,11 @@ def _marked(word: bytes, mark: str) -> Callable[[Path, bytes], bool]:
     return lambda _, head: head.startswith(word) and mark.encode() in head
 
 
+def _is_animation(_: Path, head: bytes) -> bool:
+    """Recognise an animation of modes by its first words, or by the first array in its archive."""
+    return head.startswith(b'{"about": "motion: mode, frame') or head[30:40] == b"bodies.npy"
+
+
 PAGE_MARK = '<meta name="generator" content="pitchpoint">'
 SVG_MARK = "<!-- generator: pitchpoint -->"
 DXF_MARK = "999\npitchpoint\n"
@@ -80,6 +85,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
     "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),
+    "animation": ("an animation of modes of pitchpoint (JSON, NPZ)", _is_animation),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
     "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),
 }
@@ -130,6 +136,21 @@ def check_target(
     return target
 
 
+def check_place(path: str | os.PathLike[str]) -> None:
+    """Say before a long computation that its file has no place; folders that are missing are made later.
+
+    Raises
+    ------
+    OutputError
+        If the place is a folder, lies below a file, or must not be written to.
+    """
+    target = Path(path)
+    try:
+        _accessible(target)
+    except (OSError, ValueError) as error:
+        raise OutputError(cannot_be_written(target, error)) from error
+
+
 def write_file(path: str | os.PathLike[str], data: str | bytes) -> Path:
     """Write a whole file, texts as UTF-8; its folder is made if it does not exist.
 
@@ -140,11 +161,22 @@ def write_file(path: str | os.PathLike[str], data: str | bytes) -> Path:
     """
     target = Path(path)
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(target)
         target.write_bytes(data.encode("utf-8") if isinstance(data, str) else data)
     except (OSError, ValueError) as error:
         raise OutputError(cannot_be_written(target, error)) from error
     return target
+
+
+def make_folder(target: Path) -> None:
+    """Make the folder of a file, and those on the way to it, where they do not exist: every writer does.
+
+    Raises
+    ------
+    OSError
+        If that is not possible.
+    """
+    target.parent.mkdir(parents=True, exist_ok=True)
 
 
 def cannot_be_written(target: Path, error: OSError | ValueError) -> str:
@@ -164,7 +196,7 @@ def reason_of(error: OSError | ValueError) -> str:
 
 
 def _accessible(target: Path) -> None:
-    """Say before a long computation that its file has no place; folders that are missing are made later."""
+    """Ask whether a file may be written there."""
     asked = target if target.exists() else next(p for p in target.absolute().parents if p.exists())
     if target.is_dir():
         error = errno.EISDIR

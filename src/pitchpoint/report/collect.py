@@ -46,7 +46,7 @@ def describe(model: Model) -> ReportModel:
     from pitchpoint.core.provenance import content_hash, package_version
     from pitchpoint.model.signal_words import signal_lines
     from pitchpoint.report.defaults import defaults
-    from pitchpoint.report.flanks import flank_lines
+    from pitchpoint.report.flanks import flank_lines, idle_faults
     from pitchpoint.report.numbers import geometry_of_model
     from pitchpoint.report.overview import counts_of
 
@@ -60,6 +60,7 @@ def describe(model: Model) -> ReportModel:
         meshes=numbers["meshes"],
         bevels=(numbers["bevel_gears"], numbers["bevel_meshes"]),
         flanks=flank_lines(model),
+        idle_faults=idle_faults(model),
         pairs={name: (pair, *model.meshes[name].gears) for name, pair in model.pairs.items()},
         shafts={mesh: body for mesh, body in bodies.items() if body},
         counts=counts_of(model),

@@ -19,6 +19,7 @@ from typing import Any
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress, silent
+from pitchpoint.io.target import check_place, make_folder
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 LENGTH = 10.0
@@ -124,6 +125,7 @@ def film_maker(target: str | os.PathLike[str]) -> FilmMaker:
     kind = KINDS.get(path.suffix.lower())
     if kind is None:
         raise PitchpointError(f"{path.name} has no ending of a film; use {', '.join(KINDS)}")
+    check_place(path)
     if path.exists():
         raise PitchpointError(f"{path} is there already, and a film replaces no file; choose another name")
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
@@ -196,6 +198,7 @@ def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, tell: Progre
     PitchpointError
         If ffmpeg fails.
     """
+    make_folder(maker.target)
     with subprocess.Popen(maker.command(), stdin=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdin is not None and process.stderr is not None
         try:

@@ -23,11 +23,21 @@ Line = tuple[str, str, str, str, str]
 
 
 def flank_lines(model: Model) -> list[Line]:
-    """Describe what the flanks of all gears have besides the involute, amounts in micrometres."""
+    """Describe what the flanks of all gears have besides the involute, amounts in micrometres.
+
+    Faults of severity 0 are left out, see `idle_faults`.
+    """
     found = [(name, *line) for name, gear in model.gears.items() for line in _lines(gear)]
     for name, cone in model.bevel_gears.items():
-        found += [(name, *_fault(label, fault)) for label, fault in cone.faults.items()]
+        found += [
+            (name, *_fault(label, fault)) for label, fault in cone.faults.items() if fault.severity != 0.0
+        ]
     return found
+
+
+def idle_faults(model: Model) -> int:
+    """How many faults of teeth and seats have severity 0: they wait for a study and change nothing."""
+    return sum(fault.severity == 0.0 for gear in model.toothed.values() for fault in gear.faults.values())
 
 
 def _lines(gear: Gear) -> list[tuple[str, str, str, str]]:
@@ -41,7 +51,7 @@ def _lines(gear: Gear) -> list[tuple[str, str, str, str]]:
         ]
     if gear.deviations is not None:
         found += _deviations(gear.deviations)
-    found += [_fault(label, fault) for label, fault in gear.faults.items()]
+    found += [_fault(label, fault) for label, fault in gear.faults.items() if fault.severity != 0.0]
     if gear.tooth_profile is not None:
         parts = ", ".join(gear.tooth_profile.given)
         found.append((parts.replace("both", "left and right"), "profile given as points", "–", ""))

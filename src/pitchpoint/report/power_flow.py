@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where the power of a run goes: from drives through meshes and couplings to loads, and what is lost.
 
-Powers are means of force or torque times speed over the samples of a result. Speeds of a pitch point follow
-from those of the body and of all that carry it, with the place and directions that the mesh has at rest:
-power of vibration across the axis is not followed and stays in the remainder, which is stated.
+Powers are means of torque times speed over the samples of a result, about the axes that bodies and all that
+carry them have at rest: power of vibration across the axis is not followed and stays in the remainder, which
+is stated, of the whole and of every block.
 """
 
 from __future__ import annotations
@@ -16,9 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.report.mesh_powers import mesh_powers, shows_friction
 from pitchpoint.report.scene_motion import Motion, motion
 from pitchpoint.system.meshes import KINDS as MESHES
-from pitchpoint.system.meshes import is_bevel, mesh_names, mesh_records
+from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
 
 if TYPE_CHECKING:
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-PARTS = ("circumferential", "radial", "axial")
 LOSSES = {"friction": "friction_power", "damping": "damping_power"}
 TORQUES = {"coupling": "damping", "torsion_maxwell": "damping", "friction_clutch": "friction"}
 """Kinds that put a torque on their first body about its axis and the opposite one on their second, and where
@@ -68,13 +68,13 @@ def power_flow(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> Po
     system = compile_model(model, result.attrs.get("scenario") or None)
     if not any(len(system.names.get(kind, ())) for kind in (*MESHES, "ratio", *TORQUES)):
         return None
-    machine = _Machine(model, system, result, settle_time)
+    machine = Machine(model, system, result, settle_time)
     links = [*machine.sources(), *machine.meshes(), *machine.torques(), *machine.ratios()]
     links += machine.carried(links)
     return machine.flow(links)
 
 
-class _Machine:
+class Machine:
     """Speeds of all bodies over the samples, and the blocks that they belong to."""
 
     def __init__(self, model: Model, system: System, result: xr.Dataset, settle_time: float) -> None:
@@ -83,12 +83,15 @@ class _Machine:
         inside = time >= time[0] + settle_time if time.size else np.zeros(0, bool)
         self.inside = inside if inside.sum() > 1 else np.ones(time.size, bool)
         self.time = time[self.inside]
+        # a record of all steps needs no other mean: that of steps has no half weights at the ends
+        self.thinned = int(result.attrs.get("steps", time.size)) >= time.size
+        self.booked = False
         if self.time.size < 2:
             raise NoPowerFlowError("the run has fewer than two samples")
         self.names = system.layout.bodies
         self.parent = [0, *(int(one.parent) for one in system.bodies)]
         rest: Motion = motion(system, 1, lambda _: np.zeros(1), np.zeros(1))
-        self.place, self.axis = rest.place[0], rest.axes[0][:, :, 2]
+        self.place, self.axes, self.axis = rest.place[0], rest.axes[0], rest.axes[0][:, :, 2]
         self.pitch_points, self.directions = rest.pitch_points[0], rest.directions[0]
         self.spin: dict[int, Array] = {}
         for b, one in enumerate(system.bodies, start=1):
@@ -127,7 +130,7 @@ class _Machine:
     def mean_of(self, name: str) -> float:
         """Mean of a channel: that of all steps, if the run has left it; samples may keep step with teeth."""
         sampled = self.mean(self.channel(name))
-        numbers = self.result[name].attrs.get("statistics")
+        numbers = self.result[name].attrs.get("statistics") if self.thinned else None
         return sampled if numbers is None or not np.isfinite(numbers[0]) else float(numbers[0])
 
     def power(self, name: str, speed: Array | float) -> float:
@@ -145,11 +148,6 @@ class _Machine:
     def turning(self, b: int, axis: Array) -> Array | float:
         """Speed of a body about an axis at rest [rad/s]."""
         return sum(float(axis @ self.axis[a]) * self.spin[a] for a in self.carriers(b))
-
-    def at_point(self, b: int, point: Array, direction: Array) -> Array | float:
-        """Speed of a point of a body in a direction, both at rest [m/s]."""
-        arms = ((a, np.cross(self.axis[a], point - self.place[a])) for a in self.carriers(b))
-        return sum(float(direction @ arm) * self.spin[a] for a, arm in arms)
 
     def link(self, name: str, kind: str, pair: tuple[int, int], powers: tuple[float, float]) -> PowerLink:
         """Power from one body to another out of the powers on both; it goes where it is positive."""
@@ -174,44 +172,18 @@ class _Machine:
                     yield self.link(f"reaction of {name}", word, (0, j), (-on_j, on_j))
 
     def meshes(self) -> Iterator[PowerLink]:
-        """Meshes; their friction counts for the gear that drives."""
+        """Meshes; where a result does not tell what friction does to each gear, that which drives pays."""
         names = mesh_names(self.system)
         for m, (record, name) in enumerate(zip(mesh_records(self.system), names, strict=True)):
             pair = int(record["i"]), int(record["j"])
-            on = self.on_bevels(record, name) if is_bevel(record) else self.on_gears(m, pair, name)
+            on = mesh_powers(self, m, record, name)
             losses = {word: self.mean_of(f"{what}[{name}]") for word, what in LOSSES.items()}
-            on[int(on[1] < on[0])] -= losses["friction"]
+            if losses["friction"] and not shows_friction(self, name):
+                on[int(on[1] < on[0])] -= losses["friction"]
+                self.booked = True
             found = _with_losses(self.link(name, "mesh", pair, (on[0], on[1])), losses)
             fed = self.mean_of(f"parametric_power[{name}]")
             yield replace(found, fed=fed if abs(fed) > ROUND_OFF * found.given else 0.0)
-
-    def on_gears(self, m: int, pair: tuple[int, int], name: str) -> list[float]:
-        """Powers of a mesh of cylindrical gears on both bodies, at the pitch point."""
-        on = [0.0, 0.0]
-        for row, part in enumerate(PARTS):
-            for side, sign in enumerate((-1.0, 1.0)):
-                speed = self.at_point(pair[side], self.pitch_points[m], self.directions[m, row])
-                on[side] += sign * self.power(f"{part}_force[{name}]", speed)
-        return on
-
-    def on_bevels(self, record: np.void, name: str) -> list[float]:
-        """Powers of a bevel mesh on both bodies, by torques: its force has no one cone distance.
-
-        What rides on a carrier goes round the axis of the other gear too, with the opposite torque there.
-        """
-        bodies = int(record["i"]), int(record["j"])
-        radii = float(record["r_b1"]), float(record["r_b2"])
-        speeds = [-r * self.turning(b, self.axis[b]) for b, r in zip(bodies, radii, strict=True)]
-        if record["carried"]:
-            rider = int(record["carried"]) - 1
-            carrier, own, other = (
-                self.parent[bodies[rider]],
-                self.axis[bodies[rider]],
-                self.axis[bodies[1 - rider]],
-            )
-            speeds[rider] += radii[rider] * self.turning(carrier, own)
-            speeds[rider] += radii[1 - rider] * self.turning(carrier, other)
-        return [self.power(f"mesh_force[{name}]", speed) for speed in speeds]
 
     def torques(self) -> Iterator[PowerLink]:
         """Couplings and clutches: what does not arrive is lost in them."""
@@ -265,20 +237,23 @@ class _Machine:
         return found
 
     def stored(self, block: int) -> float:
-        """Mean rate of the energy of rotation of a block, and of its way about what carries it [W]."""
-        energy = np.zeros(2)
-        for b in (b for b, k in self.block_of.items() if k == block):
-            record = self.system.program["body"][b]
-            inertia = float(record["i_p"]) or float(record["inertia"][2, 2])
-            energy += 0.5 * inertia * self._ends(self.turning(b, self.axis[b])) ** 2
-            for axis in np.eye(3):
-                ends = self._ends(self.at_point(b, self.place[b], axis))
-                energy += 0.5 * float(record["mass"]) * ends**2
-        return float(energy[1] - energy[0]) / float(self.time[-1] - self.time[0])
+        """Mean rate of the energy of a block: of its rotation, and of its way about what carries it [W]."""
+        energy = sum(self.energy(b) for b, k in self.block_of.items() if k == block)
+        first, last = np.broadcast_to(energy, 2)
+        return float(last - first) / float(self.time[-1] - self.time[0])
 
-    def _ends(self, values: Array | float) -> Array:
-        """First and last value of the span."""
-        return np.array(np.broadcast_to(values, self.time.shape)[[0, -1]])
+    def energy(self, b: int) -> Array:
+        """Energy of motion of a body at both ends of the span, in the place it has at rest [J]."""
+        record, axes = self.system.program["body"][b], self.axes[b]
+        inertia = axes @ record["inertia"] @ axes.T
+        center = axes @ record["com"]
+        turn, speed = np.zeros((2, 3)), np.zeros((2, 3))
+        for a in self.carriers(b):
+            spin = np.outer(self.spin[a][[0, -1]], self.axis[a])
+            turn += spin
+            speed += np.cross(spin, self.place[b] - self.place[a])
+        along = (speed * (speed + 2.0 * np.cross(turn, center))).sum(axis=1)
+        return np.asarray(0.5 * (float(record["mass"]) * along + ((turn @ inertia) * turn).sum(axis=1)))
 
     def flow(self, links: list[PowerLink]) -> PowerFlow:
         """All of it."""
@@ -294,6 +269,7 @@ class _Machine:
             blocks=[PowerBlock(name=self.blocks[k], speed=speed[k], stored=self.stored(k)) for k in kept],
             links=[_numbered(link, number) for link in links],
             elastic=sum(float(e[-1] - e[0]) for e in energies) / span,
+            booked=self.booked,
             unfollowed=_unfollowed(self.system, len([link for link in links if link.kind == "coupling"])),
         )
 

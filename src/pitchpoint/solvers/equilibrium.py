@@ -16,6 +16,7 @@ Journal on Numerical Analysis 35 (1998) 508-523; P. Deuflhard, Newton Methods fo
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -24,6 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import tell_aside
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
@@ -31,6 +33,7 @@ from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_su
 from pitchpoint.solvers.missing import missing_tooth
 from pitchpoint.solvers.still import GROWTH, ROUNDING, inverse_of, rest_matrix, restless, step_on
 from pitchpoint.solvers.surfaces import Surface, crossed
+from pitchpoint.solvers.swinging import Tangent, resists
 from pitchpoint.solvers.trains import complete, exchange, free_spins, is_independent
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
@@ -47,6 +50,13 @@ FIRST = 1e4
 """Factor of the masses in the first step [1/s^2]."""
 TINY = 1e-9
 """Step [m] over which a force that is no jump keeps its value."""
+HEAVY = 1e8
+"""Factor of the masses [1/s^2] beyond which exact tangents that no step resists are given up: those of
+controllers need not, as no energy stands behind them."""
+LONGEST = 0.3
+"""Largest turn of a joint in one step then [rad]."""
+SLOW = 1.0
+"""Time [s] from which on a search says how many steps it has taken."""
 SHORT = 1e-6
 """Step [m] below which one that makes no progress is searched for the jump of a force."""
 
@@ -156,10 +166,12 @@ def _pseudo_time(
     if state.v.any():
         damping = abs(rest_matrix(system, state, NEWTON, (0.0, 1.0, 0.0))) @ np.abs(state.v)
     wanted = tolerance * float(np.abs(R * weight).max(initial=0.0))
+    tangent, started = Tangent(system, state), time.monotonic()
+    swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces that did not hold when they were tried last
     mu = FIRST
     for count in range(MOST_ITERATIONS):
-        whole = rest_matrix(system, state, NEWTON, None)
+        whole = tangent.at(state, count)
         # positions are rounded as about 1 m and 1 rad are: nothing below the forces of that can be asked for
         rounded = ROUNDING * weight * (abs(whole) @ (np.abs(state.q) + 1.0) + damping)
         goal = np.maximum(rounded, wanted)[free]
@@ -168,9 +180,19 @@ def _pseudo_time(
         if mass is None:  # a state that rests already has no use for it
             mass = rest_matrix(system, state, NEWTON, (1.0, 0.0, 0.0))[free][:, free]
             root = np.sqrt(mass.diagonal())
-        inverse = inverse_of(whole[free][:, free] + mu * mass, root)
+        pulled = whole[free][:, free] + mu * mass
+        if tangent.exact and not resists(pulled):  # Newton's step would go up, to where nothing stands
+            mu *= 8.0
+            if mu > HEAVY:
+                tangent.refuse()
+                mu = FIRST
+            continue
+        inverse = inverse_of(pulled, root)
         step = -inverse(R[free])
-        trial = step_on(system, state, free, step)
+        if time.monotonic() - started > SLOW:
+            tell_aside(f"equilibrium, step {count + 1}")
+        turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
+        trial = step_on(system, state, free, step * min(1.0, LONGEST / turn if turn > 0.0 else 1.0))
         try:
             new = evaluate.residual(system, trial)
         except SolverError:
@@ -178,7 +200,8 @@ def _pseudo_time(
             continue
         left = float(np.linalg.norm(root * inverse(new[free])) / np.linalg.norm(root * step))
         beyond = float(new[free] @ step) > 0.0  # the forces push back: the step went past the goal
-        if left < 0.9 or (left <= GROWTH and not beyond):
+        # what swings down from above meets growing forces first
+        if left < 0.9 or ((left <= GROWTH or tangent.exact) and not beyond):
             mu = max(mu * (0.1 if left < 0.5 else 0.5), 1e-3)
             state, R = trial, new
             continue

@@ -158,9 +158,11 @@ def structure(
     owners = _owners(records)
     moving = [b for b in range(nb) if owners[b]]
     joined = {(i, j) for i, j in pairs | blocks_only if i != j and owners[i] and owners[j]}
-    joined |= {(b, b) for b in moving}
     of = [int(r["shares"]) or b for b, r in enumerate(records)]  # body whose coordinates they are
     live = {(of[a], of[c]) for i, j in joined for a in owners[i] for c in owners[j] if of[a] != of[c]}
+    # what acts on a body joins all joints on its way; those before its own are on the way of another
+    ways = {(of[a], of[owners[b][-1]]) for b in moving for a in owners[b]}
+    live |= {pair for a, c in ways if a != c for pair in ((a, c), (c, a))}
     nodes = group([int(r["n"]) if of[b] == b else 0 for b, r in enumerate(records)], live)
     node_of, offset_of, starts, sizes = place_coordinates(records, nodes)
     for b, master in enumerate(of):

@@ -26,6 +26,15 @@ def _project(proj, J, kk, X, A, T):
 
 
 @kernel
+def _any(x):
+    """Whether a vector holds anything but zeros: at rest most of what follows does not."""
+    others = 0
+    for i in range(x.size):
+        others += int(x[i] != 0.0)
+    return others > 0
+
+
+@kernel
 def exact_rates(at, cm, cd, ck):
     """Parts of the exact matrix that a frame tangent alone cannot carry.
 
@@ -54,23 +63,27 @@ def exact_rates(at, cm, cd, ck):
     zero(view(c["kk"], 36 * c["np"], F8))
     attitude(body, fr, kk, ck)
     tree_attitude(body, fr, kk, ck)
-    _project(proj, J, kk, J, A, T)
-    zero(view(c["kk"], 36 * c["np"], F8))
-    inertia(body, fr, kk, EXACT, 0.0, 1.0)
-    tree_inertia(body, fr, kk, EXACT, 0.0, 1.0)
-    c["cm"] = 0.0
-    c["ck"] = 0.0
-    c["cd"] = 1.0
-    c["jac"] = EXACT
-    status = run_kinds(at, view(m["forces"], (m["nforces"], COLUMNS), I8), 1)
-    if status != OK:
-        return status
+    if _any(view(c["kk"], 36 * c["np"], F8)):
+        _project(proj, J, kk, J, A, T)
     for p in range(n):
         for i in range(6):
             for k in range(6):
                 Tq[p, i, k] *= ck
                 Aq[p, i, k] = cd * Av[p, i, k] + ck * Aq[p, i, k]
-    _project(proj, J, kk, Tq, A, T)
+    c["ck"] = 0.0
+    if _any(view(m["Tq"], 36 * n, F8)):
+        zero(view(c["kk"], 36 * c["np"], F8))
+        inertia(body, fr, kk, EXACT, 0.0, 1.0)
+        tree_inertia(body, fr, kk, EXACT, 0.0, 1.0)
+        c["cm"] = 0.0
+        c["cd"] = 1.0
+        c["jac"] = EXACT
+        status = run_kinds(at, view(m["forces"], (m["nforces"], COLUMNS), I8), 1)
+        if status != OK:
+            return status
+        _project(proj, J, kk, Tq, A, T)
+    if not _any(view(m["Aq"], 36 * n, F8)):
+        return OK
     zero(view(c["kk"], 36 * c["np"], F8))
     inertia(body, fr, kk, EXACT, 1.0, 0.0)
     tree_inertia(body, fr, kk, EXACT, 1.0, 0.0)

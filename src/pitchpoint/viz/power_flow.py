@@ -74,6 +74,8 @@ class PowerFlow:
         What turns, and what goes between.
     elastic
         Mean rate of the energy in the flanks [W].
+    booked
+        Whether friction of some mesh counts for the gear that drives, as nothing says what it does to each.
     unfollowed
         Elements that may take or give power and are not among the links.
     """
@@ -82,6 +84,7 @@ class PowerFlow:
     blocks: Sequence[PowerBlock]
     links: Sequence[PowerLink]
     elastic: float = 0.0
+    booked: bool = False
     unfollowed: Sequence[str] = ()
 
     @property
@@ -113,3 +116,15 @@ class PowerFlow:
     def remainder(self) -> float:
         """What none of these numbers accounts for [W]."""
         return self.put_in + self.fed - self.taken_out - self.lost - self.stored
+
+    def left(self, block: int) -> float:
+        """What comes to one block, is not stored in it and does not leave it again [W].
+
+        Parameters
+        ----------
+        block
+            Its number.
+        """
+        come = sum(link.taken for link in self.links if link.end == block)
+        gone = sum(link.given for link in self.links if link.start == block)
+        return come - gone - self.blocks[block].stored

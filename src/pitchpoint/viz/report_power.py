@@ -45,7 +45,7 @@ def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
 
 
 def balance(flow: PowerFlow) -> str:
-    """What comes in, what goes out and what is left, in sentences."""
+    """What comes in, what goes out and what is left, of the whole and of the worst block, in sentences."""
     most = max((link.given for link in flow.links), default=0.0)
     parts = {
         "put in": flow.put_in,
@@ -62,12 +62,24 @@ def balance(flow: PowerFlow) -> str:
         text += f" It holds what these take or give: {', '.join(flow.unfollowed)}."
     elif share > CLOSES:
         text += " It holds jumps of the stiffness and vibration that samples of this rate do not show."
-    return text
+    return text + _blocks(flow, most)
+
+
+def _blocks(flow: PowerFlow, most: float) -> str:
+    """How well single blocks close."""
+    if len(flow.blocks) < 2 or not most:
+        return ""
+    worst = max(range(len(flow.blocks)), key=lambda block: abs(flow.left(block)))
+    left = flow.left(worst)
+    if abs(left) <= NEGLIGIBLE * most:
+        return f" Every block closes by itself, to {number(100.0 * NEGLIGIBLE, 2)} % of the largest power."
+    return f" Of single blocks {flow.blocks[worst].name} leaves most: {_power(left)}."
 
 
 def _friction(flow: PowerFlow) -> str:
-    rubbed = any("friction" in link.losses for link in flow.links if link.kind == "mesh")
-    return "Friction of a mesh counts for the gear that drives." if rubbed else ""
+    if not flow.booked:
+        return ""
+    return "The result does not say what friction does to each gear: it counts for the one that drives."
 
 
 def _table(flow: PowerFlow) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli import output, progress, results
+from pitchpoint.core.progress import tell_aside
 
 
 def test_json_is_strict_and_plain(capsys: pytest.CaptureFixture[str]) -> None:
@@ -179,6 +180,43 @@ def test_the_last_line_of_finished_work_is_100_per_cent(
     assert "0 s left" not in said[-1]
 
 
+def test_what_comes_before_the_work_is_told_too(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Without a share, and in the same measure; the forecast counts from the first report on."""
+    clock = Clock()
+    monkeypatch.setattr(progress.time, "monotonic", clock.monotonic)
+    with progress.ProgressDisplay("run steady", "steps") as display:
+        for now in (1.0, 3.0, 4.0, 7.0):
+            clock.now = 100.0 + now
+            tell_aside(f"equilibrium, step {now:.0f}")
+        for now, done in ((8.0, 0.0), (10.5, 250.0)):
+            clock.now = 100.0 + now
+            display(done, 1000.0)
+    tell_aside("nobody listens any more")
+    assert capsys.readouterr().err.splitlines() == [
+        "run steady: equilibrium, step 3",
+        "run steady: equilibrium, step 7",
+        "run steady: 25 %, 100 steps/s, 8 s left",
+    ]
+
+
+def test_terminals_show_it_beside_the_bar(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock()
+    monkeypatch.setattr(progress.time, "monotonic", clock.monotonic)
+    with progress.ProgressDisplay("run") as display:
+        display._terminal = True
+        clock.now += 4.0
+        tell_aside("equilibrium, step 3")
+        assert display._bar.tasks[0].fields["note"] == "equilibrium, step 3"
+        assert display._bar.tasks[0].total is None
+        clock.now += 1.0
+        display(2.0, 8.0)
+        clock.now += 1.0
+        tell_aside("equilibrium, step 1")
+        assert (display._bar.tasks[0].completed, display._bar.tasks[0].total) == (2.0, 8.0)
+
+
 def test_quiet_progress_says_nothing(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -187,6 +225,7 @@ def test_quiet_progress_says_nothing(
     display = progress.ProgressDisplay("run", quiet=True)
     clock.now += 100.0
     display(1.0, 2.0)
+    display.aside("equilibrium, step 3")
     assert capsys.readouterr().err == ""
 
 

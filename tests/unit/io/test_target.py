@@ -18,6 +18,7 @@ from pitchpoint.io.analysis_table import table_text
 from pitchpoint.io.container import Container, Header
 from pitchpoint.io.dataset_store import DatasetFolder
 from pitchpoint.io.gear_export import FORMATS, export_gear
+from pitchpoint.io.mode_animation import write_mode_animation
 from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
 from pitchpoint.io.writing import Channel, ResultWriter
 from pitchpoint.viz.report_page import page
@@ -39,6 +40,11 @@ def own_file(kind: str, path: Path) -> Path:
     elif kind == "analysis":
         record = xr.Dataset({"force": ("time", np.ones(8), {"units": "N"})}, {"time": np.arange(8.0)})
         path.write_text(table_text(analyse(record, "signal_statistics")), encoding="utf-8")
+    elif kind == "animation":
+        named = path.with_suffix(".json")
+        at = {"place": np.zeros((1, 3)), "axes": np.eye(3)[None], "body_shape": np.ones((1, 1, 6))}
+        write_mode_animation(named, bodies=["a"], names=["1"], frequency=np.ones(1), **at)
+        named.rename(path)
     else:
         if kind == "step":
             pytest.importorskip("OCP", reason="OCC (the extra cad) is not installed")

@@ -37,6 +37,7 @@ scenarios:
 """
 RADII = 0.03, 0.075
 TIME = np.linspace(0.0, 0.5, 2001)
+COSINE = np.cos(np.radians(20.0))
 FORCE, FRICTION, DAMPING, FED, SLIP = 1500.0, 12.0, 3.0, 0.5, 0.2
 
 
@@ -53,9 +54,7 @@ def record(speed: np.ndarray, force: np.ndarray) -> dict[str, np.ndarray]:
         "torque[in]": turned + 0.2 * rate * (1.0 + SLIP),
         "coupling_force[c.mz]": -turned,
         "torque[out]": force * second - 0.5 * rate * first / second,
-        "circumferential_force[m]": force * side(),
-        "radial_force[m]": 0.36 * force,
-        "axial_force[m]": 0.0 * one,
+        "mesh_force[m]": force / COSINE * side(),
         "friction_power[m]": FRICTION * one,
         "damping_power[m]": 0.0 * one,
         "parametric_power[m]": 0.0 * one,
@@ -65,10 +64,10 @@ def record(speed: np.ndarray, force: np.ndarray) -> dict[str, np.ndarray]:
 
 @cache
 def side() -> float:
-    """Sense of the circumferential direction at rest: power goes from the first gear to the second."""
+    """Sense of the mesh force: power goes from the first gear to the second."""
     model = loads_model(PAIR)
     result = solve_time(compile_model(model, "on"))
-    return float(np.sign(result["circumferential_force[m]"].values[-1]))
+    return float(np.sign(result["mesh_force[m]"].values[-1]))
 
 
 def flow_of(channels: dict[str, np.ndarray], settle: float = 0.0) -> PowerFlow:
@@ -133,10 +132,11 @@ def test_means_of_all_steps_correct_samples_that_keep_step_with_the_teeth(
 ) -> None:
     data = xr.Dataset({name: ("time", values) for name, values in channels.items()}, {"time": TIME})
     data.attrs["scenario"] = "on"
+    data.attrs["steps"] = 10 * TIME.size
     off = 10.0 * side()
-    data["circumferential_force[m]"] = data["circumferential_force[m]"] - off
-    mean = FORCE * side()
-    data["circumferential_force[m]"].attrs["statistics"] = (mean, 0.0, mean, mean)
+    data["mesh_force[m]"] = data["mesh_force[m]"] - off
+    mean = FORCE / COSINE * side()
+    data["mesh_force[m]"].attrs["statistics"] = (mean, 0.0, mean, mean)
     flow = power_flow(loads_model(PAIR), data)
     assert flow is not None
     assert link(flow, "m").taken == pytest.approx(FORCE * RADII[0] * 60.0, rel=1e-9)

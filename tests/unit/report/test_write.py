@@ -156,7 +156,9 @@ def test_designers_find_modifications_measures_and_sliding(tmp_path: Path) -> No
     own = (
         "number_of_teeth: 50, modifications: {left: {tip_relief: {amount: 20 um, length: 2 mm, "
         "shape: parabolic}, lead_crowning: 5 um}, both: {helix_slope: -3 um}}, "
-        "deviations: {runout: {amount: 30 um}}"
+        "deviations: {runout: {amount: 30 um}}, faults: {chip: {type: broken_tooth, tooth: 2, severity: 0}, "
+        "cracked: {type: root_crack, tooth: 3, flank: both, depth: 1 mm, severity: 0.5}, "
+        "off: {type: eccentricity, amount: 9 um, severity: 0}}"
     )
     model = loads_model(
         TEXT.replace("number_of_teeth: 50", own, 1).replace(
@@ -168,9 +170,11 @@ def test_designers_find_modifications_measures_and_sliding(tmp_path: Path) -> No
         ("g1", "left", "lead crowning", "5 µm", ""),
         ("g1", "right", "helix slope", "−3 µm", ""),
         ("g1", "left and right", "runout", "30 µm", ""),
+        ("g1", "left and right", "cracked: root crack", "severity 0.5", "tooth 3"),
     ]
     text = pp.write_report(model, tmp_path / "x.html").read_text(encoding="utf-8")
     for words in (
+        "<p>2 faults of gears have severity 0 and change nothing.</p>",
         "parabolic, over 2 mm",
         "span",
         "dimension over balls",

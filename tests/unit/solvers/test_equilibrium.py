@@ -9,11 +9,15 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import heard_by
 from pitchpoint.core.status import SINGULAR
+from pitchpoint.solvers import equilibrium
 from pitchpoint.solvers.equilibrium import find_equilibrium, solve_equilibrium
 from pitchpoint.solvers.quasistatic import roll_through
 from pitchpoint.system import evaluate
+from pitchpoint.system.compile import compile_model
 from tests.support.machines import R_B1, compiled, pair
+from tests.support.mechanism_files import model_of
 
 STAGES = ((20, 80), (17, 51), (25, 40))
 INERTIAS = (
@@ -213,3 +217,37 @@ def test_directions_that_no_load_pushes_in_need_no_bearing():
     )
     found = solve_equilibrium(compiled(pair(LAWS[0], motion="free", rest=rest))[1])
     assert float(found["torque[output]"]) == pytest.approx(300.0, rel=1e-9)
+
+
+def hung(n, angle):
+    """A chain of links of 0.1 m that starts at an angle from where it hangs [rad]."""
+    bodies = {f"b{k}": LINK | {"markers": {"end": {"position": [0.1, 0.0, 0.0]}}} for k in range(n)}
+    bodies["b0"]["position"] = [0.0, 0.0, 0.0]
+    ends = [("ground" if k == 0 else f"b{k - 1}.end", f"b{k}") for k in range(n)]
+    joints = {f"j{k}": {"type": "revolute", "bodies": list(pair)} for k, pair in enumerate(ends)}
+    gravity = [9.81 * math.cos(angle), -9.81 * math.sin(angle), 0.0]
+    return compile_model(model_of({"bodies": bodies, "joints": joints, "gravity": gravity}))
+
+
+LINK = {"mass": 1.0, "inertia_tensor": [0.01, 0.02, 0.03, 0.0, 0.0, 0.0], "center_of_mass": [0.05, 0.0, 0.0]}
+
+
+@pytest.mark.filterwarnings("ignore::pitchpoint.core.errors.ValidityWarning")
+@pytest.mark.parametrize(("n", "degrees"), [(1, 179.9), (3, 150.0), (10, 90.0), (40, 1.0), (40, 90.0)])
+def test_chains_come_to_hang_from_wherever_they_start(n, degrees, monkeypatch):
+    """Straight down, never up, in few steps: what turns with the joints is the only stiffness they have.
+
+    A step without it goes down the slope of the energy, and a chain of 40 is not at rest after 400 of them.
+    The angle left over is that of the tolerance: 1e-9 of the largest moment about a joint over the weight of
+    the last link, some n^2 1e-9.
+    """
+    system = hung(n, math.radians(degrees))
+    heard: list[str] = []
+    monkeypatch.setattr(equilibrium, "SLOW", -1.0)  # searches that take long tell how far they are
+    with heard_by(heard.append):
+        found = find_equilibrium(system)
+    angles = np.cumsum(found.state.q) + np.radians(degrees)
+    assert np.abs(np.sin(angles)).max() < 2e-9 * n**2
+    assert np.cos(angles).min() > 0.0
+    assert found.iterations < 100
+    assert len(heard) > found.iterations // 4 > 0

@@ -279,6 +279,7 @@ def test_power_closes_and_is_drawn(text: str) -> None:
     flow = power()
     assert (flow.put_in, flow.taken_out, flow.lost, flow.remainder) == (1000.0, 984.0, 14.0, 2.0)
     assert "put in 1000 W, taken out 984 W, lost 14 W; remainder 2 W, 0.2 % of the largest power." in text
+    assert "Of single blocks three leaves most: 1 W." in text
     section = text[text.index('<section id="power"') : text.index('<section id="gears"')]
     drawn = [float(w) for w in re.findall(r"V(-?[\d.]+)", section)]
     assert section.count('class="pp-band"') == 5 == len(drawn)

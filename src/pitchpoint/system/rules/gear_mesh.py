@@ -177,6 +177,7 @@ def mesh_row(
     row["k_step"] = usual_slope(pair, laws.stiffness)
     for name in ("d_in", "d_out", "s_0", "smooth", "chi", "d_gap", "mu", "v_eps"):
         row[name] = getattr(laws, name)
+    row["rubs"] = laws.mu > 0.0
     row["mu_s"] = laws.mu if laws.mu_s is None else laws.mu_s
     row["v_s"] = laws.v_eps if laws.v_s is None else laws.v_s
     if laws.user is not None:
