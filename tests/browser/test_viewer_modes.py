@@ -5,15 +5,20 @@ from __future__ import annotations
 
 import base64
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from pitchpoint import load_model
+from pitchpoint.report.scene import scene_of
+from pitchpoint.viz.scene_file import scene_texts
 from tests.support.browser import OpenPage, needs_browser
-from tests.support.scene_browser import about_z, asked, matrix, scene
+from tests.support.scene_browser import PAINTED, about_z, asked, matrix, scene
 from tests.support.scene_data import LENGTH, SPEED, TEETH, TIMES, Block, box, gears, texts_of, with_edges
 
 pytestmark = needs_browser
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.fixture(scope="module")
@@ -44,6 +49,23 @@ def test_modes_swing_about_the_place_at_rest(same_scene: OpenPage, pair: tuple[s
     angles = [np.arctan2(m[1, 0], m[0, 0]) for m in turned]
     assert angles[1] == pytest.approx(0.4 * angles[0]) and abs(angles[0]) > 0
     assert found["after"]["pictures"] == found["before"]["pictures"]
+
+
+def test_a_page_of_modes_begins_with_their_list_beside_the_machine(open_page: OpenPage) -> None:
+    """On a phone the list would hide the machine: there it stays closed."""
+    texts = scene_texts(scene_of(load_model(EXAMPLES / "backlash-oscillator" / "model.yaml"), modes=1))
+    script = f"""{PAINTED}
+      const list = $(".ppv-panel"), wide = $(".ppv-canvas").clientWidth;
+      const edge = () => list.hidden ? 0 : list.offsetWidth / wide;
+      const first = [edge(), painted()];
+      list.querySelector("button[title=Close]").click(); named("Fit").click(); V.advance(5);
+      return [...first, edge(), painted()];
+    """
+    covered, beside, free, alone = asked(scene(open_page, texts), script)
+    assert 0.2 < covered < beside[0] and beside[1] < 1
+    assert free == 0 and alone[1] - alone[0] > beside[1] - beside[0] > 0.4
+    phone = scene(open_page, texts, box="390px;height:560px", size=(390, 560))
+    assert asked(phone, 'return $(".ppv-panel").hidden;')
 
 
 def test_look_into_a_mesh_cuts_it_where_it_acts(same_scene: OpenPage, pair: tuple[str, str]) -> None:

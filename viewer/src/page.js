@@ -24,6 +24,8 @@ import { Views } from "./views.js";
 
 const NO_WEBGL =
   "This browser or machine offers no WebGL 2, so the solids cannot be drawn; curves and time work.";
+/** Width of a page from which one begins with an open panel, in pixels. */
+const ROOM = 900;
 
 export class Page {
   /** @param {HTMLElement} root @param {any[]} scenes one, or two that are compared */
@@ -112,7 +114,7 @@ export class Page {
     const { radius } = stage.bounds();
     this.orbit.nearest = 2e-5 * radius;
     this.orbit.farthest = 40 * radius;
-    this.views = new Views(stage, this.orbit, () => this.legends);
+    this.views = new Views(stage, this.orbit, () => this.legends, () => (this.scenes[1] ? 0 : this.panels.share));
     this.hover = new Hover(stage, this.orbit, (name) => this.follow(this.views.names.indexOf(name)));
     this.legends = stage.pictures.map(({ arrows }) => new Legend(arrows.arrows));
     this.boxes = stage.pictures.map(({ flanks }) => new FlankBox(flanks));
@@ -154,7 +156,9 @@ export class Page {
       const { modes } = this.scenes[0];
       if (modes.length && !this.scenes[1]) {
         this.modes = new Modes(modes, stage, () => this.changed());
-        panels.add("Modes", "Mode shapes", this.modes.rows);
+        const opener = panels.add("Modes", "Mode shapes", this.modes.rows);
+        // shapes are all that moves in a page without a record
+        if (this.player.times.length < 2 && this.host.clientWidth >= ROOM) panels.show("Modes", this.modes.rows, opener);
       }
       panels.add("Save", "Picture, solids, film", saveRows(this));
     }

@@ -4,6 +4,9 @@ import { button, choice, el, logSlider, tick } from "./dom.js";
 import { number } from "./numbers.js";
 import { download, fileName, film, movingSolids, png, stl } from "./save.js";
 
+/** Part of the width that a panel may take from the picture. */
+const MOST = 0.4;
+
 export class Panels {
   constructor() {
     this.bar = el("div", { className: "ppv-tools", role: "toolbar", "aria-label": "Scene" });
@@ -48,6 +51,12 @@ export class Panels {
       ...rows,
     );
     this.panel.hidden = false;
+  }
+
+  /** Part of the width that an open panel covers; none where too little would be left. */
+  get share() {
+    const share = this.open ? (this.panel.offsetWidth + 12) / Math.max(this.panel.parentElement.clientWidth, 1) : 0;
+    return share > MOST ? 0 : share;
   }
 
   close() {

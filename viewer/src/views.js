@@ -3,11 +3,15 @@
 import { Matrix4, Vector3 } from "three";
 
 export class Views {
-  /** @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit @param {() => any[]} legends that lie over the right edges */
-  constructor(stage, orbit, legends = () => []) {
+  /**
+   * @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit
+   * @param {() => any[]} legends that lie over the right edges @param {() => number} panel part of the width on the left that one covers
+   */
+  constructor(stage, orbit, legends = () => [], panel = () => 0) {
     this.stage = stage;
     this.orbit = orbit;
     this.legends = legends;
+    this.panel = panel;
     /** names of bodies that can be followed, those of the first picture by their numbers */
     this.names = [...new Set(stage.pictures.flatMap(({ data }) => data.bodies.map(({ name }) => name)))];
     this.body = -1;
@@ -56,7 +60,7 @@ export class Views {
     return radius / Math.sin(half);
   }
 
-  /** What is looked at goes to the middle of what no legend covers. @param {number} taken part of the width @param {number} top part of the height */
+  /** What is looked at goes to the middle of what no legend covers. @param {number} taken part of the width, on the left below zero @param {number} top part of the height */
   #shift(taken, top = 0) {
     this.stage.shift = this.orbit.shift = taken / 2;
     this.stage.drop = this.orbit.drop = top / 2;
@@ -78,7 +82,7 @@ export class Views {
         }));
     const legends = this.legends() ?? [];
     const [wide, strip, high] = ["share", "strip", "drop"].map((side) => Math.max(0, ...legends.map((legend) => legend[side])));
-    let [taken, top] = [0, 0];
+    let [taken, top] = [-this.panel(), 0];
     const framed = () => groups.map(({ points, bounds }) => this.#framed(points, bounds, taken, top));
     let views = framed();
     const covers = (share) => share > 0 && groups.some(({ points }, k) => points.some((point) => views[k].under(point, share, high)));
@@ -118,7 +122,7 @@ export class Views {
     const above = new Vector3().crossVectors(toward, right);
     const half = Math.tan((camera.fov * Math.PI) / 360);
     const tall = 0.9 * half * (1 - top);
-    const wide = 0.9 * half * camera.aspect * (1 - taken);
+    const wide = 0.9 * half * camera.aspect * (1 - Math.abs(taken));
     // twice: the first look tells how far the middle of the picture is from the middle of the solids
     const target = centre.clone();
     let distance = this.distanceFor(radius);
