@@ -138,7 +138,7 @@ def _summary(data: xr.Dataset) -> str:
     attrs = data.attrs
     bold = escape(str(attrs.get("title") or "Result"))
     said = f"<p><b>{bold}</b><br>{escape('; '.join(_facts(data)))}</p>{_ending(data)}"
-    return said + _numbers(data) + _modes(data)
+    return said + _numbers(data) + _modes(data) + _sweep(data)
 
 
 def _facts(data: xr.Dataset) -> list[str]:
@@ -204,6 +204,36 @@ def _modes(data: xr.Dataset) -> str:
     ]
     table = plain_table(("mode", "natural frequency [Hz]", "damping ratio [%]"), rows[:MOST_ROWS])
     return f'{drawings.STYLE}<div class="pp-shown">{table}</div>'
+
+
+def _sweep(data: xr.Dataset) -> str:
+    """Where a sweep vibrates most in each direction, and where it jumps."""
+    from pitchpoint.viz.quantities import number, scale
+    from pitchpoint.viz.tables import plain_table
+
+    if not {"direction", "mesh_frequency", "statistic"} <= set(data.dims):
+        return ""
+    frequency, rows = data["mesh_frequency"].values, []
+    for name in [str(name) for name in data if str(name).startswith("deflection[")][:MOST_ROWS]:
+        owner = name.partition("[")[2].rstrip("]")
+        for k, direction in enumerate(data["direction"].values):
+            rms = data[name].sel(direction=direction, statistic="rms").dropna("mesh_frequency")
+            if not rms.size:
+                continue
+            top, unit = rms.idxmax("mesh_frequency"), scale("m", [float(rms.max())])
+            jumps = data["jump_mesh_frequency"].values[data["jump_direction"].values == k]
+            values = (
+                f"{number(float(rms.max()) * unit.factor)} {unit.unit}",
+                number(float(top)),
+                ", ".join(number(float(jump)) for jump in jumps) or "none",
+            )
+            cells = "".join(f'<td class="num">{value}</td>' for value in values)
+            rows.append(f'<tr><th scope="row">{escape(f"{owner}, {direction}")}</th>{cells}</tr>')
+    if not rows:
+        return ""
+    ends = f"mesh frequency {number(float(frequency[0]))} … {number(float(frequency[-1]))} Hz"
+    head = (ends, "greatest rms of deflection", "at [Hz]", "jumps at [Hz]")
+    return f'{drawings.STYLE}<div class="pp-shown">{plain_table(head, rows)}</div>'
 
 
 def _row(name: str, unit: str, x: Any) -> str:

@@ -15,6 +15,7 @@ import pytest
 import xarray as xr
 
 import pitchpoint as pp
+from pitchpoint.cli.main import run_command
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.report import notebook
 from pitchpoint.report.notebook import dataset_html, is_result, model_html
@@ -117,6 +118,31 @@ scenarios: {run: {duration: 1 s}}
     np.testing.assert_array_equal(found[:, 0], np.arange(1, 7))
     np.testing.assert_allclose(found[:, 1], np.repeat(np.sqrt([1e4, 1e5]) / (2 * np.pi), 3), rtol=1e-4)
     np.testing.assert_allclose(found[:, 2], np.repeat([1.0, 0.0], 3), rtol=1e-4, atol=1e-12)
+
+
+def test_sweeps_show_where_they_vibrate_most_and_jump(tmp_path: Path) -> None:
+    """In memory and from its file: both directions, their greatest rms, all jumps."""
+    example = Path(__file__).parents[3] / "examples" / "backlash-oscillator" / "model.yaml"
+    model = tmp_path / "model.yaml"
+    model.write_text(
+        re.sub(r"points: \d+", "points: 13", example.read_text(encoding="utf-8")), encoding="utf-8"
+    )
+    swept = pp.sweep_speed(pp.compile_model(pp.load_model(model), "sweep"))
+    assert swept["jump_direction"].size
+    file = str(tmp_path / "sweep.h5")
+    assert run_command(["sweep", str(model), "-s", "sweep", "-o", file, "-q"]) == 0
+    for data in (swept, pp.open_result(file)):
+        text = dataset_html(data)
+        for k, direction in enumerate(("up", "down")):
+            row = re.search(rf"stage, {direction}</th>(.*?)</tr>", text)
+            assert row
+            greatest, place, jumps = re.findall(r"<td[^>]*>([^<]*)</td>", row.group(1))
+            rms = swept["deflection_rms"].sel(direction=direction)
+            assert float(greatest.removesuffix(" µm")) == pytest.approx(1e6 * float(rms.max()), rel=1e-4)
+            assert float(place) == pytest.approx(float(rms.idxmax("mesh_frequency")), rel=1e-4)
+            found = swept["jump_mesh_frequency"].values[swept["jump_direction"].values == k]
+            told = [] if jumps == "none" else [float(jump) for jump in jumps.split(", ")]
+            assert told == pytest.approx(list(found), rel=1e-4)
 
 
 def test_a_result_in_memory_keeps_its_model(result: xr.Dataset, tmp_path: Any) -> None:
