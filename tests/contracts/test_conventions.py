@@ -52,8 +52,9 @@ from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from pitchpoint.system.system import System, assemble
 from tests.support.bevel_files import bevel_file
+from tests.support.mesh_alone import moved
 from tests.support.model_files import TORSIONAL_PAIR, gear, pair
-from tests.support.one_mesh import OneMesh, make_pair, moved
+from tests.support.one_mesh import OneMesh, make_pair
 
 PAGE = Path(__file__).parents[2] / "docs" / "conventions.md"
 FOURIER = PhaseStiffness(mean=4e8, cosine=[-0.2, 0.1], sine=[0.15, 0.0])

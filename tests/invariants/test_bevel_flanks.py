@@ -13,8 +13,8 @@ from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.elements.bevel_mesh_record import N_OUT
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.invariants.test_bevel_mesh import PAIRS, both_flanks, every_pair
+from tests.support.mesh_alone import moved
 from tests.support.one_bevel import OneBevel, make_bevels
-from tests.support.one_mesh import moved
 from tests.support.true_flanks import true_depths
 
 EVEN, USUAL, STEEP = (PairShape(c_prime=14e9, S_R=s) for s in (1.0, 0.8, 0.0))

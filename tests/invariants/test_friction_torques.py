@@ -16,8 +16,9 @@ import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.system.rules.mesh_laws import MeshLaws
+from tests.support.mesh_alone import moved
 from tests.support.one_bevel import OneBevel, make_bevels
-from tests.support.one_mesh import OneMesh, make_pair, moved
+from tests.support.one_mesh import OneMesh, make_pair
 
 EVEN = PairShape(c_prime=14e9, S_R=1.0, T_R=0.0)
 MU = 0.07

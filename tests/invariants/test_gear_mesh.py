@@ -14,7 +14,8 @@ from pitchpoint.core.kernel import address
 from pitchpoint.elements.mesh_turning import turning
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.system.rules.mesh_laws import MeshLaws
-from tests.support.one_mesh import OneMesh, make_pair, moved, rotation
+from tests.support.mesh_alone import moved, rotation
+from tests.support.one_mesh import OneMesh, make_pair
 
 PAIRS = {
     "spur": dict(beta=0.0),

@@ -6,11 +6,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from types import SimpleNamespace
+from typing import Any, ClassVar
 
 import numpy as np
 
-from pitchpoint.core.kernel import address, invoke
-from pitchpoint.core.status import OK
+from pitchpoint.core.kernel import address
 from pitchpoint.elements import bevel_mesh_record as layout
 from pitchpoint.elements.bevel_mesh import entry
 from pitchpoint.elements.bevel_mesh_turning import turning
@@ -20,9 +20,7 @@ from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bevel_mesh import Placement, bevel_row, own_teeth
 from pitchpoint.system.rules.mesh_laws import MeshLaws
-from tests.support.one_mesh import rotation
-
-OUT = {name: k for k, (name, _, _) in enumerate(layout.OUTPUTS)}
+from tests.support.mesh_alone import MeshAlone, rotation
 
 
 def make_bevels(z1=20, z2=40, Sigma=0.5 * math.pi, beta=0.0, m_mn=2.5e-3, b=15e-3, thinner=2e-5, **kw):
@@ -37,8 +35,11 @@ def make_bevels(z1=20, z2=40, Sigma=0.5 * math.pi, beta=0.0, m_mn=2.5e-3, b=15e-
 
 
 @dataclass
-class OneBevel:
+class OneBevel(MeshAlone):
     """Record, frames and results of one bevel mesh; frames are public and may be moved freely."""
+
+    kind: ClassVar[Any] = entry
+    layout: ClassVar[Any] = layout
 
     pair: BevelPair
     laws: MeshLaws
@@ -86,42 +87,7 @@ class OneBevel:
         self.kk = np.zeros((4, 6, 6))
         self.ctl["kk"], self.ctl["np"] = self.kk.ctypes.data, len(self.kk)
 
-    @property
-    def row(self):
-        return self.rec[0]
-
-    def evaluate(self, frames=None, jac=0, ck=1.0, cd=0.0):
-        """Wrenches on both bodies, shape (2, 6); observations and tangents stay in `out` and `kk`."""
-        fr = (self.frames if frames is None else frames).copy()
-        fr["F"] = 0.0
-        self.kk[:] = 0.0
-        self.out[:] = 0.0
-        self.ctl["jac"], self.ctl["ck"], self.ctl["cd"] = jac, ck, cd
-        self.ctl["fr"], self.ctl["nb"] = fr.ctypes.data, fr.size
-        assert invoke(entry, self.ctl.ctypes.data, self.rec.ctypes.data, 1) == OK
-        return fr["F"].copy()
-
-    def get(self, name):
-        return float(self.out[OUT[name]])
-
-    def friction_torques(self):
-        """Torques of friction on both gears about their axes."""
-        first = layout.N_OUT + int(self.row["n_pair"])
-        return self.out[first : first + 2].copy()
-
-    def press(self, depth, flank=1):
-        """Turn gear 1 until the travel is `depth` beyond the gap on a flank, gears turned by equal travel."""
-        for _ in range(3):
-            self.evaluate()
-            aim = flank * (0.5 * self.row["gap"] + depth)
-            self.frames["phi"][0] += (aim - self.get("deflection")) / self.row["r_b1"]
-        self.evaluate()
-
     def roll(self, pitches):
         """Turn both gears on by base pitches; the travel stays."""
         way = pitches * self.row["p_bt"]
         self.frames["phi"] += [way / self.row["r_b1"], -way / self.row["r_b2"]]
-
-    def tangent(self):
-        """Block tangent, shape (2, 6, 2, 6)."""
-        return self.kk.reshape(2, 2, 6, 6).transpose(0, 2, 1, 3).copy()

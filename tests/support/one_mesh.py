@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import Any, ClassVar
 
 import numpy as np
 
-from pitchpoint.core.kernel import address, invoke
-from pitchpoint.core.status import OK
+from pitchpoint.core.kernel import address
 from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.elements.gear_mesh import entry
 from pitchpoint.elements.mesh_apart import apart
@@ -20,15 +20,7 @@ from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
 from pitchpoint.system.rules.mesh_laws import MeshLaws
-
-OUT = {name: k for k, (name, _, _) in enumerate(layout.OUTPUTS)}
-
-
-def rotation(axis, angle):
-    """Rotation matrix about a unit vector (Rodrigues)."""
-    a = np.asarray(axis, float)
-    K = np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])
-    return np.eye(3) + math.sin(angle) * K + (1 - math.cos(angle)) * K @ K
+from tests.support.mesh_alone import MeshAlone
 
 
 def make_pair(z1=25, z2=60, beta=0.3, m_n=3e-3, b=0.03, widening=2e-5, internal=False, **kw):
@@ -40,8 +32,11 @@ def make_pair(z1=25, z2=60, beta=0.3, m_n=3e-3, b=0.03, widening=2e-5, internal=
 
 
 @dataclass
-class OneMesh:
+class OneMesh(MeshAlone):
     """Record, frames and results of one mesh; frames are public and may be moved freely."""
+
+    kind: ClassVar[Any] = entry
+    layout: ClassVar[Any] = layout
 
     pair: GearPair
     laws: MeshLaws
@@ -116,54 +111,3 @@ class OneMesh:
         self.rec["apart"] = address(apart)
         self.pool = np.concatenate([*self.kept, np.zeros(1)])
         self.rec["pool"] = self.pool.ctypes.data
-
-    @property
-    def row(self):
-        return self.rec[0]
-
-    def evaluate(self, frames=None, jac=0, ck=1.0, cd=0.0):
-        """Wrenches on both bodies, shape (2, 6); observations and tangents stay in `out` and `kk`."""
-        fr = (self.frames if frames is None else frames).copy()
-        fr["F"] = 0.0
-        self.kk[:] = 0.0
-        self.out[:] = 0.0
-        self.ctl["jac"], self.ctl["ck"], self.ctl["cd"] = jac, ck, cd
-        self.ctl["fr"], self.ctl["nb"] = fr.ctypes.data, fr.size
-        assert invoke(entry, self.ctl.ctypes.data, self.rec.ctypes.data, 1) == OK
-        return fr["F"].copy()
-
-    def get(self, name):
-        return float(self.out[OUT[name]])
-
-    def friction_torques(self):
-        """Torques of friction on both gears about their axes."""
-        first = layout.N_OUT + int(self.row["n_pair"])
-        return self.out[first : first + 2].copy()
-
-    def press(self, depth, flank=1, frames=None):
-        """Turn gear 1 until the deflection is `depth` beyond the gap on a flank."""
-        fr = self.frames if frames is None else frames
-        for _ in range(3):
-            self.evaluate(fr)
-            aim = flank * (0.5 * self.row["gap"] + depth)
-            fr["phi"][0] += (aim - self.get("deflection")) / self.row["r_b1"]
-        self.evaluate(fr)
-
-    def tangent(self):
-        """Block tangent, shape (2, 6, 2, 6)."""
-        return self.kk.reshape(2, 2, 6, 6).transpose(0, 2, 1, 3).copy()
-
-
-def moved(frames, body, step):
-    """Frames after a small world twist of one body; the spin part goes to phi."""
-    fr = frames.copy()
-    fr["r"][body] += step[:3]
-    w = np.asarray(step[3:], float)
-    n = fr["R"][body][:, 2].copy()
-    spin = w @ n
-    tilt = w - spin * n
-    angle = np.linalg.norm(tilt)
-    if angle > 0:
-        fr["R"][body] = rotation(tilt / angle, angle) @ fr["R"][body]
-    fr["phi"][body] += spin
-    return fr

@@ -25,7 +25,8 @@ from pitchpoint.system.rules.gear_mesh import MeshLaws
 from tests.invariants.test_gear_mesh import PAIRS, SHAPES
 from tests.invariants.test_tangents import LOSSES, compare, gears, pressed
 from tests.support.machines import compiled, pair
-from tests.support.one_mesh import OneMesh, make_pair, moved
+from tests.support.mesh_alone import moved
+from tests.support.one_mesh import OneMesh, make_pair
 from tests.validation.test_flank_deviations import WIDTH, machine, rolled
 
 both_flanks = pytest.mark.parametrize("flank", [1, -1])
