@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plain engineering English: no phrase of the glossary in messages, help, documentation, docstrings or comments."""
+"""Plain engineering English: no phrase of the glossary in messages, help, documents, docstrings or comments."""
 
 from __future__ import annotations
 
@@ -17,6 +17,11 @@ EXEMPT = {GLOSSARY, ROOT / "docs" / "validation.md"}
 _ROW = re.compile(r"^\|(?P<phrases>(?: ?`[^`]+` ?·?)+)\|", re.MULTILINE)
 _QUOTED = re.compile(r"```.*?```|`[^`\n]*`|\]\([^)]*\)", re.DOTALL)
 """Code in Markdown, and the targets of links."""
+_TEXT_OF = {
+    ".js": re.compile(r"""/\*.*?\*/|//[^\n]*|"[^"\n]*"|`[^`]*`""", re.DOTALL),
+    ".yaml": re.compile(r"#[^\n]*|(?:title|sentence|label): [^\n]*"),
+}
+"""Comments and strings of scripts; comments and sentences of model files."""
 
 
 def phrases() -> list[str]:
@@ -26,11 +31,13 @@ def phrases() -> list[str]:
 
 
 def pattern() -> re.Pattern[str]:
-    """One expression for all phrases, at the ends of words, over line breaks too."""
-    words = sorted(phrases(), key=len, reverse=True)
+    """One expression for all phrases, at the ends of words, over line breaks too.
+
+    "There is no", "is no longer" and "stands out" are the language of everyone.
+    """
+    words = [r"\s+".join(map(re.escape, w.split())) for w in sorted(phrases(), key=len, reverse=True)]
     return re.compile(
-        r"(?<![\w.-])(?:" + "|".join(r"\s+".join(map(re.escape, w.split())) for w in words) + r")(?![\w-])",
-        re.IGNORECASE,
+        rf"(?<![\w.-])(?<!\bthere )(?:{'|'.join(words)})(?![\w-])(?!\s+(?:longer|out)\b)", re.IGNORECASE
     )
 
 
@@ -43,17 +50,24 @@ def texts_of_python(path: Path) -> Iterator[tuple[int, str]]:
             yield token.start[0], token.string
 
 
+def texts(path: Path) -> Iterator[tuple[int, str]]:
+    """What people read of a file: strings and comments of code, text of pages without code."""
+    if path.suffix == ".py":
+        yield from texts_of_python(path)
+        return
+    text = path.read_text(encoding="utf-8")
+    if path.suffix in _TEXT_OF:
+        for found in _TEXT_OF[path.suffix].finditer(text):
+            yield text.count("\n", 0, found.start()) + 1, found[0]
+    else:
+        yield 1, _QUOTED.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
+
+
 def findings(path: Path, expression: re.Pattern[str]) -> list[str]:
     """Where a file uses a phrase: name, line and phrase."""
-    if path.suffix == ".py":
-        texts = list(texts_of_python(path))
-    else:
-        text = path.read_text(encoding="utf-8")
-        blank = lambda found: re.sub(r"[^\n]", " ", found[0])  # noqa: E731
-        texts = [(1, _QUOTED.sub(blank, text) if path.suffix == ".md" else text)]
     return [
         f"{name_of(path)}:{line + text[: hit.start()].count(chr(10))}: {' '.join(hit[0].split())}"
-        for line, text in texts
+        for line, text in texts(path)
         for hit in expression.finditer(text)
     ]
 

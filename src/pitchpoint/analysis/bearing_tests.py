@@ -36,7 +36,9 @@ NOTHING = 1e-9
 """What is left of a signal, as a part of it, that is round-off."""
 FEWEST_SAMPLES = 1024
 
-FROM_SHAFTS = "{} cannot be told from the turns of a shaft: the record does not resolve their harmonics"
+FROM_SHAFTS = (
+    "{} cannot be distinguished from the turns of a shaft: the record does not resolve their harmonics"
+)
 FROM_MESHES = (
     "{}: lines in the envelope that few lines of the signal make: meshes that passing balls modulate do "
     "that, impacts do not"
@@ -126,7 +128,7 @@ def bearing_evidence(
     -----
     Lines of a healthy machine are taken out, the band is the one of the largest kurtosis [1]_. The squared
     envelope of that band is searched within 1 % about each order, as rolling elements slip [2]_: two of the
-    first three harmonics must stand out, and impacts must make them. Orders of shafts are left out. Equal
+    first three harmonics must stand out, and impacts must make them. Orders of shafts are omitted. Equal
     bearings on one shaft are one. Valid for many events per record.
 
     References
@@ -188,7 +190,7 @@ def alike(bearings: Sequence[Bearing]) -> list[Bearing]:
 
     Notes
     -----
-    Orders count as equal within 1e-9 of their size; no record tells them apart [1]_.
+    Orders count as equal within 1e-9 of their size; no record distinguishes them [1]_.
 
     References
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lines that passing balls put beside those of a bearing that is loud itself."""
+"""Lines that passing balls put in addition to those of a bearing that is loud itself."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.shaft_tests import HARMONICS, OFF, ShaftView, passages
 
 DEEPEST = 4.0
-"""Power of a line over that of a line beside it, at the least: a line that comes and goes altogether, as deep
-as anything can be modulated, has half its amplitude on either side."""
+"""Power of a line over that of a line next to it, at the least: a line that comes and goes altogether, as
+deep as anything can be modulated, has half its amplitude on either side."""
 
 
 def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float], reach: float) -> Array:
@@ -37,7 +37,7 @@ def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float]
     Notes
     -----
     Loud bearings have lines at k f and h f_mesh ± k f for many k. What modulates the mesh lines of healthy
-    machines, balls that pass in all bearings [1]_, modulates those as well: lines beside them, up to three
+    machines, balls that pass in all bearings [1]_, modulates those as well: lines next to them, up to three
     passages away, of half the amplitude at the most. Only lines that are seen count, and none that may be an
     order of the shaft itself. Valid where balls do not slip by more than the record resolves.
 
@@ -48,7 +48,7 @@ def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float]
 
     Examples
     --------
-    A mesh at 21 and strikes at 3.57: the line of both at 24.57, and beside it the balls of a second bearing:
+    A mesh at 21 and strikes at 3.57: the line of both at 24.57, and next to it the balls of a second bearing:
 
     >>> from pitchpoint.analysis.line_tests import fine_spectrum
     >>> from pitchpoint.analysis.turning_parts import Bearing, train_parts

@@ -60,7 +60,7 @@ def analyse(
     tool
         Name in `tools.TOOLS`.
     channel
-        One channel, or several; left out, the only one.
+        One channel, or several; omitted, the only one.
     angle
         Channel with the angle of the shaft that orders refer to [rad], or with its speed [rad/s], which is
         summed up over time.
@@ -150,7 +150,7 @@ def _known(name: str, names: Sequence[str], what: str) -> None:
         near = difflib.get_close_matches(str(name), names, n=3)
         more = ", ..." if len(names) > 12 else ""
         hint = f"did you mean {', '.join(near)}?" if near else f"there are {', '.join(names[:12])}{more}"
-        raise SignalError(f"{what}: {name!r} is no channel of the record; {hint}")
+        raise SignalError(f"{what}: {name!r} is not a channel of the record; {hint}")
 
 
 def _options(tool: str, row: Tool, options: Mapping[str, Any]) -> dict[str, Any]:
@@ -300,7 +300,7 @@ def _unit(output: Output, unit: str, squared: bool) -> str:
 
 
 def _joined(results: Sequence[xr.Dataset], names: Sequence[str], tool: str) -> xr.Dataset:
-    """Results of several channels behind each other, if they have the same axes."""
+    """Results of several channels in series, if they have the same axes."""
     import xarray as xr
 
     first = results[0]

@@ -69,7 +69,7 @@ class Diagnosis:
     untested
         What could not be tested, and why.
     untold
-        What stands out and is no finding, and why.
+        What stands out and is not a finding, and why.
     turns
         Turns of each shaft in the record [-].
     tests
@@ -127,7 +127,7 @@ def diagnose(
     against
     the points between them. Slow changes over the turn raise single orders and sidebands [2]_: lines against
     the
-    points beside them. Tests share the false alarms after [3]_. Valid for shafts with fixed axes.
+    points next to them. Tests share the false alarms after [3]_. Valid for shafts with fixed axes.
 
     References
     ----------
@@ -220,7 +220,7 @@ def _of_shafts(
 
 
 def _mesh_lines(views: Mapping[str, ShaftView], parts: TurningParts, mesh: Mesh) -> MeshLines:
-    """Harmonics of a mesh, against the points beside them and the sidebands of its faster shaft."""
+    """Harmonics of a mesh, against the points next to them and the sidebands of its faster shaft."""
     order = parts.mesh_order(mesh)
     fast = max((views[name] for name in mesh.shafts), key=lambda view: view.order)
     spectrum = fast.spectrum

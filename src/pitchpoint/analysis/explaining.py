@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evidence that a surer finding brings about: what is left of it without the lines of that finding?
+"""Evidence that a surer finding causes: what is left of it without the lines of that finding?
 
 The strikes of a damaged bearing are a pulse train. What changes their size (the load zone through which the
-damage goes) and what they shake (the meshes) puts lines beside their harmonics, and a long train has so many
+damage goes) and what they shake (the meshes) puts lines next to their harmonics, and a long train has so many
 of them that some lie on lines of other parts. They are known to a fraction of a line of the record. So they
 are taken out of the signal, and the test of the other part is made again on what is left.
 """
@@ -97,7 +97,7 @@ class Strikes:
         """Whether a line stands beside strikes, not on them, and is not larger than these.
 
         The load that a damage goes through only pushes, and no line of a function without negative values is
-        larger than its mean: none beside the strikes is larger than the largest of their own.
+        larger than its mean: none next to the strikes is larger than the largest of their own.
         """
         sides = self._sides(BESIDE)
         strikes = self.rate * np.arange(1, np.ceil(order / self.rate) + BESIDE)
@@ -107,7 +107,7 @@ class Strikes:
         return bool(there.any() and spectrum.power(order) <= largest)
 
     def _sides(self, most: int) -> Array:
-        """Distances of the lines beside a harmonic."""
+        """Distances of the lines next to a harmonic."""
         sides = self.beside * np.arange(-most, most + 1, dtype=np.float64)
         return np.asarray(sides if self.beside else sides[:1], dtype=np.float64)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From evidence to findings: what tests of one record say together, and what it cannot tell apart."""
+"""From evidence to findings: what tests of one record say together, and what it cannot distinguish."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Evidence:
     gear
         Gear whose mesh is looked at, or the bearing; empty for the shaft itself.
     value, threshold
-        Normal score for a comb, level over what lies beside the line in dB for others; what it must exceed.
+        Normal score for a comb, level over what lies next to the line in dB for others; what it must exceed.
     probability
         Probability that some test of a healthy record does as much [-]: already for all tests together.
     order
@@ -157,7 +157,7 @@ def findings_of(
     tuple of Finding
         The most certain first.
     list of Note
-        What stands out and is no finding, and why.
+        What stands out and is not a finding, and why.
 
     Notes
     -----
@@ -192,7 +192,8 @@ def findings_of(
             best = combs[0]
             seen = [views[e.channel, shaft.name] for e in combs]
             others = _like_bearings(parts, seen, best.threshold)
-            # a tooth of one gear shakes the meshes of all gears of its shaft: where lines gather says nothing
+            # a tooth of one gear shakes the meshes of all gears of its shaft: where lines gather gives no
+            # information
             gears = tuple(parts.gears_of(shaft.name))
             found.append(Finding("local fault", shaft.name, gears, best.channel, best.probability, others))
         elif bands:

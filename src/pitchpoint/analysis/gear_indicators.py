@@ -3,7 +3,7 @@
 
 They start from the mean turn of the shaft (`synchronous_average`) and the signals that `gear_signals` makes
 of it. FM4, M6A and M8A see one or a few damaged teeth and fall again when the damage spreads; NA4, NA4* and
-NB4 compare with the records before and go on rising.
+NB4 compare with the records before and continue rising.
 """
 
 from __future__ import annotations
@@ -179,7 +179,7 @@ def running_kurtosis(records: Sequence[ArrayLike], *, good_records: int | None =
         Residual signals (for NA4) or envelopes (for NB4) in the order of time, shape (n,) each, one unit.
     good_records
         How many of the first records are from the gear in good condition [-]: their mean variance is then the
-        reference for all (NA4*). Left out, the reference of each record is the mean up to and with it (NA4).
+        reference for all (NA4*). Omitted, the reference of each record is the mean up to and with it (NA4).
 
     Returns
     -------

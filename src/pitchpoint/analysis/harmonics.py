@@ -23,12 +23,12 @@ AROUND = 32
 
 @dataclass(frozen=True)
 class Tones:
-    """Lines of a signal near frequencies that were asked for.
+    """Lines of a signal near frequencies that were requested.
 
     Attributes
     ----------
     expected, frequency
-        Shape (n,). Frequency asked for and frequency found [Hz].
+        Shape (n,). Frequency requested and frequency found [Hz].
     amplitude
         Shape (n,). Peak amplitude, in the unit of the signal.
     background
@@ -65,7 +65,7 @@ class HarmonicTable:
     fundamental
         Fundamental frequency that fits all harmonics best [Hz]; NaN where none of them is a peak.
     lost
-        Harmonics that were asked for and lie above half the sample rate [-].
+        Harmonics that were requested and lie above half the sample rate [-].
     """
 
     harmonic: Array
@@ -88,12 +88,12 @@ def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, re
     expected
         Frequencies [Hz], shape (n,), above 0 and below f_s/2.
     reach
-        How far beside each of them to look [Hz], a number or shape (n,); never less than one line.
+        How far next to each of them to look [Hz], a number or shape (n,); never less than one line.
 
     Returns
     -------
     Tones
-        What stands there; nothing is left out because it is small.
+        What stands there; nothing is omitted because it is small.
 
     Raises
     ------
@@ -231,7 +231,7 @@ def kept_harmonics(fundamental: float, sample_rate: float, harmonics: int) -> tu
 
 
 def apart_enough(distance: float, resolution: float, name: str) -> None:
-    """Refuse tones that a record is too short to tell apart.
+    """Refuse tones that a record is too short to distinguish.
 
     Parameters
     ----------

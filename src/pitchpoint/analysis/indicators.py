@@ -116,7 +116,7 @@ def standardised_moment(values: ArrayLike, order: int) -> float:
     Raises
     ------
     SignalError
-        If the signal is constant, or the order is no even number from 4 on.
+        If the signal is constant, or the order is not an even number from 4 on.
 
     Notes
     -----

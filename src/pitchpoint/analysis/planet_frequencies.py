@@ -64,7 +64,7 @@ def planetary_frequencies(
     speed_carrier: float | None = None,
     speed_ring: float | None = None,
 ) -> PlanetaryFrequencies:
-    """Mesh, fault and passing frequencies of a planet set, whichever member stands still.
+    """Mesh, fault and passing frequencies of a planet set, whichever member is at rest.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def planetary_frequencies(
     Raises
     ------
     SignalError
-        If not exactly two speeds are given, or a number is no whole number above zero.
+        If not exactly two speeds are given, or a number is not a whole number above zero.
 
     Notes
     -----
@@ -158,7 +158,7 @@ def planet_phases(z: int, angles: ArrayLike) -> Array:
     Raises
     ------
     SignalError
-        If the number of teeth is no whole number, or an angle is not finite.
+        If the number of teeth is not a whole number, or an angle is not finite.
 
     Notes
     -----
@@ -205,7 +205,7 @@ def excited_motion(z_sun: int, planets: int, harmonics: int = 3) -> tuple[str, .
     Raises
     ------
     SignalError
-        If a number is no whole number, or there are fewer than three planets.
+        If a number is not a whole number, or there are fewer than three planets.
 
     Notes
     -----

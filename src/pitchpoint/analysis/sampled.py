@@ -21,7 +21,7 @@ UNIFORM_TOLERANCE = 1e-6
 
 
 class SignalError(PitchpointError, ValueError):
-    """Sampled data do not fulfil what an analysis function needs; the message says where and what to do."""
+    """Sampled data do not fulfil what an analysis function needs; the message states where and what to do."""
 
 
 def as_signal(values: ArrayLike, name: str = "values", minimum: int = 2) -> Array:

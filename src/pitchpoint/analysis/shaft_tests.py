@@ -31,7 +31,7 @@ from pitchpoint.analysis.turning_parts import Shaft, TurningParts
 FEWEST_TURNS = 3.0
 """Turns of a shaft from which points between its orders see nothing of the orders themselves."""
 RESOLVED = 8.0
-"""Turns of another shaft from which its orders are single lines that can be left out."""
+"""Turns of another shaft from which its orders are single lines that can be omitted."""
 MOST_ORDERS = 6000
 FEWEST_LINES = 6
 """Lines of a comb from which their ranks say anything."""
@@ -40,7 +40,7 @@ SMALLEST_COMB, SMALLEST_LINE, SMALLEST_SIDEBAND = 1e-4, 1e-2, 3e-2
 "signal, of a sideband
 as a part of its mesh line as well. Every machine has such lines, and simulations without noise show them."""
 FOLDED = 40
-"""Harmonics of a mesh whose images are left out where the record was sampled without a filter."""
+"""Harmonics of a mesh whose images are omitted where the record was sampled without a filter."""
 NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
 SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
 PASSES, SLIP = 3, 0.01
@@ -59,7 +59,7 @@ class Measured:
     Attributes
     ----------
     score
-        Normal score of a comb, or power over that beside a line [-].
+        Normal score of a comb, or power over that next to a line [-].
     probability
         Probability that noise alone does as much [-].
     order
@@ -142,9 +142,9 @@ class ShaftView:
         return apart
 
     def comb(self, from_mesh: int = 2, *, without: int = 0) -> Measured:
-        """Whether the orders stand above what is between them, away from mesh lines and their sidebands.
+        """Whether the orders are above what is between them, away from mesh lines and their sidebands.
 
-        Multiples of `without` may be left out.
+        Multiples of `without` may be omitted.
         """
         number = np.arange(1, self.highest + 1)
         keep = self.free(number * self.order)
@@ -170,7 +170,7 @@ class ShaftView:
         )
 
     def lines(self, orders: NDArray[Any], sideband: NDArray[Any], least: Array | None = None) -> Measured:
-        """The most unlikely of some lines; what is near other lines, or has no neighbours, is left out."""
+        """The most unlikely of some lines; what is near other lines, or has no neighbours, is omitted."""
         limits = np.zeros(orders.size) if least is None else least
         best, looked = None, 0
         for place, number, limit in zip(orders, sideband, limits, strict=True):
@@ -215,7 +215,7 @@ class ShaftView:
         return bool(np.any(off < self.passing[:, 1] + 2.0 * self.spectrum.resolution))
 
     def has_top_at(self, order: float) -> bool:
-        """Whether what is seen at an order is a line there, and not the skirt of one beside it."""
+        """Whether what is seen at an order is a line there, and not the skirt of one next to it."""
         spectrum = self.spectrum
         reach = int(round(1.25 * spectrum.resolution / spectrum.step))
         off = np.arange(-reach, reach + 1)
@@ -280,7 +280,7 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
     highest
         Highest order [-].
     harmonics
-        Harmonics of each mesh beside which they are looked for [-]; all if left out.
+        Harmonics of each mesh beside which they are looked for [-]; all if omitted.
 
     Returns
     -------
@@ -292,7 +292,7 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
     A bearing is a little stiffer with a ball below the load than between two: it shakes, and modulates all
     meshes, as often as balls pass the outer ring [1]_; several bearings do so together, which counts where
     there are at most three kinds (with more, no order would be free). Up to three passages and 1 % of slip.
-    Valid for bearings whose load stands still.
+    Valid for bearings whose load is at rest.
 
     References
     ----------
@@ -320,7 +320,7 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
 
 
 def passages(parts: TurningParts) -> tuple[Array, Array]:
-    """Distances of what passing balls put beside a line, and how far slip may take it, shape (n,) [-]."""
+    """Distances of what passing balls put next to a line, and how far slip may take it, shape (n,) [-]."""
     rates = sorted({b.orders["outer ring"] for b in parts.bearings if "outer ring" in b.orders})
     if not rates:
         return np.empty(0), np.empty(0)

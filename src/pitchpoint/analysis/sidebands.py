@@ -43,7 +43,7 @@ class SidebandTable:
         Shape (n_harmonic, J). Right less left over their sum, by |j| [-]: 1 if only the right one is there;
         nan where neither stands out: two of noise, or of round-off, differ by chance.
     lost
-        Mesh harmonics that were asked for and whose sidebands lie above half the sample rate [-].
+        Mesh harmonics that were requested and whose sidebands lie above half the sample rate [-].
     """
 
     harmonic: Array
@@ -68,7 +68,7 @@ def sideband_table(
     sidebands: int = 3,
     tolerance: float = 0.01,
 ) -> SidebandTable:
-    """Amplitudes and levels at harmonics of a mesh frequency and beside them at multiples of a shaft's.
+    """Amplitudes and levels at harmonics of a mesh frequency and next to them at multiples of a shaft's.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Thinning out of samples behind a low-pass filter of linear phase: nothing shows at wrong frequencies.
+"""Thinning out of samples behind a low-pass filter of linear phase: no content is aliased.
 
 The filter is a sinc under a Kaiser window, symmetric about its middle: it delays nothing. Up to 0.4 of the
 new rate signals pass unchanged, from 0.5 of it on they are stopped by 80 dB.
@@ -53,7 +53,7 @@ def thinning_filter(factor: int) -> NDArray[np.float64]:
     (105, 1.0)
     """
     if factor < 2:
-        raise SignalError(f"factor: {factor} thins nothing out (limit >= 2)")
+        raise SignalError(f"factor: {factor} does not decimate (limit >= 2)")
     n = np.arange(-factor * REACH, factor * REACH + 1)
     middle = 0.5 * (PASS + STOP)
     weights = np.sinc(2.0 * middle * n / factor) * np.kaiser(n.size, 0.1102 * (DAMPING - 8.7))
@@ -61,7 +61,7 @@ def thinning_filter(factor: int) -> NDArray[np.float64]:
 
 
 def thin_out(signal: NDArray[np.float64], factor: int) -> NDArray[np.float64]:
-    """Every factor-th sample of a filtered signal; the ends, where the filter has no room, are left out.
+    """Every factor-th sample of a filtered signal; the ends, where the filter has no room, are omitted.
 
     Parameters
     ----------

@@ -240,7 +240,7 @@ class BevelPair:
 
         Notes
         -----
-        A tooth of gear 1 on the pitch ray stands in a space of gear 2; from there z₁ dθ₁ = −z₂ dθ₂, as both
+        A tooth of gear 1 on the pitch ray is in a space of gear 2; from there z₁ dθ₁ = −z₂ dθ₂, as both
         axes point away from the apex.
 
         Examples
@@ -274,7 +274,7 @@ class BevelPair:
         return bevel_pair_problems(self, where, names, gears)
 
     def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Problem]:
-        """What runs, but not as drawings promise: faces beside each other, tips below the mate's involute."""
+        """What runs, but not as drawings promise: faces next to each other, tips below the mate's involute."""
         from pitchpoint.geometry.bevel_problems import bevel_pair_warnings
 
         return bevel_pair_warnings(self, where, names)

@@ -203,7 +203,7 @@ def bevel_sector(
         made.quads(low, high)
     ends = [_end(made, gear, replace(outline, polar=cones[k][:-1]), rings[k], places[k][0]) for k in (-1, 0)]
     at = ends[0][1]
-    # the back cone goes on from the teeth to the rim: it counts with them
+    # the back cone continues from the teeth to the rim: it counts with them
     teeth = len(made.faces) + 1
     around = np.linspace(at[0], at[-1], max(1, math.ceil(corners / gear.z)) + 1)
     _close(made, gear, [line for line, _ in ends], (at, around), blank)

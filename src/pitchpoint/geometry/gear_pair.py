@@ -70,7 +70,10 @@ class GearPair:
         a_w = self.a_w
         if isinstance(a_w, bool) or not isinstance(a_w, (int, float)) or not 1e-12 < abs(a_w) < 1e9:
             raise GeometryError(
-                "is no centre distance", where="center_distance", value=f"{a_w!r} m", limit="finite, not zero"
+                "is not a centre distance",
+                where="center_distance",
+                value=f"{a_w!r} m",
+                limit="finite, not zero",
             )
         if a_w * self._sign <= 0.0:
             raise GeometryError(
@@ -221,7 +224,7 @@ class GearPair:
         """Start of contact, where gear 2's tip enters the line of action [m].
 
         The tips alone decide, as in the formula of the standard; where a root form circle ends the involute
-        sooner is in `T1A_form` and `eps_alpha_form`, and `warnings` says so.
+        sooner is in `T1A_form` and `eps_alpha_form`, and `warnings` reports this.
         """
         return self.T1T2 - self.gear2.sign * _leg(self.gear2.d_Fa, self.gear2.d_b)
 

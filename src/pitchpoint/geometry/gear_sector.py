@@ -281,7 +281,7 @@ class Pieces:
         i = j = 0
         found = []
         while i < first.size - 1 or j < second.size - 1:
-            # the line that lags behind goes on, by the middle of its next piece
+            # the line that lags behind continues, by the middle of its next piece
             mine = 0.5 * (at[i] + at[i + 1]) if i < first.size - 1 else math.inf
             theirs = 0.5 * (other[j] + other[j + 1]) if j < second.size - 1 else math.inf
             if mine <= theirs:
@@ -293,7 +293,7 @@ class Pieces:
         self.faces.append(np.array(found, np.int64))
 
     def sector(self, blank: int, flipped: bool) -> Sector:
-        """All of it; triangles without area are left out. The blank begins with a list of faces."""
+        """All of it; triangles without area are omitted. The blank begins with a list of faces."""
         points, faces = np.concatenate(self.points), np.concatenate(self.faces)
         a, b, c = (points[faces[:, k]] for k in range(3))
         area = np.linalg.norm(np.cross(b - a, c - a), axis=1)

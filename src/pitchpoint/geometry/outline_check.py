@@ -29,7 +29,7 @@ OFF_INVOLUTE = 0.2
 OFF_ROOT = 0.5
 """The same for the root circle, which tools set more freely."""
 UNCOVERED = 0.1
-"""Share of the usable flank that points may leave out at either end; the last deviation goes on there."""
+"""Share of the usable flank that points may omit at either end; the last deviation continues there."""
 MOST_POINTS = 2000
 LEAST_TOOTH, LEAST_FLANK = 10, 5
 # Within so many modules of the tip, steps with such a slope of deviation over roll are tip, not flank.
@@ -63,7 +63,7 @@ def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray
         raise OutlineError(
             part,
             None,
-            "are no points",
+            "are not points",
             value=f"shape {xy.shape}",
             limit="shape (n, 2)",
             remedy="give [x, y] pairs",
@@ -91,7 +91,7 @@ def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray
 def one_pitch(
     gear: CylindricalGear, plane: ComplexArray, index: IntArray, part: str
 ) -> tuple[ComplexArray, IntArray]:
-    """The points without the one that closes the pitch; refuses what is no pitch around the +x axis.
+    """The points without the one that closes the pitch; refuses what is not a pitch around the +x axis.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def one_pitch(
             int(index[0]),
             "begins and ends on the same side of the x axis",
             value=f"{math.degrees(angle[0]):.4g} deg",
-            remedy="give one tooth from root to root that stands on the +x axis, or its angle",
+            remedy="give one tooth from root to root that is on the +x axis, or its angle",
         )
     span = float(angle[-1] - angle[0])
     if span <= (1.0 + _OVERLAP) * pitch:
@@ -173,7 +173,7 @@ def check_height(gear: CylindricalGear, plane: ComplexArray, index: IntArray, pa
                 int(index[at]),
                 f"is the {what} diameter of another gear",
                 value=f"{2e3 * abs(height[at]):.6g} mm",
-                limit=f"{2e3 * abs(nominal):.6g} mm and {2e3 * share * gear.m_n:.4g} mm beside it",
+                limit=f"{2e3 * abs(nominal):.6g} mm and {2e3 * share * gear.m_n:.4g} mm next to it",
                 remedy=f"check the unit, normal_module, number_of_teeth and {what}_diameter",
             )
 
@@ -191,7 +191,8 @@ def flank_part(gear: CylindricalGear, path: ComplexArray) -> slice:
     height = gear.sign * np.abs(path)
     slack = 1e-6 * gear.m_n
     tip = int(np.argmax(height >= min(0.5 * gear.d_Fa, float(height.max())) - slack))
-    # the first point of the tip land is no flank when the edge before it is sharp and a little below the tip
+    # the first point of the tip land is not a flank when the edge before it is sharp and a little below the
+    # tip
     near = height >= min(0.5 * gear.d_Fa, float(height.max())) - _EDGE * gear.m_n
     length, missing = missing_material(gear, path)
     while (
@@ -246,7 +247,7 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
             part,
             int(index[back[0] + 1]),
             "turns back towards the root on the flank",
-            remedy="put the points in order from root to tip, or leave out those that scatter",
+            remedy="put the points in order from root to tip, or omit those that scatter",
         )
     if path.size < LEAST_FLANK:
         raise OutlineError(

@@ -118,7 +118,7 @@ class Outline:
 
 
 def _between(one: Parts, two: Parts) -> Parts:
-    """Part of what lies between two points: flank beside the corner of a tip and behind a fillet."""
+    """Part of what lies between two points: flank next to the corner of a tip and behind a fillet."""
     return np.asarray(np.where(one == two, one, np.minimum(np.maximum(one, two), FLANK)), dtype=np.int8)
 
 

@@ -85,7 +85,7 @@ class SolidFile:
             names = ", ".join(f"'{s.name}'" for s in self.solids[:20])
             more = f" and {len(self.solids) - 20} more" if len(self.solids) > 20 else ""
             raise GeometryError(
-                "is missing: the file has several solids" if name is None else "is no solid of the file",
+                "is missing: the file has several solids" if name is None else "is not a solid of the file",
                 where="part",
                 value=None if name is None else f"'{name}'",
                 remedy=f"there {'are' if len(self.solids) > 1 else 'is'} {names}{more}",
@@ -217,7 +217,7 @@ def read_solids(file: str | Path, unit: float | None = None) -> SolidFile:
     kind = path.suffix.lower()
     if kind not in STEP + STL:
         raise GeometryError(
-            "is no kind of solid that is read",
+            "is not a kind of solid that is read",
             where="file",
             value=f"'{path.name}'",
             limit=", ".join(STEP + STL),
@@ -229,7 +229,9 @@ def read_solids(file: str | Path, unit: float | None = None) -> SolidFile:
         )
     if kind in STL and unit is None:
         raise GeometryError(
-            "is missing: an STL file does not tell its unit", where="unit", remedy="add unit: 1 mm, say"
+            "is missing: an STL file does not tell its unit",
+            where="unit",
+            remedy="add unit: 1 mm, for example",
         )
     try:
         status = path.stat()

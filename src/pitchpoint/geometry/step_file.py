@@ -89,7 +89,7 @@ def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
     Raises
     ------
     GeometryError
-        What the module says is wrong with the file, or that it ended before it could say so.
+        What the module says is wrong with the file, or that it ended before it could report this.
     MissingDependencyError
         If OCC is not installed.
     """
@@ -217,7 +217,7 @@ def refused(name: str, message: str, value: str | None = None, remedy: str = _AG
 
 
 def _check_whole(name: str, path: Path) -> None:
-    """Say what is no STEP file, or only the first part of one, before OCC guesses."""
+    """Say what is not a STEP file, or only the first part of one, before OCC guesses."""
     try:
         with path.open("rb") as file:
             head = file.read(4096)
@@ -227,13 +227,13 @@ def _check_whole(name: str, path: Path) -> None:
         reason = error.strerror if isinstance(error, OSError) else str(error)
         raise refused(name, f"cannot be read: {reason}") from None
     if _BEGIN not in head:
-        raise refused(name, "is no STEP file: it does not begin with ISO-10303-21;")
+        raise refused(name, "is not a STEP file: it does not begin with ISO-10303-21;")
     if _END not in tail:
         raise refused(name, "is cut short: it does not end with END-ISO-10303-21;")
 
 
 def _check_references(name: str, data: bytes) -> None:
-    """Every entity that is named exists: OCC would leave out what needs it, or end its process."""
+    """Every entity that is named exists: OCC would omit what needs it, or end its process."""
     bare = _QUOTED.sub(b"", data)
     lost = set(_REFERENCE.findall(bare)) - set(_ENTITY.findall(bare))
     if lost:

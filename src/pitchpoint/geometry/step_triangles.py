@@ -85,7 +85,7 @@ def _answer(file: str, part: str, target: str) -> dict[str, Any]:
             where="file",
             value=str(len(corners)),
             limit=str(MOST),
-            remedy="leave out small parts",
+            remedy="omit small parts",
         )
     np.save(target, corners * _MM)
     return {}

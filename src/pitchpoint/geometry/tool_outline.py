@@ -77,7 +77,7 @@ def tool_tooth(gear: CylindricalGear, n: int = 60) -> ToolTooth | None:
     Parameters
     ----------
     gear
-        External gear, made by the rack that its basic rack stands for, or internal gear.
+        External gear, made by the rack that its basic rack represents, or internal gear.
     n
         Points of every rounding and flank.
 

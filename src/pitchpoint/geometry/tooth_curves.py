@@ -115,7 +115,7 @@ def _pieces(form: ToothForm) -> list[Curve]:
 
     left: list[Curve] = [fillet, involute]
     if form.is_internal and form.r_Fa > form.r_a:
-        left.append(radial)  # inside the base circle the flank goes on radially
+        left.append(radial)  # inside the base circle the flank continues radially
     right: list[Curve] = [lambda t, c=c: c(t).conj() for c in left]  # type: ignore[misc]
     back: list[Curve] = [lambda t, c=c: c(1.0 - t) for c in reversed(left)]  # type: ignore[misc]
     root: list[Curve] = []

@@ -68,7 +68,7 @@ class ToothForm:
     def r_Fa(self) -> float:
         """Tip form radius [m]: the tip, or the base circle if the tip of an internal gear lies inside it.
 
-        Inside the base circle there is no involute; the flank goes on radially there.
+        Inside the base circle there is no involute; the flank continues radially there.
         """
         return max(self.r_a, self.r_b) if self.is_internal else self.r_a
 

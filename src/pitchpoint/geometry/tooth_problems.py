@@ -167,7 +167,7 @@ def full_rounding(where: str, asked: float, most: float) -> list[Problem]:
     where
         Place of the gear in its description.
     asked, most
-        Root radius that is asked for and the largest one, in modules [-].
+        Root radius that is requested and the largest one, in modules [-].
 
     Examples
     --------
@@ -238,7 +238,7 @@ def unequal(
     names
         How the messages call the two gears.
     key
-        Key of the gears that says it.
+        Key of the gears that states it.
 
     Examples
     --------

@@ -54,7 +54,7 @@ CTL = np.dtype(
         ("gtt", "i8"),  # address of gtt[nc], the part of d2g/dt2 that is not G a
         ("lam", "i8"),  # address of the multipliers [nc]
         ("out", "i8"),  # address of the observations [no]; 0 = do not observe
-        ("ev", "i8"),  # address of the event functions [ne]; 0 = not asked for
+        ("ev", "i8"),  # address of the event functions [ne]; 0 = not requested
         ("at", "i8"),  # address of this record
         ("bad", "i8"),  # record index at which a kind gave up; set by the kind that returns a status
         ("badkind", "i8"),  # row of the kind that gave up; set by the driver

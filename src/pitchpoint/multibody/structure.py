@@ -101,7 +101,7 @@ def make_structure(
 
     spots = np.asarray(places, float)
     if spots.ndim != 2 or spots.shape[1] != 3 or not np.all(np.isfinite(spots)):
-        raise CompileError(f"places: {spots.shape} is no list of finite points (nodes, 3)")
+        raise CompileError(f"places: {spots.shape} is not a list of finite points (nodes, 3)")
     pair = []
     for name, given in (("K", K), ("M", M), ("K_spin", K_spin)):
         if given is None:

@@ -47,7 +47,7 @@ class Lines:
     look
         Number of its colour and symbol: the same part looks the same in all pictures.
     group
-        What the legend calls it together with others, which come and go with it; empty if it stands alone.
+        What the legend calls it together with others, which come and go with it; empty if it is alone.
     symbol
         Number of its symbol, if it is another one than that of its colour.
     """
@@ -76,7 +76,7 @@ def plot_lines(
     spectrum
         Amplitudes over frequency [Hz] or order.
     lines
-        What is marked; what lies beyond the axis is left out.
+        What is marked; what lies beyond the axis is omitted.
     unit
         Unit of the amplitudes.
     quantity

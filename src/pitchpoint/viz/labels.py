@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Labels beside a drawing that do not cover each other: spread along a column, each joined to its place."""
+"""Labels next to a drawing that do not cover each other: spread along a column, each joined to its place."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def spread(wanted: Sequence[float], step: float, low: float, high: float) -> Arr
     step
         Least distance between two of them.
     low, high
-        Ends of the column; what does not fit goes on beyond `high`.
+        Ends of the column; what does not fit continues beyond `high`.
 
     Returns
     -------

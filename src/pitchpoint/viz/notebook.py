@@ -100,7 +100,7 @@ def model_html(model: Any) -> str:
 
 
 def _known(thing: Any, identifiers: tuple[str, ...]) -> dict[str, Any]:
-    """Data of a gear or pair; a quantity that has no meaning for it is left out of the table."""
+    """Data of a gear or pair; a quantity that has no meaning for it is omitted from the table."""
     from pitchpoint.core.errors import PitchpointError
 
     found: dict[str, Any] = {}

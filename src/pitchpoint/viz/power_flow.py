@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 OUTSIDE = -1
-"""Number that stands for all that is not a block: motors, brakes, surroundings."""
+"""Number that represents all that is not a block: motors, brakes, surroundings."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,7 +75,7 @@ class PowerFlow:
     elastic
         Mean rate of the energy in the flanks [W].
     booked
-        Whether friction of some mesh counts for the gear that drives, as nothing says what it does to each.
+        Whether friction of some mesh counts for the gear that drives, as nothing states what it does to each.
     unfollowed
         Elements that may take or give power and are not among the links.
     """

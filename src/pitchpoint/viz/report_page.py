@@ -20,7 +20,7 @@ from pitchpoint.viz.figure_file import figure_json
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-# Nothing may be loaded from anywhere: the file works offline for ever and tells nobody that it was opened.
+# Nothing may be loaded from anywhere: the file works offline for ever and tells no one that it was opened.
 POLICY = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
     "img-src data: blob:; font-src data:; form-action 'none'; base-uri 'none'"
@@ -77,13 +77,13 @@ def page(
     title
         Head of the page.
     facts
-        Words and text for the line below it; those without text are left out.
+        Words and text for the line below it; those without text are omitted.
     sections
-        What it holds; those without parts are left out.
+        What it holds; those without parts are omitted.
     footer
         Last line.
     alerts
-        Sentences that nobody may miss.
+        Sentences that no one may miss.
     """
     shown = [s for s in sections if s.parts]
     with_plots = any('<div class="plot"' in part for s in shown for part in s.parts)

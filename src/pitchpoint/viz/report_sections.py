@@ -41,7 +41,7 @@ from pitchpoint.viz.tables import (
 MOST_LINES = 8
 DETAIL_PERIODS = 12
 WIDE, HALF = 5000, 2400
-"""Points of a line across the page, and of one of two beside each other: more than a bucket a pixel."""
+"""Points of a line across the page, and of one of two next to each other: more than a bucket a pixel."""
 
 
 def gear_section(

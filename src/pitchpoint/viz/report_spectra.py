@@ -43,7 +43,7 @@ def spectrum_section(
     runs
         Time responses by name.
     highest_order
-        End of orders, where a run says nothing else.
+        End of orders, where a run states nothing else.
     shafts
         Body of gear 1 by the name of the mesh: whose orders a channel of that mesh has.
     """

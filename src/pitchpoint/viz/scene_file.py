@@ -191,7 +191,7 @@ def _bending(sway: Sway, name: str, block: Block) -> dict[str, Any]:
 
 def _mode(mode: SceneMode, block: Block) -> dict[str, Any]:
     def parts(values: NDArray[np.complex128], axis: int) -> dict[str, Any]:
-        """Real and imaginary parts beside each other."""
+        """Real and imaginary parts next to each other."""
         return block.put(_finite(np.stack([values.real, values.imag], axis=axis), mode.name), "f4")
 
     found: dict[str, Any] = {"name": mode.name, "frequency": float(mode.frequency)}

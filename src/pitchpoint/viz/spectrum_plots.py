@@ -54,7 +54,7 @@ def plot_spectrum(
     Parameters
     ----------
     spectra
-        Spectra by the names that stand above the plot; a single one may have none.
+        Spectra by the names that are above the plot; a single one may have none.
     unit
         SI unit of the signal.
     quantity

@@ -58,7 +58,7 @@ MAP_RANGE_DB = 60.0
 
 
 def colour_of(name: str, index: int) -> str:
-    """Colour of a channel: that of its force part if its name says so, else the next of the series.
+    """Colour of a channel: that of its force part if its name reports this, else the next of the series.
 
     Examples
     --------
@@ -82,7 +82,7 @@ def axis(title: str, **more: Any) -> dict[str, Any]:
         "showline": True,
         "ticks": "outside",
         "tickcolor": LIGHT["soft"],
-        # units carry the prefix: 5000 rpm and 2 kHz, no powers of ten beside them
+        # units carry the prefix: 5000 rpm and 2 kHz, no powers of ten next to them
         "exponentformat": "none",
         "hoverformat": ".5g",
         "nticks": 8,

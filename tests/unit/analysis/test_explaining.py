@@ -68,7 +68,7 @@ def test_a_ball_that_strikes_as_well_is_named_beside_the_inner_ring() -> None:
 
 
 def test_a_mesh_is_not_modulated_where_strikes_have_a_line() -> None:
-    """Six strikes and a turn of the shaft are 20 orders and 0.3 lines of the record: beside a mesh at 21."""
+    """Six strikes and a turn of the shaft are 20 orders and 0.3 lines of the record: next to a mesh at 21."""
     turned, order = _turned(), (19.0 + 0.3 / TURNS) / 6.0
     x = _healthy(turned) + 2.0 * _knocks(turned, order, carried=1.0, depth=0.4)
     x += 0.3 * np.cos(2 * np.pi * (6 * order + 1.0) * turned)
@@ -169,7 +169,7 @@ def test_a_ball_turns_with_its_cage_and_may_strike_one_ring_harder() -> None:
 
 
 def test_lines_beside_strikes_are_no_larger_than_these() -> None:
-    """Strikes at 5.1 with the turns of a shaft beside them; what lies on the strikes is their own."""
+    """Strikes at 5.1 with the turns of a shaft next to them; what lies on the strikes is their own."""
     turned = np.arange(int(RATE * TURNS)) / RATE
     strikes = Strikes(5.1, 1.0, np.empty(0))
 
