@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plain engineering English: no phrase of the glossary in messages, help, documents, docstrings or comments."""
+"""Plain engineering English: no phrase of the glossary in messages, documents, docstrings or comments."""
 
 from __future__ import annotations
 

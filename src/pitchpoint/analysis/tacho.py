@@ -26,7 +26,7 @@ SHORT, LONG = 0.7, 1.5
 LONGEST_GAP = 4
 """Longest interval that is bridged, in pulses: beyond it the number of lost pulses is a guess."""
 LARGEST_MISFIT = 0.2
-"""Part of the pulses that may be missing, doubled or out of place; above it the channel is not a pulse train."""
+"""Fraction of pulses that may be missing, doubled or displaced; above it the channel is not a pulse train."""
 
 
 @dataclass(frozen=True)

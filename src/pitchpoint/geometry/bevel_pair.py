@@ -274,7 +274,7 @@ class BevelPair:
         return bevel_pair_problems(self, where, names, gears)
 
     def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Problem]:
-        """What runs, but not as drawings promise: faces next to each other, tips below the mate's involute."""
+        """Pairs that run, but not as drawn: faces without overlap, tips below the mate's involute."""
         from pitchpoint.geometry.bevel_problems import bevel_pair_warnings
 
         return bevel_pair_warnings(self, where, names)
