@@ -33,12 +33,11 @@ def phrases() -> list[str]:
 def pattern() -> re.Pattern[str]:
     """One expression for all phrases, at the ends of words, over line breaks too.
 
-    "There is no", "is no longer" and "stands out" are the language of everyone.
+    "There is no", "is no longer", "is no wider" and "stands out" are common English.
     """
     words = [r"\s+".join(map(re.escape, w.split())) for w in sorted(phrases(), key=len, reverse=True)]
-    return re.compile(
-        rf"(?<![\w.-])(?<!\bthere )(?:{'|'.join(words)})(?![\w-])(?!\s+(?:longer|out)\b)", re.IGNORECASE
-    )
+    common = r"(?!\s+(?:out|more|less|longer|wider|rarer|larger|smaller)\b)"
+    return re.compile(rf"(?<![\w.-])(?<!\bthere )(?:{'|'.join(words)})(?![\w-]){common}", re.IGNORECASE)
 
 
 def texts_of_python(path: Path) -> Iterator[tuple[int, str]]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.analysis.bearing_signals import envelope_band, whitened, without_healthy_lines
 from pitchpoint.analysis.envelope import band_envelope
-from pitchpoint.analysis.line_tests import FineSpectrum, beside, fine_spectrum, line_probability
+from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum, line_probability, neighbours
 from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.shaft_tests import (
@@ -237,7 +237,7 @@ def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float)
         around = np.concatenate([(place - off)[::-1], place + off])
         around = around[(around > 3.0 * spectrum.resolution)]
         around = around[_free(around, spectrum, parts)]
-        sides = beside(spectrum.power(around), around, place, NEIGHBOURS)
+        sides = neighbours(spectrum.power(around), around, place, NEIGHBOURS)
         if not free.any() or min(side.size for side in sides) < FEWEST_NEIGHBOURS:
             continue
         held += 1

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Analysis of datasets: any function of the table in `tools`, on channels of a measured or simulated record.
 
-The functions themselves take arrays and know nothing of datasets; what joins the two stands here, once.
+The functions themselves take arrays and know nothing of datasets; this module connects the two.
 """
 
 from __future__ import annotations
@@ -193,7 +193,7 @@ def _option(tool: str, name: str, kind: str, value: Any) -> Any:
 
 
 def _numbers(kind: str, value: Any) -> tuple[float, ...] | list[int] | list[float] | None:
-    """Several numbers as `tuple[float, float]`, `Sequence[int]` or `ArrayLike` ask for."""
+    """Several numbers as `tuple[float, float]`, `Sequence[int]` or `ArrayLike` require."""
     if not kind.startswith(("tuple[", "Sequence[", "ArrayLike")) or isinstance(value, str):
         return None
     try:

@@ -2,8 +2,8 @@
 """Which shaft, which gear, which bearing: evidence for damage in vibration signals, and what follows from it.
 
 Every piece of evidence is a test that states how often a healthy machine would fail it. All tests of a record
-together raise a false alarm with the probability that the caller allows. What is not found is not said to be
-healthy: a test that could not be made is told as well.
+together raise a false alarm with the probability that the caller allows. A part without a finding is not
+declared healthy: a test that could not be made is reported as well.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class Diagnosis:
         Mesh lines by channel.
     untested
         What could not be tested, and why.
-    untold
+    unreported
         What stands out and is not a finding, and why.
     turns
         Turns of each shaft in the record [-].
@@ -82,7 +82,7 @@ class Diagnosis:
     evidence: tuple[Evidence, ...]
     meshes: Mapping[str, tuple[MeshLines, ...]]
     untested: tuple[str, ...]
-    untold: tuple[str, ...]
+    unreported: tuple[str, ...]
     turns: Mapping[str, float]
     tests: int
     false_alarm: float
@@ -175,9 +175,9 @@ def diagnose(
         modulated |= {(name, note.subject) for note in remarks if note.reason == FROM_MESHES}
     by_meshes = [note for note in untested if note.reason == FROM_MESHES]
     untested = [note for note in untested if note.reason != FROM_MESHES]
-    told = {note.subject for note in untested}
+    named = {note.subject for note in untested}
     unseen = [_not_looked_at(row) for row in raw if row[4].lines == 0]
-    untested += [note for note in unseen if note.subject not in told]
+    untested += [note for note in unseen if note.subject not in named]
     few = [
         Note(f"too few turns of {{}}; needs about {FEWEST_TURNS:g}", f"{shaft} ({count:.2g})")
         for shaft, count in turns.items()
@@ -196,10 +196,10 @@ def diagnose(
     evidence, explained = explain(evidence, channels, parts, tests)
     views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
     findings, spread = findings_of(evidence, views, signals, rate, parts)
-    not_tested, not_told = (
+    not_tested, not_reported = (
         tuple(grouped(notes)) for notes in ([*few, *untested], [*explained, *spread, *by_meshes])
     )
-    return Diagnosis(findings, evidence, meshes, not_tested, not_told, turns, tests, allowed)
+    return Diagnosis(findings, evidence, meshes, not_tested, not_reported, turns, tests, allowed)
 
 
 def _of_shafts(

@@ -72,7 +72,7 @@ def gear_indicators(average: ArrayLike, *, teeth: int, other_teeth: Sequence[int
     teeth
         Tooth count z of the gear [-].
     other_teeth
-        Tooth counts of other gears on the same shaft, whose harmonics are no damage [-].
+        Tooth counts of other gears on the same shaft, whose harmonics are not damage [-].
 
     Returns
     -------
@@ -108,7 +108,7 @@ def gear_indicators(average: ArrayLike, *, teeth: int, other_teeth: Sequence[int
 
     Examples
     --------
-    A difference signal that is one sine, beside mesh and sidebands of amplitudes 1 and 0.1:
+    A difference signal that is one sine, in addition to mesh and sidebands of amplitudes 1 and 0.1:
 
     >>> angle = 2 * np.pi * np.arange(400) / 400
     >>> x = (1 + 0.2 * np.cos(angle)) * np.cos(20 * angle) + 0.01 * np.cos(7 * angle)

@@ -93,7 +93,7 @@ def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, re
     Returns
     -------
     Tones
-        What stands there; nothing is omitted because it is small.
+        The line found there; nothing is omitted because it is small.
 
     Raises
     ------
@@ -127,7 +127,7 @@ def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, re
     if outside.size:
         raise SignalError(
             f"expected: {wanted[outside[0]]:g} Hz lies outside the spectrum (limit 0 to {top:g} Hz, half the "
-            "sample rate); sample faster or ask for less"
+            "sample rate); increase the sampling rate or request fewer"
         )
     far = np.broadcast_to(np.asarray(reach, dtype=np.float64), wanted.shape)
     rows = [_near(spectrum, float(f), float(w)) for f, w in zip(wanted, far, strict=True)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers that tell how impulsive a signal is: rms, peak, kurtosis, crest, shape and impulse factor.
+"""Measures of the impulsiveness of a signal: rms, peak, kurtosis, crest, shape and impulse factor.
 
 All of them belong to the alternating part: the mean is taken out first. Samples weigh equally, so the record
 must be sampled uniformly, over time or over angle. `statistics` weighs by time instead.

@@ -15,14 +15,14 @@ Let y_i = ln(rms_i) in the order of the sweep and d_i = y_{i+1} - y_i. Interval 
 Why it gives no false alarms. Logarithms make the rule independent of unit and level. However coarsely a
 smooth resonance is sampled, a steep step has another steep step within two intervals: with samples at …, 1+p,
 p, 1-p, 2-p, … grid steps from the pole of an undamped resonance, the sharpest curve there is, d = ln((1+p)/p)
-stands beside ln((1-p)/p) and ln((2-p)/(1-p)), and no p brings the ratio above 1.7. A floor lowers the
+is compared with ln((1-p)/p) and ln((2-p)/(1-p)), and no p brings the ratio above 1.7. A floor lowers the
 neighbours; over all widths, floors and positions the ratio stays below 2.0. The default contrast of 2.5
 is above both. At a fold the response turns with a slope that per grid step falls with the grid, while the
 jump itself does not: a finer sweep only makes it clearer.
 
 With both directions at hand there is more to go by: what is the same up and down is one function of the
 frequency and has no jump that could be shown, however odd it looks (two narrow resonances between a few
-points, say). `sweep_jumps` therefore asks for hysteresis as well: at the point before or after the jump the
+points, say). `sweep_jumps` therefore requires hysteresis as well: at the point before or after the jump the
 levels of the two directions differ by `smallest_ratio` or more. So confirmed, a contrast of 2 is enough, and
 a jump that was caught half-way by too short a settling time, and so lies in two steps of one sign, is found
 too.

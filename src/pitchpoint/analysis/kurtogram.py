@@ -94,8 +94,8 @@ def kurtogram(
     out of the Fourier transform of the record and transformed back at a rate of their width: no delay, sharp
     edges, nothing counted twice. Of Gaussian noise K has the standard deviation 2/√m, m being the number of
     samples of c. Valid for impacts that repeat many times within the record and ring down
-    between each other, beside tones of up to 40 dB above the noise: nearer than ten lines to the edge of a
-    band that holds nothing else, stronger ones look like impacts.
+    between each other, together with tones of up to 40 dB above the noise: nearer than ten lines to the edge
+    of a band that holds nothing else, stronger ones look like impacts.
 
     References
     ----------
@@ -122,7 +122,7 @@ def kurtogram(
     most = int(np.log2(x.size / (2.0 * FEWEST))) if levels is None else whole(levels, "levels", 0)
     if x.size < 2 ** (most + 4):
         raise SignalError(
-            f"levels: {most} leave {x.size / 2 ** (most + 1):.3g} samples to a band (limit 8); ask for fewer"
+            f"levels: {most} leave {x.size / 2 ** (most + 1):.3g} samples to a band (limit 8); request fewer"
         )
     if float(np.ptp(x)) == 0.0:
         raise SignalError("values: are constant; there is no band to choose")

@@ -215,7 +215,7 @@ def comb_score(lines: ArrayLike, between: ArrayLike, block: ArrayLike, block_bet
     return excess / float(np.sqrt(variance)) if variance > 0.0 else 0.0
 
 
-def beside(powers: Array, frequency: Array, wanted: float, points: int) -> tuple[Array, Array]:
+def neighbours(powers: Array, frequency: Array, wanted: float, points: int) -> tuple[Array, Array]:
     """Powers at the nearest points left and right of a frequency, at most `points` each.
 
     Parameters
@@ -238,7 +238,7 @@ def beside(powers: Array, frequency: Array, wanted: float, points: int) -> tuple
 
     Examples
     --------
-    >>> left, right = beside(np.array([1.0, 2.0, 3.0, 4.0]), np.array([1.0, 2.0, 3.0, 4.0]), 2.5, 1)
+    >>> left, right = neighbours(np.array([1.0, 2.0, 3.0, 4.0]), np.array([1.0, 2.0, 3.0, 4.0]), 2.5, 1)
     >>> left.tolist(), right.tolist()
     ([2.0], [3.0])
     """

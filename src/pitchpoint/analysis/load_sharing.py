@@ -52,7 +52,7 @@ def share_along_path(
         eps_alpha + eps_beta/2.
     other_flank
         The phase is that of the flank that does not carry; where contact begins is then found from the
-        shares, as exactly as the points stand.
+        shares, with the resolution of the points.
 
     Examples
     --------

@@ -207,7 +207,7 @@ def tracked_spectrum(
 
     Examples
     --------
-    Order 200 beside order 50; requested up to 150, nothing of it is left:
+    Order 200 together with order 50; requested up to 150, nothing of it is left:
 
     >>> angle = 2 * np.pi * np.arange(20_001) / 2000
     >>> s = tracked_spectrum(2.0 * np.cos(50 * angle) + np.cos(200 * angle), angle, highest_order=150)

@@ -132,7 +132,7 @@ def period_evidence(
     periods
         Periods T [s], shape (n_period,).
     known
-        Frequencies that are no fault, with all their multiples [Hz], shape (n_known,): the tooth meshes.
+        Frequencies that are not faults, with all their multiples [Hz], shape (n_known,): the tooth meshes.
     harmonics
         Highest multiple K of 1/T [-].
     highest_frequency
@@ -153,9 +153,9 @@ def period_evidence(
     Notes
     -----
     Each line of the comb gives an F test against its neighbours; `evidence_of_comb` joins those of all lines
-    up to K, up to K/2, or up to K/4, whichever say more, and allows for the choice. The same must hold
-    without the multiples of every prime: otherwise the lines belong to a shorter period. The p-value is the
-    largest of these. A few strong lines (unbalance, a bent shaft) are not
+    up to K, up to K/2, or up to K/4, whichever gives the strongest evidence, and allows for the choice. The
+    same must hold without the multiples of every prime: otherwise the lines belong to a shorter period. The
+    p-value is the largest of these. A few strong lines (unbalance, a bent shaft) are not
     evidence of impacts, most of the twenty are. Valid for two or more periods in the record, few are weak.
 
     Examples
@@ -222,7 +222,7 @@ def find_period(
     longest
         Longest period [s], at most half the record.
     known
-        Frequencies that are no fault, with all their multiples [Hz], shape (n_known,): the tooth meshes.
+        Frequencies that are not faults, with all their multiples [Hz], shape (n_known,): the tooth meshes.
     harmonics
         Highest multiple K of 1/T [-].
     highest_frequency
@@ -370,7 +370,7 @@ def _improved(record: Record, period: float, harmonics: int, trials: int) -> tup
     """Chance and period of a trial period after it is fitted to its lines."""
     comb = comb_lines(record, period, harmonics)
     highest = evidence_of_comb(comb, harmonics)[2]
-    # first the lines that say most, then with those that only a good period brings out
+    # first the lines with most evidence, then with those that only a good period brings out
     for last in (highest, harmonics):
         orders = comb.orders[(comb.orders <= highest) | ((comb.orders <= last) & (comb.p_value < CLEAR_LINE))]
         reach = 2.0 * period / (STEPS_PER_LINE * last * record.duration)

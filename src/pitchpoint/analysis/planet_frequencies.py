@@ -122,7 +122,7 @@ def planetary_frequencies(
         w_c = known["carrier"]
         w_s = known["sun"] if "sun" in known else w_c - (known["ring"] - w_c) * z_r / z_s
         w_r = known["ring"] if "ring" in known else w_c - (w_s - w_c) * z_s / z_r
-    # of the two members that say the same, the one that was given
+    # of two equivalent members, the one that was given
     mesh = (z_s * abs(w_s - w_c) if "sun" in known else z_r * abs(w_r - w_c)) / math.tau
     return PlanetaryFrequencies(
         speed_sun=w_s,

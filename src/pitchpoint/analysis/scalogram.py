@@ -122,7 +122,7 @@ def scalogram(
     if lines.size * x.size > MOST_AMPLITUDES:
         raise SignalError(
             f"frequencies: {lines.size} rows of {x.size} samples (limit {MOST_AMPLITUDES // x.size} rows); "
-            "ask for fewer frequencies, or use a shorter or slower record"
+            "request fewer frequencies, or use a shorter or slower record"
         )
     family = _continuous(wavelet)
     check_extension(extension)

@@ -30,7 +30,7 @@ def with_shaft_angle(dataset: xr.Dataset, tacho: str, *, pulses_per_revolution: 
     -------
     xarray.Dataset
         The record from the first pulse to the last, with the channel `angle[TACHO]` [rad] next to the others;
-        pulses that were missing or too many are told in `attrs["notes"]`.
+        pulses that were missing or too many are listed in `attrs["notes"]`.
 
     Raises
     ------

@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.line_tests import (
     BLOCK,
     FineSpectrum,
-    beside,
     comb_score,
     line_probability,
+    neighbours,
 )
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.turning_parts import Shaft, TurningParts
@@ -34,9 +34,9 @@ RESOLVED = 8.0
 """Turns of another shaft from which its orders are single lines that can be omitted."""
 MOST_ORDERS = 6000
 FEWEST_LINES = 6
-"""Lines of a comb from which their ranks say anything."""
+"""Lines of a comb from which on their ranks are conclusive."""
 SMALLEST_COMB, SMALLEST_LINE, SMALLEST_SIDEBAND = 1e-4, 1e-2, 3e-2
-"""Amplitudes below which nothing is told: of a comb and of a line as a part of the rms of the "
+"""Amplitudes below which nothing is reported: of a comb and of a line as a part of the rms of the "
 "signal, of a sideband
 as a part of its mesh line as well. Every machine has such lines, and simulations without noise show them."""
 FOLDED = 40
@@ -44,8 +44,8 @@ FOLDED = 40
 NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
 SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
 PASSES, SLIP = 3, 0.01
-"""Passages of balls, of one bearing or of several, that stand beside mesh lines of healthy machines; how far
-they slip, as a part of their order."""
+"""Passages of balls, of one bearing or of several, that appear next to mesh lines of healthy machines; how
+far they slip, as a part of their order."""
 TOGETHER = 3
 """Kinds of bearings whose passages are combined."""
 OFF = 0.5
@@ -195,7 +195,7 @@ class ShaftView:
         power = float(self.spectrum.power(order))
         probability, score = 0.0, np.inf
         for place, level in self.measures:
-            for side in beside(level, place, order, NEIGHBOURS):
+            for side in neighbours(level, place, order, NEIGHBOURS):
                 if side.size < FEWEST_NEIGHBOURS:
                     return None
                 rank = (3 * side.size) // 4
@@ -230,12 +230,12 @@ class ShaftView:
     def sidebands(self, mesh_order: float, teeth: int) -> Measured:
         """Sidebands of the mesh harmonics at multiples of the turns of the shaft."""
         most = max(1, min(SIDEBANDS, (teeth - 1) // 2))
-        beside_it = np.concatenate([np.arange(-most, 0), np.arange(1, most + 1)])
+        offset = np.concatenate([np.arange(-most, 0), np.arange(1, most + 1)])
         harmonic = np.arange(1, HARMONICS + 1)
-        orders = harmonic[:, None] * mesh_order + beside_it[None, :] * self.order
+        orders = harmonic[:, None] * mesh_order + offset[None, :] * self.order
         mesh = np.sqrt(self.spectrum.power(harmonic * mesh_order))
-        least = SMALLEST_SIDEBAND * np.repeat(mesh, beside_it.size)
-        return self.lines(orders.ravel(), np.tile(beside_it, HARMONICS), least)
+        least = SMALLEST_SIDEBAND * np.repeat(mesh, offset.size)
+        return self.lines(orders.ravel(), np.tile(offset, HARMONICS), least)
 
     def _between(self) -> tuple[Array, Array]:
         """Points between the orders: two lines or more from each of them."""
@@ -280,7 +280,7 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
     highest
         Highest order [-].
     harmonics
-        Harmonics of each mesh beside which they are looked for [-]; all if omitted.
+        Harmonics of each mesh around which they are searched [-]; all if omitted.
 
     Returns
     -------

@@ -95,7 +95,7 @@ def sideband_table(
     Raises
     ------
     SignalError
-        If the record is too short to tell the sidebands apart, the lowest sideband lies below zero, or not
+        If the record is too short to separate the sidebands, the lowest sideband lies below zero, or not
         even those of the first harmonic lie below half the sample rate.
 
     Notes
@@ -132,7 +132,7 @@ def sideband_table(
     if most * gap >= f_m:
         raise SignalError(
             f"sidebands: {most} of {gap:g} Hz reach below zero from {f_m:g} Hz (limit "
-            f"{int(np.ceil(f_m / gap)) - 1}); ask for fewer"
+            f"{int(np.ceil(f_m / gap)) - 1}); request fewer"
         )
     number, lost = kept_harmonics(f_m, rate - 2.0 * most * gap, harmonics)
     carrier = read_tones(x, rate, number * f_m, reach=np.minimum(slack * number * f_m, 0.5 * gap))

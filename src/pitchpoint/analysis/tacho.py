@@ -3,7 +3,7 @@
 
 A tacho knows the angle at its pulses and nothing between them. Pulses get lost in dirt and are doubled by
 ringing; one of either shifts every angle after it. So the pulses are first compared with the speed around
-them, what does not fit is repaired and told, and a channel that is not a pulse train is refused.
+them, what does not fit is repaired and reported, and a channel that is not a pulse train is refused.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 
 Where a filter would ring, a wavelet keeps a short event short. The transforms themselves are those of
 PyWavelets, with every orthogonal and biorthogonal family it knows. What happens at both ends of a
-record is a choice, the extension, and is told in every result:
+record is a choice, the extension, and is stored in every result:
 
 `symmetric` mirrors the record, `reflect` mirrors without repeating the last sample, `periodic` repeats it,
 `zero` and `constant` fill up, `smooth` continues along the last slope, `antisymmetric` and `antireflect`

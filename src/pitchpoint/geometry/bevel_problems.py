@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import Problem
 from pitchpoint.geometry.tooth_problems import (
     INTERFERENCE_TOLERANCE,
-    Told,
+    Found,
     Words,
     at_key,
     full_rounding,
@@ -69,7 +69,7 @@ def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Problem]:
     return problems_of_gear(where, lambda: _no_tooth(gear), lambda: _pointed(gear))
 
 
-def _no_tooth(gear: BevelGear) -> Told | None:
+def _no_tooth(gear: BevelGear) -> Found | None:
     """Why a gear has no tooth or no flank."""
     shift, heights = f"{gear.x_hm:g}", "change the profile shift or the rack"
     if not gear.h_am > -gear.h_fm or not gear.h_fm > 0.0:
@@ -87,7 +87,7 @@ def _no_tooth(gear: BevelGear) -> Told | None:
     return None
 
 
-def _pointed(gear: BevelGear) -> Told | None:
+def _pointed(gear: BevelGear) -> Found | None:
     """A tip that is too thin in the middle of the face; at every other place it is so, too."""
     half = gear.half_angle_at(gear.delta_a)
     tip = 2.0 * half * gear.R_m * math.sin(gear.delta_a) * math.cos(gear.beta_at(gear.delta_a))
@@ -243,10 +243,10 @@ def _slack(pair: BevelPair) -> float:
 
 
 def _words() -> Words:
-    """How problems of bevel pairs are told."""
+    """Terms of messages about bevel pairs."""
     return Words(
         surface="cone",
-        beside="tangent ray",
+        tangent="tangent ray",
         path=_degrees,
         heights="give gear and mate opposite profile shifts, or change addendum or dedendum",
         shifts="increase the mate's profile shift and reduce its own, use more teeth or a smaller addendum",

@@ -180,8 +180,8 @@ def bevel_sector(
     corners
         Corners of the circles of the body, at least.
     whole
-        Cone distances between which the tooth stands [m]; beyond them it is broken off at its root. None: all
-        of it stands.
+        Cone distances between which the tooth is complete [m]; beyond them it is broken off at its root.
+        None: complete.
 
     Raises
     ------
@@ -211,7 +211,7 @@ def bevel_sector(
 
 
 def _places(slices: FloatArray, whole: tuple[float, float] | None) -> list[tuple[float, bool]]:
-    """Cone distances of the rings of a tooth, and whether it stands there; both at the faces of a break."""
+    """Cone distances of the rings of a tooth, and whether it is complete there; two per break face."""
     low, high = whole or (slices[0], slices[-1])
     if low >= high:
         return [(float(R), False) for R in slices]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Exact tooth of a bevel gear: spherical involutes and the fillet that the crown gear's teeth leave.
 
-All teeth of all cone distances are similar, so one tooth on the unit sphere is enough. Its points are told
-by the polar angle δ_y and the half angle of the tooth there; `placed` puts them into space, along the
-logarithmic spiral of the gear.
+All teeth of all cone distances are similar, so one tooth on the unit sphere is enough. Its points are
+described by the polar angle δ_y and the half angle of the tooth there; `placed` puts them into space, along
+the logarithmic spiral of the gear.
 """
 
 from __future__ import annotations
@@ -208,7 +208,7 @@ def _generated(tool: CrownTool, gear: BevelGear, tau: FloatArray) -> tuple[Float
     # from a centre on the other side of the pitch plane the tip lies towards the pitch ray
     a, b = math.cos(tool.rho), math.copysign(math.sin(tool.rho), -c) / beside
     x, y, z = a * x - b * beside**2, (a + b * x) * y, (a + b * x) * c
-    # frame of the gear, whose axis stands beyond the pitch plane
+    # frame of the gear, whose axis lies beyond the pitch plane
     s, c = math.sin(gear.delta), math.cos(gear.delta)
     radial, axial = s * x + c * z, c * x - s * z
     azimuth = np.arctan2(-y, radial) - tau / s

@@ -13,7 +13,7 @@ from pitchpoint.geometry.involute import inv
 from pitchpoint.geometry.tooth_problems import (
     INTERFERENCE_TOLERANCE,
     TIP_THICKNESS_LIMIT,
-    Told,
+    Found,
     Words,
     at_key,
     full_rounding,
@@ -120,14 +120,14 @@ def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Problem]:
     return full_rounding(where, gear.rack.rho_fP_star, most)
 
 
-def _pointed(gear: CylindricalGear) -> Told | None:
+def _pointed(gear: CylindricalGear) -> Found | None:
     """A tip that is too thin."""
     thickness = tip_thickness(gear) / gear.m_n
     remedy = _largest_shift(gear) if thickness < TIP_THICKNESS_LIMIT else ""
     return thin_tip(thickness, "m_n", "profile_shift_coefficient", f"{gear.x:g}", remedy)
 
 
-def _no_tooth(gear: CylindricalGear) -> Told | None:
+def _no_tooth(gear: CylindricalGear) -> Found | None:
     """Why a gear has no tooth or no flank; what else is wrong follows."""
     if not gear.s_n > 0.0 or not gear.e_n > 0.0:
         message = f"leaves no {'tooth' if gear.s_n <= 0.0 else 'space'} on the reference circle"
@@ -210,7 +210,7 @@ def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Prob
         return [
             Problem(
                 place,
-                "is internal and stands first",
+                "is internal and is given as gear 1",
                 names[0],
                 "the internal gear is gear 2",
                 f"write [{names[1]}, {names[0]}]",
@@ -274,11 +274,11 @@ def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
 
 
 def _words(pair: GearPair) -> Words:
-    """How problems of cylindrical pairs are told."""
+    """Terms of messages about cylindrical pairs."""
     closer = "reduce" if pair.is_internal else "increase"
     return Words(
         surface="circle",
-        beside="tangent point",
+        tangent="tangent point",
         path=lambda length: f"{1e3 * length:.4f} mm",
         heights=f"{closer} the centre distance, or change tip_diameter or dedendum",
         shifts="increase the mate's profile shift, shorten the tip (tip_diameter) or change the centre "

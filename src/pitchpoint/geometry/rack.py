@@ -43,7 +43,7 @@ class BasicRack:
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 < value <= 100.0:
                 raise GeometryError(
-                    f"is no {words} of a basic rack",
+                    f"is not a {words} of a basic rack",
                     where=f"rack.{words}",
                     value=f"{value!r}",
                     limit="above 0 and at most 100 modules",

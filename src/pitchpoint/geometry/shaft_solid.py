@@ -57,7 +57,7 @@ def shaft_mass_properties(sections: Sequence[Section], density: float) -> RoundM
     Raises
     ------
     GeometryError
-        If the sections are no shaft (see `shaft_outline`).
+        If the sections do not form a shaft (see `shaft_outline`).
 
     Notes
     -----
@@ -155,7 +155,7 @@ def shaft_solid(sections: Sequence[Section], n_round: int = ROUND) -> FloatArray
     Raises
     ------
     GeometryError
-        If the sections are no shaft, or there are too few corners.
+        If the sections do not form a shaft, or there are too few corners.
 
     Examples
     --------

@@ -75,12 +75,12 @@ def read_step(file: str | Path) -> SolidFile:
 
 
 def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
-    """What a module says of a STEP file that it reads in a process of its own.
+    """Answer of a module that reads a STEP file in a separate process.
 
     Parameters
     ----------
     module
-        One that is run with the path of the file and the arguments and writes what `told` gives.
+        One that is run with the path of the file and the arguments and prints the result of `answered`.
     file
         Its path.
     *arguments
@@ -89,7 +89,7 @@ def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
     Raises
     ------
     GeometryError
-        What the module says is wrong with the file, or that it ended before it could report this.
+        The problem that the module reports, or that it ended before it could report one.
     MissingDependencyError
         If OCC is not installed.
     """
@@ -111,7 +111,7 @@ def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
     return found
 
 
-def told(answer: Callable[..., dict[str, Any]], *arguments: str) -> dict[str, Any]:
+def answered(answer: Callable[..., dict[str, Any]], *arguments: str) -> dict[str, Any]:
     """The answer of a process that reads a file, or what is wrong with the file.
 
     Parameters
@@ -217,7 +217,7 @@ def refused(name: str, message: str, value: str | None = None, remedy: str = _AG
 
 
 def _check_whole(name: str, path: Path) -> None:
-    """Say what is not a STEP file, or only the first part of one, before OCC guesses."""
+    """Refuse files that are not STEP files, or only the first part of one, before OCC guesses."""
     try:
         with path.open("rb") as file:
             head = file.read(4096)
@@ -257,7 +257,7 @@ def _document(name: str, file: str) -> tuple[Any, str]:
     except RuntimeError as error:  # what OCC throws comes as this
         raise refused(name, f"cannot be read: {error}") from None
     if not good:
-        raise refused(name, "cannot be read: its contents are no model")
+        raise refused(name, "cannot be read: it contains no model")
     lengths = Texts()
     reader.ChangeReader().FileUnits(lengths, Texts(), Texts())
     words = lengths.Value(1).ToCString() if lengths.Length() else "millimetre"
@@ -321,4 +321,4 @@ def _check_closed(name: str, label: str, shape: Any) -> None:
 
 
 if __name__ == "__main__":
-    sys.stdout.write(json.dumps(told(_answer, *sys.argv[1:])))
+    sys.stdout.write(json.dumps(answered(_answer, *sys.argv[1:])))

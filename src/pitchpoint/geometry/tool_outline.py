@@ -2,7 +2,7 @@
 """The tool that generates a gear, in the space that it cuts: a tooth of a rack or of a pinion-type cutter.
 
 Frame: the axis of the gear in the origin, the middle of the space on the +x axis, points x + iy [m] in the
-transverse section. Turning the gear by φ, the tool goes with it as `ToolTooth.at` says.
+transverse section. Turning the gear by φ, the tool moves with it as given by `ToolTooth.at`.
 """
 
 from __future__ import annotations
@@ -88,8 +88,8 @@ def tool_tooth(gear: CylindricalGear, n: int = 60) -> ToolTooth | None:
 
     Notes
     -----
-    The tool stands where it also makes the thickness allowance, as for `tooth_form`. The transverse section
-    of a rack is that of its normal section stretched by 1/cos β along its datum line.
+    The tool is at the position that also makes the thickness allowance, as for `tooth_form`. The transverse
+    section of a rack is that of its normal section stretched by 1/cos β along its datum line.
 
     Examples
     --------

@@ -227,7 +227,7 @@ def internal_tooth_form(
 
 
 def _check(form: ToothForm) -> None:
-    """Refuse teeth that are no teeth: no involute left, pointed, cut through at the waist."""
+    """Refuse impossible teeth: no involute left, pointed, cut through at the waist."""
     sign = form.sign
     if not sign * form.r_a > sign * form.r_Ff or not sign * form.r_Fa > sign * form.r_Ff:
         raise GeometryError(

@@ -131,7 +131,7 @@ def outline_from_tooth(gear: CylindricalGear, points: ArrayLike, part: str = "to
     Raises
     ------
     OutlineError
-        If the points are no closed, simple outline of one pitch, or lie off the nominal tooth by more than
+        If the points are not a closed, simple outline of one pitch, or lie off the nominal tooth by more than
         `OFF_INVOLUTE` (flank, tip) or `OFF_ROOT` (root).
 
     Examples

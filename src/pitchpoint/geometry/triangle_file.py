@@ -3,7 +3,7 @@
 
 Binary STL: 80 bytes of anything, the number of triangles as 32-bit integer, then for each of them normal and
 three corners as 32-bit floats and two spare bytes. Text: `facet normal x y z`, three `vertex x y z`,
-`endfacet`; several solids may follow each other. A file that has the length its number of triangles asks for
+`endfacet`; several solids may follow each other. A file whose length matches its number of triangles
 is binary, even if it begins with the word solid, as some do.
 """
 
@@ -146,7 +146,7 @@ def read_triangles(file: str | Path) -> Triangles:
 
 @functools.lru_cache(maxsize=4)
 def _read(file: str, stamp: int, size: int) -> Triangles:
-    """Read a file; time of its last change and size tell whether it is the same."""
+    """Read a file; a file with the same modification time and size is not read again."""
     name = Path(file).name
     if size > MOST_BYTES:
         raise _refused(name, f"is too large with {size / 1e6:.0f} MB", "100 MB", _COARSER)

@@ -94,7 +94,7 @@ class DatasetPlan:
         "time", "time computed before, which is not recorded", 0.0, minimum=0.0, display="that of the filter"
     )
     oversampling: int = integer(
-        "the machine is sampled so many times faster, then filtered and thinned out; 1: no filter",
+        "the machine is sampled so many times faster, then filtered and decimated; 1: no filter",
         2,
         minimum=1,
         maximum=64,

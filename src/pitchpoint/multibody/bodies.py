@@ -165,7 +165,7 @@ class Body:
         return np.asarray(self.com, float)
 
     def faults(self) -> list[str]:
-        """Say what makes the body impossible to compute; empty if nothing does."""
+        """List the reasons why the body cannot be computed; empty if there are none."""
         if self.motion not in JOINTS:
             return [f"motion {self.motion} is none of {sorted(JOINTS)}"]
         found = []

@@ -158,7 +158,7 @@ def read_places(path: str | os.PathLike[str]) -> tuple[Any, Any, Any]:
             digits.append(_directions(file, number, words[3]) if len(words) == 4 else ())
             if bool(digits[-1]) != bool(digits[0]):
                 raise refuse(
-                    file, "only some nodes say their displacements", number, "add digits such as 123 to all"
+                    file, "only some nodes give their displacements", number, "add digits such as 123 to all"
                 )
             if len(places) > MOST_UNKNOWNS:
                 raise refuse(file, f"more than {MOST_UNKNOWNS} nodes", number)

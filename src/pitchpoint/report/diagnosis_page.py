@@ -66,7 +66,7 @@ def _answer(study: Study) -> Section:
         section.add(f"<p>{NOT_HEALTHY}</p>")
     found = study.diagnosis
     for words, texts in (
-        ("Stands out, but is no finding:", found.untold),
+        ("Stands out, but is no finding:", found.unreported),
         ("Not tested, so that nothing is known of it:", found.untested),
     ):
         items = "".join(f"<li>{escape(text)}</li>" for text in texts)

@@ -115,7 +115,7 @@ class Study:
             "tests": found.tests,
             "allowed_false_alarm": found.false_alarm,
             "not_tested": list(found.untested),
-            "not_told": list(found.untold),
+            "not_reported": list(found.unreported),
             "remarks": list(self.remarks),
         }
 

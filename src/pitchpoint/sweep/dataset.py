@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cases of a data set: computed, filtered, thinned out, with noise; each the same bits for the same inputs.
+"""Cases of a data set: computed, filtered, decimated, with noise; each the same bits for the same inputs.
 
 Every case is a model of its own. What differs from case to case are numbers, so all share the compiled code,
 and making a model and its system takes hundredths of a second.
@@ -18,10 +18,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.analysis.decimation import DAMPING, PASS, REACH, STOP, decimated
 from pitchpoint.analysis.noise import white_noise, with_white_noise
 from pitchpoint.analysis.pulses import pulse_times, tacho_levels
 from pitchpoint.analysis.sampled import SignalError
-from pitchpoint.analysis.thinning import DAMPING, PASS, REACH, STOP, thin_out
 from pitchpoint.core.errors import PitchpointError, SolverError
 from pitchpoint.core.provenance import content_hash, package_version
 from pitchpoint.core.status import OK, REFUSED
@@ -237,15 +237,15 @@ def _compute(
     recorded = dict(zip(names, rows.T, strict=True))
     channels: dict[str, RecordedChannel] = {}
     pulses: dict[str, NDArray[np.float64]] = {}
-    thinned = slice(margin * times, margin * times + (plan.samples - 1) * times + 1, times)
+    kept = slice(margin * times, margin * times + (plan.samples - 1) * times + 1, times)
     for name, channel in plan.channels.items():
         if isinstance(channel, ObservedChannel):
             found = system.layout.channels[known.index(channel.channel)]
-            clean = thin_out(recorded[name], times) if times > 1 else recorded[name][thinned]
+            clean = decimated(recorded[name], times) if times > 1 else recorded[name][kept]
             values, noise = _noisy(name, channel, clean, case.seed, key)
             channels[name] = RecordedChannel(values, found.unit, found.long_name or name, noise)
         else:
-            levels = tacho_levels(recorded[name], channel.pulses)[thinned]
+            levels = tacho_levels(recorded[name], channel.pulses)[kept]
             words = f"tacho of {channel.body}, {channel.pulses} pulses per turn"
             channels[name] = RecordedChannel(levels, "1", words)
             begun = pulse_times(t, recorded[name], channel.pulses)

@@ -76,7 +76,7 @@ def plot_campbell(
             showlegend=not crowded,
             line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 2},
         )
-    # names stand next to and above the picture, where no circle and no line can be
+    # names are placed next to and above the picture, where no circle and no line can be
     room = _beside(figure, names, modes[-1] * pitch.factor, top * pitch.factor) if crowded else 0
     leaving = _draw_orders(figure, omega, orders, top)
     room = _beside(figure, list(leaving), np.array([*leaving.values()]), top * pitch.factor, room)

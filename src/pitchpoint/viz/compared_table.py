@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A table that sets computed numbers beside published ones and says of each where it comes from."""
+"""A table of computed and published numbers with the source of each."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from pitchpoint.analysis.line_tests import FineSpectrum
 from pitchpoint.analysis.mean_turns import MeanTurn
 from pitchpoint.analysis.spectra import Spectrum
 from pitchpoint.viz import theme
-from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.downsampling import kept_samples
 from pitchpoint.viz.quantities import Array, Channel, scale
 from pitchpoint.viz.signals_plot import plot_signals
 from pitchpoint.viz.spectrum_plots import plot_spectrum

@@ -57,7 +57,7 @@ def points_for(gear: Any, chord: float) -> int:
 
     Notes
     -----
-    Chords lie off by the square of their length, which says about how many points it takes; then some more
+    Chords lie off by the square of their length, which gives the approximate number of points; then some more
     are taken until the points of a fine tooth keep the distance. Points of a real tooth stay as they are.
     """
     from pitchpoint.geometry.outline_distance import N_FLANK, gear_line

@@ -47,7 +47,7 @@ def spread(wanted: Sequence[float], step: float, low: float, high: float) -> Arr
                 break
             first, count, total = groups.pop()
             before = groups[-1]
-            # the first of the later group stands `before[1]` steps behind the first of the joint one
+            # the first of the later group is `before[1]` steps behind the first of the joint one
             before[2] += total - count * before[1] * step
             before[1] += count
     found = np.empty(len(order))

@@ -2,8 +2,8 @@
 """What notebooks show for a gear, a pair and a model: a drawing and a short table.
 
 Geometry and model know nothing of pictures. The package attaches `_repr_html_` to their classes when it hands
-out the first of its public names, so every notebook that knows this method shows them. IPython is also told
-by `pitchpoint.report.notebook`, which adds the scene.
+out the first of its public names, so every notebook that knows this method shows them. IPython is also
+informed by `pitchpoint.report.notebook`, which adds the scene.
 """
 
 from __future__ import annotations

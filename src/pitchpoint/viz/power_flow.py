@@ -42,7 +42,7 @@ class PowerLink:
     given, taken
         Mean power that leaves the first and that reaches the second [W]; given is not negative.
     losses
-        Mean powers that the result says are lost on the way, by words.
+        Mean powers lost on the way according to the result, by words.
     fed
         Mean power that a mesh gets from what moves with its phase: stiffness and static errors [W].
     """

@@ -149,7 +149,7 @@ def channel_scale(name: str, unit: str, values: Array) -> Scale:
 
 
 def pretty(unit: str) -> str:
-    """Unit with raised powers, as it stands in print.
+    """Unit with superscript powers, as printed.
 
     Examples
     --------

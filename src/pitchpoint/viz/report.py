@@ -27,7 +27,7 @@ from pitchpoint.viz.scene import Scene
 
 @dataclass(frozen=True, kw_only=True)
 class ReportModel:
-    """What a report says about the model.
+    """Contents of a report about the model.
 
     Attributes
     ----------

@@ -22,7 +22,7 @@ HEIGHT = "clamp(430px, 78vh, 760px)"
 
 
 def summary_section(counts: Sequence[tuple[str, str]], results: Any) -> Section:
-    """What the model has, and what the results say in a line each."""
+    """Contents of the model, and one line for each result."""
     section = Section("summary", "Summary")
     section.add(facts_list(counts))
     states = {source.name: "finished" if source.finished else source.sentence for source in results.sources}

@@ -170,7 +170,7 @@ def _add_signals(
     end, rows = None, signal_rows(drawn)
     if part.start is not None:
         last = [replace(c, values=c.values[part]) for c in drawn]
-        # the end has settled: its ranges tell which lines can share an axis
+        # the end has settled: its ranges decide which lines can share an axis
         rows = signal_rows(last)
         shown = None if state is None else state[part]
         end = plot_signals(time[part], last, contact_state=shown, points=HALF, rows=rows)

@@ -113,7 +113,7 @@ def _add_maps(
         return
     section.add_figure(
         spectrum_plots.plot_order_map(tracked, unit=channel.unit, quantity=channel.label, shafts=shafts),
-        "Amplitudes over order and speed: orders stand upright, resonances run along hyperbolas.",
+        "Amplitudes over order and speed: orders are vertical lines, resonances are hyperbolas.",
     )
 
 

@@ -42,7 +42,7 @@ class SceneBody:
     angle
         Angle about the third axis, whole turns included, shape (n,) [rad].
     gross
-        Part of the angle that the kinematics ask for: that of the guiding body, times `ratio`, shape (n,).
+        Part of the angle prescribed by the kinematics: that of the guiding body, times `ratio`, shape (n,).
     ratio
         Turns of this body per turn of the guiding one.
     """
@@ -91,7 +91,7 @@ class SceneLevel:
 
 @dataclass(frozen=True)
 class ScenePiece:
-    """A part of a surface that stands around the third axis several times.
+    """A part of a surface that is repeated around the third axis.
 
     Attributes
     ----------

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A scene as a header and one block of numbers, see `docs/scene_format.md`.
 
-Every number is as exact as it has to be for what is seen of it; the angles that kinematics ask for keep all
+Every number is as exact as it has to be for what is seen of it; the angles prescribed by kinematics keep all
 their digits, since teeth are looked at from near.
 """
 

@@ -17,12 +17,12 @@ MAGENTA, BROWN = "#b8429e", "#8f6248"
 
 # The three parts of a tooth force keep their colour in every plot, drawing and animation; the lines of other
 # quantities take theirs from a series that holds none of the three. Its first three differ most for readers
-# who do not tell red from green or blue from yellow.
+# who cannot distinguish red from green or blue from yellow.
 FORCE_PARTS = {"circumferential": BLUE, "radial": ORANGE, "axial": PURPLE}
 SERIES = (TEAL, OCHRE, RED, MAGENTA, BROWN, GREEN, GREY)
 
-# Sweeps: upwards green, downwards red; the symbols say the same to readers who do not tell these colours
-# apart.
+# Sweeps: upwards green, downwards red; the symbols show the same to readers who cannot
+# distinguish these colours.
 SWEEP = {"up": (GREEN, "triangle-up"), "down": (RED, "triangle-down")}
 
 LIGHT = {

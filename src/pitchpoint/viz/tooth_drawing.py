@@ -42,9 +42,9 @@ def tooth_svg(gear: Any, *, name: str = "gear", meshes: Mapping[str, tuple[Any, 
 
     Notes
     -----
-    A tool is drawn where one is known: the rack of an external gear, the cutter of an internal one. It stands
-    where it makes the thickness allowance as well. Real teeth are drawn as they are, the tool is that of the
-    generated ones.
+    A tool is drawn where one is known: the rack of an external gear, the cutter of an internal one. It is
+    placed where it makes the thickness allowance as well. Real teeth are drawn as they are, the tool is that
+    of the generated ones.
     """
     low, high = _window(gear)
     scale = FIELD / (high[0] - low[0])

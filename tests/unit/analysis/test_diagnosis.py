@@ -198,6 +198,6 @@ def test_teeth_that_another_mesh_makes_unequal_are_not_one_damaged_tooth(one: fl
     (comb,) = [e for e in found.evidence if (e.kind, e.shaft) == ("comb", "shaft 2")]
     assert comb.found
     assert [(f.kind, f.shaft) for f in found.findings] == ([("local fault", "shaft 2")] if one else [])
-    assert any(t.startswith("all orders stand out of shaft 2 (in acc), but not") for t in found.untold) == (
-        not one
-    )
+    assert any(
+        t.startswith("all orders stand out of shaft 2 (in acc), but not") for t in found.unreported
+    ) == (not one)

@@ -55,7 +55,7 @@ def test_a_ball_is_not_named_for_the_sidebands_of_an_inner_ring() -> None:
     assert (
         "explained by inner ring of left, without whose lines nothing of it stands out: "
         "rolling element of left in acc"
-    ) in found.untold
+    ) in found.unreported
 
 
 def test_a_ball_that_strikes_as_well_is_named_beside_the_inner_ring() -> None:
@@ -175,7 +175,7 @@ def test_lines_beside_strikes_are_no_larger_than_these() -> None:
 
     def beside(order: float, amplitude: float) -> bool:
         tones = 0.3 * np.cos(2 * np.pi * 5.1 * turned) + amplitude * np.cos(2 * np.pi * order * turned)
-        return strikes.have_beside(order, fine_spectrum(tones, RATE))
+        return strikes.have_sideband(order, fine_spectrum(tones, RATE))
 
     assert beside(4.1, 0.2) and beside(10.2 - 3.0, 0.2)
     assert not beside(4.1, 0.4)

@@ -15,8 +15,8 @@ DEEPEST = 4.0
 deep as anything can be modulated, has half its amplitude on either side."""
 
 
-def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float], reach: float) -> Array:
-    """Places near tested lines where passing balls put lines beside stronger ones of loud bearings.
+def passage_sidebands(view: ShaftView, tested: Array, rates: Sequence[float], reach: float) -> Array:
+    """Orders near tested lines at which ball passing puts sidebands next to stronger lines of loud bearings.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float]
     >>> turned = 2 * np.pi * np.arange(50_000) / 500.0
     >>> x = np.cos(24.57 * turned) * (1 + 0.4 * np.cos(1.57 * turned))
     >>> view = ShaftView(fine_spectrum(x, 500.0), parts, parts.shafts[0], 1.0, 500.0)
-    >>> lines_beside_passages(view, np.array([23.0]), [3.57], 0.5).round(3).tolist()
+    >>> passage_sidebands(view, np.array([23.0]), [3.57], 0.5).round(3).tolist()
     [23.0]
     """
     spectrum, parts = view.spectrum, view.parts
@@ -80,7 +80,7 @@ def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float]
         for place, off_own in zip(loud, own, strict=True)
         if abs(off_own) > OFF * line and view.has_top_at(float(place))
     ]
-    beside = np.add.outer(np.array(seen), off).ravel()
-    nearest = tested[np.abs(beside[:, None] - tested).argmin(axis=1)]
+    lines = np.add.outer(np.array(seen), off).ravel()
+    nearest = tested[np.abs(lines[:, None] - tested).argmin(axis=1)]
     deep = np.repeat(spectrum.power(seen), off.size) >= DEEPEST * spectrum.power(nearest)
-    return np.unique(beside[deep & (np.abs(beside - nearest) <= reach * line) & (beside > 0.0)])
+    return np.unique(lines[deep & (np.abs(lines - nearest) <= reach * line) & (lines > 0.0)])
