@@ -22,7 +22,7 @@ jump itself does not: a finer sweep only makes it clearer.
 
 With both directions at hand there is more to go by: what is the same up and down is one function of the
 frequency and has no jump that could be shown, however odd it looks (two narrow resonances between a few
-points, say). `sweep_jumps` therefore requires hysteresis as well: at the point before or after the jump the
+points). `sweep_jumps` therefore requires hysteresis as well: at the point before or after the jump the
 levels of the two directions differ by `smallest_ratio` or more. So confirmed, a contrast of 2 is enough, and
 a jump that was caught half-way by too short a settling time, and so lies in two steps of one sign, is found
 too.

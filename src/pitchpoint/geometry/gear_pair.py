@@ -70,10 +70,7 @@ class GearPair:
         a_w = self.a_w
         if isinstance(a_w, bool) or not isinstance(a_w, (int, float)) or not 1e-12 < abs(a_w) < 1e9:
             raise GeometryError(
-                "is not a centre distance",
-                where="center_distance",
-                value=f"{a_w!r} m",
-                limit="finite, not zero",
+                "is not possible", where="center_distance", value=f"{a_w!r} m", limit="finite, not zero"
             )
         if a_w * self._sign <= 0.0:
             raise GeometryError(
