@@ -18,11 +18,12 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
 from pitchpoint.elements.ratio import place_of
 from pitchpoint.elements.registry import MODAL
+from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import GENERAL, base_of
 from pitchpoint.solvers.assembly import loop_rows
 from pitchpoint.solvers.resistance import SAME, resisted_spins
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import KINDS, is_bevel, mesh_records
+from pitchpoint.system.meshes import KINDS, is_bevel, mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -143,19 +144,44 @@ def complete(system: System, first: Sequence[int], others: Iterable[int]) -> tup
 
 
 def mesh_rates(system: System, speeds: Mapping[str, float]) -> list[float]:
-    """Base pitches times 2 pi that every mesh goes through per second at the spins of bodies [rad/s]."""
-    body = system.program["body"]
-    _, index = _free(system)
-    rates = np.zeros(len(index))
+    """Mesh periods per second times 2 pi of every mesh at the spins of bodies [rad/s]; see `mesh_orders`."""
+    rates = np.zeros(system.sizes["nd"])
     for b, name in enumerate(system.layout.bodies):
-        if body[b]["spin"] >= 0:
-            rates[index[int(body[b]["spin"])]] = speeds.get(name, 0.0)
-    found = []
-    for record in mesh_records(system):
-        base = _base(system, index, record, "i")
-        relative = _turning(system, index, int(record["i"])) - base
-        found.append(abs(float(record["z1"] * (relative @ rates))))
+        spin = int(system.program["body"][b]["spin"])
+        if spin >= 0:
+            rates[spin] = speeds.get(name, 0.0)
+    return list(mesh_orders(system, rates).values())
+
+
+def mesh_orders(system: System, rates: Array) -> dict[str, float]:
+    """Mesh periods per second times 2 pi by mesh: teeth times the speed against the line of centres.
+
+    Parameters
+    ----------
+    system
+        The system.
+    rates
+        Rates of all coordinates [rad/s], shape (nd,); those of one body at 1 rad/s give the number of
+        mesh periods in a revolution of it.
+    """
+    index = _index(system)
+    spins = rates[list(index)]
+    found = {}
+    for name, record in zip(mesh_names(system), mesh_records(system), strict=True):
+        relative = _turning(system, index, int(record["i"])) - _base(system, index, record, "i")
+        found[name] = abs(float(record["z1"] * (relative @ spins)))
     return found
+
+
+def body_rates(system: System, body: str) -> Array:
+    """Rates of all coordinates (nd,) as one body turns at 1 rad/s: by the model, or by what turns together."""
+    if system.model is None:
+        return np.asarray(rotations(system, (system.spin(body),))[:, 0])
+    rates = np.zeros(system.sizes["nd"])
+    for name, ratio in system.model.start_speeds(Scenario(speed={body: 1.0})).items():
+        if ratio != 0.0:
+            rates[system.spin(name)] = ratio
+    return rates
 
 
 def rotations(system: System, spins: Sequence[int]) -> Array:
@@ -181,6 +207,27 @@ def rotations(system: System, spins: Sequence[int]) -> Array:
     return rates
 
 
+def rigid_rotations(system: System) -> Array:
+    """Turns of the spins that nothing resists: one row per free train that nothing drives, shape (r, nd)."""
+    return rotations(system, held_spins(system)[len(driven_coordinates(system)) :]).T
+
+
+def driven_rotations(system: System) -> dict[int, Array]:
+    """Rates of all coordinates (nd,) as one driven spin turns at 1 rad/s and the others stand still, by spin.
+
+    Of drives on one train the first counts.
+    """
+    free, index = _free(system)
+    turning: list[int] = []
+    driven: list[int] = []
+    for spin in (s for s in driven_coordinates(system) if s in index):
+        resisted = np.linalg.norm(free[index[spin]]) <= SAME
+        if resisted or _beside(system, turning, [spin]):
+            driven.append(spin)
+            turning += [] if resisted else [spin]
+    return dict(zip(driven, rotations(system, driven).T, strict=True))
+
+
 def _independent(system: System, first: Sequence[int]) -> tuple[int, ...]:
     _, index = _free(system)
     return complete(system, first, index)
@@ -201,10 +248,14 @@ def _beside(system: System, first: Sequence[int], others: Iterable[int]) -> list
     return found
 
 
+def _index(system: System) -> dict[int, int]:
+    """Place of every spin among all spins."""
+    return {int(s): k for k, s in enumerate(s for s in system.program["body"]["spin"] if s >= 0)}
+
+
 def _free(system: System) -> tuple[Array, dict[int, int]]:
     """Orthonormal basis of the free rotations over the spins, shape (n, k), and the place of every spin."""
-    body = system.program["body"]
-    index = {int(s): k for k, s in enumerate(s for s in body["spin"] if s >= 0)}
+    index = _index(system)
     resisted = resisted_spins(system, index)
     if len(resisted) == len(index) > 0:  # nothing turns freely, as in machines of bodies on bushings
         return np.zeros((len(index), 0)), index
