@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Rayleigh and modal damping of a model: one matrix about the state from which a run starts.
 
-Both refer to what can vibrate: directions that fit the constraint rows, driven coordinates at rest. What the machine
-does as a rigid whole is taken out, that is the rotation of free trains and whatever follows a drive, so
-that damping brakes no rotation at any speed.
+Both refer to what can vibrate: directions that fit the constraint rows, with driven coordinates at rest. The
+rigid motion of the machine (rotation of free trains and whatever follows a drive) is taken out, so damping
+brakes no rotation at any speed.
 """
 
 from __future__ import annotations

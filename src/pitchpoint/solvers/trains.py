@@ -169,12 +169,14 @@ def mesh_orders(system: System, rates: Array) -> dict[str, float]:
     found = {}
     for name, record in zip(mesh_names(system), mesh_records(system), strict=True):
         relative = _turning(system, index, int(record["i"])) - _base(system, index, record, "i")
-        found[name] = abs(float(record["z1"] * (relative @ spins)))
+        speed = float(relative @ spins)
+        turns = abs(speed) > SAME * float(np.abs(relative) @ np.abs(spins))
+        found[name] = abs(float(record["z1"]) * speed) if turns else 0.0
     return found
 
 
 def body_rates(system: System, body: str) -> Array:
-    """Rates of all coordinates (nd,) as one body turns at 1 rad/s: by the model, or by what turns together."""
+    """Rates of all coordinates, shape (nd,), as one body turns at 1 rad/s and its train with it."""
     if system.model is None:
         return np.asarray(rotations(system, (system.spin(body),))[:, 0])
     rates = np.zeros(system.sizes["nd"])
