@@ -6,7 +6,7 @@ What `modal`, `campbell` and `frequency_response` have in common; what the matri
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -117,10 +117,7 @@ def linearise(
     loose = touching(own, state)
     notes = [*point.notes, *_of_one_position(own, state)]
     if loose:
-        notes.append(
-            f"no load presses the flanks of {', '.join(loose)} together: "
-            "they are taken as touching, on the front if nothing leans on the back"
-        )
+        notes.append(_of_assumed_flanks(loose))
         notes += _of_arbitrary_stiffness(own, loose)
     still = state.copy()
     still.v[:] = 0.0
@@ -135,7 +132,19 @@ def linearise(
     return Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, tuple(notes))
 
 
-def _of_arbitrary_stiffness(system: System, loose: Sequence[str]) -> list[str]:
+def _of_assumed_flanks(loose: Mapping[str, int]) -> str:
+    """Note on the flanks at which unloaded meshes are taken."""
+    front, back = (", ".join(m for m, flank in loose.items() if flank == sense) for sense in (1, -1))
+    sides = " and ".join(
+        f"the {side} of {names}" for side, names in (("front", front), ("back", back)) if names
+    )
+    return (
+        f"no load presses the flanks of {', '.join(loose)} together: they are taken as touching at {sides}, "
+        "as a small torque through the train presses them"
+    )
+
+
+def _of_arbitrary_stiffness(system: System, loose: Collection[str]) -> list[str]:
     """Note on unloaded meshes whose stiffness grows with the load: at the point of touch they have none."""
     records = zip(mesh_names(system), mesh_records(system), strict=True)
     names = [name for name, record in records if name in loose and record["power"] > 1.0]

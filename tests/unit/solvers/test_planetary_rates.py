@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mesh frequencies of a planetary set in sweeps, Campbell diagrams and slow rolls: they count against the carrier.
+"""Mesh frequencies of a planetary set in sweeps, Campbell diagrams and slow rolls.
 
 With the ring held, the sun at n_s turns the carrier at n_c = n_s z_s / (z_s + z_r), and both meshes have
 f = z_s (n_s - n_c) = z_r n_c (R. Willis, Principles of Mechanism, 1841).
@@ -50,8 +50,8 @@ loads:
 
 
 SWEEP = (
-    "scenarios:\n  up: {sweep: {body: sun, mesh: sp, mesh_frequency: [300 Hz, 400 Hz], points: 2, direction: up, "
-    "settle_periods: 2, measure_periods: 2}}\n"
+    "scenarios:\n  up: {sweep: {body: sun, mesh: sp, mesh_frequency: [300 Hz, 400 Hz], points: 2, "
+    "direction: up, settle_periods: 2, measure_periods: 2}}\n"
 )
 
 
