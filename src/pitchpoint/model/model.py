@@ -351,14 +351,13 @@ class Model:
         """Places of the stations that every shaft is cut at, from its start [m]."""
         return stations_of(self)
 
-    def sweep_mesh(self, scenario: str | Scenario) -> tuple[str, int]:
-        """Mesh whose frequency a sweep counts, and the number of teeth of the swept body in it."""
+    def sweep_mesh(self, scenario: str | Scenario) -> str:
+        """Mesh whose frequency a sweep counts."""
         chosen = self.scenarios[scenario] if isinstance(scenario, str) else scenario
         if chosen.sweep is None:
             raise ModelError([Problem("scenarios", "is no sweep", remedy="name a scenario with sweep")])
         meshes = sweep_meshes(self._parts(), chosen.sweep.body)
-        name = chosen.sweep.mesh or next(iter(meshes))
-        return name, meshes[name]
+        return chosen.sweep.mesh or next(iter(meshes))
 
     def _repr_html_(self) -> str:
         """Tables of gears, meshes and bodies for notebooks."""
