@@ -130,7 +130,7 @@ def _user_ratio(b, t, psi):
 
 @kernel
 def _stiffness_ratio(b, t, watch):
-    """k/mean of a prescribed stiffness and its rate [1/s]; that of a user's law (by differences) if observed."""
+    """k/mean of a prescribed stiffness and its rate [1/s]; that of a user's law only if observed."""
     phase_rate = b["phase_rate"][0 if b["flank"] > 0 else 1]
     if b["form"] == USER:
         rate = 0.0

@@ -101,7 +101,7 @@ def line_of_action(b, f, g):
     elif b["carried"] == 2:
         whole1 += carried_turns(f, g, turn1, turn2)
     else:
-        # both frames stand on one base: they see the line of centres turn alike, and past half a turn together
+        # both frames are on one base and see the line of centres turn alike: past half a turn together
         turn2 -= 2.0 * math.pi * math.floor((turn2 - turn1) / (2.0 * math.pi) + 0.5)
         turned = turns_of_line(b, f["phi"] - turn1, whole1, g["phi"] - turn2, whole2)
         whole1 -= turned
