@@ -82,7 +82,7 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> problem = gear_problems(CylindricalGear(z=20, m_n=0.003, x=1.4), "gears.pinion")[0]
     >>> problem.where, problem.limit, problem.remedy
-    ('gears.pinion.profile_shift_coefficient', '0.2 m_n', 'use at most 0.94 or set tip_diameter')
+    ('gears.pinion.profile_shift_coefficient', 'usually 0.2 m_n', 'use at most 0.94 or set tip_diameter')
     """
     found = []
     deepest = 0.25 * math.pi / math.tan(gear.alpha_n)
@@ -90,11 +90,13 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
         message, value = "modules end beyond the point of the tool", f"{gear.rack.h_fP_star:g}"
         place = at_key(where, "rack.dedendum")
         found.append(Problem(place, message, value, f"{deepest:.4g}", "use a smaller dedendum"))
-    return found + problems_of_gear(where, lambda: _no_tooth(gear), lambda: _pointed(gear))
+    return found + problems_of_gear(
+        where, lambda: _no_tooth(gear), lambda: _thin_tip(gear) if tip_thickness(gear) <= 0.0 else None
+    )
 
 
 def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Problem]:
-    """What is odd about a gear that can be made: a tool without room for its root radius.
+    """What is unusual about a gear that can be made: a thin tip, a tool without room for its root radius.
 
     Parameters
     ----------
@@ -106,7 +108,7 @@ def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Problem]:
     Returns
     -------
     list of Problem
-        Empty for most.
+        Empty for most, and for impossible gears.
 
     Examples
     --------
@@ -116,12 +118,17 @@ def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Problem]:
     >>> [(p.where, p.limit) for p in gear_warnings(gear, "a")]
     [('a.rack.root_radius', '0.4719')]
     """
+    if gear.problems():
+        return []
     most = -1.0 if gear.is_internal else gear.rack.rho_fP_star_max(gear.alpha_n)
-    return full_rounding(where, gear.rack.rho_fP_star, most)
+    return [
+        *problems_of_gear(where, lambda: _thin_tip(gear)),
+        *full_rounding(where, gear.rack.rho_fP_star, most),
+    ]
 
 
-def _pointed(gear: CylindricalGear) -> Found | None:
-    """A tip that is too thin."""
+def _thin_tip(gear: CylindricalGear) -> Found | None:
+    """A thin or pointed tip."""
     thickness = tip_thickness(gear) / gear.m_n
     remedy = _largest_shift(gear) if thickness < TIP_THICKNESS_LIMIT else ""
     return thin_tip(thickness, "m_n", "profile_shift_coefficient", f"{gear.x:g}", remedy)

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import importlib.util
 import json
-import os
 import re
 import subprocess
 import sys
@@ -15,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.core.errors import GeometryError, MissingDependencyError
 
 if TYPE_CHECKING:
@@ -97,11 +97,9 @@ def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
     _check_whole(name, Path(file))
     if importlib.util.find_spec("OCP") is None:
         raise _missing()
-    command = [sys.executable, "-m", module, str(Path(file).absolute()), *arguments]
-    paths = os.pathsep.join(p for p in sys.path if p)
-    run = subprocess.run(
-        command, capture_output=True, check=False, env={**os.environ, "PYTHONPATH": paths, "PYTHONUTF8": "1"}
-    )
+    command = python_command("-m", module, str(Path(file).absolute()), *arguments)
+    environment = {**python_environment(), "PYTHONUTF8": "1"}
+    run = subprocess.run(command, capture_output=True, check=False, env=environment)
     try:
         found: dict[str, Any] = json.loads(run.stdout)
     except ValueError:

@@ -14,11 +14,14 @@ from typing import Protocol
 from pitchpoint.core.errors import GeometryError, Problem
 
 TIP_THICKNESS_LIMIT = 0.2
-"""Normal modules. Thinner tips break or burn through in hardening: the usual limit of design practice."""
+"""Normal modules. Thinner tips break or burn through in hardening: a usual limit of design practice, not of
+what can be made."""
 INTERFERENCE_TOLERANCE = 0.01
 """Modules along the path of contact: less than what tip diameters, cones and centre distances are made to."""
 USABLE_CONTACT_RATIO = 1.1
 """Below this a pair with undercut teeth does not reliably transfer load from one tooth pair to the next."""
+
+NO_PAIR_IN_CONTACT = "leaves moments without a tooth pair in contact"
 
 Found = tuple[str, str, str, str | None, str]
 """Key, message, value, limit and remedy."""
@@ -130,7 +133,7 @@ def problems_of_gear(where: str, *checks: Callable[[], Found | None]) -> list[Pr
 
 
 def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -> Found | None:
-    """Check the tooth thickness at the tip.
+    """Report a tip that is thinner than usual, or a tooth that is pointed below its tip.
 
     Parameters
     ----------
@@ -143,6 +146,11 @@ def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -
     remedy
         What to do.
 
+    Notes
+    -----
+    A pointed tooth cannot be made; a thin one can, and some are meant to be: gears of type A of the FZG test
+    (ISO 14635-1) have 0.13 m_n.
+
     Examples
     --------
     >>> thin_tip(0.1, "m_n", "profile_shift_coefficient", "1", "reduce it")[1]
@@ -150,6 +158,9 @@ def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -
     """
     if thickness >= TIP_THICKNESS_LIMIT:
         return None
+    if thickness <= 0.0:
+        message = f"leaves a pointed tooth (tip thickness {thickness:.2g} {module})"
+        return key, message, value, f"usually {TIP_THICKNESS_LIMIT:g} {module}", remedy
     return (
         key,
         f"leaves a tip thickness of {thickness:.2g} {module}",
@@ -390,7 +401,6 @@ def odd_contact(
             remedy = f"{left}; shorten the tip or set the rack"
             found.append(Problem(place, message, f"tip of {tip}", limit, remedy))
     if pair.eps_gamma < 1.0:
-        message = "leaves moments without a tooth pair in contact"
         value = f"total contact ratio {pair.eps_gamma:.4g}"
-        found.append(Problem(place, message, value, "1", words.lengths))
+        found.append(Problem(place, NO_PAIR_IN_CONTACT, value, "1", words.lengths))
     return found

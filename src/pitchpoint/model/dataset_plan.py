@@ -106,6 +106,8 @@ class DatasetPlan:
     """Standard deviation of the number at a path from case to case, over the number."""
     file: str | None = None
     lines: Mapping[Place, int] = field(default_factory=dict, compare=False)
+    allow_code: bool = field(default=False, compare=False)
+    """Whether the levels may name Python functions; the permission of the model does not cover them."""
 
     @property
     def samples(self) -> int:

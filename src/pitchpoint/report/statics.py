@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.law import Law
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Drive, Scenario
+    from pitchpoint.system.system import System
     from pitchpoint.viz.report import CampbellData, MeshCycleData, ModeData
 
 LINEAR = 2
@@ -180,7 +181,7 @@ def linear_parts(
             total=found.total,
         )
         body = reference_body(model)
-        top = highest_speed(model, body, found.frequency) if body else 0.0
+        top = highest_speed(system, body, found.frequency) if body else 0.0
         if not top > 0.0:
             return modes, None, []
         followed = FOLLOWED if found.total > len(found.frequency) else None
@@ -229,47 +230,46 @@ def reference_body(model: Model) -> str | None:
     return None
 
 
-def highest_speed(model: Model, body: str, frequency: Any) -> float:
+def highest_speed(system: System, body: str, frequency: Any) -> float:
     """End of the Campbell diagram [rad/s]: 1.2 times the highest speed of all scenarios.
 
     If none turns the body, the speed where the slowest mesh has met every mode.
     """
-    from pitchpoint.model.scenario import Scenario
+    from pitchpoint.solvers.trains import body_rates, mesh_orders
 
-    reached = max((highest_of_scenario(model, s, body) for s in model.scenarios.values()), default=0.0)
+    scenarios = {} if system.model is None else system.model.scenarios
+    reached = max((highest_of_scenario(system, s, body) for s in scenarios.values()), default=0.0)
     if reached > 0.0:
         return 1.2 * reached
-    ratios = model.start_speeds(Scenario(speed={body: 1.0}))
-    orders = []
-    for mesh in model.every_mesh.values():
-        turning = str(model.body_of(mesh.gears[0]))
-        orders.append(abs(ratios.get(turning, 0.0)) * model.toothed[mesh.gears[0]].number_of_teeth)
+    orders = mesh_orders(system, body_rates(system, body)).values()
     lowest = min((o for o in orders if o > 0.0), default=math.inf)
     return 1.2 * 2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest
 
 
-def highest_of_scenario(model: Model, scenario: Scenario, body: str) -> float:
+def highest_of_scenario(system: System, scenario: Scenario, body: str) -> float:
     """Highest speed of a body in a scenario [rad/s], as far as the model file says it."""
     from pitchpoint.model.scenario import Scenario
 
-    speeds = [scenario.speed, *({name: speed} for name, speed in prescribed(model, scenario))]
+    speeds = [scenario.speed, *({name: speed} for name, speed in prescribed(system, scenario))]
     reached = 0.0
     for given in speeds:
-        ratios = model.start_speeds(Scenario(speed=dict(given)))
+        ratios = system.model.start_speeds(Scenario(speed=dict(given)))
         reached = max(reached, abs(ratios.get(body, 0.0)))
     return reached
 
 
-def prescribed(model: Model, scenario: Scenario) -> list[tuple[str, float]]:
+def prescribed(system: System, scenario: Scenario) -> list[tuple[str, float]]:
     """Highest prescribed speeds of bodies [rad/s]: of drives, and the end of a sweep."""
+    from pitchpoint.solvers.trains import body_rates, mesh_orders
+
     end = scenario.duration or 0.0
     found = [(name, _fastest(drive, end)) for name, drive in scenario.drive.items()]
     sweep = scenario.sweep
     if sweep is not None and sweep.speed is not None:
         found.append((sweep.body, sweep.speed[1]))
     elif sweep is not None and sweep.mesh_frequency is not None:
-        teeth = abs(model.sweep_mesh(scenario)[1])
-        found.append((sweep.body, 2.0 * math.pi * sweep.mesh_frequency[1] / teeth))
+        order = mesh_orders(system, body_rates(system, sweep.body))[system.model.sweep_mesh(scenario)]
+        found.append((sweep.body, 2.0 * math.pi * sweep.mesh_frequency[1] / order if order > 0.0 else 0.0))
     return [(name, speed) for name, speed in found if speed > 0.0]
 
 

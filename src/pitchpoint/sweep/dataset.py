@@ -157,7 +157,7 @@ def compute_case(
 
 def varied_model(plan: DatasetPlan, model: Model, case: PlannedCase) -> Model:
     """Model of a case: its values, then the jitter of its seed on the numbers that stand there."""
-    changed = model.replace_all(case.changes) if case.changes else model
+    changed = model.replace_all(case.changes, allow_code=plan.allow_code) if case.changes else model
     shaken = {}
     combination = content_hash(dict(case.changes))
     for path, share in plan.jitter.items():

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.jumps import sweep_jumps
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.controls import refuse_sampled
 from pitchpoint.solvers.rows import explain, row_notes
@@ -28,6 +28,7 @@ from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.time import next_chunk, scenario_of
+from pitchpoint.solvers.trains import body_rates, mesh_orders
 from pitchpoint.sweep.tables import STATISTICS, channel_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.meshes import mesh_records
 from pitchpoint.system.remarks import deep_contacts
@@ -36,7 +37,7 @@ from pitchpoint.system.system import System
 if TYPE_CHECKING:
     import xarray as xr
 
-    from pitchpoint.model.scenario import Scenario, Sweep
+    from pitchpoint.model.scenario import Scenario
 
 QUANTITIES = ("transmission_error", "deflection", "mesh_force")
 SHARES = ("contact_loss_share", "back_contact_share")
@@ -80,14 +81,15 @@ class SweepSummary:
 
 
 @dataclass(frozen=True)
-class _Plan:
+class SweepPlan:
     """Speeds of a sweep, what one rad/s of the swept body means for everybody else, how finely to step.
 
-    `fastest` is the highest mesh frequency of the train over that of the swept mesh.
+    `order` is the number of mesh periods of the swept mesh in a revolution of the swept body, `fastest` the
+    highest mesh frequency of the train over that of the swept mesh.
     """
 
     mesh: str
-    teeth: int
+    order: float
     speeds: NDArray[np.float64]
     directions: tuple[str, ...]
     ratio: dict[str, float]
@@ -96,7 +98,12 @@ class _Plan:
     steps: int | None
     fastest: float
 
-    def order(self) -> Iterator[tuple[str, float]]:
+    @property
+    def frequencies(self) -> NDArray[np.float64]:
+        """Mesh frequency at every speed [Hz]."""
+        return np.abs(self.speeds) * self.order / (2.0 * math.pi)
+
+    def points(self) -> Iterator[tuple[str, float]]:
         """Directions and speeds [rad/s] in the order in which they are run."""
         for direction in self.directions:
             for speed in self.speeds if direction == "up" else self.speeds[::-1]:
@@ -109,41 +116,51 @@ class _Plan:
         return math.ceil(STEPS_PER_PERIOD * max(self.fastest, mesh_mode / frequency) * (1.0 - 1e-12))
 
 
-def _plan(system: System, scenario: Scenario, sweep: Sweep) -> _Plan:
-    model = system.model
-    assert model is not None  # `scenario_of` has asked for it
-    mesh, teeth = model.sweep_mesh(scenario)
+def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
+    """Points of a sweep; parameters as in `run_sweep`.
+
+    Raises
+    ------
+    SolverError
+        If the scenario is no sweep, or the swept mesh stands still while the swept body turns.
+    """
+    model, sweep = system.model, scenario.sweep
+    if model is None or sweep is None:
+        raise SolverError("the scenario is not a sweep", NOT_FINITE)
+    mesh = model.sweep_mesh(scenario)
+    orders = mesh_orders(system, body_rates(system, sweep.body))
+    order = orders[mesh]
+    if not order > 0.0:
+        raise SolverError(
+            f"mesh {mesh} stands still while {sweep.body} turns, so it has no mesh frequency; sweep a body "
+            "that turns against the line of centres of the mesh",
+            INCONSISTENT,
+        )
     if sweep.mesh_frequency is not None:
-        low, high = (2.0 * math.pi * f / teeth for f in sweep.mesh_frequency)
+        low, high = (2.0 * math.pi * f / order for f in sweep.mesh_frequency)
     elif sweep.speed is not None:
         low, high = sweep.speed
     else:
         raise SolverError("the sweep has neither mesh_frequency nor speed", NOT_FINITE)
-    ratio = model.start_speeds(replace(scenario, speed={sweep.body: 1.0}))
-    bodies = system.layout.bodies
-    fastest = max(
-        max(abs(r["z1"] * ratio.get(bodies[r["i"]], 0.0)), abs(r["z2"] * ratio.get(bodies[r["j"]], 0.0)))
-        for r in mesh_records(system)
-    )
-    return _Plan(
+    return SweepPlan(
         mesh=mesh,
-        teeth=teeth,
+        order=order,
         speeds=np.linspace(low, high, sweep.points),
         directions=("up", "down") if sweep.direction == "both" else (sweep.direction,),
-        ratio=ratio,
+        ratio=model.start_speeds(replace(scenario, speed={sweep.body: 1.0})),
         settle=sweep.settle_periods,
         measure=sweep.measure_periods,
         steps=sweep.steps_per_period,
-        fastest=max(1.0, float(fastest) / teeth),
+        fastest=max(orders.values()) / order,
     )
 
 
 class _Walk:
     """A sweep under way: the run, the speed it has, the points behind it."""
 
-    def __init__(self, system: System, scenario: Scenario, plan: _Plan) -> None:
+    def __init__(self, system: System, scenario: Scenario, plan: SweepPlan) -> None:
         self.plan = plan
-        first = next(plan.order())[1]
+        first = next(plan.points())[1]
         body = scenario.sweep.body  # type: ignore[union-attr]
         start = prepare_start(system, replace(scenario, speed={body: first}, duration=1.0))
         self.system, self.notes = start.system, start.notes
@@ -154,7 +171,7 @@ class _Walk:
         self.chunk = 1000
 
     def _frequency(self, speed: float) -> float:
-        return abs(speed) * self.plan.teeth / (2.0 * math.pi)
+        return abs(speed) * self.plan.order / (2.0 * math.pi)
 
     def _step(self, speed: float) -> float:
         f = self._frequency(speed)
@@ -249,16 +266,14 @@ def run_sweep(
         If the sweep cannot start.
     """
     chosen = scenario_of(system, scenario)
-    if chosen.sweep is None:
-        raise SolverError("the scenario is no sweep", NOT_FINITE)
     begun = time.perf_counter()
     refuse_sampled(system, "a speed sweep")
-    plan = _plan(system, chosen, chosen.sweep)
+    plan = plan_sweep(system, chosen)
     walk = _Walk(system, chosen, plan)
     points: list[dict[str, Any]] = []
     status, total = OK, len(plan.speeds) * len(plan.directions)
     try:
-        for direction, speed in plan.order():
+        for direction, speed in plan.points():
             walk.go_to(speed)
             status = walk.advance(plan.settle, None)
             sums = new_statistics(walk.system.sizes["no"])
@@ -282,7 +297,7 @@ def run_sweep(
             *walk.notes,
             *row_notes(walk.system),
             *deep_contacts(system.model, (p["channels"] for p in points)),
-            *_drifted(points, chosen.sweep.body),
+            *_drifted(points, chosen.sweep.body if chosen.sweep else ""),
         ),
     )
 
