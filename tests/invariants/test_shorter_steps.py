@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shorter steps are better steps: order of convergence, momentum and energy of a machine that floats in space.
+"""Shorter steps are better steps: order of convergence, momentum and energy of a machine that floats in
+space.
 
 The machine is a tree whose mass matrix turns with it, without constraint rows and with one. Nothing acts from
 outside, so momentum, its moment and energy stay. The reference is Dormand-Prince 8(5,3) with a tolerance of

@@ -146,8 +146,8 @@ def drive(rec, ctl, fr, q, g, G):
             c["bad"] = e
             return NOT_FINITE
         if d == b["spin_i"]:
-            # turns are taken off the target first: q plus the turns would be rounded at the size of the angle,
-            # which after some seconds is coarser than what Newton's iteration must settle
+            # turns are taken off the target first: q plus the turns would be rounded at the size of the
+            # angle, which after some seconds is coarser than what Newton's iteration must settle
             turns = fr[b["i"]]["turns"]
             angle = (angle - turns * TURN) - turns * TURN_REST
         g[r] = q[d] - angle
