@@ -104,7 +104,7 @@ def _limits(study: Study) -> Section:
         return section
     (channel,) = shown_channels(study)
     section.add(
-        f"<p>In {escape(channel)} a fault is reported from these limits on. Lines below 1 % of the rms of the "
+        f"<p>{escape(channel)}: faults are reported from these limits on. Lines below 1 % of the rms of the "
         "channel, and sidebands below 3 % of their mesh line, are never reported: every machine has "
         "them. A local fault must raise the orders of its shaft together, and strike at one place of the "
         "mean turn: the kurtosis of its residual must exceed 3 and the limit in the table of indicators.</p>"

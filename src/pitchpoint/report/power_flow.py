@@ -172,7 +172,7 @@ class Machine:
                     yield self.link(f"reaction of {name}", word, (0, j), (-on_j, on_j))
 
     def meshes(self) -> Iterator[PowerLink]:
-        """Meshes; friction power that a result does not divide among the gears counts for the driving gear."""
+        """Meshes; friction power not divided among the gears counts for the driving gear."""
         names = mesh_names(self.system)
         for m, (record, name) in enumerate(zip(mesh_records(self.system), names, strict=True)):
             pair = int(record["i"]), int(record["j"])

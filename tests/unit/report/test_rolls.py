@@ -170,7 +170,7 @@ def test_a_roll_without_load_has_one_curve() -> None:
 
 
 def test_ctrl_c_in_a_roll_ends_the_report() -> None:
-    """A roll keeps its results and reports that it was stopped; the report must not continue with the next mesh."""
+    """A roll keeps its results and reports the stop; the report does not continue with the next mesh."""
     told = []
 
     def stop(done: float, total: float, note: str = "") -> None:
