@@ -104,6 +104,11 @@ def record_for_combs(values: ArrayLike, sample_rate: float, top: float, known: A
         Highest frequency of any line of a comb [Hz].
     known
         Frequencies [Hz] of which all multiples are known, shape (n_known,), may be empty.
+
+    Raises
+    ------
+    SignalError
+        If the signal is too short or constant, or the sample rate too low for the highest line.
     """
     from scipy.signal import resample_poly
 

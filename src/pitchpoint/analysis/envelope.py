@@ -162,6 +162,11 @@ def checked_band(band: tuple[float, float], sample_rate: float) -> tuple[float, 
         Lower and upper edge [Hz].
     sample_rate
         Sample rate [Hz].
+
+    Raises
+    ------
+    SignalError
+        If the band is not rising or not between 0 and half the sample rate.
     """
     low, high = (float(edge) for edge in band)
     top = 0.5 * sample_rate

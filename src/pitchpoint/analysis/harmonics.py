@@ -241,6 +241,11 @@ def apart_enough(distance: float, resolution: float, name: str) -> None:
         Distance between two lines of the spectrum [Hz].
     name
         What to call the distance in an error message.
+
+    Raises
+    ------
+    SignalError
+        If the distance is smaller than the record can resolve.
     """
     if distance < APART * resolution:
         raise SignalError(

@@ -153,6 +153,11 @@ def alternating_part(values: ArrayLike, name: str) -> Array:
     name
         What to call them in an error message.
 
+    Raises
+    ------
+    SignalError
+        If the signal is constant, or not a finite vector.
+
     Examples
     --------
     >>> alternating_part([1.0, 3.0], "values")

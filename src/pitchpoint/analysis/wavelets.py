@@ -263,7 +263,13 @@ def unknown(what: str, name: str, names: list[str]) -> SignalError:
 
 
 def check_extension(name: str) -> None:
-    """Refuse an extension that PyWavelets does not know."""
+    """Refuse an extension that PyWavelets does not know.
+
+    Raises
+    ------
+    SignalError
+        If there is no such extension.
+    """
     import pywt
 
     if name not in pywt.Modes.modes:

@@ -162,6 +162,11 @@ def chain(rows: Sequence[FloatArray], closed: bool) -> Curve:
     closed
         Whether the last ends where the first begins.
 
+    Raises
+    ------
+    ValueError
+        If a piece does not end where the next one begins.
+
     Examples
     --------
     >>> square = polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -235,6 +240,11 @@ def polygon(points: ArrayLike, radii: ArrayLike = 0.0, closed: bool = True) -> C
     closed
         Whether the last corner is joined to the first.
 
+    Raises
+    ------
+    ValueError
+        If the arcs at two neighbouring corners overlap.
+
     Examples
     --------
     >>> round(polygon([(0, 0), (1, 0), (1, 1), (0, 1)], 0.1).length, 6)
@@ -284,6 +294,11 @@ def spline(points: ArrayLike, closed: bool = True) -> Curve:
     closed
         Whether it goes on from the last point to the first.
 
+    Raises
+    ------
+    ValueError
+        If two consecutive points coincide.
+
     Examples
     --------
     >>> angle = np.linspace(0.0, TWO_PI, 40, endpoint=False)
@@ -325,6 +340,11 @@ def involute_piece(r_b: float, phase: float, u: tuple[float, float], hand: int =
         r_b sqrt(1 + u^2).
     hand
         1 if it unwinds counter-clockwise, -1 clockwise.
+
+    Raises
+    ------
+    ValueError
+        If the base radius is not above 0, or the roll angles are equal or negative.
 
     Examples
     --------

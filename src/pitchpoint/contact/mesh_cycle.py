@@ -200,6 +200,11 @@ def pair_cycle(shape: PairShape, eps_alpha: float, eps_beta: float = 0.0, n: int
     MeshCycle
         See there. The phase is zero when a pair starts contact at mid-face.
 
+    Raises
+    ------
+    ModelError
+        If a contact ratio is out of range.
+
     Notes
     -----
     The total is the moving average, over eps_beta base pitches, of the spur gear's wave (L. Mauer, SIMPACK

@@ -85,6 +85,11 @@ class GearPair:
     def at_distance(cls, gear1: CylindricalGear, gear2: CylindricalGear, distance: float) -> GearPair:
         """Pair at a centre distance given as a positive length [m], whether gear 2 is internal or not.
 
+        Raises
+        ------
+        GeometryError
+            If the distance is not above 0.
+
         Examples
         --------
         >>> sun, ring = CylindricalGear(z=16, m_n=3e-3), CylindricalGear.internal(z=24, m_n=3e-3, x=-0.5)
@@ -162,7 +167,13 @@ class GearPair:
 
     @cached_property
     def inv_alpha_w0(self) -> float:
-        """inv α_w0 of the given profile shifts: where the pair has no backlash, allowances not counted."""
+        """inv α_w0 of the given profile shifts: where the pair has no backlash, allowances not counted.
+
+        Raises
+        ------
+        GeometryError
+            If an internal gear has as many teeth as its pinion.
+        """
         if self.z_sum == 0:
             raise GeometryError(
                 "have the same number of teeth",

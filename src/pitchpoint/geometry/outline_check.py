@@ -57,6 +57,11 @@ def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray
         Name of the input.
     least
         Least number of points.
+
+    Raises
+    ------
+    OutlineError
+        If the points are not pairs of finite numbers, or their number is out of range.
     """
     xy = np.asarray(points, dtype=float)
     if xy.ndim != 2 or xy.shape[1] != 2:
@@ -103,6 +108,11 @@ def one_pitch(
         Numbers of the points in the input, shape (n,).
     part
         Name of the input.
+
+    Raises
+    ------
+    OutlineError
+        If the points do not describe one pitch around the +x axis, or are not closed.
     """
     pitch = 2.0 * math.pi / abs(gear.z)
     angle = np.angle(plane)
@@ -160,6 +170,11 @@ def check_height(gear: CylindricalGear, plane: ComplexArray, index: IntArray, pa
         Numbers of the points in the input, shape (n,).
     part
         Name of the input.
+
+    Raises
+    ------
+    OutlineError
+        If the tip or root circle is not that of the gear.
     """
     height = gear.sign * np.abs(plane)
     r_f = gear.sign * tooth_form(gear).r_f
@@ -238,6 +253,11 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
         Numbers of the points in the input, shape (n,).
     part
         Name of the input.
+
+    Raises
+    ------
+    OutlineError
+        If a side turns back, has too few points, is not the involute of the gear, or covers too little of it.
     """
     part_of = flank_part(gear, path)
     path, index = path[part_of], index[part_of]
@@ -298,6 +318,11 @@ def check_simple(gear: CylindricalGear, plane: ComplexArray, index: IntArray | N
         Numbers of the points in the input, shape (n,), or None.
     part
         Name of the input.
+
+    Raises
+    ------
+    OutlineError
+        If the outline crosses itself or that of the next tooth.
     """
     turn = np.exp(2j * math.pi / abs(gear.z))
     chain = np.concatenate([plane, plane * turn, plane[:1] * turn * turn])

@@ -113,6 +113,11 @@ class ToothForm:
             Polar coordinates [m, rad].
         n_fillet : int
             The first n_fillet points belong to the fillet; the last of them begins the involute.
+
+        Raises
+        ------
+        GeometryError
+            If there are fewer than five points.
         """
         if n_flank < _MIN_FLANK:
             raise GeometryError(

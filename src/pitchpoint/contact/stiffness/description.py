@@ -53,6 +53,11 @@ def positive(where: str, value: float, unit: str) -> float:
     unit
         Its SI unit, for the message.
 
+    Raises
+    ------
+    ModelError
+        If the number is not finite or not above 0.
+
     Examples
     --------
     >>> positive("stiffness.mean", 4.0e8, "N/m")
@@ -72,6 +77,11 @@ def share(where: str, value: float) -> float:
         Path of the option in the model.
     value
         The value given.
+
+    Raises
+    ------
+    ModelError
+        If the number is not between 0 and 1.
 
     Examples
     --------
@@ -94,6 +104,11 @@ def frozen_array(where: str, values: ArrayLike, least: int = 0) -> Array:
         The values given, shape (n,).
     least
         Smallest number of values.
+
+    Raises
+    ------
+    ModelError
+        If the values are not a flat list of finite numbers, or too few.
 
     Examples
     --------
@@ -349,6 +364,11 @@ def require_positive(where: str, description: PhaseStiffness) -> PhaseStiffness:
         Path of the option in the model.
     description
         Prescribed stiffness to look at.
+
+    Raises
+    ------
+    ModelError
+        If the stiffness is zero or negative at some phase.
 
     Examples
     --------

@@ -66,6 +66,11 @@ def energy_compliance(
         Force along the base tangent per unit face width [N/m] for the load-dependent contact compliance of
         Weber and Banaschek; 0 uses the load-independent one.
 
+    Raises
+    ------
+    ModelError
+        If there are fewer than two points, the body model is unknown, or a modulus is not positive.
+
     Notes
     -----
     See `tooth_compliance` for the teeth. The contact lines of a helical pair are longer than the face by
