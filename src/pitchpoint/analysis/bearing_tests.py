@@ -79,7 +79,7 @@ class BearingView:
     def part(self, order: float, known: Sequence[Array] = ()) -> tuple[Measured, bool]:
         """Test of a part, and whether impacts may make its lines; lines that are known are taken out before.
 
-        `known` are orders for the signal, for its envelope and for that of the whitened signal.
+        `known` are orders, shapes (n,), for the signal, for its envelope and for that of the whitened signal.
         """
         lines, envelope, white = self._without(known) if known else self.spectra
         found = _part(envelope, order, self.parts, self.end)

@@ -123,7 +123,7 @@ def power_cepstrum(
     Returns
     -------
     Cepstrum
-        Never negative.
+        Never negative; same shape as that of `real_cepstrum`.
 
     Raises
     ------

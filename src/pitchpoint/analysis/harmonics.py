@@ -204,7 +204,7 @@ def harmonic_table(
 
 
 def kept_harmonics(fundamental: float, sample_rate: float, harmonics: int) -> tuple[Array, int]:
-    """Numbers of the harmonics below half the sample rate, and how many of those wanted lie above.
+    """Numbers of the harmonics below half the sample rate, shape (n,), and the number of those above it.
 
     Parameters
     ----------

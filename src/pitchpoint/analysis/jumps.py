@@ -205,7 +205,7 @@ def sweep_jumps(
 def branch(
     points: Sequence[Mapping[str, Any]], direction: str, quantity: str, statistic: str = "rms"
 ) -> tuple[Array, Array]:
-    """Frequencies [Hz] and levels of one direction of a sweep, in the order run, failed points omitted.
+    """Frequencies [Hz] and levels, shapes (n,), of one direction of a sweep, as run, failed points omitted.
 
     Parameters
     ----------

@@ -39,7 +39,7 @@ class FineSpectrum:
     resolution: float
 
     def power(self, frequency: ArrayLike) -> Array:
-        """Squares of the amplitudes at the points next to these frequencies."""
+        """Squares of the amplitudes at the points next to these frequencies, shape of `frequency`."""
         at = np.rint(np.asarray(frequency, dtype=np.float64) / self.step).astype(np.int64)
         found: Array = self.amplitude[np.clip(at, 0, self.amplitude.size - 1)] ** 2
         return found

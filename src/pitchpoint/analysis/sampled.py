@@ -104,9 +104,9 @@ def same_length(first: Array, second: Array, names: str) -> None:
     Parameters
     ----------
     first
-        Samples of one channel.
+        Samples of one channel, shape (n,).
     second
-        Samples of the other channel.
+        Samples of the other channel, shape (n,).
     names
         What to call the two in an error message.
 

@@ -125,7 +125,7 @@ class ShaftView:
         return self.turns >= FEWEST_TURNS and self.highest >= 1
 
     def free(self, order: NDArray[Any]) -> NDArray[np.bool_]:
-        """Whether points are apart from mesh lines and from orders of other shafts."""
+        """Whether orders, shape (n,), are separate from mesh lines and from orders of other shafts."""
         line = self.spectrum.resolution
         apart = order > 2.0 * line
         for mesh in self.parts.meshes:
@@ -170,7 +170,7 @@ class ShaftView:
         )
 
     def lines(self, orders: NDArray[Any], sideband: NDArray[Any], least: Array | None = None) -> Measured:
-        """The most unlikely of some lines; what is near other lines, or has no neighbours, is omitted."""
+        """The least likely of some lines, shape (n,); lines near others are omitted."""
         limits = np.zeros(orders.size) if least is None else least
         best, looked = None, 0
         for place, number, limit in zip(orders, sideband, limits, strict=True):

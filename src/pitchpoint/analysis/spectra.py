@@ -109,7 +109,7 @@ def one_sided(transform: Lines, length: int, gain: float) -> Array:
     Parameters
     ----------
     transform
-        Result of rfft, records along the leading axes, frequencies along the last.
+        Result of rfft, shape (..., n): records along the leading axes, frequencies along the last.
     length
         Number of samples of one record.
     gain

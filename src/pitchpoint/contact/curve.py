@@ -104,7 +104,7 @@ def line_piece(start: ArrayLike, end: ArrayLike) -> FloatArray:
 
 
 def arc_piece(center: ArrayLike, radius: float, start: float, sweep: float) -> FloatArray:
-    """An arc of a circle, as a row for `chain`.
+    """An arc of a circle, as a row for `chain`, shape (n,).
 
     Parameters
     ----------
@@ -158,7 +158,7 @@ def chain(rows: Sequence[FloatArray], closed: bool) -> Curve:
     Parameters
     ----------
     rows
-        Pieces in the order they are walked; each begins where the one before ends.
+        Pieces in their order, rows of equal shape; each begins where the previous one ends.
     closed
         Whether the last ends where the first begins.
 
@@ -213,7 +213,7 @@ def circle(radius: float, center: tuple[float, float] = (0.0, 0.0), hole: bool =
 
 
 def vertex(x: float = 0.0, y: float = 0.0) -> FloatArray:
-    """A point, as a row for `chain`: an arc of radius zero, all the way round.
+    """A point, as a row (shape as of `arc_piece`) for `chain`: a full circle of radius zero.
 
     Parameters
     ----------
@@ -327,7 +327,7 @@ def spline(points: ArrayLike, closed: bool = True) -> Curve:
 
 
 def involute_piece(r_b: float, phase: float, u: tuple[float, float], hand: int = 1) -> FloatArray:
-    """Piece of the involute of a circle about the origin, as a row for `chain`.
+    """Piece of the involute of a circle about the origin, as a row (shape as of `arc_piece`) for `chain`.
 
     Parameters
     ----------

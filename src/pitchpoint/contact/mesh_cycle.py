@@ -41,7 +41,7 @@ class Piece:
     polynomial: Polynomial
 
     def at(self, psi: ArrayLike) -> Array:
-        """Stiffness at phases inside the piece; its ends give the one-sided limits.
+        """Stiffness at phases inside the piece, shape of psi; its ends give the one-sided limits.
 
         >>> Piece(0.0, 0.5, Polynomial([1.0, 1.0])).at([0.0, 0.5]).tolist()
         [0.0, 2.0]

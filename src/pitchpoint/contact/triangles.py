@@ -128,7 +128,7 @@ class TriangleSurface:
         return bool(np.isin(two * many + one, one * many + two).all())
 
     def packed(self) -> FloatArray:
-        """The surface as one float array for the kernels.
+        """The surface as one float array for the kernels, shape (n,).
 
         Raises
         ------

@@ -124,7 +124,7 @@ def bevel_outline(
 
 
 def bevel_slices(gear: BevelGear, error: float, most: int = MOST_SLICES) -> FloatArray:
-    """Cone distances between which a tooth may be drawn straight [m], from R_i to R_e.
+    """Cone distances between which a tooth may be drawn straight [m], from R_i to R_e, shape (n,).
 
     Parameters
     ----------
@@ -174,7 +174,7 @@ def bevel_sector(
     outline
         Points of the pitch.
     slices
-        Cone distances from R_i to R_e [m].
+        Cone distances from R_i to R_e [m], shape (n,).
     bore_diameter, rim_thickness
         The body, as in `pitchpoint.geometry.bevel_blank.bevel_blank` [m].
     corners

@@ -93,7 +93,7 @@ class BevelTooth:
         Parameters
         ----------
         tau
-            Parameters between `tau_root` and `tau_form` [rad].
+            Parameters between `tau_root` and `tau_form` [rad], shape (n,).
 
         Returns
         -------
@@ -109,7 +109,7 @@ class BevelTooth:
         return _generated(self.tool, self.gear, np.asarray(tau, float))
 
     def involute(self, sigma: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Points of the involute: polar angles and half angles of the tooth at rolls σ [rad]."""
+        """Points of the involute: polar and half angles of the tooth [rad] at rolls σ, shapes (n,)."""
         gear = self.gear
         s, c = math.sin(gear.delta_b), math.cos(gear.delta_b)
         polar = np.arctan2(np.hypot(s * np.cos(sigma), np.sin(sigma)), c * np.cos(sigma))
@@ -126,8 +126,8 @@ class BevelTooth:
 
         Returns
         -------
-        polar, half_angle : ndarray
-            [rad].
+        polar, half_angle : ndarray,
+            shape (n_fillet + n_involute,) [rad].
         """
         tau = np.linspace(self.tau_root, self.tau_form, n_fillet + 1)[:-1]
         sigma = np.linspace(self.sigma_form, self.gear.sigma_a, n_involute)
@@ -330,7 +330,7 @@ def at_cone(gear: BevelGear, polar: FloatArray, R: float) -> FloatArray:
     gear
         The gear.
     polar
-        Polar angles of the points [rad].
+        Polar angles of the points [rad], shape (n,).
     R
         Distance from the apex at which the cone crosses the pitch cone [m].
 

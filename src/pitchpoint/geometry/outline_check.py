@@ -152,7 +152,7 @@ def one_pitch(
 
 
 def sides(plane: ComplexArray) -> tuple[IntArray, IntArray]:
-    """Numbers of the points of the right and of the left side, both from root to tip."""
+    """Numbers of the points of the right and the left side from root to tip; shapes add up to (n,)."""
     split = int(np.argmax(np.angle(plane) >= 0.0))
     return np.arange(split), np.arange(plane.size - 1, split - 1, -1)
 

@@ -87,7 +87,7 @@ class Outline:
         return cKDTree(np.column_stack([line.real, line.imag]))
 
     def nearest(self, points: ComplexArray) -> Nearest:
-        """The nearest place of the outline for every point x + iy [m]."""
+        """The nearest place of the outline for every point x + iy [m], shape (n,)."""
         line, parts = self._chain
         turn = np.exp(2j * math.pi / self.z * np.rint(np.angle(points) * self.z / (2.0 * math.pi)))
         local = points / turn

@@ -268,7 +268,7 @@ def round_inertia(solid: Solid, axis: ArrayLike | None = None) -> RoundInertia:
     solid
         The solid.
     axis
-        Direction of the axis in the file, of any length; None finds it.
+        Direction of the axis in the file, shape (3,), of any length; None finds it.
 
     Returns
     -------

@@ -56,7 +56,7 @@ class ToolTooth:
     travel: float
 
     def at(self, phi: float, tooth: int = 0) -> ComplexArray:
-        """Points of a tooth of the tool when the gear has turned counter-clockwise.
+        """Points x + iy of a tool tooth [m], shape (n,), after a counter-clockwise rotation of the gear.
 
         Parameters
         ----------

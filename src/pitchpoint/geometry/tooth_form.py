@@ -248,7 +248,7 @@ def gear_outline(gear: CylindricalGear, n_flank: int = 40, *, rotation: float = 
 
 
 def around(profile: ToothProfile, z: int, rotation: float = 0.0) -> NDArray[np.complex128]:
-    """Points x + iy of all `z` teeth of one profile [m], tooth 0 turned by `rotation` [rad].
+    """Points x + iy of all `z` teeth of one profile [m], shape (z n,), tooth 0 turned by `rotation` [rad].
 
     Parameters
     ----------

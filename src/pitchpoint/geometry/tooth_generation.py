@@ -88,13 +88,13 @@ class ToothForm:
         return float(self.involute_half_angle(self.r_Fa))
 
     def involute_half_angle(self, r: FloatArray | float) -> FloatArray:
-        """Half tooth angle of the involute at the radius r [m], NaN inside the base circle [rad]."""
+        """Half tooth angle of the involute [rad] at radii r [m], shape of r; NaN inside the base circle."""
         with np.errstate(invalid="ignore"):
             roll = np.sqrt((np.asarray(r, dtype=float) / self.r_b) ** 2 - 1.0)
         return self.psi_b - self.sign * (roll - np.arctan(roll))
 
     def fillet_polar(self, theta: FloatArray | float) -> tuple[FloatArray, FloatArray]:
-        """Radius [m] and half tooth angle [rad] of fillet points."""
+        """Radius [m] and half tooth angle [rad] of fillet points, shapes of theta [rad]."""
         r, delta = self.fillet.polar(theta)
         return r, self.half_pitch_angle - delta
 

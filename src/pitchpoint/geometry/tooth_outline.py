@@ -56,7 +56,7 @@ class ToothOutline:
 
     @cached_property
     def plane(self) -> ComplexArray:
-        """The points as complex numbers x + iy [m]."""
+        """The points as complex numbers x + iy [m], shape (n,)."""
         xy = np.array(self.points)
         return np.asarray(xy[:, 0] + 1j * xy[:, 1])
 

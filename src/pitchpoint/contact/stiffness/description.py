@@ -281,7 +281,7 @@ class PhaseStiffness:
         return 2 if self.rectangular is not None else 0
 
     def arrays(self) -> tuple[int, Array, Array]:
-        """Number of terms and the two arrays that the kernel `phase_stiffness` reads.
+        """Number of terms n and the two arrays, shapes (n,), that the kernel `phase_stiffness` reads.
 
         >>> n, first, second = PhaseStiffness(mean=1e8, cosine=[-0.2]).arrays()
         >>> n, first.tolist(), second.tolist()

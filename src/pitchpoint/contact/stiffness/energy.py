@@ -33,7 +33,7 @@ class PairCompliance:
 
     @property
     def stiffness(self) -> Array:
-        """Stiffness of the pair per unit face width [N/m^2]."""
+        """Stiffness of the pair per unit face width [N/m^2], shape (points,)."""
         return np.asarray(1.0 / (self.tooth_1.total + self.tooth_2.total + self.contact))
 
 
