@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the joint of a gear carries: friction of the joint and load sensors against the statics of one gear.
 
-A gear on a pin of radius r with the torque T is held by the base-tangent force F at its base radius r_b and by
-the friction mu r F of its pin, which the force across the axis loads: T = F (r_b + mu r). The pin puts on the
-gear what the flanks take: F sin(alpha_t) along the line of centres, F cos(alpha_t) across it.
+A gear on a pin of radius r with the torque T is held by the base-tangent force F at its base radius r_b and
+by the friction mu r F of its pin, which the force across the axis loads: T = F (r_b + mu r). The pin puts on
+the gear what the flanks take: F sin(alpha_t) along the line of centres, F cos(alpha_t) across it.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def test_the_short_cut_is_taken_where_no_joint_is_read():
 
 
 def test_a_bevel_gear_loads_its_joint():
-    """Straight teeth at the mean pitch radius: F_r = F_t tan(alpha) cos(delta), F_a = F_t tan(alpha) sin(delta).
+    """Straight teeth: F_r = F_t tan(alpha) cos(delta), F_a = F_t tan(alpha) sin(delta) at the mean cone.
 
     2 %: contact lines and their centroid move about the mean pitch cone.
     """

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Balancing torques of machines that turn: of the mean over the period of the loads and over the mesh cycle.
 
-A torque that balances one instant of a pulsating load makes the machine faster or slower with every turn. What
-keeps the mean speed is the balance of work: loads over angles count with their mean over their period, and
-friction of flanks, which pulsates with the mesh phase, with its mean over mesh cycles.
+A torque that balances one instant of a pulsating load makes the machine faster or slower with every turn.
+What keeps the mean speed is the balance of work: loads over angles count with their mean over their period,
+and friction of flanks, which pulsates with the mesh phase, with its mean over mesh cycles.
 """
 
 from __future__ import annotations
@@ -37,6 +37,8 @@ SAME = 1e-9
 """Difference over the largest value up to which two values, or two mesh frequencies, are one."""
 IN_CYCLE = 16
 """Instants of one mesh cycle at which friction is averaged where all meshes have one frequency."""
+MOST_COORDINATES = 300
+"""Coordinates of a system up to which friction is averaged: every instant takes an equilibrium."""
 CYCLES = 3
 """Cycles of the slowest mesh, faded in and out, over which friction is averaged where they have several."""
 DRIFT = 0.01
@@ -103,11 +105,11 @@ def _mean_over_angle(alone: System, state: State, k: int) -> float | None:
 def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
     """Instants [s] at which friction of flanks is averaged, and their weights, which add up to one.
 
-    The start alone where nothing turns, no flank has friction, or loops close the machine.
+    The start alone where nothing turns, no flank has friction, loops close the machine, or it is large.
     """
     rough = any(np.any(system.records[kind]["mu"] > 0.0) for kind in KINDS if kind in system.records)
     rates = np.zeros(0)
-    if rough and not is_looped(system):
+    if rough and system.sizes["nd"] <= MOST_COORDINATES and not is_looped(system):
         body = system.program["body"]
         speeds = {
             name: float(state.v[spin_of(body, b)])

@@ -17,7 +17,8 @@ MOST_PASSES = 200
 SETTLED = 1e-13
 """Change of the accelerations over their size at which friction fits the loads of the joints."""
 PATIENCE = 3
-"""Passes without a correction of half the size after which it is examined for rounding; then twice as many."""
+"""Passes without a correction of half the size after which one is examined for rounding; then twice as
+many."""
 LONGER = 1e6
 """Factor by which that correction is lengthened: rounding does not grow with it."""
 CLEARLY = 0.05
@@ -151,8 +152,8 @@ def _settle_friction(at, t):
 
     Each pass corrects by what the residual leaves over with the mass matrix at hand; it contracts as long as
     friction does not jam the mechanism. Forces that cancel, such as those of teeth and bearings in steady
-    running, leave rounding that no share of the accelerations bounds: corrections that hardly shrink, although
-    longer ones in the same direction would, are that rounding.
+    running, leave rounding that no share of the accelerations bounds: corrections that hardly shrink,
+    although longer ones in the same direction would, are that rounding.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Accelerations with forces that follow the loads of joints: found where large forces cancel, refused in a jam."""
+"""Accelerations with forces that follow the loads of joints: where large forces cancel, and in a jam."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def pendulum_and_disc(mu, radius):
 @pytest.mark.nojit
 @pytest.mark.parametrize(("angle", "rate"), [(0.9, 1.7), (0.0, 0.0)])
 def test_friction_settles_beside_forces_that_cancel(angle, rate):
-    """The pendulum does not know of the disc; its acceleration alone is that of hand calculation elsewhere."""
+    """The disc does not touch the pendulum, whose acceleration alone `test_joint_friction` derives."""
     one, both = pendulum_and_disc(0.3, 0.08)
     alone, together = one.initial_state(), both.initial_state()
     for state in (alone, together):
@@ -52,7 +52,7 @@ def test_friction_settles_beside_forces_that_cancel(angle, rate):
 
 
 def test_a_jammed_mechanism_is_named():
-    """A pin so thick that each pass multiplies its friction by mu r m l/(I + m l^2) = 1.4 > 1 has no motion."""
+    """A pin so thick that each pass multiplies its friction by mu r m l/(I + m l^2) = 1.4 does not settle."""
     system = pendulum(0.75, 1.36)
     state = system.initial_state()
     state.q[0], state.v[0] = 0.9, 1.7
@@ -72,7 +72,8 @@ def moving_axes(mu: float, method: str) -> str:
         "joints:\n  pin: {type: revolute, bodies: [ground, driven],\n"
         f"    friction: {{coefficient: {mu}, radius: 20 mm, slip_speed: 0.1 mm/s}}}}\n"
         "bearings:\n  one: {body: driver, stiffness: {radial: 2e8 N/m}, damping: {ratio: 0.02}}\n"
-        "meshes:\n  stage: {gears: [a, b], stiffness: {law: constant, value: 4e8 N/m}, damper: {ratio: 0.05}}\n"
+        "meshes:\n  stage: {gears: [a, b], stiffness: {law: constant, value: 4e8 N/m},\n"
+        "    damper: {ratio: 0.05}}\n"
         "loads:\n  in: {body: driver, torque: 171.43 N m}\n  out: {body: driven, torque: balance}\n"
         f"scenarios:\n  run: {{speed: {{driver: 500 rpm}}, duration: 1 ms, step: 5 us, method: {method}}}\n"
     )

@@ -252,8 +252,8 @@ def _seat(model: Model, body: str, gear: str) -> tuple[int, float, Array, Array]
 def _only_spins(model: Model, body: str) -> bool:
     """Whether a body on ground at most spins, and nothing reads the load of its joint.
 
-    The short cut of such gears gives torques alone: the joint takes the rest of the mesh force, which friction
-    of the joint and load sensors must see.
+    The short cut of such gears gives torques alone: the joint takes the rest of the mesh force, which
+    friction of the joint and load sensors must see.
     """
     seat = model.mechanism.seats[body]
     rubs = seat.joint is not None and model.joints[seat.joint].friction is not None
