@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -57,7 +58,8 @@ LONGEST = 0.3
 """Largest turn of a joint in one step then [rad]."""
 SLOW = 1.0
 """Time [s] from which on a search says how many steps it has taken."""
-_NOW = (np.zeros(1), np.ones(1))
+NOW = (np.zeros(1), np.ones(1))
+"""The instant of the start alone, with its weight."""
 SHORT = 1e-6
 """Step [m] below which one that makes no progress is searched for the jump of a force."""
 
@@ -256,7 +258,7 @@ def balance_torques(
     state: State,
     held: Sequence[int],
     driven: Sequence[int] = (),
-    instants: tuple[NDArray[np.float64], NDArray[np.float64]] = _NOW,
+    instants: tuple[NDArray[np.float64], NDArray[np.float64]] = NOW,
 ) -> tuple[System, tuple[int, ...], list[int]]:
     """Fill in the torques that the model leaves to balance all others.
 
@@ -306,17 +308,21 @@ def balance_torques(
 def _mean_reaction(
     system: System, found: Equilibrium, times: NDArray[np.float64], weights: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Weighted mean of the reactions of an equilibrium whose spins turn on at their speeds."""
+    """Weighted mean of the reactions of an equilibrium whose spins turn on at their speeds.
+
+    Instants without an equilibrium, such as those at a missing tooth, do not count.
+    """
     if not times.any():
         return found.reaction
     spins = np.setdiff1d([s for s in system.program["body"]["spin"] if s >= 0], system.states)
-    total = np.zeros(len(found.held))
-    for time_, weight in zip(times, weights, strict=True):
-        if weight > 0.0:
-            state = found.state.copy()
-            state.q[spins] += time_ * state.v[spins]
+    total, counted = np.zeros(len(found.held)), 0.0
+    for instant, weight in zip(times[weights > 0.0], weights[weights > 0.0], strict=True):
+        state = found.state.copy()
+        state.q[spins] += instant * state.v[spins]
+        with suppress(SolverError):
             total += weight * find_equilibrium(system, _wrapped(system, state), found.held).reaction
-    return total
+            counted += weight
+    return total / counted if counted > 0.0 else found.reaction
 
 
 def solve_equilibrium(

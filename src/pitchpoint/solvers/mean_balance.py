@@ -18,7 +18,7 @@ from pitchpoint.core.units import format_quantity
 from pitchpoint.elements.signal import CONSTANT, TWO_PI, set_constant
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.constrained_rest import is_looped
-from pitchpoint.solvers.equilibrium import balancing_loads
+from pitchpoint.solvers.equilibrium import NOW, balancing_loads
 from pitchpoint.solvers.trains import mesh_rates
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import KINDS
@@ -119,7 +119,7 @@ def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
         rates = np.array(mesh_rates(system, speeds))
         rates = rates[rates > SAME * rates.max(initial=0.0)]
     if not rates.size:
-        return np.zeros(1), np.ones(1)
+        return NOW
     if np.ptp(rates) <= SAME * rates.max():
         share = np.arange(IN_CYCLE) / IN_CYCLE
         return share * TWO_PI / rates[0], np.full(IN_CYCLE, 1.0 / IN_CYCLE)

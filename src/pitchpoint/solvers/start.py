@@ -17,7 +17,7 @@ from pitchpoint.model.mechanism import given
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.assembly import assemble_state, close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
-from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques, balancing_loads
+from pitchpoint.solvers.equilibrium import NOW, Equilibrium, balance_torques, balancing_loads
 from pitchpoint.solvers.mean_balance import cycle_instants, with_mean_loads
 from pitchpoint.solvers.start_notes import start_notes
 from pitchpoint.solvers.states_at_start import rest_of_controls, states_of_inputs
@@ -139,7 +139,8 @@ def _at_rest(
     balancing = balancing_loads(system)
     mean = with_mean_loads(system, state) if balancing else system
     pulsates = mean is not system
-    mean, balanced, held = balance_torques(mean, state, held, driven, cycle_instants(system, state))
+    instants = cycle_instants(system, state) if balancing else NOW
+    mean, balanced, held = balance_torques(mean, state, held, driven, instants)
     known = {*driven, *balanced}
     found, told = rest_of_controls(mean, state, held, known)
     mean, found, remarks = settle_clutches(mean, found, driven, balanced)

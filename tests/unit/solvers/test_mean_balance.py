@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Balancing torques of pulsating loads: the work of a period decides, and the speed stays about the scenario."""
+"""Balancing torques of pulsating loads: the work of a period decides, the speed stays near the scenario."""
 
 from __future__ import annotations
 
