@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -16,6 +15,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Sweep
 
 
 NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "points": [], "jumps": []}
@@ -64,7 +64,7 @@ def sweep(
     if as_json:
         emit_json(summary)
     elif summary["points"]:
-        _print(f"{model.title or file}: {name}", summary, *_scale(model, name))
+        _print(f"{model.title or file}: {name}", summary, model.scenarios[name].sweep)
         if not quiet:
             show(f"{len(summary['points'])} points in {summary['wall_s']:.3g} s, written to {target}")
             for note in summary["notes"]:
@@ -83,15 +83,17 @@ def compute(
     from pitchpoint.core.status import OK
     from pitchpoint.io.sweep_store import SweepWriter
     from pitchpoint.solvers.time import loop_of
-    from pitchpoint.sweep.speed import run_sweep
+    from pitchpoint.sweep.speed import plan_sweep, run_sweep
     from pitchpoint.system.compile import compile_model
 
     expect(loop_of(model.scenarios[name].method))
     system = compile_model(model, name)
-    mesh, directions, speeds, frequencies = plan(model, name)
+    swept = plan_sweep(system, model.scenarios[name])
+    speeds, frequencies = swept.speeds.tolist(), swept.frequencies.tolist()
+    directions = [d for d in ("up", "down") if d in swept.directions]
     header = header_of(model, file, name, "sweep", model.scenarios[name].method)
     channels = [(c.name, c.unit, c.long_name) for c in system.layout.channels]
-    with SweepWriter(target, header, mesh, directions, speeds, frequencies, channels) as writer:
+    with SweepWriter(target, header, swept.mesh, directions, speeds, frequencies, channels) as writer:
 
         def keep(point: dict[str, Any]) -> None:
             """Write a point where its speed belongs."""
@@ -110,7 +112,7 @@ def compute(
         "wall_s": done.wall_s,
         "output": str(target),
         "notes": done.notes,
-        "mesh": mesh,
+        "mesh": swept.mesh,
         "points": [{k: v for k, v in point.items() if k != "channels"} for point in done.points],
         "jumps": done.jumps,
     }
@@ -118,35 +120,14 @@ def compute(
     return summary, error
 
 
-def plan(model: Model, name: str) -> tuple[str, list[str], list[float], list[float]]:
-    """Give mesh, directions, speeds [rad/s] and mesh frequencies [Hz] of a sweep, ascending."""
-    sweep = model.scenarios[name].sweep
-    assert sweep is not None  # the kind of the scenario was checked
-    mesh, teeth = model.sweep_mesh(name)
-    per_speed = teeth / (2.0 * math.pi)
-    if sweep.mesh_frequency is not None:
-        low, high = (f / per_speed for f in sweep.mesh_frequency)
-    else:
-        low, high = sweep.speed or (0.0, 0.0)
-    step = (high - low) / max(sweep.points - 1, 1)
-    speeds = [low + k * step for k in range(sweep.points)]
-    directions = ["up", "down"] if sweep.direction == "both" else [sweep.direction]
-    return mesh, directions, speeds, [speed * per_speed for speed in speeds]
-
-
-def _scale(model: Model, name: str) -> tuple[str, float | None]:
-    """Swept body and its mesh frequency at 1 rad/s [Hz]; none where the scenario gives mesh frequencies."""
-    sweep = model.scenarios[name].sweep
-    assert sweep is not None  # the kind of the scenario was checked
-    given = sweep.speed is not None
-    return sweep.body, model.sweep_mesh(name)[1] / (2.0 * math.pi) if given else None
-
-
-def _print(title: str, summary: dict[str, Any], body: str, per_speed: float | None) -> None:
+def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
     """Show jumps, and the points at which the deflection of the swept mesh vibrates most.
 
-    With `per_speed`, the mesh frequency [Hz] at 1 rad/s of the swept body, points are told by their speed.
+    A sweep that is given by speeds names its points by the speed of the swept body.
     """
+    per_speed = None
+    if sweep is not None and sweep.speed is not None:
+        per_speed = max(p["mesh_frequency"] / abs(p["speed"]) for p in summary["points"] if p["speed"])
 
     def place(frequency: float) -> str:
         """Name a point of the sweep by its mesh frequency, or by the speed it stands for."""
@@ -173,6 +154,6 @@ def _print(title: str, summary: dict[str, Any], body: str, per_speed: float | No
                 ", ".join(place(f) for f in jumps) or "none",
             ]
         )
-    first = "mesh frequency" if per_speed is None else f"speed of {body}"
+    first = "mesh frequency" if sweep is None or per_speed is None else f"speed of {sweep.body}"
     columns = [first, "points", "greatest rms of deflection", "at", "greatest mesh force"]
     table(f"{title}, mesh {summary['mesh']}", [*columns, "contact lost, at most", "jumps at"], rows)

@@ -7,11 +7,9 @@ f = -D v. One record per ordered pair of bodies with a block that is not zero.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.core.symmetric_pencil import symmetric_pencil
 from pitchpoint.multibody.channels import coordinate_args
 
 SPINS = "free"
@@ -31,29 +29,6 @@ RECORD = np.dtype(
     ],
     align=True,
 )
-
-
-def modal_damping(M: NDArray[np.float64], K: NDArray[np.float64], ratio: float) -> NDArray[np.float64]:
-    """Damping matrix that gives every elastic mode the same damping ratio: D = sum 2 ratio omega M x x^T M.
-
-    Parameters
-    ----------
-    M, K
-        Symmetric mass and stiffness matrix (symmetric parts are taken), shape (nd, nd).
-    ratio
-        Damping ratio of every mode [-]; rigid-body motion is not damped.
-
-    Examples
-    --------
-    >>> modal_damping(np.eye(1), np.array([[4.0]]), 0.25)
-    array([[1.]])
-    """
-    M, K = 0.5 * (M + M.T), 0.5 * (K + K.T)
-    squares, modes = symmetric_pencil(K, M)
-    omega = np.sqrt(np.where(squares > 1e-9 * np.abs(squares).max(initial=0.0), squares, 0.0))
-    left = M @ modes
-    D = (left * (2.0 * ratio * omega)) @ left.T
-    return np.asarray(D)
 
 
 @kernel

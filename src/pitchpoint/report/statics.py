@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a report computes itself, because it takes a second: slow roll of every mesh, modes, Campbell data.
 
-The loads of the first scenario at t = 0 count. What cannot be computed (loads that no tooth resists, say) is
-left out with a sentence.
+The loads of the first scenario at t = 0 count. What cannot be computed (for example loads that no tooth
+carries) is omitted with a sentence.
 """
 
 from __future__ import annotations
@@ -26,16 +26,17 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.law import Law
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Drive, Scenario
+    from pitchpoint.system.system import System
     from pitchpoint.viz.report import CampbellData, MeshCycleData, ModeData
 
 LINEAR = 2
-"""Parts of the work of a report beside the slow rolls: matrices of the linear system, Campbell diagram."""
+"""Parts of the work of a report next to the slow rolls: matrices of the linear system, Campbell diagram."""
 SPEEDS = 41
 FOLLOWED = 20
 """Modes of a large system in the Campbell diagram: each takes some milliseconds per speed."""
 HARMONICS = 3
 MOMENTS = 1001
-"""Moments at which a drive is asked for its speed."""
+"""Moments at which a drive is requested its speed."""
 NAMED = 6
 """Modes up to which a Campbell diagram has their names in its legend."""
 
@@ -84,7 +85,7 @@ def with_rolls(
                 fewer.append(name)
             part = partial(_part_of, progress, k, len(rolled) + LINEAR)
             roll = roll_through(system, still, points, periods, mesh=name, others=False, progress=part)
-            if roll.status == INTERRUPTED:  # a report of what was rolled before is not what was asked for
+            if roll.status == INTERRUPTED:  # a report of what was rolled before is not what was requested
                 raise KeyboardInterrupt
             if roll.sentence != "finished":
                 notes.append(f"{name}: the slow roll stopped: {roll.sentence}.")
@@ -98,13 +99,13 @@ def with_rolls(
         notes.append(
             f"Slow rolls have {POINTS_OF_LARGE} points at most instead of {ALL_POINTS}, as the machine has "
             f"more than {LARGE} coordinates: {', '.join(fewer)}. "
-            "A scenario with quasi_static has as many as it says."
+            "A scenario with quasi_static has its own number."
         )
     return found, notes
 
 
 def _part_of(progress: Progress, before: int, parts: int, done: float, total: float, note: str = "") -> None:
-    """Tell how far one of several parts of equal length is."""
+    """Report the progress of one of several parts of equal length."""
     progress(before + done / total, parts, note)
 
 
@@ -156,7 +157,7 @@ def linear_parts(
 ) -> tuple[ModeData | None, CampbellData | None, list[str]]:
     """Modes about the loaded state and Campbell data over the speed of the first body in mesh.
 
-    `before` parts of the work that `progress` is told of are done.
+    `before` parts of the work that `progress` is informed of are done.
     """
     from pitchpoint.solvers.campbell import follow_modes
     from pitchpoint.solvers.linear_system import linearise
@@ -180,7 +181,7 @@ def linear_parts(
             total=found.total,
         )
         body = reference_body(model)
-        top = highest_speed(model, body, found.frequency) if body else 0.0
+        top = highest_speed(system, body, found.frequency) if body else 0.0
         if not top > 0.0:
             return modes, None, []
         followed = FOLLOWED if found.total > len(found.frequency) else None
@@ -229,47 +230,46 @@ def reference_body(model: Model) -> str | None:
     return None
 
 
-def highest_speed(model: Model, body: str, frequency: Any) -> float:
+def highest_speed(system: System, body: str, frequency: Any) -> float:
     """End of the Campbell diagram [rad/s]: 1.2 times the highest speed of all scenarios.
 
     If none turns the body, the speed where the slowest mesh has met every mode.
     """
-    from pitchpoint.model.scenario import Scenario
+    from pitchpoint.solvers.trains import body_rates, mesh_orders
 
-    reached = max((highest_of_scenario(model, s, body) for s in model.scenarios.values()), default=0.0)
+    scenarios = {} if system.model is None else system.model.scenarios
+    reached = max((highest_of_scenario(system, s, body) for s in scenarios.values()), default=0.0)
     if reached > 0.0:
         return 1.2 * reached
-    ratios = model.start_speeds(Scenario(speed={body: 1.0}))
-    orders = []
-    for mesh in model.every_mesh.values():
-        turning = str(model.body_of(mesh.gears[0]))
-        orders.append(abs(ratios.get(turning, 0.0)) * model.toothed[mesh.gears[0]].number_of_teeth)
+    orders = mesh_orders(system, body_rates(system, body)).values()
     lowest = min((o for o in orders if o > 0.0), default=math.inf)
     return 1.2 * 2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest
 
 
-def highest_of_scenario(model: Model, scenario: Scenario, body: str) -> float:
-    """Highest speed of a body in a scenario [rad/s], as far as the model file says it."""
+def highest_of_scenario(system: System, scenario: Scenario, body: str) -> float:
+    """Highest speed of a body in a scenario [rad/s], as far as the model file states it."""
     from pitchpoint.model.scenario import Scenario
 
-    speeds = [scenario.speed, *({name: speed} for name, speed in prescribed(model, scenario))]
+    speeds = [scenario.speed, *({name: speed} for name, speed in prescribed(system, scenario))]
     reached = 0.0
     for given in speeds:
-        ratios = model.start_speeds(Scenario(speed=dict(given)))
+        ratios = system.model.start_speeds(Scenario(speed=dict(given)))
         reached = max(reached, abs(ratios.get(body, 0.0)))
     return reached
 
 
-def prescribed(model: Model, scenario: Scenario) -> list[tuple[str, float]]:
+def prescribed(system: System, scenario: Scenario) -> list[tuple[str, float]]:
     """Highest prescribed speeds of bodies [rad/s]: of drives, and the end of a sweep."""
+    from pitchpoint.solvers.trains import body_rates, mesh_orders
+
     end = scenario.duration or 0.0
     found = [(name, _fastest(drive, end)) for name, drive in scenario.drive.items()]
     sweep = scenario.sweep
     if sweep is not None and sweep.speed is not None:
         found.append((sweep.body, sweep.speed[1]))
     elif sweep is not None and sweep.mesh_frequency is not None:
-        teeth = abs(model.sweep_mesh(scenario)[1])
-        found.append((sweep.body, 2.0 * math.pi * sweep.mesh_frequency[1] / teeth))
+        order = mesh_orders(system, body_rates(system, sweep.body))[system.model.sweep_mesh(scenario)]
+        found.append((sweep.body, 2.0 * math.pi * sweep.mesh_frequency[1] / order if order > 0.0 else 0.0))
     return [(name, speed) for name, speed in found if speed > 0.0]
 
 

@@ -14,23 +14,22 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.multibody.bodies import GENERAL, spin_of
+from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.free_directions import free_directions
 from pitchpoint.solvers.linear_system import (
     Linearised,
     damped_modes,
-    free_directions,
     linearise,
     lowest,
 )
 from pitchpoint.solvers.modal import energy_shares
 from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.stiffness_parts import Array
-from pitchpoint.solvers.trains import rotations
+from pitchpoint.solvers.trains import body_rates, mesh_orders
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -83,7 +82,7 @@ def follow_modes(
     omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     linear = linear or linearise(system, scenario)
     own, parts = linear.system, linear.at_rest
-    rates = speed_ratios(own, body)
+    rates = body_rates(own, body)
     modes = lowest(linear, count)
     values, shapes, n = modes.omega, modes.shapes, len(modes.omega)
     found, last = np.zeros((omega.size, n), complex), shapes.astype(complex)
@@ -97,18 +96,7 @@ def follow_modes(
         progress(s + 1, omega.size, "speeds")
     _, potential = energy_shares(parts, shapes, values)
     names = mode_names(own.layout, parts, values, shapes, potential)
-    return Campbell(body, omega, found.imag / (2.0 * np.pi), ratio_of(found), names, _orders(own, rates))
-
-
-def speed_ratios(system: System, body: str) -> Array:
-    """Rates of all coordinates as one body turns at 1 rad/s: by the model, or by what turns together."""
-    if system.model is None:
-        return np.asarray(rotations(system, (system.spin(body),))[:, 0])
-    rates = np.zeros(system.sizes["nd"])
-    for name, ratio in system.model.start_speeds(Scenario(speed={body: 1.0})).items():
-        if ratio != 0.0:
-            rates[system.spin(name)] = ratio
-    return rates
+    return Campbell(body, omega, found.imag / (2.0 * np.pi), ratio_of(found), names, mesh_orders(own, rates))
 
 
 def at_speeds(linear: Linearised, rates: Array) -> Linearised:
@@ -163,18 +151,6 @@ def _steady(linear: Linearised, still: State, rates: Array) -> Linearised:
     return replace(
         linear, state=state, at_rest=parts, D=D, K=K, basis=free_directions(system, state, linear.states)
     )
-
-
-def _orders(system: System, rates: Array) -> dict[str, float]:
-    """Mesh frequency over rotational frequency of the body with ratio 1, by mesh."""
-    found = {}
-    for name, record in zip(mesh_names(system), mesh_records(system), strict=True):
-        one, two = (spin_of(system.program["body"], int(record[e])) for e in ("i", "j"))
-        teeth, ratio = record["z1"], rates[one] if one >= 0 else 0.0
-        if ratio == 0.0:
-            teeth, ratio = record["z2"], rates[two] if two >= 0 else 0.0
-        found[name] = float(abs(teeth * ratio))
-    return found
 
 
 def solve_campbell(

@@ -35,7 +35,7 @@ from pitchpoint.solvers.missing import missing_tooth
 from pitchpoint.solvers.still import GROWTH, ROUNDING, inverse_of, rest_matrix, restless, step_on
 from pitchpoint.solvers.surfaces import Surface, crossed
 from pitchpoint.solvers.swinging import Tangent, resists
-from pitchpoint.solvers.trains import complete, exchange, free_spins, is_independent
+from pitchpoint.solvers.trains import complete, exchange, exchange_all, free_spins, is_independent
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.source import coordinate_source
@@ -291,9 +291,7 @@ def balance_torques(
         return system, (), list(held)
     acting = system.records["torque"]["i"]  # on a shaft it is the station where the torque acts
     spins = [system.spin(system.layout.bodies[int(acting[k])]) for k in wanted]
-    let_go = tuple(held)
-    for spin in spins:
-        let_go = exchange(system, let_go, spin, state)
+    let_go = exchange_all(system, held, spins, state)
     found = find_equilibrium(system, state, let_go)
     reaction = _mean_reaction(system, found, *instants)
     records = system.records["torque"].copy()

@@ -21,10 +21,11 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.campbell import at_speeds, speed_ratios
+from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
 from pitchpoint.solvers.ports import Input, Outputs, find_inputs, find_outputs
 from pitchpoint.solvers.still import LARGE
+from pitchpoint.solvers.trains import body_rates
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -101,7 +102,7 @@ def find_response(
     ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
     hertz = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
     basis = linear.basis if modes is None else lowest(linear, modes).shapes.T
-    rates = None if synchronous is None else speed_ratios(linear.system, synchronous)
+    rates = None if synchronous is None else body_rates(linear.system, synchronous)
     found = np.zeros((hertz.size, len(outs.names), len(ins)), complex)
     matrices = _matrices(linear)
     for f, omega in enumerate(2.0 * np.pi * hertz):

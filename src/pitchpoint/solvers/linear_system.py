@@ -6,7 +6,7 @@ What `modal`, `campbell` and `frequency_response` have in common; what the matri
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,17 +17,16 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.elements.registry import MODAL
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.assembly import REDUNDANT
 from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, undamped
 from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of
 from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.free_directions import free_directions
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
-from pitchpoint.solvers.start import without_friction
 from pitchpoint.solvers.stiffness_parts import NONE, TOUCH, Array, Parts, shift, split, touching
-from pitchpoint.solvers.still import LARGE
-from pitchpoint.solvers.trains import driven_coordinates, held_spins, rotations
+from pitchpoint.solvers.switched_off import without_friction
+from pitchpoint.solvers.trains import rigid_rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
@@ -118,10 +117,7 @@ def linearise(
     loose = touching(own, state)
     notes = [*point.notes, *_of_one_position(own, state)]
     if loose:
-        notes.append(
-            f"no load presses the flanks of {', '.join(loose)} together: "
-            "they are taken as touching, on the front if nothing leans on the back"
-        )
+        notes.append(_of_assumed_flanks(loose))
         notes += _of_arbitrary_stiffness(own, loose)
     still = state.copy()
     still.v[:] = 0.0
@@ -136,7 +132,19 @@ def linearise(
     return Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, tuple(notes))
 
 
-def _of_arbitrary_stiffness(system: System, loose: Sequence[str]) -> list[str]:
+def _of_assumed_flanks(loose: Mapping[str, int]) -> str:
+    """Note on the flanks at which unloaded meshes are taken."""
+    front, back = (", ".join(m for m, flank in loose.items() if flank == sense) for sense in (1, -1))
+    sides = " and ".join(
+        f"the {side} of {names}" for side, names in (("front", front), ("back", back)) if names
+    )
+    return (
+        f"no load presses the flanks of {', '.join(loose)} together: they are taken as touching at {sides}, "
+        "as a small torque through the train presses them"
+    )
+
+
+def _of_arbitrary_stiffness(system: System, loose: Collection[str]) -> list[str]:
     """Note on unloaded meshes whose stiffness grows with the load: at the point of touch they have none."""
     records = zip(mesh_names(system), mesh_records(system), strict=True)
     names = [name for name, record in records if name in loose and record["power"] > 1.0]
@@ -195,69 +203,6 @@ def _at_phase(system: System, state: State, phase: float, held: tuple[int, ...])
         rest.v[:] = state.v
         state = rest
     return state
-
-
-def free_directions(system: System, state: State, states: Sequence[int] = ()) -> Any:
-    """Columns that span what constraint rows leave free, without the states of elements, shape (nd, n).
-
-    Sparse if the system is large.
-    """
-    nd = system.sizes["nd"]
-    mechanical = np.setdiff1d(np.arange(nd), np.array(states, np.int64))
-    if system.sizes["nc"] == 0:
-        return _unit_columns(nd, mechanical)
-    G = evaluate.constraint_jacobian(system, state)[:, mechanical]
-    fixed = np.flatnonzero(np.abs(G).sum(axis=0) > 0.0)
-    if np.count_nonzero(G) == fixed.size == np.linalg.matrix_rank(G):
-        return _unit_columns(nd, np.delete(mechanical, fixed))  # rows that each hold one coordinate
-    weight = system.weight[mechanical]
-    if nd >= LARGE:
-        return _sparse_null_space(G / weight, mechanical, weight, nd)
-    _, values, rows = np.linalg.svd(G / weight)
-    rank = int(np.sum(values > REDUNDANT * values[0]))
-    whole = np.zeros((nd, mechanical.size - rank))
-    whole[mechanical] = (rows[rank:] / weight).T
-    return whole
-
-
-def _unit_columns(nd: int, places: NDArray[np.int64]) -> Any:
-    """Columns that each move one coordinate."""
-    if nd < LARGE:
-        return np.eye(nd)[:, places]
-    from scipy.sparse import csc_array
-
-    n = len(places)
-    return csc_array((np.ones(n), places, np.arange(n + 1)), shape=(nd, n))
-
-
-def _sparse_null_space(G: Array, places: NDArray[np.int64], weight: Array, nd: int) -> Any:
-    """What rows leave free: some coordinates follow the others, chosen as independently as can be.
-
-    Elimination by pivoted orthogonal factors of the columns that rows have; columns without entries are free
-    by themselves, so the basis is as sparse as the loops are local.
-    """
-    from scipy.linalg import qr, solve_triangular
-    from scipy.sparse import csc_array
-
-    used = np.flatnonzero(np.abs(G).sum(axis=0) > 0.0)
-    _, R, order = qr(G[:, used], mode="economic", pivoting=True)
-    sizes = np.abs(np.diag(R))
-    rank = int(np.sum(sizes > REDUNDANT * sizes.max(initial=0.0)))
-    follows, leads = used[order[:rank]], used[order[rank:]]
-    ratio = -solve_triangular(R[:rank, :rank], R[:rank, rank:])
-    ratio[np.abs(ratio) < 1e-14] = 0.0
-    free = np.setdiff1d(np.arange(G.shape[1]), follows)
-    column = np.searchsorted(free, leads)
-    one, two = np.nonzero(ratio)
-    rows = np.concatenate([free, follows[one]])
-    columns = np.concatenate([np.arange(free.size), column[two]])
-    values = np.concatenate([np.ones(free.size), ratio[one, two]]) / weight[rows]
-    return csc_array((values, (places[rows], columns)), shape=(nd, free.size))
-
-
-def rigid_rotations(system: System) -> Array:
-    """Turns of the spins that nothing resists: one row per free train that nothing drives, shape (r, nd)."""
-    return rotations(system, held_spins(system)[len(driven_coordinates(system)) :]).T
 
 
 @dataclass(frozen=True)

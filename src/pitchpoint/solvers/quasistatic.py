@@ -29,11 +29,16 @@ from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import operating_point
-from pitchpoint.solvers.roll_notes import load_notes
-from pitchpoint.solvers.roll_path import rolled_on, turned_gear, without_deflections
+from pitchpoint.solvers.roll_notes import friction_notes, load_notes
+from pitchpoint.solvers.roll_path import (
+    periods_per_turn,
+    rolled_on,
+    turned_gear,
+    without_deflections,
+)
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.touch import tangent_stiffness, touching_error
-from pitchpoint.solvers.trains import exchange, held_spins, rotations, tied_by_teeth
+from pitchpoint.solvers.trains import exchange, held_spins, mesh_orders, rotations, tied_by_teeth
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
@@ -148,14 +153,14 @@ def roll_through(
     point = operating_point(system, _begun(system, scenario))
     own = point.system.copy()
     k = mesh_names(own).index(mesh)
-    spin, z = turned_gear(own, k)
+    spin, _ = turned_gear(own, k)
     state = point.state.copy()
     state.v[:] = 0.0
     held = exchange(own, held_spins(own), spin, state)
     held = (spin, *(h for h in held if h != spin))
     direction = -1.0 if point.state.v[spin] < 0.0 else 1.0
     rates = rotations(own, (spin,))[:, 0]
-    step = direction * 2.0 * np.pi / (z * points)
+    step = direction * 2.0 * np.pi / (periods_per_turn(own, k, rates) * points)
     n = points * periods + 1
     rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
     names = mesh_names(own)
@@ -183,26 +188,30 @@ def roll_through(
         status, text = error.status, f"{error} (after {done} of {n} points)"
     rows = rows[:done]
     curves = {m: (unloaded[m, :done], tangent[m, :done]) for m in told}
-    meshes = _mesh_rolls(own, rows, curves, rates, (spin, z))
+    meshes = _mesh_rolls(own, rows, curves, rates, (spin, k))
     position = np.arange(done) / points
     spans = {
         c.name: {"min": column.min(initial=np.inf), "max": column.max(initial=-np.inf)}
         for c, column in zip(own.layout.channels, rows.T, strict=True)
     }
-    notes = (*load_notes(own, held, reaction[:done], rows), *deep_contacts(own.model, [spans]))
+    notes = (
+        *load_notes(own, held, reaction[:done], rows),
+        *friction_notes(own),
+        *deep_contacts(own.model, [spans]),
+    )
     return Roll(mesh, position, rows, meshes, reaction[:done, 0], notes, status, text)
 
 
 def _mesh_rolls(
     system: System, rows: Array, curves: dict[int, tuple[Array, Array]], rates: Array, rolled: tuple[int, int]
 ) -> dict[str, MeshRoll]:
-    """Meshes over the points done; `rolled` is the spin that was turned and the number of its teeth."""
-    names = mesh_names(system)
+    """Meshes over the points done; `rolled` is the spin that was turned and the number of its mesh."""
+    names, orders = mesh_names(system), list(mesh_orders(system, rates).values())
     return {
         names[m]: MeshRoll(
             *own,
             _shares(system, rows, names[m], int(mesh_record(system, m)["n_pair"])),
-            _pitches(system, mesh_record(system, m), rates, *rolled),
+            _pitches(system, m, rolled, orders[m] / orders[rolled[1]]),
         )
         for m, own in curves.items()
     }
@@ -244,15 +253,16 @@ def _begun(system: System, scenario: Scenario) -> Scenario:
     return replace(scenario, start="assembled")
 
 
-def _pitches(system: System, record: np.void, rates: Array, rolled: int, z: int) -> Fraction | None:
+def _pitches(system: System, mesh: int, rolled: tuple[int, int], ratio: float) -> Fraction | None:
     """Tooth pitches that a mesh goes on per period of the rolled one; exact, None if loops are on the way."""
-    for body, teeth in ((record["i"], record["z1"]), (record["j"], record["z2"])):
+    record = mesh_record(system, mesh)
+    for body in (record["i"], record["j"]):
         spin = spin_of(system.program["body"], body)
-        if spin >= 0 and is_looped(system) and not tied_by_teeth(system, rolled, spin):
+        if spin < 0 or not is_looped(system) or mesh == rolled[1]:
+            continue
+        if not tied_by_teeth(system, rolled[0], spin):
             return None
-        if spin >= 0:
-            return Fraction(abs(float(rates[spin]))).limit_denominator(LARGEST_RATIO) * abs(int(teeth)) / z
-    return Fraction(0)
+    return Fraction(ratio).limit_denominator(LARGEST_RATIO)
 
 
 def _shares(system: System, rows: Array, name: str, n_pair: int) -> Array:

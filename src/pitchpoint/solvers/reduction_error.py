@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from pitchpoint.solvers.eigen import symmetric, undamped
 from pitchpoint.solvers.element_tangents import inertial_stiffness
-from pitchpoint.solvers.linear_system import SPARSE, free_directions, rigid_rotations
+from pitchpoint.solvers.free_directions import free_directions
+from pitchpoint.solvers.linear_system import SPARSE
 from pitchpoint.solvers.sparse_modes import lowest_modes
+from pitchpoint.solvers.trains import rigid_rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State, System

@@ -19,8 +19,8 @@ ECCENTRIC = 1e-6
 """Distance of a centre of mass from an axis [m] from which weight turns what hangs there."""
 
 
-def resisted_spins(system: System, index: dict[int, int]) -> list[Array]:
-    """Rows of spins that springs, contacts, loops or eccentric weight keep from turning freely."""
+def resisted_spins(system: System) -> list[int]:
+    """Spins that springs, contacts, loops or eccentric weight keep from turning freely."""
     body = system.program["body"]
     held = {int(s) for s in system.states}
     for kind, records in system.records.items():
@@ -44,9 +44,7 @@ def resisted_spins(system: System, index: dict[int, int]) -> list[Array]:
             if kind == "bearing":
                 between -= _along(system, int(record["i"]))
             held |= between - (_unresisted(body, record) if kind == "bushing" else set())
-    rows = np.zeros((len(held), len(index)))
-    rows[range(len(held)), [index[s] for s in sorted(held)]] = 1.0
-    return list(rows)
+    return sorted(held)
 
 
 def _along(system: System, b: int) -> set[int]:

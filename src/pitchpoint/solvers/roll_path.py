@@ -13,8 +13,8 @@ from pitchpoint.multibody.bodies import GENERAL, spin_of
 from pitchpoint.solvers.assembly import close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.stiffness_parts import Array
-from pitchpoint.solvers.trains import turning_rates
-from pitchpoint.system.meshes import mesh_record
+from pitchpoint.solvers.trains import mesh_orders, turning_rates
+from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State, System
 
 
@@ -24,6 +24,32 @@ def turned_gear(system: System, mesh: int) -> tuple[int, int]:
     body = next(int(record[e]) for e in ("i", "j") if spin_of(system.program["body"], record[e]) >= 0)
     z = record["z1"] if body == record["i"] else record["z2"]
     return system.spin(system.layout.bodies[body]), abs(int(z))
+
+
+def periods_per_turn(system: System, mesh: int, rates: Array) -> float:
+    """Periods of a mesh per revolution of the gear that rolls it; a carrier that turns along takes some away.
+
+    Through closed loops, whose ratios change, the gear is taken against its base.
+
+    Parameters
+    ----------
+    system, mesh
+        The mesh.
+    rates
+        Rates of all coordinates as that gear turns at 1 rad/s, shape (nd,).
+
+    Raises
+    ------
+    SolverError
+        If the mesh stands still.
+    """
+    if is_looped(system):
+        return float(turned_gear(system, mesh)[1])
+    name = mesh_names(system)[mesh]
+    found = mesh_orders(system, rates)[name]
+    if not found > 0.0:
+        raise SolverError(f"mesh {name} cannot be rolled: it stands still while its gears turn", SINGULAR)
+    return found
 
 
 def rolled_on(system: System, state: State, spin: int, step: float, rates: Array) -> State:

@@ -9,34 +9,28 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.elements import damping as damping_element
 from pitchpoint.elements import drive as drive_element
 from pitchpoint.elements.ratio import place_of
-from pitchpoint.elements.signal import set_constant
 from pitchpoint.model.mechanism import given
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.assembly import assemble_state, close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.equilibrium import NOW, Equilibrium, balance_torques, balancing_loads
 from pitchpoint.solvers.mean_balance import cycle_instants, with_mean_loads
+from pitchpoint.solvers.model_damping import with_damping
 from pitchpoint.solvers.start_notes import start_notes
 from pitchpoint.solvers.states_at_start import rest_of_controls, states_of_inputs
 from pitchpoint.solvers.sticking import settle_clutches
 from pitchpoint.solvers.trains import (
     driven_coordinates,
-    free_spins,
     held_spins,
     rates_through_loops,
-    rotations,
 )
-from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import KINDS
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
-
-    from numpy.typing import NDArray
 
     from pitchpoint.model.scenario import Scenario
 
@@ -121,12 +115,12 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         if balancing_loads(system):
             system = _at_rest(system, state, held, driven)[0]
         state = states_of_inputs(system, state)
-        return Start(_with_damping(system, state), state, (*notes, *start_notes(system, state, driven)))
+        return Start(with_damping(system, state), state, (*notes, *start_notes(system, state, driven)))
     state = _from_given(system, state, driven)
     system, found, notes = _at_rest(system, state, held, driven)
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     more = (*more, *start_notes(system, state, driven))
-    return Start(_with_damping(system, state), state, (*notes, *more))
+    return Start(with_damping(system, state), state, (*notes, *more))
 
 
 def _at_rest(
@@ -226,69 +220,3 @@ def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[str, ..
                 "change; set one torque to `balance` or drive a body if that is not wanted"
             )
     return tuple(notes)
-
-
-def _with_damping(system: System, state: State) -> System:
-    """Fill the Rayleigh and modal damping about the starting state into its records.
-
-    Its stiffness is that of what is elastic: a load that changes with the angle or the speed would make the
-    damping brake the rotation, or drive it.
-    """
-    if "damping" not in system.records or system.model is None or system.model.damping is None:
-        return system
-    given = system.model.damping
-    still = state.copy()
-    still.v[:] = 0.0
-    M, _, K = evaluate.linearize(_without_loads(without_friction(system)), still)
-    D = np.zeros_like(M)
-    if given.rayleigh is not None:
-        D += given.rayleigh.mass * without_rotation(M, rotations(system, free_spins(system)))
-        D += given.rayleigh.stiffness * K
-    if given.modal is not None:
-        D += damping_element.modal_damping(M, K, given.modal)
-    records = system.records["damping"].copy()
-    for record in records:
-        i, j, n, m = (int(record[k]) for k in ("dof_i", "dof_j", "n_i", "n_j"))
-        record["D"][:n, :m] = D[i : i + n, j : j + m]
-    return system.with_params({"damping": records})
-
-
-def without_rotation(M: NDArray[np.float64], free: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Mass matrix without the part of some motions: M - M R (R^T M R)^-1 R^T M.
-
-    Mass-proportional damping with it brakes vibrations at any speed, and no rotation.
-
-    Examples
-    --------
-    >>> without_rotation(np.diag([1.0, 3.0]), np.array([[1.0], [1.0]]))
-    array([[ 0.75, -0.75],
-           [-0.75,  0.75]])
-    """
-    if free.shape[1] == 0:
-        return M
-    part: NDArray[np.float64] = M @ free @ np.linalg.solve(free.T @ M @ free, free.T @ M)
-    return M - part
-
-
-def without_friction(system: System) -> System:
-    """The same system with frictionless flanks.
-
-    Sliding friction follows the normal force but acts across it: in a stiffness matrix it would feed energy
-    into modes that real sliding does not.
-    """
-    rough = [k for k in KINDS if k in system.records and system.records[k]["mu"].any()]
-    if not rough:
-        return system
-    smooth = {kind: system.records[kind].copy() for kind in rough}
-    for records in smooth.values():
-        records["mu"] = 0.0
-    return system.with_params(smooth)
-
-
-def _without_loads(system: System) -> System:
-    """The same system with its torques and forces at zero."""
-    loads = {kind: system.records[kind].copy() for kind in ("torque", "force") if kind in system.records}
-    for records in loads.values():
-        for record in records:
-            set_constant(record, 0.0)
-    return system.with_params(loads)

@@ -9,7 +9,7 @@ whatever the periods of the others.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,6 +27,7 @@ from pitchpoint.solvers.element_tangents import (
     tangents,
 )
 from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.flanks import pressed_flanks
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import KINDS, is_bevel, mesh_names, mesh_places, mesh_record, mesh_records
 from pitchpoint.system.system import State, System
@@ -154,22 +155,26 @@ def _equal(n: int) -> tuple[Array, Array]:
     return (np.arange(n) + 0.5) / n, np.full(n, 1.0 / n)
 
 
-def touching(system: System, state: State) -> tuple[str, ...]:
-    """Bring the flanks of unloaded meshes into touch by shifting the assembly; returns their names.
+def touching(system: System, state: State) -> dict[str, int]:
+    """Bring the flanks of unloaded meshes into touch by shifting the assembly; gives them by mesh.
 
-    It is the front flank, unless the mesh leans on the other one. Changes the records of the system: give it
-    a copy.
+    1 is the front flank and -1 the back: the one that the mesh leans on already, else that which a small
+    torque through the train presses. Changes the records of the system: give it a copy.
     """
-    names = []
+    leaning: dict[int, int] = {}
+    loose = []
     for k, record in enumerate(mesh_records(system)):
         evaluate.residual(system, state)
         depth = abs(record["u"] - record["e_t"]) - 0.5 * record["gap"] - record["sep_min"]
         # without backlash round-off presses both flanks of an unloaded mesh
         if depth < TOUCH:
-            leans = depth > 0.0 and record["gap"] > TOUCH and record["u"] < record["e_t"]
-            _touch(system, state, record, -1 if leans else 1)
-            names.append(mesh_names(system)[k])
-    return tuple(names)
+            loose.append(k)
+            if depth > 0.0 and record["gap"] > TOUCH:
+                leaning[k] = -1 if record["u"] < record["e_t"] else 1
+    names, found = mesh_names(system), pressed_flanks(system, loose, leaning)
+    for k in loose:
+        _touch(system, state, mesh_record(system, k), found[k])
+    return {names[k]: found[k] for k in loose}
 
 
 def _touch(system: System, state: State, record: np.void, flank: int) -> None:
@@ -184,7 +189,7 @@ def split(
     state: State,
     held: tuple[int, ...],
     mean: bool = True,
-    touched: tuple[str, ...] = (),
+    touched: Collection[str] = (),
     progress: Callable[..., None] | None = None,
     rates: Array | None = None,
 ) -> Parts:

@@ -14,21 +14,19 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import CompileError
-from pitchpoint.elements import registry
 from pitchpoint.elements.ratio import place_of
 from pitchpoint.elements.registry import MODAL
-from pitchpoint.multibody.bodies import GENERAL, base_of
+from pitchpoint.model.scenario import Scenario
+from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.solvers.assembly import loop_rows
+from pitchpoint.solvers.null_space import NullSpace, null_space
 from pitchpoint.solvers.resistance import SAME, resisted_spins
+from pitchpoint.solvers.torque_paths import Row, against_the_base, spins_of, torque_paths
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import KINDS, is_bevel, mesh_records
+from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
-
-MOST_SPINS = 3000
-"""Spins up to which trains are looked for: the time grows with their cube, to a minute for these."""
 
 
 def free_spins(system: System) -> tuple[int, ...]:
@@ -51,15 +49,33 @@ def exchange(system: System, held: Sequence[int], spin: int, state: State | None
 
     With a state a train also goes on through closed loops, as they stand there.
     """
-    if spin in held:
-        return (*(h for h in held if h != spin), spin)
-    free, index = _free(system)
+    return exchange_all(system, held, (spin,), state)
+
+
+def exchange_all(
+    system: System, held: Sequence[int], spins: Sequence[int], state: State | None = None
+) -> tuple[int, ...]:
+    """Hold several spins in place of others, one after the other as by `exchange`."""
+    kept = tuple(held)
+    if all(spin in kept for spin in spins):
+        return (*(h for h in kept if h not in spins), *spins)
+    free = _free(system)
     if state is not None and loop_rows(system):
-        free, index = _motions(system, state), {k: k for k in range(system.sizes["nd"])}
-    turning = [h for h in held if h in index and np.linalg.norm(free[index[h]]) > SAME]
-    if not turning or np.linalg.norm(free[index[spin]]) <= SAME:
+        free = _whole(_motions(system, state))
+    for spin in spins:
+        kept = _exchanged(free, kept, spin)
+    return kept
+
+
+def _exchanged(free: NullSpace, held: tuple[int, ...], spin: int) -> tuple[int, ...]:
+    if spin in held or not free.moves(spin):
+        return (*(h for h in held if h != spin), spin)
+    train = free.group_of[spin]
+    turning = [h for h in held if h in free.group_of and free.group_of[h] == train and free.moves(h)]
+    if not turning:
         return (*held, spin)
-    shares = np.linalg.lstsq(free[[index[h] for h in turning]].T, free[index[spin]], rcond=None)[0]
+    rows = np.array([free.row(h) for h in turning])
+    shares = np.linalg.lstsq(rows.T, free.row(spin), rcond=None)[0]
     given_up = turning[int(np.argmax(np.abs(shares)))]
     return (*(h for h in held if h != given_up), spin)
 
@@ -81,10 +97,11 @@ def turning_rates(system: System, state: State, spin: int) -> Array:
 
 def tied_by_teeth(system: System, one: int, two: int) -> bool:
     """Whether teeth and other ratios that never change tie two spins, whatever loops do besides."""
-    _, index = _free(system)
-    rows = [row / np.linalg.norm(row) for row in _relations(system, index, True)]
-    free = _null_space(np.array(rows).reshape(-1, len(index)))[[index[one], index[two]]]
-    return int(np.linalg.matrix_rank(free, tol=SAME)) < 2
+    spins = spins_of(system)
+    free = null_space([p.row for p in torque_paths(system)], spins)
+    if free.group_of[one] != free.group_of[two]:
+        return not (free.moves(one) and free.moves(two))
+    return int(np.linalg.matrix_rank(np.array([free.row(one), free.row(two)]), tol=SAME)) < 2
 
 
 def is_independent(system: System, state: State, held: Sequence[int], spin: int) -> bool:
@@ -119,11 +136,10 @@ def _motions(system: System, state: State) -> Array:
     Shafts stay in their bearings, elastic bodies and states of elements as they are.
     """
     body, nd = system.program["body"], system.sizes["nd"]
-    _, index = _free(system)
     rows = list(evaluate.constraint_jacobian(system, state)[loop_rows(system)])
-    for relation in _relations(system, index, True):
+    for path in torque_paths(system):
         row = np.zeros(nd)
-        row[list(index)] = relation
+        row[list(path.row)] = list(path.row.values())
         rows.append(row)
     still = {int(s) for s in system.states}
     hidden = {int(r[n]) for r in system.records.get("flexible_body", ()) for n in MODAL[1:]} - {0}
@@ -139,23 +155,47 @@ def _motions(system: System, state: State) -> Array:
 
 def complete(system: System, first: Sequence[int], others: Iterable[int]) -> tuple[int, ...]:
     """Spins to hold: the first ones, and those of the others that they leave free to turn."""
-    return (*first, *_beside(system, first, others))
+    return (*first, *_beside(_free(system), first, others))
 
 
 def mesh_rates(system: System, speeds: Mapping[str, float]) -> list[float]:
-    """Base pitches times 2 pi that every mesh goes through per second at the spins of bodies [rad/s]."""
-    body = system.program["body"]
-    _, index = _free(system)
-    rates = np.zeros(len(index))
+    """Mesh periods per second times 2 pi of every mesh at the spins of bodies [rad/s]; see `mesh_orders`."""
+    rates = np.zeros(system.sizes["nd"])
     for b, name in enumerate(system.layout.bodies):
-        if body[b]["spin"] >= 0:
-            rates[index[int(body[b]["spin"])]] = speeds.get(name, 0.0)
-    found = []
-    for record in mesh_records(system):
-        base = _base(system, index, record, "i")
-        relative = _turning(system, index, int(record["i"])) - base
-        found.append(abs(float(record["z1"] * (relative @ rates))))
+        spin = int(system.program["body"][b]["spin"])
+        if spin >= 0:
+            rates[spin] = speeds.get(name, 0.0)
+    return list(mesh_orders(system, rates).values())
+
+
+def mesh_orders(system: System, rates: Array) -> dict[str, float]:
+    """Mesh periods per second times 2 pi by mesh: teeth times the speed against the line of centres.
+
+    Parameters
+    ----------
+    system
+        The system.
+    rates
+        Rates of all coordinates [rad/s], shape (nd,); those of one body at 1 rad/s give the number of
+        mesh periods in a revolution of it.
+    """
+    found = {}
+    for name, record in zip(mesh_names(system), mesh_records(system), strict=True):
+        terms = [factor * rates[spin] for spin, factor in against_the_base(system, record, "i").items()]
+        turns = abs(sum(terms)) > SAME * sum(map(abs, terms))
+        found[name] = abs(float(record["z1"] * sum(terms))) if turns else 0.0
     return found
+
+
+def body_rates(system: System, body: str) -> Array:
+    """Rates of all coordinates, shape (nd,), as one body turns at 1 rad/s and its train with it."""
+    if system.model is None:
+        return np.asarray(rotations(system, (system.spin(body),))[:, 0])
+    rates = np.zeros(system.sizes["nd"])
+    for name, ratio in system.model.start_speeds(Scenario(speed={body: 1.0})).items():
+        if ratio != 0.0:
+            rates[system.spin(name)] = ratio
+    return rates
 
 
 def rotations(system: System, spins: Sequence[int]) -> Array:
@@ -167,58 +207,85 @@ def rotations(system: System, spins: Sequence[int]) -> Array:
     -------
     ndarray, shape (nd, len(spins))
     """
-    free, index = _free(system)
+    free = _free(system)
     rates = np.zeros((system.sizes["nd"], len(spins)))
-    turning = [s for s in spins if np.linalg.norm(free[index[s]]) > SAME]
-    held = [*turning, *_beside(system, turning, index)]
-    inverse = np.linalg.inv(free[[index[h] for h in held]]) if held else np.zeros((0, 0))
-    places = list(index)
+    turning = {s: column for column, s in enumerate(spins) if free.moves(s)}
+    for group, held in _by_train(free, [*turning, *_beside(free, [*turning], free.group_of)]).items():
+        own, basis = free.groups[group]
+        inverse = np.linalg.inv(np.array([free.row(h) for h in held]))
+        for k, spin in enumerate(held):
+            if spin in turning:
+                rates[list(own), turning[spin]] = basis @ inverse[:, k]
     for column, spin in enumerate(spins):
-        if spin in turning:
-            rates[places, column] = free @ inverse[:, held.index(spin)]
-        else:
-            rates[places, column] = _as_the_teeth_want(system, index, spin)
+        if spin not in turning:
+            wanted = _as_the_teeth_want(system, spin)
+            rates[list(wanted), column] = list(wanted.values())
     return rates
 
 
-def _independent(system: System, first: Sequence[int]) -> tuple[int, ...]:
-    _, index = _free(system)
-    return complete(system, first, index)
-
-
-def _beside(system: System, first: Sequence[int], others: Iterable[int]) -> list[int]:
-    """Those of the other spins that are free while the first ones, and those before them, are held."""
-    free, index = _free(system)
-    rest = free.copy()
-    found = []
-    for spin in [*(s for s in first if s in index), *others]:
-        row = rest[index[spin]]
-        size = float(row @ row)
-        if size > SAME:
-            if spin not in first:
-                found.append(spin)
-            rest = rest - np.outer(rest @ row, row) / size
+def _by_train(free: NullSpace, spins: Sequence[int]) -> dict[int, list[int]]:
+    """Spins of every group that turns together."""
+    found: dict[int, list[int]] = {}
+    for spin in spins:
+        found.setdefault(int(free.group_of[spin]), []).append(spin)
     return found
 
 
-def _free(system: System) -> tuple[Array, dict[int, int]]:
-    """Orthonormal basis of the free rotations over the spins, shape (n, k), and the place of every spin."""
-    body = system.program["body"]
-    index = {int(s): k for k, s in enumerate(s for s in body["spin"] if s >= 0)}
-    resisted = resisted_spins(system, index)
-    if len(resisted) == len(index) > 0:  # nothing turns freely, as in machines of bodies on bushings
-        return np.zeros((len(index), 0)), index
-    if len(index) > MOST_SPINS:
-        raise CompileError(
-            f"{len(index)} bodies and stations of shafts spin, and which of them turn together is found for "
-            f"{MOST_SPINS} at most; compute parts of the machine apart, or give shafts fewer pieces "
-            "(largest_piece)"
-        )
-    rows = [*_relations(system, index, True), *resisted]
-    if not rows:
-        return np.eye(len(index)), index
-    L = np.array(rows)
-    return _null_space(L / np.linalg.norm(L, axis=1, keepdims=True)), index
+def rigid_rotations(system: System) -> Array:
+    """Turns of the spins that nothing resists: one row per free train that nothing drives, shape (r, nd)."""
+    return rotations(system, held_spins(system)[len(driven_coordinates(system)) :]).T
+
+
+def driven_rotations(system: System) -> dict[int, Array]:
+    """Rates of all coordinates (nd,) as one driven spin turns at 1 rad/s and the others stand still, by spin.
+
+    Of drives on one train the first counts.
+    """
+    free = _free(system)
+    turning: list[int] = []
+    driven: list[int] = []
+    for spin in (s for s in driven_coordinates(system) if s in free.group_of):
+        resisted = not free.moves(spin)
+        if resisted or _beside(free, turning, [spin]):
+            driven.append(spin)
+            turning += [] if resisted else [spin]
+    return dict(zip(driven, rotations(system, driven).T, strict=True))
+
+
+def _independent(system: System, first: Sequence[int]) -> tuple[int, ...]:
+    return complete(system, first, spins_of(system))
+
+
+def _beside(free: NullSpace, first: Sequence[int], others: Iterable[int]) -> list[int]:
+    """Those of the other spins that are free while the first ones, and those before them, are held."""
+    order = [*(s for s in first if s in free.group_of), *others]
+    found = set()
+    for group, spins in _by_train(free, order).items():
+        rest = free.groups[group][1].copy()
+        for spin in spins:
+            if not rest.any():
+                break
+            row = rest[free.place_of[spin]].copy()
+            size = float(row @ row)
+            if size > SAME:
+                found.add(spin)
+                rest -= np.outer(rest @ row, row) / size
+    return [s for s in dict.fromkeys(order) if s in found and s not in first]
+
+
+def _free(system: System) -> NullSpace:
+    """Free rotations over the spins."""
+    spins = spins_of(system)
+    resisted: list[Row] = [{spin: 1.0} for spin in resisted_spins(system)]
+    if len(resisted) == len(spins):  # nothing turns freely, as in machines of bodies on bushings
+        return null_space(resisted, spins)
+    return null_space([*resisted, *(p.row for p in torque_paths(system))], spins)
+
+
+def _whole(basis: Array) -> NullSpace:
+    """Orthonormal columns over all coordinates as one group."""
+    places = range(len(basis))
+    return NullSpace(((tuple(places), basis),), dict.fromkeys(places, 0), {k: k for k in places})
 
 
 def _null_space(rows: Array) -> Array:
@@ -227,86 +294,17 @@ def _null_space(rows: Array) -> Array:
     return np.asarray(basis[int(np.sum(sizes > SAME * sizes.max(initial=0.0))) :].T)
 
 
-def _as_the_teeth_want(system: System, index: dict[int, int], spin: int) -> Array:
+def _as_the_teeth_want(system: System, spin: int) -> dict[int, float]:
     """Rates of the spins of a train that cannot turn as a whole, where its relations differ least."""
-    one = np.zeros(len(index))
-    one[index[spin]] = 1.0
-    rows = [row / np.linalg.norm(row) for row in _relations(system, index, False)]
-    A = np.array([*rows, 1e3 * one])
-    return np.asarray(np.linalg.lstsq(A, np.array([*np.zeros(len(rows)), 1e3]), rcond=None)[0])
-
-
-def _turning(system: System, index: dict[int, int], b: int, sense: float = 1.0) -> Array:
-    """How a body turns in space per rate of every spin: about its own axis, or against it (`sense` -1)."""
-    body = system.program["body"]
-    found = np.zeros(len(index))
-    while b and sense != 0.0:
-        if body[b]["spin"] >= 0:
-            found[index[int(body[b]["spin"])]] += sense
-        sense *= float(body[b]["sense"])
-        b = int(body[b]["parent"])
-    return found
-
-
-def _relations(system: System, index: dict[int, int], to_ground: bool) -> list[Array]:
-    """Rows over the rates of the spins that torque-carrying elements hold at zero."""
-    found = []
-    for kind, records in system.records.items():
-        together = getattr(registry.find(kind).load(), "SPINS", "") == "together"
-        for record in records:
-            if kind == "ratio":
-                row = _ratio(record, index)
-            elif kind in (*KINDS, "bearing") or together:
-                i, j = int(record["i"]), int(record["j"])
-                one, two = (_turning(system, index, b) for b in (i, j))
-                if kind in KINDS:
-                    base1, base2 = (_base(system, index, record, end) for end in "ij")
-                    row = float(record["z1"]) * (one - base1) + float(record["z2"]) * (two - base2)
-                elif kind == "bearing" and record["K"][5, 5] == 0.0:
-                    continue
-                else:
-                    row = one - two
-                if not to_ground and not (one.any() and two.any()):
-                    continue
-            else:
-                continue
-            if row.any():
-                found.append(row)
-    return found
-
-
-def _base(system: System, index: dict[int, int], record: np.void, end: str) -> Array:
-    """How what carries the line of centres of a mesh turns about the axis of a gear, per rate of any spin.
-
-    Axes of cylindrical gears are the same, bevel gears have their own. A housing that turns about another
-    axis takes the gears along and turns none against the other.
-    """
-    body = system.program["body"]
-    carried = "i" if record["carried"] == 1 else "j"
-    if is_bevel(record) and carried != end:
-        return _bevel_base(system, index, (int(record[carried]), int(record[end])))
-    gear = int(record[carried])
-    own = int(body[gear]["spinner"]) or gear
-    return _turning(system, index, base_of(body, gear), float(body[own]["sense"]))
-
-
-def _bevel_base(system: System, index: dict[int, int], gears: tuple[int, int]) -> Array:
-    """How the base of the first of two bevel gears turns about the axis of the second, if it is parallel."""
-    base = base_of(system.program["body"], gears[0])
-    if base == 0:
-        return np.zeros(len(index))
-    one, two = (np.asarray(system.bodies[b - 1].axes, float)[:, 2] for b in (base, gears[1]))
-    along = float(one @ two)
-    return _turning(system, index, base, float(np.sign(along)) if abs(abs(along) - 1.0) < SAME else 0.0)
-
-
-def _ratio(record: np.void, index: dict[int, int]) -> Array:
-    """Row of a rigid ratio; one that ties a coordinate that is no spin holds no spin by itself."""
-    row = np.zeros(len(index))
-    for end in "ijk":
-        if record[f"c_{end}"] != 0.0:
-            place = place_of(record, end)
-            if place not in index:
-                return np.zeros(len(index))
-            row[index[place]] += float(record[f"c_{end}"])
-    return row
+    rows = [p.row for p in torque_paths(system) if not p.to_ground]
+    joined = {spin}
+    while more := {s for row in rows if not joined.isdisjoint(row) for s in row} - joined:
+        joined |= more
+    place = {s: k for k, s in enumerate(sorted(joined))}
+    rows = [row for row in rows if spin in joined and not joined.isdisjoint(row)]
+    A = np.zeros((len(rows) + 1, len(place)))
+    for line, row in zip(A, rows, strict=False):
+        line[[place[s] for s in row]] = np.array(list(row.values())) / np.linalg.norm(list(row.values()))
+    A[-1, place[spin]] = 1e3
+    found = np.linalg.lstsq(A, np.array([*np.zeros(len(rows)), 1e3]), rcond=None)[0]
+    return dict(zip(place, found.tolist(), strict=True))

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.jumps import sweep_jumps
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.controls import refuse_sampled
 from pitchpoint.solvers.rows import explain, row_notes
@@ -28,6 +28,7 @@ from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.time import next_chunk, scenario_of
+from pitchpoint.solvers.trains import body_rates, mesh_orders
 from pitchpoint.sweep.tables import STATISTICS, channel_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.meshes import mesh_records
 from pitchpoint.system.remarks import deep_contacts
@@ -36,14 +37,14 @@ from pitchpoint.system.system import System
 if TYPE_CHECKING:
     import xarray as xr
 
-    from pitchpoint.model.scenario import Scenario, Sweep
+    from pitchpoint.model.scenario import Scenario
 
 QUANTITIES = ("transmission_error", "deflection", "mesh_force")
 SHARES = ("contact_loss_share", "back_contact_share")
 DRIFT = 0.005
 """Share of its speed by which a machine may leave it at a point without a word."""
 STEPS_PER_PERIOD = 200
-"""Least steps per period of every mesh and of every mesh mode, unless the scenario says otherwise.
+"""Least steps per period of every mesh and of every mesh mode, unless given by the scenario.
 
 On the backlash oscillator of Kahraman and Singh 200 steps leave 5e-5 of half the backlash in the rms, 100
 steps 1.0e-4; the error falls with the square.
@@ -80,14 +81,15 @@ class SweepSummary:
 
 
 @dataclass(frozen=True)
-class _Plan:
-    """Speeds of a sweep, what one rad/s of the swept body means for everybody else, how finely to step.
+class SweepPlan:
+    """Speeds of a sweep, what one rad/s of the swept body means for everyone else, how finely to step.
 
-    `fastest` is the highest mesh frequency of the train over that of the swept mesh.
+    `order` is the number of mesh periods of the swept mesh in a revolution of the swept body, `fastest` the
+    highest mesh frequency of the train over that of the swept mesh.
     """
 
     mesh: str
-    teeth: int
+    order: float
     speeds: NDArray[np.float64]
     directions: tuple[str, ...]
     ratio: dict[str, float]
@@ -96,7 +98,12 @@ class _Plan:
     steps: int | None
     fastest: float
 
-    def order(self) -> Iterator[tuple[str, float]]:
+    @property
+    def frequencies(self) -> NDArray[np.float64]:
+        """Mesh frequency at every speed [Hz]."""
+        return np.abs(self.speeds) * self.order / (2.0 * math.pi)
+
+    def points(self) -> Iterator[tuple[str, float]]:
         """Directions and speeds [rad/s] in the order in which they are run."""
         for direction in self.directions:
             for speed in self.speeds if direction == "up" else self.speeds[::-1]:
@@ -109,41 +116,51 @@ class _Plan:
         return math.ceil(STEPS_PER_PERIOD * max(self.fastest, mesh_mode / frequency) * (1.0 - 1e-12))
 
 
-def _plan(system: System, scenario: Scenario, sweep: Sweep) -> _Plan:
-    model = system.model
-    assert model is not None  # `scenario_of` has asked for it
-    mesh, teeth = model.sweep_mesh(scenario)
+def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
+    """Points of a sweep; parameters as in `run_sweep`.
+
+    Raises
+    ------
+    SolverError
+        If the scenario is not a sweep, or the swept mesh is at rest while the swept body turns.
+    """
+    model, sweep = system.model, scenario.sweep
+    if model is None or sweep is None:
+        raise SolverError("the scenario is not a sweep", NOT_FINITE)
+    mesh = model.sweep_mesh(scenario)
+    orders = mesh_orders(system, body_rates(system, sweep.body))
+    order = orders[mesh]
+    if not order > 0.0:
+        raise SolverError(
+            f"mesh {mesh} is at rest while {sweep.body} turns, so it has no mesh frequency; sweep a body "
+            "that turns against the line of centres of the mesh",
+            INCONSISTENT,
+        )
     if sweep.mesh_frequency is not None:
-        low, high = (2.0 * math.pi * f / teeth for f in sweep.mesh_frequency)
+        low, high = (2.0 * math.pi * f / order for f in sweep.mesh_frequency)
     elif sweep.speed is not None:
         low, high = sweep.speed
     else:
         raise SolverError("the sweep has neither mesh_frequency nor speed", NOT_FINITE)
-    ratio = model.start_speeds(replace(scenario, speed={sweep.body: 1.0}))
-    bodies = system.layout.bodies
-    fastest = max(
-        max(abs(r["z1"] * ratio.get(bodies[r["i"]], 0.0)), abs(r["z2"] * ratio.get(bodies[r["j"]], 0.0)))
-        for r in mesh_records(system)
-    )
-    return _Plan(
+    return SweepPlan(
         mesh=mesh,
-        teeth=teeth,
+        order=order,
         speeds=np.linspace(low, high, sweep.points),
         directions=("up", "down") if sweep.direction == "both" else (sweep.direction,),
-        ratio=ratio,
+        ratio=model.start_speeds(replace(scenario, speed={sweep.body: 1.0})),
         settle=sweep.settle_periods,
         measure=sweep.measure_periods,
         steps=sweep.steps_per_period,
-        fastest=max(1.0, float(fastest) / teeth),
+        fastest=max(orders.values()) / order,
     )
 
 
 class _Walk:
     """A sweep under way: the run, the speed it has, the points behind it."""
 
-    def __init__(self, system: System, scenario: Scenario, plan: _Plan) -> None:
+    def __init__(self, system: System, scenario: Scenario, plan: SweepPlan) -> None:
         self.plan = plan
-        first = next(plan.order())[1]
+        first = next(plan.points())[1]
         body = scenario.sweep.body  # type: ignore[union-attr]
         start = prepare_start(system, replace(scenario, speed={body: first}, duration=1.0))
         self.system, self.notes = start.system, start.notes
@@ -154,7 +171,7 @@ class _Walk:
         self.chunk = 1000
 
     def _frequency(self, speed: float) -> float:
-        return abs(speed) * self.plan.teeth / (2.0 * math.pi)
+        return abs(speed) * self.plan.order / (2.0 * math.pi)
 
     def _step(self, speed: float) -> float:
         f = self._frequency(speed)
@@ -178,7 +195,7 @@ class _Walk:
         self.run.change_step(self._step(speed))
 
     def advance(self, periods: int, sums: NDArray[np.float64] | None) -> int:
-        """Go on for some mesh periods, with statistics if there is a place for them; gives the status."""
+        """Continue for some mesh periods, with statistics if there is a place for them; gives the status."""
         f = self._frequency(self.speed)
         left = periods * self.plan.steps_at(f, self.mode)
         while left > 0:
@@ -234,7 +251,7 @@ def run_sweep(
     scenario
         A scenario with `sweep`; default the one of the system.
     progress
-        Told the number of points after each.
+        Called with the number of points after each.
     sink
         Takes every point as soon as it is finished, such as a result file.
 
@@ -249,16 +266,14 @@ def run_sweep(
         If the sweep cannot start.
     """
     chosen = scenario_of(system, scenario)
-    if chosen.sweep is None:
-        raise SolverError("the scenario is no sweep", NOT_FINITE)
     begun = time.perf_counter()
     refuse_sampled(system, "a speed sweep")
-    plan = _plan(system, chosen, chosen.sweep)
+    plan = plan_sweep(system, chosen)
     walk = _Walk(system, chosen, plan)
     points: list[dict[str, Any]] = []
     status, total = OK, len(plan.speeds) * len(plan.directions)
     try:
-        for direction, speed in plan.order():
+        for direction, speed in plan.points():
             walk.go_to(speed)
             status = walk.advance(plan.settle, None)
             sums = new_statistics(walk.system.sizes["no"])
@@ -282,13 +297,13 @@ def run_sweep(
             *walk.notes,
             *row_notes(walk.system),
             *deep_contacts(system.model, (p["channels"] for p in points)),
-            *_drifted(points, chosen.sweep.body),
+            *_drifted(points, chosen.sweep.body if chosen.sweep else ""),
         ),
     )
 
 
 def _drifted(points: Sequence[dict[str, Any]], body: str) -> tuple[str, ...]:
-    """Say when a machine that nothing drives did not keep the speeds it was given."""
+    """Note when a machine without drive did not keep its prescribed speeds."""
     off = [p["channels"][f"speed[{body}]"]["mean"] / p["speed"] - 1.0 for p in points if p["speed"] != 0.0]
     worst = max(off, key=abs, default=0.0)
     if abs(worst) < DRIFT:

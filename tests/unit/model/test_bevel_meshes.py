@@ -171,7 +171,7 @@ def test_scenarios_may_name_bevel_meshes():
         "scenarios:\n  r: {quasi_static: {mesh: m}}\n  s: {sweep: {body: second, mesh: m, speed: [1, 2]}}\n"
     )
     model = loads_model(bevel_file(rest=rest))
-    assert model.sweep_mesh("s") == ("m", 40)
+    assert model.sweep_mesh("s") == "m"
     assert "names the mesh 'x'" in told(bevel_file(rest=rest.replace("mesh: m", "mesh: x", 1)))
 
 

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Flanks of unloaded meshes that a small torque through the train would press.
+
+Idlers and planets have no torque of their own, so the forces on their two flanks cancel: the flanks of a
+train follow from each other. Torques of meshes, couplings and ratios balance at every spin but those where
+torque enters or leaves: bodies with loads or drives, what springs and contacts hold, and the ends of the
+train.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.null_space import connected, null_space
+from pitchpoint.solvers.resistance import SAME, resisted_spins
+from pitchpoint.solvers.torque_paths import TorquePath, spins_of, torque_paths, turning
+from pitchpoint.solvers.trains import driven_coordinates
+from pitchpoint.system.meshes import KINDS, mesh_places
+from pitchpoint.system.system import System
+
+Array = NDArray[np.float64]
+
+LOADS = ("torque", "friction_clutch", "torsion_maxwell")
+"""Kinds that put a torque on a spin from outside its train."""
+
+
+def pressed_flanks(system: System, loose: Sequence[int], leaning: Mapping[int, int]) -> dict[int, int]:
+    """Flanks that a small torque through the train presses, by unloaded mesh: 1 is the front, -1 the back.
+
+    The torque enters at the first end of a train, in the sense that presses the front flank of the first of
+    its unloaded meshes. Meshes that it does not reach take the torque that presses their own front.
+
+    Parameters
+    ----------
+    system
+        The system.
+    loose
+        Numbers of the meshes without load.
+    leaning
+        Flanks of those among them that touch already; they decide the sense of their train.
+    """
+    if len(loose) == len(leaning):
+        return dict(leaning)
+    paths, places = torque_paths(system), mesh_places(system)
+    number = {(p.kind, p.number): c for c, p in enumerate(paths)}
+    ends = _ends(system, paths)
+    trains = connected([p.row for p in paths], spins_of(system))
+    train_of = {spin: k for k, spins in enumerate(trains) for spin in spins}
+    members: dict[int, list[int]] = {}
+    for c, path in enumerate(paths):
+        members.setdefault(train_of[next(iter(path.row))], []).append(c)
+    meshes: dict[int, dict[int, int]] = {}
+    for m in (m for m in loose if places[m] in number):
+        c = number[places[m]]
+        meshes.setdefault(train_of[next(iter(paths[c].row))], {})[m] = c
+    found = dict(leaning)
+    for k, wanted in meshes.items():
+        patterns = _patterns(paths, members[k], [s for s in trains[k] if s not in ends])
+        entries = [s for s in trains[k] if s in ends]
+        _add_signs(found, paths, members[k], patterns, entries, wanted)
+    return {m: found.get(m, 1) for m in loose}
+
+
+def _ends(system: System, paths: Sequence[TorquePath]) -> set[int]:
+    """Spins where torque enters or leaves a train."""
+    body = system.program["body"]
+    found = {*resisted_spins(system), *driven_coordinates(system)}
+    for kind in LOADS:
+        for record in system.records.get(kind, ()):
+            found |= {spin_of(body, int(record[end])) for end in "ij" if end in (record.dtype.names or ())}
+    joints: dict[int, set[object]] = {}
+    riding = set()
+    for c, path in enumerate(paths):
+        gears = set()
+        if path.kind in KINDS:
+            record = system.records[path.kind][path.number]
+            gears = {b for b in (int(record["i"]), int(record["j"])) if spin_of(body, b) >= 0}
+            riding |= {spin_of(body, b) for b in gears if len(turning(system, b)) > 1}
+        carriers = path.row.keys() - {spin_of(body, b) for b in gears} if gears else set()
+        for spin in path.row:  # all meshes of a planetary set join its members once
+            joints.setdefault(spin, set()).add(("carried", *sorted(carriers)) if carriers else c)
+    return (found | {spin for spin, joined in joints.items() if len(joined) == 1}) - riding
+
+
+def _patterns(paths: Sequence[TorquePath], own: Sequence[int], inner: Sequence[int]) -> Array:
+    """Torques of elements that balance at inner spins: orthonormal columns, shape (len(own), patterns)."""
+    rows = [{c: paths[c].row[s] for c in own if s in paths[c].row} for s in inner]
+    space = null_space([row for row in rows if row], own)
+    place = {c: k for k, c in enumerate(own)}
+    found = np.zeros((len(own), sum(basis.shape[1] for _, basis in space.groups)))
+    column = 0
+    for elements, basis in space.groups:
+        found[[place[c] for c in elements], column : column + basis.shape[1]] = basis
+        column += basis.shape[1]
+    return found
+
+
+def _add_signs(
+    found: dict[int, int],
+    paths: Sequence[TorquePath],
+    own: Sequence[int],
+    patterns: Array,
+    entries: Sequence[int],
+    wanted: dict[int, int],
+) -> None:
+    """Add the flanks of the meshes of one train: torque through its ends first, then mesh by mesh."""
+    place = {c: k for k, c in enumerate(own)}
+    entering = [np.array([paths[c].row.get(spin, 0.0) for c in own]) for spin in entries[:1]]
+    single = [np.eye(len(own))[place[c]] for c in wanted.values()]
+    for torque in [*entering, *single]:
+        forces = patterns @ (patterns.T @ torque)
+        least = SAME * np.abs(torque).max()
+        pressed = {m: forces[place[c]] for m, c in wanted.items() if abs(forces[place[c]]) > least}
+        new = [m for m in pressed if m not in found]
+        if not new:
+            continue
+        known = [m for m in pressed if m in found]
+        sense = np.sign(pressed[known[0]]) * found[known[0]] if known else np.sign(pressed[new[0]])
+        found.update({m: int(np.sign(pressed[m]) * sense) for m in new})

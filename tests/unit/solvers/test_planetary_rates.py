@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Mesh frequencies of a planetary set in sweeps, Campbell diagrams and slow rolls.
+
+With the ring held, the sun at n_s turns the carrier at n_c = n_s z_s / (z_s + z_r), and both meshes have
+f = z_s (n_s - n_c) = z_r n_c (R. Willis, Principles of Mechanism, 1841).
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.solvers.campbell import follow_modes
+from pitchpoint.solvers.quasistatic import roll_through
+from pitchpoint.sweep.speed import plan_sweep, run_sweep
+from tests.support.machines import compiled
+
+SUN, PLANET, RING = 20, 31, 82
+ORDER = SUN * RING / (SUN + RING)
+"""Mesh periods in a revolution of the sun."""
+
+
+def planetary(rest: str) -> str:
+    """One planet between sun and held ring, the torque of the carrier balanced."""
+    teeth = "normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    mesh = "stiffness: {law: rectangular, high: 4e8 N/m, low: 3e8 N/m, duty: 0.7}, damper: {ratio: 0.1}"
+    return f"""\
+gears:
+  s: {{number_of_teeth: {SUN}, {teeth}}}
+  p: {{number_of_teeth: {PLANET}, {teeth}}}
+  r: {{type: internal, number_of_teeth: {RING}, {teeth}}}
+bodies:
+  sun: {{gears: [s], motion: torsion, inertia: 1e-3 kg m^2, position: [0, 0, 0]}}
+  carrier: {{motion: torsion, inertia: 2e-2 kg m^2, mass: 3 kg, position: [0, 0, 0]}}
+  planet: {{gears: [p], inertia: 2e-3 kg m^2, mass: 0.5 kg, position: [51 mm, 0, 0]}}
+  ring: {{gears: [r], motion: fixed, position: [0, 0, 0]}}
+joints:
+  pin: {{type: revolute, bodies: [carrier, planet]}}
+meshes:
+  sp: {{gears: [s, p], {mesh}}}
+  pr: {{gears: [p, r], {mesh}}}
+loads:
+  motor: {{body: sun, torque: 20 N m}}
+  brake: {{body: carrier, torque: balance}}
+{rest}"""
+
+
+SWEEP = (
+    "scenarios:\n  up: {sweep: {body: sun, mesh: sp, mesh_frequency: [300 Hz, 400 Hz], points: 2, "
+    "direction: up, settle_periods: 2, measure_periods: 2}}\n"
+)
+
+
+def test_a_sweep_counts_mesh_frequencies_against_the_carrier():
+    """At the point labelled 300 Hz the speeds of sun and carrier give 300 Hz by Willis."""
+    model, system = compiled(planetary(SWEEP), "up")
+    plan = plan_sweep(system, model.scenarios["up"])
+    assert plan.frequencies == pytest.approx([300.0, 400.0])
+    assert plan.speeds / (2.0 * math.pi) == pytest.approx(np.array([300.0, 400.0]) / ORDER)
+    assert plan.fastest == pytest.approx(1.0)
+    for point in run_sweep(system, model.scenarios["up"]).points:
+        sun, carrier = (
+            point["channels"][f"speed[{b}]"]["mean"] / (2.0 * math.pi) for b in ("sun", "carrier")
+        )
+        assert SUN * (sun - carrier) == pytest.approx(point["mesh_frequency"], rel=1e-3)
+
+
+def test_both_meshes_of_a_campbell_diagram_have_one_frequency():
+    found = follow_modes(compiled(planetary(""))[1], [100.0], "sun")
+    assert found.orders == pytest.approx({"sp": ORDER, "pr": ORDER})
+
+
+def test_one_period_of_a_slow_roll_is_one_base_pitch():
+    """Phases go through exactly one cycle, so the mean stiffness is that of the law."""
+    roll = roll_through(compiled(planetary(""))[1], "sp", 200)
+    system = compiled(planetary(""))[1]
+    phase = roll.rows[:, system.layout.channel("mesh_phase[sp]")]
+    turned = np.unwrap(2.0 * math.pi * phase) / (2.0 * math.pi)
+    assert abs(turned[-1] - turned[0]) == pytest.approx(1.0, abs=1e-3)
+    assert roll.meshes["sp"].tangent_stiffness[:-1].mean() == pytest.approx(3.7e8, rel=5e-3)
+    assert {name: mesh.pitches for name, mesh in roll.meshes.items()} == {
+        "sp": Fraction(1),
+        "pr": Fraction(1),
+    }
+
+
+def test_a_mesh_that_stands_still_cannot_be_swept():
+    """A locked set turns as one body."""
+    text = planetary(SWEEP).replace("joints:", "ratios:\n  lock: {terms: {sun: 1, carrier: -1}}\njoints:")
+    text = text.replace("motion: fixed", "motion: torsion, inertia: 1 kg m^2")
+    model, system = compiled(text, "up")
+    with pytest.raises(SolverError, match="mesh sp stands still while sun turns"):
+        plan_sweep(system, model.scenarios["up"])
