@@ -20,6 +20,7 @@ INTERRUPTED = 9
 BAD_CENTRE = 10
 TABLE_RANGE = 11
 CONTROLLER = 12
+JAMMED = 13
 
 _SENTENCES = {
     DIED: "an element kernel stopped with an exception",
@@ -35,6 +36,8 @@ _SENTENCES = {
     BAD_CENTRE: "two gears came closer than their base circles allow",
     TABLE_RANGE: "a table was asked for a value outside its range",
     CONTROLLER: "a controller failed",
+    JAMMED: "friction and the loads that cause it do not settle: the mechanism jams, or a controller feeds a "
+    "sensed load back with too high a gain; reduce the coefficient of friction or the gain",
 }
 
 

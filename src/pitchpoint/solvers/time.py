@@ -17,9 +17,10 @@ from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.event_watch import EventWatch
+from pitchpoint.solvers.mean_balance import drift_notes
 from pitchpoint.solvers.rows import explain, row_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
-from pitchpoint.solvers.start import Start, prepare_start
+from pitchpoint.solvers.start import UNBALANCED, Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
 from pitchpoint.system import evaluate
@@ -285,6 +286,8 @@ class _Loop:
             for k, c in enumerate(self.system.layout.channels)
         }
         remarks = (*deep_contacts(self.system.model, [channels]), *weak_damping(self.system, channels))
+        if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
+            remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))
         if status == OK and found.count == 0:  # methods with samples within steps measure at them
             remarks = ("no sample lies in the window of the statistics; raise sample_rate",)
         divided = int(self.system.workspace.clock[REJECTED])
