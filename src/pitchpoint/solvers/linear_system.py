@@ -17,6 +17,7 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.elements.registry import MODAL
 from pitchpoint.model.scenario import Scenario
+from pitchpoint.solvers.cycle_means import TOUCH, shift, touching
 from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, undamped
 from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of
 from pitchpoint.solvers.equilibrium import find_equilibrium
@@ -24,7 +25,7 @@ from pitchpoint.solvers.free_directions import free_directions
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
-from pitchpoint.solvers.stiffness_parts import NONE, TOUCH, Array, Parts, shift, split, touching
+from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
 from pitchpoint.solvers.switched_off import without_friction
 from pitchpoint.solvers.trains import rigid_rotations
 from pitchpoint.system import evaluate
