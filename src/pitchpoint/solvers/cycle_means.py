@@ -113,10 +113,11 @@ def touching(system: System, state: State) -> dict[str, int]:
 
 def _touch(system: System, state: State, flanks: Mapping[int, int]) -> None:
     """Shift the assembly of some meshes, by number, so that the given flank just touches."""
+    records = mesh_records(system)
     for _ in range(2):  # the excitation follows the phase
         evaluate.residual(system, state)
         for k, flank in flanks.items():
-            record = mesh_record(system, k)
+            record = records[k]
             aim = flank * (0.5 * record["gap"] + record["sep_min"] + TOUCH)
             record["u0"] += aim - (record["u"] - record["e_t"])
 
@@ -173,35 +174,35 @@ def _means_together(
 ) -> dict[int, tuple[Array, Array]]:
     """The means of meshes that do not influence each other."""
     cycles = {m: _cycle(system, m, values) for m, values in _observed(system, state, batch)}
-    kept = {m: mesh_record(system, m).copy() for m in batch}
+    records = mesh_records(system)
+    kept = {m: records[m].copy() for m in batch}
     total = {m: np.zeros((2, len(c.blocks.places), 6, 6)) for m, c in cycles.items()}
     at = state
     try:
         for step in range(max(c.phases.size for c in cycles.values())):
             active = {m: c for m, c in cycles.items() if step < c.phases.size}
             for m, cycle in active.items():
-                _put_back(system, m, kept[m])
-                shift(mesh_record(system, m), cycle.flank * (float(cycle.phases[step]) - cycle.now))
+                _put_back(records[m], kept[m])
+                shift(records[m], cycle.flank * (float(cycle.phases[step]) - cycle.now))
             if loose:
                 _touch(system, at, {m: c.flank for m, c in active.items()})
             for _ in range(0 if loose else 2):  # the deflection there moves the phase a little
                 at = _rest_at(system, at, held, state, rates)
                 for m, (_, phase) in _observed(system, at, [*active]):
                     ahead = _nearest(float(active[m].phases[step]) - phase[active[m].flank])
-                    shift(mesh_record(system, m), active[m].flank * ahead)
+                    shift(records[m], active[m].flank * ahead)
             both = tangents(system, at, _records(system, active))
             for m, cycle in active.items():
                 total[m] += cycle.weights[step] * np.array([x[cycle.blocks.places] for x in both])
     finally:
         for m in batch:
-            _put_back(system, m, kept[m])
+            _put_back(records[m], kept[m])
         evaluate.residual(system, state)
     return {m: (x[0], x[1]) for m, x in total.items()}
 
 
-def _put_back(system: System, m: int, kept: np.void) -> None:
+def _put_back(record: np.void, kept: np.void) -> None:
     """Give a mesh the place in its cycle that a copy of its record has."""
-    record = mesh_record(system, m)
     for name in _MOVED:
         record[name] = kept[name]
 
@@ -222,12 +223,12 @@ def _observed(
 
     That of the back flank is left in the record by its own sum.
     """
-    values, names = evaluate.observe(system, state), mesh_names(system)
+    values, names, records = evaluate.observe(system, state), mesh_names(system), mesh_records(system)
     for m in meshes:
         contact, front = (
             float(values[system.layout.channel(f"{c}[{names[m]}]")]) for c in ("contact_state", "mesh_phase")
         )
-        yield m, (contact, {1: front, -1: float(mesh_record(system, m)["psi"])})
+        yield m, (contact, {1: front, -1: float(records[m]["psi"])})
 
 
 def _cycle(system: System, m: int, observed: tuple[float, dict[int, float]]) -> _Cycle:

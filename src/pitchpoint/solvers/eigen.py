@@ -278,8 +278,12 @@ def best_match(likeness: Array) -> NDArray[np.intp]:
 
 
 def ratio_of(values: NDArray[np.complex128]) -> Array:
-    """Share of critical damping of eigenvalues; 0 for a rigid mode, nan for one that creeps."""
+    """Damping ratio -Re/|eigenvalue|: 1 for a mode that is overdamped, -1 for one that runs away, 0 for a rigid one.
+
+    Examples
+    --------
+    >>> ratio_of(np.array([-3.0 + 4.0j, -2.0, 0.0]))
+    array([0.6, 1. , 0. ])
+    """
     size = np.abs(values)
-    ratio = np.divide(-values.real, size, out=np.zeros(size.shape), where=size > 0.0)
-    ratio[(values.imag <= 0.0) & (size > 0.0)] = np.nan
-    return np.asarray(ratio)
+    return np.asarray(np.divide(-values.real, size, out=np.zeros(size.shape), where=size > 0.0))
