@@ -184,9 +184,9 @@ def solve_campbell(
     -------
     xarray.Dataset
         Over `speed` [rad/s] and `mode`: frequency [Hz], 0 where a mode does not oscillate, and damping_ratio,
-        1 where it is overdamped; over `mode`: name, from its shape at rest; over `mesh`: order (mesh frequency
-        over rotational frequency of the body); over `speed` and `mesh`: mesh_frequency [Hz]. Each mode is
-        followed from speed to speed by its shape, so `frequency[:, k]` is one curve of the diagram.
+        1 where it is overdamped; over `mode`: name, from its shape at rest; over `mesh`: order (mesh
+        frequency over rotational frequency of the body); over `speed` and `mesh`: mesh_frequency [Hz]. Each
+        mode is followed from speed to speed by its shape, so `frequency[:, k]` is one curve of the diagram.
 
     Raises
     ------
