@@ -160,6 +160,7 @@ class Scenario:
         "names of the channels to store; * stands for any characters, as in mesh_force[*]",
         (),
         display="all",
+        later=True,
     )
     sweep: Sweep | None = component(Sweep, "speed sweep instead of one time response")
     quasi_static: QuasiStatic | None = component(QuasiStatic, "slow roll instead of a time response")

@@ -73,7 +73,7 @@ def diagnose_file(request: Request) -> Study:
     machine = _machine(request, record)
     chosen = _chosen(request, record)
     _complete(request, record, chosen)
-    signals, remarks = usable(chosen)
+    signals, remarks = usable(chosen, None if request.channels else record.time)
     if not signals:
         raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
     part = record.time >= record.time[0] + record.settle_time

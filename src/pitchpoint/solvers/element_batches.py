@@ -47,7 +47,7 @@ def blocks_of(system: System, kind: str, k: int) -> Block:
     else:
         bodies = {b for body in _bodies(system, kind, k) for b in _movers(system, body)}
         nodes = frozenset(layout.node_of[b] for b in bodies) - {-1}
-        pairs = tuple(pair for pair in product(sorted(nodes), repeat=2) if pair in layout.blocks)
+        pairs = tuple((i, j) for i, j in product(sorted(nodes), sorted(nodes)) if (i, j) in layout.blocks)
     return Block(nodes, pairs, np.array([layout.blocks[pair] for pair in pairs], np.int64))
 
 
@@ -88,8 +88,8 @@ def machines_of(system: System) -> NDArray[np.int64]:
             rows.append(dict.fromkeys(range(1, len(body)), 1.0))
         rows += [dict.fromkeys(own, 1.0) for k in range(len(records)) if (own := _bodies(system, kind, k))]
     found = np.zeros(len(body), np.int64)
-    for number, own in enumerate(connected(rows, range(1, len(body))), start=1):
-        found[own] = number
+    for number, members in enumerate(connected(rows, range(1, len(body))), start=1):
+        found[members] = number
     return found
 
 

@@ -265,7 +265,7 @@ def damped_modes(
     M, D, K = linear.at_rest.M, linear.D, linear.K
     left = K - symmetric(linear.at_rest.K)
     if modes.whole is None and _is_undamped(linear, modes, left):
-        return 1j * modes.omega, modes.shapes.astype(complex)
+        return np.asarray(1j * modes.omega, np.complex128), modes.shapes.astype(np.complex128)
     if modes.whole is None:
         return nearest_damped((M, D, K), _sparse(linear.basis), linear.states, modes.omega, modes.shapes)
     omega, shapes = modes.whole
