@@ -176,7 +176,7 @@ def planetary_row() -> Row:
 def stages(n: int) -> Any:
     """Gear stages of ten stations each: two shafts of five pieces, a mesh; stage after stage on one line.
 
-    Every station is a body with six coordinates on ground; the wheel shaft of a stage goes on as the pinion
+    Every station is a body with six coordinates on ground; the wheel shaft of a stage continues as the pinion
     shaft of the next one.
     """
     from pitchpoint.contact.stiffness.constant import constant
@@ -251,7 +251,7 @@ def step_cost(n: int) -> float:
 
 
 def block_solution(n: int) -> float:
-    """Seconds to factorise and solve the matrix of a machine with n stations, the copy of it left out."""
+    """Seconds to factorise and solve the matrix of a machine with n stations, the copy of it omitted."""
     from pitchpoint.core.status import OK
     from pitchpoint.multibody.block_lu import factorise, substitute
     from pitchpoint.system import evaluate

@@ -135,7 +135,7 @@ def paces(files: dict[str, Path], browser: Path | str) -> dict[str, Pace]:
 
 
 def rows() -> list[Row]:
-    """Both scenes, drawn in software and what a GPU leaves; one row that says so without a browser."""
+    """Both scenes, drawn in software and what a GPU leaves; one row that reports this without a browser."""
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if browser is None or not importlib.util.find_spec("playwright"):
         return [Row("scene of a gearbox", math.nan, "pictures/s", "", "no Playwright or no Chromium")]

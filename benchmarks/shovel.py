@@ -13,7 +13,7 @@ from benchmarks.rows import Row
 
 HERE = Path(__file__).parents[1] / "examples" / "shovel-gearbox"
 ELASTIC = 3.0
-"""Seconds of the gearbox on elastic shafts that are run; the rest goes on at the same speed."""
+"""Seconds of the gearbox on elastic shafts that are run; the rest continues at the same speed."""
 
 
 def _levels() -> Any:

@@ -36,7 +36,7 @@ html_css_files = ["pitchpoint.css"]
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "attrs_block", "attrs_inline"]
 myst_heading_anchors = 4
 myst_links_external_new_tab = False
-# a paragraph may begin with a path such as /contact, and prices are not told here
+# a paragraph may begin with a path such as /contact, and prices do not occur here
 myst_dmath_allow_digits = False
 myst_dmath_double_inline = True
 
@@ -50,7 +50,7 @@ nb_render_image_options = {"align": "center"}
 # --------------------------------------------------------------------------------------------- reference
 
 autosummary_generate = False  # docs/make_api.py writes these pages
-autodoc_typehints = "none"  # numpydoc sections say what a parameter is, with its unit
+autodoc_typehints = "none"  # numpydoc sections state what a parameter is, with its unit
 autodoc_member_order = "bysource"
 autodoc_preserve_defaults = True
 napoleon_google_docstring = False

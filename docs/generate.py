@@ -28,10 +28,10 @@ HERE = Path(__file__).parent
 ROOT = HERE.parent
 # parts of the first page of the repository that the site shows too: from this heading, to that one
 PARTS_OF_README = {
-    "install": ("## What you need\n", "## The first five minutes\n"),
-    "first_steps": ("## The first five minutes\n", "## What is in the box\n"),
-    "contents": ("## What is in the box\n", "## What is not\n"),
-    "limits": ("## What is not\n", "## Where to read on\n"),
+    "install": ("## Requirements\n", "## The first five minutes\n"),
+    "first_steps": ("## The first five minutes\n", "## Features\n"),
+    "contents": ("## Features\n", "## Limitations\n"),
+    "limits": ("## Limitations\n", "## Further reading\n"),
 }
 
 
@@ -48,15 +48,15 @@ HOW_UNITS_COMBINE = """
 * A power is `^2`, `**2`, `²` or a number right behind the symbol: `kg m^2`, `kg m2`, `min-1`.
 * `Nm`, `Nmm`, `Ncm`, `Ns`, `Nms` (m, k, M before N), `kgm`, `kgcm`, `kgmm`, `gcm`, `gmm` are one
   word; a power behind it belongs to the last symbol: `kgm2` is `kg m^2`.
-* Several symbols below the line stand in brackets or each behind a line: `14 N/(mm um)`, `14 N/mm/um`.
+* Several symbols in the denominator are put in brackets or each after a slash: `14 N/(mm um)`, `14 N/mm/um`.
 * Speeds of rotation: `rpm`, `1/min`, `/min`, `min^-1`, `rev/min`, `r/min`, `U/min`, `Hz` count revolutions,
-  `rad/s` and `deg/s` angles. `1/s` does not say what it counts and is refused.
+  `rad/s` and `deg/s` angles. `1/s` does not state what it counts and is refused.
 * `grad` and `Grad` (degree or gon) are refused: write `deg` or `gon`. `lb`, `oz`, `kg`, `t` are masses, and
   `lbf`, `ozf`, `kgf`, `kN` the forces.
 
 ## Symbols
 
-n, u (or µ), m, k, M and G may stand before m, g, s, N, Pa, J, W and Hz; n, u and m before rad. Names that
+n, u (or µ), m, k, M and G may be before m, g, s, N, Pa, J, W and Hz; n, u and m before rad. Names that
 are not in the table are looked up in [pint](https://pint.readthedocs.io), except for angles and rates.
 
 | symbol | in SI |
@@ -65,7 +65,7 @@ are not in the table are looked up in [pint](https://pint.readthedocs.io), excep
 
 
 def units() -> str:
-    """Page of what a model file may say for each kind of quantity."""
+    """Page of the units that a model file accepts for each kind of quantity."""
     head = "# Units\n\nA bare number is SI; angles are radians.\n\n"
     lines = ["| kind | SI | for instance | shown in |", "|---|---|---|---|"]
     for name, row in DIMENSIONS.items():

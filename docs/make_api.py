@@ -45,7 +45,7 @@ LAYERS = {
 
 
 def listed(name: str, thing: object) -> str:
-    """Directive of one function or class, to stand in a block of reStructuredText."""
+    """Directive of one function or class, to be in a block of reStructuredText."""
     if inspect.isclass(thing):
         members = "" if issubclass(thing, Exception) else "\n   :members:"
         return f".. autoclass:: {name}{members}\n"
@@ -71,7 +71,7 @@ def public_page() -> str:
 
 
 def documented(module: ModuleType) -> dict[str, object]:
-    """Public functions and classes of a module that are its own and for people: kernels are left out."""
+    """Public functions and classes of a module that are its own and for people: kernels are omitted."""
     found = {}
     for name, thing in vars(module).items():
         own = getattr(thing, "__module__", None) == module.__name__

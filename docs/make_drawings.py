@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Drawings of the conventions: signs, frames, path of contact, backlash, flanks, hands, forces.
 
-Outlines, circles, paths and gaps come from `pitchpoint.geometry`, so a drawing cannot say something else than
+Outlines, circles, paths and gaps come from `pitchpoint.geometry`, so a drawing cannot contradict
 the package does. ``python docs/make_drawings.py FOLDER`` writes the SVG files.
 """
 
@@ -231,7 +231,7 @@ def hands(target: Path) -> None:
                 ((r_a, form.tip_half_angle), (r_f, form.root_half_angle), "#cfd8e2"),
                 ((r_a, -form.tip_half_angle), (r_a, form.tip_half_angle), "#eef2f6"),
             ):
-                # seen from +x: y to the right; what looks away is left out
+                # seen from +x: y to the right; what looks away is omitted
                 depth = np.cos(middle + 0.5 * (low[1] + high[1]) + twist)
                 seen = depth > 0.0
                 left, right = (place + r * np.sin(middle + angle + twist[seen]) for r, angle in (low, high))
@@ -274,7 +274,8 @@ def forces(target: Path) -> None:
     one = CylindricalGear(z=19, m_n=4e-3, beta=-math.radians(10), b=30e-3)
     pair = GearPair.from_profile_shifts(one, CylindricalGear(z=25, m_n=4e-3, beta=math.radians(10), b=30e-3))
     around = 500.0
-    # the left flank of gear 1 pushes: its outward normal leans towards -z on a right hand, +z on a left hand
+    # the left flank of gear 1 pushes: its outward normal is inclined towards -z on a right hand, +z on a
+    # left hand
     apart, along = around * math.tan(pair.alpha_wt), -around * math.tan(one.beta)
     pitch, _ = directions(pair, 1)
     sheet = Sheet(760, 470, pitch, 8200.0)

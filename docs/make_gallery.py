@@ -2,7 +2,7 @@
 """Gallery of the examples: one card and one page for each, with its scene or its report.
 
 The commands of `gallery.yaml` write a page, which the page of the example shows. Where Chromium is installed
-`make docs` takes the picture of the card from it; elsewhere those of `docs/images/gallery` stand in.
+`make docs` takes the picture of the card from it; otherwise those of `docs/images/gallery` are used.
 ``python docs/make_gallery.py docs/images/gallery`` renews these.
 """
 
@@ -155,7 +155,7 @@ def title_of(name: str) -> str:
 
 
 def example_page(name: str) -> str:
-    """Page of an example: what its README says, the picture, the files."""
+    """Page of an example: its README, the picture, the files."""
     readme = (EXAMPLES / name / "README.md").read_text(encoding="utf-8").replace("](../../docs/", "](../../")
     title, text = readme.split("\n", 1)
     address = f"../../scenes/{name}.html"

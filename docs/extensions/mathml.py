@@ -2,7 +2,7 @@
 """Equations as MathML at build time: browsers draw it, so that no page needs a script or a network.
 
 The font with the shapes of mathematics, STIX Two Math (SIL Open Font License), comes with the package ziamath
-and is copied beside the pages.
+and is copied next to the pages.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def to_mathml(latex: str, display: str) -> str:
 
 
 def space_functions(row: ElementTree.Element) -> None:
-    """Set names of functions apart from what they stand beside: thin spaces, as in a book."""
+    """Set names of functions off from their neighbours: thin spaces, as in a book."""
     for child in row:
         # an operator would have spaces on both sides that are too wide
         if child.tag == f"{NAMESPACE}mo" and WORD.fullmatch(child.text or ""):
@@ -108,7 +108,7 @@ def visit_block(self: Any, node: nodes.math_block) -> None:
 
 
 def copy_font(app: Sphinx, exception: Exception | None) -> None:
-    """Put the font beside the style sheet."""
+    """Put the font next to the style sheet."""
     package = importlib.util.find_spec("ziamath")
     if exception or package is None or package.origin is None:
         return

@@ -21,7 +21,7 @@ def as_text(lines: list[str]) -> list[str]:
     Parameters
     ----------
     lines
-        Lines as they stand in the source.
+        Lines as they are in the source.
 
     Returns
     -------
@@ -60,7 +60,7 @@ def process(app: Sphinx, what: str, name: str, obj: Any, options: Any, lines: li
 
 
 def skip(app: Sphinx, what: str, name: str, obj: Any, skip: bool, options: Any) -> bool | None:
-    """Leave out the fields of named tuples: their numbers say nothing, the class says what they are."""
+    """Omit the fields of named tuples: their numbers give no information, the class states what they are."""
     return True if type(obj).__name__ == "_tuplegetter" else None
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the run-up says under other readings of the study: each line changes one thing of `run-up.yaml`.
+"""Results of the run-up under other readings of the study: each line changes one thing of `run-up.yaml`.
 
-Prints where the largest force comes, whether the flanks part there, and whether the back flank is hit.
+Prints where the largest force comes, whether the flanks separate there, and whether the back flank is hit.
 Usage: ``python readings.py``.
 """
 

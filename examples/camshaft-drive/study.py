@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Contact-loss time over backlash and torque: a load on gear 2 is held, then released.
 
-Varies one mesh of `release-backlash.yaml`, prints tables beside the closed form and draws the curves.
+Varies one mesh of `release-backlash.yaml`, prints tables next to the closed form and draws the curves.
 Usage: ``python study.py [FIGURE.html]``.
 """
 

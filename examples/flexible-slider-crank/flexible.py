@@ -124,7 +124,7 @@ def theory(t: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.floa
     def ends(time: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Accelerations of both ends across the rod."""
         theta = SPEED * time
-        phi = np.arcsin(CRANK / LENGTH * np.sin(theta))  # the rod leans by -phi
+        phi = np.arcsin(CRANK / LENGTH * np.sin(theta))  # the rod is inclined by -phi
         phi1 = CRANK / LENGTH * np.cos(theta) * SPEED / np.cos(phi)
         phi2 = (-CRANK / LENGTH * np.sin(theta) * SPEED**2 + phi1**2 * np.sin(phi)) / np.cos(phi)
         ax, ay = -CRANK * SPEED**2 * np.cos(theta), -CRANK * SPEED**2 * np.sin(theta)

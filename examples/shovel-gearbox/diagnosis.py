@@ -2,7 +2,7 @@
 """The broken tooth in the noise: wavelet levels of a bearing force, its period, and rates of detection.
 
 As the paper does it: white noise on the bearing force, Db5, five levels, the period read from a5. What is
-added: many seeds, the healthy gearbox beside it, and other indicators on the same signals.
+added: many seeds, the healthy gearbox next to it, and other indicators on the same signals.
 """
 
 from __future__ import annotations

@@ -75,7 +75,7 @@ def tell(
     elastic
         Whether the gearbox on elastic shafts runs, too.
     """
-    simulate("warm-up", record=0.1, settle=0.1)  # compiling is no part of the run times
+    simulate("warm-up", record=0.1, settle=0.1)  # compiling is not part of the run times
     healthy, faulty = healthy_and_faulty()
     pair = pair_of(healthy, faulty)
     return Story(

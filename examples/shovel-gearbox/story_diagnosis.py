@@ -45,7 +45,7 @@ def noise(pair: Pair, found: Sequence[Readings]) -> Section:
         rows += [
             Compared(f"{at}: period, mean", mean, source, "s", TURN, 5),
             Compared(f"{at}: the same in steps", mean * RATE, source, "", TURN * RATE, 5),
-            Compared(f"{at}: largest error of a seed", 100 * reading.worst, source, "%", "0.5 asked for", 2),
+            Compared(f"{at}: largest error of a seed", 100 * reading.worst, source, "%", "0.5 requested", 2),
             Compared(f"{at}: readings within 0.5 %", f"{reading.hits} of {n}", source, "", f"{n} of {n}"),
             Compared(
                 f"{at}: healthy, period found",

@@ -250,7 +250,12 @@ def forces(run: Run, frictionless: Run, run_up: Run) -> Section:
         for k, force in enumerate(found)
     ]
     lines = [[*cells, f"{force.channel}, read_tones"] for cells, force in zip(shares, found, strict=True)]
-    head = ("amplitude over mean force", "unit", *(f"at {f:.3f} Hz" for f in train.mesh), "beside them, most")
+    head = (
+        "amplitude over mean force",
+        "unit",
+        *(f"at {f:.3f} Hz" for f in train.mesh),
+        "next to them, most",
+    )
     section.add(sourced_table(head, lines))
     section.add(
         f"<p>Run {run.label}. The shafts are rigid, and still every stage feels "
@@ -270,7 +275,7 @@ def add_run_up(section: Section, run_up: Run) -> None:
     section.add_figure(
         plot_time_frequency(data, unit="N", quantity=channel),
         f"Run {run_up.label}: {channel} from standstill to {RATED:g} 1/min in {time[-1]:g} s. Mesh orders "
-        "rise with the speed; what stands still is a natural frequency; "
+        "rise with the speed; what is at rest is a natural frequency; "
         "falling lines are orders beyond half the sample rate, folded back.",
     )
     moving = time > 1.0

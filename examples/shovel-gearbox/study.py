@@ -60,7 +60,7 @@ class Run:
     settle
         Start of the record [s].
     processor_s
-        Processor time [s]: on a busy machine the time on the clock says little.
+        Processor time [s]: on a busy machine the wall-clock time is not reliable.
     """
 
     label: str
@@ -94,7 +94,7 @@ class Run:
         return np.asarray(mean + resample_poly(values - mean, 1, THINNED), dtype=np.float64)
 
     def times(self, thinned: bool = False) -> np.ndarray:
-        """Times of the samples of `record` or `thinned`, from 0 on [s]."""
+        """Times of the samples of `record` or of its decimated form, from 0 on [s]."""
         rate = self.rate / THINNED if thinned else self.rate
         n = round((self.data.time.size - 1 - round(self.settle * self.rate)) * rate / self.rate)
         return np.arange(n) / rate
@@ -116,7 +116,7 @@ def simulate(
     label
         What the page calls the run.
     file, scenario
-        File beside this one, and a scenario of it.
+        File next to this one, and a scenario of it.
     record, settle
         Length of the record and time before it [s].
     changes

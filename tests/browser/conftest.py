@@ -25,7 +25,7 @@ def browsers() -> Iterator[Browsers]:
 
 @pytest.fixture
 def open_page(browsers: Browsers, tmp_path: Path) -> Iterator[Callable[..., Any]]:
-    """Opens a page of a text or a file; after the test it must have said and asked for nothing."""
+    """Opens a page of a text or a file; after the test it must have said and requested nothing."""
     with opening(browsers, tmp_path) as function:
         yield function
 

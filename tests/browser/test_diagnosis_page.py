@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The page of a diagnosis in a real browser: every plot is drawn, no text runs into another, all that can be
-pressed has an effect, in light and dark, on a phone and on paper; it says nothing and asks for nothing.
+pressed has an effect, in light and dark, on a phone and on paper; it gives no information and asks for
+nothing.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ LIGHT, DARK = ["#1f2933", "rgb(255, 255, 255)"], ["#e6e9ed", "rgb(20, 24, 29)"]
 
 @pytest.fixture(scope="module")
 def diagnosis(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """A damaged tooth, two bearings that no record tells apart, and another one."""
+    """A damaged tooth, two bearings that no record distinguishes, and another one."""
     folder = tmp_path_factory.mktemp("diagnosis")
     page = folder / "page.html"
     options = ["--train", "32/95", "--speed", "10Hz"]
@@ -46,7 +47,7 @@ def diagnosis(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 @pytest.fixture(scope="module")
 def wide(browsers: Browsers, diagnosis: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
-    """The page, open for several tests; at their end it has said nothing and asked for nothing."""
+    """The page, open for several tests; at their end it has reported nothing and requested nothing."""
     with opening(browsers, tmp_path_factory.mktemp("wide")) as open_page:
         yield drawn(open_page, diagnosis, webgl=False, size=(1280, 900))
 
@@ -96,7 +97,7 @@ def test_every_tool_of_a_plot_has_an_effect(wide: Page) -> None:
 
 
 def test_every_entry_of_a_legend_takes_its_lines_away_and_brings_them_back(wide: Page) -> None:
-    """Bearings that are alike are one entry with one colour, which stands for all their parts."""
+    """Bearings that are alike are one entry with one colour, which represents all their parts."""
     count = "document.querySelectorAll('.plot .scatterlayer .points path').length"
     # or every click waits for a second one, which would leave one entry alone
     wide.evaluate(

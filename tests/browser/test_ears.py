@@ -18,7 +18,7 @@ NOISE = {
     "error: lost": "<script>setTimeout(() => { throw new Error('lost') })</script>",
     "error: refused": "<script>Promise.reject(new Error('refused'))</script>",
     "request: http://nowhere.invalid/x.png": "<img src='http://nowhere.invalid/x.png'>",
-    # a frame of nobody may ask before it is listened to; the console hears of it all the same
+    # a frame of no one may ask before it is listened to; the console hears of it all the same
     "net::ERR": "<iframe sandbox srcdoc=\"<img src='http://nowhere.invalid/y.png'>\"></iframe>",
     "violates": "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'\"><script>0</script>",
 }

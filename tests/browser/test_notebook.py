@@ -41,7 +41,7 @@ def test_a_model_in_a_cell(open_page: OpenPage, cell: str) -> None:
     assert frame.evaluate(colour) == rgb(theme.DARK["paper"])
     page.evaluate("document.body.dataset.jpThemeLight = 'true'")
     until(frame, f"{colour} === '{rgb(theme.LIGHT['paper'])}'")
-    assert frame.evaluate("self.origin") == "null"  # the sandbox is there: the frame belongs to nobody
+    assert frame.evaluate("self.origin") == "null"  # the sandbox is there: the frame belongs to no one
     state = frame.evaluate("pitchpointViewer.state()")
     assert state["message"] is None and len(state["pictures"][0]["bodies"]) == 2
     # the sandbox lets files out

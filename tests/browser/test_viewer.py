@@ -189,7 +189,7 @@ def test_nothing_is_drawn_while_nothing_changes(same_scene: OpenPage, pair: tupl
 
 
 def test_followed_body_stays_where_it_is(open_page: OpenPage, pair: tuple[str, str]) -> None:
-    """In the eye of the camera the wheel neither moves nor, if asked for, turns; the pinion does."""
+    """In the eye of the camera the wheel neither moves nor, if requested, turns; the pinion does."""
     script = """
       const look = (t) => { V.seek(t); V.draw(); return S(); };
       V.magnify(1000); V.follow(1);

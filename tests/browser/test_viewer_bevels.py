@@ -19,7 +19,7 @@ pytestmark = needs_browser
 def test_lines_and_pair_forces_of_bevel_gears_are_where_the_numbers_put_them(open_page: OpenPage) -> None:
     """Lines are curved in the plane of action; forces of all pairs add up to that of the mesh.
 
-    The force of a pair acts in the middle of its load, which leaves out how it turns along the line."""
+    The force of a pair acts in the middle of its load, which omits how it turns along the line."""
     scene, system, result = seen(PAIR + RUN % 60, "turn")
     contact = scene.contact("stage")
     frames = [40, 151]

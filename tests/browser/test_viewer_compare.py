@@ -88,7 +88,7 @@ def test_both_pictures_follow_the_body_of_the_name(open_page: OpenPage, pair: tu
 
 
 def test_steps_are_frames_of_the_finer_record_and_say_so(open_page: OpenPage, pair: tuple[str, str]) -> None:
-    """0.2 ms beside 0.7 ms that lie in between and go on for half as long again: no step is shorter."""
+    """0.2 ms beside 0.7 ms that lie in between and continue for half as long again: no step is shorter."""
     coarse = np.arange(0.1e-3, 1.5 * LENGTH, 0.7e-3)
     script = f"""
       const press = (title) => all(".ppv-transport button").find((b) => b.title.startsWith(title)).click();

@@ -142,7 +142,7 @@ def test_curves_far_apart_have_plots_of_their_own(open_page: OpenPage) -> None:
 
 
 def test_a_record_that_has_ended_has_no_value(open_page: OpenPage, pair: tuple[str, str]) -> None:
-    """The second ends half-way; the first goes on."""
+    """The second ends half-way; the first continues."""
     header, block = gears(title="Short")
     half = LENGTH / 2
     for body in header["bodies"]:

@@ -24,7 +24,7 @@ def pair() -> tuple[str, str]:
 
 
 def bare(block: Block, solids: list[dict[str, Any]]) -> tuple[str, str]:
-    """A scene of solids that stand still."""
+    """A scene of solids that are at rest."""
     header = {
         "format": "pitchpoint-scene-1",
         "title": "Solids",
@@ -88,7 +88,7 @@ def test_narrow_pages_have_all_buttons_and_nothing_under_the_folded_forces(open_
 def test_a_cut_shows_nothing_of_what_sits_in_a_bore(open_page: OpenPage) -> None:
     """A shaft of 60 facets in a ring of 48 within the same circle, along x, looked at from 14 mm.
 
-    Cut square to z beside the shaft, the ring is the cut and the shaft behind its bore is not seen; cut
+    Cut square to z next to the shaft, the ring is the cut and the shaft behind its bore is not seen; cut
     through the middle, the shaft is the cut and the bore behind it is not seen.
     """
     turned = np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0.0]])

@@ -208,7 +208,7 @@ def test_two_results_share_time_camera_and_scale(open_page: OpenPage, pair: tupl
 
 
 def test_files_hold_what_is_shown(same_scene: OpenPage, pair: tuple[str, str]) -> None:
-    """STL: triangles where the bodies are. GLB: tracks that a reader can follow. PNG: the size asked for."""
+    """STL: triangles where the bodies are. GLB: tracks that a reader can follow. PNG: the size requested."""
     script = """
       const text = async (kind, times) => {
         const bytes = new Uint8Array(await (await V.file(kind, times)).arrayBuffer());

@@ -72,7 +72,7 @@ def test_the_viewer_reads_what_the_package_writes(open_page: OpenPage) -> None:
         assert np.abs(first[:3, 3] - WAY[k]).max() < 25e-9
         x, y, _ = TURN[k]
         small = np.array([[0, 0, y], [0, 0, -x], [-y, x, 0]])
-        # the turn by parts of 1e-4 rad, 25 nm at the corners of the box; squares of it are left out
+        # the turn by parts of 1e-4 rad, 25 nm at the corners of the box; squares of it are omitted
         assert np.abs(first[:3, :3] - np.eye(3) - small).max() < 25e-9 / 0.17 + 0.51e-8
         assert np.abs(second[:3, 3] - [0.0, LENGTH[k], 0.0]).max() < 25e-9
         (arrow,) = picture["arrows"]

@@ -37,7 +37,7 @@ def solid(block: Block, name: str, low: Any, high: Any, **more: Any) -> dict[str
 
 
 def test_hundreds_of_solids_bend_and_can_be_hidden(open_page: OpenPage) -> None:
-    """Beside 320 boxes: a rod whose upper end goes 5 m aside, a bar that sways by 5 m, a cover."""
+    """Next to 320 boxes: a rod whose upper end goes 5 m aside, a bar that sways by 5 m, a cover."""
     header, block = crowd(320)
     ends = [{"name": f"end{k}", "place": [-20, 10 * k, 0], "axes": [0, 0, 0, 1]} for k in range(2)]
     ends[1]["position"] = block.put(np.outer(np.linspace(0.0, 5.0, 20), [1.0, 0.0, 0.0]))
@@ -69,10 +69,10 @@ def test_hundreds_of_solids_bend_and_can_be_hidden(open_page: OpenPage) -> None:
       V.seek(1); out.end = look();
       const all = S().pictures[0].drawnTriangles;
       named("View").click();
-      label("stands for").querySelector("input").click(); V.draw(); out.plain = look();
+      label("represents").querySelector("input").click(); V.draw(); out.plain = look();
       out.fewer = all - S().pictures[0].drawnTriangles;
       housing("hidden"); V.draw(); out.open = look();
-      housing("solid"); label("stands for").querySelector("input").click(); V.draw(); out.again = look();
+      housing("solid"); label("represents").querySelector("input").click(); V.draw(); out.again = look();
       out.crowds = S().pictures[0].crowds;
       return out;
     """
@@ -168,7 +168,7 @@ def test_two_scenes_are_told_apart_and_both_have_their_forces(
 
 
 def test_a_view_leaves_room_for_the_forces_and_looks_from_the_side(open_page: OpenPage) -> None:
-    """No pixel of a long bar lies under the table of forces; without it the bar stands in the middle."""
+    """No pixel of a long bar lies under the table of forces; without it the bar is in the middle."""
     header, block = gears()
     header["solids"].append(solid(block, "bar", [-0.4, -0.4, -0.1], [0.4, 0.4, 0.1]))
     script = """

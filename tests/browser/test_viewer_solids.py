@@ -36,7 +36,7 @@ def level(block: Block, points: np.ndarray, triangles: np.ndarray, error: float)
 
 def gear(block: Block, name: str, body: int, teeth: int, **more: Any) -> dict[str, Any]:
     points, triangles = pitch(teeth)
-    # coarse: four triangles a tooth are no surface, but told apart best
+    # coarse: four triangles a tooth are no surface, but distinguished best
     coarse = level(block, points, triangles[:4], 1e-4)
     turns = block.put(2 * np.pi * np.arange(teeth) / teeth)
     piece = {"turns": turns, "levels": [coarse, level(block, points, triangles, 1e-7)]}
@@ -162,7 +162,7 @@ def test_stretched_bent_and_schematic_solids(open_page: OpenPage) -> None:
       V.draw(); out.all = S().pictures[0].drawnTriangles;
       named("View").click();
       const stands = [...document.querySelectorAll(".ppv-panel label")].find((l) =>
-        l.textContent.includes("stands for")).querySelector("input");
+        l.textContent.includes("represents")).querySelector("input");
       stands.click(); V.draw(); out.fewer = S().pictures[0].drawnTriangles; out.plain = await stl();
       stands.click();
       V.seek(0); V.draw(); out.start = await stl();

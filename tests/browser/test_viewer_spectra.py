@@ -80,7 +80,7 @@ def test_choices_keep_the_kind_of_picture(open_page: OpenPage, pair: tuple[str, 
 
 
 def test_amplitudes_may_begin_just_below_a_power_of_ten(open_page: OpenPage) -> None:
-    """9.7e-5 kN at the lower end: the ticks go on beyond 1e-4 and the line is painted."""
+    """9.7e-5 kN at the lower end: the ticks continue beyond 1e-4 and the line is painted."""
     header, block = gears()
     amplitude = np.geomspace(0.097, 900.0, 400)
     header["spectra"][0]["amplitude"] = block.put(amplitude)

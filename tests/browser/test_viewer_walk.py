@@ -2,7 +2,7 @@
 """Everything that can be pressed in a scene has an effect: buttons, ticks, sliders, lists, keys and gestures.
 
 The test knows no names: it finds what there is. Who adds a button without effect, a key that is not told in
-the list of keys, or a gesture that nobody tries, fails here.
+the list of keys, or a gesture that no one tries, fails here.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ pytestmark = needs_browser
 START = "V = pitchpointViewer, V.pause(), V.seek(0.0501), V.look([0.05, 0.01, 0.02], [1, 2, 3], 0.5)"
 SMALL = {"box": "640px;height:560px", "size": (640, 560)}
 SILENT = {"=", "Escape"}
-"""Keys beside those of the list: plus without shift, and what closes a panel everywhere."""
+"""Keys in addition to those of the list: plus without shift, and what closes a panel everywhere."""
 NAMED = {"space": " ", "←": "ArrowLeft", "→": "ArrowRight", "−": "-"}
 GESTURES = {"drag", "wheel", "double click"}
 

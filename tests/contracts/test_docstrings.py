@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections.abc import Iterator
 
 from tests.contracts.source import (
     PACKAGE,
@@ -20,6 +21,7 @@ from tests.contracts.source import (
 MAKEFILE = PACKAGE.parents[1] / "Makefile"
 LAYERS = ("geometry", "contact", "analysis", "core")
 FILES = [p for p in python_files("src") if p.relative_to(PACKAGE).parts[0] in LAYERS]
+_ARRAYS = re.compile(r"Array|ndarray")
 _SECTION = re.compile(r"^(\w[\w ]*)\n-{3,}\n", re.MULTILINE)
 
 
@@ -83,3 +85,34 @@ def undocumented(path):
 
 def test_documented_parameters_are_those_of_the_signature():
     assert not [line for path in FILES for line in undocumented(path)]
+
+
+def described() -> Iterator[tuple[str, Function, str]]:
+    """Public functions of the layers with equations: name, syntax tree, docstring. Without kernels."""
+    for path in FILES:
+        if path.relative_to(PACKAGE).parts[0] != "core":
+            for name, function in functions(path):
+                if is_public(name) and not is_kernel(function):
+                    yield f"{name_of(path)}: {name}", function, ast.get_docstring(function) or ""
+
+
+def test_shapes_of_arrays_are_given():
+    """Of arguments and results: "shape (n,)", or the one that a result shares with an argument."""
+    without = []
+    for name, function, doc in described():
+        a = function.args
+        notes = [x.annotation for x in (*a.posonlyargs, *a.args, *a.kwonlyargs)] + [function.returns]
+        arrays = any(note is not None and _ARRAYS.search(ast.unparse(note)) for note in notes)
+        if arrays and not re.search(r"shape", doc, re.IGNORECASE):
+            without.append(name)
+    assert not without
+
+
+def test_raised_errors_are_listed():
+    """A function that raises has a section Raises."""
+    raising = (
+        (name, doc)
+        for name, f, doc in described()
+        if any(isinstance(n, ast.Raise) and n.exc for n in ast.walk(f))
+    )
+    assert not [name for name, doc in raising if "\nRaises\n------" not in doc]

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.campbell import follow_modes
 from pitchpoint.solvers.equilibrium import solve_equilibrium
@@ -23,6 +24,9 @@ from pitchpoint.solvers.quasistatic import roll_through
 from pitchpoint.solvers.reduction import reduce_system
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
+from pitchpoint.system.rules.mesh_laws import MeshLaws
+from tests.support.one_bevel import OneBevel, make_bevels
+from tests.support.one_mesh import OneMesh, make_pair
 from tests.support.turned_world import about, turned
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -280,3 +284,49 @@ def test_frequency_responses(name):
     for k in range(2):
         # slopes of channels are differences over 2e-10 m of places that are rounded to 1e-16 m (seen: 5e-6)
         same(two.response[:, k], one.response[:, k])
+
+
+@pytest.mark.nojit
+@pytest.mark.parametrize("pair", [dict(beta=0.2), dict(beta=0.2, z2=70, internal=True)])
+@pytest.mark.parametrize("lag", [0.0, 2e-3])
+def test_a_machine_may_turn_any_number_of_times_under_frames_that_do_not(pair, lag):
+    """Gears carried round by a housing that their frames do not hang on: the oracle is the machine at rest.
+
+    The line of centres turns past the range of an arc tangent. `lag` is a turn of one frame against the
+    other, which leaves an instant where the line has passed half a turn for one frame alone.
+    """
+    m = OneMesh(make_pair(**pair), MeshLaws(stiffness=PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)), n_pair=4)
+    m.frames["R"][1] = about([0.0, 0.0, 1.0], lag) @ np.eye(3)
+    m.press(8e-6)
+    m.frames["tw"][:, 5] = m.frames["spin"] = 30.0, -12.0
+    still, size = m.evaluate(), 0.0
+    seen = m.out.copy()
+    for angle in np.concatenate([np.linspace(0.1, 13.0, 40), np.pi + np.linspace(-3e-3, 3e-3, 13), [-7.0]]):
+        frames, Q = m.frames.copy(), about([0.0, 0.0, 1.0], angle)
+        frames["r"] = m.frames["r"] @ Q.T
+        whole = round(angle / (2.0 * np.pi))
+        frames["phi"] += angle - 2.0 * np.pi * whole
+        frames["turns"] += whole
+        F = m.evaluate(frames).reshape(-1, 3) @ Q
+        size = max(size, abs(F.ravel() - still.ravel()).max())
+        assert np.allclose(m.out, seen, rtol=1e-6, atol=1e-9 * abs(seen).max()), angle
+    assert size < 1e-6 * abs(still).max()
+
+
+@pytest.mark.nojit
+def test_a_bevel_gear_may_go_any_number_of_times_round_another_whose_frame_does_not_turn():
+    """The oracle is the pair at rest; the pitch ray turns past the range of an arc tangent for one frame."""
+    m = OneBevel(make_bevels(), MeshLaws(stiffness=PairShape(c_prime=14e9, S_R=0.8, T_R=0.3)))
+    m.press(8e-6)
+    still = m.evaluate()
+    seen, axis, apex = m.out.copy(), m.frames["R"][0][:, 2], np.array(m.at)
+    for angle in np.linspace(-7.0, 13.0, 60):
+        frames, Q = m.frames.copy(), about(axis, angle)
+        frames["r"] = apex + (m.frames["r"] - apex) @ Q.T
+        frames["R"][1] = Q @ m.frames["R"][1]
+        whole = round(angle / (2.0 * np.pi))
+        frames["phi"][0] += angle - 2.0 * np.pi * whole
+        frames["turns"][0] += whole
+        F = m.evaluate(frames).reshape(-1, 3) @ Q
+        assert np.allclose(F.ravel(), still.ravel(), rtol=0.0, atol=1e-6 * abs(still).max()), angle
+        assert np.allclose(m.out[:15], seen[:15], rtol=1e-6, atol=1e-9 * abs(seen).max()), angle

@@ -12,7 +12,15 @@ from __future__ import annotations
 
 import pytest
 
-from pitchpoint.geometry import CylindricalGear, GearPair, loss_factor_integral, loss_factor_ohlendorf
+from pitchpoint.geometry import (
+    CylindricalGear,
+    GearPair,
+    loss_factor_integral,
+    loss_factor_ohlendorf,
+    tip_thickness,
+)
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.remarks import odd_shapes
 from tests.support.printed import printed
 
 
@@ -65,3 +73,27 @@ def test_loss_factor_of_s30():
     assert pair.eps_alpha == printed("1.65")
     assert loss_factor_ohlendorf(pair) == printed("0.149443", 1.0)
     assert loss_factor_integral(pair) == pytest.approx(loss_factor_ohlendorf(pair), rel=1e-12)
+
+
+def test_type_a_is_thin_at_the_tip_and_can_be_made():
+    """ISO 14635-1, type A: x 0.8532/-0.5, tip diameters 88.77/112.5, a 91.5 mm."""
+    g1 = CylindricalGear(z=16, m_n=4.5e-3, x=0.8532, b=20e-3, tip_diameter=88.77e-3)
+    g2 = CylindricalGear(z=24, m_n=4.5e-3, x=-0.5, b=20e-3, tip_diameter=112.5e-3)
+    pair = GearPair(g1, g2, 91.5e-3)
+    assert 1e3 * pair.d_w1 == printed("73.2") and 1e3 * pair.d_w2 == printed("109.8")
+    assert pair.problems() == []
+    assert tip_thickness(g1) / g1.m_n == pytest.approx(0.13, abs=0.01)
+    (thin,) = g1.warnings("pinion")
+    assert thin.where == "pinion.profile_shift_coefficient" and thin.limit == "0.2 m_n"
+    assert "tip thickness of 0.13 m_n" in thin.message
+    model = loads_model(
+        "gears:\n"
+        "  pinion: {number_of_teeth: 16, normal_module: 4.5 mm, face_width: 20 mm,\n"
+        "    profile_shift_coefficient: 0.8532, tip_diameter: 88.77 mm}\n"
+        "  wheel: {number_of_teeth: 24, normal_module: 4.5 mm, face_width: 20 mm,\n"
+        "    profile_shift_coefficient: -0.5, tip_diameter: 112.5 mm}\n"
+        "meshes: {stage: {gears: [pinion, wheel], center_distance: 91.5 mm}}\n"
+    )
+    (told,) = odd_shapes(model)
+    assert told.startswith("gears.pinion.tip_diameter: 88.77 mm leaves a tip thickness of 0.13 m_n")
+    assert "use at most 8" in told

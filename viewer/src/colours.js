@@ -24,7 +24,7 @@ const KINDS = {
   body: "#a9b6c0",
 };
 
-/** Damaged teeth lean towards it. */
+/** Damaged teeth are tinted towards it. */
 export const FAULT = "#c2452d";
 
 /** @param {string} kind @param {number} order which of its kind @param {boolean} schematic bars of linkages differ in hue too */
@@ -44,7 +44,7 @@ const CURVES = ["#2296a0", "#c2509a", "#a88a1e", "#d2484f", "#6b8e23", "#8f6b52"
 /** @param {string} name of a channel */
 export const isForce = (name) => FORCES.some((part) => name.startsWith(`${part}_force`));
 
-/** Colour of a channel: that of its force part where its name says so. @param {Element} element @param {string} name @param {number} order */
+/** Colour of a channel: that of its force part where its name reports this. @param {Element} element @param {string} name @param {number} order */
 export function colourOfChannel(element, name, order) {
   const part = FORCES.find((word) => name.startsWith(`${word}_force`));
   return part ? colourOfForce(element, part) : CURVES[order % CURVES.length];

@@ -20,7 +20,7 @@ export function place(cone, normal, x, z) {
 }
 
 /**
- * Parts of the force of a pair on gear 2, in the mesh frame; they are told by the axis of that gear.
+ * Parts of the force of a pair on gear 2, in the mesh frame; they refer to the axis of that gear.
  * @param {number[]} cone @param {number} alpha pressure angle @param {number} tangent of the base spiral angle
  * @param {number} force along the base tangent, front positive @param {number} x where on the path it acts
  */

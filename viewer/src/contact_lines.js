@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact lines as thin rods in the colours of their loads; balls at their ends tell front from back flanks.
+// Contact lines as thin rods in the colours of their loads; balls at their ends distinguish front and back flanks.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -52,7 +52,7 @@ export class ContactLines {
     });
   }
 
-  /** @param {import("./contacts.js").Line[]} lines @param {boolean} on @param {number} visible world length of a pixel [m] @param {number} greatest value of the colours @param {any} shade what they tell */
+  /** @param {import("./contacts.js").Line[]} lines @param {boolean} on @param {number} visible world length of a pixel [m] @param {number} maximum of the colours @param {any} shade what they show */
   update(lines, on, visible, greatest, shade) {
     // of flanks that carry nothing only the nearer ones are shown
     const both = this.contact.penetration();
@@ -64,7 +64,7 @@ export class ContactLines {
     const loaded = Boolean(this.contact.contact.flanks[0].loads);
     const thick = Math.min(2.6 * visible || Infinity, 0.07 * this.contact.contact.base_pitch);
     drawn.forEach((line, n) => {
-      // a law that knows no pairs tells which flank touches, not what each pair carries
+      // a law without tooth pairs gives the flank in contact, not the load of each pair
       const carries = loaded ? line.force !== 0 : both[line.side] > 0;
       const radius = carries ? thick : 0.4 * thick;
       ALONG.subVectors(line.to, line.from);

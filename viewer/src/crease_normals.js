@@ -6,7 +6,7 @@
  * @param {ArrayLike<number>} triangles 3 a triangle
  * @param {number} creases edges sharper than this stay sharp [degrees]
  * @returns {{points: Float32Array, normals: Float32Array, index: Uint32Array, source: Uint32Array}}
- *   points are repeated where normals differ; source tells which point of the solid each one is
+ *   points are repeated where normals differ; source gives which point of the solid each one is
  */
 export function creaseNormals(points, triangles, creases = 40) {
   const count = points.length / 3;

@@ -18,31 +18,31 @@ export function el(tag, properties = {}, ...children) {
   return node;
 }
 
-/** A button that says what it does to those who hover and to those who listen. */
+/** A button that states what it does to those who hover and to those who listen. */
 export function button(text, title, onclick, properties = {}) {
   return el("button", { type: "button", title, "aria-label": title, onclick, ...properties }, text);
 }
 
 /**
- * A slider over powers of ten with its value beside it.
+ * A slider over powers of ten with its value next to it.
  * @param {{label: string, title: string, least: number, most: number, value: number, show: (x: number) => string, changed: (x: number) => void}} what
  */
 export function logSlider({ label, title, least, most, value, show, changed }) {
   const span = Math.log(most / least);
-  const said = el("output", {}, show(value));
+  const output = el("output", {}, show(value));
   const input = el("input", { type: "range", min: "0", max: "1", step: "0.001", title, "aria-label": title });
   const valueOf = () => least * Math.exp(span * Number(input.value));
   const set = (x) => {
     input.value = String(Math.log(x / least) / span);
-    said.textContent = input.ariaValueText = show(x);
+    output.textContent = input.ariaValueText = show(x);
   };
   input.addEventListener("input", () => {
     const x = valueOf();
-    said.textContent = input.ariaValueText = show(x);
+    output.textContent = input.ariaValueText = show(x);
     changed(x);
   });
   set(value);
-  return { row: el("label", { className: "ppv-slider" }, el("span", {}, label), input, said), set, input };
+  return { row: el("label", { className: "ppv-slider" }, el("span", {}, label), input, output), set, input };
 }
 
 /** @param {string} label @param {[string, string][]} options value and text @param {(value: string) => void} changed */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the colours of flanks tell: load per width, or the Hertzian pressure that it makes there.
+// Quantity shown by the colours of flanks: load per width, or the Hertzian pressure due to it.
 import { reached } from "./contacts.js";
 import { number } from "./numbers.js";
 
@@ -50,14 +50,14 @@ export const SHADES = {
   load: {
     name: "load per width",
     legend: "load on flanks",
-    told: (value) => `${number(value / 1e3, 3)}\u2009N/mm`,
+    format: (value) => `${number(value / 1e3, 3)}\u2009N/mm`,
     of: (contact, at, load) => load,
     greatest: ({ greatest }) => greatest,
   },
   pressure: {
     name: "pressure (Hertz)",
     legend: "Hertzian pressure",
-    told: (value) => `${number(value / 1e6, 3)}\u2009MPa`,
+    format: (value) => `${number(value / 1e6, 3)}\u2009MPa`,
     of: pressureAt,
     greatest: (mesh) => (mesh.pressure ??= greatestPressure(mesh.contact)),
   },

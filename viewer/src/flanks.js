@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All contacts of a picture: lines, patterns, gauges, forces of pairs; and what the reader is told about them.
+// All contacts of a picture: lines, patterns, gauges, forces of pairs; and their legend.
 import { button, choice, el, logSlider, tick } from "./dom.js";
 import { Contact } from "./contacts.js";
 import { alongPairs } from "./cones.js";
@@ -27,7 +27,7 @@ export class Flanks {
       };
     });
     this.greatest = Math.max(0, ...this.meshes.map(({ contact }) => contact.greatest));
-    /** what colours tell, of SHADES */
+    /** what colours show, of SHADES */
     this.shade = "load";
     this.pressures = scene.contacts.some((contact) => contact.unit_pressure);
     this.showsLines = true;
@@ -89,7 +89,7 @@ export class Flanks {
     return Math.max(0, ...this.meshes.map(({ contact }) => SHADES.pressure.greatest(contact)));
   }
 
-  /** What colours tell at a station of a line. @param {Contact} contact @param {import("./contacts.js").Line} line @param {number} s */
+  /** What colours show at a station of a line. @param {Contact} contact @param {import("./contacts.js").Line} line @param {number} s */
   value(contact, { ends, loads }, s) {
     const share = s / (loads.length - 1);
     const at = [0, 1].map((k) => ends[0][k] + (ends[1][k] - ends[0][k]) * share);
@@ -157,7 +157,7 @@ function largest(contact, size) {
   };
 }
 
-/** The box that tells colours and gaps. */
+/** The legend of colours and gaps. */
 export class FlankBox {
   /** @param {Flanks} flanks */
   constructor(flanks) {
@@ -178,17 +178,17 @@ export class FlankBox {
   update() {
     const { flanks } = this;
     const gauge = flanks.meshes[flanks.gauged];
-    // a law that tells no loads leaves nothing to say but the gap
+    // with a law without loads only the gap is shown
     const loads = flanks.greatest > 0 && (flanks.showsLines || flanks.mode !== "off");
     this.element.hidden = flanks.hidden || !(loads || gauge);
     if (this.element.hidden) return;
-    const { legend, told } = SHADES[flanks.shade];
+    const { legend, format } = SHADES[flanks.shade];
     let most = 0;
     for (const { contact, lines } of flanks.meshes)
       for (const line of lines) line.loads.forEach((_, s) => (most = Math.max(most, flanks.value(contact, line, s))));
     this.what.textContent = legend;
-    this.now.textContent = most > 0 ? `now ${told(most)}` : "now none";
-    this.end.textContent = flanks.own ? "largest of the mesh" : told(flanks.top(flanks.meshes[0].contact));
+    this.now.textContent = most > 0 ? `now ${format(most)}` : "now none";
+    this.end.textContent = flanks.own ? "largest of the mesh" : format(flanks.top(flanks.meshes[0].contact));
     this.gap.hidden = !gauge;
     if (!gauge) return;
     const both = gauge.contact.penetration();
@@ -209,7 +209,7 @@ export function activeWords({ contact, name }) {
   const { cone, width } = contact;
   const gears = contact.flanks[0].surfaces.map(({ gear, points }) => {
     const [nz, nx] = points.shape;
-    // diameters of bevel gears grow along the face: those at the mean cone distance are told
+    // diameters of bevel gears grow along the face: those at the mean cone distance are given
     const row = cone ? (-width[0] / (width[1] - width[0])) * (nz - 1) : 0;
     const first = Math.min(Math.floor(row), nz - 2);
     const at = (j, k) => Math.hypot(points.data[3 * (j * nx + k)], points.data[3 * (j * nx + k) + 1]);
@@ -238,7 +238,7 @@ export function changeFlanks(page, change) {
 
 /**
  * Show the gap of a mesh, magnified.
- * @param {import("./page.js").Page} page @param {number} mesh -1 none @param {number} times one that suits it, if left out
+ * @param {import("./page.js").Page} page @param {number} mesh -1 none @param {number} times one that suits it, if omitted
  */
 export function showGauge(page, mesh, times) {
   const chosen = page.stage.pictures[0].flanks.meshes[mesh];
@@ -250,7 +250,7 @@ export function showGauge(page, mesh, times) {
   });
   if (!page.flankRows) return;
   page.flankRows.times.set(factor);
-  page.flankRows.tell(mesh);
+  page.flankRows.describe(mesh);
   page.flankRows.gauge.select.value = String(mesh);
 }
 
@@ -280,7 +280,7 @@ export function flankRows(page) {
   );
   const shade = pressures
     ? choice(
-        "colours tell",
+        "colours show",
         Object.entries(SHADES).map(([key, { name }]) => [key, name]),
         (what) => set((flanks) => (flanks.shade = what)),
         "Load per width, or the largest pressure of the line contact that it makes",
@@ -310,13 +310,13 @@ export function flankRows(page) {
     gauge,
     times,
     /** @param {number} k mesh whose gap is shown */
-    tell(k) {
+    describe(k) {
       const mesh = meshes[k] ?? (meshes.length === 1 ? meshes[0] : null);
       active.hidden = !mesh;
       if (mesh) active.textContent = activeWords(mesh.contact);
     },
   };
-  page.flankRows.tell(-1);
+  page.flankRows.describe(-1);
   return [
     lines.row,
     greatest > 0 ? pattern.row : null,
@@ -335,7 +335,7 @@ export function flankRows(page) {
       { className: "ppv-soft" },
       greatest > 0
         ? "Balls at the ends of a line: front or back flank; a thin grey line carries nothing."
-        : "Yellow lines: front flanks; purple: back flanks; thin and grey: none of them touches. The law of the mesh tells no loads.",
+        : "Yellow lines: front flanks; purple: back flanks; thin and grey: none of them touches. The mesh law gives no loads per tooth pair.",
     ),
   ].filter(Boolean);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gap of both flanks of a mesh, magnified along the lines of action: two plates a flank, as far apart as the
-// channels say, times a factor.
+// channels give, times a factor.
 import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
 import { STATES } from "./colours.js";
 
@@ -13,7 +13,7 @@ export class Gauge {
     this.contact = contact;
     this.root = root;
     this.times = 1;
-    /** made when they are first asked for */
+    /** made when they are first requested */
     this.plates = null;
   }
 

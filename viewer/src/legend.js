@@ -23,7 +23,7 @@ export class Legend {
       return {
         state,
         cells,
-        said: null,
+        announced: null,
         row: el("tr", {}, el("th", { scope: "row", title: `${arrow.kind} ${name}` }, state, name), ...cells),
       };
     });
@@ -110,9 +110,9 @@ export class Legend {
             : "";
         if (cells[c].textContent !== text) cells[c].textContent = text;
       });
-      if (state && this.rows[k].said !== each.state) {
+      if (state && this.rows[k].announced !== each.state) {
         const { word, colour } = STATES[each.state] ?? STATES[0];
-        this.rows[k].said = each.state;
+        this.rows[k].announced = each.state;
         state.style.background = colour;
         state.title = word;
         state.setAttribute("aria-label", word);

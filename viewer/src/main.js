@@ -15,14 +15,14 @@ let page = null;
 /**
  * @param {HTMLElement} element to be filled; it decides the size
  * @param {{compare?: boolean}} options compare: the page holds two scenes
- * @returns {Promise<boolean>} whether there is a scene; otherwise a sentence in its place says why not
+ * @returns {Promise<boolean>} whether there is a scene; otherwise a sentence in its place states why not
  */
 async function mount(element, { compare = false } = {}) {
   if (!document.getElementById("ppv-style"))
     document.head.append(el("style", { id: "ppv-style" }, uplotStyle + style));
   const root = el("div", { className: "ppv" });
-  const said = el("p", {}, "Reading the scene …");
-  root.append(el("div", { className: "ppv-message", role: "status" }, said));
+  const message = el("p", {}, "Reading the scene …");
+  root.append(el("div", { className: "ppv-message", role: "status" }, message));
   element.replaceChildren(root);
   try {
     const scenes = [await readScene()];
@@ -31,11 +31,11 @@ async function mount(element, { compare = false } = {}) {
     root.dataset.ready = "scene";
     return true;
   } catch (error) {
-    said.textContent =
+    message.textContent =
       error instanceof SceneError
         ? error.message
         : `The viewer failed: ${error instanceof Error ? error.message : error}.`;
-    root.replaceChildren(el("div", { className: "ppv-message", role: "alert" }, said));
+    root.replaceChildren(el("div", { className: "ppv-message", role: "alert" }, message));
     root.dataset.ready = "failed";
     if (!(error instanceof SceneError)) console.error(error);
     return false;
@@ -77,7 +77,7 @@ window.pitchpointViewer = {
   lines: (on = true) => changeFlanks(shown(), (flanks) => (flanks.showsLines = on)),
   /** @param {"off"|"all"|"each"} mode */
   pattern: (mode) => changeFlanks(shown(), (flanks) => (flanks.mode = mode)),
-  /** What colours of flanks tell. @param {"load"|"pressure"} what */
+  /** What colours of flanks show. @param {"load"|"pressure"} what */
   shade: (what) => changeFlanks(shown(), (flanks) => (flanks.shade = flanks.pressures ? what : "load")),
   /** @param {number} mesh -1 none @param {number} times */
   gauge: (mesh, times) => showGauge(shown(), mesh, times),

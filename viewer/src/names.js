@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two scenes are called where both are told apart: short, and never the same.
+// What two scenes are called where both are distinguished: short, and never the same.
 
 const LONGEST = 36;
 
-/** What tells two results apart; nothing where there is one. @param {any[]} scenes @returns {string[]} */
+/** What distinguishes two results; nothing where there is one. @param {any[]} scenes @returns {string[]} */
 export function namesOf(scenes) {
   if (scenes.length < 2) return [""];
   for (const key of ["title", "label", "subtitle"]) {

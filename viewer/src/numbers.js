@@ -38,7 +38,7 @@ export function fixed(largest) {
       .replace("-", MINUS);
 }
 
-/** A force with the prefix that suits its size. @param {number} value [N or N m] @param {string} unit @param {number} scale value that decides the prefix @param {number} least value that decides the decimals */
+/** A force with the prefix that suits its size. @param {number} value [N or N m] @param {string} unit @param {number} scale value that decides the prefix @param {number} minimum that decides the decimals */
 export function force(value, unit, scale = value, least = scale) {
   const size = Math.abs(scale);
   const [factor, prefix] = size >= 1e6 ? [1e-6, "M"] : size >= 1e3 ? [1e-3, "k"] : [1, ""];
@@ -74,7 +74,7 @@ export const length = (metres) => withPrefix(metres, LENGTHS, 1).replace(/\.0+(?
 /** @param {number} seconds */
 export const duration = (seconds) => (seconds === 0 ? `0${THIN}s` : withPrefix(seconds, TIMES, 3));
 
-/** An instant, with as many digits as tell two frames apart. @param {number} t @param {number} step [s] */
+/** An instant, with as many digits as distinguish two frames. @param {number} t @param {number} step [s] */
 export function instant(t, step) {
   const [unit, name] = TIMES[step >= 5e-4 ? 0 : step >= 8e-7 || Math.abs(t) >= 1e-3 ? 1 : 2];
   const decimals = Math.max(0, Math.min(6, Math.ceil(-Math.log10(Math.max(step, 1e-12) / unit) - 1e-9)));

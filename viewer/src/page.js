@@ -81,18 +81,18 @@ export class Page {
     this.colours();
   }
 
-  #say(words) {
+  #announce(words) {
     this.area.append(el("div", { className: "ppv-message", role: "alert" }, el("p", {}, words)));
   }
 
   #scene() {
     if (!this.scenes.some((scene) => scene.solids.length)) {
-      this.#say("This scene holds no solids: the model gives no shapes, or the result none that moves.");
+      this.#announce("This scene holds no solids: the model gives no shapes, or the result none that moves.");
       return;
     }
     const found = graphics();
     if (!found) {
-      this.#say(NO_WEBGL);
+      this.#announce(NO_WEBGL);
       return;
     }
     this.stage = new Stage(this.host, this.scenes, found.software);
@@ -100,7 +100,7 @@ export class Page {
     stage.canvas.tabIndex = 0;
     stage.canvas.setAttribute("aria-label", "3-D scene: drag to turn, right button to shift, wheel to zoom");
     stage.canvas.addEventListener("webglcontextlost", () =>
-      this.#say("The graphics card gave the scene up. Load the page again."),
+      this.#announce("The graphics card gave the scene up. Load the page again."),
     );
     this.orbit = new Orbit(stage.camera, stage.canvas, () => this.changed(), this.scenes[0].up);
     // within a longer page the wheel scrolls the page until the reader clicks the scene
@@ -230,24 +230,24 @@ export class Page {
   update() {
     this.transport.update();
     this.curves.cursor(this.player.time);
-    this.#tell();
+    this.#sendTime();
   }
 
   /** The page around the viewer hears where time is. */
-  #tell() {
-    if (this.player.time === this.told) return;
-    this.told = this.player.time;
-    this.#sayEnds();
-    this.root.dispatchEvent(new CustomEvent("pp-time", { bubbles: true, detail: this.told }));
+  #sendTime() {
+    if (this.player.time === this.sent) return;
+    this.sent = this.player.time;
+    this.#announceEnds();
+    this.root.dispatchEvent(new CustomEvent("pp-time", { bubbles: true, detail: this.sent }));
   }
 
-  /** Bodies of a record that is shorter than the other one stand still after it. */
-  #sayEnds() {
+  /** Bodies of a record that is shorter than the other one are at rest after it. */
+  #announceEnds() {
     if (this.scenes.length < 2 || !this.names) return;
     const words = namesOf(this.scenes);
     this.names.forEach((node, k) => {
       const end = this.scenes[k].times?.data.at(-1);
-      const text = ended(end, this.told) ? `ended at ${duration(end)}: ${words[k]}` : words[k];
+      const text = ended(end, this.sent) ? `ended at ${duration(end)}: ${words[k]}` : words[k];
       if (node && node.textContent !== text) node.textContent = text;
     });
   }
@@ -378,7 +378,7 @@ export class Page {
   }
 }
 
-/** Marks of all results; those of two say whose they are. @param {any[]} scenes */
+/** Marks of all results; those of two state whose they are. @param {any[]} scenes */
 function allMarks(scenes) {
   const names = namesOf(scenes);
   return scenes.flatMap((scene, k) =>

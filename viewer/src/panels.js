@@ -103,8 +103,8 @@ export function viewRows(page) {
         },
       ).row
     : null;
-  const stands = solids.some((solid) => solid.schematic)
-    ? tick("what only stands for parts", true, (on) => {
+  const schematics = solids.some((solid) => solid.schematic)
+    ? tick("what only represents parts", true, (on) => {
         for (const picture of stage.pictures) picture.solids.schematics(on);
         page.changed();
       }).row
@@ -126,7 +126,7 @@ export function viewRows(page) {
     page.followed.row,
     turning.row,
     covers,
-    stands,
+    schematics,
     looks.length
       ? el(
           "div",
@@ -176,7 +176,7 @@ export function saveRows(page) {
   const picture = (times) => download(png(page, times), fileName(page, "png"));
   const camera = film(stage.canvas);
   let stop = null;
-  const says = (text, title) => {
+  const relabel = (text, title) => {
     record.textContent = text;
     record.title = record.ariaLabel = title;
     record.setAttribute("aria-pressed", String(Boolean(stop)));
@@ -188,7 +188,7 @@ export function saveRows(page) {
           page.filming = true;
           stage.coarsen(false);
           stop = camera.start();
-          says("stop and save", "Stop the film and save it; it stops by itself at the end of what is played");
+          relabel("stop and save", "Stop the film and save it; it stops by itself at the end of what is played");
           page.player.atEnd = () => record.click();
           page.toggle(true);
           return;
@@ -198,7 +198,7 @@ export function saveRows(page) {
         page.player.atEnd = null;
         page.filming = false;
         page.toggle(false);
-        says("film", offer);
+        relabel("film", offer);
         download(await end(), fileName(page, camera.ending));
       })
     : null;

@@ -157,7 +157,7 @@ export class Pattern {
     return mesh;
   }
 
-  /** @param {"off"|"all"|"each"} mode @param {boolean} hidden @param {number} greatest value of the colours @param {any} shade of SHADES */
+  /** @param {"off"|"all"|"each"} mode @param {boolean} hidden @param {number} maximum of the colours @param {any} shade of SHADES */
   update(mode, hidden, greatest, shade) {
     const frame = this.poses.where.share === 1 ? this.poses.where.low + 1 : this.poses.where.low;
     for (const { record, meshes } of this.parts) {
@@ -198,7 +198,7 @@ export class Pattern {
     }
   }
 
-  /** What the colours tell of a load at a place of the grid. */
+  /** What the colours show of a load at a place of the grid. */
   #value({ contact, nx, nz }, k, load) {
     const [start, end] = contact.path,
       [low, high] = contact.width;

@@ -11,7 +11,7 @@ export function fromPlanes(bytes, length, { shape, differences, across }) {
   const stored = new Float64Array(length);
   for (let at = 0, weight = 1; at < bytes.length; at += length, weight *= 256)
     for (let k = 0; k < length; k++) stored[k] += weight * bytes[at + k];
-  // the last bit tells the sign
+  // the last bit is the sign
   for (let k = 0; k < length; k++) stored[k] = stored[k] % 2 ? -(stored[k] + 1) / 2 : stored[k] / 2;
   const rows = across ? shape[shape.length - 1] : shape[0];
   for (let at = 0; rows && at < length; at += rows) add(stored, at, at + rows, differences);

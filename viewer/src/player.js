@@ -121,7 +121,7 @@ export class Player {
     return "";
   }
 
-  /** First instant at which something holds that then goes on to hold. */
+  /** First instant at which something holds that then continues to hold. */
   #when(holds, low, high) {
     for (let k = 0; k < 60; k++) {
       const middle = (low + high) / 2;

@@ -23,7 +23,7 @@ function shown(channel, table) {
   return Float64Array.from(table.data, (value) => value * scale);
 }
 
-/** Whether a record that ends then has ended by an instant; rounding of a frame's time is no end. */
+/** Whether a record that ends then has ended by an instant; rounding of a frame's time is not an end. */
 export const ended = (end, t) => t > end + 1e-9 * Math.abs(end);
 
 /** Piece of a channel at an instant, nothing after its record. @param {any} channel @param {number} t @param {number} [end] of the record */
@@ -56,7 +56,7 @@ function extent(found) {
 function apart(a, b) {
   const span = Math.max(a.span, b.span),
     gap = Math.abs(a.middle - b.middle);
-  // two that stand still have nothing to be seen
+  // two that are at rest have nothing to be seen
   return gap > APART * span && span > 1e-9 * gap;
 }
 

@@ -79,7 +79,7 @@ export class Poses {
     return solid.placed.makeBasis(x, y, along.lengthSq() ? along : z.multiplyScalar(length)).setPosition(a);
   }
 
-  /** Angle that the kinematics ask for [rad]. */
+  /** Angle prescribed by the kinematics [rad]. */
   #gross({ gross, ratio = 1 }, where) {
     return gross ? ratio * lerp(gross, where) : 0;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gears: one tooth of every shape, drawn where its copies stand, each only where it is seen and as fine as it
+// Gears: one tooth of every shape, drawn at the positions of its copies, each only where it is seen and as fine as it
 // has to be.
 import {
   BufferAttribute,
@@ -45,7 +45,7 @@ function turned(points, angle) {
 }
 
 /**
- * Normals of a pitch as if its neighbours stood beside it: no seam is seen between copies.
+ * Normals of a pitch as if its neighbours were next to it: no seam is seen between copies.
  * @param {any} level @param {number} pitch angle from copy to copy @param {number} creases
  */
 function seamless(level, pitch, creases) {

@@ -28,7 +28,7 @@ export function fileName(page, ending) {
 }
 
 /**
- * The scene as it stands, with title, time and forces written on it.
+ * The scene as it is, with title, time and forces written on it.
  * @param {import("./page.js").Page} page @param {number} times as many pixels @returns {Blob}
  */
 export function png(page, times = 1) {
@@ -80,7 +80,7 @@ export function png(page, times = 1) {
   return new Blob([Uint8Array.from(bytes, (letter) => letter.charCodeAt(0))], { type: "image/png" });
 }
 
-/** The bar that says how long something is, at the lower edge. */
+/** The bar that states how long something is, at the lower edge. */
 function ruler(pen, scale, x, height) {
   const [text, bar] = scale.children;
   const length = parseFloat(bar.style.width);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the two elements of a page (docs/scene_format.md) into typed arrays, or says in a sentence why it cannot.
+// Reads the two elements of a page (docs/scene_format.md) into typed arrays, or reports in a sentence why it cannot.
 import { fromPlanes, mixed, spreadChannels } from "./planes.js";
 
 export const FORMAT = "pitchpoint-scene-1";
@@ -154,12 +154,12 @@ function checkShapes(scene) {
       for (const corner of triangles.data)
         check(corner < points.count, `solid ${solid.name} has a triangle without a point`);
     }
-    for (const piece of solid.pieces ?? []) check(piece.turns?.count, `solid ${solid.name} stands nowhere`);
+    for (const piece of solid.pieces ?? []) check(piece.turns?.count, `solid ${solid.name} has no positions`);
     if (solid.sway) {
       const { shapes, node, coordinates } = solid.sway;
       check(
         shapes?.shape.length === 3 && node?.count === solid.points?.count,
-        `solid ${solid.name} does not say how it bends`,
+        `solid ${solid.name} does not state how it bends`,
       );
       for (const each of node.data) check(each < shapes.shape[1], `solid ${solid.name} has a point without a node`);
       rows(coordinates, `the modal coordinates of ${solid.name}`);

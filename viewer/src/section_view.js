@@ -39,7 +39,7 @@ export class SectionView {
       "aria-label": "Place of the cut",
     });
     this.place.addEventListener("input", () => this.#moved());
-    this.said = el("output", {});
+    this.output = el("output", {});
     this.flip = tick("other half", false, (on) => {
       this.flipped = on;
       this.update();
@@ -48,7 +48,7 @@ export class SectionView {
     this.rows = [
       this.enable.row,
       this.axis.row,
-      el("label", { className: "ppv-slider" }, el("span", {}, "place"), this.place, this.said),
+      el("label", { className: "ppv-slider" }, el("span", {}, "place"), this.place, this.output),
       this.flip.row,
     ];
     this.along(axis);
@@ -80,7 +80,7 @@ export class SectionView {
     const [low, high] = this.#ends(known);
     this.#share((this.normal.dot(points[known]) - low) / (high - low || 1));
     points.forEach((point, k) => point && (this.places[k] = this.normal.dot(point)));
-    this.#say();
+    this.#showPlace();
     this.#cut(true);
   }
 
@@ -111,15 +111,15 @@ export class SectionView {
       return low + share * (high - low);
     });
     this.place.value = String(1000 * share);
-    this.#say();
+    this.#showPlace();
     this.update();
     this.changed();
   }
 
   /** The place, as finely as the size of the scene makes sense. */
-  #say() {
+  #showPlace() {
     const text = fixed(1000 * Math.max(...this.#ends().map(Math.abs)))(this.at * 1000);
-    this.said.textContent = `${Number(text) === 0 ? "0" : text} mm`;
+    this.output.textContent = `${Number(text) === 0 ? "0" : text} mm`;
   }
 
   /** The half on the camera's side goes, so that the cut looks at the camera. */

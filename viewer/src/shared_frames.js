@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of two results that are compared: the steps are those of one of them, and the page says whose.
+// Frames of two results that are compared: the steps are those of one of them, and the page states whose.
 import { duration } from "./numbers.js";
 import { namesOf } from "./names.js";
 
@@ -7,7 +7,7 @@ import { namesOf } from "./names.js";
 const stepOf = (times) => (times.length > 1 ? (times[times.length - 1] - times[0]) / (times.length - 1) : Infinity);
 
 /**
- * Frames that the buttons step through: those of the record with the finer steps and, where only the other goes on, of
+ * Frames that the buttons step through: those of the record with the finer steps and, where only the other continues, of
  * that one. All frames of both would make a step now long, now a billionth of a second.
  * @param {any[]} scenes one or two
  * @returns {{times: ArrayLike<number>, whose: string, note: string}} `whose` is empty where both have the same frames

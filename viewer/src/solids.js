@@ -168,7 +168,7 @@ export class Solids {
       const geometry = part.repeated ? part.repeated.whole("fine") : part.geometry;
       const { solid } = part;
       if (!inBodies || !(solid.place || solid.axes || solid.between)) return { ...part, geometry };
-      // what is stretched between two bodies goes with the first as it stands now
+      // what is stretched between two bodies goes with the first as it is now
       const matrix = this.poses.ofSolid(solid).clone();
       const body = solid.between ? solid.between.bodies[0] : solid.body;
       if (body >= 0) matrix.premultiply(this.poses.world[body].clone().invert());
@@ -214,7 +214,7 @@ export class Solids {
     }
   }
 
-  /** Show what only stands for parts, or not. @param {boolean} on */
+  /** Show what only represents parts, or not. @param {boolean} on */
   schematics(on) {
     this.plain = !on;
     for (const part of this.parts) if (part.solid.schematic) this.#visible(part);

@@ -22,8 +22,8 @@ const alone = (column) =>
   column.flatMap((value, k) => (value != null && column[k - 1] === null && column[k + 1] === null ? [k] : []));
 
 /** How far apart the lines of a record are; of many only some are kept. @param {any} spectrum */
-const resolution = ({ resolution: told, lines }) =>
-  told ?? lines.data.reduce((least, x, k) => (k ? Math.min(least, x - lines.data[k - 1]) : least), lines.data[0]);
+const resolution = ({ resolution: given, lines }) =>
+  given ?? lines.data.reduce((least, x, k) => (k ? Math.min(least, x - lines.data[k - 1]) : least), lines.data[0]);
 
 export class Spectra {
   /**

@@ -34,7 +34,7 @@ export function graphics() {
   }
 }
 
-/** Results whose sizes, or places, are farther apart than this are no variants of one machine. */
+/** Results whose sizes, or places, are farther apart than this are not variants of one machine. */
 const ALIKE = { size: 1.5, away: 0.5 };
 
 class Picture {
@@ -44,7 +44,7 @@ class Picture {
     this.camera = camera;
     /** the world as the camera sees it: what follows a body turns the world instead of the camera */
     this.seen = new Matrix4();
-    /** size of what is looked at beside that of the first picture, and a point that is shown where `centre` of the first is */
+    /** size of what is looked at relative to that of the first picture, and a point that is shown where `centre` of the first is */
     this.factor = 1;
     this.centre = new Vector3();
     this.scene = new Scene();
@@ -147,7 +147,7 @@ export class Stage {
   }
 
   /**
-   * These points are to be shown in the same place of all pictures, and machines that are not alike as large as these sizes say.
+   * These points are to be shown in the same place of all pictures, and machines that are not alike as large as these sizes.
    * @param {Vector3[]} points one a picture, as the camera sees them @param {number[]} [sizes]
    */
   meet(points, sizes) {

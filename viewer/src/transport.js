@@ -68,10 +68,10 @@ export class Transport {
       (what) => {
         const wrong = does.loop(what);
         this.loop.select.value = player.loop;
-        this.say(wrong);
+        this.announce(wrong);
       },
     );
-    this.said = el("span", { className: "ppv-said", role: "status" });
+    this.status = el("span", { className: "ppv-status", role: "status" });
     this.jump = this.marks.length
       ? [
           button("⟨", "Mark before ([)", () => this.toMark(-1)),
@@ -93,7 +93,7 @@ export class Transport {
         this.read,
         this.speed.row,
         this.loop.row,
-        this.said,
+        this.status,
       ),
     );
     if (player.times.length < 2) this.element.classList.add("ppv-still");
@@ -131,8 +131,8 @@ export class Transport {
   }
 
   /** @param {string} words */
-  say(words) {
-    this.said.textContent = words;
+  announce(words) {
+    this.status.textContent = words;
   }
 
   /** @param {1|-1} way */

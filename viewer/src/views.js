@@ -86,7 +86,7 @@ export class Views {
     const framed = () => groups.map(({ points, bounds }) => this.#framed(points, bounds, taken, top));
     let views = framed();
     const covers = (share) => share > 0 && groups.some(({ points }, k) => points.some((point) => views[k].under(point, share, high)));
-    // room for the legends where something would lie under them: beside them, or below those that are folded
+    // room for the legends where something would lie under them: next to them, or below those that are folded
     if (covers(wide)) taken = wide;
     else if (covers(strip)) top = high;
     if (taken || top) views = framed();
@@ -123,7 +123,7 @@ export class Views {
     const half = Math.tan((camera.fov * Math.PI) / 360);
     const tall = 0.9 * half * (1 - top);
     const wide = 0.9 * half * camera.aspect * (1 - Math.abs(taken));
-    // twice: the first look tells how far the middle of the picture is from the middle of the solids
+    // twice: the first look gives how far the middle of the picture is from the middle of the solids
     const target = centre.clone();
     let distance = this.distanceFor(radius);
     for (let round = 0; points.length && round < 3; round++) {
@@ -234,7 +234,7 @@ export class Views {
     const { pictures, alike } = this.stage;
     const { target: goal } = this.orbit.goal;
     const targets = found.map((each, k) => each?.target ?? this.stage.targetOf(pictures[k], goal));
-    // what a picture has not got is as large as what stands for it in the other, machine by machine
+    // what a picture has not got is as large as what represents it in the other, machine by machine
     const known = found.findIndex((each) => each?.size > 0);
     if (known < 0) return this.#look(targets, undefined, { direction });
     const unit = found[known].size / pictures[known].bounds.size;

@@ -6,7 +6,7 @@ import { gradient, loadColour } from "./load_colours.js";
 import { number, within } from "./numbers.js";
 import { labels } from "./plots.js";
 
-/** Width of the scale of colours that stands beside maps [px]. */
+/** Width of the colour scale next to maps [px]. */
 const SCALE = 92;
 
 /** Places between which a column or row of a map counts. @param {ArrayLike<number>} middles even or not */
@@ -27,18 +27,18 @@ export function nearest(places, x) {
   return x - places[low] < places[high] - x ? low : high;
 }
 
-/** Amplitude that a level of a map stands for; level 0 is that or less. @param {any} map @param {number} level */
+/** Amplitude that a level of a map represents; level 0 is that or less. @param {any} map @param {number} level */
 export const amplitudeOf = (map, level) => map.most * 10 ** ((level / 255 - 1) * (map.decibels / 20));
 
 /** Factor and name of the unit of frequencies up to some ends [Hz]. @param {number[]} ends */
 export const frequencyUnit = (ends) => (Math.max(...ends) > 1e4 ? [1e-3, "kHz"] : [1, "Hz"]);
 
 export class Waterfall {
-  /** @param {HTMLElement} element @param {(t: number) => void} seek @param {(text: string) => void} say */
-  constructor(element, seek, say) {
+  /** @param {HTMLElement} element @param {(t: number) => void} seek @param {(text: string) => void} announce */
+  constructor(element, seek, announce) {
     this.element = element;
     this.seek = seek;
-    this.say = say;
+    this.announce = announce;
     this.drawn = [];
     this.time = 0;
   }
@@ -147,9 +147,9 @@ export class Waterfall {
       const [per, hertz] = frequencyUnit([lines.at(-1)]);
       const half = (lines[1] - lines[0]) / 2;
       const what = map.of ? `order ${within(lines[k], half)}` : `${within(lines[k] * per, half * per)} ${hertz}`;
-      this.say(`${number(times[n], 4)} s, ${what}: ${level ? "" : "< "}${number(amplitudeOf(map, level) * this.shown.scale, 3)} ${this.shown.unit}`);
+      this.announce(`${number(times[n], 4)} s, ${what}: ${level ? "" : "< "}${number(amplitudeOf(map, level) * this.shown.scale, 3)} ${this.shown.unit}`);
     });
-    over.addEventListener("pointerleave", () => this.say(""));
+    over.addEventListener("pointerleave", () => this.announce(""));
     for (const name of ["pointerup", "pointercancel"]) over.addEventListener(name, () => (down = false));
   }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // One point where copies of a tooth meet: each was turned there by itself, and rounding keeps them apart.
 
-/** A direction that no edge of a machine part is square to: only what is close stands side by side along it. */
+/** A direction that no edge of a machine part is square to: only what is close are next to each other along it. */
 const ALONG = [0.5377, 0.7071, 0.4591];
 /** How far apart is one point, in the largest coordinate; single precision keeps 6e-8 of it. */
 const NEAR = 1e-6;
 
 /**
- * Triangles of a surface over points that are told apart by more than rounding.
+ * Triangles of a surface over points that are distinguished by more than rounding.
  * @param {ArrayLike<number>} points x, y, z one after the other @param {ArrayLike<number>} index three corners a triangle
  * @returns {number[]} corners of the triangles that are left; a point of several has the number of one of them
  */

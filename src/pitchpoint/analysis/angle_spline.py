@@ -21,7 +21,7 @@ def angle_between(
     pulses, angle
         Times [s], increasing, and angles [rad] of the pulses, shape (n,), four at least.
     clock
-        Times that are asked for [s], shape (m,).
+        Times that are requested [s], shape (m,).
     uncertainty
         Standard deviation of the times of the pulses [s]; 0 if they are exact.
 

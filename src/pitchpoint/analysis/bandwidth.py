@@ -11,7 +11,7 @@ from pitchpoint.analysis.sampled import SignalError, positive
 
 
 def lost_harmonics(sample_rate: float, lines: Mapping[str, float], *, harmonics: int = 3) -> str:
-    """Say which harmonics of lines a record cannot hold; empty if it holds all of them.
+    """List the harmonics of lines that a record cannot represent; empty if it can represent all of them.
 
     Parameters
     ----------

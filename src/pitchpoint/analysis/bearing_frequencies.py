@@ -54,7 +54,7 @@ def bearing_frequencies(
     element_diameter, pitch_diameter
         Diameter d of a rolling element and D of the circle of their centres [m].
     speed_inner, speed_outer
-        Speeds of the rings [rad/s], seen from where the load stands still; for a planet bearing against the
+        Speeds of the rings [rad/s], seen from where the load is at rest; for a planet bearing against the
         carrier.
     contact_angle
         Contact angle α [rad].

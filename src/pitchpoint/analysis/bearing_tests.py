@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.analysis.bearing_signals import envelope_band, whitened, without_healthy_lines
 from pitchpoint.analysis.envelope import band_envelope
-from pitchpoint.analysis.line_tests import FineSpectrum, beside, fine_spectrum, line_probability
+from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum, line_probability, neighbours
 from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.shaft_tests import (
@@ -36,7 +36,9 @@ NOTHING = 1e-9
 """What is left of a signal, as a part of it, that is round-off."""
 FEWEST_SAMPLES = 1024
 
-FROM_SHAFTS = "{} cannot be told from the turns of a shaft: the record does not resolve their harmonics"
+FROM_SHAFTS = (
+    "{} cannot be distinguished from the turns of a shaft: the record does not resolve their harmonics"
+)
 FROM_MESHES = (
     "{}: lines in the envelope that few lines of the signal make: meshes that passing balls modulate do "
     "that, impacts do not"
@@ -77,7 +79,7 @@ class BearingView:
     def part(self, order: float, known: Sequence[Array] = ()) -> tuple[Measured, bool]:
         """Test of a part, and whether impacts may make its lines; lines that are known are taken out before.
 
-        `known` are orders for the signal, for its envelope and for that of the whitened signal.
+        `known` are orders, shapes (n,), for the signal, for its envelope and for that of the whitened signal.
         """
         lines, envelope, white = self._without(known) if known else self.spectra
         found = _part(envelope, order, self.parts, self.end)
@@ -126,7 +128,7 @@ def bearing_evidence(
     -----
     Lines of a healthy machine are taken out, the band is the one of the largest kurtosis [1]_. The squared
     envelope of that band is searched within 1 % about each order, as rolling elements slip [2]_: two of the
-    first three harmonics must stand out, and impacts must make them. Orders of shafts are left out. Equal
+    first three harmonics must stand out, and impacts must make them. Orders of shafts are omitted. Equal
     bearings on one shaft are one. Valid for many events per record.
 
     References
@@ -188,7 +190,7 @@ def alike(bearings: Sequence[Bearing]) -> list[Bearing]:
 
     Notes
     -----
-    Orders count as equal within 1e-9 of their size; no record tells them apart [1]_.
+    Orders count as equal within 1e-9 of their size; no record distinguishes them [1]_.
 
     References
     ----------
@@ -235,7 +237,7 @@ def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float)
         around = np.concatenate([(place - off)[::-1], place + off])
         around = around[(around > 3.0 * spectrum.resolution)]
         around = around[_free(around, spectrum, parts)]
-        sides = beside(spectrum.power(around), around, place, NEIGHBOURS)
+        sides = neighbours(spectrum.power(around), around, place, NEIGHBOURS)
         if not free.any() or min(side.size for side in sides) < FEWEST_NEIGHBOURS:
             continue
         held += 1

@@ -41,7 +41,7 @@ class Rahmonics:
     value
         Shape (n,). Values of the cepstrum there [-].
     background
-        Shape (n,). Root mean square of the cepstrum around, the peak itself left out [-].
+        Shape (n,). Root mean square of the cepstrum around, the peak itself omitted [-].
     """
 
     number: Array
@@ -64,12 +64,12 @@ def real_cepstrum(
     window_name
         See `spectra.window`; `rectangular` for echoes within the record, else `hann`.
     floor
-        Amplitudes below this part of the highest one count as that: the logarithm of nothing is no news [-].
+        Amplitudes below this part of the highest one count as that: the logarithm of nothing is not news [-].
 
     Returns
     -------
     Cepstrum
-        From quefrency 0 on; a family of lines f_0 apart stands at 1/f_0 and its multiples.
+        From quefrency 0 on; a family of lines f_0 apart is at 1/f_0 and its multiples.
 
     Raises
     ------
@@ -79,7 +79,7 @@ def real_cepstrum(
     Notes
     -----
     c = F⁻¹ ln |F x| [1]_. An echo a x(t - τ) adds -(-a)^k/(2 k) at k τ. Valid for stationary signals; lines
-    of a family show if the record tells them apart.
+    of a family show if the record distinguishes them.
 
     References
     ----------
@@ -123,7 +123,7 @@ def power_cepstrum(
     Returns
     -------
     Cepstrum
-        Never negative.
+        Never negative; same shape as that of `real_cepstrum`.
 
     Raises
     ------
@@ -186,7 +186,7 @@ def rahmonics(cepstrum: Cepstrum, quefrency: float, *, count: int = 3, tolerance
 
     Examples
     --------
-    Harmonics of 12.5 Hz stand at 80 ms:
+    Harmonics of 12.5 Hz are at 80 ms:
 
     >>> t = np.arange(8000) / 1000.0
     >>> x = sum(np.cos(2 * np.pi * 12.5 * k * t + k**2) for k in range(1, 40))

@@ -32,7 +32,7 @@ def chance_of_comb(comb: CombLines, part: NDArray[np.bool_] | None = None) -> fl
     comb
         Lines with their single chances.
     part
-        Which of the lines, shape (n_line,); left out, all.
+        Which of the lines, shape (n_line,); omitted, all.
 
     Returns
     -------
@@ -71,13 +71,13 @@ def evidence_of_comb(comb: CombLines, harmonics: int) -> tuple[float, float, int
     comb
         Lines with their single chances.
     harmonics
-        Highest multiple that was asked for [-].
+        Highest multiple that was requested [-].
 
     Returns
     -------
     tuple
         The smallest chance of all lines, of the slower half and of the slowest quarter, times three for the
-        choice; for these lines the largest chance of those that are no multiples of some prime: where it is
+        choice; for these lines the largest chance of those that are not multiples of some prime: where it is
         not small, the comb may belong to a part of the period; and the highest multiple among these lines.
     """
     chances = [(chance_of_comb(comb, comb.orders <= harmonics // k), harmonics // k) for k in SHARES]

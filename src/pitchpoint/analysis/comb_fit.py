@@ -32,7 +32,7 @@ def fitted_period(record: Record, period: float, orders: NDArray[np.int64], reac
 
     Notes
     -----
-    All sines are fitted at once over the whole record, whole periods or not, beside the mean and the known
+    All sines are fitted at once over the whole record, whole periods or not, next to the mean and the known
     tones that were taken out before: nonlinear least squares, which has the smallest variance possible in
     white noise once the lines stand out of it [1]_. Reading the lines one by one would be biased by what each
     leaks into the others where the record holds a few periods only.
@@ -61,7 +61,7 @@ def fitted_period(record: Record, period: float, orders: NDArray[np.int64], reac
     blocks, middle = fourier_blocks(record.values, nu, max(1, n // 256))
 
     def misfit(change: float) -> float:
-        """Less the energy that the comb explains beside the known lines, all its lines moved by a share."""
+        """Less the energy that the comb explains next to the known lines, all its lines moved by a share."""
         right = np.sum(blocks * np.exp(-2j * np.pi * np.outer(middle, nu * (1.0 + change))), axis=0)
         right = np.concatenate([right, np.conj(right)])
         both = (1.0 + change) * np.concatenate([nu, -nu])
@@ -77,7 +77,7 @@ def fitted_period(record: Record, period: float, orders: NDArray[np.int64], reac
 
 
 def period_deviation(record: Record, period: float, comb: CombLines) -> float:
-    """Standard deviation of a period that the noise beside its lines stands for.
+    """Standard deviation of a period that the noise next to its lines represents.
 
     Parameters
     ----------

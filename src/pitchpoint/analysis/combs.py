@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Combs of lines: what a signal holds at the multiples of one frequency, against the noise beside them.
+"""Combs of lines: what a signal holds at the multiples of one frequency, against the noise next to them.
 
 Something that happens once per period T, however short, has lines at all multiples of 1/T. Over a stretch of
 exactly N periods these fall on every N-th line of the Fourier transform, and what lies on the N - 1 lines
@@ -22,7 +22,7 @@ NEIGHBOURS = 8
 NOISE_LINES, LARGEST_GROUP = 8, 4
 """Neighbouring lines of a comb share their noise until it is measured by so many lines, or so many share."""
 CLEARANCE = 0.75
-"""Distance from a known tone, in lines, below which a line is left out."""
+"""Distance from a known tone, in lines, below which a line is omitted."""
 FEWEST_LINES = 3
 """Fewer lines than these are tones, not a comb."""
 OVERSAMPLING = 8.0
@@ -104,6 +104,11 @@ def record_for_combs(values: ArrayLike, sample_rate: float, top: float, known: A
         Highest frequency of any line of a comb [Hz].
     known
         Frequencies [Hz] of which all multiples are known, shape (n_known,), may be empty.
+
+    Raises
+    ------
+    SignalError
+        If the signal is too short or constant, or the sample rate too low for the highest line.
     """
     from scipy.signal import resample_poly
 
@@ -137,7 +142,7 @@ def comb_lines(record: Record, period: float, harmonics: int) -> CombLines:
     period
         Period T [s].
     harmonics
-        Highest multiple of 1/T [-]; lines above `record.top` or at known tones are left out.
+        Highest multiple of 1/T [-]; lines above `record.top` or at known tones are omitted.
 
     Returns
     -------

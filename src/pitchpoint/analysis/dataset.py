@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Analysis of datasets: any function of the table in `tools`, on channels of a measured or simulated record.
 
-The functions themselves take arrays and know nothing of datasets; what joins the two stands here, once.
+The functions themselves take arrays and know nothing of datasets; this module connects the two.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def analyse(
     tool
         Name in `tools.TOOLS`.
     channel
-        One channel, or several; left out, the only one.
+        One channel, or several; omitted, the only one.
     angle
         Channel with the angle of the shaft that orders refer to [rad], or with its speed [rad/s], which is
         summed up over time.
@@ -150,7 +150,7 @@ def _known(name: str, names: Sequence[str], what: str) -> None:
         near = difflib.get_close_matches(str(name), names, n=3)
         more = ", ..." if len(names) > 12 else ""
         hint = f"did you mean {', '.join(near)}?" if near else f"there are {', '.join(names[:12])}{more}"
-        raise SignalError(f"{what}: {name!r} is no channel of the record; {hint}")
+        raise SignalError(f"{what}: {name!r} is not a channel of the record; {hint}")
 
 
 def _options(tool: str, row: Tool, options: Mapping[str, Any]) -> dict[str, Any]:
@@ -193,7 +193,7 @@ def _option(tool: str, name: str, kind: str, value: Any) -> Any:
 
 
 def _numbers(kind: str, value: Any) -> tuple[float, ...] | list[int] | list[float] | None:
-    """Several numbers as `tuple[float, float]`, `Sequence[int]` or `ArrayLike` ask for."""
+    """Several numbers as `tuple[float, float]`, `Sequence[int]` or `ArrayLike` require."""
     if not kind.startswith(("tuple[", "Sequence[", "ArrayLike")) or isinstance(value, str):
         return None
     try:
@@ -300,7 +300,7 @@ def _unit(output: Output, unit: str, squared: bool) -> str:
 
 
 def _joined(results: Sequence[xr.Dataset], names: Sequence[str], tool: str) -> xr.Dataset:
-    """Results of several channels behind each other, if they have the same axes."""
+    """Results of several channels in series, if they have the same axes."""
     import xarray as xr
 
     first = results[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Detection against noise: how weak a fault an indicator still tells from a healthy machine.
+"""Detection against noise: the smallest fault that an indicator separates from a healthy machine.
 
 A detector is any function from a signal to one number that grows with the fault. The threshold is not chosen
 but follows from healthy signals with the same noise and from the rate of false alarms that is allowed; a
@@ -122,7 +122,7 @@ def detection_curves(
 
     Examples
     --------
-    The mean tells a step of one from nothing as long as the noise of 100 samples leaves it alone:
+    The mean detects a step of one as long as the noise of 100 samples leaves it alone:
 
     >>> up = np.where(np.arange(100) < 50, 1.0, 0.0)
     >>> found = detection_curves(0.0 * up, up, {"mean": np.mean}, snr=[20.0, -40.0], false_alarm=0.1)

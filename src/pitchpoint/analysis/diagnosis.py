@@ -2,8 +2,8 @@
 """Which shaft, which gear, which bearing: evidence for damage in vibration signals, and what follows from it.
 
 Every piece of evidence is a test that states how often a healthy machine would fail it. All tests of a record
-together raise a false alarm with the probability that the caller allows. What is not found is not said to be
-healthy: a test that could not be made is told as well.
+together raise a false alarm with the probability that the caller allows. A part without a finding is not
+declared healthy: a test that could not be made is reported as well.
 """
 
 from __future__ import annotations
@@ -68,8 +68,8 @@ class Diagnosis:
         Mesh lines by channel.
     untested
         What could not be tested, and why.
-    untold
-        What stands out and is no finding, and why.
+    unreported
+        What stands out and is not a finding, and why.
     turns
         Turns of each shaft in the record [-].
     tests
@@ -82,7 +82,7 @@ class Diagnosis:
     evidence: tuple[Evidence, ...]
     meshes: Mapping[str, tuple[MeshLines, ...]]
     untested: tuple[str, ...]
-    untold: tuple[str, ...]
+    unreported: tuple[str, ...]
     turns: Mapping[str, float]
     tests: int
     false_alarm: float
@@ -127,7 +127,7 @@ def diagnose(
     against
     the points between them. Slow changes over the turn raise single orders and sidebands [2]_: lines against
     the
-    points beside them. Tests share the false alarms after [3]_. Valid for shafts with fixed axes.
+    points next to them. Tests share the false alarms after [3]_. Valid for shafts with fixed axes.
 
     References
     ----------
@@ -175,9 +175,9 @@ def diagnose(
         modulated |= {(name, note.subject) for note in remarks if note.reason == FROM_MESHES}
     by_meshes = [note for note in untested if note.reason == FROM_MESHES]
     untested = [note for note in untested if note.reason != FROM_MESHES]
-    told = {note.subject for note in untested}
+    named = {note.subject for note in untested}
     unseen = [_not_looked_at(row) for row in raw if row[4].lines == 0]
-    untested += [note for note in unseen if note.subject not in told]
+    untested += [note for note in unseen if note.subject not in named]
     few = [
         Note(f"too few turns of {{}}; needs about {FEWEST_TURNS:g}", f"{shaft} ({count:.2g})")
         for shaft, count in turns.items()
@@ -196,10 +196,10 @@ def diagnose(
     evidence, explained = explain(evidence, channels, parts, tests)
     views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
     findings, spread = findings_of(evidence, views, signals, rate, parts)
-    not_tested, not_told = (
+    not_tested, not_reported = (
         tuple(grouped(notes)) for notes in ([*few, *untested], [*explained, *spread, *by_meshes])
     )
-    return Diagnosis(findings, evidence, meshes, not_tested, not_told, turns, tests, allowed)
+    return Diagnosis(findings, evidence, meshes, not_tested, not_reported, turns, tests, allowed)
 
 
 def _of_shafts(
@@ -220,7 +220,7 @@ def _of_shafts(
 
 
 def _mesh_lines(views: Mapping[str, ShaftView], parts: TurningParts, mesh: Mesh) -> MeshLines:
-    """Harmonics of a mesh, against the points beside them and the sidebands of its faster shaft."""
+    """Harmonics of a mesh, against the points next to them and the sidebands of its faster shaft."""
     order = parts.mesh_order(mesh)
     fast = max((views[name] for name in mesh.shafts), key=lambda view: view.order)
     spectrum = fast.spectrum

@@ -41,7 +41,7 @@ def band_envelope(
     sample_rate
         Sample rate f_s [Hz].
     band
-        Lower and upper edge [Hz]; the whole signal without its mean if left out. `kurtogram.kurtogram` finds
+        Lower and upper edge [Hz]; the whole signal without its mean if omitted. `kurtogram.kurtogram` finds
         one.
 
     Returns
@@ -68,7 +68,7 @@ def band_envelope(
 
     Examples
     --------
-    A carrier of 200 Hz whose amplitude swings at 8 Hz, beside a stronger tone:
+    A carrier of 200 Hz whose amplitude swings at 8 Hz, next to a stronger tone:
 
     >>> t = np.arange(1000) / 1000.0
     >>> swing = 1 + 0.5 * np.cos(2 * np.pi * 8 * t)
@@ -90,7 +90,7 @@ def band_envelope(
         )
     analytic = np.zeros(x.size, dtype=np.complex128)
     analytic[: lines.size] = np.where(inside, 2.0 * lines, 0.0)
-    # these two have no mirror image that the factor stands for
+    # these two have no mirror image that the factor represents
     analytic[0] *= 0.5
     if x.size % 2 == 0:
         analytic[lines.size - 1] *= 0.5
@@ -114,7 +114,7 @@ def envelope_spectrum(
     sample_rate
         Sample rate f_s [Hz].
     band
-        Lower and upper edge of the band [Hz]; the whole signal if left out.
+        Lower and upper edge of the band [Hz]; the whole signal if omitted.
     squared
         Of the square of the envelope: it has no harmonics that taking the root makes.
     window_name
@@ -162,6 +162,11 @@ def checked_band(band: tuple[float, float], sample_rate: float) -> tuple[float, 
         Lower and upper edge [Hz].
     sample_rate
         Sample rate [Hz].
+
+    Raises
+    ------
+    SignalError
+        If the band is not rising or not between 0 and half the sample rate.
     """
     low, high = (float(edge) for edge in band)
     top = 0.5 * sample_rate

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evidence that a surer finding brings about: what is left of it without the lines of that finding?
+"""Evidence that a surer finding causes: what is left of it without the lines of that finding?
 
 The strikes of a damaged bearing are a pulse train. What changes their size (the load zone through which the
-damage goes) and what they shake (the meshes) puts lines beside their harmonics, and a long train has so many
+damage goes) and what they shake (the meshes) puts lines next to their harmonics, and a long train has so many
 of them that some lie on lines of other parts. They are known to a fraction of a line of the record. So they
 are taken out of the signal, and the test of the other part is made again on what is left.
 """
@@ -17,9 +17,9 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.bearing_tests import HARMONICS as TESTED
 from pitchpoint.analysis.bearing_tests import BearingView, alike
-from pitchpoint.analysis.beside_passages import lines_beside_passages
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
+from pitchpoint.analysis.passage_sidebands import passage_sidebands
 from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.shaft_tests import HARMONICS, LOW_ORDERS, OFF, SIDEBANDS, SLIP, Measured, ShaftView
@@ -65,7 +65,7 @@ class Strikes:
     ----------
     rate
         Strikes in one turn of the reference shaft [-].
-    beside
+    modulation
         Turns of what carries the damage through the load [-]; 0 if nothing does.
     meshes
         Orders of the mesh harmonics that the strikes shake, shape (n,) [-].
@@ -74,7 +74,7 @@ class Strikes:
     """
 
     rate: float
-    beside: float
+    modulation: float
     meshes: Array
     ball: bool = False
 
@@ -83,7 +83,7 @@ class Strikes:
         # a spot on a ball meets one ring after the other, and need not strike both alike
         own = 0.5 * self.rate if self.ball else self.rate
         # without a strike it is a line of the shaft or of the mesh itself; nothing else turns with a cage
-        alone = self.beside * np.arange(1, BESIDE + 1) if self.ball else np.empty(0)
+        alone = self.modulation * np.arange(1, BESIDE + 1) if self.ball else np.empty(0)
         strikes = own * np.arange(1, int(highest / own) + 1)
         single = np.add.outer(strikes, self._sides(BESIDE)).ravel()
         # an envelope holds what lies between a line of the strikes and one of a mesh
@@ -93,11 +93,11 @@ class Strikes:
         place = np.concatenate([alone, single, both])
         return np.asarray(place[(place > 0.0) & (place < highest)], dtype=np.float64)
 
-    def have_beside(self, order: float, spectrum: FineSpectrum) -> bool:
-        """Whether a line stands beside strikes, not on them, and is not larger than these.
+    def have_sideband(self, order: float, spectrum: FineSpectrum) -> bool:
+        """Whether a line is a sideband of strikes, not on them, and is not larger than these.
 
         The load that a damage goes through only pushes, and no line of a function without negative values is
-        larger than its mean: none beside the strikes is larger than the largest of their own.
+        larger than its mean: none next to the strikes is larger than the largest of their own.
         """
         sides = self._sides(BESIDE)
         strikes = self.rate * np.arange(1, np.ceil(order / self.rate) + BESIDE)
@@ -107,9 +107,9 @@ class Strikes:
         return bool(there.any() and spectrum.power(order) <= largest)
 
     def _sides(self, most: int) -> Array:
-        """Distances of the lines beside a harmonic."""
-        sides = self.beside * np.arange(-most, most + 1, dtype=np.float64)
-        return np.asarray(sides if self.beside else sides[:1], dtype=np.float64)
+        """Distances of the lines next to a harmonic."""
+        sides = self.modulation * np.arange(-most, most + 1, dtype=np.float64)
+        return np.asarray(sides if self.modulation else sides[:1], dtype=np.float64)
 
 
 def explain(
@@ -161,27 +161,27 @@ def explain(
     """
     left = list(evidence)
     notes: list[Note] = []
-    told: dict[tuple[str, str], Strikes] = {}
+    reported: dict[tuple[str, str], Strikes] = {}
     bearings = [k for k, e in enumerate(evidence) if e.kind == "bearing" and e.shaft != "cage"]
     for number in sorted(bearings, key=lambda k: evidence[k].probability):
         now = left[number]
-        if not now.found or (now.gear, now.shaft) in told:
+        if not now.found or (now.gear, now.shaft) in reported:
             continue
-        other = _among_others(now, left, channels, parts, list(told.values()), tests)
+        other = _among_others(now, left, channels, parts, list(reported.values()), tests)
         if other is not None:
             left[number] = _explained(now, other, notes)
             continue
-        told[now.gear, now.shaft] = _strikes_of(now, channels[now.channel], parts)
+        reported[now.gear, now.shaft] = _strikes_of(now, channels[now.channel], parts)
         for k, e in enumerate(left):
-            if not e.found or (e.gear, e.shaft) in told or not _may_explain(now, e):
+            if not e.found or (e.gear, e.shaft) in reported or not _may_explain(now, e):
                 continue
-            if _vanishes(e, channels, parts, list(told.values()), tests):
+            if _vanishes(e, channels, parts, list(reported.values()), tests):
                 left[k] = _explained(e, f"{now.shaft} of {now.gear}", notes)
-    loud = {f"{part} of {bearing}": one.rate for (bearing, part), one in told.items()}
+    loud = {f"{part} of {bearing}": one.rate for (bearing, part), one in reported.items()}
     loud |= _passing(evidence, parts)
     for k, e in enumerate(left):
         asked = bool(loud) and e.found and e.kind in ("sidebands", "low order")
-        if asked and _vanishes(e, channels, parts, list(told.values()), tests, tuple(loud.values())):
+        if asked and _vanishes(e, channels, parts, list(reported.values()), tests, tuple(loud.values())):
             left[k] = _explained(e, " and ".join(loud), notes)
     return tuple(left), notes
 
@@ -191,7 +191,7 @@ def _passing(evidence: tuple[Evidence, ...], parts: TurningParts) -> dict[str, f
     seen = [e for e in evidence if e.kind == "bearing" and e.shaft == "outer ring" and e.explained]
     found: dict[str, float] = {}
     for e in sorted(seen, key=lambda e: e.threshold - e.value):
-        # the harmonic that stands out tells how far they slip
+        # the harmonic that stands out gives their slip
         found.setdefault(f"balls that pass in {e.gear}", e.order / round(e.order / _nominal(e, parts)))
     return found
 
@@ -200,12 +200,12 @@ def _vanishes(
     e: Evidence,
     channels: Mapping[str, Channel],
     parts: TurningParts,
-    told: list[Strikes],
+    reported: list[Strikes],
     tests: int,
     loud: Sequence[float] = (),
 ) -> bool:
-    """Whether nothing of a test stands out without the lines of those that are told, or loud."""
-    rest = _again(e, channels[e.channel], parts, told, loud)
+    """Whether nothing of a test stands out without the lines of reported or loud strikes."""
+    rest = _again(e, channels[e.channel], parts, reported, loud)
     chance = float(-np.expm1(tests * np.log1p(-min(rest.probability, 1.0 - 1e-16))))
     return chance >= e.allowed
 
@@ -221,7 +221,7 @@ def _among_others(
     evidence: list[Evidence],
     channels: Mapping[str, Channel],
     parts: TurningParts,
-    told: list[Strikes],
+    reported: list[Strikes],
     tests: int,
 ) -> str | None:
     """What brings the lines of a bearing's part about, although each of these parts is less sure.
@@ -232,7 +232,7 @@ def _among_others(
     the surest. Without the lines of the others nothing of it stands out then, while strikes of its own would
     leave the lines in between. Parts whose lines do not run together with those of another are not asked.
     """
-    trains, names, together = list(told), [], False
+    trains, names, together = list(reported), [], False
     rate = _nominal(now, parts)
     for e in evidence:
         if not e.found or (e.gear, e.shaft) == (now.gear, now.shaft):
@@ -243,7 +243,7 @@ def _among_others(
             together |= _runs_with(_nominal(e, parts) / rate, 2)
             seen = channels[now.channel].bearings
             assert seen is not None
-            if not together and trains[-1].have_beside(now.order, seen.spectra[1]):
+            if not together and trains[-1].have_sideband(now.order, seen.spectra[1]):
                 # what has lines of its own stays
                 mine = _strikes_of(now, channels[now.channel], parts)
                 together = not _vanishes(e, channels, parts, [mine], tests)
@@ -271,7 +271,7 @@ def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
     """Strikes of a part that was found, with the rate at which their lines are strongest."""
     bearing = next(b for b in alike(parts.bearings) if b.name == e.gear)
     nominal = _nominal(e, parts)
-    beside = _carried(bearing, e.shaft, parts)
+    modulation = _carried(bearing, e.shaft, parts)
     meshes = {h * parts.mesh_order(mesh) for mesh in parts.meshes for h in range(1, HARMONICS + 1)}
     assert channel.bearings is not None
     spectra = channel.bearings.spectra[:2]
@@ -279,9 +279,9 @@ def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
     for harmonics in (COARSE, FINE):
         step = 0.25 * spectra[0].resolution / (harmonics * nominal)
         tried = rate * (1.0 + step * np.arange(-np.ceil(reach / step), np.ceil(reach / step) + 1))
-        gain = sum(_gain(one, tried, beside, harmonics) for one in spectra)
+        gain = sum(_gain(one, tried, modulation, harmonics) for one in spectra)
         rate, reach = float(tried[int(np.argmax(gain))]), 2.0 * step
-    return Strikes(rate, beside, np.array(sorted(meshes)), e.shaft == "rolling element")
+    return Strikes(rate, modulation, np.array(sorted(meshes)), e.shaft == "rolling element")
 
 
 def _may_explain(cause: Evidence, e: Evidence) -> bool:
@@ -297,11 +297,11 @@ def _carried(bearing: Bearing, part: str, parts: TurningParts) -> float:
     return float(parts.shaft(bearing.shaft).order) if bearing.shaft else 0.0
 
 
-def _gain(spectrum: FineSpectrum, tried: Array, beside: float, harmonics: int) -> Array:
+def _gain(spectrum: FineSpectrum, tried: Array, modulation: float, harmonics: int) -> Array:
     """Sum of the levels at the lines of strikes, for each rate that is tried."""
     total = np.zeros(tried.size)
     for k in range(1, harmonics + 1):
-        for side in (-beside, 0.0, beside):
+        for side in (-modulation, 0.0, modulation):
             place = k * tried + side
             if place[0] > 0.0 and place[-1] < 0.9 * spectrum.highest:
                 total += np.log(np.maximum(spectrum.power(place), 1e-300))
@@ -309,11 +309,11 @@ def _gain(spectrum: FineSpectrum, tried: Array, beside: float, harmonics: int) -
 
 
 def _again(
-    e: Evidence, channel: Channel, parts: TurningParts, told: list[Strikes], loud: Sequence[float]
+    e: Evidence, channel: Channel, parts: TurningParts, reported: list[Strikes], loud: Sequence[float]
 ) -> Measured:
-    """The test of a part on what is left without the lines of those that are told, or loud."""
+    """The test of a part on what is left without the lines of reported or loud strikes."""
     if e.kind == "bearing":
-        return _bearing_again(e, channel, parts, told)
+        return _bearing_again(e, channel, parts, reported)
     rate, view = channel.samples_per_turn, channel.shafts[e.shaft]
     order: Array = view.order * np.arange(1, view.highest + 1, dtype=np.float64)
     mesh, teeth = parts.gears_of(e.shaft).get(e.gear, (None, 0))
@@ -323,9 +323,9 @@ def _again(
         about = parts.mesh_order(mesh) * np.arange(1, HARMONICS + 1)
         off = np.abs(order[:, None] - about).min(axis=1)
         order = order[off < (SIDEBANDS + 0.5) * view.order]
-    known = _near(_lines(told, 0.5 * rate), order, REACH * view.spectrum.resolution)
+    known = _near(_lines(reported, 0.5 * rate), order, REACH * view.spectrum.resolution)
     if loud:
-        known = np.union1d(known, lines_beside_passages(view, order, loud, REACH))
+        known = np.union1d(known, passage_sidebands(view, order, loud, REACH))
     spectrum = fine_spectrum(without_tones(channel.values, rate, known), rate)
     rest = ShaftView(spectrum, parts, view.shaft, view.rms, view.sampled)
     if e.kind == "comb":
@@ -333,22 +333,22 @@ def _again(
     return rest.low_orders() if mesh is None else rest.sidebands(parts.mesh_order(mesh), teeth)
 
 
-def _bearing_again(e: Evidence, channel: Channel, parts: TurningParts, told: list[Strikes]) -> Measured:
+def _bearing_again(e: Evidence, channel: Channel, parts: TurningParts, reported: list[Strikes]) -> Measured:
     """The test of a part of a bearing on what is left of the signal and of both envelopes."""
     assert channel.bearings is not None
     order = _nominal(e, parts)
     highest, line = 0.5 * channel.samples_per_turn, channel.bearings.spectra[0].resolution
     every: Array = order * np.arange(1, int(highest / order), dtype=np.float64)
-    comb = _near(_lines(told, highest), every, REACH * line)
+    comb = _near(_lines(reported, highest), every, REACH * line)
     tested = every[:TESTED]
-    between = _lines(told, min(float(2.0 * tested[-1]), highest), envelope=True)
+    between = _lines(reported, min(float(2.0 * tested[-1]), highest), envelope=True)
     envelope = _near(between, tested, SLIP * tested + REACH * line)
     return channel.bearings.part(order, (comb, envelope, envelope))[0]
 
 
-def _lines(told: list[Strikes], highest: float, *, envelope: bool = False) -> Array:
-    """Lines of all that are told, rising."""
-    lines = [one.lines(0.999 * highest, envelope=envelope) for one in told]
+def _lines(reported: list[Strikes], highest: float, *, envelope: bool = False) -> Array:
+    """Lines of all reported strikes, rising."""
+    lines = [one.lines(0.999 * highest, envelope=envelope) for one in reported]
     return np.sort(np.concatenate([np.empty(0), *lines]))
 
 

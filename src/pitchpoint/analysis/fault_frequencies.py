@@ -104,7 +104,7 @@ def gear_pair_frequencies(z_1: int, z_2: int, speed: float) -> PairFrequencies:
     Raises
     ------
     SignalError
-        If a number of teeth is no whole number, both gears are internal, or the speed is not finite.
+        If a number of teeth is not a whole number, both gears are internal, or the speed is not finite.
 
     Notes
     -----
@@ -143,7 +143,7 @@ def gear_pair_frequencies(z_1: int, z_2: int, speed: float) -> PairFrequencies:
 
 
 def train_frequencies(stages: Sequence[tuple[int, int] | PlanetStage], speed: float) -> TrainFrequencies:
-    """Frequencies of a train of any number of stages behind each other.
+    """Frequencies of a train of any number of stages in series.
 
     Parameters
     ----------
@@ -161,7 +161,7 @@ def train_frequencies(stages: Sequence[tuple[int, int] | PlanetStage], speed: fl
     Raises
     ------
     SignalError
-        If there is no stage, or a stage cannot be as given; the message says which.
+        If there is no stage, or a stage cannot be as given; the message states which.
 
     Notes
     -----

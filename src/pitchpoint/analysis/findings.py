@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From evidence to findings: what tests of one record say together, and what it cannot tell apart."""
+"""From evidence to findings: the combined result of the tests of one record and its ambiguities."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Evidence:
     gear
         Gear whose mesh is looked at, or the bearing; empty for the shaft itself.
     value, threshold
-        Normal score for a comb, level over what lies beside the line in dB for others; what it must exceed.
+        Normal score for a comb, level over what lies next to the line in dB for others; what it must exceed.
     probability
         Probability that some test of a healthy record does as much [-]: already for all tests together.
     order
@@ -75,7 +75,7 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Finding:
-    """What the evidence says.
+    """Findings from the evidence.
 
     Attributes
     ----------
@@ -90,7 +90,7 @@ class Finding:
     probability
         That of the strongest evidence [-].
     bearings
-        Parts of bearings that the record cannot tell from the gears.
+        Parts of bearings that the record cannot distinguish from the gears.
     """
 
     kind: str
@@ -157,7 +157,7 @@ def findings_of(
     tuple of Finding
         The most certain first.
     list of Note
-        What stands out and is no finding, and why.
+        What stands out and is not a finding, and why.
 
     Notes
     -----
@@ -192,7 +192,8 @@ def findings_of(
             best = combs[0]
             seen = [views[e.channel, shaft.name] for e in combs]
             others = _like_bearings(parts, seen, best.threshold)
-            # a tooth of one gear shakes the meshes of all gears of its shaft: where lines gather says nothing
+            # a tooth of one gear shakes the meshes of all gears of its shaft: where lines gather gives no
+            # information
             gears = tuple(parts.gears_of(shaft.name))
             found.append(Finding("local fault", shaft.name, gears, best.channel, best.probability, others))
         elif bands:
@@ -209,20 +210,20 @@ def findings_of(
 
 def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list[Finding], list[Note]]:
     """Parts of bearings, but of those with common harmonics only the most certain one."""
-    told: list[Evidence] = []
+    reported: list[Evidence] = []
     found, spread = [], []
     orders = _orders(parts)
     for e in sorted((e for e in evidence if e.kind == "bearing" and e.found), key=lambda e: e.probability):
-        if any((e.gear, e.shaft) == (other.gear, other.shaft) for other in told):
+        if any((e.gear, e.shaft) == (other.gear, other.shaft) for other in reported):
             continue
         own = orders[e.gear, e.shaft]
-        same = [other for other in told if _whole(own, orders[other.gear, other.shaft])]
+        same = [other for other in reported if _whole(own, orders[other.gear, other.shaft])]
         if same:
             cause = f"{same[0].shaft} of {same[0].gear}"
-            why = f"{{}}: not told beside {cause}, which is more certain and shares harmonics"
+            why = f"{{}}: not reported in addition to {cause}, which is more certain and shares harmonics"
             spread.append(Note(why, f"{e.shaft} of {e.gear}"))
             continue
-        told.append(e)
+        reported.append(e)
         found.append(Finding("bearing", e.shaft, (e.gear,), e.channel, e.probability))
     return found, spread
 

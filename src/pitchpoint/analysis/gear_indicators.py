@@ -3,7 +3,7 @@
 
 They start from the mean turn of the shaft (`synchronous_average`) and the signals that `gear_signals` makes
 of it. FM4, M6A and M8A see one or a few damaged teeth and fall again when the damage spreads; NA4, NA4* and
-NB4 compare with the records before and go on rising.
+NB4 compare with the records before and continue rising.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ def gear_indicators(average: ArrayLike, *, teeth: int, other_teeth: Sequence[int
     teeth
         Tooth count z of the gear [-].
     other_teeth
-        Tooth counts of other gears on the same shaft, whose harmonics are no damage [-].
+        Tooth counts of other gears on the same shaft, whose harmonics are not damage [-].
 
     Returns
     -------
@@ -108,7 +108,7 @@ def gear_indicators(average: ArrayLike, *, teeth: int, other_teeth: Sequence[int
 
     Examples
     --------
-    A difference signal that is one sine, beside mesh and sidebands of amplitudes 1 and 0.1:
+    A difference signal that is one sine, in addition to mesh and sidebands of amplitudes 1 and 0.1:
 
     >>> angle = 2 * np.pi * np.arange(400) / 400
     >>> x = (1 + 0.2 * np.cos(angle)) * np.cos(20 * angle) + 0.01 * np.cos(7 * angle)
@@ -179,7 +179,7 @@ def running_kurtosis(records: Sequence[ArrayLike], *, good_records: int | None =
         Residual signals (for NA4) or envelopes (for NB4) in the order of time, shape (n,) each, one unit.
     good_records
         How many of the first records are from the gear in good condition [-]: their mean variance is then the
-        reference for all (NA4*). Left out, the reference of each record is the mean up to and with it (NA4).
+        reference for all (NA4*). Omitted, the reference of each record is the mean up to and with it (NA4).
 
     Returns
     -------

@@ -176,7 +176,7 @@ def tooth_counts(teeth: int | Sequence[int], samples: int) -> tuple[int, ...]:
     Raises
     ------
     SignalError
-        If a count is no whole number from 4 on, or its mesh order reaches half the samples of a turn.
+        If a count is not a whole number from 4 on, or its mesh order reaches half the samples of a turn.
 
     Examples
     --------

@@ -23,12 +23,12 @@ AROUND = 32
 
 @dataclass(frozen=True)
 class Tones:
-    """Lines of a signal near frequencies that were asked for.
+    """Lines of a signal near frequencies that were requested.
 
     Attributes
     ----------
     expected, frequency
-        Shape (n,). Frequency asked for and frequency found [Hz].
+        Shape (n,). Frequency requested and frequency found [Hz].
     amplitude
         Shape (n,). Peak amplitude, in the unit of the signal.
     background
@@ -65,7 +65,7 @@ class HarmonicTable:
     fundamental
         Fundamental frequency that fits all harmonics best [Hz]; NaN where none of them is a peak.
     lost
-        Harmonics that were asked for and lie above half the sample rate [-].
+        Harmonics that were requested and lie above half the sample rate [-].
     """
 
     harmonic: Array
@@ -88,12 +88,12 @@ def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, re
     expected
         Frequencies [Hz], shape (n,), above 0 and below f_s/2.
     reach
-        How far beside each of them to look [Hz], a number or shape (n,); never less than one line.
+        How far next to each of them to look [Hz], a number or shape (n,); never less than one line.
 
     Returns
     -------
     Tones
-        What stands there; nothing is left out because it is small.
+        The line found there; nothing is omitted because it is small.
 
     Raises
     ------
@@ -127,7 +127,7 @@ def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, re
     if outside.size:
         raise SignalError(
             f"expected: {wanted[outside[0]]:g} Hz lies outside the spectrum (limit 0 to {top:g} Hz, half the "
-            "sample rate); sample faster or ask for less"
+            "sample rate); increase the sampling rate or request fewer"
         )
     far = np.broadcast_to(np.asarray(reach, dtype=np.float64), wanted.shape)
     rows = [_near(spectrum, float(f), float(w)) for f, w in zip(wanted, far, strict=True)]
@@ -204,7 +204,7 @@ def harmonic_table(
 
 
 def kept_harmonics(fundamental: float, sample_rate: float, harmonics: int) -> tuple[Array, int]:
-    """Numbers of the harmonics below half the sample rate, and how many of those wanted lie above.
+    """Numbers of the harmonics below half the sample rate, shape (n,), and the number of those above it.
 
     Parameters
     ----------
@@ -231,7 +231,7 @@ def kept_harmonics(fundamental: float, sample_rate: float, harmonics: int) -> tu
 
 
 def apart_enough(distance: float, resolution: float, name: str) -> None:
-    """Refuse tones that a record is too short to tell apart.
+    """Refuse tones that a record is too short to distinguish.
 
     Parameters
     ----------
@@ -241,6 +241,11 @@ def apart_enough(distance: float, resolution: float, name: str) -> None:
         Distance between two lines of the spectrum [Hz].
     name
         What to call the distance in an error message.
+
+    Raises
+    ------
+    SignalError
+        If the distance is smaller than the record can resolve.
     """
     if distance < APART * resolution:
         raise SignalError(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers that tell how impulsive a signal is: rms, peak, kurtosis, crest, shape and impulse factor.
+"""Measures of the impulsiveness of a signal: rms, peak, kurtosis, crest, shape and impulse factor.
 
 All of them belong to the alternating part: the mean is taken out first. Samples weigh equally, so the record
 must be sampled uniformly, over time or over angle. `statistics` weighs by time instead.
@@ -116,7 +116,7 @@ def standardised_moment(values: ArrayLike, order: int) -> float:
     Raises
     ------
     SignalError
-        If the signal is constant, or the order is no even number from 4 on.
+        If the signal is constant, or the order is not an even number from 4 on.
 
     Notes
     -----
@@ -152,6 +152,11 @@ def alternating_part(values: ArrayLike, name: str) -> Array:
         Samples, shape (n,), any unit.
     name
         What to call them in an error message.
+
+    Raises
+    ------
+    SignalError
+        If the signal is constant, or not a finite vector.
 
     Examples
     --------

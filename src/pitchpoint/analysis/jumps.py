@@ -15,14 +15,14 @@ Let y_i = ln(rms_i) in the order of the sweep and d_i = y_{i+1} - y_i. Interval 
 Why it gives no false alarms. Logarithms make the rule independent of unit and level. However coarsely a
 smooth resonance is sampled, a steep step has another steep step within two intervals: with samples at …, 1+p,
 p, 1-p, 2-p, … grid steps from the pole of an undamped resonance, the sharpest curve there is, d = ln((1+p)/p)
-stands beside ln((1-p)/p) and ln((2-p)/(1-p)), and no p brings the ratio above 1.7. A floor lowers the
+is compared with ln((1-p)/p) and ln((2-p)/(1-p)), and no p brings the ratio above 1.7. A floor lowers the
 neighbours; over all widths, floors and positions the ratio stays below 2.0. The default contrast of 2.5
-stands above both. At a fold the response turns with a slope that per grid step falls with the grid, while the
+is above both. At a fold the response turns with a slope that per grid step falls with the grid, while the
 jump itself does not: a finer sweep only makes it clearer.
 
 With both directions at hand there is more to go by: what is the same up and down is one function of the
 frequency and has no jump that could be shown, however odd it looks (two narrow resonances between a few
-points, say). `sweep_jumps` therefore asks for hysteresis as well: at the point before or after the jump the
+points). `sweep_jumps` therefore requires hysteresis as well: at the point before or after the jump the
 levels of the two directions differ by `smallest_ratio` or more. So confirmed, a contrast of 2 is enough, and
 a jump that was caught half-way by too short a settling time, and so lies in two steps of one sign, is found
 too.
@@ -79,7 +79,7 @@ def find_jumps(
     smallest_ratio: float = SMALLEST_RATIO,
     contrast: float = CONTRAST,
 ) -> tuple[Jump, ...]:
-    """Jumps along one sweep; the rule stands at the head of this module.
+    """Jumps along one sweep; the rule is at the head of this module.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def find_jumps(
     level
         Rms of the alternating response at these points, shape (n,), ≥ 0, any unit.
     smallest_ratio
-        Ratio of levels below which a step is no jump [-], > 1.
+        Ratio of levels below which a step is not a jump [-], > 1.
     contrast
         How much larger than its neighbours a step must be [-], > 1.
 
@@ -144,9 +144,9 @@ def sweep_jumps(
         The points in the order in which they were run, each a mapping with `direction` (`up` or `down`),
         `mesh_frequency` [Hz] and, under `quantity`, a mapping with `rms`.
     quantity
-        Response whose level is used; deflection along the line of action tells branches apart best.
+        Response whose level is used; deflection along the line of action distinguishes branches best.
     smallest_ratio
-        See `find_jumps`; with both directions also the ratio by which they must differ beside a jump.
+        See `find_jumps`; with both directions also the ratio by which they must differ next to a jump.
 
     Returns
     -------
@@ -161,7 +161,7 @@ def sweep_jumps(
     Notes
     -----
     One direction alone: `find_jumps`. Both: steep steps that hysteresis confirms, see the module [1]_. Points
-    whose level is missing or not finite (a failed case) are left out. Valid for sweeps that carry their state
+    whose level is missing or not finite (a failed case) are omitted. Valid for sweeps that carry their state
     from point to point.
 
     References
@@ -205,7 +205,7 @@ def sweep_jumps(
 def branch(
     points: Sequence[Mapping[str, Any]], direction: str, quantity: str, statistic: str = "rms"
 ) -> tuple[Array, Array]:
-    """Frequencies [Hz] and levels of one direction of a sweep, in the order run, failed points left out.
+    """Frequencies [Hz] and levels, shapes (n,), of one direction of a sweep, as run, failed points omitted.
 
     Parameters
     ----------

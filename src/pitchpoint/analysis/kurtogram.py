@@ -16,7 +16,7 @@ LEFT_OUT = 0.1
 every band. The record is weighted before it is cut into bands, and the weight taken out where they count."""
 SLOPE = 0.25
 """Width of the slope at either edge of a band over that of the band: with sharp edges the fading of a tone
-beside the band would ring far into it."""
+next to the band would ring far into it."""
 FEWEST = 128
 """Samples of the envelope that a band has at least by default: with fewer, noise alone has large kurtosis."""
 
@@ -28,8 +28,9 @@ class Kurtogram:
     Attributes
     ----------
     level
-        Shape (n_band,). Level of the band: it is f_s/2 over 2^level wide; log2(3) and more in between stand
-        for bands that are split into three [-].
+        Shape (n_band,). Level of the band: it is f_s/2 over 2^level wide; log2(3) and more in between
+        represent
+         bands that are split into three [-].
     low, high
         Shape (n_band,). Edges of the band [Hz].
     kurtosis
@@ -72,7 +73,7 @@ def kurtogram(
     levels
         How often bands are halved [-]; by default as often as leaves 128 samples to each.
     band
-        Only bands inside these edges are candidates for the best [Hz]; all if left out.
+        Only bands inside these edges are candidates for the best [Hz]; all if omitted.
 
     Returns
     -------
@@ -93,8 +94,8 @@ def kurtogram(
     out of the Fourier transform of the record and transformed back at a rate of their width: no delay, sharp
     edges, nothing counted twice. Of Gaussian noise K has the standard deviation 2/√m, m being the number of
     samples of c. Valid for impacts that repeat many times within the record and ring down
-    between each other, beside tones of up to 40 dB above the noise: nearer than ten lines to the edge of a
-    band that holds nothing else, stronger ones look like impacts.
+    between each other, together with tones of up to 40 dB above the noise: nearer than ten lines to the edge
+    of a band that holds nothing else, stronger ones look like impacts.
 
     References
     ----------
@@ -121,7 +122,7 @@ def kurtogram(
     most = int(np.log2(x.size / (2.0 * FEWEST))) if levels is None else whole(levels, "levels", 0)
     if x.size < 2 ** (most + 4):
         raise SignalError(
-            f"levels: {most} leave {x.size / 2 ** (most + 1):.3g} samples to a band (limit 8); ask for fewer"
+            f"levels: {most} leave {x.size / 2 ** (most + 1):.3g} samples to a band (limit 8); request fewer"
         )
     if float(np.ptp(x)) == 0.0:
         raise SignalError("values: are constant; there is no band to choose")

@@ -2,7 +2,7 @@
 """Is there a line, is there a comb of lines? Tests with a stated probability of false alarm.
 
 Nothing is known of the noise but that it changes slowly along the spectrum: a line is compared with points
-beside it, a comb with points between its teeth. Frequencies may be in Hz or in orders of a shaft.
+next to it, a comb with points between its teeth. Frequencies may be in Hz or in orders of a shaft.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class FineSpectrum:
     resolution: float
 
     def power(self, frequency: ArrayLike) -> Array:
-        """Squares of the amplitudes at the points next to these frequencies."""
+        """Squares of the amplitudes at the points next to these frequencies, shape of `frequency`."""
         at = np.rint(np.asarray(frequency, dtype=np.float64) / self.step).astype(np.int64)
         found: Array = self.amplitude[np.clip(at, 0, self.amplitude.size - 1)] ** 2
         return found
@@ -94,14 +94,14 @@ def fine_spectrum(values: ArrayLike, sample_rate: float) -> FineSpectrum:
 
 
 def line_probability(ratio: float, points: int, rank: int) -> float:
-    """Probability that noise alone rises so far above the points beside it.
+    """Probability that noise alone rises so far above the points next to it.
 
     Parameters
     ----------
     ratio
-        Power at the frequency over the `rank`-th smallest of the powers beside it [-].
+        Power at the frequency over the `rank`-th smallest of the powers next to it [-].
     points
-        Number of points beside it [-].
+        Number of points next to it [-].
     rank
         Which of them, counted from the smallest one [-].
 
@@ -164,7 +164,7 @@ def line_threshold(probability: float, points: int, rank: int) -> float:
 
 
 def comb_score(lines: ArrayLike, between: ArrayLike, block: ArrayLike, block_between: ArrayLike) -> float:
-    """How far the teeth of a comb stand above the points between them.
+    """How far the teeth of a comb are above the points between them.
 
     Parameters
     ----------
@@ -215,7 +215,7 @@ def comb_score(lines: ArrayLike, between: ArrayLike, block: ArrayLike, block_bet
     return excess / float(np.sqrt(variance)) if variance > 0.0 else 0.0
 
 
-def beside(powers: Array, frequency: Array, wanted: float, points: int) -> tuple[Array, Array]:
+def neighbours(powers: Array, frequency: Array, wanted: float, points: int) -> tuple[Array, Array]:
     """Powers at the nearest points left and right of a frequency, at most `points` each.
 
     Parameters
@@ -238,7 +238,7 @@ def beside(powers: Array, frequency: Array, wanted: float, points: int) -> tuple
 
     Examples
     --------
-    >>> left, right = beside(np.array([1.0, 2.0, 3.0, 4.0]), np.array([1.0, 2.0, 3.0, 4.0]), 2.5, 1)
+    >>> left, right = neighbours(np.array([1.0, 2.0, 3.0, 4.0]), np.array([1.0, 2.0, 3.0, 4.0]), 2.5, 1)
     >>> left.tolist(), right.tolist()
     ([2.0], [3.0])
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Load sharing of one tooth pair on its way through the mesh, put together from a roll through one period.
+"""Load sharing of one tooth pair on its way through the mesh, assembled from a roll through one period.
 
 During a roll several pairs are in contact at once, each seen on a part of its way. Pairs take turns in a
 fixed number of slots; each slot's share, moved to the place of its pair, is a piece of one curve.
@@ -52,7 +52,7 @@ def share_along_path(
         eps_alpha + eps_beta/2.
     other_flank
         The phase is that of the flank that does not carry; where contact begins is then found from the
-        shares, as exactly as the points stand.
+        shares, with the resolution of the points.
 
     Examples
     --------

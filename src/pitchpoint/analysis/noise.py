@@ -53,7 +53,7 @@ def white_noise(size: int, *, deviation: float, seed: int | Sequence[int]) -> Ar
     Raises
     ------
     SignalError
-        If the deviation is not finite or negative, or the seed is no whole number from 0 on.
+        If the deviation is not finite or negative, or the seed is not a whole number from 0 on.
 
     Notes
     -----
@@ -98,7 +98,7 @@ def with_white_noise(values: ArrayLike, *, signal_to_noise: float, seed: int | S
     ------
     SignalError
         If the signal is constant (it has no level to compare with), the ratio is not finite, or the seed is
-        no whole number from 0 on.
+        not a whole number from 0 on.
 
     Notes
     -----

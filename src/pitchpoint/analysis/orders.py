@@ -21,9 +21,9 @@ SAMPLES_PER_ORDER = 2.56
 then folds to above that order, but for a band that the filter takes away."""
 MAX_OVERSAMPLING = 32
 """Largest factor by which a creeping start may refine the grid over the angle before it is filtered and
-thinned out again; the mean samples per revolution of a record count without limit."""
+decimated again; the mean samples per revolution of a record count without limit."""
 FILTER_HALF_LENGTH, FILTER_BETA = 16, 8.0
-"""Length on either side, in samples after thinning out, and shape of the Kaiser window of the low-pass
+"""Length on either side, in samples after decimation, and shape of the Kaiser window of the low-pass
 filter: below 0.84 times half the new rate it changes amplitudes by less than 0.02 %, above 1.16 times it
 leaves less than 0.01 %."""
 
@@ -96,7 +96,7 @@ def resample_over_angle(
     Notes
     -----
     Cubic spline through (angle, value), evaluated on a grid twice as fine as the record, then low-pass
-    filtered and thinned out [1]_. Content from 0.84 to 1.16 times half the new rate is in the slope of the
+    filtered and decimated [1]_. Content from 0.84 to 1.16 times half the new rate is in the slope of the
     filter and partly folds to just below half the rate: with 2.56 samples per revolution and order, all up to
     that order is free of it. Valid as long as the record itself has four or more samples per period of what
     is of interest (the spline's error is then below 1 %).
@@ -207,7 +207,7 @@ def tracked_spectrum(
 
     Examples
     --------
-    Order 200 beside order 50; asked for up to 150, nothing of it is left:
+    Order 200 together with order 50; requested up to 150, nothing of it is left:
 
     >>> angle = 2 * np.pi * np.arange(20_001) / 2000
     >>> s = tracked_spectrum(2.0 * np.cos(50 * angle) + np.cos(200 * angle), angle, highest_order=150)
@@ -342,7 +342,7 @@ def one_way(angle: ArrayLike) -> Array:
 
 
 def _oversampling(steps: Array, rate: float) -> int:
-    """How many times finer than the grid asked for a record is interpolated: twice as fine as it is itself.
+    """How many times finer than the grid requested a record is interpolated: twice as fine as it is itself.
 
     The images of a sampled signal lie about its rate; on a grid of twice the rate none folds onto the signal.
     """
@@ -358,7 +358,7 @@ def _thinned_out(data: Array, factor: int) -> Array:
 
     reach = FILTER_HALF_LENGTH * factor
     taps = firwin(2 * reach + 1, 1.0 / factor, window=("kaiser", FILTER_BETA))
-    # beyond its ends the record goes on turned about them: no step, no kink, and a straight line stays one
+    # beyond its ends the record continues turned about them: no step, no kink, and a straight line stays one
     longer = np.pad(data, reach, mode="reflect", reflect_type="odd")
     filtered: Array = upfirdn(taps, longer, 1, factor)[2 * FILTER_HALF_LENGTH :]
     return filtered[: -(-data.size // factor)]

@@ -2,9 +2,9 @@
 """Periods of repeated impacts: tests of given periods, and the search for an unknown one.
 
 A chopped tooth comes by once per turn of its shaft. So does every tooth mesh of the shaft: z meshes fill one
-turn exactly, and whatever compares a signal with itself one turn later finds both alike. What tells them
-apart is where their lines lie. A mesh has lines at the multiples of z/T only, a single event per turn at all
-multiples of 1/T. The evidence here is what lies at the multiples of 1/T that are no multiples of a known
+turn exactly, and whatever compares a signal with itself one turn later finds both alike. What distinguishes
+them is where their lines lie. A mesh has lines at the multiples of z/T only, a single event per turn at all
+multiples of 1/T. The evidence here is what lies at the multiples of 1/T that are not multiples of a known
 frequency, and only if most of them are there.
 
 What is assumed: constant speed over the record (resample over the angle first where it is not, periods are
@@ -61,11 +61,11 @@ class PeriodEvidence:
         Shape (n_period,). Periods [s]; the best within the tolerance, where there is one.
     p_value
         Shape (n_period,). Chance that noise alone gives as much for this period [-], the tolerance allowed
-        for; not a number where nothing can be said.
+        for; not a number where nothing can be reported.
     turns
-        Shape (n_period,). Whole periods in the record [-]; below 2 nothing can be said.
+        Shape (n_period,). Whole periods in the record [-]; below 2 nothing can be reported.
     lines
-        Shape (n_period,). Multiples of 1/T that could be used [-]; below 3 nothing can be said.
+        Shape (n_period,). Multiples of 1/T that could be used [-]; below 3 nothing can be reported.
     """
 
     period: Array
@@ -85,7 +85,7 @@ class PeriodSearch:
     period
         Period T [s]; not a number if nothing is found.
     deviation
-        Standard deviation of the period [s] that the noise beside the lines stands for; not a number if
+        Standard deviation of the period [s] that the noise next to the lines represents; not a number if
         nothing is found.
     p_value
         Chance that noise alone gives as much anywhere between the limits [-], at most 1.
@@ -132,11 +132,11 @@ def period_evidence(
     periods
         Periods T [s], shape (n_period,).
     known
-        Frequencies that are no fault, with all their multiples [Hz], shape (n_known,): the tooth meshes.
+        Frequencies that are not faults, with all their multiples [Hz], shape (n_known,): the tooth meshes.
     harmonics
         Highest multiple K of 1/T [-].
     highest_frequency
-        Lines above are left out [Hz]; default K over the shortest period, at most 0.45 f_s.
+        Lines above are omitted [Hz]; default K over the shortest period, at most 0.45 f_s.
     tolerance
         Relative uncertainty of the periods [-].
 
@@ -153,14 +153,14 @@ def period_evidence(
     Notes
     -----
     Each line of the comb gives an F test against its neighbours; `evidence_of_comb` joins those of all lines
-    up to K, up to K/2, or up to K/4, whichever say more, and allows for the choice. The same must hold
-    without the multiples of every prime: otherwise the lines belong to a shorter period. The p-value is the
-    largest of these. A few strong lines (unbalance, a bent shaft) are not
+    up to K, up to K/2, or up to K/4, whichever gives the strongest evidence, and allows for the choice. The
+    same must hold without the multiples of every prime: otherwise the lines belong to a shorter period. The
+    p-value is the largest of these. A few strong lines (unbalance, a bent shaft) are not
     evidence of impacts, most of the twenty are. Valid for two or more periods in the record, few are weak.
 
     Examples
     --------
-    A dip once in 2 s beside a strong tone of 3.5 Hz, whose period fits into 2 s seven times:
+    A dip once in 2 s next to a strong tone of 3.5 Hz, whose period fits into 2 s seven times:
 
     >>> t = np.arange(4000) / 200.0
     >>> noise = np.random.default_rng(1).normal(size=t.size)
@@ -209,7 +209,7 @@ def find_period(
     highest_frequency: float | None = None,
     false_alarm: float = 1e-3,
 ) -> PeriodSearch:
-    """Find the period of something that happens again and again, or say that nothing does.
+    """Find the period of something that happens again and again, or state that nothing does.
 
     Parameters
     ----------
@@ -222,11 +222,11 @@ def find_period(
     longest
         Longest period [s], at most half the record.
     known
-        Frequencies that are no fault, with all their multiples [Hz], shape (n_known,): the tooth meshes.
+        Frequencies that are not faults, with all their multiples [Hz], shape (n_known,): the tooth meshes.
     harmonics
         Highest multiple K of 1/T [-].
     highest_frequency
-        Lines above are left out [Hz]; default K over the shortest period, at most 0.45 f_s.
+        Lines above are omitted [Hz]; default K over the shortest period, at most 0.45 f_s.
     false_alarm
         Chance of finding something in noise that is allowed [-], for the whole search.
 
@@ -329,7 +329,7 @@ def _coarse(record: Record, low: float, high: float, harmonics: int) -> tuple[Ar
         used[row] = (line <= record.top * (1.0 + 1e-9)) & is_clear(
             line, record.tones, CLEARANCE / record.duration
         )
-        # four places between this line and the next ones stand for the noise
+        # four places between this line and the next ones represent the noise
         places = [line, *(np.abs(line + d * frequency) for d in (-0.5, -0.3, 0.3, 0.5))]
         at = np.minimum(np.rint(np.array(places) * per_line).astype(np.int64), power.size - 1)
         level[row] = power[at[0]]
@@ -370,7 +370,7 @@ def _improved(record: Record, period: float, harmonics: int, trials: int) -> tup
     """Chance and period of a trial period after it is fitted to its lines."""
     comb = comb_lines(record, period, harmonics)
     highest = evidence_of_comb(comb, harmonics)[2]
-    # first the lines that say most, then with those that only a good period brings out
+    # first the lines with most evidence, then with those that only a good period brings out
     for last in (highest, harmonics):
         orders = comb.orders[(comb.orders <= highest) | ((comb.orders <= last) & (comb.p_value < CLEAR_LINE))]
         reach = 2.0 * period / (STEPS_PER_LINE * last * record.duration)

@@ -64,7 +64,7 @@ def planetary_frequencies(
     speed_carrier: float | None = None,
     speed_ring: float | None = None,
 ) -> PlanetaryFrequencies:
-    """Mesh, fault and passing frequencies of a planet set, whichever member stands still.
+    """Mesh, fault and passing frequencies of a planet set, whichever member is at rest.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def planetary_frequencies(
     Raises
     ------
     SignalError
-        If not exactly two speeds are given, or a number is no whole number above zero.
+        If not exactly two speeds are given, or a number is not a whole number above zero.
 
     Notes
     -----
@@ -122,7 +122,7 @@ def planetary_frequencies(
         w_c = known["carrier"]
         w_s = known["sun"] if "sun" in known else w_c - (known["ring"] - w_c) * z_r / z_s
         w_r = known["ring"] if "ring" in known else w_c - (w_s - w_c) * z_s / z_r
-    # of the two members that say the same, the one that was given
+    # of two equivalent members, the one that was given
     mesh = (z_s * abs(w_s - w_c) if "sun" in known else z_r * abs(w_r - w_c)) / math.tau
     return PlanetaryFrequencies(
         speed_sun=w_s,
@@ -158,7 +158,7 @@ def planet_phases(z: int, angles: ArrayLike) -> Array:
     Raises
     ------
     SignalError
-        If the number of teeth is no whole number, or an angle is not finite.
+        If the number of teeth is not a whole number, or an angle is not finite.
 
     Notes
     -----
@@ -205,7 +205,7 @@ def excited_motion(z_sun: int, planets: int, harmonics: int = 3) -> tuple[str, .
     Raises
     ------
     SignalError
-        If a number is no whole number, or there are fewer than three planets.
+        If a number is not a whole number, or there are fewer than three planets.
 
     Notes
     -----

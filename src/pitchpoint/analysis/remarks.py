@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is to be told besides findings: one reason once, with all that it holds of."""
+"""Notes in addition to findings: each reason once, with all subjects that it applies to."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class Note:
     Attributes
     ----------
     reason
-        Sentence with `{}` where the things stand; without it if it holds of the whole record.
+        Sentence with `{}` for the subjects; without it if it applies to the whole record.
     subject
         The thing.
     """

@@ -21,7 +21,7 @@ UNIFORM_TOLERANCE = 1e-6
 
 
 class SignalError(PitchpointError, ValueError):
-    """Sampled data do not fulfil what an analysis function needs; the message says where and what to do."""
+    """Sampled data do not fulfil what an analysis function needs; the message states where and what to do."""
 
 
 def as_signal(values: ArrayLike, name: str = "values", minimum: int = 2) -> Array:
@@ -104,11 +104,16 @@ def same_length(first: Array, second: Array, names: str) -> None:
     Parameters
     ----------
     first
-        Samples of one channel.
+        Samples of one channel, shape (n,).
     second
-        Samples of the other channel.
+        Samples of the other channel, shape (n,).
     names
         What to call the two in an error message.
+
+    Raises
+    ------
+    SignalError
+        If the lengths differ.
     """
     if first.size != second.size:
         raise SignalError(f"{names}: {first.size} and {second.size} samples; both must come from one record")
@@ -155,6 +160,11 @@ def positive(value: float, name: str) -> float:
         Number, any unit.
     name
         What to call it in an error message.
+
+    Raises
+    ------
+    SignalError
+        If the number is not finite or not above 0.
     """
     if not np.isfinite(value) or value <= 0.0:
         raise SignalError(f"{name}: {value} (limit > 0)")
@@ -172,6 +182,11 @@ def whole(value: float, name: str, minimum: int = 1) -> int:
         What to call it in an error message.
     minimum
         Smallest number allowed [-].
+
+    Raises
+    ------
+    SignalError
+        If the number is not whole or below the minimum.
     """
     if isinstance(value, bool | np.bool_) or not np.isfinite(value) or value != int(value) or value < minimum:
         raise SignalError(f"{name}: {value} (limit: a whole number >= {minimum})")
@@ -187,6 +202,11 @@ def finite(value: float, name: str) -> float:
         Number, any unit.
     name
         What to call it in an error message.
+
+    Raises
+    ------
+    SignalError
+        If the number is not finite.
     """
     if not np.isfinite(value):
         raise SignalError(f"{name}: {value} (limit: a finite number)")

@@ -72,7 +72,7 @@ def scalogram(
         Name of a continuous wavelet, such as `cmor1.5-1.0` (complex Morlet, bandwidth 1.5, centre 1),
         `mexh`, `gaus4`, `shan1.5-1.0`. A complex one gives a smooth amplitude; a real one its ups and downs.
     extension
-        How the record goes on beyond its ends, see `wavelets`.
+        How the record continues beyond its ends, see `wavelets`.
     start
         Time of the first sample [s].
 
@@ -99,7 +99,7 @@ def scalogram(
 
     Examples
     --------
-    One octave beside the sine, this wavelet still sees exp(-1.5 (π/2)²) = 2.5 % of it:
+    One octave next to the sine, this wavelet still sees exp(-1.5 (π/2)²) = 2.5 % of it:
 
     >>> t = np.arange(4000) / 1000.0
     >>> found = scalogram(3.0 * np.sin(2 * np.pi * 50.0 * t), 1000.0, [25.0, 50.0, 100.0])
@@ -122,7 +122,7 @@ def scalogram(
     if lines.size * x.size > MOST_AMPLITUDES:
         raise SignalError(
             f"frequencies: {lines.size} rows of {x.size} samples (limit {MOST_AMPLITUDES // x.size} rows); "
-            "ask for fewer frequencies, or use a shorter or slower record"
+            "request fewer frequencies, or use a shorter or slower record"
         )
     family = _continuous(wavelet)
     check_extension(extension)

@@ -29,8 +29,8 @@ def with_shaft_angle(dataset: xr.Dataset, tacho: str, *, pulses_per_revolution: 
     Returns
     -------
     xarray.Dataset
-        The record from the first pulse to the last, with the channel `angle[TACHO]` [rad] beside the others;
-        pulses that were missing or too many are told in `attrs["notes"]`.
+        The record from the first pulse to the last, with the channel `angle[TACHO]` [rad] next to the others;
+        pulses that were missing or too many are listed in `attrs["notes"]`.
 
     Raises
     ------
@@ -58,7 +58,7 @@ def with_shaft_angle(dataset: xr.Dataset, tacho: str, *, pulses_per_revolution: 
     """
     if tacho not in dataset.data_vars or dataset[tacho].dims != ("time",):
         listed = ", ".join(str(n) for n, v in dataset.data_vars.items() if v.dims == ("time",)) or "none"
-        raise SignalError(f"tacho: {tacho!r} is no channel over time; there are {listed}")
+        raise SignalError(f"tacho: {tacho!r} is not a channel over time; there are {listed}")
     values = np.asarray(dataset[tacho].values, dtype=np.float64)
     try:
         found = tacho_angle(values, dataset["time"].values, pulses_per_revolution=pulses_per_revolution)
@@ -69,7 +69,7 @@ def with_shaft_angle(dataset: xr.Dataset, tacho: str, *, pulses_per_revolution: 
     made = dataset.isel(time=known).assign({f"angle[{tacho}]": ("time", found.angle, words)})
     odd = [
         f"{tacho}: {times.size} pulses {what}, the first at {times[0]:.6g} s"
-        for what, times in (("were missing", found.missing), ("too many were left out", found.doubled))
+        for what, times in (("were missing", found.missing), ("too many were omitted", found.doubled))
         if times.size
     ]
     made.attrs["notes"] = "; ".join(note for note in (str(dataset.attrs.get("notes", "")), *odd) if note)

@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.line_tests import (
     BLOCK,
     FineSpectrum,
-    beside,
     comb_score,
     line_probability,
+    neighbours,
 )
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.turning_parts import Shaft, TurningParts
@@ -31,21 +31,21 @@ from pitchpoint.analysis.turning_parts import Shaft, TurningParts
 FEWEST_TURNS = 3.0
 """Turns of a shaft from which points between its orders see nothing of the orders themselves."""
 RESOLVED = 8.0
-"""Turns of another shaft from which its orders are single lines that can be left out."""
+"""Turns of another shaft from which its orders are single lines that can be omitted."""
 MOST_ORDERS = 6000
 FEWEST_LINES = 6
-"""Lines of a comb from which their ranks say anything."""
+"""Lines of a comb from which on their ranks are conclusive."""
 SMALLEST_COMB, SMALLEST_LINE, SMALLEST_SIDEBAND = 1e-4, 1e-2, 3e-2
-"""Amplitudes below which nothing is told: of a comb and of a line as a part of the rms of the "
+"""Amplitudes below which nothing is reported: of a comb and of a line as a part of the rms of the "
 "signal, of a sideband
 as a part of its mesh line as well. Every machine has such lines, and simulations without noise show them."""
 FOLDED = 40
-"""Harmonics of a mesh whose images are left out where the record was sampled without a filter."""
+"""Harmonics of a mesh whose images are omitted where the record was sampled without a filter."""
 NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
 SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
 PASSES, SLIP = 3, 0.01
-"""Passages of balls, of one bearing or of several, that stand beside mesh lines of healthy machines; how far
-they slip, as a part of their order."""
+"""Passages of balls, of one bearing or of several, that appear next to mesh lines of healthy machines; how
+far they slip, as a part of their order."""
 TOGETHER = 3
 """Kinds of bearings whose passages are combined."""
 OFF = 0.5
@@ -59,7 +59,7 @@ class Measured:
     Attributes
     ----------
     score
-        Normal score of a comb, or power over that beside a line [-].
+        Normal score of a comb, or power over that next to a line [-].
     probability
         Probability that noise alone does as much [-].
     order
@@ -125,7 +125,7 @@ class ShaftView:
         return self.turns >= FEWEST_TURNS and self.highest >= 1
 
     def free(self, order: NDArray[Any]) -> NDArray[np.bool_]:
-        """Whether points are apart from mesh lines and from orders of other shafts."""
+        """Whether orders, shape (n,), are separate from mesh lines and from orders of other shafts."""
         line = self.spectrum.resolution
         apart = order > 2.0 * line
         for mesh in self.parts.meshes:
@@ -142,9 +142,9 @@ class ShaftView:
         return apart
 
     def comb(self, from_mesh: int = 2, *, without: int = 0) -> Measured:
-        """Whether the orders stand above what is between them, away from mesh lines and their sidebands.
+        """Whether the orders are above what is between them, away from mesh lines and their sidebands.
 
-        Multiples of `without` may be left out.
+        Multiples of `without` may be omitted.
         """
         number = np.arange(1, self.highest + 1)
         keep = self.free(number * self.order)
@@ -170,7 +170,7 @@ class ShaftView:
         )
 
     def lines(self, orders: NDArray[Any], sideband: NDArray[Any], least: Array | None = None) -> Measured:
-        """The most unlikely of some lines; what is near other lines, or has no neighbours, is left out."""
+        """The least likely of some lines, shape (n,); lines near others are omitted."""
         limits = np.zeros(orders.size) if least is None else least
         best, looked = None, 0
         for place, number, limit in zip(orders, sideband, limits, strict=True):
@@ -195,7 +195,7 @@ class ShaftView:
         power = float(self.spectrum.power(order))
         probability, score = 0.0, np.inf
         for place, level in self.measures:
-            for side in beside(level, place, order, NEIGHBOURS):
+            for side in neighbours(level, place, order, NEIGHBOURS):
                 if side.size < FEWEST_NEIGHBOURS:
                     return None
                 rank = (3 * side.size) // 4
@@ -215,7 +215,7 @@ class ShaftView:
         return bool(np.any(off < self.passing[:, 1] + 2.0 * self.spectrum.resolution))
 
     def has_top_at(self, order: float) -> bool:
-        """Whether what is seen at an order is a line there, and not the skirt of one beside it."""
+        """Whether what is seen at an order is a line there, and not the skirt of one next to it."""
         spectrum = self.spectrum
         reach = int(round(1.25 * spectrum.resolution / spectrum.step))
         off = np.arange(-reach, reach + 1)
@@ -230,12 +230,12 @@ class ShaftView:
     def sidebands(self, mesh_order: float, teeth: int) -> Measured:
         """Sidebands of the mesh harmonics at multiples of the turns of the shaft."""
         most = max(1, min(SIDEBANDS, (teeth - 1) // 2))
-        beside_it = np.concatenate([np.arange(-most, 0), np.arange(1, most + 1)])
+        offset = np.concatenate([np.arange(-most, 0), np.arange(1, most + 1)])
         harmonic = np.arange(1, HARMONICS + 1)
-        orders = harmonic[:, None] * mesh_order + beside_it[None, :] * self.order
+        orders = harmonic[:, None] * mesh_order + offset[None, :] * self.order
         mesh = np.sqrt(self.spectrum.power(harmonic * mesh_order))
-        least = SMALLEST_SIDEBAND * np.repeat(mesh, beside_it.size)
-        return self.lines(orders.ravel(), np.tile(beside_it, HARMONICS), least)
+        least = SMALLEST_SIDEBAND * np.repeat(mesh, offset.size)
+        return self.lines(orders.ravel(), np.tile(offset, HARMONICS), least)
 
     def _between(self) -> tuple[Array, Array]:
         """Points between the orders: two lines or more from each of them."""
@@ -280,7 +280,7 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
     highest
         Highest order [-].
     harmonics
-        Harmonics of each mesh beside which they are looked for [-]; all if left out.
+        Harmonics of each mesh around which they are searched [-]; all if omitted.
 
     Returns
     -------
@@ -292,7 +292,7 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
     A bearing is a little stiffer with a ball below the load than between two: it shakes, and modulates all
     meshes, as often as balls pass the outer ring [1]_; several bearings do so together, which counts where
     there are at most three kinds (with more, no order would be free). Up to three passages and 1 % of slip.
-    Valid for bearings whose load stands still.
+    Valid for bearings whose load is at rest.
 
     References
     ----------
@@ -320,7 +320,7 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
 
 
 def passages(parts: TurningParts) -> tuple[Array, Array]:
-    """Distances of what passing balls put beside a line, and how far slip may take it, shape (n,) [-]."""
+    """Distances of what passing balls put next to a line, and how far slip may take it, shape (n,) [-]."""
     rates = sorted({b.orders["outer ring"] for b in parts.bearings if "outer ring" in b.orders})
     if not rates:
         return np.empty(0), np.empty(0)

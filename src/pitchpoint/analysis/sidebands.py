@@ -43,7 +43,7 @@ class SidebandTable:
         Shape (n_harmonic, J). Right less left over their sum, by |j| [-]: 1 if only the right one is there;
         nan where neither stands out: two of noise, or of round-off, differ by chance.
     lost
-        Mesh harmonics that were asked for and whose sidebands lie above half the sample rate [-].
+        Mesh harmonics that were requested and whose sidebands lie above half the sample rate [-].
     """
 
     harmonic: Array
@@ -68,7 +68,7 @@ def sideband_table(
     sidebands: int = 3,
     tolerance: float = 0.01,
 ) -> SidebandTable:
-    """Amplitudes and levels at harmonics of a mesh frequency and beside them at multiples of a shaft's.
+    """Amplitudes and levels at harmonics of a mesh frequency and next to them at multiples of a shaft's.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def sideband_table(
     Raises
     ------
     SignalError
-        If the record is too short to tell the sidebands apart, the lowest sideband lies below zero, or not
+        If the record is too short to separate the sidebands, the lowest sideband lies below zero, or not
         even those of the first harmonic lie below half the sample rate.
 
     Notes
@@ -132,7 +132,7 @@ def sideband_table(
     if most * gap >= f_m:
         raise SignalError(
             f"sidebands: {most} of {gap:g} Hz reach below zero from {f_m:g} Hz (limit "
-            f"{int(np.ceil(f_m / gap)) - 1}); ask for fewer"
+            f"{int(np.ceil(f_m / gap)) - 1}); request fewer"
         )
     number, lost = kept_harmonics(f_m, rate - 2.0 * most * gap, harmonics)
     carrier = read_tones(x, rate, number * f_m, reach=np.minimum(slack * number * f_m, 0.5 * gap))

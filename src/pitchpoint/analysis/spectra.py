@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Spectra of sampled signals: amplitudes, power spectral density, orders.
 
-One convention for all of them: one-sided, amplitudes are *peak* values of the sine they stand for, the effect
+One convention for all of them: one-sided, amplitudes are *peak* values of the sine they represent, the effect
 of the window is corrected, the mean is taken out before windowing (otherwise it leaks into the first lines)
 and reported.
 """
@@ -109,7 +109,7 @@ def one_sided(transform: Lines, length: int, gain: float) -> Array:
     Parameters
     ----------
     transform
-        Result of rfft, records along the leading axes, frequencies along the last.
+        Result of rfft, shape (..., n): records along the leading axes, frequencies along the last.
     length
         Number of samples of one record.
     gain
@@ -308,7 +308,7 @@ def largest_peaks(spectrum: Spectrum, count: int = 5, *, floor: float = 0.01) ->
     count
         How many peaks at most [-].
     floor
-        Peaks below this part of the highest one are left out [-].
+        Peaks below this part of the highest one are omitted [-].
 
     Returns
     -------
@@ -339,7 +339,7 @@ def largest_peaks(spectrum: Spectrum, count: int = 5, *, floor: float = 0.01) ->
         return []
     inner = np.arange(1, a.size - 1)
     tops = inner[(a[inner] > a[inner - 1]) & (a[inner] >= a[inner + 1])]
-    # line 1 may only stand higher than the suppressed line 0 when the window smears the mean
+    # line 1 may only be used higher than the suppressed line 0 when the window smears the mean
     tops = tops[a[tops] >= floor * float(a[1:].max())]
     tops = tops[np.argsort(-a[tops], kind="stable")][:count]
     return [

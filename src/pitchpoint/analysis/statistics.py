@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers that stand for a signal, and what the flanks do: contact, separation, impact.
+"""Numbers that represent a signal, and what the flanks do: contact, separation, impact.
 
 All of them weigh by time, not by count, so that records of adaptive solvers give the same numbers as uniform
 ones.
@@ -63,8 +63,8 @@ class Impact:
     flight
         Duration of the separation before it [s].
     peak
-        Largest magnitude of the force until the flanks part again (or the record ends) [N]; None without a
-        force.
+        Largest magnitude of the force until the flanks separate again (or the record ends) [N]; None without
+        a force.
     """
 
     time: float
@@ -105,7 +105,7 @@ def signal_statistics(values: ArrayLike, time: ArrayLike | None = None) -> Signa
     values
         Samples, shape (n,), any unit.
     time
-        Times [s], shape (n,); left out, every sample weighs the same (right for uniform samples of whole
+        Times [s], shape (n,); omitted, every sample weighs the same (right for uniform samples of whole
         periods).
 
     Returns
@@ -222,7 +222,7 @@ def contact_statistics(
 
 
 def _time_weights(clock: Array) -> Array:
-    """Duration that each sample stands for [s]; their sum is the length of the record."""
+    """Duration that each sample represents [s]; their sum is the length of the record."""
     weights = np.zeros(clock.size)
     half = 0.5 * np.diff(clock)
     weights[:-1] += half

@@ -70,7 +70,7 @@ def shaft_ratio(*stages: tuple[int, int]) -> Fraction:
     Raises
     ------
     SignalError
-        If a tooth count is no positive whole number.
+        If a tooth count is not a positive whole number.
 
     Notes
     -----

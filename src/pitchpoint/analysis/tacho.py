@@ -3,7 +3,7 @@
 
 A tacho knows the angle at its pulses and nothing between them. Pulses get lost in dirt and are doubled by
 ringing; one of either shifts every angle after it. So the pulses are first compared with the speed around
-them, what does not fit is repaired and told, and a channel that is no pulse train is refused.
+them, what does not fit is repaired and reported, and a channel that is not a pulse train is refused.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ SHORT, LONG = 0.7, 1.5
 LONGEST_GAP = 4
 """Longest interval that is bridged, in pulses: beyond it the number of lost pulses is a guess."""
 LARGEST_MISFIT = 0.2
-"""Part of the pulses that may be missing, doubled or out of place; above it the channel is no pulse train."""
+"""Fraction of pulses that may be missing, doubled or displaced; above it the channel is not a pulse train."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class ShaftAngle:
     missing
         Shape (n_missing,). Times at which a pulse was expected and none came [s].
     doubled
-        Shape (n_doubled,). Times of edges that were left out because they are too many [s].
+        Shape (n_doubled,). Times of edges that were omitted because they are too many [s].
     """
 
     time: Array
@@ -142,7 +142,7 @@ def tacho_angle(
     Raises
     ------
     SignalError
-        If there are fewer than four pulses, a gap is longer than four pulses (the shaft stood still or the
+        If there are fewer than four pulses, a gap is longer than four pulses (the shaft was at rest or the
         sensor failed), or more than a fifth of the pulses do not fit an even train.
 
     Notes
@@ -150,8 +150,8 @@ def tacho_angle(
     Expected speed at an interval: line through (middle, 1/duration) of nine intervals around it by the median
     of all slopes [1]_, which is exact at constant acceleration and not moved by single bad pulses. An
     interval then holds (speed × duration) pulses: rounded, that is the number of pulses it counts for. At
-    either end of the record a gap cannot be told from a slow start: what does not fit there is cut off.
-    Angle: cubic spline through the pulses, or as near as the times of their edges are known (see
+    either end of the record a gap cannot be distinguished from a slow start: what does not fit there is cut
+    off. Angle: cubic spline through the pulses, or as near as the times of their edges are known (see
     `angle_spline.angle_between`), speed its derivative [2]_. Valid while the speed changes little from pulse
     to pulse; what it does within one interval stays unknown.
 
@@ -368,18 +368,18 @@ def _without_bad_ends(pulses: Array) -> tuple[Array, Array]:
 
 
 def _refuse_no_train(pulses: Array, share: Array, edges: int) -> None:
-    """Refuse long gaps, and channels whose edges are no even train of pulses."""
-    # left out, cut off at the ends, or in an interval that is too long or too short
+    """Refuse long gaps, and channels whose edges are not an even train of pulses."""
+    # omitted, cut off at the ends, or in an interval that is too long or too short
     wrong = edges - pulses.size + int(np.count_nonzero(np.abs(share - 1.0) > 1.0 - SHORT))
     if wrong > max(1.0, LARGEST_MISFIT * edges) or pulses.size < FEWEST_PULSES - 1:
         raise SignalError(
             f"tacho: {wrong} of {edges} pulses are missing, doubled or out of place "
-            f"(limit {LARGEST_MISFIT:.0%}): this is no even train of pulses; check channel and threshold"
+            f"(limit {LARGEST_MISFIT:.0%}): this is not an even train of pulses; check channel and threshold"
         )
     gap = int(np.argmax(share))
     if share[gap] > LONGEST_GAP + 0.5:
         raise SignalError(
             f"tacho: no pulse from {pulses[gap]:.6g} s to {pulses[gap + 1]:.6g} s, where {share[gap]:.3g} "
-            f"were expected (limit {LONGEST_GAP}): the shaft stood still or the sensor failed; "
+            f"were expected (limit {LONGEST_GAP}): the shaft was at rest or the sensor failed; "
             "cut the record there"
         )

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of analysis functions that work on datasets: a new tool is one row.
 
-A row says which function it is, what of its arguments comes from the dataset, and what the fields of its
+A row states which function it is, what of its arguments comes from the dataset, and what the fields of its
 result are: dimensions (those with a field of their own name have coordinates) and units, where `{u}` is the
-unit of the channel. What takes the result of another function, or several records, is no tool of this table.
+unit of the channel. What takes the result of another function, or several records, is not a tool of this
+table.
 """
 
 from __future__ import annotations

@@ -142,7 +142,7 @@ def peaked_as_trains(residual: ArrayLike, *, teeth: int) -> float:
 
     Examples
     --------
-    Twenty strikes of which each is as large as a cosine says, and one strike:
+    Twenty strikes of which each is as large as a cosine gives, and one strike:
 
     >>> strike = np.zeros((20, 32))
     >>> strike[:, 7] = np.cos(2 * np.pi * 3 * np.arange(20) / 20)

@@ -16,7 +16,7 @@ from pitchpoint.analysis.synchronous_average import shaft_ratio
 
 @dataclass(frozen=True)
 class Shaft:
-    """A shaft, or several that turn equally fast, which no signal tells apart.
+    """A shaft, or several that turn equally fast, which no signal distinguishes.
 
     Attributes
     ----------
@@ -122,7 +122,7 @@ def train_parts(stages: Sequence[tuple[int, int]], bearings: Sequence[Bearing] =
     Raises
     ------
     SignalError
-        If a tooth count is no whole number from 4 on, or there is no stage.
+        If a tooth count is not a whole number from 4 on, or there is no stage.
 
     Notes
     -----

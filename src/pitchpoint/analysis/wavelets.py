@@ -3,12 +3,12 @@
 
 Where a filter would ring, a wavelet keeps a short event short. The transforms themselves are those of
 PyWavelets, with every orthogonal and biorthogonal family it knows. What happens at both ends of a
-record is a choice, the extension, and is told in every result:
+record is a choice, the extension, and is stored in every result:
 
 `symmetric` mirrors the record, `reflect` mirrors without repeating the last sample, `periodic` repeats it,
-`zero` and `constant` fill up, `smooth` goes on along the last slope, `antisymmetric` and `antireflect` mirror
-with the sign changed, `periodization` repeats and keeps as many coefficients as samples, which makes energies
-add up exactly.
+`zero` and `constant` fill up, `smooth` continues along the last slope, `antisymmetric` and `antireflect`
+mirror with the sign changed, `periodization` repeats and keeps as many coefficients as samples, which makes
+energies add up exactly.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ def wavelet_levels(
     levels
         Number of levels L [-].
     extension
-        How the record goes on beyond its ends, see the module.
+        How the record continues beyond its ends, see the module.
 
     Returns
     -------
@@ -190,7 +190,7 @@ def wavelet_packets(
     levels
         Number of levels L [-]: 2^L bands of f_s/2^(L+1).
     extension
-        How the record goes on beyond its ends, see the module.
+        How the record continues beyond its ends, see the module.
     start
         Time of the first sample [s].
 
@@ -250,7 +250,7 @@ def unknown(what: str, name: str, names: list[str]) -> SignalError:
     Parameters
     ----------
     what
-        What the name stands for.
+        What the name represents.
     name
         The name.
     names
@@ -263,7 +263,13 @@ def unknown(what: str, name: str, names: list[str]) -> SignalError:
 
 
 def check_extension(name: str) -> None:
-    """Refuse an extension that PyWavelets does not know."""
+    """Refuse an extension that PyWavelets does not know.
+
+    Raises
+    ------
+    SignalError
+        If there is no such extension.
+    """
     import pywt
 
     if name not in pywt.Modes.modes:
@@ -293,7 +299,7 @@ def _discrete(wavelet: str, levels: int, samples: int, extension: str) -> tuple[
 
 
 def _shares(energies: Array, x: Array, mean: float) -> Array:
-    """Shares of the sum; none where nothing but round-off is left beside the mean."""
+    """Shares of the sum; none where nothing but round-off is left next to the mean."""
     total = float(energies.sum())
     floor = x.size * (np.finfo(np.float64).eps * 16.0 * max(abs(mean), float(np.abs(x).max()))) ** 2
     return energies / total if total > floor else np.zeros_like(energies)

@@ -318,9 +318,9 @@ def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
     elif f"deflection[{mesh}]" in result.channels:
         rms = result.channels[f"deflection[{mesh}]"]["rms"]
         force = greatest(result.channels[f"mesh_force[{mesh}]"])
-        state = result.channels[f"contact_state[{mesh}]"]
-        # a case that failed before its window has no sample; the back flank counts -1
-        lost = NOTHING if math.isnan(state["min"]) else "yes" if state["min"] <= 0.0 <= state["max"] else "no"
+        share = result.channels[f"contact_state[{mesh}]"]["share_zero"]
+        # a case that failed before its window has no sample
+        lost = NOTHING if math.isnan(share) else "yes" if share > 0.0 else "no"
     else:
         return [NOTHING] * count
     return [shown(rms, "length", 4), shown(force, "force", 5), lost]

@@ -83,7 +83,7 @@ def dataset(
     from pitchpoint.solvers.time import loop_of
     from pitchpoint.sweep.dataset import key_maker
 
-    plan, model = checked(load_plan(file), allow_code, quiet)
+    plan, model = checked(load_plan(file, allow_code), allow_code, quiet)
     folder = DatasetFolder(output or f"{Path(file).stem}-data")
     key_of = key_maker(plan, model)
     cases = [(case, key_of(case)) for case in plan.cases() if case.index % shard[1] == shard[0] - 1]

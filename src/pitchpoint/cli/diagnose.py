@@ -156,5 +156,5 @@ def _print(found: Study, quiet: bool) -> None:
     table("Tests", heads, rows)
     if quiet:
         return
-    for text in (*found.diagnosis.untold, *found.diagnosis.untested, *found.remarks):
+    for text in (*found.diagnosis.unreported, *found.diagnosis.untested, *found.remarks):
         show(f"note: {text}")

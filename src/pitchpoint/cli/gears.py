@@ -27,7 +27,7 @@ MEASURES = (
 FORMATS = (".dxf", ".svg", ".stl", ".csv", ".step", ".stp")
 SHAFT_FORMATS = (".stl", ".step", ".stp")
 POINTS_A_FLANK = 20
-"""Points of a flank in drawings and solids where the gear says nothing."""
+"""Points of a flank in drawings and solids where the gear gives no information."""
 
 
 @click.command()
@@ -38,7 +38,7 @@ POINTS_A_FLANK = 20
     help="Write a drawing (dxf, svg), points (csv) or a solid (stl, step).",
 )
 @writes("--preview", help="Draw the teeth (svg): tool, circles by name, active flanks.")
-@click.option("--gear", "only", metavar="NAME", help="The gear to draw; the only one if left out.")
+@click.option("--gear", "only", metavar="NAME", help="The gear to draw; the only one if omitted.")
 @click.option("--shaft", metavar="NAME", help="An elastic shaft to export instead, as stl or step.")
 @as_json
 @allow_code
@@ -63,11 +63,13 @@ def gears(
     model = read_model(file, allow_code, quiet)
     if shaft is not None and (target is None or only is not None):
         raise click.BadParameter(
-            "is for --export" if target is None else "stands beside --gear", param_hint="--shaft"
+            "is for --export" if target is None else "cannot be combined with --gear", param_hint="--shaft"
         )
     if preview is not None:
         if target is not None:
-            raise click.BadParameter("stands beside --export; one of them at a time", param_hint="--preview")
+            raise click.BadParameter(
+                "cannot be combined with --export; one of them at a time", param_hint="--preview"
+            )
         drawn = _chosen(model, only)
         _preview(model, drawn, Path(preview), [file, *_profiles(model, file)])
         if not as_json:

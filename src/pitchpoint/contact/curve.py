@@ -104,7 +104,7 @@ def line_piece(start: ArrayLike, end: ArrayLike) -> FloatArray:
 
 
 def arc_piece(center: ArrayLike, radius: float, start: float, sweep: float) -> FloatArray:
-    """An arc of a circle, as a row for `chain`.
+    """An arc of a circle, as a row for `chain`, shape (n,).
 
     Parameters
     ----------
@@ -158,9 +158,14 @@ def chain(rows: Sequence[FloatArray], closed: bool) -> Curve:
     Parameters
     ----------
     rows
-        Pieces in the order they are walked; each begins where the one before ends.
+        Pieces in their order, rows of equal shape; each begins where the previous one ends.
     closed
         Whether the last ends where the first begins.
+
+    Raises
+    ------
+    ValueError
+        If a piece does not end where the next one begins.
 
     Examples
     --------
@@ -208,7 +213,7 @@ def circle(radius: float, center: tuple[float, float] = (0.0, 0.0), hole: bool =
 
 
 def vertex(x: float = 0.0, y: float = 0.0) -> FloatArray:
-    """A point, as a row for `chain`: an arc of radius zero, all the way round.
+    """A point, as a row (shape as of `arc_piece`) for `chain`: a full circle of radius zero.
 
     Parameters
     ----------
@@ -234,6 +239,11 @@ def polygon(points: ArrayLike, radii: ArrayLike = 0.0, closed: bool = True) -> C
         Radius of the arc at each corner [m], one number or shape (n,); the ends of an open one have none.
     closed
         Whether the last corner is joined to the first.
+
+    Raises
+    ------
+    ValueError
+        If the arcs at two neighbouring corners overlap.
 
     Examples
     --------
@@ -284,6 +294,11 @@ def spline(points: ArrayLike, closed: bool = True) -> Curve:
     closed
         Whether it goes on from the last point to the first.
 
+    Raises
+    ------
+    ValueError
+        If two consecutive points coincide.
+
     Examples
     --------
     >>> angle = np.linspace(0.0, TWO_PI, 40, endpoint=False)
@@ -312,7 +327,7 @@ def spline(points: ArrayLike, closed: bool = True) -> Curve:
 
 
 def involute_piece(r_b: float, phase: float, u: tuple[float, float], hand: int = 1) -> FloatArray:
-    """Piece of the involute of a circle about the origin, as a row for `chain`.
+    """Piece of the involute of a circle about the origin, as a row (shape as of `arc_piece`) for `chain`.
 
     Parameters
     ----------
@@ -325,6 +340,11 @@ def involute_piece(r_b: float, phase: float, u: tuple[float, float], hand: int =
         r_b sqrt(1 + u^2).
     hand
         1 if it unwinds counter-clockwise, -1 clockwise.
+
+    Raises
+    ------
+    ValueError
+        If the base radius is not above 0, or the roll angles are equal or negative.
 
     Examples
     --------

@@ -56,7 +56,7 @@ def line_stiffness(compliance_1: float, compliance_2: float) -> float:
 
 
 def half_width(load: ArrayLike, radius: ArrayLike, compliance_1: float, compliance_2: float) -> FloatArray:
-    """Half width of the contact, b_H = sqrt(4 q R (compliance_1 + compliance_2)/pi) [m].
+    """Half width of the contact, b_H = sqrt(4 q R (compliance_1 + compliance_2)/pi) [m], shape of q R.
 
     Parameters
     ----------
@@ -84,7 +84,8 @@ def half_width(load: ArrayLike, radius: ArrayLike, compliance_1: float, complian
 
 
 def flank_radius(T1Y: ArrayLike, T1T2: ArrayLike, beta_b: float) -> FloatArray:
-    """Reduced radius of curvature of two involute flanks, square to their contact line [m].
+    """Reduced radius of curvature of two involute flanks, normal to their contact line [m], shape of T1Y
+    T1T2.
 
     Parameters
     ----------
@@ -112,7 +113,7 @@ def flank_radius(T1Y: ArrayLike, T1T2: ArrayLike, beta_b: float) -> FloatArray:
 
 
 def peak_pressure(load: ArrayLike, width: ArrayLike) -> FloatArray:
-    """Largest pressure of the contact, p_0 = 2 q/(pi b_H) [Pa].
+    """Maximum pressure of the contact, p_0 = 2 q/(pi b_H) [Pa], shape of q b_H.
 
     Parameters
     ----------
@@ -132,7 +133,8 @@ def peak_pressure(load: ArrayLike, width: ArrayLike) -> FloatArray:
 def line_approach(
     load: ArrayLike, depth: ArrayLike, width: ArrayLike, compliance: float, nu: float
 ) -> FloatArray:
-    """How far a point at some depth below the contact approaches the contact point in one body [m].
+    """Approach of a point at a depth below the contact to the contact point in one body [m], shape of q h
+    b_H.
 
     Parameters
     ----------

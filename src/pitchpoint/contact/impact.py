@@ -57,6 +57,11 @@ def restitution_factor(e: float) -> float:
     e
         Coefficient of restitution, in (0, 1].
 
+    Raises
+    ------
+    ValueError
+        If e is not in (0, 1].
+
     Notes
     -----
     m delta'' = -K delta^n (1 + a delta') separates into delta' d(delta')/(1 + a delta') and a function of
@@ -160,6 +165,11 @@ def set_restitution(
     every_speed
         Hysteresis instead of Hunt-Crossley: e at all speeds well above `speed`.
 
+    Raises
+    ------
+    ValueError
+        If the speed is not above 0.
+
     Examples
     --------
     >>> record = np.zeros((), np.dtype(CONTACT_LAW))
@@ -188,6 +198,11 @@ def set_friction(record: np.void, mu_s: float, mu_d: float, v_s: float, v_d: flo
         Static and dynamic coefficient.
     v_s, v_d
         Sliding velocity of the static coefficient and of full slip [m/s], 0 < v_s < v_d.
+
+    Raises
+    ------
+    ValueError
+        If a coefficient is negative, or the velocities are not 0 < v_s < v_d.
 
     Examples
     --------

@@ -24,6 +24,9 @@ SMALLEST_OVERLAP = 1e-14
 #: Pieces shorter than this (in base pitches) are skipped when they are only round-off.
 SHORTEST_PIECE = 1e-15
 
+ROUND_OFF = 1e-12
+"""Share of the greatest stiffness up to which the least is the round-off of zero: no pair in contact."""
+
 _GAUSS_X, _GAUSS_W = leggauss(3)
 _NODES = 0.5 - 0.5 * np.cos(np.pi * (np.arange(5) + 0.5) / 5.0)
 _TO_POLYNOMIAL = np.linalg.inv(np.vander(2.0 * _NODES - 1.0, increasing=True))
@@ -38,7 +41,7 @@ class Piece:
     polynomial: Polynomial
 
     def at(self, psi: ArrayLike) -> Array:
-        """Stiffness at phases inside the piece; its ends give the one-sided limits.
+        """Stiffness at phases inside the piece, shape of psi; its ends give the one-sided limits.
 
         >>> Piece(0.0, 0.5, Polynomial([1.0, 1.0])).at([0.0, 0.5]).tolist()
         [0.0, 2.0]
@@ -197,6 +200,11 @@ def pair_cycle(shape: PairShape, eps_alpha: float, eps_beta: float = 0.0, n: int
     MeshCycle
         See there. The phase is zero when a pair starts contact at mid-face.
 
+    Raises
+    ------
+    ModelError
+        If a contact ratio is out of range.
+
     Notes
     -----
     The total is the moving average, over eps_beta base pitches, of the spur gear's wave (L. Mauer, SIMPACK
@@ -216,10 +224,12 @@ def pair_cycle(shape: PairShape, eps_alpha: float, eps_beta: float = 0.0, n: int
     pieces = _pieces(line, eps_beta)
     extremes = [piece.extremes() for piece in pieces]
     low, high = min(e[0] for e in extremes), max(e[1] for e in extremes)
+    low = low if low > ROUND_OFF * high else 0.0
     phase = np.linspace(0.0, 1.0, n)
+    ratio = _sample(pieces, phase)
     return MeshCycle(
         phase=phase,
-        stiffness_ratio=_sample(pieces, phase),
+        stiffness_ratio=np.where(ratio > ROUND_OFF * high, ratio, 0.0),
         mean=line.integral(),
         minimum=low,
         maximum=high,

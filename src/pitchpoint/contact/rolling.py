@@ -56,6 +56,11 @@ def ellipse(difference: float) -> tuple[float, float, float]:
     difference
         Curvature difference F(rho), 0 (circle) up to, but not, 1 (line).
 
+    Raises
+    ------
+    ValueError
+        If the curvature difference is not in [0, 1).
+
     Notes
     -----
     The ratio k = a/b solves F = ((k^2 + 1) E - 2 K)/((k^2 - 1) E) with the complete elliptic integrals K and

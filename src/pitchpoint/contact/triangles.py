@@ -103,7 +103,13 @@ class TriangleSurface:
         return cls(corners[first], faces[kept])
 
     def normals(self) -> tuple[FloatArray, FloatArray]:
-        """Unit normals of the faces, shape (m, 3), and their areas [m^2]."""
+        """Unit normals of the faces, shape (m, 3), and their areas [m^2].
+
+        Raises
+        ------
+        ValueError
+            If a triangle has no area.
+        """
         a, b, c = (self.vertices[self.faces[:, k]] for k in range(3))
         across = np.cross(b - a, c - a)
         size = np.linalg.norm(across, axis=1)
@@ -122,7 +128,7 @@ class TriangleSurface:
         return bool(np.isin(two * many + one, one * many + two).all())
 
     def packed(self) -> FloatArray:
-        """The surface as one float array for the kernels.
+        """The surface as one float array for the kernels, shape (n,).
 
         Raises
         ------

@@ -13,6 +13,7 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.core.compiling import unhindered
 
 if TYPE_CHECKING:
@@ -48,12 +49,12 @@ def delegate(entries: Sequence[str]) -> None:
         return
     try:
         process = subprocess.Popen(
-            [sys.executable, "-m", __name__, *wanted],
+            python_command("-m", __name__, *wanted),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
             text=True,
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(p or os.curdir for p in sys.path)},
+            env=python_environment(),
         )
     except OSError:
         return

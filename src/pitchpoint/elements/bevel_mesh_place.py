@@ -125,11 +125,12 @@ def place_flanks(b, f, g):
     u = first + second + b["u0"]
     n1 = b["z1"] * f["turns"]
     n2 = b["z2"] * g["turns"]
-    if b["carried"] == 0:
+    fewer = min(abs(b["z1"]), abs(b["z2"]))
+    if b["carried"] == 0 and abs(u + p_bt * (n1 + n2)) <= 0.5 * p_bt * fewer:
         n = n1 - n2
         u += p_bt * (n1 + n2)
     else:
-        # whole turns of the carrier are whole teeth of both gears: the nearest teeth are those in mesh
+        # whole turns of the plane of the axes are whole teeth of a gear: the nearest teeth are those in mesh
         k = int(math.floor(u / p_bt + 0.5))
         u -= p_bt * k
         n = 2 * n1 + k

@@ -79,8 +79,10 @@ RECORD_BYTES = RECORD.itemsize
 #: Added to the event functions of the flank that is farther from contact: no sign changes there.
 AWAY = 10.0
 
-#: Half the step of phase for the slope of a user's stiffness law; only the parametric power needs it.
 _STEP = 1e-5
+"""Largest step of phase for the rate of a user's stiffness law; only the parametric power needs it."""
+_STEP_OF_TIME = 1e-6
+"""Largest step of time for the same [s]."""
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
@@ -119,24 +121,28 @@ def _begin(b, flank):
 
 
 @kernel
-def _user_ratio(b, psi):
-    """k(psi)/mean by a user's law."""
+def _user_ratio(b, t, psi):
+    """k(t, psi)/mean by a user's law."""
     if b["c_prime"] == 0.0:  # solvers take the spring of a mesh out like this
         return 0.0
-    return call_law(b["law"], 0.0, psi - math.floor(psi), b["pool"] + 8 * b["params"]) / b["c_prime"]
+    return call_law(b["law"], t, psi - math.floor(psi), b["pool"] + 8 * b["params"]) / b["c_prime"]
 
 
 @kernel
-def _stiffness_ratio(b, watch):
-    """k(psi)/mean of a prescribed stiffness and its slope; that of a user's law (by differences) if asked."""
+def _stiffness_ratio(b, t, watch):
+    """k/mean of a prescribed stiffness and its rate [1/s]; that of a user's law only if observed."""
+    phase_rate = b["phase_rate"][0 if b["flank"] > 0 else 1]
     if b["form"] == USER:
-        slope = 0.0
+        rate = 0.0
         if watch:
-            slope = (_user_ratio(b, b["psi"] + _STEP) - _user_ratio(b, b["psi"] - _STEP)) / (2.0 * _STEP)
-        return _user_ratio(b, b["psi"]), slope
+            step = min(_STEP_OF_TIME, _STEP / max(abs(phase_rate), _STEP))
+            ahead = _user_ratio(b, t + step, b["psi"] + step * phase_rate)
+            rate = (ahead - _user_ratio(b, t - step, b["psi"] - step * phase_rate)) / (2.0 * step)
+        return _user_ratio(b, t, b["psi"]), rate
     n = b["n_k"]
     cosine = view(pooled(b, b["cosine"]), n, F8)
-    return phase_stiffness(b["psi"], b["form"], n, cosine, view(pooled(b, b["sine"]), n, F8))
+    ratio, slope = phase_stiffness(b["psi"], b["form"], n, cosine, view(pooled(b, b["sine"]), n, F8))
+    return ratio, slope * phase_rate
 
 
 @kernel
@@ -163,10 +169,10 @@ def _sum(b, ctl, watch, x_0):
     b["tilt"] = b["kappa"]
     b["growth"] = 0.0
     if b["source"] == PHASE:
-        ratio, slope = _stiffness_ratio(b, watch is not None)
+        ratio, rate = _stiffness_ratio(b, ctl["t"], watch is not None)
         if not math.isfinite(ratio):
             return NOT_FINITE
-        phase_flank(b, ctl, watch, x_0, ratio, slope)
+        phase_flank(b, ctl, watch, x_0, ratio, rate)
     else:
         b["tilt"] = b["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
         b["growth"] = (b["hi_rate"] - b["lo_rate"]) / (b["z_hi"] - b["z_lo"])

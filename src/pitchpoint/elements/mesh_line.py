@@ -100,8 +100,26 @@ def line_of_action(b, f, g):
         whole2 += carried_turns(g, f, turn2, turn1)
     elif b["carried"] == 2:
         whole1 += carried_turns(f, g, turn1, turn2)
+    else:
+        # both frames are on one base and see the line of centres turn alike: past half a turn together
+        turn2 -= 2.0 * math.pi * math.floor((turn2 - turn1) / (2.0 * math.pi) + 0.5)
+        turned = turns_of_line(b, f["phi"] - turn1, whole1, g["phi"] - turn2, whole2)
+        whole1 -= turned
+        whole2 -= turned
     _travel(b, f["phi"] - turn1, whole1, g["phi"] - turn2, whole2)
     return OK
+
+
+@kernel
+def turns_of_line(b, phi1, turns1, phi2, turns2):
+    """Whole turns of the line of centres that neither frame can see, from the spins of both gears.
+
+    A turn of the line moves p_bt (z1 + z2) of travel past the flanks. Teeth that mesh are always the nearest
+    ones, so that the travel is never more than half of that.
+    """
+    teeth = b["z1"] + b["z2"]
+    over = (b["r_b1"] * phi1 + b["r_b2"] * phi2) / b["p_bt"] + (b["z1"] * turns1 + b["z2"] * turns2)
+    return int(math.floor(over / teeth + 0.5))
 
 
 @kernel

@@ -178,10 +178,13 @@ def nearer(start, end, stop):
 
 
 @kernel
-def phase_flank(b, ctl, watch, x_0, ratio, slope):
-    """A prescribed total stiffness, spread evenly over the shared face width, acting at the pitch point."""
+def phase_flank(b, ctl, watch, x_0, ratio, rate):
+    """A prescribed total stiffness, spread evenly over the shared face width, acting at the pitch point.
+
+    `ratio` of the stiffness to its mean and the rate of that ratio [1/s].
+    """
     k = b["c_prime"] * ratio
-    k_rate = b["c_prime"] * slope * b["phase_rate"][0 if b["flank"] > 0 else 1]
+    k_rate = b["c_prime"] * rate
     lo = b["z_lo"]
     hi = b["z_hi"]
     if b["tilt"] == 0.0 and b["fixed"] == 1:

@@ -143,6 +143,11 @@ class BevelGear:
         **others
             The other fields of the class, unchanged.
 
+        Raises
+        ------
+        GeometryError
+            If a number is outside its range, or the other fields do not make a gear.
+
         Examples
         --------
         >>> round(BevelGear.of_outer_module(z=20, m_et=3e-3, delta=math.atan(0.5), b=22e-3).m_mn * 1e3, 6)

@@ -2,7 +2,7 @@
 """Two bevel gears in mesh: plane of action, path of contact, contact ratios, backlash.
 
 Both gears have one apex and roll on their pitch cones. The plane of action goes through the apex and touches
-both base cones. Its rays are told by the angle σ from the ray where it touches base cone 1; contact runs
+both base cones. Its rays are described by the angle σ from the ray where it touches base cone 1; contact runs
 from A, the tip cone of gear 2, to E, the tip cone of gear 1. Straight teeth touch along rays, spiral ones
 along logarithmic spirals, σ = σ₀ ± tan β_b1 ln(R/R_m): + on the left (counter-clockwise) flanks of gear 1,
 − on the right ones.
@@ -224,7 +224,7 @@ class BevelPair:
         return self.R_m * self.sigma_j * math.cos(self.beta_b)
 
     def mate_angle(self, angle1: float, ray1: float, ray2: float) -> float:
-        """Where a tooth of gear 2 stands so that the backlash is equal on both sides.
+        """Angular position of a tooth of gear 2 with equal backlash on both sides.
 
         Parameters
         ----------
@@ -240,7 +240,7 @@ class BevelPair:
 
         Notes
         -----
-        A tooth of gear 1 on the pitch ray stands in a space of gear 2; from there z₁ dθ₁ = −z₂ dθ₂, as both
+        A tooth of gear 1 on the pitch ray is in a space of gear 2; from there z₁ dθ₁ = −z₂ dθ₂, as both
         axes point away from the apex.
 
         Examples
@@ -252,7 +252,7 @@ class BevelPair:
         """
         z1, z2 = self.gear1.z, self.gear2.z
         phase = math.remainder(math.pi - z1 * (angle1 - ray1), 2.0 * math.pi)
-        # spiral teeth stand elsewhere at another cone distance
+        # spiral teeth are at another angle at another cone distance
         return ray2 + phase / z2 + self.gear2.spiral_rate * math.log(self.gear2.R_m / self.gear1.R_m)
 
     def problems(
@@ -274,7 +274,7 @@ class BevelPair:
         return bevel_pair_problems(self, where, names, gears)
 
     def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Problem]:
-        """What runs, but not as drawings promise: faces beside each other, tips below the mate's involute."""
+        """Pairs that run, but not as drawn: faces without overlap, tips below the mate's involute."""
         from pitchpoint.geometry.bevel_problems import bevel_pair_warnings
 
         return bevel_pair_warnings(self, where, names)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import Problem
 from pitchpoint.geometry.tooth_problems import (
     INTERFERENCE_TOLERANCE,
-    Told,
+    Found,
     Words,
     at_key,
     full_rounding,
@@ -66,10 +66,12 @@ def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Problem]:
     >>> [problem.where for problem in bevel_gear_problems(gear, "gears.pinion")]
     ['gears.pinion.profile_shift_coefficient']
     """
-    return problems_of_gear(where, lambda: _no_tooth(gear), lambda: _pointed(gear))
+    return problems_of_gear(
+        where, lambda: _no_tooth(gear), lambda: _thin_tip(gear) if tip_thickness(gear) <= 0.0 else None
+    )
 
 
-def _no_tooth(gear: BevelGear) -> Told | None:
+def _no_tooth(gear: BevelGear) -> Found | None:
     """Why a gear has no tooth or no flank."""
     shift, heights = f"{gear.x_hm:g}", "change the profile shift or the rack"
     if not gear.h_am > -gear.h_fm or not gear.h_fm > 0.0:
@@ -87,19 +89,35 @@ def _no_tooth(gear: BevelGear) -> Told | None:
     return None
 
 
-def _pointed(gear: BevelGear) -> Told | None:
-    """A tip that is too thin in the middle of the face; at every other place it is so, too."""
+def tip_thickness(gear: BevelGear) -> float:
+    """Normal tip thickness in the middle of the face [m]; at every other place it is in proportion.
+
+    Parameters
+    ----------
+    gear
+        The gear.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.bevel_gear import BevelGear
+    >>> round(tip_thickness(BevelGear(z=20, m_mn=2e-3, delta=0.5, b=5e-3)) / 2e-3, 3)
+    0.711
+    """
     half = gear.half_angle_at(gear.delta_a)
-    tip = 2.0 * half * gear.R_m * math.sin(gear.delta_a) * math.cos(gear.beta_at(gear.delta_a))
+    return 2.0 * half * gear.R_m * math.sin(gear.delta_a) * math.cos(gear.beta_at(gear.delta_a))
+
+
+def _thin_tip(gear: BevelGear) -> Found | None:
+    """A thin or pointed tip."""
     # teeth that are thin all over are so by their thickness, others by their height
     thin = gear.s_mt < 0.8 * 0.5 * math.pi * gear.m_mt
     key, value = gear.thickness_cause() if thin else ("profile_shift_coefficient", f"{gear.x_hm:g}")
     remedy = "take a smaller magnitude" if thin else "reduce it, or the addendum of the rack"
-    return thin_tip(tip / gear.m_mn, "m_mn", key, value, remedy)
+    return thin_tip(tip_thickness(gear) / gear.m_mn, "m_mn", key, value, remedy)
 
 
 def bevel_gear_warnings(gear: BevelGear, where: str = "") -> list[Problem]:
-    """What is odd about a bevel gear that can be made: a wide face, a tool without room for its root radius.
+    """What is unusual about a bevel gear that can be made: wide face, thin tip, no room for the root radius.
 
     Parameters
     ----------
@@ -135,7 +153,7 @@ distance); reduce it, or use more teeth or a larger module
         (WIDE_CONE * gear.R_e, "a third of the outer cone distance"),
         (WIDE_MODULES * gear.m_et, "ten outer modules"),
     )
-    found, (most, which) = [], min(limits)
+    found, (most, which) = problems_of_gear(where, lambda: _thin_tip(gear)), min(limits)
     if gear.b > most * (1.0 + 1e-9):
         message, limit = "is a wide face for a bevel gear", f"{_mm(most)}, {which}"
         remedy = "reduce it, or use more teeth or a larger module"
@@ -243,10 +261,10 @@ def _slack(pair: BevelPair) -> float:
 
 
 def _words() -> Words:
-    """How problems of bevel pairs are told."""
+    """Terms of messages about bevel pairs."""
     return Words(
         surface="cone",
-        beside="tangent ray",
+        tangent="tangent ray",
         path=_degrees,
         heights="give gear and mate opposite profile shifts, or change addendum or dedendum",
         shifts="increase the mate's profile shift and reduce its own, use more teeth or a smaller addendum",

@@ -124,7 +124,7 @@ def bevel_outline(
 
 
 def bevel_slices(gear: BevelGear, error: float, most: int = MOST_SLICES) -> FloatArray:
-    """Cone distances between which a tooth may be drawn straight [m], from R_i to R_e.
+    """Cone distances between which a tooth may be drawn straight [m], from R_i to R_e, shape (n,).
 
     Parameters
     ----------
@@ -174,14 +174,14 @@ def bevel_sector(
     outline
         Points of the pitch.
     slices
-        Cone distances from R_i to R_e [m].
+        Cone distances from R_i to R_e [m], shape (n,).
     bore_diameter, rim_thickness
         The body, as in `pitchpoint.geometry.bevel_blank.bevel_blank` [m].
     corners
         Corners of the circles of the body, at least.
     whole
-        Cone distances between which the tooth stands [m]; beyond them it is broken off at its root. None: all
-        of it stands.
+        Cone distances between which the tooth is complete [m]; beyond them it is broken off at its root.
+        None: complete.
 
     Raises
     ------
@@ -203,7 +203,7 @@ def bevel_sector(
         made.quads(low, high)
     ends = [_end(made, gear, replace(outline, polar=cones[k][:-1]), rings[k], places[k][0]) for k in (-1, 0)]
     at = ends[0][1]
-    # the back cone goes on from the teeth to the rim: it counts with them
+    # the back cone continues from the teeth to the rim: it counts with them
     teeth = len(made.faces) + 1
     around = np.linspace(at[0], at[-1], max(1, math.ceil(corners / gear.z)) + 1)
     _close(made, gear, [line for line, _ in ends], (at, around), blank)
@@ -211,7 +211,7 @@ def bevel_sector(
 
 
 def _places(slices: FloatArray, whole: tuple[float, float] | None) -> list[tuple[float, bool]]:
-    """Cone distances of the rings of a tooth, and whether it stands there; both at the faces of a break."""
+    """Cone distances of the rings of a tooth, and whether it is complete there; two per break face."""
     low, high = whole or (slices[0], slices[-1])
     if low >= high:
         return [(float(R), False) for R in slices]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Exact tooth of a bevel gear: spherical involutes and the fillet that the crown gear's teeth leave.
 
-All teeth of all cone distances are similar, so one tooth on the unit sphere is enough. Its points are told
-by the polar angle δ_y and the half angle of the tooth there; `placed` puts them into space, along the
-logarithmic spiral of the gear.
+All teeth of all cone distances are similar, so one tooth on the unit sphere is enough. Its points are
+described by the polar angle δ_y and the half angle of the tooth there; `placed` puts them into space, along
+the logarithmic spiral of the gear.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ class BevelTooth:
         Parameters
         ----------
         tau
-            Parameters between `tau_root` and `tau_form` [rad].
+            Parameters between `tau_root` and `tau_form` [rad], shape (n,).
 
         Returns
         -------
@@ -109,7 +109,7 @@ class BevelTooth:
         return _generated(self.tool, self.gear, np.asarray(tau, float))
 
     def involute(self, sigma: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Points of the involute: polar angles and half angles of the tooth at rolls σ [rad]."""
+        """Points of the involute: polar and half angles of the tooth [rad] at rolls σ, shapes (n,)."""
         gear = self.gear
         s, c = math.sin(gear.delta_b), math.cos(gear.delta_b)
         polar = np.arctan2(np.hypot(s * np.cos(sigma), np.sin(sigma)), c * np.cos(sigma))
@@ -126,8 +126,8 @@ class BevelTooth:
 
         Returns
         -------
-        polar, half_angle : ndarray
-            [rad].
+        polar, half_angle : ndarray,
+            shape (n_fillet + n_involute,) [rad].
         """
         tau = np.linspace(self.tau_root, self.tau_form, n_fillet + 1)[:-1]
         sigma = np.linspace(self.sigma_form, self.gear.sigma_a, n_involute)
@@ -208,7 +208,7 @@ def _generated(tool: CrownTool, gear: BevelGear, tau: FloatArray) -> tuple[Float
     # from a centre on the other side of the pitch plane the tip lies towards the pitch ray
     a, b = math.cos(tool.rho), math.copysign(math.sin(tool.rho), -c) / beside
     x, y, z = a * x - b * beside**2, (a + b * x) * y, (a + b * x) * c
-    # frame of the gear, whose axis stands beyond the pitch plane
+    # frame of the gear, whose axis lies beyond the pitch plane
     s, c = math.sin(gear.delta), math.cos(gear.delta)
     radial, axial = s * x + c * z, c * x - s * z
     azimuth = np.arctan2(-y, radial) - tau / s
@@ -330,7 +330,7 @@ def at_cone(gear: BevelGear, polar: FloatArray, R: float) -> FloatArray:
     gear
         The gear.
     polar
-        Polar angles of the points [rad].
+        Polar angles of the points [rad], shape (n,).
     R
         Distance from the apex at which the cone crosses the pitch cone [m].
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Clearances of a pair that is put together: how near its teeth come to each other, and where.
+"""Clearances of a pair that is assembled: how near its teeth come to each other, and where.
 
 The transverse sections of both gears are rolled through one pitch, at the centre distance of the pair, in
 the middle of their backlash and with the flanks of either side touching. On parallel axes every section of
@@ -28,7 +28,7 @@ FloatArray = NDArray[np.float64]
 FRONT, BACK = "front_flanks", "back_flanks"
 TIP_1_ROOT_2, TIP_2_ROOT_1 = "tip_1_root_2", "tip_2_root_1"
 KINDS = (FRONT, BACK, TIP_1_ROOT_2, TIP_2_ROOT_1, "tip_1_fillet_2", "tip_2_fillet_1", "tips")
-"""What may come near each other; `tips` of internal pairs, beside the path of contact."""
+"""What may come near each other; `tips` of internal pairs, next to the path of contact."""
 ACCURACY = 1e-4
 """Error of a distance in normal modules, at most: chords of the fillets on both gears."""
 TIP_ROOT = 0.1

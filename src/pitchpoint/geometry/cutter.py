@@ -39,7 +39,7 @@ class PinionCutter:
     Raises
     ------
     GeometryError
-        If a value is no such number.
+        If a value is not a such number.
 
     Examples
     --------
@@ -230,7 +230,7 @@ def cutter_fillet(
     r_b0 = r_b * z_0 / z
 
     def centre_angle(radius: float) -> float:
-        """Angle at which the centre of a tip rounding of this radius stands beside its tooth [rad]."""
+        """Angle at which the centre of a tip rounding of this radius lies next to its tooth [rad]."""
         return psi_b0 - radius / r_b0 - inv(math.acos(min(1.0, r_b0 / (r_a0 - radius))))
 
     if not r_a0 > r_b0 or centre_angle(0.0) <= 0.0:

@@ -254,7 +254,7 @@ class CylindricalGear:
     def d_f(self) -> float:
         """Root diameter [m]: as given, as the cutter leaves it, or d − 2 m_n (h_fP* − x).
 
-        The nominal profile shift counts here; what thinning the teeth adds in depth is in `d_fE`.
+        The nominal profile shift counts here; what reducing the tooth thickness adds in depth is in `d_fE`.
         """
         return self._root_diameter(self.x)
 

@@ -199,7 +199,7 @@ def _resample(values: ArrayLike, z: FloatArray, roll: FloatArray, gear: Cylindri
     """Bilinear interpolation of a flank map, constant beyond its edges; shape (n_z, n_roll)."""
     grid = np.asarray(values, dtype=float)
     if grid.ndim != 2 or grid.size == 0 or not np.isfinite(grid).all():
-        raise _refuse("flank_maps.values", "is no grid of finite numbers", grid.shape, "(n_roll, n_z)")
+        raise _refuse("flank_maps.values", "is not a grid of finite numbers", grid.shape, "(n_roll, n_z)")
     root, tip = flank_range(gear)
 
     def weights(share: FloatArray, n: int) -> FloatArray:

@@ -70,7 +70,7 @@ class GearPair:
         a_w = self.a_w
         if isinstance(a_w, bool) or not isinstance(a_w, (int, float)) or not 1e-12 < abs(a_w) < 1e9:
             raise GeometryError(
-                "is no centre distance", where="center_distance", value=f"{a_w!r} m", limit="finite, not zero"
+                "is not possible", where="center_distance", value=f"{a_w!r} m", limit="finite, not zero"
             )
         if a_w * self._sign <= 0.0:
             raise GeometryError(
@@ -84,6 +84,11 @@ class GearPair:
     @classmethod
     def at_distance(cls, gear1: CylindricalGear, gear2: CylindricalGear, distance: float) -> GearPair:
         """Pair at a centre distance given as a positive length [m], whether gear 2 is internal or not.
+
+        Raises
+        ------
+        GeometryError
+            If the distance is not above 0.
 
         Examples
         --------
@@ -162,7 +167,13 @@ class GearPair:
 
     @cached_property
     def inv_alpha_w0(self) -> float:
-        """inv α_w0 of the given profile shifts: where the pair has no backlash, allowances not counted."""
+        """inv α_w0 of the given profile shifts: where the pair has no backlash, allowances not counted.
+
+        Raises
+        ------
+        GeometryError
+            If an internal gear has as many teeth as its pinion.
+        """
         if self.z_sum == 0:
             raise GeometryError(
                 "have the same number of teeth",
@@ -221,7 +232,7 @@ class GearPair:
         """Start of contact, where gear 2's tip enters the line of action [m].
 
         The tips alone decide, as in the formula of the standard; where a root form circle ends the involute
-        sooner is in `T1A_form` and `eps_alpha_form`, and `warnings` says so.
+        sooner is in `T1A_form` and `eps_alpha_form`, and `warnings` reports this.
         """
         return self.T1T2 - self.gear2.sign * _leg(self.gear2.d_Fa, self.gear2.d_b)
 

@@ -50,7 +50,7 @@ class Sector:
     blank: int
 
     def part(self, first: int, last: int) -> tuple[FloatArray, IntArray]:
-        """Points and triangles of some of it."""
+        """Points, shape (n, 3) [m], and triangles, shape (m, 3), of a range of triangles."""
         used, faces = np.unique(self.triangles[first:last], return_inverse=True)
         return self.points[used], faces.reshape(-1, 3)
 
@@ -61,7 +61,7 @@ def thinned(line: NDArray[np.complex128], error: float) -> IntArray:
     Parameters
     ----------
     line
-        Points x + iy.
+        Points x + iy, shape (n,).
     error
         Largest distance, in their unit.
 
@@ -104,7 +104,7 @@ class Outline:
     points: NDArray[np.complex128]
 
     def flank(self, side: str) -> IntArray:
-        """Numbers of the points of a flank from its foot to the tip; right is the clockwise one."""
+        """Numbers of the points of a flank from root to tip, shape (n,); right is the clockwise flank."""
         found = np.flatnonzero(self.region == 1)
         tip = int(np.argmax(self.region == 3))
         return found[found < tip] if side == "right" else found[found > tip][::-1]
@@ -158,7 +158,7 @@ def pitch_outline(
 
 
 def slices_for(gear: CylindricalGear, error: float) -> FloatArray:
-    """Heights between which a helical tooth may be drawn straight [m], from -b/2 to b/2.
+    """Heights between which a helical tooth may be drawn straight [m], from -b/2 to b/2, shape (n,).
 
     Parameters
     ----------
@@ -261,7 +261,7 @@ class Pieces:
         self.count = 0
 
     def add(self, plane: NDArray[np.complex128], z: float, turn: float) -> IntArray:
-        """Put points at a height, turned about the axis; gives their numbers."""
+        """Add points x + iy, shape (n,), at a height, turned about the axis; returns their numbers."""
         turned = plane * np.exp(1j * turn)
         return self.put(np.column_stack([turned.real, turned.imag, np.full(plane.size, z)]))
 
@@ -272,16 +272,16 @@ class Pieces:
         return np.arange(self.count - len(points), self.count)
 
     def quads(self, first: IntArray, second: IntArray) -> None:
-        """Join two lines of equally many points."""
+        """Join two lines of equally many points, given by their numbers, shapes (n,)."""
         a, b, c, d = first[:-1], first[1:], second[1:], second[:-1]
         self.faces += [np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]
 
     def zip(self, first: IntArray, at: FloatArray, second: IntArray, other: FloatArray) -> None:
-        """Join two lines that run side by side, the point that comes next along them first."""
+        """Join two parallel lines of points, shapes (n,) and (m,), in the order of their coordinates."""
         i = j = 0
         found = []
         while i < first.size - 1 or j < second.size - 1:
-            # the line that lags behind goes on, by the middle of its next piece
+            # the line that lags behind continues, by the middle of its next piece
             mine = 0.5 * (at[i] + at[i + 1]) if i < first.size - 1 else math.inf
             theirs = 0.5 * (other[j] + other[j + 1]) if j < second.size - 1 else math.inf
             if mine <= theirs:
@@ -293,7 +293,7 @@ class Pieces:
         self.faces.append(np.array(found, np.int64))
 
     def sector(self, blank: int, flipped: bool) -> Sector:
-        """All of it; triangles without area are left out. The blank begins with a list of faces."""
+        """All of it; triangles without area are omitted. The blank begins with a list of faces."""
         points, faces = np.concatenate(self.points), np.concatenate(self.faces)
         a, b, c = (points[faces[:, k]] for k in range(3))
         area = np.linalg.norm(np.cross(b - a, c - a), axis=1)

@@ -43,7 +43,10 @@ def inv(alpha: float) -> float:
     """
     if not abs(alpha) < 0.5 * math.pi:
         raise GeometryError(
-            "is no pressure angle of an involute", where="alpha", value=f"{alpha!r} rad", limit="below pi/2"
+            "is not a pressure angle of an involute",
+            where="alpha",
+            value=f"{alpha!r} rad",
+            limit="below pi/2",
         )
     if abs(alpha) < _SERIES_LIMIT:
         square = alpha * alpha

@@ -61,7 +61,7 @@ class Material:
             value = getattr(self, where)
             if isinstance(value, bool) or not isinstance(value, (int, float)) or not low < value < high:
                 raise GeometryError(
-                    "is no property of a material", where=where, value=f"{value!r}", limit=limit
+                    "is not a property of a material", where=where, value=f"{value!r}", limit=limit
                 )
 
     @property
@@ -132,7 +132,7 @@ def material(name: str) -> Material:
     if found is None:
         near = difflib.get_close_matches(_plain(name), list(plain), 1, 0.5)
         raise GeometryError(
-            "is no material of the library",
+            "is not a material of the library",
             where="material",
             value=repr(name),
             remedy=(f"did you mean {plain[near[0]]}? " if near else "") + f"known are {', '.join(LIBRARY)}",

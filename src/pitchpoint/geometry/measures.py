@@ -68,7 +68,7 @@ def span(gear: CylindricalGear, k: int) -> float:
     Raises
     ------
     GeometryError
-        If k is no such number.
+        If k is not a such number.
 
     Notes
     -----
@@ -147,7 +147,7 @@ def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
     29.9326
     """
     if not 0.0 < D_M < math.inf:
-        raise GeometryError("is no ball diameter", where="D_M", value=f"{D_M!r} m", limit="above 0")
+        raise GeometryError("is not a ball diameter", where="D_M", value=f"{D_M!r} m", limit="above 0")
     value = gear.psi_b - math.pi / gear.z + D_M / (gear.d_b * math.cos(gear.beta_b))
     # Inside the base circle there is no flank: the root of an external gear, the tips of an internal one.
     at_root, at_tip = not gear.is_internal, gear.is_internal

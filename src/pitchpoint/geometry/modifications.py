@@ -102,7 +102,7 @@ class EndRelief:
 
 @dataclass(frozen=True, kw_only=True)
 class FlankModifications:
-    """All modifications of one kind of flank; what is left out is zero.
+    """All modifications of one kind of flank; what is omitted is zero.
 
     Parameters
     ----------
@@ -339,7 +339,7 @@ def deviation(
     Returns
     -------
     ndarray
-        Removed material [m], positive = removed; `roll` and `z` are broadcast against each other.
+        Removed material [m], positive = removed; shape of `roll` and `z` broadcast against each other.
 
     Raises
     ------
@@ -350,7 +350,7 @@ def deviation(
     -----
     With t from 0 at the root form circle to 1 at the tip form circle and ζ = 2 z/b: crownings
     C_α (2t − 1)² and C_β ζ², slopes −C_Hα (t − ½) and −C_Hβ ζ/2, reliefs linear or quadratic from their
-    start (definitions of ISO 21771). The formulas go on unchanged outside the usable flank.
+    start (definitions of ISO 21771). The formulas continue unchanged outside the usable flank.
 
     Examples
     --------

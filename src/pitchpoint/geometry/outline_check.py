@@ -29,7 +29,7 @@ OFF_INVOLUTE = 0.2
 OFF_ROOT = 0.5
 """The same for the root circle, which tools set more freely."""
 UNCOVERED = 0.1
-"""Share of the usable flank that points may leave out at either end; the last deviation goes on there."""
+"""Share of the usable flank that points may omit at either end; the last deviation continues there."""
 MOST_POINTS = 2000
 LEAST_TOOTH, LEAST_FLANK = 10, 5
 # Within so many modules of the tip, steps with such a slope of deviation over roll are tip, not flank.
@@ -57,13 +57,18 @@ def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray
         Name of the input.
     least
         Least number of points.
+
+    Raises
+    ------
+    OutlineError
+        If the points are not pairs of finite numbers, or their number is out of range.
     """
     xy = np.asarray(points, dtype=float)
     if xy.ndim != 2 or xy.shape[1] != 2:
         raise OutlineError(
             part,
             None,
-            "are no points",
+            "are not points",
             value=f"shape {xy.shape}",
             limit="shape (n, 2)",
             remedy="give [x, y] pairs",
@@ -91,7 +96,7 @@ def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray
 def one_pitch(
     gear: CylindricalGear, plane: ComplexArray, index: IntArray, part: str
 ) -> tuple[ComplexArray, IntArray]:
-    """The points without the one that closes the pitch; refuses what is no pitch around the +x axis.
+    """The points without the one that closes the pitch; refuses what is not a pitch around the +x axis.
 
     Parameters
     ----------
@@ -103,6 +108,11 @@ def one_pitch(
         Numbers of the points in the input, shape (n,).
     part
         Name of the input.
+
+    Raises
+    ------
+    OutlineError
+        If the points do not describe one pitch around the +x axis, or are not closed.
     """
     pitch = 2.0 * math.pi / abs(gear.z)
     angle = np.angle(plane)
@@ -112,7 +122,7 @@ def one_pitch(
             int(index[0]),
             "begins and ends on the same side of the x axis",
             value=f"{math.degrees(angle[0]):.4g} deg",
-            remedy="give one tooth from root to root that stands on the +x axis, or its angle",
+            remedy="give one tooth from root to root that is on the +x axis, or its angle",
         )
     span = float(angle[-1] - angle[0])
     if span <= (1.0 + _OVERLAP) * pitch:
@@ -142,7 +152,7 @@ def one_pitch(
 
 
 def sides(plane: ComplexArray) -> tuple[IntArray, IntArray]:
-    """Numbers of the points of the right and of the left side, both from root to tip."""
+    """Numbers of the points of the right and the left side from root to tip; shapes add up to (n,)."""
     split = int(np.argmax(np.angle(plane) >= 0.0))
     return np.arange(split), np.arange(plane.size - 1, split - 1, -1)
 
@@ -160,6 +170,11 @@ def check_height(gear: CylindricalGear, plane: ComplexArray, index: IntArray, pa
         Numbers of the points in the input, shape (n,).
     part
         Name of the input.
+
+    Raises
+    ------
+    OutlineError
+        If the tip or root circle is not that of the gear.
     """
     height = gear.sign * np.abs(plane)
     r_f = gear.sign * tooth_form(gear).r_f
@@ -173,7 +188,7 @@ def check_height(gear: CylindricalGear, plane: ComplexArray, index: IntArray, pa
                 int(index[at]),
                 f"is the {what} diameter of another gear",
                 value=f"{2e3 * abs(height[at]):.6g} mm",
-                limit=f"{2e3 * abs(nominal):.6g} mm and {2e3 * share * gear.m_n:.4g} mm beside it",
+                limit=f"{2e3 * abs(nominal):.6g} mm and {2e3 * share * gear.m_n:.4g} mm next to it",
                 remedy=f"check the unit, normal_module, number_of_teeth and {what}_diameter",
             )
 
@@ -191,7 +206,8 @@ def flank_part(gear: CylindricalGear, path: ComplexArray) -> slice:
     height = gear.sign * np.abs(path)
     slack = 1e-6 * gear.m_n
     tip = int(np.argmax(height >= min(0.5 * gear.d_Fa, float(height.max())) - slack))
-    # the first point of the tip land is no flank when the edge before it is sharp and a little below the tip
+    # the first point of the tip land is not a flank when the edge before it is sharp and a little below the
+    # tip
     near = height >= min(0.5 * gear.d_Fa, float(height.max())) - _EDGE * gear.m_n
     length, missing = missing_material(gear, path)
     while (
@@ -237,6 +253,11 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
         Numbers of the points in the input, shape (n,).
     part
         Name of the input.
+
+    Raises
+    ------
+    OutlineError
+        If a side turns back, has too few points, is not the involute of the gear, or covers too little of it.
     """
     part_of = flank_part(gear, path)
     path, index = path[part_of], index[part_of]
@@ -246,7 +267,7 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
             part,
             int(index[back[0] + 1]),
             "turns back towards the root on the flank",
-            remedy="put the points in order from root to tip, or leave out those that scatter",
+            remedy="put the points in order from root to tip, or omit those that scatter",
         )
     if path.size < LEAST_FLANK:
         raise OutlineError(
@@ -297,6 +318,11 @@ def check_simple(gear: CylindricalGear, plane: ComplexArray, index: IntArray | N
         Numbers of the points in the input, shape (n,), or None.
     part
         Name of the input.
+
+    Raises
+    ------
+    OutlineError
+        If the outline crosses itself or that of the next tooth.
     """
     turn = np.exp(2j * math.pi / abs(gear.z))
     chain = np.concatenate([plane, plane * turn, plane[:1] * turn * turn])

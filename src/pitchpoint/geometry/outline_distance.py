@@ -87,7 +87,7 @@ class Outline:
         return cKDTree(np.column_stack([line.real, line.imag]))
 
     def nearest(self, points: ComplexArray) -> Nearest:
-        """The nearest place of the outline for every point x + iy [m]."""
+        """The nearest place of the outline for every point x + iy [m], shape (n,)."""
         line, parts = self._chain
         turn = np.exp(2j * math.pi / self.z * np.rint(np.angle(points) * self.z / (2.0 * math.pi)))
         local = points / turn
@@ -118,7 +118,7 @@ class Outline:
 
 
 def _between(one: Parts, two: Parts) -> Parts:
-    """Part of what lies between two points: flank beside the corner of a tip and behind a fillet."""
+    """Part of what lies between two points: flank next to the corner of a tip and behind a fillet."""
     return np.asarray(np.where(one == two, one, np.minimum(np.maximum(one, two), FLANK)), dtype=np.int8)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two gears drawn in mesh: where their outlines stand at given rotation angles."""
+"""Two gears drawn in mesh: where their outlines are at given rotation angles."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FloatArray = NDArray[np.float64]
 
 
 def mesh_offset(pair: GearPair, direction: float = 0.0) -> float:
-    """Angle of tooth 0 of gear 2 at which both gears stand in the middle of their backlash.
+    """Angle of tooth 0 of gear 2 at which both gears are in the middle of their backlash.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def mesh_outlines(
     Returns
     -------
     outline1, outline2 : ndarray, shape (n, 2)
-        Closed polygons [m], the axis of gear 1 in the origin. The axis of gear 2 stands at the signed centre
+        Closed polygons [m], the axis of gear 1 in the origin. The axis of gear 2 is at the signed centre
         distance in `direction`: on the other side of the pitch point for external, behind gear 1 for
         internal pairs.
 

@@ -13,7 +13,7 @@ from pitchpoint.geometry.involute import inv
 from pitchpoint.geometry.tooth_problems import (
     INTERFERENCE_TOLERANCE,
     TIP_THICKNESS_LIMIT,
-    Told,
+    Found,
     Words,
     at_key,
     full_rounding,
@@ -82,7 +82,7 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> problem = gear_problems(CylindricalGear(z=20, m_n=0.003, x=1.4), "gears.pinion")[0]
     >>> problem.where, problem.limit, problem.remedy
-    ('gears.pinion.profile_shift_coefficient', '0.2 m_n', 'use at most 0.94 or set tip_diameter')
+    ('gears.pinion.profile_shift_coefficient', 'usually 0.2 m_n', 'use at most 0.94 or set tip_diameter')
     """
     found = []
     deepest = 0.25 * math.pi / math.tan(gear.alpha_n)
@@ -90,11 +90,13 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
         message, value = "modules end beyond the point of the tool", f"{gear.rack.h_fP_star:g}"
         place = at_key(where, "rack.dedendum")
         found.append(Problem(place, message, value, f"{deepest:.4g}", "use a smaller dedendum"))
-    return found + problems_of_gear(where, lambda: _no_tooth(gear), lambda: _pointed(gear))
+    return found + problems_of_gear(
+        where, lambda: _no_tooth(gear), lambda: _thin_tip(gear) if tip_thickness(gear) <= 0.0 else None
+    )
 
 
 def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Problem]:
-    """What is odd about a gear that can be made: a tool without room for its root radius.
+    """What is unusual about a gear that can be made: a thin tip, a tool without room for its root radius.
 
     Parameters
     ----------
@@ -106,7 +108,7 @@ def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Problem]:
     Returns
     -------
     list of Problem
-        Empty for most.
+        Empty for most, and for impossible gears.
 
     Examples
     --------
@@ -116,18 +118,23 @@ def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Problem]:
     >>> [(p.where, p.limit) for p in gear_warnings(gear, "a")]
     [('a.rack.root_radius', '0.4719')]
     """
+    if gear.problems():
+        return []
     most = -1.0 if gear.is_internal else gear.rack.rho_fP_star_max(gear.alpha_n)
-    return full_rounding(where, gear.rack.rho_fP_star, most)
+    return [
+        *problems_of_gear(where, lambda: _thin_tip(gear)),
+        *full_rounding(where, gear.rack.rho_fP_star, most),
+    ]
 
 
-def _pointed(gear: CylindricalGear) -> Told | None:
-    """A tip that is too thin."""
+def _thin_tip(gear: CylindricalGear) -> Found | None:
+    """A thin or pointed tip."""
     thickness = tip_thickness(gear) / gear.m_n
     remedy = _largest_shift(gear) if thickness < TIP_THICKNESS_LIMIT else ""
     return thin_tip(thickness, "m_n", "profile_shift_coefficient", f"{gear.x:g}", remedy)
 
 
-def _no_tooth(gear: CylindricalGear) -> Told | None:
+def _no_tooth(gear: CylindricalGear) -> Found | None:
     """Why a gear has no tooth or no flank; what else is wrong follows."""
     if not gear.s_n > 0.0 or not gear.e_n > 0.0:
         message = f"leaves no {'tooth' if gear.s_n <= 0.0 else 'space'} on the reference circle"
@@ -210,7 +217,7 @@ def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Prob
         return [
             Problem(
                 place,
-                "is internal and stands first",
+                "is internal and is given as gear 1",
                 names[0],
                 "the internal gear is gear 2",
                 f"write [{names[1]}, {names[0]}]",
@@ -274,11 +281,11 @@ def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
 
 
 def _words(pair: GearPair) -> Words:
-    """How problems of cylindrical pairs are told."""
+    """Terms of messages about cylindrical pairs."""
     closer = "reduce" if pair.is_internal else "increase"
     return Words(
         surface="circle",
-        beside="tangent point",
+        tangent="tangent point",
         path=lambda length: f"{1e3 * length:.4f} mm",
         heights=f"{closer} the centre distance, or change tip_diameter or dedendum",
         shifts="increase the mate's profile shift, shorten the tip (tip_diameter) or change the centre "

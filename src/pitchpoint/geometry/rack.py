@@ -43,7 +43,7 @@ class BasicRack:
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 < value <= 100.0:
                 raise GeometryError(
-                    f"is no {words} of a basic rack",
+                    f"is not a {words} of a basic rack",
                     where=f"rack.{words}",
                     value=f"{value!r}",
                     limit="above 0 and at most 100 modules",
@@ -52,7 +52,7 @@ class BasicRack:
         rho = self.rho_fP_star
         if isinstance(rho, bool) or not isinstance(rho, (int, float)) or not 0.0 <= rho <= self.h_fP_star:
             raise GeometryError(
-                "is no root radius of a basic rack",
+                "is not a root radius of a basic rack",
                 where="rack.root_radius",
                 value=f"{rho!r}",
                 limit=f"0 to the dedendum {self.h_fP_star:g}",

@@ -52,7 +52,7 @@ class RackFillet:
         Notes
         -----
         Law of gearing: the transverse normal of the tool at the depth q passes the pitch point when the
-        tool point stands q cos β cot θ beside it; the gear has then turned by the rolled length over r
+        tool point lies q cos β cot θ next to it; the gear has then turned by the rolled length over r
         (F. L. Litvin and A. Fuentes, *Gear Geometry and Applied Theory*, 2nd ed., ch. 6).
         """
         theta = np.asarray(theta, dtype=float)

@@ -57,7 +57,7 @@ def shaft_mass_properties(sections: Sequence[Section], density: float) -> RoundM
     Raises
     ------
     GeometryError
-        If the sections are no shaft (see `shaft_outline`).
+        If the sections do not form a shaft (see `shaft_outline`).
 
     Notes
     -----
@@ -114,7 +114,7 @@ def shaft_outline(sections: Sequence[Section]) -> list[tuple[float, float]]:
     for k, (length, outer, bore) in enumerate(sections):
         if not (0.0 < length < math.inf and 0.0 <= bore < outer < math.inf):
             raise GeometryError(
-                "is no piece of a shaft",
+                "is not a piece of a shaft",
                 where=f"sections.{k}",
                 value=f"length {length:g} m, diameter {outer:g} m, bore {bore:g} m",
                 limit="length above 0, bore below the diameter",
@@ -155,7 +155,7 @@ def shaft_solid(sections: Sequence[Section], n_round: int = ROUND) -> FloatArray
     Raises
     ------
     GeometryError
-        If the sections are no shaft, or there are too few corners.
+        If the sections do not form a shaft, or there are too few corners.
 
     Examples
     --------

@@ -87,7 +87,7 @@ def tooth_cell(region: NDArray[np.int8], n_foot: int, is_internal: bool) -> tupl
 
 
 def _all_teeth(cell: IntArray, n_cell: int, z: int, n_foot: int) -> IntArray:
-    """Numbers of points of the first pitch, for all; negative ones stand behind the outlines."""
+    """Numbers of points of the first pitch, for all; negative ones are behind the outlines."""
     n_all = n_cell * z
     tooth = np.arange(z).reshape((z,) + (1,) * cell.ndim)
     return np.where(cell < 0, n_all + n_foot * tooth - 1 - cell, (cell + n_cell * tooth) % n_all)

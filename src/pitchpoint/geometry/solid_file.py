@@ -23,7 +23,7 @@ UNEVEN = 0.02
 """Difference of the moments of inertia across an axis, per largest one, up to which a solid is round:
 keyways and holes are below, a lever is far above."""
 APART = 1e-3
-"""Least difference of the moment about the axis from those across it that tells the axis, likewise."""
+"""Minimum difference of the moment about the axis from those across it that identifies the axis, relative."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class SolidFile:
             names = ", ".join(f"'{s.name}'" for s in self.solids[:20])
             more = f" and {len(self.solids) - 20} more" if len(self.solids) > 20 else ""
             raise GeometryError(
-                "is missing: the file has several solids" if name is None else "is no solid of the file",
+                "is missing: the file has several solids" if name is None else "is not a solid of the file",
                 where="part",
                 value=None if name is None else f"'{name}'",
                 remedy=f"there {'are' if len(self.solids) > 1 else 'is'} {names}{more}",
@@ -184,7 +184,7 @@ def read_solids(file: str | Path, unit: float | None = None) -> SolidFile:
     file
         STL (.stl, binary or text), triangles as a NumPy array (.npy), or STEP (.step, .stp, .p21).
     unit
-        Length of one unit of the file [m]: STL files do not tell theirs, STEP files do and must not be told.
+        Length of one unit of the file [m]: STL files do not contain it and require it; STEP files contain it.
 
     Returns
     -------
@@ -217,7 +217,7 @@ def read_solids(file: str | Path, unit: float | None = None) -> SolidFile:
     kind = path.suffix.lower()
     if kind not in STEP + STL:
         raise GeometryError(
-            "is no kind of solid that is read",
+            "is not a kind of solid that is read",
             where="file",
             value=f"'{path.name}'",
             limit=", ".join(STEP + STL),
@@ -225,11 +225,16 @@ def read_solids(file: str | Path, unit: float | None = None) -> SolidFile:
         )
     if kind in STEP and unit is not None:
         raise GeometryError(
-            "has no effect: a STEP file tells its unit", where="unit", value=f"{unit:g} m", remedy="remove it"
+            "has no effect: a STEP file contains its unit",
+            where="unit",
+            value=f"{unit:g} m",
+            remedy="remove it",
         )
     if kind in STL and unit is None:
         raise GeometryError(
-            "is missing: an STL file does not tell its unit", where="unit", remedy="add unit: 1 mm, say"
+            "is missing: an STL file does not contain its unit",
+            where="unit",
+            remedy="add unit: 1 mm, for example",
         )
     try:
         status = path.stat()
@@ -241,7 +246,7 @@ def read_solids(file: str | Path, unit: float | None = None) -> SolidFile:
 
 @functools.lru_cache(maxsize=64)
 def _read(file: str, unit: float | None, stamp: int, size: int) -> SolidFile:
-    """Read a file; time of its last change and size tell whether it is the same."""
+    """Read a file; a file with the same modification time and size is not read again."""
     if unit is None:
         from pitchpoint.geometry.step_file import read_step
 
@@ -263,7 +268,7 @@ def round_inertia(solid: Solid, axis: ArrayLike | None = None) -> RoundInertia:
     solid
         The solid.
     axis
-        Direction of the axis in the file, of any length; None finds it.
+        Direction of the axis in the file, shape (3,), of any length; None finds it.
 
     Returns
     -------
@@ -273,8 +278,8 @@ def round_inertia(solid: Solid, axis: ArrayLike | None = None) -> RoundInertia:
     Raises
     ------
     GeometryError
-        If the solid is not round about the axis, or no axis can be told because all principal moments are
-        about equal, as those of a cylinder whose length is √3 of its radius.
+        If the solid is not round about the axis, or no axis can be identified because all principal moments
+        are about equal, as those of a cylinder whose length is √3 of its radius.
 
     Notes
     -----
@@ -298,7 +303,7 @@ def round_inertia(solid: Solid, axis: ArrayLike | None = None) -> RoundInertia:
             raise _not_round(moments, "give axes: {z: [0, 0, 1]} if it turns about an axis all the same")
         if apart < max(APART, 5.0 * uneven):
             raise GeometryError(
-                "does not tell its axis: its principal moments of inertia are about equal",
+                "does not define an axis: its principal moments of inertia are about equal",
                 where="file",
                 value=_listed(moments),
                 remedy="give axes: {z: [0, 0, 1]} with the direction of the axis in the file",

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import importlib.util
 import json
-import os
 import re
 import subprocess
 import sys
@@ -15,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.core.errors import GeometryError, MissingDependencyError
 
 if TYPE_CHECKING:
@@ -75,12 +75,12 @@ def read_step(file: str | Path) -> SolidFile:
 
 
 def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
-    """What a module says of a STEP file that it reads in a process of its own.
+    """Answer of a module that reads a STEP file in a separate process.
 
     Parameters
     ----------
     module
-        One that is run with the path of the file and the arguments and writes what `told` gives.
+        One that is run with the path of the file and the arguments and prints the result of `answered`.
     file
         Its path.
     *arguments
@@ -89,7 +89,7 @@ def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
     Raises
     ------
     GeometryError
-        What the module says is wrong with the file, or that it ended before it could say so.
+        The problem that the module reports, or that it ended before it could report one.
     MissingDependencyError
         If OCC is not installed.
     """
@@ -97,11 +97,9 @@ def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
     _check_whole(name, Path(file))
     if importlib.util.find_spec("OCP") is None:
         raise _missing()
-    command = [sys.executable, "-m", module, str(Path(file).absolute()), *arguments]
-    paths = os.pathsep.join(p for p in sys.path if p)
-    run = subprocess.run(
-        command, capture_output=True, check=False, env={**os.environ, "PYTHONPATH": paths, "PYTHONUTF8": "1"}
-    )
+    command = python_command("-m", module, str(Path(file).absolute()), *arguments)
+    environment = {**python_environment(), "PYTHONUTF8": "1"}
+    run = subprocess.run(command, capture_output=True, check=False, env=environment)
     try:
         found: dict[str, Any] = json.loads(run.stdout)
     except ValueError:
@@ -111,7 +109,7 @@ def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
     return found
 
 
-def told(answer: Callable[..., dict[str, Any]], *arguments: str) -> dict[str, Any]:
+def answered(answer: Callable[..., dict[str, Any]], *arguments: str) -> dict[str, Any]:
     """The answer of a process that reads a file, or what is wrong with the file.
 
     Parameters
@@ -217,7 +215,7 @@ def refused(name: str, message: str, value: str | None = None, remedy: str = _AG
 
 
 def _check_whole(name: str, path: Path) -> None:
-    """Say what is no STEP file, or only the first part of one, before OCC guesses."""
+    """Refuse files that are not STEP files, or only the first part of one, before OCC guesses."""
     try:
         with path.open("rb") as file:
             head = file.read(4096)
@@ -227,13 +225,13 @@ def _check_whole(name: str, path: Path) -> None:
         reason = error.strerror if isinstance(error, OSError) else str(error)
         raise refused(name, f"cannot be read: {reason}") from None
     if _BEGIN not in head:
-        raise refused(name, "is no STEP file: it does not begin with ISO-10303-21;")
+        raise refused(name, "is not a STEP file: it does not begin with ISO-10303-21;")
     if _END not in tail:
         raise refused(name, "is cut short: it does not end with END-ISO-10303-21;")
 
 
 def _check_references(name: str, data: bytes) -> None:
-    """Every entity that is named exists: OCC would leave out what needs it, or end its process."""
+    """Every entity that is named exists: OCC would omit what needs it, or end its process."""
     bare = _QUOTED.sub(b"", data)
     lost = set(_REFERENCE.findall(bare)) - set(_ENTITY.findall(bare))
     if lost:
@@ -257,7 +255,7 @@ def _document(name: str, file: str) -> tuple[Any, str]:
     except RuntimeError as error:  # what OCC throws comes as this
         raise refused(name, f"cannot be read: {error}") from None
     if not good:
-        raise refused(name, "cannot be read: its contents are no model")
+        raise refused(name, "cannot be read: it contains no model")
     lengths = Texts()
     reader.ChangeReader().FileUnits(lengths, Texts(), Texts())
     words = lengths.Value(1).ToCString() if lengths.Length() else "millimetre"
@@ -321,4 +319,4 @@ def _check_closed(name: str, label: str, shape: Any) -> None:
 
 
 if __name__ == "__main__":
-    sys.stdout.write(json.dumps(told(_answer, *sys.argv[1:])))
+    sys.stdout.write(json.dumps(answered(_answer, *sys.argv[1:])))

@@ -60,7 +60,7 @@ def step_triangles(file: str | Path, part: str) -> FloatArray:
 
 @functools.lru_cache(maxsize=16)
 def _divided(file: str, part: str, stamp: int, size: int) -> FloatArray:
-    """Ask a process of its own; time of its last change and size tell whether a file is the same."""
+    """Run a separate process; a file with the same modification time and size is not read again."""
     with TemporaryDirectory() as folder:
         target = Path(folder) / "corners.npy"
         ask("pitchpoint.geometry.step_triangles", file, part, str(target))
@@ -70,7 +70,7 @@ def _divided(file: str, part: str, stamp: int, size: int) -> FloatArray:
 
 
 def _answer(file: str, part: str, target: str) -> dict[str, Any]:
-    """Write the corners to a file; nothing is left to say."""
+    """Write the corners to a file; the answer is empty."""
     name = Path(file).name
     shape = next((shape for label, shape in named_solids(file)[1] if label == part), None)
     if shape is None:
@@ -85,7 +85,7 @@ def _answer(file: str, part: str, target: str) -> dict[str, Any]:
             where="file",
             value=str(len(corners)),
             limit=str(MOST),
-            remedy="leave out small parts",
+            remedy="omit small parts",
         )
     np.save(target, corners * _MM)
     return {}
@@ -136,6 +136,6 @@ def _of_face(face: Any) -> Iterator[FloatArray]:
 
 
 if __name__ == "__main__":
-    from pitchpoint.geometry.step_file import told
+    from pitchpoint.geometry.step_file import answered
 
-    sys.stdout.write(json.dumps(told(_answer, *sys.argv[1:])))
+    sys.stdout.write(json.dumps(answered(_answer, *sys.argv[1:])))

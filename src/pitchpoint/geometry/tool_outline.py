@@ -2,7 +2,7 @@
 """The tool that generates a gear, in the space that it cuts: a tooth of a rack or of a pinion-type cutter.
 
 Frame: the axis of the gear in the origin, the middle of the space on the +x axis, points x + iy [m] in the
-transverse section. Turning the gear by φ, the tool goes with it as `ToolTooth.at` says.
+transverse section. Turning the gear by φ, the tool moves with it as given by `ToolTooth.at`.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class ToolTooth:
     travel: float
 
     def at(self, phi: float, tooth: int = 0) -> ComplexArray:
-        """Points of a tooth of the tool when the gear has turned counter-clockwise.
+        """Points x + iy of a tool tooth [m], shape (n,), after a counter-clockwise rotation of the gear.
 
         Parameters
         ----------
@@ -77,7 +77,7 @@ def tool_tooth(gear: CylindricalGear, n: int = 60) -> ToolTooth | None:
     Parameters
     ----------
     gear
-        External gear, made by the rack that its basic rack stands for, or internal gear.
+        External gear, made by the rack that its basic rack represents, or internal gear.
     n
         Points of every rounding and flank.
 
@@ -88,8 +88,8 @@ def tool_tooth(gear: CylindricalGear, n: int = 60) -> ToolTooth | None:
 
     Notes
     -----
-    The tool stands where it also makes the thickness allowance, as for `tooth_form`. The transverse section
-    of a rack is that of its normal section stretched by 1/cos β along its datum line.
+    The tool is at the position that also makes the thickness allowance, as for `tooth_form`. The transverse
+    section of a rack is that of its normal section stretched by 1/cos β along its datum line.
 
     Examples
     --------

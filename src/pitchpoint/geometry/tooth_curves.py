@@ -65,7 +65,8 @@ def bezier_curves(curve: Curve, tolerance: float) -> list[ComplexArray]:
     Returns
     -------
     list of ndarray
-        Control points of each; the first and the last lie on the curve, neighbours share theirs.
+        Control points of each, shape (degree + 1,); the first and last lie on the curve, neighbours share
+        theirs.
 
     Notes
     -----
@@ -115,7 +116,7 @@ def _pieces(form: ToothForm) -> list[Curve]:
 
     left: list[Curve] = [fillet, involute]
     if form.is_internal and form.r_Fa > form.r_a:
-        left.append(radial)  # inside the base circle the flank goes on radially
+        left.append(radial)  # inside the base circle the flank continues radially
     right: list[Curve] = [lambda t, c=c: c(t).conj() for c in left]  # type: ignore[misc]
     back: list[Curve] = [lambda t, c=c: c(1.0 - t) for c in reversed(left)]  # type: ignore[misc]
     root: list[Curve] = []
@@ -138,8 +139,9 @@ def pitch_curves(gear: CylindricalGear, tolerance: float = 1e-6) -> list[Complex
     Returns
     -------
     list of ndarray
-        Control points [m] of curves in a row, counter-clockwise, from the end of the left fillet of the
-        tooth before to that of this tooth. The area they enclose differs from the exact one by about
+        Control points [m], shapes (degree + 1,), of successive curves, counter-clockwise, from the end of
+        the left fillet of the tooth before to that of this tooth. The area they enclose differs from the
+        exact one by about
         `tolerance` modules times the length of the outline at most.
 
     Raises
@@ -173,7 +175,7 @@ def pitch_curves(gear: CylindricalGear, tolerance: float = 1e-6) -> list[Complex
 def twist_curves(angle: float, tolerance: float = 1e-6) -> list[ComplexArray]:
     """Control points of exp(iφ) from φ = −angle/2 to angle/2 at equal steps of φ: a section along a helix.
 
-    A point p of the section describes p times these curves while it rises evenly.
+    A point p of the section follows p times these curves at constant rise; each has shape (degree + 1,).
 
     Parameters
     ----------

@@ -67,7 +67,7 @@ def tooth_form(gear: CylindricalGear) -> ToothForm:
 
     Notes
     -----
-    The root lies at `d_fE`, where the tool stands that also makes the thickness allowance. An internal
+    The root lies at `d_fE`, at the tool position that also makes the thickness allowance. An internal
     gear without a cutter gets a circular fillet of the rack's root radius.
     """
     z, m_n = abs(gear.z), gear.m_n
@@ -146,7 +146,7 @@ def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
 
 
 def _given_profile(gear: CylindricalGear, plane: NDArray[np.complex128]) -> ToothProfile:
-    """Profile from the points of an outline, with the regions that their heights say."""
+    """Profile from the points of an outline, with the regions given by their heights."""
     height = gear.sign * np.abs(plane)
     land = _LAND * gear.m_n
     region = np.full(plane.size, 2, dtype=np.int8)
@@ -248,7 +248,7 @@ def gear_outline(gear: CylindricalGear, n_flank: int = 40, *, rotation: float = 
 
 
 def around(profile: ToothProfile, z: int, rotation: float = 0.0) -> NDArray[np.complex128]:
-    """Points x + iy of all `z` teeth of one profile [m], tooth 0 turned by `rotation` [rad].
+    """Points x + iy of all `z` teeth of one profile [m], shape (z n,), tooth 0 turned by `rotation` [rad].
 
     Parameters
     ----------

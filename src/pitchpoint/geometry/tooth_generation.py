@@ -68,7 +68,7 @@ class ToothForm:
     def r_Fa(self) -> float:
         """Tip form radius [m]: the tip, or the base circle if the tip of an internal gear lies inside it.
 
-        Inside the base circle there is no involute; the flank goes on radially there.
+        Inside the base circle there is no involute; the flank continues radially there.
         """
         return max(self.r_a, self.r_b) if self.is_internal else self.r_a
 
@@ -88,13 +88,13 @@ class ToothForm:
         return float(self.involute_half_angle(self.r_Fa))
 
     def involute_half_angle(self, r: FloatArray | float) -> FloatArray:
-        """Half tooth angle of the involute at the radius r [m], NaN inside the base circle [rad]."""
+        """Half tooth angle of the involute [rad] at radii r [m], shape of r; NaN inside the base circle."""
         with np.errstate(invalid="ignore"):
             roll = np.sqrt((np.asarray(r, dtype=float) / self.r_b) ** 2 - 1.0)
         return self.psi_b - self.sign * (roll - np.arctan(roll))
 
     def fillet_polar(self, theta: FloatArray | float) -> tuple[FloatArray, FloatArray]:
-        """Radius [m] and half tooth angle [rad] of fillet points."""
+        """Radius [m] and half tooth angle [rad] of fillet points, shapes of theta [rad]."""
         r, delta = self.fillet.polar(theta)
         return r, self.half_pitch_angle - delta
 
@@ -113,6 +113,11 @@ class ToothForm:
             Polar coordinates [m, rad].
         n_fillet : int
             The first n_fillet points belong to the fillet; the last of them begins the involute.
+
+        Raises
+        ------
+        GeometryError
+            If there are fewer than five points.
         """
         if n_flank < _MIN_FLANK:
             raise GeometryError(
@@ -227,7 +232,7 @@ def internal_tooth_form(
 
 
 def _check(form: ToothForm) -> None:
-    """Refuse teeth that are no teeth: no involute left, pointed, cut through at the waist."""
+    """Refuse impossible teeth: no involute left, pointed, cut through at the waist."""
     sign = form.sign
     if not sign * form.r_a > sign * form.r_Ff or not sign * form.r_Fa > sign * form.r_Ff:
         raise GeometryError(

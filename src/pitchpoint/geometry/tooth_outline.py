@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The tooth of a gear as points: its outline, and what its flanks lack against the nominal involute.
 
-Frame as in `pitchpoint.geometry.tooth_form`: the tooth stands on the +x axis, its left flank has y > 0.
+Frame as in `pitchpoint.geometry.tooth_form`: the tooth is on the +x axis, its left flank has y > 0.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class ToothOutline:
 
     @cached_property
     def plane(self) -> ComplexArray:
-        """The points as complex numbers x + iy [m]."""
+        """The points as complex numbers x + iy [m], shape (n,)."""
         xy = np.array(self.points)
         return np.asarray(xy[:, 0] + 1j * xy[:, 1])
 
@@ -131,7 +131,7 @@ def outline_from_tooth(gear: CylindricalGear, points: ArrayLike, part: str = "to
     Raises
     ------
     OutlineError
-        If the points are no closed, simple outline of one pitch, or lie off the nominal tooth by more than
+        If the points are not a closed, simple outline of one pitch, or lie off the nominal tooth by more than
         `OFF_INVOLUTE` (flank, tip) or `OFF_ROOT` (root).
 
     Examples
@@ -175,13 +175,13 @@ def outline_from_flanks(
         The gear to which the flanks belong, without an outline of its own.
     left, right
         Points of the flank, shape (n, 2) [m], from root to tip or back, on their side of the tooth on the +x
-        axis; None = the nominal flank. Beyond its ends a flank goes on as the nominal one, turned by the
+        axis; None = the nominal flank. Beyond its ends a flank continues as the nominal one, turned by the
         deviation there.
 
     Raises
     ------
     OutlineError
-        If a flank has too few points, does not rise steadily, leaves out too much of the usable flank or lies
+        If a flank has too few points, does not rise steadily, omits too much of the usable flank or lies
         too far from the nominal one.
 
     Examples

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What cylindrical and bevel gears and their pairs are told alike: order of the checks, limits, sentences.
+"""Checks common to cylindrical and bevel gears and their pairs: order, limits, messages.
 
 `problems` and `bevel_problems` bring numbers and remedies of their kind. Nothing here raises: a loader shows
 every problem of a file at once.
@@ -14,13 +14,16 @@ from typing import Protocol
 from pitchpoint.core.errors import GeometryError, Problem
 
 TIP_THICKNESS_LIMIT = 0.2
-"""Normal modules. Thinner tips break or burn through in hardening: the usual limit of design practice."""
+"""Normal modules. Thinner tips break or burn through in hardening: a usual limit of design practice, not of
+what can be made."""
 INTERFERENCE_TOLERANCE = 0.01
 """Modules along the path of contact: less than what tip diameters, cones and centre distances are made to."""
 USABLE_CONTACT_RATIO = 1.1
-"""Below this a pair with undercut teeth does not reliably hand over from one pair of teeth to the next."""
+"""Below this a pair with undercut teeth does not reliably transfer load from one tooth pair to the next."""
 
-Told = tuple[str, str, str, str | None, str]
+NO_PAIR_IN_CONTACT = "leaves moments without a tooth pair in contact"
+
+Found = tuple[str, str, str, str | None, str]
 """Key, message, value, limit and remedy."""
 
 
@@ -61,13 +64,13 @@ class Pair(Protocol):
 
 @dataclass(frozen=True)
 class Words:
-    """How the pairs of one kind of gears are told.
+    """Terms of messages about the pairs of one kind of gears.
 
     Parameters
     ----------
     surface
         What roots and bases are: "circle" or "cone".
-    beside
+    tangent
         What touches both bases: "tangent point" or "tangent ray".
     path
         Writes a length of the path of contact.
@@ -76,7 +79,7 @@ class Words:
     """
 
     surface: str
-    beside: str
+    tangent: str
     path: Callable[[float], str]
     heights: str
     shifts: str
@@ -107,7 +110,7 @@ def _placed(where: str, error: GeometryError) -> Problem:
     return Problem(at_key(where, p.where), p.message, p.value, p.limit, p.remedy)
 
 
-def problems_of_gear(where: str, *checks: Callable[[], Told | None]) -> list[Problem]:
+def problems_of_gear(where: str, *checks: Callable[[], Found | None]) -> list[Problem]:
     """First problem that checks of one gear find; those behind it would speak of numbers without meaning.
 
     Parameters
@@ -115,7 +118,7 @@ def problems_of_gear(where: str, *checks: Callable[[], Told | None]) -> list[Pro
     where
         Place of the gear in its description.
     checks
-        Each tells a problem or None; a `GeometryError` is one, too.
+        Each returns a problem or None; a `GeometryError` counts as a problem.
 
     Examples
     --------
@@ -123,14 +126,14 @@ def problems_of_gear(where: str, *checks: Callable[[], Told | None]) -> list[Pro
     gears.a.rack: 3 is odd (limit 2); use less
     """
     try:
-        told = next((told for check in checks if (told := check()) is not None), None)
+        found = next((found for check in checks if (found := check()) is not None), None)
     except GeometryError as error:
         return [_placed(where, error)]
-    return [] if told is None else [Problem(at_key(where, told[0]), *told[1:])]
+    return [] if found is None else [Problem(at_key(where, found[0]), *found[1:])]
 
 
-def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -> Told | None:
-    """Tell a tip that is too thin.
+def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -> Found | None:
+    """Report a tip that is thinner than usual, or a tooth that is pointed below its tip.
 
     Parameters
     ----------
@@ -143,6 +146,11 @@ def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -
     remedy
         What to do.
 
+    Notes
+    -----
+    A pointed tooth cannot be made; a thin one can, and some are meant to be: gears of type A of the FZG test
+    (ISO 14635-1) have 0.13 m_n.
+
     Examples
     --------
     >>> thin_tip(0.1, "m_n", "profile_shift_coefficient", "1", "reduce it")[1]
@@ -150,6 +158,9 @@ def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -
     """
     if thickness >= TIP_THICKNESS_LIMIT:
         return None
+    if thickness <= 0.0:
+        message = f"leaves a pointed tooth (tip thickness {thickness:.2g} {module})"
+        return key, message, value, f"usually {TIP_THICKNESS_LIMIT:g} {module}", remedy
     return (
         key,
         f"leaves a tip thickness of {thickness:.2g} {module}",
@@ -160,14 +171,14 @@ def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -
 
 
 def full_rounding(where: str, asked: float, most: float) -> list[Problem]:
-    """Tell a root radius that the tool has no room for: the teeth get the full rounding.
+    """Check the root radius: larger than the tool allows, the teeth get the full rounding.
 
     Parameters
     ----------
     where
         Place of the gear in its description.
     asked, most
-        Root radius that is asked for and the largest one, in modules [-].
+        Root radius that is requested and the largest one, in modules [-].
 
     Examples
     --------
@@ -219,11 +230,11 @@ def unequal(
     place: str,
     what: str,
     values: tuple[float, float],
-    told: Callable[[float], str],
+    written: Callable[[float], str],
     names: tuple[str, str],
     key: str,
 ) -> Problem:
-    """Tell two gears that differ in what they must share.
+    """Check quantities that both gears must share.
 
     Parameters
     ----------
@@ -233,26 +244,26 @@ def unequal(
         What differs, in the plural.
     values
         Values of both gears.
-    told
+    written
         Writes one of them.
     names
         How the messages call the two gears.
     key
-        Key of the gears that says it.
+        Key of the gears that states it.
 
     Examples
     --------
     >>> print(unequal("s.gears", "helix angles", (1, 2), str, ("a", "b"), "helix_angle"))
     s.gears: a 1, b 2 have unequal helix angles (limit equal); give both gears the same helix_angle
     """
-    value = f"{names[0]} {told(values[0])}, {names[1]} {told(values[1])}"
+    value = f"{names[0]} {written(values[0])}, {names[1]} {written(values[1])}"
     return Problem(place, f"have unequal {what}", value, "equal", f"give both gears the same {key}")
 
 
 def wrong_hands(
     place: str, hands: tuple[str, str], names: tuple[str, str], internal: bool = False
 ) -> Problem:
-    """Tell two hands that do not fit.
+    """Check the hands of the helices.
 
     Parameters
     ----------
@@ -278,7 +289,7 @@ hand of one gear
 def tips_in_roots(
     place: str, clearances: tuple[float, float], names: tuple[str, str], words: Words
 ) -> list[Problem]:
-    """Tell tips that reach into the bottom of the mate's spaces.
+    """Check the clearance between tips and the mate's roots.
 
     Parameters
     ----------
@@ -289,7 +300,7 @@ def tips_in_roots(
     names
         How the messages call the two gears.
     words
-        How they are told.
+        Terms of the messages.
 
     Examples
     --------
@@ -313,7 +324,7 @@ def tips_in_roots(
 def interferences(
     pair: Pair, place: str, beyond: Iterable[float], slack: float, names: tuple[str, str], words: Words
 ) -> list[Problem]:
-    """Tell tips that want contact beyond the mate's base.
+    """Check tips for contact beyond the mate's base.
 
     Parameters
     ----------
@@ -328,7 +339,7 @@ def interferences(
     names
         How the messages call the two gears.
     words
-        How they are told.
+        Terms of the messages.
 
     Notes
     -----
@@ -340,7 +351,7 @@ def interferences(
     for over, mate, tip, name in zip(beyond, (pair.gear1, pair.gear2), names[::-1], names, strict=False):
         if over > slack and not (mate.undercut and remains >= USABLE_CONTACT_RATIO):
             message = f"interferes with the root of {name}: it would touch beyond the base {words.surface}"
-            limit = f"the {words.beside}, it is {words.path(over)} beyond"
+            limit = f"the {words.tangent}, it is {words.path(over)} beyond"
             if mate.undercut:
                 limit += f", and undercut leaves a contact ratio of {remains:.3g} of {USABLE_CONTACT_RATIO:g}"
             found.append(Problem(place, message, f"tip of {tip}", limit, words.shifts))
@@ -355,7 +366,7 @@ def odd_contact(
     names: tuple[str, str],
     words: Words,
 ) -> list[Problem]:
-    """Tell what is odd about the contact of a pair that can be built.
+    """List what is unusual about the contact of a feasible pair.
 
     Parameters
     ----------
@@ -370,7 +381,7 @@ def odd_contact(
     names
         How the messages call the two gears.
     words
-        How they are told.
+        Terms of the messages.
 
     Notes
     -----
@@ -390,7 +401,6 @@ def odd_contact(
             remedy = f"{left}; shorten the tip or set the rack"
             found.append(Problem(place, message, f"tip of {tip}", limit, remedy))
     if pair.eps_gamma < 1.0:
-        message = "leaves moments without a tooth pair in contact"
         value = f"total contact ratio {pair.eps_gamma:.4g}"
-        found.append(Problem(place, message, value, "1", words.lengths))
+        found.append(Problem(place, NO_PAIR_IN_CONTACT, value, "1", words.lengths))
     return found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Thickness of a tooth wherever it is asked for: on a circle, at the tip, as a chord (ISO 21771, DIN 3960).
+"""Thickness of a tooth wherever it is requested: on a circle, at the tip, as a chord (ISO 21771, DIN 3960).
 
 Diameters are signed like the gear's (negative for internal gears); thicknesses come out positive.
 """

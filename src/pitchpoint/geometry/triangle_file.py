@@ -3,7 +3,7 @@
 
 Binary STL: 80 bytes of anything, the number of triangles as 32-bit integer, then for each of them normal and
 three corners as 32-bit floats and two spare bytes. Text: `facet normal x y z`, three `vertex x y z`,
-`endfacet`; several solids may follow each other. A file that has the length its number of triangles asks for
+`endfacet`; several solids may follow each other. A file whose length matches its number of triangles
 is binary, even if it begins with the word solid, as some do.
 """
 
@@ -146,7 +146,7 @@ def read_triangles(file: str | Path) -> Triangles:
 
 @functools.lru_cache(maxsize=4)
 def _read(file: str, stamp: int, size: int) -> Triangles:
-    """Read a file; time of its last change and size tell whether it is the same."""
+    """Read a file; a file with the same modification time and size is not read again."""
     name = Path(file).name
     if size > MOST_BYTES:
         raise _refused(name, f"is too large with {size / 1e6:.0f} MB", "100 MB", _COARSER)
@@ -161,9 +161,9 @@ def _numpy(file: str) -> Triangles:
         with open(file, "rb") as stream:
             corners = np.lib.format.read_array(stream, allow_pickle=False)
     except _UNREADABLE as error:
-        raise ValueError(f"it is no NumPy array ({type(error).__name__})") from None
+        raise ValueError(f"it is not a NumPy array ({type(error).__name__})") from None
     if corners.dtype.kind not in "fiu":
-        raise ValueError("it is no array of numbers")
+        raise ValueError("it is not an array of numbers")
     if corners.ndim != 3 or corners.shape[1:] != (3, 3):
         raise ValueError(f"it has the shape {corners.shape}, not (n, 3, 3)")
     return Triangles(corners.astype(float), np.zeros((len(corners), 3)))
@@ -176,15 +176,15 @@ def _stl(name: str, data: bytes) -> Triangles:
         return Triangles(rows["corners"].astype(float), rows["normal"].astype(float))
     if data[:5].lower() != b"solid" and b"facet" not in data[:2000].lower():
         if len(data) < _HEAD:
-            raise _refused(name, f"is no STL file: it has {len(data)} bytes", f">= {_HEAD} bytes", _AGAIN)
+            raise _refused(name, f"is not an STL file: it has {len(data)} bytes", f">= {_HEAD} bytes", _AGAIN)
         whole = _HEAD + _FACET.itemsize * count
-        message = f"has {len(data)} bytes and names {count} triangles, which is no whole STL file"
+        message = f"has {len(data)} bytes and names {count} triangles, which is not a whole STL file"
         raise _refused(name, message, f"{whole} bytes", _AGAIN)
     normals, corners = list(_NORMAL.finditer(data)), list(_VERTEX.finditer(data))
     facets = len(_END.findall(data))
     if len(normals) != facets or len(corners) != 3 * facets:
         seen = f"{len(normals)} facets, {len(corners)} corners, {facets} ends of facets"
-        raise _refused(name, f"is no whole STL file: {seen}", "3 corners and an end for each", _AGAIN)
+        raise _refused(name, f"is not a whole STL file: {seen}", "3 corners and an end for each", _AGAIN)
     return Triangles(_numbers(name, data, corners).reshape(-1, 3, 3), _numbers(name, data, normals))
 
 
@@ -222,7 +222,7 @@ def triangle_faults(
     open_edges
         Whether the surface may have borders.
     hollow
-        Whether the material is meant to lie outside, so that the triangles will be turned round.
+        Whether the material is meant to lie outside, so that the triangles will be reversed.
     most
         Triangles that are not too many.
 
@@ -239,12 +239,12 @@ def triangle_faults(
         return [Fault("are too many", f"{n} triangles", f"<= {most}", _COARSER) if n else few]
     bad = np.asarray(~np.isfinite(corners).all(axis=(1, 2)))
     if bad.any():
-        found_bad = f"have corners that are no finite numbers, the first is number {_first(bad)}"
+        found_bad = f"have corners that are not finite numbers, the first is number {_first(bad)}"
         return [Fault(found_bad, f"{int(bad.sum())} triangles", remedy=_AGAIN)]
     size = float(np.ptp(corners.reshape(-1, 3), axis=0).max()) * unit
     if not SMALLEST <= size <= LARGEST:
         limit = f"{SMALLEST:g} m to {LARGEST:g} m"
-        return [Fault("is an unlikely size", f"{size:.3g} m", limit, "check unit: 1 mm, say")]
+        return [Fault("is an unlikely size", f"{size:.3g} m", limit, "check unit: 1 mm, for example")]
     return [*_of_triangles(found), *_of_edges(corners, open_edges, hollow)]
 
 
@@ -261,7 +261,7 @@ def _of_triangles(found: Triangles) -> list[Fault]:
     longest = np.linalg.norm(edges, axis=2).max(axis=1)
     size = np.linalg.norm(across, axis=1)
     faces = join_corners(corners)[1]
-    points = (faces == np.roll(faces, 1, axis=1)).any(axis=1)  # two corners in one place: left out, no harm
+    points = (faces == np.roll(faces, 1, axis=1)).any(axis=1)  # two corners in one place: omitted, no harm
     whole = float(np.ptp(corners.reshape(-1, 3), axis=0).max())
     looked_at = np.full(len(points), True) if points.all() else ~points
     flat = looked_at & (size <= FLAT * whole * np.maximum(longest, 1e-300))
@@ -271,7 +271,7 @@ def _of_triangles(found: Triangles) -> list[Fault]:
             Fault(
                 f"have no area, the first is number {_first(flat)}",
                 f"{int(flat.sum())} triangles",
-                remedy="mend the surface, or export it with another tolerance",
+                remedy="correct the surface, or export it with another tolerance",
             )
         )
     against = np.einsum("ij,ij->i", found.normals, across) < 0.0
@@ -280,7 +280,7 @@ def _of_triangles(found: Triangles) -> list[Fault]:
             Fault(
                 f"run against their normals, the first is number {_first(against)}",
                 f"{int(against.sum())} of {len(corners)} triangles",
-                remedy="let the program that made it mend the normals: corners run counter-clockwise "
+                remedy="let the program that made it correct the normals: corners run counter-clockwise "
                 "seen from outside",
             )
         )
@@ -332,7 +332,7 @@ def placed_triangles(found: Triangles, unit: float, hollow: bool = False) -> Flo
     unit
         Length of one unit of the file [m].
     hollow
-        Material outside: the triangles are turned round.
+        Material outside: the triangles are reversed.
 
     Examples
     --------

@@ -13,13 +13,15 @@ from pitchpoint.model.read import Reader
 from pitchpoint.model.read_plan import read_plan
 
 
-def load_plan(path: str | Path) -> DatasetPlan:
+def load_plan(path: str | Path, allow_code: bool = False) -> DatasetPlan:
     """Read a plan; what it says of its model is checked by `model.read_plan.check_plan`.
 
     Parameters
     ----------
     path
         YAML file.
+    allow_code
+        Accept levels that name Python functions. They run when a case is computed, not here.
 
     Raises
     ------
@@ -30,5 +32,7 @@ def load_plan(path: str | Path) -> DatasetPlan:
         tree = Tree(text_of(path))
     except TreeError as error:
         raise ModelError([error.problem], str(path)) from None
-    reader = Reader(lines=tree.lines, directory=str(Path(path).parent), problems=tree.problems)
+    reader = Reader(
+        lines=tree.lines, allow_code=allow_code, directory=str(Path(path).parent), problems=tree.problems
+    )
     return read_plan(tree.data, reader, str(path))

@@ -51,4 +51,4 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
     if reader.problems:
         ordered = sorted(reader.problems, key=lambda p: p.line if p.line is not None else 10**9)
         raise ModelError(ordered, file)
-    return Model.from_parts(parts, values, file, reader.lines)
+    return Model.from_parts(parts, values, file, reader.lines, allow_code=reader.allow_code)

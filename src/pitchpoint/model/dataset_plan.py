@@ -94,7 +94,7 @@ class DatasetPlan:
         "time", "time computed before, which is not recorded", 0.0, minimum=0.0, display="that of the filter"
     )
     oversampling: int = integer(
-        "the machine is sampled so many times faster, then filtered and thinned out; 1: no filter",
+        "the machine is sampled so many times faster, then filtered and decimated; 1: no filter",
         2,
         minimum=1,
         maximum=64,
@@ -106,6 +106,8 @@ class DatasetPlan:
     """Standard deviation of the number at a path from case to case, over the number."""
     file: str | None = None
     lines: Mapping[Place, int] = field(default_factory=dict, compare=False)
+    allow_code: bool = field(default=False, compare=False)
+    """Whether the levels may name Python functions; the permission of the model does not cover them."""
 
     @property
     def samples(self) -> int:

@@ -164,6 +164,8 @@ class Model:
     """Lines of the keys that it has there, counted from 1."""
     changed: bool | None = derived()
     """Whether values have been replaced since: the file no longer says what the model is."""
+    allow_code: bool = derived(False)
+    """Whether it was read with permission to name Python functions; `replace` then permits them too."""
     pairs: Mapping[str, GearPair] = derived()
     """Pair of every mesh at its centre distance; the common face width is what overlaps."""
     mechanism: Mechanism = derived()
@@ -190,6 +192,8 @@ class Model:
         keys: Mapping[str, Any],
         file: str | None = None,
         lines: Mapping[Place, int] | None = None,
+        *,
+        allow_code: bool = False,
     ) -> Model:
         """Model of parts that `validate.check` has settled and found without problems.
 
@@ -199,12 +203,18 @@ class Model:
             The parts.
         keys
             Values of the keys that are no sections; those left out have their defaults.
-        file, lines
+        file, lines, allow_code
             As in the class.
         """
         model = object.__new__(cls)
         plain = {n: v for n, v in {**defaults_of(cls), **keys}.items() if n not in GROUPS}
-        own = {"file": file, "lines": lines, "changed": None, "damping": parts.damping}
+        own = {
+            "file": file,
+            "lines": lines,
+            "changed": None,
+            "damping": parts.damping,
+            "allow_code": allow_code,
+        }
         for name, value in {**plain, **own}.items():
             object.__setattr__(model, name, value)
         model._settle(parts)
@@ -220,7 +230,7 @@ class Model:
         parts.mechanism = self.mechanism or parts.mechanism
         return parts
 
-    def replace(self, path: str, value: Any) -> Model:
+    def replace(self, path: str, value: Any, *, allow_code: bool | None = None) -> Model:
         """New model with one value changed; everything that follows from it is settled again.
 
         Parameters
@@ -230,21 +240,25 @@ class Model:
         value
             What a file could hold there (number in SI, text with unit, mapping), or a component; None takes
             an optional key, or a component such as "loads.input", away.
+        allow_code
+            Whether the value may name a Python function; None: if the model was read with that permission.
 
         Raises
         ------
         ModelError
             If there is no such key, the value cannot be read, or the changed model is not possible.
         """
-        return self.replace_all({path: value})
+        return self.replace_all({path: value}, allow_code=allow_code)
 
-    def replace_all(self, changes: Mapping[str, Any]) -> Model:
+    def replace_all(self, changes: Mapping[str, Any], *, allow_code: bool | None = None) -> Model:
         """New model with several values changed at once: only the whole must be possible, no step to it.
 
         Parameters
         ----------
         changes
             New values by path, both as in `replace`.
+        allow_code
+            As in `replace`.
 
         Raises
         ------
@@ -252,7 +266,8 @@ class Model:
             With every path that does not exist and every value that cannot be read, or with what makes the
             changed model impossible.
         """
-        report = Reader(allow_code=True, directory=str(Path(self.file).parent) if self.file else ".")
+        code = self.allow_code if allow_code is None else allow_code
+        report = Reader(allow_code=code, directory=str(Path(self.file).parent) if self.file else ".")
         tops: dict[str, Any] = {}
         problems: list[Problem] = []
         for path, value in changes.items():

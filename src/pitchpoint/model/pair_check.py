@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError, PitchpointError, Problem
+from pitchpoint.geometry.tooth_problems import TIP_THICKNESS_LIMIT, at_key
 from pitchpoint.model.fault_check import check_faults, hand_on
 from pitchpoint.model.keys import Place
 from pitchpoint.model.phasing import assemble
@@ -31,7 +32,7 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
 
     def problems() -> list[Problem]:
         """What makes it impossible, at the keys of the file."""
-        return [_pointed_by_tip(gear, problem) for problem in gear.geometry.problems()]
+        return [at_tip_diameter(gear, problem) for problem in gear.geometry.problems()]
 
     if not told_shape(parts, ("gears", name), problems, report):
         _check_modifications(gear, ("gears", name, "modifications"), report)
@@ -64,12 +65,21 @@ def told_shape(parts: Parts, at: Place, find: Callable[[], list[Problem]], repor
     return bool(problems)
 
 
-def _pointed_by_tip(gear: Gear, problem: Problem) -> Problem:
-    """A pointed tooth, told at the tip diameter if the file gives one, with the last one that works."""
-    if gear.tip_diameter is None or problem.where != "profile_shift_coefficient":
+def at_tip_diameter(gear: Gear, problem: Problem, where: str = "") -> Problem:
+    """A thin or pointed tooth, reported at the tip diameter where the file gives one.
+
+    Parameters
+    ----------
+    gear
+        The gear, as in the model.
+    problem
+        What its geometry reports.
+    where
+        Place of the gear in the problem.
+    """
+    if gear.tip_diameter is None or problem.where != at_key(where, "profile_shift_coefficient"):
         return problem
     from pitchpoint.geometry.bisection import bisect
-    from pitchpoint.geometry.tooth_problems import TIP_THICKNESS_LIMIT
     from pitchpoint.geometry.tooth_thickness import tip_thickness
 
     shape = gear.geometry
@@ -89,7 +99,7 @@ def _pointed_by_tip(gear: Gear, problem: Problem) -> Problem:
     edge = abs(math.floor(last * 1e5)) * 1e-2
     return replace(
         problem,
-        where="tip_diameter",
+        where=at_key(where, "tip_diameter"),
         value=f"{gear.tip_diameter * 1e3:.6g} mm",
         limit=f"{problem.limit}, at {edge:.2f} mm",
         remedy=f"use at {'least' if shape.is_internal else 'most'} {edge:.2f} mm",

@@ -75,7 +75,7 @@ def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan
         )
     if reader.problems:
         raise ModelError(in_order(reader.problems), file)
-    plan = DatasetPlan(**values, file=file, lines=reader.lines)
+    plan = DatasetPlan(**values, file=file, lines=reader.lines, allow_code=reader.allow_code)
     if len(plan) > MOST_CASES:
         limit = f"at most {MOST_CASES}"
         raise ModelError([Problem("factors", f"make {len(plan)} cases", None, limit, "split the plan")], file)
@@ -206,11 +206,19 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
         )
     for name, levels in plan.factors.items():
         for level in levels:
-            _check_level(name, level, model, report)
+            _check_level(level, model, report, plan.allow_code)
     for path in plan.jitter:
         changed = next((lv.changes for f in plan.factors.values() for lv in f if path in lv.changes), {})
         try:
-            if number_at(model.replace_all({path: changed[path]}) if changed else model, path) is None:
+            if (
+                number_at(
+                    model.replace_all({path: changed[path]}, allow_code=plan.allow_code)
+                    if changed
+                    else model,
+                    path,
+                )
+                is None
+            ):
                 remedy = "name a key of the model that holds one number"
                 report.problem(("jitter", path), "is no number of the model", remedy=remedy)
         except ModelError:
@@ -222,12 +230,12 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
     return replace(plan, scenario=scenario)
 
 
-def _check_level(name: str, level: Level, model: Model, report: Reader) -> None:
+def _check_level(level: Level, model: Model, report: Reader, allow_code: bool) -> None:
     """What the model says to the values of a level, each at its own line where that is known."""
     if not level.changes:
         return
     try:
-        model.replace_all(level.changes)
+        model.replace_all(level.changes, allow_code=allow_code)
     except ModelError as error:
         for problem in error.problems:
             near = [p for p in level.changes if problem.where.startswith(p) or p.startswith(problem.where)]

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.core.errors import GeometryError, ValidityWarning
+from pitchpoint.core.errors import GeometryError, Problem, ValidityWarning
 from pitchpoint.core.units import format_quantity
+from pitchpoint.geometry.tooth_problems import NO_PAIR_IN_CONTACT
 from pitchpoint.model.beam_remarks import ends_left_behind
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.idle_keys import idle_keys
+from pitchpoint.model.pair_check import at_tip_diameter
 from pitchpoint.model.place_remarks import places_left_open
 
 if TYPE_CHECKING:
@@ -136,15 +138,27 @@ def odd_shapes(model: Model) -> tuple[str, ...]:
     """A sentence for all that is odd about the shape of a gear or of a pair that can be made."""
     found = []
     for name, gear in model.gears.items():
-        found += [f"gears.{problem}" for problem in gear.geometry.warnings(name)]
+        found += [f"gears.{at_tip_diameter(gear, problem, name)}" for problem in gear.geometry.warnings(name)]
     for name, cone in model.bevel_gears.items():
         found += [f"bevel_gears.{problem}" for problem in cone.geometry.warnings(name)]
-    for name, pair in model.pairs.items():
-        found += [f"meshes.{problem}" for problem in pair.warnings(name, model.meshes[name].gears)]
-    for name, cones in model.bevel_pairs.items():
-        gears = model.bevel_meshes[name].gears
-        found += [f"bevel_meshes.{problem}" for problem in cones.warnings(name, gears)]
+    found += [f"{at}.{problem}" for at, problem in _odd_pairs(model) if problem.message != NO_PAIR_IN_CONTACT]
     return tuple(found)
+
+
+def gaps_in_contact(model: Model) -> tuple[str, ...]:
+    """A sentence for every mesh that leaves moments without a pair of teeth in contact."""
+    odd = _odd_pairs(model)
+    return tuple(f"{at}.{problem}" for at, problem in odd if problem.message == NO_PAIR_IN_CONTACT)
+
+
+def _odd_pairs(model: Model) -> list[tuple[str, Problem]]:
+    """All that is odd about the pairs of a model, with their sections."""
+    return [
+        (model.section_of(name), problem)
+        for pairs in (model.pairs, model.bevel_pairs)
+        for name, pair in pairs.items()
+        for problem in pair.warnings(name, model.every_mesh[name].gears)
+    ]
 
 
 def warn_of_remarks(model: Model) -> None:
@@ -153,6 +167,7 @@ def warn_of_remarks(model: Model) -> None:
         ignored_flanks,
         negative_backlash,
         jumping_ramps,
+        gaps_in_contact,
         bushings_apart,
         places_left_open,
         ends_left_behind,

@@ -57,7 +57,7 @@ def plan(
     factor: list[tuple[int, ...]] = []
     forward: list[tuple[int, ...]] = []
     backward: list[list[tuple[int, ...]]] = []
-    queue = [(len(near[i]), i) for i in range(n)]  # a heap; what stands there twice counts as it is now
+    queue = [(len(near[i]), i) for i in range(n)]  # a heap; duplicates count with their present value
     heapify(queue)
     left = set(range(n))
     while queue:

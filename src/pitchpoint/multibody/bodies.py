@@ -3,7 +3,7 @@
 
 Every body hangs on its parent, another body or ground, by one joint at its origin; parents come before their
 children. A body has a *frame* R whose third axis is its spin axis and which does not spin; the spin is an
-angle beside it, and S is R turned by that angle, the frame that is fixed to the body. Bodies on ground whose
+angle next to it, and S is R turned by that angle, the frame that is fixed to the body. Bodies on ground whose
 mass is round about the spin axis ("round" bodies: gears, shafts) never need S: their inertia is constant in
 R and no sine of the spin is taken.
 """
@@ -51,7 +51,7 @@ BODY = np.dtype(
         ("shares", "i8"),  # body whose coordinates are its own too, 0 for none
         ("spinner", "i8"),  # body whose spin counts as its own, 0 for none
         ("upright", "f8", (3, 3)),  # frame from which that counts, columns in axes S of the spinner's parent
-        ("fixed_axes", "i8"),  # 1: S is asked for
+        ("fixed_axes", "i8"),  # 1: S is requested
         ("state", "i8"),  # 1: no body, its spin rate is the state of an element
         ("lead", "f8"),  # screw: way along the axis per radian [m/rad]
         ("sense", "f8"),  # spin axis against that of the parent: 1 parallel, -1 opposite, 0 neither
@@ -111,7 +111,8 @@ class Body:
     shares
         Number of an earlier body whose coordinates guide this body too, in place of own ones; 0 = none.
     state
-        Whether it is no body at all: its spin rate is the state of an element, with c' = f_c for the torque.
+        whether it is not a body at all: its spin rate is the state of an element, with c' = f_c for the
+        torque.
     angle
         Initial spin [rad]; any number of turns.
     start, rate
@@ -164,7 +165,7 @@ class Body:
         return np.asarray(self.com, float)
 
     def faults(self) -> list[str]:
-        """Say what makes the body impossible to compute; empty if nothing does."""
+        """List the reasons why the body cannot be computed; empty if there are none."""
         if self.motion not in JOINTS:
             return [f"motion {self.motion} is none of {sorted(JOINTS)}"]
         found = []

@@ -13,7 +13,7 @@ of guided joints before frames are made. An entry is four lines::
 Frame kinds with jac > 0 add ``-(ck dF_i/dx_j + cd dF_i/dxdot_j)`` to ``kk[pair]``, x being the small world
 displacement twist (translation of the origin, rotation) of body j. Kinds with mass subtract the inertia of
 their own from the wrenches and add ``-cm dF_i/dxddot_j`` wherever ``ctl["cm"]`` is not zero, whatever jac
-says. Kinds write results only when
+is. Kinds write results only when
 ``ctl["out"]`` is not zero, and values of event functions only when ``ctl["ev"]`` is not zero.
 """
 
@@ -54,7 +54,7 @@ CTL = np.dtype(
         ("gtt", "i8"),  # address of gtt[nc], the part of d2g/dt2 that is not G a
         ("lam", "i8"),  # address of the multipliers [nc]
         ("out", "i8"),  # address of the observations [no]; 0 = do not observe
-        ("ev", "i8"),  # address of the event functions [ne]; 0 = not asked for
+        ("ev", "i8"),  # address of the event functions [ne]; 0 = not requested
         ("at", "i8"),  # address of this record
         ("bad", "i8"),  # record index at which a kind gave up; set by the kind that returns a status
         ("badkind", "i8"),  # row of the kind that gave up; set by the driver
@@ -72,7 +72,7 @@ FRAME = np.dtype(
         ("tw", "f8", 6),  # world twist: velocity of the origin [m/s], angular velocity with spin [rad/s]
         ("ac", "f8", 6),  # time derivative of tw [m/s^2, rad/s^2]
         ("F", "f8", 6),  # accumulator: force [N] and moment about the origin [N m], world axes; [0] is a sink
-        ("S", "f8", (3, 3)),  # frame fixed to the body: R turned by phi; only where `fixed_axes` asks for it
+        ("S", "f8", (3, 3)),  # frame fixed to the body: R turned by phi; only where `fixed_axes` requires it
         ("phi", "f8"),  # spin about the third axis, remainder in (-pi, pi] [rad]
         ("spin", "f8"),  # time derivative of phi [rad/s]
         ("turns", "i8"),  # whole turns: the spin is phi + 2 pi turns
@@ -84,7 +84,7 @@ FRAME = np.dtype(
 )
 
 
-#: What a kind of the motion channel says about a joint made of functions: d(q, t) = sum f_mk(q_k) + f_m(t).
+#: Result of a kind of the motion channel for a joint made of functions: d(q, t) = sum f_mk(q_k) + f_m(t).
 GUIDE = np.dtype(
     [
         ("d", "f8", 6),  # displacements [m, rad]

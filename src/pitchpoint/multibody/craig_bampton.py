@@ -186,7 +186,7 @@ def held_modes(structure: Structure, nodes: Sequence[int], count: int) -> Modes:
 
 
 def _held_below(K: Any, M: Any, limit: float) -> Array:
-    """All modes with the interface held up to a frequency [Hz]; more are asked for until one lies above."""
+    """All modes with the interface held up to a frequency [Hz]; more are requested until one lies above."""
     count = 16
     while True:
         shapes, frequency = _held_modes(K, M, min(count, K.shape[0]))

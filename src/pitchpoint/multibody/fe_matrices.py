@@ -2,7 +2,8 @@
 """Matrices of finite-element programs: Nastran DMIG punch files and NumPy archives.
 
 All of them end as a `Structure` for the reduction to modes. Files are data from elsewhere: every size is
-checked before memory is taken, nothing in them is executed, and what cannot be read is said with its line.
+checked before memory is taken, nothing in them is executed, and what cannot be read is reported with its
+line.
 
 Matrix Market files are read by `matrix_market`. DMIG: MSC Nastran Quick Reference Guide, bulk data entries
 DMIG and GRID; fixed fields of 8 characters, or of 16 where the name of the entry ends in a star.
@@ -95,7 +96,7 @@ def checked(path: str | os.PathLike[str]) -> Path:
 
 
 def _lines(file: Path) -> Iterator[tuple[int, str]]:
-    """Lines with their numbers, comments and empty ones left out."""
+    """Lines with their numbers, comments and empty ones omitted."""
     with file.open(encoding="ascii", errors="replace") as text:
         number = 0
         while True:
@@ -104,7 +105,7 @@ def _lines(file: Path) -> Iterator[tuple[int, str]]:
                 return
             number += 1
             if len(line) >= 4096:
-                raise refuse(file, "is no text of lines of 80 characters", number)
+                raise refuse(file, "is not text of lines of 80 characters", number)
             if line.strip() and not line.startswith("$"):
                 yield number, line.rstrip("\r\n")
 
@@ -118,14 +119,14 @@ def _fields(line: str) -> list[str]:
 
 def _whole(file: Path, number: int, text: str, what: str) -> int:
     if not re.fullmatch(r"\d{1,9}", text):
-        raise refuse(file, f"{what}: {text!r} is no whole number", number, FIELDS)
+        raise refuse(file, f"{what}: {text!r} is not a whole number", number, FIELDS)
     return int(text)
 
 
 def real(file: Path, number: int, text: str, what: str, remedy: str = FIELDS) -> float:
     """A number as Nastran writes it: 1.0+5 and 1.0D+05 are 1e5."""
     if not _NUMBER.match(text):
-        raise refuse(file, f"{what}: {text!r} is no number", number, remedy)
+        raise refuse(file, f"{what}: {text!r} is not a number", number, remedy)
     plain = text.upper().replace("D", "E")
     if "E" not in plain:
         plain = plain[0] + re.sub(r"([+-])", r"E\1", plain[1:])
@@ -181,7 +182,7 @@ def _dmig(file: Path, number: int, line: str, found: DmigFile) -> tuple[str, tup
     fields = _fields(line)
     name = fields[0].upper()
     if not re.fullmatch(r"[A-Z][A-Z0-9]{0,7}", name):
-        raise refuse(file, f"DMIG: {fields[0]!r} is no name of a matrix", number)
+        raise refuse(file, f"DMIG: {fields[0]!r} is not a name of a matrix", number)
     large = "*" in line[:8]
     if not large and fields[1] == "0":
         form, kind = _whole(file, number, fields[2], "form"), _whole(file, number, fields[3], "type")
@@ -316,7 +317,7 @@ def read_npz(path: str | os.PathLike[str]) -> Structure:
         with np.load(file, allow_pickle=False) as arrays:
             data = {name: np.asarray(arrays[name]) for name in arrays.files}
     except (ValueError, OSError, EOFError, KeyError, zipfile.BadZipFile, MemoryError, RuntimeError) as error:
-        raise refuse(file, f"is no archive of plain arrays ({error})") from None
+        raise refuse(file, f"is not an archive of plain arrays ({error})") from None
     if "places" not in data:
         raise refuse(file, "has no array 'places'", remedy="add the nodes (number of nodes, 3) in m")
     found = {name: _matrix(file, data, name) for name in ("K", "M")}

@@ -25,7 +25,7 @@ def joint_motions(body, fr, motions, guides, charts, q, v, a):
 
     Also written is the vector of every body whose product with a small turn is the change of its spin. It is
     the spin axis, unless beta tilts the body: w1 then has a share along the spin axis, and
-    w1 x w2 / cos(beta) is the vector that stands on both tilt axes.
+    w1 x w2 / cos(beta) is the vector perpendicular to both tilt axes.
     """
     for b in range(body.size):
         body_axes(fr[b])

@@ -118,7 +118,7 @@ def mass_invariants(
     if not mass > 0.0 or np.abs(box[:3, :3] - mass * np.eye(3)).max() > 1e-6 * mass:
         weights = ", ".join(f"{w:.6g}" for w in np.diag(box)[:3])
         raise CompileError(
-            f"M: translations weigh {weights} kg; it is no mass matrix of a body, or directions and places "
+            f"M: translations weigh {weights} kg; not a mass matrix of a body, or directions and places "
             "do not belong to it"
         )
     first = _axial(box[3:6, :3])

@@ -37,7 +37,7 @@ def read_matrix_market(path: str | os.PathLike[str]) -> Any:
     Raises
     ------
     ModelError
-        If it is no such file, or too large.
+        If it is not a such file, or too large.
 
     Notes
     -----
@@ -64,23 +64,23 @@ def read_matrix_market(path: str | os.PathLike[str]) -> Any:
 
 
 def _short_lines(file: Path, text: IO[bytes]) -> Iterator[str]:
-    """Lines without the empty ones; remarks after the first are left out."""
+    """Lines without the empty ones; remarks after the first are omitted."""
     number = 0
     while line := text.readline(LONGEST):
         number += 1
         if len(line) >= LONGEST or b"\0" in line:
-            raise refuse(file, "is no text of short lines", number)
+            raise refuse(file, "is not text of short lines", number)
         if line.strip() and (number == 1 or not line.startswith(b"%")):
             yield line.decode("ascii", "replace")
 
 
 def _body(file: Path, lines: Iterator[str]) -> tuple[int, Any, Any, Any, bool]:
-    """Size, rows, columns and values of the entries that are listed, and whether each stands for two."""
+    """Size, rows, columns and values of the entries that are listed, and whether each represents two."""
     words = next(lines, "").lower().split()
     if len(words) != 5 or " ".join(words[:2]) != "%%matrixmarket matrix" or words[2] not in LAYOUTS:
         raise refuse(
             file,
-            "is no Matrix Market file",
+            "is not a Matrix Market file",
             1,
             "its first line is %%MatrixMarket matrix coordinate real symmetric, or the like",
         )
@@ -97,7 +97,7 @@ def _body(file: Path, lines: Iterator[str]) -> tuple[int, Any, Any, Any, bool]:
     entries = int(size[2]) if layout == "coordinate" else whole
     if rows != columns or not 0 < rows <= MOST_UNKNOWNS or entries > MOST_ENTRIES:
         raise refuse(file, f"{rows} x {columns} with {entries} entries (limit square, {MOST_UNKNOWNS} rows)")
-    # every entry takes two characters at least; compressed files say what they promise only at the end
+    # every entry takes two characters at least; compressed files state what they promise only at the end
     if file.suffix != ".gz" and 2 * entries > file.stat().st_size + 1:
         raise refuse(file, f"promises {entries} entries in {file.stat().st_size} bytes")
     found = np.zeros((0, 1))
@@ -139,7 +139,7 @@ def read_places(path: str | os.PathLike[str]) -> tuple[Any, Any, Any]:
     Raises
     ------
     ModelError
-        If a line is no node, or only some lines have digits.
+        If a line is not a node, or only some lines have digits.
     """
     file = checked(path)
     places, digits = [], []
@@ -148,7 +148,7 @@ def read_places(path: str | os.PathLike[str]) -> tuple[Any, Any, Any]:
         while line := text.readline(4096):
             number += 1
             if len(line) >= 4096:
-                raise refuse(file, "is no table of places", number)
+                raise refuse(file, "is not a table of places", number)
             words = re.split(r"[#%]", line)[0].replace(",", " ").replace(";", " ").split()
             if not words:
                 continue
@@ -158,7 +158,7 @@ def read_places(path: str | os.PathLike[str]) -> tuple[Any, Any, Any]:
             digits.append(_directions(file, number, words[3]) if len(words) == 4 else ())
             if bool(digits[-1]) != bool(digits[0]):
                 raise refuse(
-                    file, "only some nodes say their displacements", number, "add digits such as 123 to all"
+                    file, "only some nodes give their displacements", number, "add digits such as 123 to all"
                 )
             if len(places) > MOST_UNKNOWNS:
                 raise refuse(file, f"more than {MOST_UNKNOWNS} nodes", number)
@@ -173,7 +173,9 @@ def read_places(path: str | os.PathLike[str]) -> tuple[Any, Any, Any]:
 def _directions(file: Path, number: int, text: str) -> tuple[int, ...]:
     """Directions of the displacements of a node, in the order of its digits."""
     if not re.fullmatch(r"[1-6]{1,6}", text) or len(set(text)) != len(text):
-        raise refuse(file, f"displacements: {text[:20]!r} is no list of digits 1 to 6", number, "write 123")
+        raise refuse(
+            file, f"displacements: {text[:20]!r} is not a list of digits 1 to 6", number, "write 123"
+        )
     return tuple(int(c) - 1 for c in text)
 
 

@@ -101,7 +101,7 @@ def make_structure(
 
     spots = np.asarray(places, float)
     if spots.ndim != 2 or spots.shape[1] != 3 or not np.all(np.isfinite(spots)):
-        raise CompileError(f"places: {spots.shape} is no list of finite points (nodes, 3)")
+        raise CompileError(f"places: {spots.shape} is not a list of finite points (nodes, 3)")
     pair = []
     for name, given in (("K", K), ("M", M), ("K_spin", K_spin)):
         if given is None:
@@ -143,7 +143,7 @@ def _numbering(
     if node is None or direction is None:
         if n not in (3 * nodes, 6 * nodes) or nodes == 0:
             raise CompileError(
-                f"{n} displacements of {nodes} nodes are neither 3 nor 6 each; say node and direction"
+                f"{n} displacements of {nodes} nodes are neither 3 nor 6 each; give node and direction"
             )
         each = n // nodes
         return np.repeat(np.arange(nodes), each), np.tile(np.arange(each), nodes)
@@ -189,7 +189,7 @@ def check_speed(structure: Structure, frequency: float) -> None:
     Raises
     ------
     CompileError
-        Usually K in N/m stands beside places in mm.
+        A frequent cause is K in N/m together with coordinates in mm.
     """
     size = float(np.linalg.norm(np.ptp(structure.places, axis=0)))
     if 2.0 * size * frequency > FASTEST:

@@ -252,7 +252,7 @@ def count_spin(o, body, fr, f, mo):
     """Turn R of a body that turns with a spinner back by that spin, which becomes its own; R is S before.
 
     Its attitude against the frame that the spinner turns in is alpha about x, beta about the turned y, and
-    the spin, as if it stood there on a joint with six coordinates; the whole turns are those of the spinner.
+    the spin, as if it were there on a joint with six coordinates; the whole turns are those of the spinner.
     """
     g = fr[o["spinner"]]
     p = fr[body[o["spinner"]]["parent"]]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How much room the gears of a model leave each other when they are put together, judged by limits.
+"""How much room the gears of a model leave each other when they are assembled, judged by limits.
 
-Within a mesh the teeth count as solids without modifications; gears that do not mesh, and shafts beside them,
-count as their tip circles and sections, where the file places them.
+Within a mesh the teeth count as solids without modifications; gears that do not mesh, and shafts next to
+them, count as their tip circles and sections, where the file places them.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ class Stage:
     Attributes
     ----------
     pair
-        Its gears, with teeth as thin as the backlash of the mesh asks for.
+        Its gears, with tooth thicknesses that give the backlash of the mesh.
     gears
         Their names.
     rooms
@@ -89,7 +89,7 @@ class Stage:
 
 
 def stage_of(model: Model, mesh: str) -> Stage:
-    """The clearances of a mesh as it is put together.
+    """The clearances of a mesh as it is assembled.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def stage_of(model: Model, mesh: str) -> Stage:
 
 
 def _pair_as_built(model: Model, mesh: str) -> tuple[GearPair, tuple[str, ...]]:
-    """The pair whose teeth are thinned, both alike, to the backlash of the mesh; roots stay as they are."""
+    """The pair whose teeth are decimated, both alike, to the backlash of the mesh; roots stay as they are."""
     from dataclasses import replace
 
     pair = model.pairs[mesh]
@@ -149,7 +149,7 @@ def _pair_as_built(model: Model, mesh: str) -> tuple[GearPair, tuple[str, ...]]:
 
 
 def neighbours(model: Model) -> list[Room]:
-    """Room between gears that do not mesh, and between gears and shafts beside them, nearest first.
+    """Room between gears that do not mesh, and between gears and shafts next to them, nearest first.
 
     Parameters
     ----------

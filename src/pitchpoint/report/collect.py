@@ -36,13 +36,13 @@ SOURCES = (
 )
 BEVEL_SOURCES = ("Bevel gears: ISO 23509:2016; virtual cylindrical gears: ISO 10300-1:2014.",)
 SETTLED = 0.2
-"""Share of a record before its statistics begin, where no file says so (`settle_time`)."""
+"""Share of a record before its statistics begin, where no file reports this (`settle_time`)."""
 SWEPT = ("transmission_error", "deflection", "mesh_force")
 SHARES = ("contact_loss_share", "back_contact_share")
 
 
 def describe(model: Model) -> ReportModel:
-    """Collect what a report says about a model."""
+    """Collect the contents of a report about a model."""
     from pitchpoint.core.provenance import content_hash, package_version
     from pitchpoint.model.signal_words import signal_lines
     from pitchpoint.report.defaults import defaults

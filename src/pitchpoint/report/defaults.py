@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a model assumes: the keys that its file leaves out, with the values that apply."""
+"""What a model assumes: the keys that its file omits, with the values that apply."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ FOLLOWS = ("sum over the gears", "that of the gears", "from geometry", "round ab
 
 
 def defaults(model: Model) -> list[tuple[str, str]]:
-    """List the optional keys that stand at their defaults, equal ones of several components together."""
+    """List the optional keys that are at their defaults, equal ones of several components together."""
     merged: dict[tuple[str, str, str], list[str]] = {}
     for group, name, key, value in _walk(model):
         merged.setdefault((group, key, value), []).append(name)
@@ -39,7 +39,7 @@ def defaults(model: Model) -> list[tuple[str, str]]:
 
 
 def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
-    """Give (group, name, key below it, default in words) of every key that stands at its default."""
+    """Give (group, name, key below it, default in words) of every key that is at its default."""
     for group in GROUPS:
         found = own_bodies(model.bodies) if group == "bodies" else getattr(model, group)
         for name, part in found.items():
@@ -77,7 +77,7 @@ def _idle(part: Any) -> set[str]:
 
 
 def _unset(part: Any, path: str = "") -> Iterator[tuple[str, str]]:
-    """Give the keys of one component whose default says something: a number, a word or a rule."""
+    """Keys of one component with an informative default: a number, a word or a rule."""
     keys, known = keys_of(type(part)), defaults_of(type(part))
     for field in fields(part):
         if field.name not in keys:

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 class ResultChannels(Mapping[str, Array]):
-    """Channels of a result file, each read when it is asked for: a large machine has hundreds."""
+    """Channels of a result file, each read when it is requested: a large machine has hundreds."""
 
     def __init__(self, path: str) -> None:
         from pitchpoint.io.reading import list_channels
@@ -46,7 +46,7 @@ def read_record(path: str, sample_rate: float | None = None) -> Record:
     Raises
     ------
     MeasuredError
-        If the file is no result and cannot be read as a measured one.
+        If the file is not a result and cannot be read as a measured one.
     SignalError
         If it holds no time series.
     """

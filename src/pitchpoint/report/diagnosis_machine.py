@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What `pitchpoint diagnose` is asked: file, machine, speed and channels, put together and checked."""
+"""What `pitchpoint diagnose` is asked: file, machine, speed and channels, assembled and checked."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 SIMULATED = 20.0
-"""Signal-to-noise ratio that results of simulations get if nobody says another one [dB]."""
+"""Default signal-to-noise ratio of simulation results [dB]."""
 _BEARING = re.compile(r"([^:@]+):([^@]+)@(.+)")
 
 
@@ -60,7 +60,7 @@ class _Machine:
 
 
 def diagnose_file(request: Request) -> Study:
-    """Read a file, put the machine beside it and diagnose it.
+    """Read a file, put the machine next to it and diagnose it.
 
     Raises
     ------
@@ -96,12 +96,12 @@ def diagnose_file(request: Request) -> Study:
 
 
 def _complete(request: Request, record: Record, chosen: Mapping[str, Array]) -> None:
-    """Refuse a file that grows while it is read: a run that is still going on."""
+    """Refuse a file that grows while it is read: a run that is still continuing."""
     for name, values in chosen.items():
         if values.size != record.time.size:
             raise SignalError(
                 f"{request.file}: {name} has {values.size} samples for {record.time.size} times (limit: as "
-                "many); if the run still goes on, wait for its end"
+                "many); if the run still continues, wait for its end"
             )
 
 
@@ -143,7 +143,7 @@ def _machine(request: Request, record: Record) -> _Machine:
     model = _model(request, record)
     if model is None:
         raise SignalError(
-            f"{request.file}: says nothing about the machine; give --train with the tooth counts, such as "
+            f"{request.file}: does not describe the machine; give --train with the tooth counts, such as "
             "--train 32/96-48/80, or --model MODEL.yaml"
         )
     return _of_model(request, record, model)
@@ -154,7 +154,9 @@ def _of_train(request: Request) -> _Machine:
     for text in str(request.train).split("-"):
         found = re.fullmatch(r"\s*(\d+)\s*/\s*(\d+)\s*", text)
         if not found:
-            raise SignalError(f"--train: {text!r} is no pair of tooth counts; write them as in 32/96-48/80")
+            raise SignalError(
+                f"--train: {text!r} is not a pair of tooth counts; write them as in 32/96-48/80"
+            )
         stages.append((int(found[1]), int(found[2])))
     parts = train_parts(stages)
     names = {str(k + 1): shaft.name for k, shaft in enumerate(parts.shafts)}
@@ -193,7 +195,7 @@ def _model(request: Request, record: Record) -> Model | None:
 
 
 def _of_model(request: Request, record: Record, model: Model) -> _Machine:
-    """Parts of a model: speeds from options, else from a scenario, else any: an angle tells the speed."""
+    """Parts of a model: speeds from options or a scenario, else any: an angle channel gives the speed."""
     from pitchpoint.report.frequencies import turning_speeds
     from pitchpoint.report.machine_parts import parts_of
 
@@ -216,21 +218,21 @@ def _of_model(request: Request, record: Record, model: Model) -> _Machine:
     reference = _shaft_of(where, bodies) or max(seen or known, key=lambda body: known[body])
     if where and not _shaft_of(where, bodies):
         turning = ", ".join(body for body, speed in known.items() if speed)
-        raise SignalError(f"{where}: say on which shaft it is, as in {where}@BODY; there are: {turning}")
+        raise SignalError(f"{where}: give its shaft, as in {where}@BODY; there are: {turning}")
     parts, names, more = parts_of(model, spins, reference)
     parts = _with_bearings(parts, request, names)
     return _Machine(parts, reference, known[reference] / math.tau, names, (*remarks, *more))
 
 
 def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, float], list[str]]:
-    """Speeds of all bodies [rad/s] from options or a scenario; nothing if neither says any."""
+    """Speeds of all bodies [rad/s] from options or a scenario; nothing if neither gives any."""
     from pitchpoint.report.frequencies import scenario_speeds, turning_speeds
 
     given = {}
     for text in request.speeds:
         name, value = _speed(text)
         if not name:
-            raise SignalError(f"--speed: {text!r} does not say of which body; write BODY={text}")
+            raise SignalError(f"--speed: {text!r} does not name a body; write BODY={text}")
         given[name] = value * math.tau
     if given:
         return turning_speeds(model, given), []
@@ -317,7 +319,7 @@ def _began(record: Record, first: int) -> str:
 def _zeros(
     record: Record, machine: _Machine, first: int, zero: str, angle: Array
 ) -> dict[str, tuple[float, str]]:
-    """Angles that shafts have gone at the first sample, where a channel tells it."""
+    """Angles of shafts at the first sample, where a channel gives them."""
     found = {}
     own = machine.names.get(machine.reference, machine.reference)
     for shaft in machine.parts.shafts:
@@ -351,7 +353,7 @@ def _owner(channel: str, quantity: str) -> str:
 
 
 def _speed(text: str) -> tuple[str, float]:
-    """Shaft (empty if not said) and speed [Hz] of SHAFT=QUANTITY or QUANTITY."""
+    """Shaft (empty if not given) and speed [Hz] of SHAFT=QUANTITY or QUANTITY."""
     from pitchpoint.core.units import parse_quantity
 
     name, equals, quantity = text.rpartition("=")
@@ -366,7 +368,7 @@ def _speed(text: str) -> tuple[str, float]:
 
 
 def _with_bearings(parts: TurningParts, request: Request, names: dict[str, str]) -> TurningParts:
-    """Bearings of the options beside those of the model."""
+    """Bearings of the options in addition to those of the model."""
     found = [_bearing(text, parts, names) for text in request.bearings]
     return replace(parts, bearings=(*parts.bearings, *found))
 

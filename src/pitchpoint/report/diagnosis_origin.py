@@ -16,7 +16,7 @@ Row = tuple[str, str, str]
 
 
 def origin(request: Request, record: Record, found: Study, noise: Sequence[str]) -> tuple[Row, ...]:
-    """What was taken, its value, and who said it.
+    """Quantity, its value, and its origin.
 
     Parameters
     ----------
@@ -32,14 +32,14 @@ def origin(request: Request, record: Record, found: Study, noise: Sequence[str])
     time, count = record.time, record.time.size
     length = float(time[-1] - time[0])
     rate = (count - 1) / length if length > 0.0 else 0.0
-    said = "--sample-rate" if request.sample_rate is not None else "file"
+    source = "--sample-rate" if request.sample_rate is not None else "file"
     rows = [
         (
             "file",
             request.file,
             ", ".join(text for key, text in record.about.items() if key != "notes" and text),
         ),
-        ("sample rate", f"{rate:.6g} Hz", said),
+        ("sample rate", f"{rate:.6g} Hz", source),
         ("length", f"{length:.6g} s, {count} samples", _cut(record)),
         ("machine", *_machine(request)),
         ("speed", _speed(found), found.over.source),

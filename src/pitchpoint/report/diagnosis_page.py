@@ -15,7 +15,7 @@ from pitchpoint.viz.report_page import Section, page
 
 MOST_CHANNELS = 3
 NOT_HEALTHY = (
-    "This does not say that the machine is healthy: a fault that is smaller than the limits below stays "
+    "This does not state that the machine is healthy: a fault that is smaller than the limits below stays "
     "unseen. The pictures show what comes nearest to a finding."
 )
 
@@ -66,7 +66,7 @@ def _answer(study: Study) -> Section:
         section.add(f"<p>{NOT_HEALTHY}</p>")
     found = study.diagnosis
     for words, texts in (
-        ("Stands out, but is no finding:", found.untold),
+        ("Stands out, but is not a finding:", found.unreported),
         ("Not tested, so that nothing is known of it:", found.untested),
     ):
         items = "".join(f"<li>{escape(text)}</li>" for text in texts)
@@ -90,8 +90,8 @@ def _tests(study: Study) -> Section:
     section.add(
         f"<p>{study.diagnosis.tests} tests share the false alarms: "
         f"{percent(study.diagnosis.false_alarm)} of healthy records have a finding. “By chance” is the "
-        "probability that any of the tests of a healthy record shows as much. A comb is told in standard "
-        "deviations of a rank test, lines in decibels over what lies beside them.</p>"
+        "probability that any of the tests of a healthy record shows as much. A comb is given in standard "
+        "deviations of a rank test, lines in decibels over what lies next to them.</p>"
     )
     section.add(tables.test_table(study))
     return section
@@ -104,8 +104,8 @@ def _limits(study: Study) -> Section:
         return section
     (channel,) = shown_channels(study)
     section.add(
-        f"<p>In {escape(channel)} a fault is told from these limits on. Lines below 1 % of the rms of the "
-        "channel, and sidebands below 3 % of their mesh line, are not told at any limit: every machine has "
+        f"<p>{escape(channel)}: faults are reported from these limits on. Lines below 1 % of the rms of the "
+        "channel, and sidebands below 3 % of their mesh line, are never reported: every machine has "
         "them. A local fault must raise the orders of its shaft together, and strike at one place of the "
         "mean turn: the kurtosis of its residual must exceed 3 and the limit in the table of indicators.</p>"
     )
@@ -114,7 +114,7 @@ def _limits(study: Study) -> Section:
 
 
 def _remarks(study: Study) -> Section:
-    section = Section("remarks", "What else is to be known")
+    section = Section("remarks", "Notes")
     if study.remarks:
         items = "".join(f"<li>{escape(text)}</li>" for text in study.remarks)
         section.add(f'<ul class="notes">{items}</ul>')

@@ -153,7 +153,7 @@ def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: f
         f"({100.0 / best.teeth:.2g} % if spread evenly; by chance: {percent(energy.probability)})"
     )
     if not best.stands_out(false_alarm):
-        return f"{text}; {share}: that tells no single tooth"
+        return f"{text}; {share}: no single tooth can be identified"
     if not one_gear(finding, turns):
         return f"{text}; {share}, {degrees} after {best.since}"
     return (

@@ -20,7 +20,7 @@ SPEED_REACH = 0.01
 """How far a given speed may be off, as a part of it: so far the mesh lines are looked for."""
 HARMONICS = 3
 STEADY = 1e-3
-"""Relative spread of the speed within which frequencies are told in Hz."""
+"""Relative spread of the speed within which frequencies are given in Hz."""
 
 
 @dataclass
@@ -119,7 +119,7 @@ def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverA
 def at_speed(
     signals: Mapping[str, Array], sample_rate: float, parts: TurningParts, frequency: float
 ) -> OverAngle:
-    """Channels at a steady speed [Hz] that is known to 1 %: the mesh lines tell the rest.
+    """Channels at a steady speed [Hz] that is known to 1 %: the mesh lines give the exact value.
 
     Raises
     ------

@@ -27,7 +27,7 @@ PREFERRED = (
     ("bearing_force", "support_force"),
     ("transmission_error", "mesh_force"),
 )
-"""Quantities of result files in which damage is looked for if nobody says where: sensors before insides."""
+"""Quantities of result files in which damage is looked for if no one states where: sensors before insides."""
 MOST = 6
 
 
@@ -50,11 +50,11 @@ class Study:
     places
         For each finding that is a local fault the mean turns of the gears in question.
     place_sentences
-        What they say, for each finding; empty for those without.
+        Their statements, for each finding; empty for those without.
     file
         The file.
     origin
-        What was taken, its value, who said it.
+        Quantity, its value, its origin.
     units
         Unit of each channel, where it is known.
     """
@@ -116,13 +116,13 @@ class Study:
             "tests": found.tests,
             "allowed_false_alarm": found.false_alarm,
             "not_tested": list(found.untested),
-            "not_told": list(found.untold),
+            "not_reported": list(found.unreported),
             "remarks": list(self.remarks),
         }
 
 
 def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: Sequence[str] = ()) -> Study:
-    """Diagnose channels over an angle and say it in words.
+    """Diagnose channels over an angle and describe the result in words.
 
     Raises
     ------
@@ -185,11 +185,11 @@ def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[di
         try:
             x = as_signal(values, name, 64)
         except SignalError as reason:
-            remarks.append(f"{reason}; left out")
+            remarks.append(f"{reason}; omitted")
             continue
         spread = float(np.ptp(x))
         if spread <= 1e-12 * float(np.abs(x).max()):
-            remarks.append(f"{name}: is constant; left out")
+            remarks.append(f"{name}: is constant; omitted")
             continue
         if time is not None and is_pulse_train(x, time):
             remarks.append(
@@ -219,9 +219,9 @@ def preferred(names: Sequence[str]) -> list[str]:
 
 
 def _whole_ratios(parts: TurningParts) -> list[str]:
-    """Shafts that no averaging tells apart."""
+    """Shafts that no averaging distinguishes."""
     why = (
-        "whole ratios: {}; averaging cannot tell the gears of such shafts apart, and as many equal faults at "
+        "whole ratios: {}; averaging cannot distinguish the gears of such shafts, and equal faults at "
         "equal angles on the slower shaft look like one on the faster"
     )
     pairs = [(fast, slow) for fast in parts.shafts for slow in parts.shafts if fast.order > slow.order]

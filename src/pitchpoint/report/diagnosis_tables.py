@@ -33,7 +33,7 @@ def rows_html(rows: Iterable[Sequence[str]], words: int) -> list[str]:
 
 
 def origin_table(study: Study) -> str:
-    """What was taken, its value, who said it."""
+    """Quantity, its value, its origin."""
     return plain_table(("what", "value", "from"), rows_html(study.origin, 3), numbers=False)
 
 
@@ -130,7 +130,7 @@ def _test_row(e: Evidence, hertz: float) -> tuple[str, ...]:
 
 
 def limit_table(study: Study, channel: str) -> str:
-    """Values of one channel, and those from which a fault is told."""
+    """Values of one channel, and the limits from which a fault is reported."""
     unit = study.units.get(channel, "")
     rms = signal_indicators(study.over.signals[channel]).rms
     rows = []

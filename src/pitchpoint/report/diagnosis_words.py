@@ -26,12 +26,12 @@ LOST = "sample rate: lost, as they lie above half of it: {}"
 
 
 def nothing_found(diagnosis: Diagnosis) -> str:
-    """Sentence for a record without findings; it does not say that the machine is healthy."""
+    """Sentence for a record without findings; it does not state that the machine is healthy."""
     tests = f"{diagnosis.tests} tests" if diagnosis.tests > 1 else "1 test"
     beyond = sum(e.found or bool(e.explained) for e in diagnosis.evidence)
     if beyond:
         which = "1 exceeds its limit" if beyond == 1 else f"{beyond} exceed their limits"
-        return f"nothing found: of {tests} {which}, but not as damage does: what stands out is told below"
+        return f"nothing found: of {tests} {which}, but not as damage does: what stands out is listed below"
     return (
         f"nothing found: none of {tests} exceeds its limit "
         f"(a healthy record does so with {percent(diagnosis.false_alarm)})"
@@ -213,7 +213,7 @@ def _cannot_tell(finding: Finding) -> str:
     if finding.bearings:
         others = (
             f"; or a local fault of a bearing: {' or '.join(finding.bearings)}, which strikes a whole "
-            "number of times in a turn: this record cannot tell them apart"
+            "number of times in a turn: this record cannot distinguishes them"
         )
     if len(finding.gears) < 2:
         return others

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A film of a scene: pictures that a browser without a window draws, put together by ffmpeg.
+"""A film of a scene: pictures that a browser without a window draws, assembled by ffmpeg.
 
-Both are programs of the system; where one is missing a sentence says so.
+Both are programs of the system; where one is missing a sentence reports this.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class _Kind:
     picture
         What the browser draws: jpeg, or png where its noise would cost colours.
     settings
-        What ffmpeg is told.
+        Arguments of ffmpeg.
     """
 
     encoders: tuple[str, ...]
@@ -151,7 +151,7 @@ def film_maker(target: str | os.PathLike[str]) -> FilmMaker:
     return FilmMaker(path, browser, ffmpeg, encoder)
 
 
-def film(page: str | os.PathLike[str], maker: FilmMaker, tell: Progress = silent) -> Path:
+def film(page: str | os.PathLike[str], maker: FilmMaker, progress: Progress = silent) -> Path:
     """Write the record of a page of `write_view` as a film.
 
     Parameters
@@ -160,8 +160,8 @@ def film(page: str | os.PathLike[str], maker: FilmMaker, tell: Progress = silent
         The page.
     maker
         The film and what makes it, from `film_maker`.
-    tell
-        Told after every picture.
+    progress
+        Called after every picture.
 
     Raises
     ------
@@ -175,11 +175,11 @@ def film(page: str | os.PathLike[str], maker: FilmMaker, tell: Progress = silent
             raise PitchpointError("the scene has no motion over time, so there is no film of it")
         count = round(maker.kind.rate * LENGTH)
         times = (first + (last - first) * k / (count - 1) for k in range(count))
-        encode(maker, (seen.picture(time, maker.kind.picture) for time in times), count, tell)
+        encode(maker, (seen.picture(time, maker.kind.picture) for time in times), count, progress)
     return maker.target
 
 
-def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, tell: Progress = silent) -> None:
+def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, progress: Progress = silent) -> None:
     """Hand pictures to ffmpeg.
 
     Parameters
@@ -190,8 +190,8 @@ def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, tell: Progre
         Jpeg or png files.
     count
         How many there are.
-    tell
-        Told after every picture.
+    progress
+        Called after every picture.
 
     Raises
     ------
@@ -204,10 +204,10 @@ def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, tell: Progre
         try:
             for k, picture in enumerate(pictures):
                 process.stdin.write(picture)
-                tell(k + 1, count)
+                progress(k + 1, count)
             process.stdin.close()
         except BrokenPipeError:
-            pass  # ffmpeg says why below
+            pass  # ffmpeg states why below
         words = process.stderr.read().decode(errors="replace").strip()
         if process.wait() != 0:
             raise PitchpointError(f"ffmpeg cannot write {maker.target.name}: {words or 'it gives no reason'}")

@@ -25,7 +25,7 @@ Line = tuple[str, str, str, str, str]
 def flank_lines(model: Model) -> list[Line]:
     """Describe what the flanks of all gears have besides the involute, amounts in micrometres.
 
-    Faults of severity 0 are left out, see `idle_faults`.
+    Faults of severity 0 are omitted, see `idle_faults`.
     """
     found = [(name, *line) for name, gear in model.gears.items() for line in _lines(gear)]
     for name, cone in model.bevel_gears.items():

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Drive
 
 EQUAL = 1e-6
-"""Angle by which planets at equal angles may stand elsewhere [rad]."""
+"""Angle by which planets at equal angles may be elsewhere [rad]."""
 
 
 def scenario_speeds(model: Model, name: str) -> tuple[dict[str, float], list[str]]:
@@ -56,7 +56,7 @@ def scenario_speeds(model: Model, name: str) -> tuple[dict[str, float], list[str
 
 
 def _at_end(drive: Drive, end: float) -> float | None:
-    """Speed of a drive at the end of a run [rad/s]; None if only running it would tell."""
+    """Speed of a drive at the end of a run [rad/s]; None if only a run would show it."""
     from pitchpoint.core.formula import Formula
     from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
 
@@ -89,7 +89,7 @@ def turning_speeds(
     given
         Speeds by body [rad/s].
     driven
-        Bodies whose given speed need not fit that of the others: the teeth ask for another one.
+        Bodies whose given speed need not fit that of the others: the teeth require another one.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def turning_speeds(
             near = get_close_matches(body, model.bodies, n=1)
             there = ", ".join(model.bodies) or "none"
             remedy = f"did you mean {near[0]!r}?" if near else f"there are: {there}"
-            problems.append(Problem(f"speed.{body}", "is no body of the model", remedy=remedy))
+            problems.append(Problem(f"speed.{body}", "is not a body of the model", remedy=remedy))
         elif seat is None or "spin" not in seat.coordinates:
             problems.append(Problem(f"speed.{body}", "is the speed of a body that cannot turn by itself"))
         else:

@@ -40,7 +40,7 @@ def parts_of(
     dict
         Name of the shaft in the parts by body.
     list of str
-        What was left out, and why.
+        What was omitted, and why.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def parts_of(
             continue
         order = Fraction(abs(row["speed"]) / base).limit_denominator(LARGEST)
         if abs(float(order) * base / abs(row["speed"]) - 1.0) > EXACT:
-            remarks.append(f"{body} is not geared to {reference}; left out")
+            remarks.append(f"{body} is not geared to {reference}; omitted")
             continue
         orders[body] = order
     carried = [name for name, row in rows["meshes"].items() if row["carrier"] is not None]
@@ -70,12 +70,12 @@ def parts_of(
                     "meshes",
                     "all go round with a carrier: planets pass a sensor one after the other, and no test "
                     "here knows their lines",
-                    remedy="`pitchpoint frequencies` tells where faults of sun, planets and ring show",
+                    remedy="`pitchpoint frequencies` lists the fault frequencies of sun, planets and ring",
                 )
             ]
         )
     if carried:
-        remarks.append(f"meshes on carriers are beyond this: {', '.join(carried)} left out")
+        remarks.append(f"meshes on carriers are beyond this: {', '.join(carried)} omitted")
     if not orders:
         raise ModelError([Problem("bodies", "carry no gears that turn; there is nothing to diagnose")])
     groups: dict[Fraction, list[str]] = {}

@@ -43,7 +43,7 @@ class Arms:
 
 
 def shows_friction(machine: Machine, name: str) -> bool:
-    """Whether a result says what friction does to each gear of a mesh."""
+    """Whether a result states what friction does to each gear of a mesh."""
     return all(f"{word}[{name}]" in machine.result for word in FRICTION)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What notebooks show for models and results: tables or a summary, and the 3-D scene in a frame.
 
-Results are plain datasets of xarray, so nothing is put into that class: IPython is told how to display it,
+Results are plain datasets of xarray, so nothing is put into that class: IPython is configured to display it,
 and whatever is not a result of pitchpoint gets the display that xarray has for it. Registering goes by the
 names of classes and imports nothing.
 """
@@ -41,12 +41,12 @@ MOST_ROWS = 8
 
 
 def register() -> bool:
-    """Tell a running IPython how to show gears, pairs, models and results; does nothing elsewhere.
+    """Register the displays of gears, pairs, models and results with a running IPython; no effect elsewhere.
 
     Returns
     -------
     bool
-        Whether there was an IPython to tell.
+        Whether IPython is running.
     """
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython is not None and hasattr(ipython, "get_ipython") else None
@@ -76,7 +76,7 @@ def model_html(model: Model) -> str:
 
 
 def is_result(data: xr.Dataset) -> bool:
-    """Whether a dataset says of itself that pitchpoint has computed it."""
+    """Whether a dataset was computed by pitchpoint."""
     source = str(data.attrs.get("source", ""))
     return "pitchpoint_version" in data.attrs or source.startswith("pitchpoint ")
 
@@ -91,13 +91,13 @@ def dataset_html(data: xr.Dataset) -> str:
 
 
 def _frame(scene: Callable[[], Scene]) -> str:
-    """A scene in a frame of its own, or a sentence that says why there is none."""
+    """A scene in a frame of its own, or a sentence that states why there is none."""
     from pitchpoint.core.errors import PitchpointError, ValidityWarning
     from pitchpoint.viz.scene_page import scene_frame
 
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", ValidityWarning)  # it was said when model or result were made
+            warnings.simplefilter("ignore", ValidityWarning)  # it was reported when model or result were made
             made = scene()
         if not made.solids:
             return _sentence("no scene: the model holds no body with gears, shafts or a solid to draw")
@@ -137,8 +137,8 @@ def _summary(data: xr.Dataset) -> str:
     """Title, where the result comes from, how it ended, and the first of its channels in numbers."""
     attrs = data.attrs
     bold = escape(str(attrs.get("title") or "Result"))
-    said = f"<p><b>{bold}</b><br>{escape('; '.join(_facts(data)))}</p>{_ending(data)}"
-    return said + _numbers(data) + _modes(data) + _sweep(data)
+    sentence = f"<p><b>{bold}</b><br>{escape('; '.join(_facts(data)))}</p>{_ending(data)}"
+    return sentence + _numbers(data) + _modes(data) + _sweep(data)
 
 
 def _facts(data: xr.Dataset) -> list[str]:
@@ -163,13 +163,13 @@ def _ending(data: xr.Dataset) -> str:
     status, attrs = data.attrs.get("status", OK), data.attrs
     if status in (OK, "finished"):
         return ""
-    said = attrs.get("status_text") or attrs.get("sentence") or ""
-    words = f"not finished, status {status}" + (f": {said}" if said else "")
+    sentence = attrs.get("status_text") or attrs.get("sentence") or ""
+    words = f"not finished, status {status}" + (f": {sentence}" if sentence else "")
     return f"<p><b>{escape(words)}</b></p>"
 
 
 def _numbers(data: xr.Dataset) -> str:
-    """Mean, alternating rms, least and greatest value of the first channels over the whole record."""
+    """Mean, alternating rms, minimum and maximum value of the first channels over the whole record."""
     import numpy as np
 
     from pitchpoint.viz.tables import plain_table

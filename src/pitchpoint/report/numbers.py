@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The numbers of gears, pairs and mesh stiffness that commands and reports show, by their ISO symbols.
 
-Each quantity stands once, with its meaning and dimension; JSON and tables are made from the same rows. Values
+Each quantity exists once, with its meaning and dimension; JSON and tables are made from the same rows. Values
 are SI and radians; numbers of teeth, diameters, centre distances and helix angles are positive here, whatever
-signs ISO 21771 gives them inside the geometry (a hand stands beside the helix angle instead).
+signs ISO 21771 gives them inside the geometry (the hand is given next to the helix angle instead).
 """
 
 from __future__ import annotations
@@ -142,7 +142,7 @@ def measure_numbers(gear: CylindricalGear) -> dict[str, Any]:
 
 
 def mesh_numbers(model: Model, name: str) -> dict[str, Any]:
-    """Collect the geometry of a mesh as it stands in the model, and its stiffness by DIN 3990 / ISO 6336.
+    """Collect the geometry of a mesh as it is in the model, and its stiffness by DIN 3990 / ISO 6336.
 
     Backlash is what is simulated, so a value given in the file counts.
     """

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 READ = {*TIME_QUANTITIES, *FORCE_PARTS, "normal_force"} - {"bearing_force", "coupling_force"}
 """Quantities that a reader of the scene in a report may draw below it."""
 NO_PARTS = ("lines", "pairs")
-"""Mappings of a model that are no sections of its file."""
+"""Mappings of a model that are not sections of its file."""
 MOST_NAMES = 6
 """Names that are written out; of more the first of them."""
 
@@ -63,7 +63,7 @@ def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
             words = f"The motion of {name} cannot be shown: {error}"
             break
         if scene.solids:
-            # the page has curves of its own: below the scene stands what is read most
+            # the page has curves of its own: below the scene are the most important channels
             scene = replace(scene, channels=[c for c in scene.channels if c.name.partition("[")[0] in READ])
             notes = [f"The scene shows {name}; a click into a curve of this run moves its time.", lost]
             notes.append("" if len(runs) < 2 else "The command view shows other runs, and two side by side.")
@@ -96,7 +96,7 @@ def _finite(data: xr.Dataset) -> tuple[xr.Dataset, str]:
 
 
 def power_part(model: Model, runs: Mapping[str, TimeRun]) -> dict[str, Any]:
-    """Power flow of every run, or a sentence that says why there is none; nothing where none can flow."""
+    """Power flow of every run, or a sentence that states why there is none; nothing where none can flow."""
     from pitchpoint.report.power_flow import power_flow
 
     found: dict[str, PowerFlow | str] = {}

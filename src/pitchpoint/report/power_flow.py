@@ -36,7 +36,7 @@ TORQUES = {"coupling": "damping", "torsion_maxwell": "damping", "friction_clutch
 what does not arrive has gone."""
 FOLLOWED = {*MESHES, "torque", "drive", "ratio", "bearing", *TORQUES}
 WITHOUT_POWER = {"signal", "guide", "closure", "shaft_beam", "linear_hold", "linear_modes"}
-"""Kinds that give and take none on the mean, or that stand within one block."""
+"""Kinds without mean power, or within one block."""
 ROUND_OFF = 1e-12
 """Share of the power of a link below which what it loses is none."""
 KINDS = {"bearing": "bearings", "rolling_bearing": "rolling bearings", "loose_bearing": "bearings with play"}
@@ -172,7 +172,7 @@ class Machine:
                     yield self.link(f"reaction of {name}", word, (0, j), (-on_j, on_j))
 
     def meshes(self) -> Iterator[PowerLink]:
-        """Meshes; where a result does not tell what friction does to each gear, that which drives pays."""
+        """Meshes; friction power not divided among the gears counts for the driving gear."""
         names = mesh_names(self.system)
         for m, (record, name) in enumerate(zip(mesh_records(self.system), names, strict=True)):
             pair = int(record["i"]), int(record["j"])

@@ -79,7 +79,7 @@ def _text(key: str, value: Any) -> str:
     if isinstance(value, list | tuple):
         return ", ".join(_text(key, v) for v in value)
     if isinstance(value, bool) or not isinstance(value, int | float):
-        # laws stand in the file of the model; what is left of them here is no text for people
+        # laws are in the file of the model; what is left of them here is not text for people
         return "" if "(" in str(value) else str(value).replace("_", " ")
     shown = scale(UNITS.get(key, ""), [float(value)])
     return f"{number(value * shown.factor)} {shown.unit}".rstrip()

@@ -117,7 +117,7 @@ def from_roll(
     data
         Mesh cycle without a roll.
     unit
-        Stiffness of its ratio 1 [N/m]; None where that is no stiffness.
+        Stiffness of its ratio 1 [N/m]; None where that is not a stiffness.
     roll
         The roll.
     points
@@ -165,7 +165,7 @@ def from_roll(
 
 
 def _cycles(model: Model, mesh: str, curves: list[Array], points: int) -> tuple[int, int]:
-    """Periods after which the curves of a roll repeat, 0 if that is not known; and what the model says."""
+    """Periods after which the curves of a roll repeat, 0 if that is not known; and the notes of the model."""
     periods, until = (len(curves[0]) - 1) // points, periods_until_repeat(model, mesh)
     cycles = shortest_cycle(curves, points, periods)
     if periods < until:

@@ -59,7 +59,7 @@ def scene_of(
     result
         Result of a time run, or of modes.
     scenario
-        Scenario of the result; that which it names, if left out.
+        Scenario of the result; that which it names, if omitted.
     modes
         How many of the lowest modes are computed for it.
 
@@ -86,8 +86,8 @@ def scene_of(
     numbers = {b: k for k, b in enumerate(shown_bodies(system))}
     places = Places(model, numbers, {names[b]: k for b, k in numbers.items()})
     solids, notes = scene_solids(model, places)
-    bending, said = elastic_parts(model, places, record.at_frames)
-    solids, notes = solids + bending, notes + said
+    bending, remarks = elastic_parts(model, places, record.at_frames)
+    solids, notes = solids + bending, notes + remarks
     if result is not None and whole is not None and result.sizes["time"] < whole.sizes["time"]:
         notes.append(
             f"shown up to {float(result['time'][-1]):.6g} s: after that the result holds numbers that are "
@@ -101,11 +101,11 @@ def scene_of(
     spectra: list[SceneSpectrum] = []
     maps: list[SceneMap] = []
     if result is not None:
-        arrows, said = force_arrows(system, moved, record.at_frames)
+        arrows, remarks = force_arrows(system, moved, record.at_frames)
         contacts, lacking = scene_contacts(model, system, lines, moved, record.at_frames)
         marks, coarse = scene_marks(model, result, contacts, record.times)
         spectra, maps = scene_spectra(model, result, _settle_time(model, chosen))
-        notes += [*_another_state(model, result), *said, *lacking, *coarse]
+        notes += [*_another_state(model, result), *remarks, *lacking, *coarse]
     labels = [body.name for body in bodies]
     found = scene_modes(system, modes, labels, solids) if modes else []
     if shapes is not None:
@@ -203,7 +203,7 @@ class _Record:
         return values if np.isfinite(values).all() else None
 
     def curves(self) -> Sequence[SceneChannel]:
-        """Every channel over time, thinned to least and most of each piece."""
+        """Every channel over time, decimated to least and most of each piece."""
         if self.result is None:
             return []
         time = np.asarray(self.result["time"].values, dtype=np.float64)
@@ -235,7 +235,7 @@ class _Record:
             order = {quantity: k for k, quantity in enumerate(SECOND)}
 
             def rank(k: int) -> tuple[bool, int]:
-                """What changes comes before what stands still, round-off apart; then what people look at."""
+                """What changes comes before what is at rest, round-off apart; then what people look at."""
                 least, most = float(found[k].least.min()), float(found[k].most.max())
                 level = most - least <= 1e-9 * max(abs(least), abs(most))
                 return level, order.get(found[k].name.split("[")[0], len(order))

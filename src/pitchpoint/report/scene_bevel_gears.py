@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bevel gears of a scene: one tooth in several finenesses, and the angles at which its copies stand."""
+"""Bevel gears of a scene: one tooth in several finenesses, and the angles of its copies."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def bevel_part(model: Model, name: str, seat: tuple[int, Array, Array], thinner:
 
 
 def _pieces(gear: BevelGear, shape: Shape) -> list[ScenePiece]:
-    """Teeth where they stand and the bodies behind them, and every broken tooth with what has befallen it."""
+    """Teeth at their positions and the bodies behind them, and every broken tooth with its faults."""
     pitches: Array = 2.0 * math.pi / shape.z * np.arange(shape.z, dtype=np.float64)
     turns = pitches.copy()
     broken: dict[int, list[str]] = {}
@@ -91,9 +91,9 @@ def _pieces(gear: BevelGear, shape: Shape) -> list[ScenePiece]:
     found = [ScenePiece(pitches, body)]
     if sound.size:
         found.insert(0, ScenePiece(turns[sound], teeth))
-    for tooth, said in broken.items():
+    for tooth, labels in broken.items():
         stump = _levels(gear, shape, whole[tooth])[0]
-        found.append(ScenePiece(turns[[tooth]], stump, "; ".join(said)))
+        found.append(ScenePiece(turns[[tooth]], stump, "; ".join(labels)))
     return found
 
 
@@ -103,7 +103,7 @@ def _levels(
     """A tooth, and the body behind it, from coarse to fine; chords as those of cylindrical gears.
 
     They are apart because a back cone that is nearly flat would look round where it ends. `whole`: cone
-    distances between which the tooth stands [m].
+    distances between which the tooth is complete [m].
     """
     teeth, body = [], []
     coarse = [e * shape.m_mn for e in ERRORS]

@@ -207,7 +207,8 @@ def bevel_tooth_at(model: Model, gear: str, points: Array) -> int:
 
     Notes
     -----
-    On the pitch cone at R_m a flank stands a quarter of a pitch beside the middle of its tooth, or nearly so.
+    On the pitch cone at R_m a flank is a quarter of a pitch next to the middle of its tooth, or nearly
+    so.
     """
     part = model.bevel_gears[gear]
     shape = part.geometry

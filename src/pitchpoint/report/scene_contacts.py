@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where and how teeth touch over the frames of a scene: contact lines and their loads, from the kernels.
 
-The state of each frame is put back into the compiled system (`scene_motion`), which is then asked for the
+The state of each frame is put back into the compiled system (`scene_motion`), which is then requested the
 contact lines (`elements/mesh_lines`). A result does not keep all velocities, so these loads are elastic;
 that they add up to the pair forces of the result, damping included, is seen to by one factor a pair.
 """
@@ -74,7 +74,7 @@ class ContactLines:
                 one["record"], one["flank"], one["stations"] = mesh.record.ctypes.data, flank, STATIONS
 
     def look(self, frame: int) -> None:
-        """Ask all meshes where the system stands now.
+        """Evaluate all meshes at the present state.
 
         Raises
         ------
@@ -231,7 +231,7 @@ def _unit_pressure(model: Model, name: str, path: tuple[float, ...]) -> Array:
 
 
 def _penetration(name: str, mesh: _Mesh | BevelLines, read: Read) -> Array:
-    """Of the front and the back flanks [m]: channels tell that of the nearer one, and on which side it is."""
+    """Of the front and the back flanks [m]: channels give that of the nearer one and its side."""
     nearer = read(f"penetration[{name}]")
     cos_b = math.cos(math.atan(float(mesh.first["tan_b"])))
     x = mesh.deflection
@@ -247,7 +247,7 @@ def _surfaces(
 ) -> list[FlankSurface]:
     """Flanks of both gears where the path of contact reaches them: what the kernel's lines sweep over.
 
-    At a width z the flanks of pair 0 stand at `line` on the line of action, half of the penetration before
+    At a width z the flanks of pair 0 are at `line` on the line of action, half of the penetration before
     and behind it; a flank comes to another place of the path when its gear turns by the way over its base
     radius.
     """

@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 MOST = 50_000
-"""Triangles of one drawn solid: more make a page large and slow, and nobody sees them."""
+"""Triangles of one drawn solid: more make a page large and slow, and no one sees them."""
 _CELLS, _COARSER = 512, 0.75
 """Cells along a solid in which corners become one, and by how much fewer there are at every try."""
 

@@ -59,7 +59,7 @@ class Forces:
 
 
 def force_arrows(system: System, moved: Motion, read: Read) -> tuple[list[SceneArrow], list[str]]:
-    """Arrows of all meshes and bearings, and what is to be said about them.
+    """Arrows of all meshes and bearings, and what is to be reported about them.
 
     Parameters
     ----------

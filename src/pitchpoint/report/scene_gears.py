@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears of a scene: one tooth of every shape, and the angles at which its copies stand.
+"""Gears of a scene: one tooth of every shape, and the angles of its copies.
 
 Micro-geometry and single errors of teeth are drawn, as the contact sees them; what is missing of damaged
-teeth too. Every tooth comes in several finenesses, told by how far its chords lie off the exact tooth.
+teeth too. Every tooth comes in several finenesses, graded by the deviation of its chords from the exact
+tooth.
 """
 
 from __future__ import annotations
@@ -105,7 +106,7 @@ def _unseen(name: str, gear: Gear) -> list[str]:
 
 
 def _seat(gear: Gear) -> tuple[complex, complex]:
-    """Displacement of the teeth [m] and lean of their axis [rad], from the centre of tooth 0."""
+    """Displacement of the teeth [m] and tilt of their axis [rad], from the centre of tooth 0."""
     shift, lean = 0j, 0j
     for fault in gear.faults.values():
         if isinstance(fault, Eccentricity | Wobble):
@@ -117,7 +118,7 @@ def _seat(gear: Gear) -> tuple[complex, complex]:
 
 
 def _leaning(lean: complex) -> Array:
-    """Axes whose third leans towards a direction in the plane of the first two."""
+    """Axes whose third is tilted towards a direction in the plane of the first two."""
     from scipy.spatial.transform import Rotation
 
     return np.asarray(Rotation.from_rotvec([-lean.imag, lean.real, 0.0]).as_matrix())
@@ -172,7 +173,7 @@ class _Teeth:
 
     @property
     def _resolution(self) -> int | None:
-        """Points of a flank that the model asks for, within what a page can hold."""
+        """Points of a flank requested by the model, limited by the page size."""
         asked = self.gear.drawing_resolution
         return None if asked is None else min(asked, MOST_POINTS)
 

@@ -69,7 +69,7 @@ def joining_parts(model: Model, at: Places) -> list[SceneSolid]:
 
 
 def _radius(model: Model, at: Places, end: str, place: Array) -> float | None:
-    """Radius of what turns at a place in the world [m]; none where nothing tells it."""
+    """Radius of what turns at a place in the world [m]; none if unknown."""
     body = split(end)[0]
     if body not in model.bodies:
         return None
@@ -179,7 +179,7 @@ def _axis(at: Places, bodies: tuple[str, ...]) -> _Axis:
         return _Axis(origin, direction, high, start, None)
     if end <= low:
         return _Axis(origin, direction, low, end, None)
-    # they lie over each other: beside both
+    # they overlap: next to both
     return _Axis(origin, direction, max(high, end), max(high, end), None)
 
 

@@ -2,7 +2,7 @@
 """Instants of a result worth looking at: contact lost and regained, the other flanks, faulty teeth in mesh.
 
 They come from the samples that the result keeps, and instants between two samples from straight lines; where
-teeth go by faster than that can see, it is said.
+teeth go by faster than that can see, it is reported.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ BOTH = 2
 def scene_marks(
     model: Model, result: xr.Dataset, contacts: Sequence[SceneContact], frames: Array
 ) -> tuple[list[SceneMark], list[str]]:
-    """All marks in the order of time, and what they do not tell.
+    """All marks in order of time, and notes on what they omit.
 
     Parameters
     ----------
@@ -124,11 +124,11 @@ def contact_marks(result: xr.Dataset, contact: SceneContact, time: Array) -> lis
             side = back if state[end] == -1 else front
             word = "back flank" if state[end] == -1 else "front flank"
             regained, speed = _impact(time, side, start, end)
-            said = f"{name}, {word}, closing at {format_quantity(speed, 'speed')}"
-            found.append((SceneMark(regained, "impact", said), speed))
+            caption = f"{name}, {word}, closing at {format_quantity(speed, 'speed')}"
+            found.append((SceneMark(regained, "impact", caption), speed))
         if start > 0:
             found.append((SceneMark(gone, "contact_loss", name, regained), regained - gone))
-    # a mesh works on the flanks that touch most of the time; the others are the ones to be told of
+    # a mesh works on the flanks that touch most of the time; the others are reported
     other, kind, side = -1, "back_flank", back
     if np.count_nonzero(state == -1) > np.count_nonzero(state == 1):
         other, kind, side = 1, "front_flank", front
@@ -190,9 +190,9 @@ def fault_marks(model: Model, contact: SceneContact, frames: Array) -> list[tupl
                     continue
                 if not _concerns(fault, flank.side, number == 1 and getattr(gear, "type", "") == "internal"):
                     continue
-                said = f"{surface.gear}, tooth {tooth} ({label.replace('_', ' ')}) in {contact.name}"
+                caption = f"{surface.gear}, tooth {tooth} ({label.replace('_', ' ')}) in {contact.name}"
                 for begins, ends in tooth_in_mesh(contact, flank, surface, tooth, frames):
-                    found.append((SceneMark(begins, "faulty_tooth", said, ends), ends - begins))
+                    found.append((SceneMark(begins, "faulty_tooth", caption, ends), ends - begins))
     return found
 
 

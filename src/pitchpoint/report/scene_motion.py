@@ -20,7 +20,7 @@ TWO_PI = 2.0 * math.pi
 TURNING = 0.5
 """Travel [rad] from which on a body counts as turning."""
 STILL = 1e-12
-"""Displacement [m, rad] below which a track is left out."""
+"""Displacement [m, rad] below which a track is omitted."""
 SWING = 0.05
 """Turn [rad] about one axis from which on it is motion, not vibration."""
 TUMBLE = 0.3
@@ -85,7 +85,7 @@ def motion(
     times
         The times [s], shape (n,).
     look
-        Called with the number of each time when the system stands there.
+        Called with the number of each time when the system is at that state.
     """
     layout, body = system.layout, system.program["body"]
     q = np.tile(system.initial_state().q * 0.0, (n, 1))
@@ -170,7 +170,7 @@ def shown_bodies(system: System) -> list[int]:
 
 
 def scene_bodies(system: System, moved: Motion, rest: Motion) -> list[SceneBody]:
-    """Bodies of a scene, ground left out; those that hang on a body that turns move in its frame.
+    """Bodies of a scene, ground omitted; those that hang on a body that turns move in its frame.
 
     Parameters
     ----------
@@ -248,7 +248,7 @@ def _guide(angle: Array) -> int:
 
 
 def _gross(angle: Array, b: int, guide: int) -> tuple[Array | None, float]:
-    """Angle that kinematics ask for, as that of the guide and a ratio: the best fit over all frames."""
+    """Angle prescribed by the kinematics, as that of the guide and a ratio: the best fit over all frames."""
     if guide < 0 or abs(angle[-1, b] - angle[0, b]) < TURNING:
         return None, 1.0
     if b == guide:

@@ -27,7 +27,7 @@ class Places:
     model
         The model.
     numbers
-        Numbers of the bodies in the scene by those in the records, ground left out.
+        Numbers of the bodies in the scene by those in the records, ground omitted.
     names
         Numbers of the bodies in the scene by name.
     """

@@ -48,7 +48,7 @@ class _Term(NamedTuple):
 
 
 def ratio_parts(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]:
-    """What stands for the ratios of a model, and what is not drawn.
+    """What represents the ratios of a model, and what is not drawn.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def ratio_parts(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]:
         solids = _pair(at, f"ratio {name}", *pair) if len(known) == len(terms) and len(pair) == 2 else []
         found += solids
         if not solids:
-            notes.append(f"ratio {name} is not drawn: no two wheels, or wheel and rack, stand for it")
+            notes.append(f"ratio {name} is not drawn: no two wheels, or wheel and rack, represent it")
     return found, notes
 
 

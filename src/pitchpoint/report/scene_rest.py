@@ -45,13 +45,13 @@ def rest_scene(model: Model) -> Scene:
     numbers = {k + 1: k for k in range(len(found))}
     places = Places(model, numbers, {body.name: k for k, body in enumerate(found)})
     solids, notes = scene_solids(model, places)
-    bending, said = elastic_parts(model, places, lambda _: None)
+    bending, remarks = elastic_parts(model, places, lambda _: None)
     return Scene(
         title=model.title or "Gears",
         subtitle="at rest",
         bodies=found,
         solids=solids + bending,
-        notes=notes + said,
+        notes=notes + remarks,
     )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands for bodies without a shape: bars between the places of their joints, balls, discs, springs.
+"""What represents bodies without a shape: bars between the places of their joints, balls, discs, springs.
 
 All of it is marked as schematic. Places and directions are those of the model, thicknesses are not.
 """
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from pitchpoint.report.scene_places import Places
 
 STEEL = 7850.0
-"""Density of balls and discs that stand for masses and inertias [kg/m^3]."""
+"""Density of balls and discs that represent masses and inertias [kg/m^3]."""
 BAR, PIN, BALL, DISC = 0.010, 0.017, 0.045, 0.4
 """Radii of bars, pins, the largest ball and disc, as parts of the size of the machine."""
 GUESSED = 0.2
-"""The same of a disc whose inertia alone is known: that of a whole vehicle is no disc."""
+"""The same of a disc whose inertia alone is known: that of a whole vehicle is not a disc."""
 RAIL = 0.15
 """Half the length of a rail, as a part of the size of the machine."""
 PINNED = ("revolute", "cylindrical", "screw", "universal", "planar")
@@ -36,7 +36,7 @@ PINNED = ("revolute", "cylindrical", "screw", "universal", "planar")
 def schematics(
     model: Model, at: Places, drawn: set[str], wheeled: set[str]
 ) -> tuple[list[SceneSolid], list[str]]:
-    """Everything that stands for something else, and sentences about it.
+    """Everything that represents something else, and sentences about it.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def schematics(
             )
         )
     if bars:
-        notes.append("bars, balls and discs stand for bodies whose shape the model does not give")
+        notes.append("bars, balls and discs represent bodies whose shape the model does not give")
     return found, notes
 
 
@@ -94,7 +94,7 @@ def stand_in(
     surface
         In the world [m].
     place
-        Where it sits on an elastic shaft or body, in the world [m]; its middle, if left out.
+        Where it sits on an elastic shaft or body, in the world [m]; its middle, if omitted.
     """
     points, triangles = surface
     number, origin, axes = at.seat(body, points.mean(axis=0) if place is None else place)

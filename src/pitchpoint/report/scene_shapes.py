@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Simple surfaces that scenes are put together from: rods, balls, rings, coils, plates."""
+"""Simple surfaces that scenes are assembled from: rods, balls, rings, coils, plates."""
 
 from __future__ import annotations
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Solids of a model for its scene: gears with their teeth, shafts, bearings, bodies from files.
 
-Every solid is in the frame of its body at spin 0, as the system has it. What has no drawing is left out and
-said: nothing is drawn that the model does not hold, but for spindles, which only join the gears of a body.
+Every solid is in the frame of its body at spin 0, as the system has it. What has no drawing is omitted and
+reported: nothing is drawn that the model does not hold, but for spindles, which only join the gears of a
+body.
 """
 
 from __future__ import annotations
@@ -103,15 +104,15 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
     frames = housings(model, at)
     found += [solid for part in frames.values() for solid in part]
     if frames:
-        notes.append("frames around gears stand for housings, whose shape the model does not give")
+        notes.append("frames around gears represent housings, whose shape the model does not give")
     if model.bearings or plates:
         notes.append("rings of linear bearings and plates of carriers show where they are, not how large")
     shapes = {n for n, p in model.bodies.items() if p.gears or p.bevel_gears or p.solid is not None}
     shapes |= {*plates, *frames}
     wheels, lacking = ratio_parts(model, at)
     wheeled = {n for n in model.bodies if at.names.get(n) in {solid.body for solid in wheels}}
-    more, said = schematics(model, at, shapes | set(model.shafts), wheeled)
-    return [*found, *more, *joining_parts(model, at), *wheels], [*notes, *said, *lacking]
+    more, remarks = schematics(model, at, shapes | set(model.shafts), wheeled)
+    return [*found, *more, *joining_parts(model, at), *wheels], [*notes, *remarks, *lacking]
 
 
 def thinning(model: Model) -> dict[str, float]:

@@ -70,7 +70,7 @@ def scene_spectra(
     Parameters
     ----------
     model
-        The model, which says what shaft turns the gears of a mesh.
+        The model, which states what shaft turns the gears of a mesh.
     result
         A time response.
     settle_time
@@ -160,7 +160,7 @@ def _map(name: str, unit: str, values: Array, time: Array, shaft: _Shaft | None)
             passed = time_frequency_map(signal, rate, frames=PIECES, start=float(time[0]))
             lines, times, amplitude = passed.frequency, passed.time, passed.amplitude
         else:
-            # a piece is short enough to show changes, long enough to tell orders apart
+            # a piece is short enough to show changes, long enough to distinguish orders
             turns = float(np.clip(np.floor(shaft.turns / 40.0), 1.0, 8.0))
             highest = min(shaft.highest, highest_resolved_order(shaft.angle))
             tracked = order_map(
@@ -169,7 +169,7 @@ def _map(name: str, unit: str, values: Array, time: Array, shaft: _Shaft | None)
             lines, times, amplitude = tracked.order, tracked.time, tracked.amplitude
     except SignalError:
         return []
-    # the mean of a piece is no line of its spectrum
+    # the mean of a piece is not a line of its spectrum
     lines, amplitude = lines[1:], amplitude[:, 1:]
     size = -(-lines.size // MAP_LINES)
     whole = lines.size // size * size

@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 SPINDLE = 0.35
 """Radius of a drawn spindle, as a part of the smallest root radius on it."""
 LEAST = 0.02
-"""Radius of what turns in a bearing where nothing tells it, as a part of the size of the machine."""
+"""Radius of what turns in a bearing if unknown, as a part of the size of the machine."""
 INNER, OUTER = (1.0, 1.3), (1.5, 1.85)
 """Radii of both rings over that of the shaft."""
 WIDE = 0.5
@@ -63,7 +63,7 @@ def ring_places(model: Model, name: str) -> list[float]:
 
 
 def shaft_radius(model: Model, body: str, z: float) -> float | None:
-    """Radius of what turns at a height on a body [m]; none where nothing tells it."""
+    """Radius of what turns at a height on a body [m]; none if unknown."""
     shaft = model.shafts.get(body)
     if shaft is not None:
         return 0.5 * section_at(shaft, z)[0]
@@ -100,7 +100,7 @@ def bearing_rings(model: Model, at: Places) -> list[SceneSolid]:
 
 
 def carriers(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
-    """Plates and pins of bodies without a solid on which gears turn beside their axis, by body."""
+    """Plates and pins of bodies without a solid on which gears turn next to their axis, by body."""
     found: dict[str, list[SceneSolid]] = {}
     for name, body in model.bodies.items():
         pins = [
@@ -163,7 +163,7 @@ def covers(model: Model) -> dict[str, str]:
     """Bodies whose solids would hide what they hold, by name: "housing", or "carrier" if they turn.
 
     They are fixed, or something runs in a bearing that sits in them, or gears turn on them; what carries
-    gears itself and moves is no cover, nor is a shaft.
+    gears itself and moves is not a cover, nor is a shaft.
     """
     rings = [p.ends[1] for g in (model.rolling_bearings, model.plain_bearings) for p in g.values()]
     seats = [b.housing or GROUND for b in model.bearings.values()]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a report computes itself, because it takes a second: slow roll of every mesh, modes, Campbell data.
 
-The loads of the first scenario at t = 0 count. What cannot be computed (loads that no tooth resists, say) is
-left out with a sentence.
+The loads of the first scenario at t = 0 count. What cannot be computed (for example loads that no tooth
+carries) is omitted with a sentence.
 """
 
 from __future__ import annotations
@@ -31,13 +31,13 @@ if TYPE_CHECKING:
     from pitchpoint.viz.report import CampbellData, MeshCycleData, ModeData
 
 LINEAR = 2
-"""Parts of the work of a report beside the slow rolls: matrices of the linear system, Campbell diagram."""
+"""Parts of the work of a report next to the slow rolls: matrices of the linear system, Campbell diagram."""
 SPEEDS = 41
 FOLLOWED = 20
 """Modes of a large system in the Campbell diagram: each takes some milliseconds per speed."""
 HARMONICS = 3
 MOMENTS = 1001
-"""Moments at which a drive is asked for its speed."""
+"""Moments at which a drive is requested its speed."""
 NAMED = 6
 """Modes up to which a Campbell diagram has their names in its legend."""
 
@@ -86,7 +86,7 @@ def with_rolls(
                 fewer.append(name)
             part = partial(_part_of, progress, k, len(rolled) + LINEAR)
             roll = roll_through(system, still, points, periods, mesh=name, others=False, progress=part)
-            if roll.status == INTERRUPTED:  # a report of what was rolled before is not what was asked for
+            if roll.status == INTERRUPTED:  # a report of what was rolled before is not what was requested
                 raise KeyboardInterrupt
             if roll.sentence != "finished":
                 notes.append(f"{name}: the slow roll stopped: {roll.sentence}.")
@@ -100,13 +100,13 @@ def with_rolls(
         notes.append(
             f"Slow rolls have {POINTS_OF_LARGE} points at most instead of {ALL_POINTS}, as the machine has "
             f"more than {LARGE} coordinates: {', '.join(fewer)}. "
-            "A scenario with quasi_static has as many as it says."
+            "A scenario with quasi_static has its own number."
         )
     return found, notes
 
 
 def _part_of(progress: Progress, before: int, parts: int, done: float, total: float, note: str = "") -> None:
-    """Tell how far one of several parts of equal length is."""
+    """Report the progress of one of several parts of equal length."""
     progress(before + done / total, parts, note)
 
 
@@ -158,7 +158,7 @@ def linear_parts(
 ) -> tuple[ModeData | None, CampbellData | None, list[str]]:
     """Modes about the loaded state and Campbell data over the speed of the first body in mesh.
 
-    `before` parts of the work that `progress` is told of are done.
+    `before` parts of the work that `progress` is informed of are done.
     """
     from pitchpoint.solvers.campbell import follow_modes
     from pitchpoint.solvers.linear_system import linearise
@@ -255,7 +255,7 @@ def model_of(system: System) -> Model:
 
 
 def highest_of_scenario(system: System, scenario: Scenario, body: str) -> float:
-    """Highest speed of a body in a scenario [rad/s], as far as the model file says it."""
+    """Highest speed of a body in a scenario [rad/s], as far as the model file states it."""
     from pitchpoint.model.scenario import Scenario
 
     speeds = [scenario.speed, *({name: speed} for name, speed in prescribed(system, scenario))]

@@ -110,7 +110,7 @@ def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool
     from pitchpoint.report.scene import scene_of
 
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ValidityWarning)  # it was said when the result was made
+        warnings.simplefilter("ignore", ValidityWarning)  # it was reported when the result was made
         if isinstance(source, Model):
             return scene_of(source, modes=modes)
         if isinstance(source, str | os.PathLike):

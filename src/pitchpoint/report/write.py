@@ -38,14 +38,14 @@ def write_report(
     *results
         Result files (`.h5`) of runs, slow rolls, sweeps and cases, and datasets of `solve_time`,
         `solve_quasistatic` and `sweep_speed`, in any number. The first fifth of a dataset counts as settling,
-        of a file what its scenario says. What follows from the model alone (geometry, mesh cycle, modes) is
+        from a file those of its scenario. What follows from the model alone (geometry, mesh cycle, modes) is
         computed and shown in any case.
     allow_code
         Whether a model file may name Python code.
     progress
-        Told how many parts of the work are done: the slow roll of every mesh, modes, Campbell diagram.
+        Called with the number of parts that are done: the slow roll of every mesh, modes, Campbell diagram.
     on_note
-        Told every warning that the page has, as soon as the page is written.
+        Called with every warning of the page, as soon as the page is written.
 
     Returns
     -------
@@ -61,7 +61,7 @@ def write_report(
 
     Notes
     -----
-    Validity warnings that come up on the way stand in the report and are not raised.
+    Validity warnings that come up on the way are in the report and are not raised.
 
     Examples
     --------

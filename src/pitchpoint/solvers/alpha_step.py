@@ -105,7 +105,7 @@ def alpha_step(at, t, h, rho, tol, iteration, code, keep):
     _predict(q, v, a, al, ap, h, (beta, gamma, alpha_m, alpha_f))
     for i in range(nd):
         al[i] -= share * a[i]  # completed below with the solved acceleration
-    if m["nfrictions"] > 0:
+    if m["settles"] != 0:
         _predict_multipliers(at)
     if iteration != 0:
         status = _stabilised_step(at, t, cm, cd, iteration, code)

@@ -29,7 +29,7 @@ from pitchpoint.core.status import DIVERGED, NOT_FINITE, OK, SLOW
 from pitchpoint.multibody.block_lu import SOLVE
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.multibody.constraints import schur_factor, schur_solve
-from pitchpoint.solvers.newton import ASTRAY, FADING, SLOW_RATE, back_to_guess, keep_guess
+from pitchpoint.solvers.newton import ASTRAY, FADING, SLOW_RATE, TRUSTED, back_to_guess, keep_guess, stale
 from pitchpoint.system.linear import factor, solve
 from pitchpoint.system.residual import FORCES, NEWTON, residual
 from pitchpoint.system.workspace import EVALUATIONS, ITERATIONS, MACH, VALID
@@ -242,6 +242,9 @@ def iterate(at, where, spare):
             real[0] = max(size / last, 1e-4)
         theta = real[0]
         known = last > 0.0 or size <= 1.0  # a large correction shows its rate by the next one
+        if theta > TRUSTED and last < 0.0 and stale(at, n["cm"], theta):
+            last = size
+            continue
         if size <= SMALL or (known and theta < 1.0 and size * theta <= 1.0 - theta):
             if count > 3 or (last > 0.0 and theta > AGED):
                 clock[VALID] = 0  # the next step gets a matrix of its own

@@ -30,6 +30,12 @@ SLOW_RATE = 0.5
 FADING = 1.2
 """Growth of the contraction rate from step to step while it is not measured: the matrix ages meanwhile."""
 
+TRUSTED = 0.1
+"""Contraction rate up to which one iteration makes a step where the mass matrix turns with the machine. The
+prediction takes what a step leaves over three times into the next: from a rate of a third on it would grow."""
+QUIET = 1e-7
+"""Change of the accelerations [m/s^2] that is left to rounding whatever the rate."""
+
 ROW_TOLERANCE = 1e-7
 ROW_GOAL = 1e-13
 """Residual of a row [m, rad] that may stay: closing 1 um in a step of 10 us takes 1e4 m/s^2."""
@@ -221,6 +227,20 @@ def _open(at):
 
 
 @kernel
+def stale(at, cm, theta):
+    """Whether the rate of a kept matrix must be measured before what is left over may stay in a step.
+
+    A mass matrix that turns with the machine ages at any length of step: without a look at the rate now and
+    then, very short steps would leave the whole tolerance, as a position, in every acceleration.
+    """
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    if theta <= TRUSTED or m["constant_mass"] != 0:
+        return False
+    return cm * abs(largest_entry(view(m["x"], c["nd"], F8), view(m["weight"], c["nd"], F8))) > QUIET
+
+
+@kernel
 def newton_step(at, t, cm, cd, tol):
     """Iterate one step to acceptance; q, v, a, lam hold the prediction and become the solution."""
     c = view(at, 1, CTL)[0]
@@ -275,11 +295,18 @@ def newton_step(at, t, cm, cd, tol):
         for r in range(nc):
             lam[r] += y[r]
         theta = real[0]
+        outdated = False
         # rows turn with the state: with them a rate of the step before says nothing about a large correction,
         # and what they leave open comes back as a jump of the multipliers when the matrix is made anew
         known = nc == 0 or size <= tol or (last > 0.0 and _open(at) * theta <= ROW_GOAL)
+        if theta > TRUSTED and stale(at, cm, theta):
+            if last < 0.0:
+                last = size
+                before = size
+                continue
+            outdated = True
         if known and theta < 1.0 and size * theta / (1.0 - theta) <= tol:
-            if count > 2 or theta > SLOW_RATE:
+            if count > 2 or theta > SLOW_RATE or outdated:
                 clock[VALID] = 0
             return OK
         if size <= 1e-3 * tol:

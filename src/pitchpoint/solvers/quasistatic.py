@@ -29,7 +29,7 @@ from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.operating_point import operating_point
-from pitchpoint.solvers.roll_notes import load_notes
+from pitchpoint.solvers.roll_notes import friction_notes, load_notes
 from pitchpoint.solvers.roll_path import (
     periods_per_turn,
     rolled_on,
@@ -194,7 +194,11 @@ def roll_through(
         c.name: {"min": column.min(initial=np.inf), "max": column.max(initial=-np.inf)}
         for c, column in zip(own.layout.channels, rows.T, strict=True)
     }
-    notes = (*load_notes(own, held, reaction[:done], rows), *deep_contacts(own.model, [spans]))
+    notes = (
+        *load_notes(own, held, reaction[:done], rows),
+        *friction_notes(own),
+        *deep_contacts(own.model, [spans]),
+    )
     return Roll(mesh, position, rows, meshes, reaction[:done, 0], notes, status, text)
 
 

@@ -68,6 +68,21 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
     return (*found, *(note for spin in left if (note := _same_way(system, spin, torques))))
 
 
+def friction_notes(system: System) -> tuple[str, ...]:
+    """A sentence if meshes have friction: a slow roll is the limit of zero speed, where it vanishes."""
+    rubbing = [
+        name
+        for name, record in zip(mesh_names(system), mesh_records(system), strict=True)
+        if record["mu"] > 0.0
+    ]
+    if not rubbing:
+        return ()
+    return (
+        f"friction of mesh {' and '.join(rubbing)} is left out: a slow roll is computed at zero speed, "
+        "where the smoothed friction force is zero; use a time response for tooth friction",
+    )
+
+
 def load_torques(system: System, row: Array) -> dict[str, float]:
     """Torque of every load that is one [N m], by its name, from a row of observations."""
     known = {c.name: k for k, c in enumerate(system.layout.channels)}

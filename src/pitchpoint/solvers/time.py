@@ -24,7 +24,7 @@ from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_st
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
 from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
-from pitchpoint.system.remarks import deep_contacts
+from pitchpoint.system.remarks import deep_contacts, weak_damping
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import REJECTED
 
@@ -281,10 +281,11 @@ class _Loop:
                 "rms": float(found.rms[k]),
                 "min": float(found.least[k]),
                 "max": float(found.most[k]),
+                **({"share_zero": float(found.share_zero[k])} if c.name.startswith("contact_state[") else {}),
             }
             for k, c in enumerate(self.system.layout.channels)
         }
-        remarks = deep_contacts(self.system.model, [channels])
+        remarks = (*deep_contacts(self.system.model, [channels]), *weak_damping(self.system, channels))
         if status == OK and found.count == 0:  # methods with samples within steps measure at them
             remarks = ("no sample lies in the window of the statistics; raise sample_rate",)
         divided = int(self.system.workspace.clock[REJECTED])

@@ -47,8 +47,8 @@ class TimeSummary:
     window
         Begin and end of the statistics [s].
     channels
-        Statistics by channel over all steps of the window: unit, mean, rms of the alternating part, min, max;
-        NaN if it ended before any.
+        Statistics by channel over all steps of the window: unit, mean, rms of the alternating part, min, max,
+        and share_zero of a contact state: the share of the steps without contact; NaN if it ended before any.
     events
         Time [s], index in `event_names`, direction; shape (n, 3).
     event_names

@@ -2,7 +2,7 @@
 """Independent cases: one scenario of many variants of a model, on all cores.
 
 Every case is a model of its own, compiled and run by one thread; the compiled loops release the interpreter,
-so threads share the cores. A case computes the same bits whatever runs beside it. A case that fails has a
+so threads share the cores. A case computes the same bits whatever runs next to it. A case that fails has a
 status and a sentence; it never stops the others.
 """
 
@@ -109,7 +109,7 @@ def run_cases(
     jobs
         Threads; default one per core.
     progress
-        Told the number of finished cases after each.
+        Called with the number of finished cases after each.
     sink
         Takes every finished case at once, in the order in which they finish, in the calling thread.
 
@@ -126,7 +126,7 @@ def run_cases(
     done: dict[int, CaseResult] = {}
 
     def take(result: CaseResult) -> None:
-        """Keep a case and say how far the study is."""
+        """Keep a case and state how far the study is."""
         done[result.index] = result
         if sink is not None:
             sink(result)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cases of a data set: computed, filtered, thinned out, with noise; each the same bits for the same inputs.
+"""Cases of a data set: computed, filtered, decimated, with noise; each the same bits for the same inputs.
 
 Every case is a model of its own. What differs from case to case are numbers, so all share the compiled code,
 and making a model and its system takes hundredths of a second.
@@ -18,10 +18,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.analysis.decimation import DAMPING, PASS, REACH, STOP, decimated
 from pitchpoint.analysis.noise import white_noise, with_white_noise
 from pitchpoint.analysis.pulses import pulse_times, tacho_levels
 from pitchpoint.analysis.sampled import SignalError
-from pitchpoint.analysis.thinning import DAMPING, PASS, REACH, STOP, thin_out
 from pitchpoint.core.errors import PitchpointError, SolverError
 from pitchpoint.core.provenance import content_hash, package_version
 from pitchpoint.core.status import OK, REFUSED
@@ -85,7 +85,7 @@ class CaseRecord:
 def key_maker(plan: DatasetPlan, model: Model) -> Callable[[PlannedCase], str]:
     """Make the function that gives the hash of all inputs of a case.
 
-    Inputs are the content of the model, what the plan says about recording, the values and the seed of the
+    Inputs are the content of the model, the recording options of the plan, the values and the seed of the
     case, and the version of the package; not its place in the plan, nor the names of factors.
     """
     common = {
@@ -115,7 +115,7 @@ def treatment(plan: DatasetPlan) -> str:
     if plan.oversampling == 1:
         return (
             f"sampled at {plan.sample_rate:g} Hz without a filter: "
-            "vibration above half of it shows at wrong frequencies"
+            "vibration above half of it shows as aliases"
         )
     return (
         f"sampled at {plan.oversampling * plan.sample_rate:g} Hz, low-pass of linear phase without delay "
@@ -156,8 +156,8 @@ def compute_case(
 
 
 def varied_model(plan: DatasetPlan, model: Model, case: PlannedCase) -> Model:
-    """Model of a case: its values, then the jitter of its seed on the numbers that stand there."""
-    changed = model.replace_all(case.changes) if case.changes else model
+    """Model of a case: its values, then the jitter of its seed on the numbers given there."""
+    changed = model.replace_all(case.changes, allow_code=plan.allow_code) if case.changes else model
     shaken = {}
     combination = content_hash(dict(case.changes))
     for path, share in plan.jitter.items():
@@ -212,7 +212,7 @@ def _compute(
         model.scenarios[str(plan.scenario)],
         duration=duration,
         sample_rate=times * rate,
-        settle_time=duration,  # nobody asks for statistics of all channels
+        settle_time=duration,  # statistics of all channels are not needed
     )
     system = compile_model(model, scenario)
     known = [c.name for c in system.layout.channels]
@@ -237,15 +237,15 @@ def _compute(
     recorded = dict(zip(names, rows.T, strict=True))
     channels: dict[str, RecordedChannel] = {}
     pulses: dict[str, NDArray[np.float64]] = {}
-    thinned = slice(margin * times, margin * times + (plan.samples - 1) * times + 1, times)
+    kept = slice(margin * times, margin * times + (plan.samples - 1) * times + 1, times)
     for name, channel in plan.channels.items():
         if isinstance(channel, ObservedChannel):
             found = system.layout.channels[known.index(channel.channel)]
-            clean = thin_out(recorded[name], times) if times > 1 else recorded[name][thinned]
+            clean = decimated(recorded[name], times) if times > 1 else recorded[name][kept]
             values, noise = _noisy(name, channel, clean, case.seed, key)
             channels[name] = RecordedChannel(values, found.unit, found.long_name or name, noise)
         else:
-            levels = tacho_levels(recorded[name], channel.pulses)[thinned]
+            levels = tacho_levels(recorded[name], channel.pulses)[kept]
             words = f"tacho of {channel.body}, {channel.pulses} pulses per turn"
             channels[name] = RecordedChannel(levels, "1", words)
             begun = pulse_times(t, recorded[name], channel.pulses)
@@ -279,7 +279,7 @@ def compute_cases(
     keep: Callable[[CaseRecord], None],
     jobs: int | None = None,
 ) -> bool:
-    """Compute cases on all cores; says whether it came to the end, which Ctrl-C prevents.
+    """Compute cases on all cores; states whether it came to the end, which Ctrl-C prevents.
 
     Parameters
     ----------
@@ -288,7 +288,7 @@ def compute_cases(
     cases
         Cases with the hashes of their inputs.
     take
-        Told of every case, without its samples, in the calling thread.
+        Called with every case, without its samples, in the calling thread.
     keep
         Stores a case, in the thread that computed it.
     jobs
@@ -303,18 +303,18 @@ def compute_cases(
     def work(
         piece: tuple[PlannedCase, str], stop: threading.Event
     ) -> tuple[CaseRecord, PitchpointError | None]:
-        """Compute one case and write it; its record goes on without samples."""
+        """Compute one case and write it; its record continues without samples."""
         record, lost = compute_case(plan, model, *piece, stop), None
         try:
             keep(record)
-        except Exception as error:  # noqa: BLE001 - said of the case; the others have their rows in the table
+        except Exception as error:  # noqa: BLE001 - reported for the case; the others have their rows in the table
             status, words = how_it_failed(error)
             record = dataclasses.replace(record, status=status, sentence=words)
             lost = error if isinstance(error, PitchpointError) else None
         return dataclasses.replace(record, channels={}, pulses={}), lost
 
     def taken(result: tuple[CaseRecord, PitchpointError | None]) -> None:
-        """Hand over a record, and end everything if it could not be stored."""
+        """Pass a record on, and end everything if it could not be stored."""
         take(result[0])
         if result[1] is not None:  # a full disk: all that is computed from here on would be lost
             raise result[1]

@@ -44,7 +44,7 @@ SHARES = ("contact_loss_share", "back_contact_share")
 DRIFT = 0.005
 """Share of its speed by which a machine may leave it at a point without a word."""
 STEPS_PER_PERIOD = 200
-"""Least steps per period of every mesh and of every mesh mode, unless the scenario says otherwise.
+"""Least steps per period of every mesh and of every mesh mode, unless given by the scenario.
 
 On the backlash oscillator of Kahraman and Singh 200 steps leave 5e-5 of half the backlash in the rms, 100
 steps 1.0e-4; the error falls with the square.
@@ -82,7 +82,7 @@ class SweepSummary:
 
 @dataclass(frozen=True)
 class SweepPlan:
-    """Speeds of a sweep, what one rad/s of the swept body means for everybody else, how finely to step.
+    """Speeds of a sweep, what one rad/s of the swept body means for everyone else, how finely to step.
 
     `order` is the number of mesh periods of the swept mesh in a revolution of the swept body, `fastest` the
     highest mesh frequency of the train over that of the swept mesh.
@@ -122,7 +122,7 @@ def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
     Raises
     ------
     SolverError
-        If the scenario is no sweep, or the swept mesh stands still while the swept body turns.
+        If the scenario is not a sweep, or the swept mesh is at rest while the swept body turns.
     """
     model, sweep = system.model, scenario.sweep
     if model is None or sweep is None:
@@ -132,7 +132,7 @@ def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
     order = orders[mesh]
     if not order > 0.0:
         raise SolverError(
-            f"mesh {mesh} stands still while {sweep.body} turns, so it has no mesh frequency; sweep a body "
+            f"mesh {mesh} is at rest while {sweep.body} turns, so it has no mesh frequency; sweep a body "
             "that turns against the line of centres of the mesh",
             INCONSISTENT,
         )
@@ -195,7 +195,7 @@ class _Walk:
         self.run.change_step(self._step(speed))
 
     def advance(self, periods: int, sums: NDArray[np.float64] | None) -> int:
-        """Go on for some mesh periods, with statistics if there is a place for them; gives the status."""
+        """Continue for some mesh periods, with statistics if there is a place for them; gives the status."""
         f = self._frequency(self.speed)
         left = periods * self.plan.steps_at(f, self.mode)
         while left > 0:
@@ -251,7 +251,7 @@ def run_sweep(
     scenario
         A scenario with `sweep`; default the one of the system.
     progress
-        Told the number of points after each.
+        Called with the number of points after each.
     sink
         Takes every point as soon as it is finished, such as a result file.
 
@@ -303,7 +303,7 @@ def run_sweep(
 
 
 def _drifted(points: Sequence[dict[str, Any]], body: str) -> tuple[str, ...]:
-    """Say when a machine that nothing drives did not keep the speeds it was given."""
+    """Note when a machine without drive did not keep its prescribed speeds."""
     off = [p["channels"][f"speed[{body}]"]["mean"] / p["speed"] - 1.0 for p in points if p["speed"] != 0.0]
     worst = max(off, key=abs, default=0.0)
     if abs(worst) < DRIFT:

@@ -23,7 +23,7 @@ Variable = tuple[Any, ...]
 
 @dataclass(frozen=True)
 class Places:
-    """Where the points of a sweep stand: shape of the tables, row and column of each point."""
+    """Positions of the points of a sweep: shape of the tables, row and column of each point."""
 
     shape: tuple[int, int]
     rows: tuple[int, ...]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Independent pieces of work on all cores.
 
-Threads share one compiled code, and its loops release the interpreter. What was done is handed over in the
+Threads share one compiled code, and its loops release the interpreter. Results are passed on in the
 calling thread, so that files and tables have one writer.
 """
 
@@ -29,7 +29,7 @@ def on_all_cores(
     take: Callable[[D], None],
     jobs: int | None = None,
 ) -> bool:
-    """Do all pieces of work; says whether it came to the end, which Ctrl-C prevents.
+    """Do all pieces of work; states whether it came to the end, which Ctrl-C prevents.
 
     Parameters
     ----------

@@ -16,6 +16,10 @@ from pitchpoint.system.workspace import FACTORISATIONS, MACH, REDUNDANT
 MOST_PASSES = 200
 SETTLED = 1e-13
 """Change of the accelerations over their size at which friction fits the loads of the joints."""
+STALLED = 0.9
+"""Ratio of successive corrections from which they no longer shrink."""
+LONGER = 100.0
+"""Factor by which a correction that no longer shrinks is lengthened to see whether it is rounding."""
 
 
 @kernel
@@ -134,7 +138,7 @@ def solve_acceleration(at, t, rate):
         total += x[i]
     for r in range(nc):
         lam[r] = y[r]
-    if m["nfrictions"] > 0 and math.isfinite(total):
+    if m["settles"] != 0 and math.isfinite(total):
         return _settle_friction(at, t)
     return OK if math.isfinite(total) else NOT_FINITE
 
@@ -144,7 +148,9 @@ def _settle_friction(at, t):
     """Repeat the solution until friction fits the loads of the joints, which depend on the accelerations.
 
     Each pass corrects by what the residual leaves over with the mass matrix at hand; it contracts as long as
-    friction does not jam the mechanism.
+    friction does not jam the mechanism. Forces that cancel, such as those of teeth and bearings in steady
+    running, leave rounding that no share of the accelerations bounds: corrections that no longer shrink,
+    although longer ones in the same direction would, are that rounding.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -154,19 +160,12 @@ def _settle_friction(at, t):
     lam = view(c["lam"], nc, F8)
     x = view(m["x"], nd, F8)
     y = view(m["y"], nc, F8)
-    g = view(c["g"], nc, F8)
-    G = view(c["G"], (nc, nd), F8)
-    pull = view(m["pull"], nc, F8)
+    last = math.inf
+    rounding = False
     for _ in range(MOST_PASSES):
-        status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
+        status = _correction(at, t)
         if status != OK:
             return status
-        for r in range(nc):
-            s = pull[r]
-            for i in range(nd):
-                s += G[r, i] * a[i]
-            g[r] = s
-        solve(at)
         size = 0.0
         change = 0.0
         for i in range(nd):
@@ -179,7 +178,69 @@ def _settle_friction(at, t):
             return NOT_FINITE
         if change <= SETTLED * size:
             return OK
+        stalls = change > STALLED * last
+        if stalls and rounding:
+            return OK
+        rounding = False
+        if stalls:
+            ratio = _shrinks(at, t, change)
+            if not math.isfinite(ratio):
+                return NOT_FINITE
+            rounding = ratio < 0.5
+        last = change
     return SLOW
+
+
+@kernel
+def _correction(at, t):
+    """What the residual leaves over, solved with the mass matrix at hand, into x and y."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    nd = c["nd"]
+    nc = c["nc"]
+    status = residual(at, t, FORCES, 0.0, 0.0, 0.0)
+    if status != OK:
+        return status
+    a = view(c["a"], nd, F8)
+    g = view(c["g"], nc, F8)
+    G = view(c["G"], (nc, nd), F8)
+    pull = view(m["pull"], nc, F8)
+    for r in range(nc):
+        s = pull[r]
+        for i in range(nd):
+            s += G[r, i] * a[i]
+        g[r] = s
+    solve(at)
+    return OK
+
+
+@kernel
+def _shrinks(at, t, change):
+    """Factor by which the next pass would shrink the correction x, y, were it `LONGER`; x and y are lost."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    nd = c["nd"]
+    nc = c["nc"]
+    a = view(c["a"], nd, F8)
+    lam = view(c["lam"], nc, F8)
+    x = view(m["x"], nd, F8)
+    y = view(m["y"], nc, F8)
+    step = view(m["step"], nd, F8)
+    step_lam = view(m["step_lam"], nc, F8)
+    for i in range(nd):
+        step[i] = LONGER * x[i]
+        a[i] += step[i]
+    for r in range(nc):
+        step_lam[r] = LONGER * y[r]
+        lam[r] += step_lam[r]
+    status = _correction(at, t)
+    left = 0.0
+    for i in range(nd):
+        left += abs(step[i] + x[i])
+        a[i] -= step[i]
+    for r in range(nc):
+        lam[r] -= step_lam[r]
+    return left / (LONGER * change) if status == OK else math.nan
 
 
 @kernel

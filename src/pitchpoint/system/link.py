@@ -25,7 +25,7 @@ from pitchpoint.elements.signal_record import (
     STRUT,
     TORQUE,
 )
-from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.multibody.bodies import FREE, GENERAL
 from pitchpoint.system import linear, residual, tree
 from pitchpoint.system.perform import perform
 from pitchpoint.system.residual import COLUMNS, EARLY, OBSERVER_CHANNEL
@@ -126,9 +126,11 @@ def only_observes(name: str, bank: NDArray[np.void]) -> bool:
 
 
 def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -> None:
-    """Tell a new workspace what signals and states of elements need of it."""
+    """Fill in what friction, signals and states of elements need of a new workspace."""
     mach = workspace.mach[0]
     body = workspace.program["body"]
+    mach["settles"] = np.any(workspace.tables["frictions"][:, residual.CHANNEL] != OBSERVER_CHANNEL)
+    mach["constant_mass"] = np.all(body["joint"] < FREE) and not mach["settles"]
     workspace.arrays["relative"][body["spin"][body["state"] == 1]] = NO_MATTER
     for name, bank in ((n, records[n]) for n in SIGNALS if n in records):
         if only_observes(name, bank):

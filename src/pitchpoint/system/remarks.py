@@ -9,12 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.components.gear import Gear
+from pitchpoint.system.meshes import mesh_names, mesh_records
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
+    from pitchpoint.system.system import System
 
 DEEPEST = 0.1
 """Penetration in normal modules up to which teeth count as springs on their undeformed line of action."""
+FULL_DAMPING = 0.9
+"""Share of the contact damping that counts as all of it."""
 
 
 def deep_contacts(
@@ -52,5 +56,41 @@ def deep_contacts(
                 f"(limit about 0.1 m_n = {format_quantity(limit, 'length', 3)}), more than teeth can bend; "
                 "check the loads, the stiffness, prescribed motions, a given time step, and the damping: "
                 "with too little of it a varying stiffness can build up vibrations without bound"
+            )
+    return tuple(found)
+
+
+def weak_damping(system: System, statistics: Mapping[str, Mapping[str, Any]]) -> tuple[str, ...]:
+    """Sentences about meshes whose flanks stay in contact, but less deep than the contact damping requires.
+
+    Contact damping grows from nothing at first contact to its full value at the penetration s_0. Where the
+    mean penetration is smaller, a ratio of 5 % may act with a tenth of that.
+
+    Parameters
+    ----------
+    system
+        The system that was computed.
+    statistics
+        Channels with `mean`, and `share_zero` of the contact states.
+    """
+    found = []
+    for name, record in zip(mesh_names(system), mesh_records(system), strict=True):
+        row, state = (statistics.get(f"{word}[{name}]") for word in ("penetration", "contact_state"))
+        if row is None or state is None or max(record["d_in"], record["d_out"]) <= 0.0:
+            continue
+        depth = float(row["mean"]) * math.hypot(1.0, record["tan_b"])
+        if not 0.0 < depth < record["s_0"] or state["share_zero"] != 0.0:
+            continue
+        share = depth / float(record["s_0"])
+        share = share * share * (3.0 - 2.0 * share) if record["smooth"] else share
+        if share < FULL_DAMPING:
+            reached, full = (format_quantity(x, "length", 3) for x in (depth, float(record["s_0"])))
+            mesh = system.model.every_mesh.get(name) if system.model is not None else None
+            ratio = None if mesh is None or mesh.damping is None else mesh.damping.ratio
+            acts = "" if ratio is None else f" (ratio {ratio:g} acts as {share * ratio:.2g})"
+            found.append(
+                f"mesh {name}: the mean penetration of the flanks is {reached}, less than s_0 = {full}, "
+                f"so contact damping reaches {100.0 * share:.3g} % of its value{acts}; set damping.s_0 below "
+                f"{reached}, or use damper, which acts independently of the penetration"
             )
     return tuple(found)

@@ -58,6 +58,8 @@ _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("weight", "f8", ("nd",)),  # length per unit of each coordinate in error norms [m/m, m/rad]
     ("relative", "f8", ("nd",)),  # 0 for spins, whose size says nothing about their error
     ("x", "f8", ("nd",)),  # right-hand side and solution
+    ("step", "f8", ("nd",)),  # correction on trial where friction is settled
+    ("step_lam", "f8", ("nc",)),  # and that of the multipliers
     ("al", "f8", ("nd",)),  # algorithmic acceleration of the generalised-alpha family
     ("ap", "f8", ("nd",)),  # acceleration of the step before, for the prediction
     ("lp", "f8", ("nc",)),  # multipliers of the step before, for the prediction
@@ -88,7 +90,8 @@ MACH = np.dtype(
             "shares",  # 1: some of them may do so where the slope of the state is computed
             "later",  # 1: and some only with the accelerations
             "watch",  # address of `heard` if signals read observations, else 0
-            "constant_mass",  # 1: M does not depend on q
+            "constant_mass",  # 1: M does not depend on q, and no force on the accelerations
+            "settles",  # 1: forces depend on accelerations, see `linear.solve_acceleration`
         )
     ],
     align=True,
@@ -162,10 +165,6 @@ class Workspace:
         ctl["guides"], ctl["ng"] = self.arrays["guides"].ctypes.data, len(self.arrays["guides"])
         for name, where in parts.items():
             mach[name] = where
-        # forces that follow accelerations are found by iteration, see `linear.solve_acceleration`
-        mach["constant_mass"] = int(
-            np.all(program["body"]["joint"] < 6) and not len(self.tables["frictions"])
-        )
         early = self.tables["forces"][:, -1] == 1
         mach["shares"] = int(np.any(early) and not len(self.tables["frictions"]))
         mach["later"] = int(not np.all(early) or len(self.tables["cons"]) > 0)

@@ -12,7 +12,7 @@ import numpy as np
 from pitchpoint.analysis.tools import TOOLS
 from pitchpoint.viz import theme
 from pitchpoint.viz.analysis_pictures import PICTURES
-from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.downsampling import kept_samples
 from pitchpoint.viz.quantities import channels, scale
 from pitchpoint.viz.report_page import Section, page
 from pitchpoint.viz.signals_plot import plot_signals

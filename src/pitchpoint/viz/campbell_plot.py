@@ -76,7 +76,7 @@ def plot_campbell(
             showlegend=not crowded,
             line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 2},
         )
-    # names stand beside and above the picture, where no circle and no line can be
+    # names are placed next to and above the picture, where no circle and no line can be
     room = _beside(figure, names, modes[-1] * pitch.factor, top * pitch.factor) if crowded else 0
     leaving = _draw_orders(figure, omega, orders, top)
     room = _beside(figure, list(leaving), np.array([*leaving.values()]), top * pitch.factor, room)
@@ -145,7 +145,7 @@ def _above(figure: go.Figure, name: str, at: float, row: int) -> None:
 
 
 def _beside(figure: go.Figure, names: Sequence[str], ends: Array, top: float, room: int = 0) -> int:
-    """Names at the right ends of lines, `room` beside the picture; those closer than a text line share one.
+    """Names at the right ends of lines, `room` next to the picture; those closer than a text line share one.
 
     Returns
     -------

@@ -145,7 +145,7 @@ def _on_gear_1(pair: Any, where: Any) -> Array:
 
 
 def _free(spot: Array, taken: Sequence[Array]) -> Array:
-    """A place for a number beside a spot, clear of the others and inside the picture."""
+    """A place for a number next to a spot, clear of the others and inside the picture."""
     best, room = spot, -1.0
     for radius in (14.0, 24.0, 36.0):
         for angle in np.arange(12) * math.pi / 6.0:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A table that sets computed numbers beside published ones and says of each where it comes from."""
+"""A table of computed and published numbers with the source of each."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def sourced_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
             f'<tr><th scope="row">{escape(what)}</th><td class="unit">{escape(unit)}</td>{middle}'
             f'<td class="from">{escape(source)}</td></tr>'
         )
-    # the last column is text: its heading stands on the left
+    # the last column is text: its heading is on the left
     last = '<th scope="col" class="from">from</th></tr></thead>'
     return plain_table(head, body).replace("</tr></thead>", last, 1)
 

@@ -14,7 +14,7 @@ from pitchpoint.analysis.line_tests import FineSpectrum
 from pitchpoint.analysis.mean_turns import MeanTurn
 from pitchpoint.analysis.spectra import Spectrum
 from pitchpoint.viz import theme
-from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.downsampling import kept_samples
 from pitchpoint.viz.quantities import Array, Channel, scale
 from pitchpoint.viz.signals_plot import plot_signals
 from pitchpoint.viz.spectrum_plots import plot_spectrum
@@ -47,7 +47,7 @@ class Lines:
     look
         Number of its colour and symbol: the same part looks the same in all pictures.
     group
-        What the legend calls it together with others, which come and go with it; empty if it stands alone.
+        What the legend calls it together with others, which come and go with it; empty if it is alone.
     symbol
         Number of its symbol, if it is another one than that of its colour.
     """
@@ -76,7 +76,7 @@ def plot_lines(
     spectrum
         Amplitudes over frequency [Hz] or order.
     lines
-        What is marked; what lies beyond the axis is left out.
+        What is marked; what lies beyond the axis is omitted.
     unit
         Unit of the amplitudes.
     quantity

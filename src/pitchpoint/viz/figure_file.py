@@ -23,10 +23,10 @@ STEPS = 65535
 
 
 def figure_json(figure: go.Figure) -> str:
-    """A plot as JSON; `meta.steps` of a line says which of its coordinates are steps, and what they mean.
+    """A plot as JSON; `meta.steps` of a line states which of its coordinates are steps, and what they mean.
 
     [value of 0, value of a step] goes with two bytes a number, or with one byte for the way from the number
-    before. [first value, step, how many] stands for even numbers, of which nothing else is kept.
+    before. [first value, step, how many] represents even numbers, of which nothing else is kept.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def _on_grid(values: Array) -> Packed | None:
     gaps = np.diff(values)
     if gaps.min() <= 0.0 or gaps.max() > 250.5 * gaps.min():
         return None
-    # single precision blurs gaps: each by itself is told from its neighbours, their sum has the step
+    # single precision blurs gaps: each by itself is distinguished from its neighbours, their sum has the step
     counts = np.rint(gaps / gaps.min())
     places = np.append(0.0, np.cumsum(counts))
     first, step = float(values[0]), float(values[-1] - values[0]) / float(places[-1])

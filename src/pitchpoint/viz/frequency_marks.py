@@ -25,7 +25,7 @@ def mark_frequencies(
     Parameters
     ----------
     figure
-        Made by `spectrum_plots.plot_spectrum`; what lies beyond its axis is left out.
+        Made by `spectrum_plots.plot_spectrum`; what lies beyond its axis is omitted.
     frequencies
         Frequencies [Hz] by name.
     harmonics

@@ -2,7 +2,7 @@
 """Drawings of one gear, of two gears in mesh and of their mesh zone, as SVG.
 
 Lengths come in metres from `geometry`; the drawing scales them to pixels and turns the second axis downwards.
-Gear 1 stands at the origin, gear 2 at (a_w, 0), as in the transverse plane of the mesh; gear 1 drives
+Gear 1 is at the origin, gear 2 at (a_w, 0), as in the transverse plane of the mesh; gear 1 drives
 counter-clockwise, so contact runs along the line of action from A to E.
 """
 
@@ -21,7 +21,7 @@ from pitchpoint.viz.svg import Array
 
 WIDTH = 480.0
 CHORD = 0.15
-"""Distance of chords from the tooth in pixels: nobody sees it, and files stay small."""
+"""Distance of chords from the tooth in pixels: no one sees it, and files stay small."""
 FEWEST = 8
 _TRIED = 24
 # Radial thickness of the ring drawn around an internal gear without a known rim, in modules below the root
@@ -57,7 +57,7 @@ def points_for(gear: Any, chord: float) -> int:
 
     Notes
     -----
-    Chords lie off by the square of their length, which says about how many points it takes; then some more
+    Chords lie off by the square of their length, which gives the approximate number of points; then some more
     are taken until the points of a fine tooth keep the distance. Points of a real tooth stay as they are.
     """
     from pitchpoint.geometry.outline_distance import N_FLANK, gear_line
@@ -86,7 +86,7 @@ def gear_svg(gear: Any, *, name: str = "gear", n_flank: int | None = None) -> st
     name
         What to write below it.
     n_flank
-        Points per flank; as many as the size of the drawing needs if left out.
+        Points per flank; as many as the size of the drawing needs if omitted.
     """
     from pitchpoint.geometry.tooth_form import gear_outline
 
@@ -113,7 +113,7 @@ def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flan
     names
         Names of gear 1 and gear 2.
     n_flank
-        Points per flank; as many as the size of the drawing needs if left out.
+        Points per flank; as many as the size of the drawing needs if omitted.
     """
     r1, r2 = _outer_radius(pair.gear1), _outer_radius(pair.gear2)
     low = np.array([min(-r1, pair.a_w - r2), -max(r1, r2)])
@@ -148,7 +148,7 @@ def mesh_zone_svg(pair: Any, *, n_flank: int | None = None) -> str:
     pair
         A `GearPair` whose gears touch (contact ratio above zero).
     n_flank
-        Points per flank; as many as the size of the drawing needs if left out.
+        Points per flank; as many as the size of the drawing needs if omitted.
     """
     along = np.array([sin(pair.alpha_wt), cos(pair.alpha_wt)])
     pole = np.array([pair.d_w1 / 2.0, 0.0])

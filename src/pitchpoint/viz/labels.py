@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Labels beside a drawing that do not cover each other: spread along a column, each joined to its place."""
+"""Labels next to a drawing that do not cover each other: spread along a column, each joined to its place."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def spread(wanted: Sequence[float], step: float, low: float, high: float) -> Arr
     step
         Least distance between two of them.
     low, high
-        Ends of the column; what does not fit goes on beyond `high`.
+        Ends of the column; what does not fit continues beyond `high`.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def spread(wanted: Sequence[float], step: float, low: float, high: float) -> Arr
                 break
             first, count, total = groups.pop()
             before = groups[-1]
-            # the first of the later group stands `before[1]` steps behind the first of the joint one
+            # the first of the later group is `before[1]` steps behind the first of the joint one
             before[2] += total - count * before[1] * step
             before[1] += count
     found = np.empty(len(order))

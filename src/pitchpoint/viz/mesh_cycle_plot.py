@@ -87,7 +87,7 @@ def plot_transmission_error(
     """Transmission error over mesh cycles about its mean, one line per load case.
 
     The means, half the backlash and the deflection under load, are many times larger than what excites
-    vibration; they stand in the legend.
+    vibration; they are in the legend.
 
     Parameters
     ----------

@@ -2,8 +2,8 @@
 """What notebooks show for a gear, a pair and a model: a drawing and a short table.
 
 Geometry and model know nothing of pictures. The package attaches `_repr_html_` to their classes when it hands
-out the first of its public names, so every notebook that knows this method shows them. IPython is also told
-by `pitchpoint.report.notebook`, which adds the scene.
+out the first of its public names, so every notebook that knows this method shows them. IPython is also
+informed by `pitchpoint.report.notebook`, which adds the scene.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def model_html(model: Any) -> str:
 
 
 def _known(thing: Any, identifiers: tuple[str, ...]) -> dict[str, Any]:
-    """Data of a gear or pair; a quantity that has no meaning for it is left out of the table."""
+    """Data of a gear or pair; a quantity that has no meaning for it is omitted from the table."""
     from pitchpoint.core.errors import PitchpointError
 
     found: dict[str, Any] = {}

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.viz import theme
-from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.downsampling import kept_samples
 from pitchpoint.viz.quantities import Array, number, scale
 
 if TYPE_CHECKING:

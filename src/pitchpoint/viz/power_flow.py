@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 OUTSIDE = -1
-"""Number that stands for all that is not a block: motors, brakes, surroundings."""
+"""Number that represents all that is not a block: motors, brakes, surroundings."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,7 +42,7 @@ class PowerLink:
     given, taken
         Mean power that leaves the first and that reaches the second [W]; given is not negative.
     losses
-        Mean powers that the result says are lost on the way, by words.
+        Mean powers lost on the way according to the result, by words.
     fed
         Mean power that a mesh gets from what moves with its phase: stiffness and static errors [W].
     """
@@ -75,7 +75,7 @@ class PowerFlow:
     elastic
         Mean rate of the energy in the flanks [W].
     booked
-        Whether friction of some mesh counts for the gear that drives, as nothing says what it does to each.
+        Whether friction of some mesh counts for the gear that drives, as nothing states what it does to each.
     unfollowed
         Elements that may take or give power and are not among the links.
     """

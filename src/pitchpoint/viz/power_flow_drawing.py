@@ -180,7 +180,7 @@ def _band(
         if not any(shared) and abs(yb - ya) <= 0.5 * width:
             words = _named(link, unit, 0.5 * (a + b), ya, width)
         elif shared[1] and not shared[0]:
-            # bands that come together are told apart where they begin
+            # bands that come together are distinguished where they begin
             words = _beside(link, unit, (a + 6.0, ya, "start"), yb, h)
         else:
             words = _beside(link, unit, (b - 6.0, yb, "end"), ya, h)
@@ -202,7 +202,7 @@ def _beside(
     """Name, power and loss at an end of a band that bends, on the side away from its other end."""
     x, y, anchor = place
     lost = _loss(link) if link.lost > 0.0 else ""
-    # the blocks say which planet is on which carrier
+    # the blocks state which planet is on which carrier
     name = "" if link.kind == "carrier" else link.name
     lines = [line for line in (name, _amount(link.given, unit), lost) if line]
     top = y + half + 15.0 if other_y < y else y - half - 6.0 - 14.0 * (len(lines) - 1)

@@ -14,7 +14,7 @@ from pitchpoint.core.units import display_unit, in_unit
 
 Array = NDArray[np.float64]
 
-# SI unit of a channel -> kind of quantity in `core.units`. Units that stand for two kinds (N/m) take the one
+# SI unit of a channel -> kind of quantity in `core.units`. Units that represent two kinds (N/m) take the one
 # that occurs in time results. Whatever is not listed is shown as it is.
 _KINDS = {
     "m": "length",
@@ -149,7 +149,7 @@ def channel_scale(name: str, unit: str, values: Array) -> Scale:
 
 
 def pretty(unit: str) -> str:
-    """Unit with raised powers, as it stands in print.
+    """Unit with superscript powers, as printed.
 
     Examples
     --------

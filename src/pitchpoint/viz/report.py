@@ -27,7 +27,7 @@ from pitchpoint.viz.scene import Scene
 
 @dataclass(frozen=True, kw_only=True)
 class ReportModel:
-    """What a report says about the model.
+    """Contents of a report about the model.
 
     Attributes
     ----------
@@ -245,7 +245,7 @@ class CampbellData:
 
 @dataclass(frozen=True, kw_only=True)
 class ReportResults:
-    """Results by name; whatever is left out has no section.
+    """Results by name; whatever is omitted has no section.
 
     Attributes
     ----------
@@ -265,7 +265,7 @@ class ReportResults:
     cases
         Independent cases by the name of the scenario.
     powers
-        Power flow of a time response by its name, or a sentence that says why there is none.
+        Power flow of a time response by its name, or a sentence that states why there is none.
     scene
         The 3-D scene.
     sources
@@ -288,7 +288,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     """The report as text; the same input gives the same characters."""
     facts = (("version", model.version), ("model", model.model_hash[:12]), ("date", model.date or ""))
     teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
-    # a little more than three mesh orders, so that the third one does not stand on the frame
+    # a little more than three mesh orders, so that the third one is not on the frame
     highest = 3.2 * max(teeth) if teeth else 100.0
     seen = results.scene.run if results.scene.scene is not None else ""
     sections = [

@@ -19,7 +19,7 @@ from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.report_page import Section
 
 MOST_CYCLES = 4
-"""Cycles of the stiffness that are drawn at most; more cannot be told apart."""
+"""Cycles of the stiffness that are drawn at most; more cannot be distinguished."""
 ROUND_OFF_WAY = 1e-6
 """Way before contact at mid-face that is round-off [base pitches]: spur gears have none."""
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The section of a report about extremes: mean, rms, least and greatest value of the channels, and when."""
+"""The section of a report about extremes: mean, rms, minimum and maximum value of the channels, and when."""
 
 from __future__ import annotations
 

@@ -18,11 +18,11 @@ from pitchpoint.viz.scene_page import scene_fragment
 from pitchpoint.viz.tables import plain_table
 
 HEIGHT = "clamp(430px, 78vh, 760px)"
-"""Height of the scene: on a phone there is room below it to go on reading."""
+"""Height of the scene: on a phone there is room below it to continue reading."""
 
 
 def summary_section(counts: Sequence[tuple[str, str]], results: Any) -> Section:
-    """What the model has, and what the results say in a line each."""
+    """Contents of the model, and one line for each result."""
     section = Section("summary", "Summary")
     section.add(facts_list(counts))
     states = {source.name: "finished" if source.finished else source.sentence for source in results.sources}
@@ -41,7 +41,7 @@ def summary_section(counts: Sequence[tuple[str, str]], results: Any) -> Section:
 
 
 def facts_list(rows: Sequence[tuple[str, str]]) -> str:
-    """Words and what is said about them, in columns that fit the page."""
+    """Words and what is reported about them, in columns that fit the page."""
     items = "".join(f"<div><dt>{escape(key)}</dt><dd>{escape(text)}</dd></div>" for key, text in rows)
     return f'<dl class="known">{items}</dl>' if items else ""
 

@@ -20,7 +20,7 @@ from pitchpoint.viz.figure_file import figure_json
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-# Nothing may be loaded from anywhere: the file works offline for ever and tells nobody that it was opened.
+# Nothing may be loaded from anywhere: the file works offline and sends nothing.
 POLICY = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
     "img-src data: blob:; font-src data:; form-action 'none'; base-uri 'none'"
@@ -77,13 +77,13 @@ def page(
     title
         Head of the page.
     facts
-        Words and text for the line below it; those without text are left out.
+        Words and text for the line below it; those without text are omitted.
     sections
-        What it holds; those without parts are left out.
+        What it holds; those without parts are omitted.
     footer
         Last line.
     alerts
-        Sentences that nobody may miss.
+        Sentences that no one may miss.
     """
     shown = [s for s in sections if s.parts]
     with_plots = any('<div class="plot"' in part for s in shown for part in s.parts)
@@ -98,7 +98,7 @@ def page(
     )
     items = "".join(f"<li>{escape(name)} <b>{escape(value)}</b></li>" for name, value in facts if value)
     links = "".join(f'<a href="#{s.anchor}">{escape(s.heading)}</a>' for s in shown)
-    told = "".join(f'<p class="alert" role="note">{escape(sentence)}</p>' for sentence in alerts)
+    alert = "".join(f'<p class="alert" role="note">{escape(sentence)}</p>' for sentence in alerts)
     body = "".join(
         f'<section id="{s.anchor}" aria-labelledby="{s.anchor}-head">'
         f'<h2 id="{s.anchor}-head">{escape(s.heading)}</h2>{"".join(s.parts)}</section>'
@@ -111,7 +111,7 @@ def page(
         '<meta name="generator" content="pitchpoint">'
         f"<title>{escape(title)}</title><style>{style}</style></head>\n<body>"
         '<a class="skip" href="#content">Skip to the content</a>'
-        f'<header><h1>{escape(title)}</h1><ul class="facts">{items}</ul>{told}</header>\n'
+        f'<header><h1>{escape(title)}</h1><ul class="facts">{items}</ul>{alert}</header>\n'
         f'<nav aria-label="Sections">{links}</nav>\n'
         f'<main id="content" tabindex="-1">{body}</main>\n<footer>{escape(footer)}</footer>\n'
         f"{_scripts(with_plots)}</body></html>\n"

@@ -24,7 +24,7 @@ def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
     Parameters
     ----------
     flows
-        Flows by the name of the run, or a sentence that says why there is none.
+        Flows by the name of the run, or a sentence that states why there is none.
     """
     section = Section("power", "Power flow")
     for name, flow in flows.items():
@@ -79,7 +79,7 @@ def _blocks(flow: PowerFlow, most: float) -> str:
 def _friction(flow: PowerFlow) -> str:
     if not flow.booked:
         return ""
-    return "The result does not say what friction does to each gear: it counts for the one that drives."
+    return "The result does not state what friction does to each gear: it counts for the one that drives."
 
 
 def _table(flow: PowerFlow) -> str:

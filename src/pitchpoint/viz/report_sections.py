@@ -41,7 +41,7 @@ from pitchpoint.viz.tables import (
 MOST_LINES = 8
 DETAIL_PERIODS = 12
 WIDE, HALF = 5000, 2400
-"""Points of a line across the page, and of one of two beside each other: more than a bucket a pixel."""
+"""Points of a line across the page, and of one of two next to each other: more than a bucket a pixel."""
 
 
 def gear_section(
@@ -170,7 +170,7 @@ def _add_signals(
     end, rows = None, signal_rows(drawn)
     if part.start is not None:
         last = [replace(c, values=c.values[part]) for c in drawn]
-        # the end has settled: its ranges tell which lines can share an axis
+        # the end has settled: its ranges decide which lines can share an axis
         rows = signal_rows(last)
         shown = None if state is None else state[part]
         end = plot_signals(time[part], last, contact_state=shown, points=HALF, rows=rows)

@@ -43,7 +43,7 @@ def spectrum_section(
     runs
         Time responses by name.
     highest_order
-        End of orders, where a run says nothing else.
+        End of orders, where a run states nothing else.
     shafts
         Body of gear 1 by the name of the mesh: whose orders a channel of that mesh has.
     """
@@ -113,7 +113,7 @@ def _add_maps(
         return
     section.add_figure(
         spectrum_plots.plot_order_map(tracked, unit=channel.unit, quantity=channel.label, shafts=shafts),
-        "Amplitudes over order and speed: orders stand upright, resonances run along hyperbolas.",
+        "Amplitudes over order and speed: orders are vertical lines, resonances are hyperbolas.",
     )
 
 

@@ -92,7 +92,7 @@ def turns_of(angle: Array) -> float:
 
 
 def turning_angle(run: Any, found: Mapping[str, Channel], body: str = "") -> Channel | None:
-    """Angle that orders refer to: what the run says, else that of `body`, else the first that turns."""
+    """Angle that orders refer to: that given by the run, else that of `body`, else the first that turns."""
     if run.angle:
         return found.get(run.angle)
     angles = [c for c in found.values() if c.quantity == "angle"]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a 3-D scene shows, as plain numbers: bodies that move, solids on them, arrows, curves, marks.
 
-Metres, radians, seconds, newtons. `docs/scene_format.md` says how the viewer reads them, `scene_file` writes
-them.
+Metres, radians, seconds, newtons. `docs/scene_format.md` states how the viewer reads them, `scene_file`
+writes them.
 """
 
 from __future__ import annotations
@@ -36,13 +36,13 @@ class SceneBody:
         Displacement of the origin [m] and small rotation vector [rad] from rest, in the axes at rest, shape
         (n, 3); none where it does not move.
     travel
-        Displacement of the origin that is no vibration, in place of `position`, shape (n, 3) [m].
+        Displacement of the origin that is not a vibration, in place of `position`, shape (n, 3) [m].
     quaternion
         Attitude against that at rest (x, y, z, w), in place of `turn`, shape (n, 4).
     angle
         Angle about the third axis, whole turns included, shape (n,) [rad].
     gross
-        Part of the angle that the kinematics ask for: that of the guiding body, times `ratio`, shape (n,).
+        Part of the angle prescribed by the kinematics: that of the guiding body, times `ratio`, shape (n,).
     ratio
         Turns of this body per turn of the guiding one.
     """
@@ -91,7 +91,7 @@ class SceneLevel:
 
 @dataclass(frozen=True)
 class ScenePiece:
-    """A part of a surface that stands around the third axis several times.
+    """A part of a surface that is repeated around the third axis.
 
     Attributes
     ----------
@@ -155,7 +155,7 @@ class SceneSolid:
     between
         The points that it is stretched between: its third axis goes from 0 at the first to 1 at the second.
     schematic
-        Whether it only stands for something whose shape is not known.
+        Whether it only represents something whose shape is not known.
     teeth
         Number of teeth of a gear, 0 for others.
     see_through
@@ -289,7 +289,7 @@ class Scene:
     title, subtitle
         Words above the scene.
     label
-        Name of the file that it shows, to tell it from another beside it.
+        Name of the file that it shows, to distinguishes it from another next to it.
     up
         Direction that points up on the screen, shape (3,).
     bodies, solids, arrows, contacts, channels, spectra, maps, marks, modes

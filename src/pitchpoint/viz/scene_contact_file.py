@@ -58,7 +58,7 @@ def contact_entry(contact: SceneContact, block: Block) -> dict[str, Any]:
 def _flank(flank: ContactFlank, block: Block) -> dict[str, Any]:
     found: dict[str, Any] = {"side": flank.side, "travel": block.put_track(flank.travel, LENGTH)}
     if flank.forces.shape[1]:
-        # zero stays zero: it says that a pair does not touch
+        # zero stays zero: it states that a pair does not touch
         found["forces"] = block.put_steps(flank.forces, _largest(flank.forces) / _FORCES)
         found["loads"] = block.put_steps(flank.loads, _largest(flank.loads) / _LOADS, across=True)
     found["surfaces"] = [

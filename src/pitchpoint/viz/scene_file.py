@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A scene as a header and one block of numbers, see `docs/scene_format.md`.
 
-Every number is as exact as it has to be for what is seen of it; the angles that kinematics ask for keep all
+Every number is as exact as it has to be for what is seen of it; the angles prescribed by kinematics keep all
 their digits, since teeth are looked at from near.
 """
 
@@ -191,7 +191,7 @@ def _bending(sway: Sway, name: str, block: Block) -> dict[str, Any]:
 
 def _mode(mode: SceneMode, block: Block) -> dict[str, Any]:
     def parts(values: NDArray[np.complex128], axis: int) -> dict[str, Any]:
-        """Real and imaginary parts beside each other."""
+        """Real and imaginary parts next to each other."""
         return block.put(_finite(np.stack([values.real, values.imag], axis=axis), mode.name), "f4")
 
     found: dict[str, Any] = {"name": mode.name, "frequency": float(mode.frequency)}

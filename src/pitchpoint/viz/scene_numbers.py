@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The block of numbers of a scene: every table as coarse as nobody sees, in the form that packs best.
+"""The block of numbers of a scene: every table as coarse as no one sees, in the form that packs best.
 
 Numbers become multiples of a step. What gzip then gets are differences from what precedes, their low bytes
 apart from their high ones: the low ones are noise and stay, the high ones vanish. Tables whose columns move
@@ -26,7 +26,7 @@ _TYPES = {"f8": "<f8", "f4": "<f4", "u4": "<u4", "u2": "<u2", "u1": "u1"}
 _MIXED = 9
 """Columns up to which it is worth a try whether they follow from fewer."""
 _LEFT = 0.2
-"""Share of the error that what is left out of such a table may make."""
+"""Share of the error that what is omitted from such a table may make."""
 
 
 class Block:
@@ -100,7 +100,7 @@ class Block:
         """A table by itself, `table` with all but the first axis as columns."""
         low, high = table.min(axis=0), table.max(axis=0)
         if (high - low).max(initial=0.0) <= error:
-            # it stays where it is: one row says so
+            # it stays where it is: one row reports this
             return self.put((0.5 * (low + high)).reshape(1, *given.shape[1:]), "f8")
         if len(basis) < table.shape[1]:
             return self._mixed([table], basis, error)[0]

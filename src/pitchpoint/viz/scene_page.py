@@ -74,7 +74,7 @@ def scene_page(*scenes: Scene) -> str:
 def scene_frame(*scenes: Scene, height: str = "480px") -> str:
     """A page with a scene as a frame within another document, which may hold several of them.
 
-    It is light or dark as the theme of that document, where it tells its theme, else as the system.
+    It is light or dark as the theme of that document, where it gives its theme, else as the system.
 
     Parameters
     ----------

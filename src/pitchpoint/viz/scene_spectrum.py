@@ -24,7 +24,7 @@ class SceneSpectrum:
     of
         Body whose turns the orders count; empty where lines are frequencies.
     resolution
-        Spacing of the lines of the record, in the unit of the lines; of many some are left out.
+        Spacing of the lines of the record, in the unit of the lines; of many some are omitted.
     """
 
     channel: str

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.viz import theme
-from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.downsampling import kept_samples
 from pitchpoint.viz.quantities import Array, Channel, Scale, scale
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def plot_signals(
         One or more channels of the same unit, shape (n,) each.
     contact_state
         State of a mesh at these times: 1 front, 0 separated, -1 back, 2 both; stretches without front contact
-        are shaded as long as they can be told apart.
+        are shaded as long as they can be distinguished.
     points
         Points per line at most; min/max decimation. Two buckets per pixel of a wide screen leave no slits in
         dense lines.
@@ -86,7 +86,7 @@ def plot_signals(
                 yaxis=f"y{k}" if k > 1 else "y",
                 mode="lines",
                 name=channel.label,
-                # plotly's own thinning leaves gaps in dense lines; the samples were chosen above
+                # plotly's own decimation leaves gaps in dense lines; the samples were chosen above
                 line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
             )
     if len(channels) > 1:
@@ -198,7 +198,7 @@ def _common_name(channels: Sequence[Channel]) -> str:
 
 
 def _shade(figure: go.Figure, time: Array, state: Array, axis: str) -> None:
-    """Bands where the front flanks do not touch, unless they are too many to be told apart."""
+    """Bands where the front flanks do not touch, unless they are too many to be distinguished."""
     codes = np.rint(state).astype(np.int64)
     edges = np.concatenate([[0], np.flatnonzero(np.diff(codes)) + 1, [codes.size]])
     runs = [

@@ -13,7 +13,7 @@ from pitchpoint.analysis.orders import OrderMap
 from pitchpoint.analysis.spectra import Spectrum, largest_peaks
 from pitchpoint.analysis.time_frequency import TimeFrequencyMap
 from pitchpoint.viz import theme
-from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.downsampling import kept_samples
 from pitchpoint.viz.quantities import Array, number, scale
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def plot_spectrum(
     Parameters
     ----------
     spectra
-        Spectra by the names that stand above the plot; a single one may have none.
+        Spectra by the names that are above the plot; a single one may have none.
     unit
         SI unit of the signal.
     quantity
@@ -175,7 +175,7 @@ def amplitude_map(
     """
     import plotly.graph_objects as go
 
-    x, y, z = _thinned(x, y, amplitude)
+    x, y, z = _reduced(x, y, amplitude)
     largest = float(z.max())
     level = 20.0 * np.log10(np.maximum(z, 1e-12 * largest) / largest) if largest > 0.0 else np.zeros_like(z)
     shown = scale(unit, [largest])
@@ -207,7 +207,7 @@ def amplitude_map(
     return figure
 
 
-def _thinned(x: Array, y: Array, z: Array) -> tuple[Array, Array, Array]:
+def _reduced(x: Array, y: Array, z: Array) -> tuple[Array, Array, Array]:
     """A map no finer than the screen; cells that are joined keep their largest amplitude."""
     for dimension, limit in ((1, MAP_COLUMNS), (0, MAP_ROWS)):
         n = z.shape[dimension]

@@ -100,7 +100,7 @@ _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "01
 
 
 def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> str:
-    """One row per quantity, one column per gear or mesh; rows that nobody has are left out.
+    """One row per quantity, one column per gear or mesh; rows that no one has are omitted.
 
     Rows of one letter (backlash j_bt, j_wt, j_bn) share the unit of the largest value among them, so that
     rows and columns compare at a glance.

@@ -17,12 +17,12 @@ MAGENTA, BROWN = "#b8429e", "#8f6248"
 
 # The three parts of a tooth force keep their colour in every plot, drawing and animation; the lines of other
 # quantities take theirs from a series that holds none of the three. Its first three differ most for readers
-# who do not tell red from green or blue from yellow.
+# who cannot distinguish red from green or blue from yellow.
 FORCE_PARTS = {"circumferential": BLUE, "radial": ORANGE, "axial": PURPLE}
 SERIES = (TEAL, OCHRE, RED, MAGENTA, BROWN, GREEN, GREY)
 
-# Sweeps: upwards green, downwards red; the symbols say the same to readers who do not tell these colours
-# apart.
+# Sweeps: upwards green, downwards red; the symbols show the same to readers who cannot
+# distinguish these colours.
 SWEEP = {"up": (GREEN, "triangle-up"), "down": (RED, "triangle-down")}
 
 LIGHT = {
@@ -58,7 +58,7 @@ MAP_RANGE_DB = 60.0
 
 
 def colour_of(name: str, index: int) -> str:
-    """Colour of a channel: that of its force part if its name says so, else the next of the series.
+    """Colour of a channel: that of its force part if its name reports this, else the next of the series.
 
     Examples
     --------
@@ -82,7 +82,7 @@ def axis(title: str, **more: Any) -> dict[str, Any]:
         "showline": True,
         "ticks": "outside",
         "tickcolor": LIGHT["soft"],
-        # units carry the prefix: 5000 rpm and 2 kHz, no powers of ten beside them
+        # units carry the prefix: 5000 rpm and 2 kHz, no powers of ten next to them
         "exponentformat": "none",
         "hoverformat": ".5g",
         "nticks": 8,

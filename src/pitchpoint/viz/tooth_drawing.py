@@ -19,7 +19,7 @@ from pitchpoint.viz.quantities import number
 from pitchpoint.viz.svg import Array
 
 FIELD, COLUMN = 520.0, 300.0
-"""Width of the drawing and of the column of labels beside it."""
+"""Width of the drawing and of the column of labels next to it."""
 STEP = 19.0
 MARGIN = 0.5
 """What is shown beyond tip and root, in modules."""
@@ -42,9 +42,9 @@ def tooth_svg(gear: Any, *, name: str = "gear", meshes: Mapping[str, tuple[Any, 
 
     Notes
     -----
-    A tool is drawn where one is known: the rack of an external gear, the cutter of an internal one. It stands
-    where it makes the thickness allowance as well. Real teeth are drawn as they are, the tool is that of the
-    generated ones.
+    A tool is drawn where one is known: the rack of an external gear, the cutter of an internal one. It is
+    placed where it makes the thickness allowance as well. Real teeth are drawn as they are, the tool is that
+    of the generated ones.
     """
     low, high = _window(gear)
     scale = FIELD / (high[0] - low[0])
@@ -76,7 +76,7 @@ def tooth_svg(gear: Any, *, name: str = "gear", meshes: Mapping[str, tuple[Any, 
 
 
 def _window(gear: Any) -> tuple[Array, Array]:
-    """Lower left and upper right corner of what is drawn [m]: a space and the teeth beside it."""
+    """Lower left and upper right corner of what is drawn [m]: a space and the teeth next to it."""
     r_a, r_f = 0.5 * abs(gear.d_a), 0.5 * abs(gear.d_fE)
     half = min(PITCHES * gear.p_t, 0.8 * 0.5 * abs(gear.d))
     inner, outer = min(r_a, r_f), max(r_a, r_f)

@@ -31,7 +31,7 @@ def plot_levels(result: xr.Dataset, channel: str) -> list[go.Figure]:
     result
         Result of `wavelet_levels` of one channel.
     channel
-        Its name; the page says it above the picture.
+        Its name; the page states it above the picture.
     """
     unit = str(result["signals"].attrs["units"])
     parts = [

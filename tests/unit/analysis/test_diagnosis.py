@@ -44,7 +44,7 @@ def _mesh_of(parts: TurningParts, gear: str) -> tuple[float, float, int]:
     ("machine", "gear", "shaft", "gears"),
     [
         (RIG, "Z1", "shaft 1", ("Z1",)),
-        # the mesh of Z2 is the second harmonic of that of Z3: nothing tells them apart
+        # the mesh of Z2 is the second harmonic of that of Z3: nothing distinguishes them
         (RIG, "Z2", "shaft 2", ("Z2", "Z3")),
         (RIG, "Z4", "shaft 3", ("Z4",)),
         (PAIR, "Z1", "shaft 1", ("Z1",)),
@@ -136,7 +136,9 @@ def test_a_bearing_without_slip_is_no_gear(passes: float) -> None:
 def test_a_bearing_on_a_harmonic_of_a_shaft_is_named_with_the_gear(passes: float) -> None:
     findings, untested = _of_struck(passes, passes)
     assert findings == [("local fault", "shaft 1", ("Z1",), ("outer ring of left",))]
-    assert any(text.startswith("outer ring of left cannot be told from the turns") for text in untested)
+    assert any(
+        text.startswith("outer ring of left cannot be distinguished from the turns") for text in untested
+    )
 
 
 def test_a_tooth_is_not_a_bearing_that_strikes_three_times_in_a_turn() -> None:
@@ -147,7 +149,7 @@ def test_a_difference_that_the_record_does_not_resolve_is_told() -> None:
     # 0.4 lines of a record of 100 turns
     findings, untested = _of_struck(3.004, 3.004)
     assert all(finding[0] != "bearing" for finding in findings)
-    assert any("cannot be told from the turns of a shaft" in text for text in untested)
+    assert any("cannot be distinguished from the turns of a shaft" in text for text in untested)
 
 
 def test_passing_balls_of_a_healthy_bearing_are_neither_sidebands_nor_damage() -> None:
@@ -196,6 +198,6 @@ def test_teeth_that_another_mesh_makes_unequal_are_not_one_damaged_tooth(one: fl
     (comb,) = [e for e in found.evidence if (e.kind, e.shaft) == ("comb", "shaft 2")]
     assert comb.found
     assert [(f.kind, f.shaft) for f in found.findings] == ([("local fault", "shaft 2")] if one else [])
-    assert any(t.startswith("all orders stand out of shaft 2 (in acc), but not") for t in found.untold) == (
-        not one
-    )
+    assert any(
+        t.startswith("all orders stand out of shaft 2 (in acc), but not") for t in found.unreported
+    ) == (not one)

@@ -55,7 +55,7 @@ def test_a_ball_is_not_named_for_the_sidebands_of_an_inner_ring() -> None:
     assert (
         "explained by inner ring of left, without whose lines nothing of it stands out: "
         "rolling element of left in acc"
-    ) in found.untold
+    ) in found.unreported
 
 
 def test_a_ball_that_strikes_as_well_is_named_beside_the_inner_ring() -> None:
@@ -68,7 +68,7 @@ def test_a_ball_that_strikes_as_well_is_named_beside_the_inner_ring() -> None:
 
 
 def test_a_mesh_is_not_modulated_where_strikes_have_a_line() -> None:
-    """Six strikes and a turn of the shaft are 20 orders and 0.3 lines of the record: beside a mesh at 21."""
+    """Six strikes and a turn of the shaft are 20 orders and 0.3 lines of the record: next to a mesh at 21."""
     turned, order = _turned(), (19.0 + 0.3 / TURNS) / 6.0
     x = _healthy(turned) + 2.0 * _knocks(turned, order, carried=1.0, depth=0.4)
     x += 0.3 * np.cos(2 * np.pi * (6 * order + 1.0) * turned)
@@ -169,13 +169,13 @@ def test_a_ball_turns_with_its_cage_and_may_strike_one_ring_harder() -> None:
 
 
 def test_lines_beside_strikes_are_no_larger_than_these() -> None:
-    """Strikes at 5.1 with the turns of a shaft beside them; what lies on the strikes is their own."""
+    """Strikes at 5.1 with the turns of a shaft next to them; what lies on the strikes is their own."""
     turned = np.arange(int(RATE * TURNS)) / RATE
     strikes = Strikes(5.1, 1.0, np.empty(0))
 
     def beside(order: float, amplitude: float) -> bool:
         tones = 0.3 * np.cos(2 * np.pi * 5.1 * turned) + amplitude * np.cos(2 * np.pi * order * turned)
-        return strikes.have_beside(order, fine_spectrum(tones, RATE))
+        return strikes.have_sideband(order, fine_spectrum(tones, RATE))
 
     assert beside(4.1, 0.2) and beside(10.2 - 3.0, 0.2)
     assert not beside(4.1, 0.4)

@@ -133,7 +133,7 @@ def test_fm0_and_sidebands_of_a_modulated_mesh() -> None:
     """(1 + m cos θ) cos zθ, m = 1/4: peak to peak 2 (1 + m) at most, sidebands m/2 each, σ² = 1/2 + m²/4."""
     x = (1.0 + 0.25 * np.cos(ANGLE)) * np.cos(64 * ANGLE) + 1e-6 * NOISE[:1024]
     found = gear_indicators(x, teeth=64)
-    # trough half a tooth beside the crest: 1 + m cos(π/64)
+    # trough half a tooth next to the crest: 1 + m cos(π/64)
     assert found.fm0 == pytest.approx(1.25 + 1.0 + 0.25 * np.cos(np.pi / 64), rel=1e-4)
     assert found.sideband_level_factor == pytest.approx(0.25 / sqrt(0.5 + 0.25**2 / 4), rel=1e-4)
 

@@ -134,7 +134,7 @@ def test_records_too_short_for_the_sidebands_are_refused() -> None:
 
 
 def test_sidebands_that_are_not_there_have_no_asymmetry() -> None:
-    """A pure mesh line: what stands beside it is leakage and round-off, 1e-9 of it; in noise, noise."""
+    """A pure mesh line: what stands next to it is leakage and round-off, 1e-9 of it; in noise, noise."""
     rate, t = 4000.0, np.arange(12000) / 4000.0
     pure = np.cos(TAU * 400.0 * t)
     for x in (pure, pure + 0.01 * np.random.default_rng(0).normal(size=t.size)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Load sharing put together from slots: the curve it was cut from comes out again, whichever slot begins."""
+"""Load sharing assembled from slots: the curve it was cut from comes out again, whichever slot begins."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ def test_seed_decides_everything(seed: int, other: int, decibel: float) -> None:
     assert not np.array_equal(pair.noise, first.noise)
     if other != seed:
         assert not np.array_equal(with_white_noise(x, signal_to_noise=decibel, seed=other).noise, first.noise)
-    # another level scales the same noise; a longer record goes on where the shorter one ends
+    # another level scales the same noise; a longer record continues where the shorter one ends
     louder = with_white_noise(x, signal_to_noise=decibel - 20.0, seed=seed)
     np.testing.assert_allclose(louder.noise, 10.0 * first.noise, rtol=1e-12)
 

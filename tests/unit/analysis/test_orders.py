@@ -102,7 +102,7 @@ def test_time_frequency_map_stops_where_asked() -> None:
 @pytest.mark.parametrize("order", [151.0, 160.0, 184.0, 200.0, 233.5, 400.0, 734.0, 1100.0, 1999.0])
 @pytest.mark.parametrize("steady", [True, False])
 def test_nothing_above_the_highest_order_folds_into_an_order_spectrum(order: float, steady: bool) -> None:
-    """Orders 151 ... 1999 of a record with 4000 samples per revolution, asked for up to 150."""
+    """Orders 151 ... 1999 of a record with 4000 samples per revolution, requested up to 150."""
     t = np.linspace(0.0, 1.0, 40_001)
     angle = 2 * np.pi * (10.0 * t if steady else 9.0 * t + t**2)
     found = tracked_spectrum(np.cos(order * angle), angle, highest_order=150)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Periods of repeated impacts: rates of false alarms under noise, and what is no fault."""
+"""Periods of repeated impacts: rates of false alarms under noise, and what is not a fault."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def test_given_periods_in_noise_are_never_too_likely() -> None:
         assert (p <= level).mean() <= level + 3.0 * np.sqrt(level / p.size)
 
 
-# ------------------------------------------------------------------------------------- what is no fault
+# ------------------------------------------------------------------------------------- what is not a fault
 
 
 def test_a_mesh_is_no_fault_although_a_turn_holds_it_eleven_times() -> None:

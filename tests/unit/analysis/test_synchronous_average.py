@@ -89,7 +89,7 @@ def test_noise_falls_with_the_root_of_the_averages() -> None:
 def test_fault_of_the_shaft_stays_and_of_its_mate_falls_with_the_root_of_the_averages() -> None:
     """Pair 17/38: a tooth of the wheel meets another tooth of the pinion each time, until all have met.
 
-    N turns of the pinion hold n = 17 N/38 pulses of the wheel. Each stands alone with 1/N of its height, so
+    N turns of the pinion hold n = 17 N/38 pulses of the wheel. Each is alone with 1/N of its height, so
     the mean square is n/N² of that of one pulse per turn: rms ∝ 1/√N. After 38 turns all 17 teeth have been
     hit alike and nothing but the mesh order is left.
     """

@@ -137,7 +137,7 @@ def test_torsional_vibration_is_no_fault() -> None:
     ("signal", "message"),
     [
         (np.full(40_000, 5.0), "constant at 5, it has no pulses"),
-        (np.random.default_rng(0).standard_normal(40_000), "no even train of pulses"),
+        (np.random.default_rng(0).standard_normal(40_000), "not an even train of pulses"),
         (np.sin(TURN * 1.0 * TIME), "has 1 pulses .limit 4."),
         (np.where(TIME < 1.0, np.sin(TURN * 30.0 * TIME**2), -1.0), None),
         (np.sin(TURN * 30.0 * (TIME - np.clip(TIME - 0.8, 0.0, 0.7))), "no pulse from 0.766667 s to 1.5 s"),
@@ -155,7 +155,7 @@ def test_a_bouncing_contact_is_no_train() -> None:
     """Every pulse has a second edge a tenth of a pitch behind the first: which one is it?"""
     turns = 30.0 * TIME
     bouncing = ((np.mod(turns, 1.0) < 0.06) | (np.abs(np.mod(turns, 1.0) - 0.13) < 0.03)).astype(float)
-    with pytest.raises(SignalError, match="no even train of pulses"):
+    with pytest.raises(SignalError, match="not an even train of pulses"):
         tacho_angle(bouncing, TIME, pulses_per_revolution=1)
 
 
@@ -198,7 +198,7 @@ def test_orders_of_a_run_up_from_its_tacho() -> None:
 
 def test_a_tacho_of_two_levels_gives_no_sidebands() -> None:
     """Read at 25.6 kHz, 371.4 pulses a second are late by anything up to a sample, 25 times a second anew:
-    as an angle that is followed exactly, that would be sidebands 25 Hz beside a mesh line, 27 dB below it
+    as an angle that is followed exactly, that would be sidebands 25 Hz next to a mesh line, 27 dB below it
     (modulation by a saw tooth of 39 us, 0.29 rad from end to end: first sideband 0.29/(2 pi))."""
     rate, speed = 25600.0, 37.1377
     time = np.arange(51200) / rate

@@ -244,3 +244,21 @@ def test_contact_on_the_back_flank_is_contact(tmp_path: Path, capsys: pytest.Cap
     rows = [line.split() for line in capsys.readouterr().out.splitlines() if line.split()[:1] == ["0.1"]]
     assert rows[0][-1] == "no"
     assert float(rows[0][-3]) < -2128.0  # 150 N m at 70.477 mm
+
+
+def test_flanks_that_change_without_a_gap_do_not_lose_contact(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Without backlash the contact state jumps between 1 and -1; a gap has states 0 between."""
+    text = SHORT.replace("150 N m}", "150 N m * cos(2000 rad/s * t)}").replace(
+        "0.01 s", "5 ms, settle_time: 0 s"
+    )
+    file = written(tmp_path, text.replace("transmission_error:", "# transmission_error:"))
+    vary = ["--vary", "meshes.stage.backlash.normal=0 mm,0.1 mm"]
+    arguments = ["run", file, "-s", "steady", *vary, "-o"]
+    found = json_of([*arguments, str(tmp_path / "one.h5")], capsys)
+    states = [case["channels"]["contact_state[stage]"] for case in found["cases"]]
+    assert [(s["min"], s["max"], s["share_zero"] > 0.0) for s in states] == [(-1, 1, False), (-1, 1, True)]
+    assert run_command([*arguments, str(tmp_path / "two.h5")]) == 0
+    lines = [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert [line[-1] for line in lines if line and line[-1] in ("yes", "no")] == ["no", "yes"]

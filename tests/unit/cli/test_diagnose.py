@@ -31,7 +31,7 @@ def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.C
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ([], "says nothing about the machine; give --train"),
+        ([], "does not describe the machine; give --train"),
         (["--train", "32/95"], "the speed is not known; give --speed"),
         (["--train", "31/95", "--speed", "10Hz"], "no mesh line at 310 Hz"),
         (["--train", "32/95", "--speed", "11Hz"], "strongest lines at 320 Hz"),

@@ -98,3 +98,12 @@ def test_a_file_without_meshes_gets_a_sentence(tmp_path: Path, capsys: pytest.Ca
     assert run_command(["mesh", file]) == 0
     assert f"{file}: has no meshes" in capsys.readouterr().out
     assert json_of(["mesh", file], capsys) == {"meshes": {}}
+
+
+@pytest.mark.parametrize("options", ["", " --eps-beta 0.1", " --tip-relief-factor 1"])
+def test_a_mesh_without_contact_for_a_while_has_no_least_stiffness_of_round_off(
+    options: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = mesh_of(f"--eps-alpha 0.5 --stiffness-ratio 0{options}", capsys)
+    assert found["minimum"] == 0.0 and min(found["stiffness_ratio"]) == 0.0
+    assert found["peak_to_peak"] == found["maximum"] > 0.5

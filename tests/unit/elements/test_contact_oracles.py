@@ -26,6 +26,7 @@ from pitchpoint.elements.surface_surface import (
 )
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.solid import gear_solid
+from pitchpoint.model.components.contact import ContactLaw
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
 from pitchpoint.solvers import generalized_alpha, runge_kutta
@@ -430,3 +431,12 @@ def test_gears_of_triangles_press_along_the_line_of_action():
         forces.append(normal / line_force(gears, distance, at, x, k))
     assert ratio == pytest.approx([1.0] * 3, abs=5e-3)
     assert forces == pytest.approx([1.0] * 3, abs=3e-2)
+
+
+@pytest.mark.parametrize("speed", [0.3, 1.0])
+def test_a_restitution_for_every_speed_needs_no_speed(speed):
+    """As a user writes it in a file; the transition takes (v/speed)^2 of the energy, v = 1 mm/s."""
+    law = ContactLaw(force=100.0, depth=1e-4, exponent=1.0, restitution=0.6, every_speed=True)
+    v = law.reference_speed
+    found, _ = dropped(lambda r: set_restitution(r, 1e8, 0.6, v, every_speed=True), speed)
+    assert found == pytest.approx(0.6, abs=1e-3)

@@ -257,5 +257,5 @@ def test_shaft_angles_without_external_cones_are_refused(z1, z2, Sigma):
 )
 def test_what_makes_teeth_too_thin_or_spaces_too_narrow_is_named(changes, key):
     gear = BevelGear(z=20, m_mn=2.5e-3, delta=0.5, b=15e-3).replace(**changes)
-    (told,) = gear.problems()
+    (told,) = gear.problems() or gear.warnings()  # a thin tip can be made
     assert told.where == key and None not in (told.value, told.limit, told.remedy)

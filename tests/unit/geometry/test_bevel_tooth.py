@@ -43,7 +43,7 @@ def pair(request):
 
 
 def frame_2(pair):
-    """Axes of gear 2 in the frame of gear 1; the pitch ray stands at the azimuth 0 of both."""
+    """Axes of gear 2 in the frame of gear 1; the pitch ray is at the azimuth 0 of both."""
     s, d = pair.Sigma, pair.gear1.delta
     axis = np.array([math.sin(s), 0.0, math.cos(s)])
     ray = np.array([math.sin(d), 0.0, math.cos(d)])

@@ -57,7 +57,7 @@ def test_flanks_and_roots_are_as_far_apart_as_the_formulas_say(name: str) -> Non
         assert found[kind].distance == pytest.approx(pair.a_w - 0.5 * (tip + root), abs=1e-9 * M)
     assert ("tips" in found) == pair.is_internal
     for kind, one in found.items():
-        # what is said to be the distance is that of the two places, which lie on the outlines
+        # what is reported to be the distance is that of the two places, which lie on the outlines
         apart = math.dist(one.place1, one.place2)
         assert apart == pytest.approx(abs(one.distance), abs=1e-9 * M), kind
 
@@ -121,7 +121,7 @@ def test_a_tip_below_the_form_circle_runs_into_the_fillet(longer: float, hits: b
 
 
 def test_straight_ends_of_flanks_inside_the_base_circle_collide() -> None:
-    """The angular gap counts tips at the base circle; this ring goes on inside it, and that end hits."""
+    """The angular gap counts tips at the base circle; this ring continues inside it, and that end hits."""
     pair = internal(20, 28, 0.0)
     assert abs(pair.gear2.d_a) < abs(pair.gear2.d_b) and tip_overlap_gap(pair) > 0.0
     tips = clearances(pair)["tips"]

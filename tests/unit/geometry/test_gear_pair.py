@@ -134,7 +134,7 @@ IMPOSSIBLE = {
     "ring too small": (GearPair(G50, CylindricalGear.internal(z=45, m_n=3e-3), -0.01), "gears", "not larger"),
     "ring as large": (GearPair(G50, CylindricalGear.internal(z=50, m_n=3e-3), -0.01), "gears", "not larger"),
     "two rings": (GearPair(RING, RING, -0.1), "gears", "both internal"),
-    "ring first": (GearPair(RING, G50, -0.03), "gears", "stands first"),
+    "ring first": (GearPair(RING, G50, -0.03), "gears", "as gear 1"),
 }
 
 

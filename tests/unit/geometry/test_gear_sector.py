@@ -59,7 +59,7 @@ def test_copies_of_a_pitch_close_the_surface(gear, error):
 
 def test_volume_of_a_fine_gear_is_the_closed_form(gear):
     """Bores and rims are polygons of n corners: (n/2 pi) sin(2 pi/n) of their circles; the rest are teeth
-    whose chords leave out some 1e-4 of a module, and straight pieces of helices."""
+    whose chords omit some 1e-4 of a module, and straight pieces of helices."""
     shape, blank = gear
     error = 1e-4 * shape.m_n
     sections = [(float(z), None) for z in slices_for(shape, error)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tooth thickness, span and ball measures: identities between them, and what cannot be measured."""
+"""Tooth thickness, span and dimension over balls: identities between them, and what cannot be measured."""
 
 from __future__ import annotations
 

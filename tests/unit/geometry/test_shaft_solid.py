@@ -61,9 +61,9 @@ def test_outline_goes_once_round_without_needless_corners():
     "sections, said",
     [
         ([], "has no sections"),
-        ([(0.1, 0.04, 0.04)], "sections.0: length 0.1 m, diameter 0.04 m, bore 0.04 m is no piece"),
+        ([(0.1, 0.04, 0.04)], "sections.0: length 0.1 m, diameter 0.04 m, bore 0.04 m is not a piece"),
         ([(0.1, 0.04, 0.0), (0.1, 0.08, 0.05)], "touches the section before it nowhere"),
-        ([(math.nan, 0.04, 0.0)], "is no piece of a shaft"),
+        ([(math.nan, 0.04, 0.0)], "is not a piece of a shaft"),
     ],
 )
 def test_what_is_no_shaft_is_refused(sections, said):

@@ -34,7 +34,7 @@ def test_the_tool_touches_the_tooth_and_stays_outside(name: str) -> None:
     half_space = math.pi / abs(gear.z)
     parts = set()
     for phi in np.linspace(-1.0, 1.0, 15) * half_space:
-        # the tooth of the outline stands beside the space on the +x axis
+        # the tooth of the outline stands next to the space on the +x axis
         teeth = np.concatenate([tool.at(phi, tooth) for tooth in range(-1, 2)])
         points = teeth * np.exp(-1j * (phi + half_space))
         near = line.nearest(points)

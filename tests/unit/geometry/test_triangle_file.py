@@ -87,7 +87,7 @@ FAULTS = {
     "millimetres taken as metres": (triangles(10.0 * BOX), {"unit": 1.0}, "is an unlikely size"),
     "one place": (triangles(np.zeros((4, 3, 3))), {}, "is an unlikely size"),
     "no area": (triangles(SLIVER), {"open_edges": True}, "have no area, the first is number 49"),
-    "turned round": (triangles(TURNED), {}, "are walked the same way by two triangles"),
+    "reversed": (triangles(TURNED), {}, "are walked the same way by two triangles"),
     "a hole": (triangles(BOX[1:]), {}, "belong to one triangle only"),
     "a crack": (triangles(moved((3, 1), 0.01)), {}, "belong to one triangle only"),
     "inside out": (triangles(BOX[:, ::-1]), {}, "is inside out"),
@@ -112,15 +112,15 @@ def test_faults_are_found(name):
     [(triangles(BOX[1:]), {"open_edges": True}), (triangles(POINT), {}), (triangles(BOX - 0.0), {})],
 )
 def test_what_does_no_harm_is_no_fault(found, keys):
-    """Borders that were asked for; triangles with two corners in one place, which are left out."""
+    """Borders that were requested; triangles with two corners in one place, which are omitted."""
     assert triangle_faults(found, 1e-3, **keys) == []
 
 
 BROKEN = {
-    "empty.stl": (b"", "is no STL file: it has 0 bytes"),
-    "short.stl": (binary(BOX)[:-1], "which is no whole STL file"),
-    "long.stl": (binary(BOX) + b"\n", "which is no whole STL file"),
-    "cut.stl": (text(BOX)[:3000].encode(), "is no whole STL file"),
+    "empty.stl": (b"", "is not an STL file: it has 0 bytes"),
+    "short.stl": (binary(BOX)[:-1], "which is not a whole STL file"),
+    "long.stl": (binary(BOX) + b"\n", "which is not a whole STL file"),
+    "cut.stl": (text(BOX)[:3000].encode(), "is not a whole STL file"),
     "words.stl": (text(BOX).replace("vertex 1.5", "vertex x1.5", 1).encode(), "has no vector in line"),
     "text.npy": (b"1 2 3", "cannot be read"),
     "none.npy": (b"", "cannot be read"),

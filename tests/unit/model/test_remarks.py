@@ -8,7 +8,13 @@ import pytest
 
 from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.remarks import bushings_apart, ignored_flanks, negative_backlash, odd_shapes
+from pitchpoint.model.remarks import (
+    bushings_apart,
+    gaps_in_contact,
+    ignored_flanks,
+    negative_backlash,
+    odd_shapes,
+)
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 
@@ -85,11 +91,19 @@ def test_no_backlash_is_no_negative_backlash(more, mesh):
 
 def test_odd_shapes_are_told_with_the_gear_and_the_mesh():
     tool = ", rack: {addendum: 1, dedendum: 1.25, root_radius: 0.6}"
-    radius, gap = odd_shapes(loads_model(PAIR.format(more=tool, mesh="center_distance: 125.5 mm")))
+    (radius,) = odd_shapes(loads_model(PAIR.format(more=tool, mesh="center_distance: 125.5 mm")))
     assert radius.startswith("gears.b.rack.root_radius: 0.6 modules have no room between the flanks")
     assert "(limit 0.4719)" in radius
-    assert gap.startswith("meshes.s.gears: total contact ratio 0.")
     assert odd_shapes(loads_model(PAIR.format(more="", mesh="center_distance: 120 mm"))) == ()
+
+
+def test_moments_without_a_pair_in_contact_are_reported_by_whatever_compiles():
+    model = loads_model(PAIR.format(more="", mesh="center_distance: 125.5 mm"))
+    (gap,) = gaps_in_contact(model)
+    assert gap.startswith("meshes.s.gears: total contact ratio 0.")
+    with pytest.warns(ValidityWarning, match="leaves moments without a tooth pair in contact"):
+        compile_model(model)
+    assert gaps_in_contact(loads_model(PAIR.format(more="", mesh="center_distance: 120 mm"))) == ()
 
 
 APART = """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Matrices from files: what was written comes back, what is wrong is said with its line."""
+"""Matrices from files: what was written comes back, what is wrong is reported with its line."""
 
 from __future__ import annotations
 
@@ -82,13 +82,13 @@ def test_small_fields_and_short_exponents(tmp_path):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda t: t.replace("D+0", "X+0", 9), r"line \d+\).*is no number"),
+        (lambda t: t.replace("D+0", "X+0", 9), r"line \d+\).*is not a number"),
         (lambda t: t.replace("       6       2", "       6       4", 1), "is complex"),
         (lambda t: t.replace("       6       2", "       9       2", 1), "form 9"),
         (lambda t: "\n".join(x for x in t.split("\n") if "  0   " not in x[8:30]), "before the header"),
         (lambda t: t + t[t.index("DMIG*") : t.index("DMIG*") + 160], "comes twice"),
         (lambda t: "GRID           1\n", "has no DMIG"),
-        (lambda t: "x" * 5000, "no text of lines"),
+        (lambda t: "x" * 5000, "not text of lines"),
         (lambda t: t.replace("GRID          11        ", "GRID          11       7"), "lies in the system 7"),
     ],
 )
@@ -151,7 +151,7 @@ def test_matrix_market(tmp_path, symmetry, dense, packed):
         ("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 one 5.0\n", "cannot be read.*'one'"),
         ("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 1 5.0\n1 2 5.0\n", "promises 1 entries"),
         ("%%MatrixMarket matrix coordinate real general\n2 2\n", "no line of 3 sizes"),
-        ("K\n1 1 1\n", "no Matrix Market file"),
+        ("K\n1 1 1\n", "not a Matrix Market file"),
     ],
 )
 def test_matrix_market_files_that_are_wrong(tmp_path, text, message):
@@ -230,13 +230,13 @@ def test_nodes_may_differ_in_their_displacements(tmp_path):
     ("text", "message"),
     [
         ("0 0 0\n1 2\n", r"line 2\).*has 2 numbers"),
-        ("0 0 0\n1 2 z\n", r"line 2\).*'z' is no number; write x y z in m"),
+        ("0 0 0\n1 2 z\n", r"line 2\).*'z' is not a number; write x y z in m"),
         ("0 0 0 123\n1 2 3\n", "only some nodes"),
-        ("0 0 0 127\n", "no list of digits"),
-        ("0 0 0 113\n", "no list of digits"),
+        ("0 0 0 127\n", "not a list of digits"),
+        ("0 0 0 113\n", "not a list of digits"),
         ("0 0 1e999\n", "not finite"),
         ("# nothing\n", "has no node"),
-        ("1" * 5000, "no table of places"),
+        ("1" * 5000, "not a table of places"),
     ],
 )
 def test_tables_of_places_that_are_wrong(tmp_path, text, message):

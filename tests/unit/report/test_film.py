@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Films of scenes: what stands in their way is told in a sentence; where the programs are, one is made."""
+"""Films of scenes: what is in their way is told in a sentence; where the programs are, one is made."""
 
 from __future__ import annotations
 

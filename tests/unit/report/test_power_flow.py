@@ -108,7 +108,7 @@ def test_the_power_of_a_mesh_is_force_times_speed_at_the_pitch_point(channels: d
 
 
 def test_what_the_mesh_is_fed_and_what_is_missing_stay_apart(channels: dict[str, np.ndarray]) -> None:
-    """What damping takes of the power that the stiffness feeds is no remainder; a missing torque is."""
+    """What damping takes of the power that the stiffness feeds is not a remainder; a missing torque is."""
     one = np.ones_like(TIME)
     fed = channels | {"parametric_power[m]": FED * one, "damping_power[m]": FED * one}
     assert abs(flow_of(fed).remainder) < 1e-6

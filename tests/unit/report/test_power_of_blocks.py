@@ -2,7 +2,7 @@
 """What comes to every block and does not stay in it leaves it again, with all that loses power in a mesh.
 
 Bodies only turn, and the record has every step, so nothing is lost but the trapezoidal rule: with steps of
-5 µs and friction that turns round over a few samples it is 2e-9 to 2e-7 of the power.
+5 µs and friction that reverses over a few samples it is 2e-9 to 2e-7 of the power.
 """
 
 from __future__ import annotations

@@ -158,7 +158,7 @@ def test_a_roll_that_is_given_is_drawn_over_all_its_periods(as_file: bool, tmp_p
     np.testing.assert_allclose(np.asarray(roll.curves["second"][0])[-1], 2.0, atol=0.02)
     np.testing.assert_allclose(errors["without load"], data["unloaded_transmission_error[first]"].values)
     assert [name.startswith("mesh force ") for name in errors] == [False, True]
-    # the curve of the file stands in the place of one computed anew
+    # the curve of the file is in the place of one computed anew
     assert not found.mesh_cycles["first"].errors
     assert found.mesh_cycles["second"].errors
 
@@ -170,11 +170,11 @@ def test_a_roll_without_load_has_one_curve() -> None:
 
 
 def test_ctrl_c_in_a_roll_ends_the_report() -> None:
-    """A roll keeps what it has and says that it was stopped; the report must not go on with the next mesh."""
+    """A roll keeps its results and reports the stop; the report does not continue with the next mesh."""
     told = []
 
     def stop(done: float, total: float, note: str = "") -> None:
-        """What Ctrl-C does in the midst of the first roll."""
+        """What Ctrl-C does during the first roll."""
         told.append((done, note))
         raise KeyboardInterrupt
 

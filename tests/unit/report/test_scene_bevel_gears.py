@@ -66,7 +66,7 @@ def test_drawn_teeth_stand_apart_by_half_of_the_backlash_on_both_sides(model, fo
         R = np.linalg.norm(points, axis=1)
         face = (thin.R_i < R) & (thin.R_e > R) & (points[:, 2] > 0.0)
         nearest = angles_inside(thin, 0.0, points[face]).max()
-        # corners stand up to a tenth of the gap beside the contact lines
+        # corners stand up to a tenth of the gap next to the contact lines
         half = 0.5 * sigma_j / math.sin(thin.delta_b)
         assert -1.1 * half < nearest < -half * (1.0 - 1e-6)
 

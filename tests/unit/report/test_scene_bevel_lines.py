@@ -35,7 +35,7 @@ def machine(request):
 
 
 def in_gear(scene, model, name, points, frame):
-    """Points in the frame of a gear whose tooth 0 stands on the first axis; frame None: they turn with it."""
+    """Points in the frame of a gear whose tooth 0 is on the first axis; frame None: they turn with it."""
     body = model.body_of(name)
     apex = [0.0, 0.0, model.bodies[body].bevel_gears[name]]
     if frame is not None:
@@ -112,7 +112,7 @@ def test_painted_flanks_are_those_of_the_numbered_teeth(machine):
         R = np.linalg.norm(own, axis=1)
         turned = np.arctan2(own[:, 1], own[:, 0]) - gear.spiral_rate * np.log(R / gear.R_m)
         off = np.mean(np.exp(1j * turned)) * np.exp(-2j * math.pi * surface["tooth"] / gear.z)
-        # less than half of a pitch beside the middle of the tooth that is named, on one side of it
+        # less than half of a pitch next to the middle of the tooth that is named, on one side of it
         assert 0.1 < abs(np.angle(off)) * gear.z / (2.0 * math.pi) < 0.4
         assert surface["teeth"] == gear.z
         assert abs(surface["turn"]) == pytest.approx(2.0 * math.pi / gear.z)

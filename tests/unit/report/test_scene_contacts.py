@@ -103,7 +103,7 @@ def test_contact_lines_lean_by_the_base_helix_angle(pair):
         for line in lines.values():
             along = line["points"][-1] - line["points"][0]
             lean = math.acos(along @ axes[:, 2] / np.linalg.norm(along))
-            # the bearings give way by 3 kN over 1e6 N m/rad and 1e8 N/m
+            # the bearings yield by 3 kN over 1e6 N m/rad and 1e8 N/m
             assert lean == pytest.approx(abs(beta_b), abs=2e-4)
 
 
@@ -175,7 +175,7 @@ def test_lines_of_planets_lie_between_drawn_teeth(carrier, name, side):
 
 
 def test_what_a_result_does_not_keep_comes_from_the_same_places(pair):
-    """Without damping: in the mean of a steady run within a percent, and it is said."""
+    """Without damping: in the mean of a steady run within a percent, and it is reported."""
     scene, system, result = pair
     dropped = [n for n in result.data_vars if str(n).startswith(("pair_force", "bearing_force", "radial"))]
     again = scene_of(system.model, result.drop_vars(dropped))
@@ -190,7 +190,7 @@ def test_what_a_result_does_not_keep_comes_from_the_same_places(pair):
 
 def test_penetration_of_both_flanks_follows_from_the_channels(pair):
     """Deep plus apart is the whole backlash, 0.1 mm normal to the flanks at the centre distance of the
-    drawing, and the bearings give way by 3 kN / (2e8 N/m) each, which opens it by 2 sin(alpha) of that."""
+    drawing, and the bearings yield by 3 kN / (2e8 N/m) each, which opens it by 2 sin(alpha) of that."""
     scene, _, result = pair
     front, back = scene.array(scene.contact("m")["penetration"]).T
     assert np.abs(front - result["penetration[m]"].values).max() < 1.01 * np.ptp(front) / 4094

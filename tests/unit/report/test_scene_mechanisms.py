@@ -33,7 +33,7 @@ def place(scene, body, point, frame):
 
 
 def marked(scene, model, body, point, frame):
-    """A point that the file gives in the axes of a body: where these stand at rest, moved with the body."""
+    """A point that the file gives in the axes of a body: where these are at rest, moved with the body."""
     part, b = model.bodies[body], scene.body(body)
     z, x = (np.array(v) for v in (part.axes.z, part.axes.x))
     axes = np.column_stack([x, np.cross(z, x), z]) / np.linalg.norm(x)
@@ -42,7 +42,7 @@ def marked(scene, model, body, point, frame):
 
 
 def test_three_links_of_the_squeezing_mechanism_meet_in_one_pin():
-    """Its crank goes round; angles of the links are no part of that, so that they are not magnified."""
+    """Its crank goes round; angles of the links are not part of that, so that they are not magnified."""
     model = load_model(EXAMPLES / "squeezing-mechanism/model.yaml")
     scene, result, _ = run(model, "squeeze", duration="15 ms")
     n = len(scene.times)
@@ -145,7 +145,7 @@ def test_a_beam_ends_at_its_bodies_and_bends_smoothly():
 
 
 def test_a_beam_of_a_model_that_is_not_compiled_is_straight():
-    """Its stations are no bodies of the file: it goes from end to end."""
+    """Its stations are not bodies of the file: it goes from end to end."""
     scene = Seen(*scene_texts(rest_scene(loads_model(BEAM))))
     rings = scene.placed("blade", 0).reshape(-1, 4, 3).mean(axis=1)
     block = scene.rest(scene.body("block"))[0]

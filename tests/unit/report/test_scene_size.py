@@ -136,7 +136,7 @@ def test_forces_and_contacts_are_as_exact_as_the_format_says(long):
             for part, steps in (("forces", 8191), ("loads", 255)):
                 truth = getattr(flank, part)
                 near(read.array(kept[part]), truth, 0.501 * np.abs(truth).max() / steps)
-                # no contact is told from a small force
+                # no contact is distinguished from a small force
                 assert not read.array(kept[part])[truth == 0.0].any()
 
 

@@ -60,7 +60,7 @@ def test_a_shaft_that_turns_back_or_hardly_turns_has_no_orders(model, angle):
 
 
 def test_a_quarter_turn_has_orders_and_two_turns_have_a_map_over_them(model):
-    """The same turns as in reports; a map over frequencies stands in for that of too short a record."""
+    """The same turns as in reports; a map over frequencies replaces that of too short a record."""
     for turns, lines, drawn in ((0.24, [""], ""), (1.2, ["", "pinion"], ""), (2.0, ["", "pinion"], "pinion")):
         angle = 2.0 * np.pi * turns * TIME / TIME[-1]
         spectra, (found,) = scene_spectra(model, record(angle, np.cos(23 * angle)))
@@ -85,7 +85,7 @@ def test_a_record_says_how_far_apart_its_lines_are(model):
 
 
 def test_what_only_rounding_changes_has_no_spectrum(model):
-    """A force of 1 kN ± 1 N, one of 0 ± 1e-7 N beside it, and a transmission error that alone is small."""
+    """A force of 1 kN ± 1 N, one of 0 ± 1e-7 N next to it, and a transmission error that alone is small."""
     wave = np.cos(2 * np.pi * 100.0 * TIME)
     force = {"bearing_force[a.fx]": 1e3 + wave, "bearing_force[a.fz]": 1e-7 * wave}
     result = record(2 * np.pi * TIME, 1e-10 * wave).assign(

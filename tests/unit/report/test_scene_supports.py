@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands for parts in a scene: where it is, what it moves with, that it is said to stand for them."""
+"""Symbols of parts in a scene: position, body they move with, note that they are symbols."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def test_rings_of_a_bearing_turn_with_their_body_or_stand_still():
         inner = ring["body"] >= 0
         origin, axes = scene.rest(ring["body"]) if inner else (np.zeros(3), np.eye(3))
         place = origin + axes @ np.array(ring["place"])
-        # on the axis of the first body, which lies along x, beside its face
+        # on the axis of the first body, which lies along x, next to its face
         assert place[1:] == pytest.approx(middle[1:], abs=1e-9)
         assert abs(place[0] - middle[0]) > 15e-3
         assert points[:, 2].max() < 15e-3

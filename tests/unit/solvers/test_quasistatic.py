@@ -233,3 +233,11 @@ def test_tooth_pairs_of_any_exponent(exponent):
     assert roll.meshes["stage"].unloaded == pytest.approx(5e-5, abs=1e-12)
     slope = exponent * 200.0 / R_B1 / delta
     assert roll.meshes["stage"].tangent_stiffness == pytest.approx(slope, rel=1e-6)
+
+
+def test_friction_that_a_slow_roll_leaves_out_is_reported():
+    text = re.sub(r"stiffness: {law: fourier[^}]*}", "friction: {mu: 0.05}", ROLLED)
+    (note,) = roll_through(compiled(text, "three")[1]).notes
+    assert note.startswith(
+        "friction of mesh first and second is left out: a slow roll is computed at zero speed"
+    )

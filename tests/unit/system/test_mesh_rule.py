@@ -3,9 +3,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
+from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
+from pitchpoint.system.compile import compile_model
 from tests.support.machines import compiled
 
 PAIR = """\
@@ -73,3 +78,25 @@ def test_partly_overlapping_gears_touch_over_the_same_width(law, helical, shift)
     assert high - low == pytest.approx(min(20e-3, 22.5e-3 - abs(shift) * 1e-3), abs=1e-12)
     for channel in ("transmission_error[stage]", "mesh_force[stage]"):
         assert float(one[channel]) == pytest.approx(float(six[channel]), rel=1e-6)
+
+
+def test_a_users_stiffness_gets_the_time(tmp_path):
+    """k = k_0 (1 + a t); what its growth feeds in is half of the square of the deflection times k_0 a."""
+    (tmp_path / "law.py").write_text("def k(t, psi, p):\n    return p[0] * (1.0 + p[1] * t)\n")
+    law = '{law: user, python: {python: "law.py:k", parameters: [1e8, 500]}}'
+    text = PAIR.format(helix="", other="", motion="torsion", shift=0, a=161.0, law=law)
+    scenario = "scenarios: {run: {speed: {b1: 100 rpm}, duration: 2 ms, settle_time: 0 s}}\n"
+    (tmp_path / "m.yaml").write_text(text + scenario)
+    system = compile_model(load_model(tmp_path / "m.yaml", allow_code=True), "run")
+    memory = Memory()
+    run_time(system, sink=memory)
+    time, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
+    found = {
+        name: rows[:, system.layout.channel(f"{name}[stage]")]
+        for name in ("mesh_stiffness", "mesh_force", "parametric_power")
+    }
+    k = 1e8 * (1.0 + 500.0 * time)
+    assert time[-1] == pytest.approx(2e-3)
+    assert found["mesh_stiffness"] == pytest.approx(k, rel=1e-12)
+    feed = 0.5 * (found["mesh_force"] / k) ** 2 * 1e8 * 500.0
+    assert found["parametric_power"] == pytest.approx(feed, rel=1e-6)

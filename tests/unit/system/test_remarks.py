@@ -9,7 +9,7 @@ import pytest
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.quasistatic import solve_quasistatic
-from pitchpoint.solvers.time import solve_time
+from pitchpoint.solvers.time import run_time, solve_time
 from pitchpoint.sweep.cases import cases_dataset, run_cases
 from pitchpoint.sweep.speed import sweep_speed
 from pitchpoint.system.compile import compile_model
@@ -56,3 +56,23 @@ def test_results_of_all_kinds_say_it_once() -> None:
         *cases_dataset(run_cases(model, [{}], "steady")).attrs["notes"],
     ]
     assert [note.count("the flanks go ") for note in notes] == [1, 1, 1, 1]
+
+
+@pytest.mark.parametrize(("torque", "share"), [(10.0, None), (1000.0, 1.0)])
+def test_contact_damping_that_a_light_load_does_not_reach(torque: float, share: float | None) -> None:
+    """The flanks overlap by T/(r_b k); the ramp of the damping is in proportion up to s_0 = 1 um."""
+    r_b, k = 0.075 * math.cos(math.radians(20.0)), 4e8
+    share = share or torque / (r_b * k) / 1e-6
+    text = TORSIONAL_PAIR.replace("150 N m", f"{torque:g} N m").replace("duration: 0.5 s", "duration: 2 ms")
+    text = text.replace(
+        "law: fourier, mean: 4.0e8 N/m, cosine: [-0.2, -0.1, -0.05]", "law: constant, value: 4e8"
+    )
+    text = text.replace("{cosine: [1.0e-6, 0.5e-6]}", "{cosine: [1e-15]}")
+    text = text.replace("damper: {ratio: 0.05} ", "damping: {ratio: 0.05} ")
+    notes = run_time(compile_model(loads_model(text), "steady")).notes
+    assert len(notes) == (share < 1.0)
+    for note in notes:
+        assert note.startswith(
+            "mesh stage: the mean penetration of the flanks is 0.355 µm, less than s_0 = 1 µm"
+        )
+        assert f"reaches {100.0 * share:.3g} % of its value (ratio 0.05 acts as {0.05 * share:.2g})" in note

@@ -31,7 +31,7 @@ def test_long_lines_are_as_exact_as_16_bits_of_their_range(kind: type) -> None:
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
 def test_chosen_samples_of_a_record_are_where_they_were(kind: type) -> None:
-    """One byte each says how many samples are left out; more than 250 in a row take two, and instants that
+    """One byte each states how many samples are omitted; more than 250 in a row take two, and instants that
     single precision blurs."""
     random = np.random.default_rng(5)
     for most, size in ((20, 1), (250, 1 if kind is np.float64 else 2), (400, 2)):

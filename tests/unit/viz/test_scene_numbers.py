@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of scenes come back within the error that was asked for, whatever they look like."""
+"""Tables of scenes come back within the error that was requested, whatever they look like."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_what_does_not_move_is_one_row() -> None:
     assert entry["shape"] == [1, 3]
     assert np.abs(read(block, entry) - still).max() < 1e-7
     assert block.put_track(np.full(9, 5.0), 1e-3)["shape"] == [1]
-    # beside others that do, or not
+    # together with others that do, or not
     noise = RANDOM.standard_normal((500, 3))
     for other in (noise, TRACKS["one direction"], still + 1.0):
         found = [read(block, entry) for entry in block.put_tracks([other, still], 1e-7)]

@@ -62,7 +62,7 @@ def test_marks_stand_at_the_frequencies_and_their_harmonics() -> None:
     assert [line.x0 for line in figure.layout.shapes] == [100.0, 200.0, 105.0, 210.0]
     names = {a.text: a for a in figure.layout.annotations}
     assert set(names) == {"mesh", "near"}
-    # names that would overlap stand above each other
+    # names that would overlap are above each other
     assert names["near"].yshift > names["mesh"].yshift == 0
 
 

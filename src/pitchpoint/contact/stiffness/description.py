@@ -53,6 +53,11 @@ def positive(where: str, value: float, unit: str) -> float:
     unit
         Its SI unit, for the message.
 
+    Raises
+    ------
+    ModelError
+        If the number is not finite or not above 0.
+
     Examples
     --------
     >>> positive("stiffness.mean", 4.0e8, "N/m")
@@ -72,6 +77,11 @@ def share(where: str, value: float) -> float:
         Path of the option in the model.
     value
         The value given.
+
+    Raises
+    ------
+    ModelError
+        If the number is not between 0 and 1.
 
     Examples
     --------
@@ -94,6 +104,11 @@ def frozen_array(where: str, values: ArrayLike, least: int = 0) -> Array:
         The values given, shape (n,).
     least
         Smallest number of values.
+
+    Raises
+    ------
+    ModelError
+        If the values are not a flat list of finite numbers, or too few.
 
     Examples
     --------
@@ -266,7 +281,7 @@ class PhaseStiffness:
         return 2 if self.rectangular is not None else 0
 
     def arrays(self) -> tuple[int, Array, Array]:
-        """Number of terms and the two arrays that the kernel `phase_stiffness` reads.
+        """Number of terms n and the two arrays, shapes (n,), that the kernel `phase_stiffness` reads.
 
         >>> n, first, second = PhaseStiffness(mean=1e8, cosine=[-0.2]).arrays()
         >>> n, first.tolist(), second.tolist()
@@ -349,6 +364,11 @@ def require_positive(where: str, description: PhaseStiffness) -> PhaseStiffness:
         Path of the option in the model.
     description
         Prescribed stiffness to look at.
+
+    Raises
+    ------
+    ModelError
+        If the stiffness is zero or negative at some phase.
 
     Examples
     --------

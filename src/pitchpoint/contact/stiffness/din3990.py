@@ -140,6 +140,11 @@ def virtual_teeth(gear: CylindricalGear, formula: str = "iso") -> float:
     formula
         "iso" for z/(cos² β_b cos β), "cos3" for z/cos³ β, the approximation of older texts.
 
+    Raises
+    ------
+    ModelError
+        If the formula is unknown.
+
     Examples
     --------
     >>> gear = CylindricalGear(z=17, m_n=8e-3, beta=math.radians(15.8), b=0.1)

@@ -33,7 +33,7 @@ class PairCompliance:
 
     @property
     def stiffness(self) -> Array:
-        """Stiffness of the pair per unit face width [N/m^2]."""
+        """Stiffness of the pair per unit face width [N/m^2], shape (points,)."""
         return np.asarray(1.0 / (self.tooth_1.total + self.tooth_2.total + self.contact))
 
 
@@ -65,6 +65,11 @@ def energy_compliance(
     line_load
         Force along the base tangent per unit face width [N/m] for the load-dependent contact compliance of
         Weber and Banaschek; 0 uses the load-independent one.
+
+    Raises
+    ------
+    ModelError
+        If there are fewer than two points, the body model is unknown, or a modulus is not positive.
 
     Notes
     -----

@@ -21,7 +21,8 @@ def fourier(
     mean
         Mean stiffness along the base tangent [N/m].
     cosine, sine
-        Coefficients relative to the mean, harmonic 1 first; the shorter list is filled with zeros.
+        Coefficients relative to the mean, shape (n,), harmonic 1 first; the shorter list is filled with
+        zeros.
 
     Raises
     ------

@@ -24,6 +24,11 @@ def equivalent_radius(pair: GearPair, diameter: str = "reference") -> float:
         true radius of curvature of the flank; "operating" takes the working pitch diameter instead, which
         is too large by cos alpha_t/cos alpha_wt.
 
+    Raises
+    ------
+    ModelError
+        If the diameter is neither "reference" nor "operating".
+
     Notes
     -----
     R = i d_1 cos(alpha_t) tan(alpha_wt)/(2 (1 + i) cos(beta_b)), i = z_2/z_1 with its sign. The reference

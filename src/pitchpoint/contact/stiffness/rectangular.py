@@ -24,6 +24,11 @@ def rectangular(
         Share of the period with `high`, in (0, 1); default frac(eps_alpha), the share of the time with the
         larger number of pairs.
 
+    Raises
+    ------
+    ModelError
+        If a stiffness is not positive, or the duty is missing or not inside (0, 1).
+
     Notes
     -----
     The wave of Meissner's stability problem; with high : low = 3 : 2 that of a camshaft drive study for two

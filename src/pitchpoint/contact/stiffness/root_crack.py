@@ -143,7 +143,7 @@ def crack_depth(z: Array, depth: float, length: float | None, face_width: float,
     Parameters
     ----------
     z
-        Places along the face width [m], −b/2 to b/2.
+        Positions along the face width [m], −b/2 to b/2, shape (n,).
     depth
         Largest depth [m].
     length

@@ -17,7 +17,7 @@ def table(pair: GearPair | None, *, values: ArrayLike) -> PhaseStiffness:
     pair
         The gear pair; not read.
     values
-        Stiffness along the base tangent [N/m] at psi = i/n, i = 0..n-1, n >= 2; linear between them, the
+        Stiffness along the base tangent [N/m], shape (n,), at psi = i/n, n >= 2; linear between them, the
         first value follows the last.
 
     Raises

@@ -52,7 +52,7 @@ class ToothCompliance:
 
     @property
     def total(self) -> Array:
-        """Sum of the four compliances [m^2/N] (`depth` is a length and no part of it)."""
+        """Sum of the four compliances [m^2/N], shape (n,) (`depth` is a length and not included)."""
         return self.bending + self.shear + self.axial + self.body
 
 
@@ -64,7 +64,7 @@ def section(form: ToothForm, roll: Array) -> tuple[Array, Array, Array]:
     form
         Exact tooth.
     roll
-        Roll angles of points of the flank [rad].
+        Roll angles of points of the flank [rad], shape (n,).
 
     Examples
     --------
@@ -104,7 +104,7 @@ def fillet_section(form: ToothForm, theta: Array) -> tuple[Array, Array, Array]:
     form
         Exact tooth.
     theta
-        Parameters of the fillet.
+        Parameters of the fillet [rad], shape (n,).
 
     Examples
     --------
@@ -214,7 +214,7 @@ def tooth_compliance(
         Exact tooth.
     rho
         Equally or unequally spaced, monotone distances of the contact points from the base circle's tangent
-        point (radii of curvature in the transverse section), positive [m].
+        point (radii of curvature in the transverse section), positive [m], shape (n,).
     beta
         Helix angle [rad]; the sign does not matter.
     E, nu

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import contextlib
-import os
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -14,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.io.container import FORMAT
 from pitchpoint.io.measured.arrays import Arrays, Found, stated_rate
 from pitchpoint.io.measured.record import (
@@ -69,8 +69,8 @@ def _survives(path: Path, size: int) -> bool:
         return True
     try:
         trial = subprocess.run(
-            [sys.executable, "-c", code, str(path.resolve())],
-            env=os.environ | {"PYTHONPATH": os.pathsep.join(p for p in sys.path if p)},
+            python_command("-c", code, str(path.resolve())),
+            env=python_environment(),
             stdin=subprocess.DEVNULL,
             capture_output=True,
             timeout=20.0 + size / _SLOWEST,

@@ -21,6 +21,8 @@ from pitchpoint.model.keys import (
 ENDS = "the two bodies, each of them ground, a body or BODY.MARKER; shapes lie in the axes of these"
 CURVES = ("circle", "polygon", "spline", "involute")
 SURFACES = ("plane", "sphere", "cylinder", "cone", "torus", "triangles")
+REBOUND_SPEED = 1e-3
+"""Speed of separation at which a restitution for every speed has its full effect, unless given [m/s]."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,13 +46,19 @@ class ContactLaw:
         above=True,
         maximum=1.0,
     )
-    speed: float = positive(
+    speed: float | None = positive(
         "speed",
-        "speed of the impact at which the restitution holds; with every_speed the speed around rest at which "
-        "the force goes over from the way in to the way out",
-        1.0,
+        "impact speed at which the restitution holds; with every_speed the speed of separation at which the "
+        "force has fallen to its rebound value: keep it a tenth of the impact speeds or less",
+        None,
+        display="1 m/s, with every_speed 1 mm/s",
     )
-    every_speed: bool = boolean("the same restitution at all speeds well above `speed`", False)
+    every_speed: bool = boolean("the same restitution at all impact speeds well above `speed`", False)
+
+    @property
+    def reference_speed(self) -> float:
+        """`speed`, or the default of its law [m/s]."""
+        return self.speed or (REBOUND_SPEED if self.every_speed else 1.0)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -48,7 +48,13 @@ class ContactDamping:
         maximum=1.0,
     )
     speed: float = positive("speed", "speed of the impact at which the restitution holds", 1.0)
-    s_0: float = quantity("length", "penetration at which the damping is fully there", 1e-6, minimum=0.0)
+    s_0: float = quantity(
+        "length",
+        "penetration at which the damping reaches its full value (below it only the part given by `law`); "
+        "keep it below the static penetration under load",
+        1e-6,
+        minimum=0.0,
+    )
     law: str = choice(("linear", "smooth"), "growth of the damping from 0 to s_0", "linear")
 
 

@@ -154,11 +154,11 @@ class Hertz:
 
 @dataclass(frozen=True, kw_only=True)
 class UserStiffness:
-    """Total mesh stiffness k(psi) by a user's Python function; needs --allow-code."""
+    """Total mesh stiffness k(t, psi) by a user's Python function; needs --allow-code."""
 
     law: ClassVar[str] = "user"
     python: PythonLaw = key(
-        "python", "'file.py:function' with f(t, psi, parameters) in N/m; psi in base pitches, t is 0"
+        "python", "'file.py:function' with f(t, psi, parameters) in N/m; t in s, psi in base pitches, 0 to 1"
     )
 
 

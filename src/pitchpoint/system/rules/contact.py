@@ -195,7 +195,8 @@ def _forces(row: np.void, law: ContactLaw, friction: ContactFriction | None, whe
     elif law.damping > 0.0:
         raise CompileError(f"{where}.law: damping and restitution are two ways to say one thing; give one")
     else:
-        impact.set_restitution(row, k, law.restitution, law.speed, law.exponent, law.every_speed)
+        speed = law.reference_speed
+        impact.set_restitution(row, k, law.restitution, speed, law.exponent, law.every_speed)
     if friction is not None:
         try:
             speeds = friction.static_speed, friction.slip_speed

@@ -20,10 +20,11 @@ from pitchpoint.elements.gear_mesh import entry
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import inv
+from pitchpoint.model.components.sensor import LoadSensor
 from pitchpoint.model.components.stiffness import UserStiffness
-from pitchpoint.model.frames import GROUND
+from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.gear_axes import mesh_frame
-from pitchpoint.model.mechanism import Seat, seat_frame
+from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.model.remarks import warn_of_remarks
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
@@ -60,7 +61,7 @@ class Placement:
     axes
         Frame that angles count in, columns, shape (3, 3); both gears turn about its third axis.
     fixed
-        Both bodies can only spin.
+        Both bodies can only spin, and nothing reads what their joints carry.
     widths
         Face widths of both gears [m]; None takes those of the pair, which knows only the part that meets.
     """
@@ -216,7 +217,7 @@ def mesh_bank(model: Model) -> Bank:
             phi2=model.phasing.tooth_angle[mesh.gears[1]] + mesh.twist,
             turn1=_turn(axes.T @ seats[0][3]),
             turn2=_turn(axes.T @ seats[1][3]),
-            fixed=all(_only_spins(model.mechanism.seats[b]) for b in (one, two))
+            fixed=all(_only_spins(model, b) for b in (one, two))
             and not any(sits_off(g) for g in gears)
             and skew == (0.0, 0.0),
             widths=(gears[0].face_width, gears[1].face_width),
@@ -248,9 +249,16 @@ def _seat(model: Model, body: str, gear: str) -> tuple[int, float, Array, Array]
     return number, rest, at, axes
 
 
-def _only_spins(seat: Seat) -> bool:
-    """Whether a body stands on ground and spins at most."""
-    return seat.parent == GROUND and seat.kind in ("revolute", "fixed")
+def _only_spins(model: Model, body: str) -> bool:
+    """Whether a body on ground at most spins, and nothing reads the load of its joint.
+
+    The short cut of such gears gives torques alone: the joint takes the rest of the mesh force, which
+    friction of the joint and load sensors must see.
+    """
+    seat = model.mechanism.seats[body]
+    rubs = seat.joint is not None and model.joints[seat.joint].friction is not None
+    sensed = any(isinstance(s, LoadSensor) and split(s.at)[0] == body for s in model.sensors.values())
+    return seat.parent == GROUND and seat.kind in ("revolute", "fixed") and not rubs and not sensed
 
 
 def _turn(axes: Array) -> float:

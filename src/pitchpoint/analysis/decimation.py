@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Thinning out of samples behind a low-pass filter of linear phase: nothing shows at wrong frequencies.
+"""Decimation: a low-pass filter of linear phase, then every n-th sample; no content is aliased.
 
 The filter is a sinc under a Kaiser window, symmetric about its middle: it delays nothing. Up to 0.4 of the
 new rate signals pass unchanged, from 0.5 of it on they are stopped by 80 dB.
@@ -22,7 +22,7 @@ REACH = math.ceil((DAMPING - 7.95) / (2.285 * 2.0 * math.pi * (STOP - PASS)) / 2
 """Samples at the new rate by which the filter looks ahead and back."""
 
 
-def thinning_filter(factor: int) -> NDArray[np.float64]:
+def decimation_filter(factor: int) -> NDArray[np.float64]:
     """Weights of the filter that belongs to a factor.
 
     Parameters
@@ -48,20 +48,20 @@ def thinning_filter(factor: int) -> NDArray[np.float64]:
 
     Examples
     --------
-    >>> h = thinning_filter(2)
+    >>> h = decimation_filter(2)
     >>> len(h), round(float(h.sum()), 12)
     (105, 1.0)
     """
     if factor < 2:
-        raise SignalError(f"factor: {factor} thins nothing out (limit >= 2)")
+        raise SignalError(f"factor: {factor} does not decimate (limit >= 2)")
     n = np.arange(-factor * REACH, factor * REACH + 1)
     middle = 0.5 * (PASS + STOP)
     weights = np.sinc(2.0 * middle * n / factor) * np.kaiser(n.size, 0.1102 * (DAMPING - 8.7))
     return np.asarray(weights / weights.sum(), float)
 
 
-def thin_out(signal: NDArray[np.float64], factor: int) -> NDArray[np.float64]:
-    """Every factor-th sample of a filtered signal; the ends, where the filter has no room, are left out.
+def decimated(signal: NDArray[np.float64], factor: int) -> NDArray[np.float64]:
+    """Every factor-th sample of a filtered signal; the ends, where the filter has no room, are omitted.
 
     Parameters
     ----------
@@ -85,15 +85,15 @@ def thin_out(signal: NDArray[np.float64], factor: int) -> NDArray[np.float64]:
     --------
     A constant passes; a vibration at 0.7 of the new rate, which would show at 0.3 of it, is stopped.
 
-    >>> thin_out(np.ones(111), 2)
+    >>> decimated(np.ones(111), 2)
     array([1., 1., 1., 1.])
     >>> high = np.cos(2.0 * np.pi * 0.35 * np.arange(1000))
-    >>> float(np.abs(thin_out(high, 2)).max()) < 1e-4
+    >>> float(np.abs(decimated(high, 2)).max()) < 1e-4
     True
     """
     from scipy.signal import upfirdn
 
-    weights = thinning_filter(factor)
+    weights = decimation_filter(factor)
     x = np.asarray(signal, float)
     if x.shape[0] < weights.size:
         raise SignalError(f"signal: {x.shape[0]} samples are less than the filter has (limit {weights.size})")

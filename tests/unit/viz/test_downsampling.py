@@ -7,7 +7,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pitchpoint.viz.decimation import kept_samples
+from pitchpoint.viz.downsampling import kept_samples
 
 
 @given(st.integers(1, 3000), st.integers(1, 500), st.integers(0, 2**31 - 1))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lines that passing balls put beside those of a bearing that is loud itself."""
+"""Lines that passing balls put in addition to those of a bearing that is loud itself."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.shaft_tests import HARMONICS, OFF, ShaftView, passages
 
 DEEPEST = 4.0
-"""Power of a line over that of a line beside it, at the least: a line that comes and goes altogether, as deep
-as anything can be modulated, has half its amplitude on either side."""
+"""Power of a line over that of a line next to it, at the least: a line that comes and goes altogether, as
+deep as anything can be modulated, has half its amplitude on either side."""
 
 
-def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float], reach: float) -> Array:
-    """Places near tested lines where passing balls put lines beside stronger ones of loud bearings.
+def passage_sidebands(view: ShaftView, tested: Array, rates: Sequence[float], reach: float) -> Array:
+    """Orders near tested lines at which ball passing puts sidebands next to stronger lines of loud bearings.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float]
     Notes
     -----
     Loud bearings have lines at k f and h f_mesh ± k f for many k. What modulates the mesh lines of healthy
-    machines, balls that pass in all bearings [1]_, modulates those as well: lines beside them, up to three
+    machines, balls that pass in all bearings [1]_, modulates those as well: lines next to them, up to three
     passages away, of half the amplitude at the most. Only lines that are seen count, and none that may be an
     order of the shaft itself. Valid where balls do not slip by more than the record resolves.
 
@@ -48,7 +48,7 @@ def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float]
 
     Examples
     --------
-    A mesh at 21 and strikes at 3.57: the line of both at 24.57, and beside it the balls of a second bearing:
+    A mesh at 21 and strikes at 3.57: the line of both at 24.57, and next to it the balls of a second bearing:
 
     >>> from pitchpoint.analysis.line_tests import fine_spectrum
     >>> from pitchpoint.analysis.turning_parts import Bearing, train_parts
@@ -57,7 +57,7 @@ def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float]
     >>> turned = 2 * np.pi * np.arange(50_000) / 500.0
     >>> x = np.cos(24.57 * turned) * (1 + 0.4 * np.cos(1.57 * turned))
     >>> view = ShaftView(fine_spectrum(x, 500.0), parts, parts.shafts[0], 1.0, 500.0)
-    >>> lines_beside_passages(view, np.array([23.0]), [3.57], 0.5).round(3).tolist()
+    >>> passage_sidebands(view, np.array([23.0]), [3.57], 0.5).round(3).tolist()
     [23.0]
     """
     spectrum, parts = view.spectrum, view.parts
@@ -80,7 +80,7 @@ def lines_beside_passages(view: ShaftView, tested: Array, rates: Sequence[float]
         for place, off_own in zip(loud, own, strict=True)
         if abs(off_own) > OFF * line and view.has_top_at(float(place))
     ]
-    beside = np.add.outer(np.array(seen), off).ravel()
-    nearest = tested[np.abs(beside[:, None] - tested).argmin(axis=1)]
+    lines = np.add.outer(np.array(seen), off).ravel()
+    nearest = tested[np.abs(lines[:, None] - tested).argmin(axis=1)]
     deep = np.repeat(spectrum.power(seen), off.size) >= DEEPEST * spectrum.power(nearest)
-    return np.unique(beside[deep & (np.abs(beside - nearest) <= reach * line) & (beside > 0.0)])
+    return np.unique(lines[deep & (np.abs(lines - nearest) <= reach * line) & (lines > 0.0)])
