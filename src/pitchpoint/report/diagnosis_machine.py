@@ -293,9 +293,8 @@ def _over_angle(request: Request, record: Record, machine: _Machine, signals: di
         shaft = angle_channel(record.channels[name], time)
     elif math.isnan(machine.frequency):
         raise SignalError(
-            f"{request.file}: the speed is not known; give --speed, such as --speed 30Hz, --tacho "
-            f"CHANNEL with "
-            "--pulses N, or --angle CHANNEL"
+            f"{request.file}: the speed is not known; give --speed, such as --speed 30Hz, --tacho CHANNEL "
+            "with --pulses N, or --angle CHANNEL"
         )
     else:
         source = ", ".join(f"--speed {text}" for text in request.speeds) or "scenario of the model"
