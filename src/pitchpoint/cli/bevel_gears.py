@@ -49,7 +49,7 @@ def export_bevel(model: Model, name: str, target: Path, inputs: Sequence[str | P
     )
 
 
-def print_bevel_gears(model: Model, only: str | None) -> None:
+def print_bevel_gears(model: Model, only: str | None, *, quiet: bool) -> None:
     """Show the geometry of bevel gears, one a column."""
     from pitchpoint.report.bevel_numbers import BEVEL_GEAR_ROWS, bevel_gear_numbers
 
@@ -69,10 +69,10 @@ def print_bevel_gears(model: Model, only: str | None) -> None:
     )
     notes = [f"{n}: undercut at the root" for n in names if numbers[n]["undercut"]]
     title = "Bevel gears" if model.gears else model.title or "Bevel gears"
-    table(title, ["", *names], rows, notes)
+    table(title, ["", *names], rows, () if quiet else notes)
 
 
-def print_bevel_pairs(model: Model, only: str | None) -> None:
+def print_bevel_pairs(model: Model, only: str | None, *, quiet: bool) -> None:
     """Show the geometry of bevel meshes, one a column."""
     from pitchpoint.report.bevel_numbers import BEVEL_PAIR_ROWS, BEVEL_STIFFNESS_ROWS, bevel_mesh_numbers
 
@@ -89,4 +89,4 @@ def print_bevel_pairs(model: Model, only: str | None) -> None:
         if numbers[n]["j_mt"] < 0.0:
             notes.append(f"{n}: negative backlash, both flanks carry")
         notes += [f"{n}: {w}" for w in model.bevel_pairs[n].warnings(names=model.bevel_meshes[n].gears)]
-    table("Bevel pairs", ["", *heads], rows, notes)
+    table("Bevel pairs", ["", *heads], rows, () if quiet else notes)

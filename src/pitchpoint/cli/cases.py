@@ -141,15 +141,14 @@ def run_varied(
                 "cases": [as_data(result) for result in results],
             }
         )
-    elif results:
+    elif results and not quiet:
         _print(f"{model.title or file}: {name}", results, list(paths))
-        if not quiet:
-            show(f"{len(results)} cases in {wall_s:.3g} s, written to {target}")
-            notes = notes_of(results)
-            for note in notes[:MOST_NOTES]:
-                show(f"note: {note}")
-            if len(notes) > MOST_NOTES:
-                show(f"note: {len(notes) - MOST_NOTES} more notes on single cases are in the file")
+        show(f"{len(results)} cases in {wall_s:.3g} s, written to {target}")
+        notes = notes_of(results)
+        for note in notes[:MOST_NOTES]:
+            show(f"note: {note}")
+        if len(notes) > MOST_NOTES:
+            show(f"note: {len(notes) - MOST_NOTES} more notes on single cases are in the file")
     return OK if error is None else exit_code_of(error)
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of, output
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of, output, quiet
 from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
@@ -21,8 +21,11 @@ if TYPE_CHECKING:
 @click.option("--mesh", "only", metavar="NAME", help="One mesh; all if left out.")
 @as_json
 @allow_code
+@quiet
 @debug
-def clearance(file: str, output: str | None, only: str | None, as_json: bool, allow_code: bool) -> None:
+def clearance(
+    file: str, output: str | None, only: str | None, as_json: bool, allow_code: bool, quiet: bool
+) -> None:
     """Check the room that the gears of FILE leave each other when they are put together.
 
     Flanks, tips, roots and fillets of every mesh are rolled through one pitch, as solids without
@@ -32,7 +35,7 @@ def clearance(file: str, output: str | None, only: str | None, as_json: bool, al
     from pitchpoint.io.target import check_target
     from pitchpoint.report.clearances import clearance_numbers, neighbours, stage_of
 
-    model = read_model(file, allow_code)
+    model = read_model(file, allow_code, quiet)
     names = list(model.meshes) if only is None else [one_of(only, list(model.meshes), "mesh")]
     if output is not None and Path(output).suffix.lower() != ".svg":
         raise click.BadParameter(f"{Path(output).name} does not end in .svg", param_hint="--output")
@@ -45,7 +48,11 @@ def clearance(file: str, output: str | None, only: str | None, as_json: bool, al
         emit_json(clearance_numbers(stages, others))
         return
     for name, stage in stages.items():
-        _print(f"Mesh {name}: {' / '.join(stage.gears)}", list(stage.rooms.values()), stage.notes)
+        _print(
+            f"Mesh {name}: {' / '.join(stage.gears)}",
+            list(stage.rooms.values()),
+            () if quiet else stage.notes,
+        )
     if others:
         _print("Parts that do not mesh", others)
     if not stages and not others:
@@ -55,7 +62,7 @@ def clearance(file: str, output: str | None, only: str | None, as_json: bool, al
     hit = sum(room.distance < -room.slack for room in tight)
     if tight:
         show(f"{len(tight)} of the distances below their limits, {hit} of them overlaps")
-    if target is not None:
+    if target is not None and not quiet:
         show(f"picture written to {target}")
 
 

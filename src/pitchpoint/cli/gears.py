@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.bevel_gears import export_bevel, print_bevel_gears, print_bevel_pairs
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of, writes
-from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of, quiet, writes
+from pitchpoint.cli.output import emit_json, show_unless, shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -42,6 +42,7 @@ POINTS_A_FLANK = 20
 @click.option("--shaft", metavar="NAME", help="An elastic shaft to export instead, as stl or step.")
 @as_json
 @allow_code
+@quiet
 @debug
 def gears(
     file: str,
@@ -51,6 +52,7 @@ def gears(
     shaft: str | None,
     as_json: bool,
     allow_code: bool,
+    quiet: bool,
 ) -> None:
     """Show the geometry of gears and pairs of FILE (ISO 21771; bevel gears by ISO 23509), and stiffness.
 
@@ -58,7 +60,7 @@ def gears(
     """
     from pitchpoint.cli.reading import read_model
 
-    model = read_model(file, allow_code)
+    model = read_model(file, allow_code, quiet)
     if shaft is not None and (target is None or only is not None):
         raise click.BadParameter(
             "is for --export" if target is None else "cannot be combined with --gear", param_hint="--shaft"
@@ -71,7 +73,7 @@ def gears(
         drawn = _chosen(model, only)
         _preview(model, drawn, Path(preview), [file, *_profiles(model, file)])
         if not as_json:
-            show(f"teeth of {drawn} drawn in {preview}")
+            show_unless(quiet, f"teeth of {drawn} drawn in {preview}")
             return
     elif target is not None:
         inputs: list[str | Path] = [file, *_profiles(model, file)]
@@ -84,7 +86,7 @@ def gears(
             else:
                 _export(model, name, Path(target), inputs)
         if not as_json:
-            show(f"{name} written to {target}")
+            show_unless(quiet, f"{name} written to {target}")
             return
     elif only is not None:
         _chosen(model, only)
@@ -98,10 +100,10 @@ def gears(
         emit_json(geometry_of_model(model))
         return
     if only is None or only in model.gears:
-        _print_gears(model, only)
-    print_bevel_gears(model, only)
-    _print_pairs(model, only)
-    print_bevel_pairs(model, only)
+        _print_gears(model, only, quiet=quiet)
+    print_bevel_gears(model, only, quiet=quiet)
+    _print_pairs(model, only, quiet=quiet)
+    print_bevel_pairs(model, only, quiet=quiet)
 
 
 def _chosen(model: Model, name: str | None) -> str:
@@ -188,7 +190,7 @@ def _export_shaft(model: Model, name: str, target: Path, inputs: Sequence[str | 
     return known
 
 
-def _print_gears(model: Model, only: str | None) -> None:
+def _print_gears(model: Model, only: str | None, *, quiet: bool) -> None:
     from pitchpoint.report.numbers import GEAR_ROWS, gear_numbers, measure_numbers
 
     names = [only] if only is not None else list(model.gears)
@@ -210,10 +212,10 @@ def _print_gears(model: Model, only: str | None) -> None:
     for key, label, dimension in MEASURES:
         rows.append([label, *(shown(measures[n][key], dimension) for n in names)])
     notes = [f"{n}: undercut at the root" for n in names if numbers[n]["undercut"]]
-    table(model.title or "Gears", ["", *names], rows, notes)
+    table(model.title or "Gears", ["", *names], rows, () if quiet else notes)
 
 
-def _print_pairs(model: Model, only: str | None) -> None:
+def _print_pairs(model: Model, only: str | None, *, quiet: bool) -> None:
     from pitchpoint.report.numbers import PAIR_ROWS, SLIDING_ROWS, STIFFNESS_ROWS, mesh_numbers
 
     names = [n for n, m in model.meshes.items() if only is None or only in m.gears]
@@ -239,4 +241,4 @@ def _print_pairs(model: Model, only: str | None) -> None:
             notes.append(f"{n}: negative backlash, both flanks carry")
         pair = model.pairs[n]
         notes += [f"{n}: {w}" for w in pair.warnings(names=model.meshes[n].gears)]
-    table("Pairs", ["", *heads], rows, notes)
+    table("Pairs", ["", *heads], rows, () if quiet else notes)

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file
+from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quiet
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
 
 HEAD = (
@@ -28,8 +28,9 @@ HEAD = (
 @model_file
 @as_json
 @allow_code
+@quiet
 @debug
-def mass(file: str, as_json: bool, allow_code: bool) -> None:
+def mass(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """Compare mass and inertia of the gears, shafts and bodies of FILE: geometry, solids of CAD files, given.
 
     What is given counts before the solid, the solid before the geometry. Transverse inertia is about the
@@ -38,7 +39,7 @@ def mass(file: str, as_json: bool, allow_code: bool) -> None:
     from pitchpoint.cli.reading import read_model
     from pitchpoint.report.masses import masses
 
-    model = read_model(file, allow_code)
+    model = read_model(file, allow_code, quiet)
     found = masses(model)
     if as_json:
         emit_json({"masses": found})
@@ -46,10 +47,10 @@ def mass(file: str, as_json: bool, allow_code: bool) -> None:
     if not found:
         show("no gears, shafts or bodies with a mass of their own")
         return
-    show_masses(model.title or "Masses", found)
+    show_masses(model.title or "Masses", found, quiet=quiet)
 
 
-def show_masses(title: str, found: Sequence[dict[str, Any]]) -> None:
+def show_masses(title: str, found: Sequence[dict[str, Any]], *, quiet: bool = False) -> None:
     """Print a table of masses.
 
     Parameters
@@ -58,6 +59,8 @@ def show_masses(title: str, found: Sequence[dict[str, Any]]) -> None:
         Its title.
     found
         Entries of `pitchpoint.report.masses.masses`.
+    quiet
+        Leave out the notes.
     """
     rows: list[list[str]] = []
     notes = []
@@ -82,7 +85,7 @@ def show_masses(title: str, found: Sequence[dict[str, Any]]) -> None:
                 f"{entry['part']} {entry['name']}: solid of {entry['file']} in units of {entry['unit']}, "
                 f"{entry['density']:g} kg/m^3"
             )
-    table(title, HEAD, rows[:-1], notes, keys=2)
+    table(title, HEAD, rows[:-1], () if quiet else notes, keys=2)
 
 
 def _percent(part: float | None) -> str:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug
+from pitchpoint.cli.options import allow_code, as_json, debug, quiet
 from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
@@ -45,6 +45,7 @@ _BARS = "▁▂▃▄▅▆▇█"
 @click.option("--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Samples.")
 @as_json
 @allow_code
+@quiet
 @debug
 def mesh(
     file: str | None,
@@ -55,6 +56,7 @@ def mesh(
     points: int,
     as_json: bool,
     allow_code: bool,
+    quiet: bool,
 ) -> None:
     """Show the mesh stiffness over one mesh cycle, for the meshes of FILE or for given contact ratios.
 
@@ -79,7 +81,7 @@ def mesh(
             )
         from pitchpoint.cli.reading import read_model
 
-        cycles = dict(cycles_of_model(read_model(file, allow_code), points))
+        cycles = dict(cycles_of_model(read_model(file, allow_code, quiet), points))
     if as_json:
         emit_json({"meshes": {name: cycle_numbers(*found) for name, found in cycles.items()}})
         return

@@ -164,16 +164,20 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
         show(f"written to {summary['output']}")
 
 
-def damping_text(ratio: float | None, frequency: float) -> str:
-    """Write a damping ratio in per cent; none for modes that do not vibrate.
+def damping_text(ratio: float, frequency: float) -> str:
+    """Write a damping ratio in per cent; none for rigid modes.
 
     Examples
     --------
     >>> damping_text(0.05, 100.0), damping_text(-1e-12, 100.0), damping_text(0.0, 0.0)
     ('5.000 %', '0.000 %', '–')
+    >>> damping_text(1.0, 100.0), damping_text(-1.0, 100.0)
+    ('overdamped', 'unstable')
     """
-    if ratio is None or frequency == 0.0:
+    if frequency == 0.0:
         return NOTHING
+    if abs(ratio) == 1.0:
+        return "overdamped" if ratio > 0.0 else "unstable"
     return f"{round(100.0 * ratio, 3) + 0.0:.3f} %"
 
 
@@ -185,7 +189,7 @@ def rows_of(found: Modes) -> list[dict[str, Any]]:
             "name": found.names[k],
             "frequency": float(found.frequency[k]),
             "damped_frequency": float(found.damped_frequency[k]),
-            "damping_ratio": float(found.damping_ratio[k]) if abs(found.damping_ratio[k]) < 1e300 else None,
+            "damping_ratio": float(found.damping_ratio[k]),
             "eigenvalue": [float(found.eigenvalue[k].real), float(found.eigenvalue[k].imag)],
             "shape": dict(zip(found.coordinates, found.shape[k].tolist(), strict=True)),
             "kinetic_share": dict(zip(found.coordinates, found.kinetic[k].tolist(), strict=True)),

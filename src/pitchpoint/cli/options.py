@@ -20,7 +20,12 @@ allow_code = click.option(
     is_flag=True,
     help="Run Python functions that the file names. They can do anything you can: only for files you trust.",
 )
-quiet = click.option("-q", "--quiet", is_flag=True, help="No progress, no remarks; errors only.")
+quiet = click.option(
+    "-q",
+    "--quiet",
+    is_flag=True,
+    help="No progress and no notes; what goes to a result file is not printed as well.",
+)
 debug = click.option(
     "--debug", is_flag=True, expose_value=False, help="Show the traceback of an error, for a report."
 )

@@ -55,6 +55,12 @@ def show(text: str = "") -> None:
     click.echo(text)
 
 
+def show_unless(quiet: bool, text: str) -> None:
+    """Print a line for people on stdout, not in quiet runs."""
+    if not quiet:
+        show(text)
+
+
 def write_figure(target: Path, figure: go.Figure) -> None:
     """Write a plot as a page of its own."""
     from pitchpoint.io.target import PAGE_MARK, write_file

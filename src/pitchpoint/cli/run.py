@@ -45,6 +45,12 @@ NOT_BEGUN: dict[str, Any] = {
 @quantity(
     "--reduce", "frequency", "Condense the linear parts for frequencies up to this, see the command reduce."
 )
+@click.option(
+    "--channels",
+    multiple=True,
+    metavar="PATTERN",
+    help="Store these channels only, such as 'mesh_force[*]'; may be repeated. All if left out.",
+)
 @set_option
 @vary_option
 @as_json
@@ -78,16 +84,22 @@ def run(
 
     model = with_settings(read_model(file, allow_code, quiet), how["settings"])
     step, decimate, reduce = how["step"], how["decimate"], how["reduce"]
+    stored = {"--channels": how["channels"] or None}
     name = choose_scenario(model, scenario, "time", "quasi_static")
     rolls = model.scenarios[name].kind == "quasi_static"
     refuse_idle(
-        "on a slow roll", {"--step": step, "--decimate": decimate, "--reduce": reduce} if rolls else {}
+        "on a slow roll",
+        {"--step": step, "--decimate": decimate, "--reduce": reduce, **stored} if rolls else {},
     )
-    refuse_idle("with --vary, whose table has statistics only", {"--decimate": decimate} if vary else {})
+    refuse_idle(
+        "with --vary, whose table has statistics only", {"--decimate": decimate, **stored} if vary else {}
+    )
     refuse_idle("with --vary", {"--reduce": reduce} if vary else {})
     refuse_idle("without --vary", {} if vary else {"--jobs": jobs})
     if step is not None:
         model = model.replace(f"scenarios.{name}.step", step)
+    if how["channels"]:
+        model = model.replace(f"scenarios.{name}.channels", list(how["channels"]))
     if vary:
         from pitchpoint.cli.cases import run_varied
 
@@ -103,18 +115,17 @@ def run(
     inner = summary.pop("inner", ())
     if as_json:
         emit_json(summary)
-    elif summary["steps"] or error is None:
+    elif not quiet and (summary["steps"] or error is None):
         told = {name: row for name, row in summary["channels"].items() if name not in inner}
         title = f"{model.title or file}: {name}"
         if not told or any(math.isfinite(row["mean"]) for row in told.values()):
             statistics_table(title, told)
         else:
             show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")
-        if not quiet:
-            size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
-            show(f"{summary['steps']} steps{size} in {summary['wall_s']:.3g} s, written to {target}")
-            for note in summary["notes"]:
-                show(f"note: {note}")
+        size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
+        show(f"{summary['steps']} steps{size} in {summary['wall_s']:.3g} s, written to {target}")
+        for note in summary["notes"]:
+            show(f"note: {note}")
     return OK if error is None else exit_code_of(error)
 
 
@@ -130,12 +141,11 @@ def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bo
     )
     if as_json:
         emit_json(summary)
-    elif summary["steps"]:
+    elif summary["steps"] and not quiet:
         show_roll(f"{model.title or file}: {name}", summary)
-        if not quiet:
-            show(f"{summary['steps']} points in {summary['wall_s']:.3g} s, written to {target}")
-            for note in summary["notes"]:
-                show(f"note: {note}")
+        show(f"{summary['steps']} points in {summary['wall_s']:.3g} s, written to {target}")
+        for note in summary["notes"]:
+            show(f"note: {note}")
     return OK if error is None else exit_code_of(error)
 
 
@@ -160,6 +170,7 @@ def compute(
     from pitchpoint.core.status import OK
     from pitchpoint.io.writing import Channel, ResultWriter
     from pitchpoint.solvers.time import loop_of, run_time
+    from pitchpoint.system.channel_choice import chosen_channels
     from pitchpoint.system.compile import compile_model
 
     chosen = model.scenarios[name]
@@ -171,15 +182,17 @@ def compute(
         start = reduced_start(system, chosen, reduce)
         system = start.system
         inner = {"inner": {c.name for c in system.layout.channels} - own}
-    channels = [Channel(c.name, c.unit, c.long_name) for c in system.layout.channels]
+    stored = chosen_channels(system, chosen.channels)
+    channels = [Channel(c.name, c.unit, c.long_name) for c in (system.layout.channels[k] for k in stored)]
     events = [e.name for e in system.layout.events] if chosen.events else []
     header = header_of(model, file, name, "time", chosen.method)
     with ResultWriter(target, header, channels, decimate=decimate, events=events) as writer:
         with ProgressDisplay(f"run {name}", "s", quiet=quiet) as progress:
-            done = run_time(system, chosen, sink=writer, progress=progress, start=start)
+            done = run_time(system, chosen, sink=writer, progress=progress, start=start, channels=stored)
         if events:
             writer.append_events(done.events)
         notes = (*done.notes, *step_notes(chosen, done.step))
+        statistics = {c.name: done.channels[c.name] for c in channels}
         status = how_a_status_ends(done.status)
         writer.finish(
             status,
@@ -188,7 +201,7 @@ def compute(
             steps=done.steps,
             wall_s=done.wall_s,
             notes=notes,
-            statistics=done.channels,
+            statistics=statistics,
         )
     sentence = f"{done.sentence} (at t = {done.t_end:.6g} s)" if done.status != OK else done.sentence
     summary = {
@@ -202,7 +215,7 @@ def compute(
         "output": str(target),
         "notes": notes,
         "events": len(done.events),
-        "channels": done.channels,
+        "channels": statistics,
         **inner,
     }
     return summary, None if done.status == OK else SolverError(sentence, done.status, str(target))
@@ -210,11 +223,12 @@ def compute(
 
 def reduced_start(system: System, scenario: Scenario, limit: float) -> Start:
     """Where a scenario starts with the linear parts condensed for frequencies up to a limit [Hz]."""
-    from pitchpoint.solvers.reduction import reduce_system
+    from pitchpoint.solvers.reduction import lost_channels, reduce_system
     from pitchpoint.solvers.start import Start
 
     found = reduce_system(system, scenario, limit=limit)
-    return Start(found.system, found.state, (found.error.report(), *found.notes))
+    lost = lost_channels(found.full, found.system)
+    return Start(found.system, found.state, (found.error.report(), *found.notes, *lost))
 
 
 def no_statistics(scenario: Scenario, t_end: float) -> str:

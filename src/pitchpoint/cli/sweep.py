@@ -63,12 +63,11 @@ def sweep(
     )
     if as_json:
         emit_json(summary)
-    elif summary["points"]:
+    elif summary["points"] and not quiet:
         _print(f"{model.title or file}: {name}", summary, model.scenarios[name].sweep)
-        if not quiet:
-            show(f"{len(summary['points'])} points in {summary['wall_s']:.3g} s, written to {target}")
-            for note in summary["notes"]:
-                show(f"note: {note}")
+        show(f"{len(summary['points'])} points in {summary['wall_s']:.3g} s, written to {target}")
+        for note in summary["notes"]:
+            show(f"note: {note}")
     return OK if error is None else exit_code_of(error)
 
 

@@ -169,8 +169,8 @@ class ResultWriter:
         if len(names) > MOST_CHANNELS:
             raise ResultError(
                 f"{os.fspath(path)}: the run has {len(names)} channels, more than a result file takes (limit "
-                f"{MOST_CHANNELS}); compute parts of the machine apart, or give bodies less freedom "
-                "(motion: torsion or planar) and shafts fewer pieces (largest_piece)"
+                f"{MOST_CHANNELS}); choose which to store: channels: ['mesh_force[*]'] in the scenario, or "
+                "--channels 'mesh_force[*]'"
             )
         if block < 1 or decimate < 1:
             raise ResultError(f"block {block} and decimate {decimate} must be at least 1")

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+ROUNDING = 8 * np.finfo(float).eps
+"""Rounding of a sum over its terms without signs, for each of them: a speed below that is zero."""
+
 SAME = 1e-9
 """Singular value over the largest, and part of a row over one, that count as zero."""
 
@@ -93,11 +96,20 @@ def carried_speeds(
             y = np.linalg.lstsq(chosen, np.array([wanted[n] for n in taken]), rcond=None)[0]
         elif name in given and abs(fits - value) > tolerance * max(abs(value), abs(fits)):
             wrong.append((name, fits))
-    speeds = dict(zip(turning, (free @ y).tolist(), strict=True))
+    found = free @ y
+    # columns of length one are rounded as one is
+    found[np.abs(found) <= ROUNDING * len(turning) * np.linalg.norm(y)] = 0.0
+    speeds = dict(zip(turning, found.tolist(), strict=True))
     return {n: speeds.get(n, 0.0) for n in parts.bodies}, wrong
 
 
-def speed_in_space(parts: Parts, spins: Mapping[str, float], body: str, about: str | None = None) -> float:
+def speed_in_space(
+    parts: Parts,
+    spins: Mapping[str, float],
+    body: str,
+    about: str | None = None,
+    against: str | None = None,
+) -> float:
     """Speed of a body about its own axis in space [rad/s], or about that of another body.
 
     Parameters
@@ -110,10 +122,17 @@ def speed_in_space(parts: Parts, spins: Mapping[str, float], body: str, about: s
         Name of the body; ground stands still.
     about
         Body whose axis counts.
+    against
+        Body against whose speed about the same axis it counts, such as a carrier.
     """
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
-    row = _in_space(parts, {name: k for k, name in enumerate(turning)}, body, about)
-    return float(row @ np.array([spins.get(name, 0.0) for name in turning]))
+    place = {name: k for k, name in enumerate(turning)}
+    row = _in_space(parts, place, body, about)
+    if against is not None:
+        row = row - _in_space(parts, place, against, about or body)
+    values = np.array([spins.get(name, 0.0) for name in turning])
+    found, terms = float(row @ values), float(np.abs(row) @ np.abs(values))
+    return 0.0 if abs(found) <= ROUNDING * values.size * terms else found
 
 
 def _movers(parts: Parts, body: str) -> list[str]:

@@ -50,7 +50,17 @@ NEEDS: dict[str, tuple[tuple[str, str], ...]] = {
 }
 
 #: Keys of a scenario that only a time response reads.
-TIME_KEYS = ("sample_rate", "settle_time", "step", "method", "form", "order", "tolerance", "events")
+TIME_KEYS = (
+    "sample_rate",
+    "settle_time",
+    "step",
+    "method",
+    "form",
+    "order",
+    "tolerance",
+    "events",
+    "channels",
+)
 
 
 def idle_keys(model: Model) -> tuple[str, ...]:

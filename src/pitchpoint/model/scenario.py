@@ -155,6 +155,13 @@ class Scenario:
         (),
         choices=EVENTS,
     )
+    channels: tuple[str, ...] = key(
+        "names",
+        "names of the channels to store; * stands for any characters, as in mesh_force[*]",
+        (),
+        display="all",
+        later=True,
+    )
     sweep: Sweep | None = component(Sweep, "speed sweep instead of one time response")
     quasi_static: QuasiStatic | None = component(QuasiStatic, "slow roll instead of a time response")
 

@@ -73,7 +73,7 @@ def diagnose_file(request: Request) -> Study:
     machine = _machine(request, record)
     chosen = _chosen(request, record)
     _complete(request, record, chosen)
-    signals, remarks = usable(chosen)
+    signals, remarks = usable(chosen, None if request.channels else record.time)
     if not signals:
         raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
     part = record.time >= record.time[0] + record.settle_time
@@ -293,9 +293,8 @@ def _over_angle(request: Request, record: Record, machine: _Machine, signals: di
         shaft = angle_channel(record.channels[name], time)
     elif math.isnan(machine.frequency):
         raise SignalError(
-            f"{request.file}: the speed is not known; give --speed, such as --speed 30Hz, --tacho "
-            f"CHANNEL with "
-            "--pulses N, or --angle CHANNEL"
+            f"{request.file}: the speed is not known; give --speed, such as --speed 30Hz, --tacho CHANNEL "
+            "with --pulses N, or --angle CHANNEL"
         )
     else:
         source = ", ".join(f"--speed {text}" for text in request.speeds) or "scenario of the model"

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
+from pitchpoint.analysis.pulse_trains import is_pulse_train
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.sampled import SignalError, as_signal
 from pitchpoint.analysis.turning_parts import TurningParts
@@ -174,8 +175,11 @@ def _named(found: Diagnosis, parts: TurningParts) -> tuple[Diagnosis, list[str]]
     return replace(found, findings=tuple(findings)), remarks
 
 
-def usable(channels: Mapping[str, Array]) -> tuple[dict[str, Array], list[str]]:
-    """Channels that change and are finite, and sentences about the others."""
+def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[dict[str, Array], list[str]]:
+    """Channels that change and are finite, and sentences about the others.
+
+    With `time` [s], tacho channels are left out too: their harmonics are not vibration.
+    """
     kept, remarks = {}, []
     for name, values in channels.items():
         try:
@@ -186,6 +190,12 @@ def usable(channels: Mapping[str, Array]) -> tuple[dict[str, Array], list[str]]:
         spread = float(np.ptp(x))
         if spread <= 1e-12 * float(np.abs(x).max()):
             remarks.append(f"{name}: is constant; omitted")
+            continue
+        if time is not None and is_pulse_train(x, time):
+            remarks.append(
+                f"{name}: looks like the pulses of a tacho, not like vibration; left out; --tacho {name} "
+                f"--pulses N takes the speed from it, -c {name} looks at it all the same"
+            )
             continue
         kept[name] = x
     return kept, remarks

@@ -182,7 +182,7 @@ def _meshes(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any
             continue
         one, two = (str(body) for body in bodies)
         carrier = line_carrier(machine, one, two)
-        turning = speed_in_space(machine, spins, one) - speed_in_space(machine, spins, carrier, about=one)
+        turning = speed_in_space(machine, spins, one, against=carrier)
         z_1, z_2 = (_teeth(model.toothed[g]) for g in mesh.gears)
         pair = gear_pair_frequencies(z_1, z_2, turning)
         found[name] = {
@@ -281,8 +281,8 @@ def _rolling_bearings(model: Model, spins: Mapping[str, float]) -> dict[str, dic
     for name, part in model.rolling_bearings.items():
         inner, outer = (split(end)[0] for end in part.ends)
         axis = inner if inner != GROUND else outer
-        base = speed_in_space(machine, spins, line_carrier(machine, inner, outer), about=axis)
-        rings = [speed_in_space(machine, spins, body, about=axis) - base for body in (inner, outer)]
+        base = line_carrier(machine, inner, outer)
+        rings = [speed_in_space(machine, spins, body, axis, against=base) for body in (inner, outer)]
         rates = bearing_frequencies(
             elements=part.elements,
             element_diameter=part.element_diameter,

@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.errors import PitchpointError, SolverError
 from pitchpoint.core.progress import silent
+from pitchpoint.core.status import INCONSISTENT
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -237,13 +238,20 @@ def highest_speed(system: System, body: str, frequency: Any) -> float:
     """
     from pitchpoint.solvers.trains import body_rates, mesh_orders
 
-    scenarios = {} if system.model is None else system.model.scenarios
-    reached = max((highest_of_scenario(system, s, body) for s in scenarios.values()), default=0.0)
+    scenarios = model_of(system).scenarios.values()
+    reached = max((highest_of_scenario(system, s, body) for s in scenarios), default=0.0)
     if reached > 0.0:
         return 1.2 * reached
     orders = mesh_orders(system, body_rates(system, body)).values()
     lowest = min((o for o in orders if o > 0.0), default=math.inf)
     return 1.2 * 2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest
+
+
+def model_of(system: System) -> Model:
+    """The model that a system of a report was made from."""
+    if system.model is None:
+        raise SolverError("the system was not made from a model", INCONSISTENT)
+    return system.model
 
 
 def highest_of_scenario(system: System, scenario: Scenario, body: str) -> float:
@@ -253,7 +261,7 @@ def highest_of_scenario(system: System, scenario: Scenario, body: str) -> float:
     speeds = [scenario.speed, *({name: speed} for name, speed in prescribed(system, scenario))]
     reached = 0.0
     for given in speeds:
-        ratios = system.model.start_speeds(Scenario(speed=dict(given)))
+        ratios = model_of(system).start_speeds(Scenario(speed=dict(given)))
         reached = max(reached, abs(ratios.get(body, 0.0)))
     return reached
 
@@ -268,7 +276,7 @@ def prescribed(system: System, scenario: Scenario) -> list[tuple[str, float]]:
     if sweep is not None and sweep.speed is not None:
         found.append((sweep.body, sweep.speed[1]))
     elif sweep is not None and sweep.mesh_frequency is not None:
-        order = mesh_orders(system, body_rates(system, sweep.body))[system.model.sweep_mesh(scenario)]
+        order = mesh_orders(system, body_rates(system, sweep.body))[model_of(system).sweep_mesh(scenario)]
         found.append((sweep.body, 2.0 * math.pi * sweep.mesh_frequency[1] / order if order > 0.0 else 0.0))
     return [(name, speed) for name, speed in found if speed > 0.0]
 

@@ -49,7 +49,7 @@ class Campbell:
     frequency
         Damped natural frequencies [Hz], shape (n_speed, n_mode); 0 where a mode does not oscillate.
     damping_ratio
-        Their shares of critical damping, shape (n_speed, n_mode), nan where a mode creeps.
+        Their damping ratios, shape (n_speed, n_mode), 1 where a mode is overdamped.
     names
         Names of the modes at rest.
     orders
@@ -184,9 +184,9 @@ def solve_campbell(
     -------
     xarray.Dataset
         Over `speed` [rad/s] and `mode`: frequency [Hz], 0 where a mode does not oscillate, and damping_ratio,
-        NaN where it creeps; over `mode`: name, from its shape at rest; over `mesh`: order (mesh frequency
-        over rotational frequency of the body); over `speed` and `mesh`: mesh_frequency [Hz]. Each mode is
-        followed from speed to speed by its shape, so `frequency[:, k]` is one curve of the diagram.
+        1 where it is overdamped; over `mode`: name, from its shape at rest; over `mesh`: order (mesh
+        frequency over rotational frequency of the body); over `speed` and `mesh`: mesh_frequency [Hz]. Each
+        mode is followed from speed to speed by its shape, so `frequency[:, k]` is one curve of the diagram.
 
     Raises
     ------

@@ -6,6 +6,7 @@ xarray is imported here, when a result is wanted, and nowhere in a loop.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -46,8 +47,9 @@ def channel_dataset(
     points: NDArray[np.float64],
     rows: NDArray[np.float64],
     attrs: dict[str, Any],
+    channels: Sequence[int] | None = None,
 ) -> xr.Dataset:
-    """All channels over one dimension.
+    """Channels over one dimension.
 
     Parameters
     ----------
@@ -58,16 +60,17 @@ def channel_dataset(
     points
         Its values, shape (n,).
     rows
-        Observations, shape (n, no).
+        Observations, shape (n, number of channels).
     attrs
         Attributes, see `attributes`.
+    channels
+        Numbers of the channels; default all.
     """
     import xarray as xr
 
-    data = {
-        c.name: ((dimension,), rows[:, k], channel_attributes(c))
-        for k, c in enumerate(system.layout.channels)
-    }
+    every = system.layout.channels
+    own = every if channels is None else [every[k] for k in channels]
+    data = {c.name: ((dimension,), rows[:, k], channel_attributes(c)) for k, c in enumerate(own)}
     return xr.Dataset(data, coords={dimension: points}, attrs=attrs)
 
 

@@ -23,6 +23,9 @@ SLOW = 1e-4
 """Eigenvalue over the largest up to which that is asked."""
 LEFT_OVER = 1e-6
 """Eigenvalue over the largest below which a rigid mode does not oscillate."""
+NEGATIVE = (
+    "inertia is not positive in some direction, so there are no modes; check mass, inertia and inertia_tensor"
+)
 SAME = 1e-9
 """Relative distance of eigenvalues that count as one multiple root."""
 
@@ -57,10 +60,13 @@ def undamped(M: Array, K: Array, basis: Array, rigid: Array) -> tuple[Array, Arr
     Raises
     ------
     SolverError
-        If a free direction has no mass.
+        If a free direction has no mass, or a negative one.
     """
     m, k, scale = scaled_pencil(M, K, basis)
-    values, vectors = symmetric_pencil(k, m)
+    try:
+        values, vectors = symmetric_pencil(k, m)
+    except np.linalg.LinAlgError as problem:
+        raise SolverError(NEGATIVE, SINGULAR) from problem
     return sorted_modes(m, k, scale, values, vectors, basis, rigid, M)
 
 
@@ -278,8 +284,12 @@ def best_match(likeness: Array) -> NDArray[np.intp]:
 
 
 def ratio_of(values: NDArray[np.complex128]) -> Array:
-    """Share of critical damping of eigenvalues; 0 for a rigid mode, nan for one that creeps."""
+    """Damping ratio -Re/|eigenvalue|: 1 of an overdamped mode, -1 of one that runs away, 0 of a rigid one.
+
+    Examples
+    --------
+    >>> ratio_of(np.array([-3.0 + 4.0j, -2.0, 0.0]))
+    array([0.6, 1. , 0. ])
+    """
     size = np.abs(values)
-    ratio = np.divide(-values.real, size, out=np.zeros(size.shape), where=size > 0.0)
-    ratio[(values.imag <= 0.0) & (size > 0.0)] = np.nan
-    return np.asarray(ratio)
+    return np.asarray(np.divide(-values.real, size, out=np.zeros(size.shape), where=size > 0.0))

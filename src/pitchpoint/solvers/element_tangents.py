@@ -7,7 +7,7 @@ system with it alone and the system with none. Kinds keep their physics in their
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 
@@ -51,19 +51,8 @@ def share_of(whole: Array) -> Share:
     return Share(used, whole[np.ix_(used, used)].copy())
 
 
-def share_of_blocks(system: System, blocks: Array) -> Share:
-    """Cut the blocks of a matrix down to the coordinates that it has entries for."""
-    rows, columns, places = system.layout.entries
-    values = blocks.reshape(-1)[places]
-    own = np.flatnonzero(values)
-    used = np.unique(np.concatenate([rows[own], columns[own]]))
-    matrix = np.zeros((used.size, used.size))
-    matrix[np.searchsorted(used, rows[own]), np.searchsorted(used, columns[own])] = values[own]
-    return Share(used, matrix)
-
-
 @contextmanager
-def switched(system: System, on: dict[str, slice]) -> Iterator[None]:
+def switched(system: System, on: Mapping[str, slice | NDArray[np.int64]]) -> Iterator[None]:
     """Evaluate a system with some records of some kinds alone; joints made of functions stay.
 
     Parameters
@@ -71,10 +60,11 @@ def switched(system: System, on: dict[str, slice]) -> Iterator[None]:
     system
         The system; its address tables are changed while the context lasts.
     on
-        Records that count, by name of kind.
+        Records that count, by name of kind; copies of them do their work where they are given by numbers.
     """
     tables = system.workspace.tables
     kept = {name: table.copy() for name, table in tables.items()}
+    banks = {kind: np.ascontiguousarray(system.records[kind][chosen]) for kind, chosen in on.items()}
     row = 0
     for name in TABLES:
         table = tables[name]
@@ -83,10 +73,8 @@ def switched(system: System, on: dict[str, slice]) -> Iterator[None]:
             row += 1
             if name == "guiding":
                 continue
-            bank = system.records[kind]
-            begin, end, _ = on.get(kind, slice(0, 0)).indices(bank.size)
-            table[e, 1] = bank.ctypes.data + begin * bank.itemsize
-            table[e, 2] = max(end - begin, 0)
+            bank = banks.get(kind, system.records[kind][:0])
+            table[e, 1], table[e, 2] = bank.ctypes.data, bank.size
     try:
         yield
     finally:
@@ -94,7 +82,9 @@ def switched(system: System, on: dict[str, slice]) -> Iterator[None]:
             table[:] = kept[name]
 
 
-def tangents(system: System, state: State, on: dict[str, slice]) -> tuple[Array, Array]:
+def tangents(
+    system: System, state: State, on: Mapping[str, slice | NDArray[np.int64]]
+) -> tuple[Array, Array]:
     """Damping and stiffness matrix of some records, without the inertia of the bodies, as blocks."""
     found = []
     for factors in ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
@@ -104,12 +94,6 @@ def tangents(system: System, state: State, on: dict[str, slice]) -> tuple[Array,
                 parts.append(evaluate.blocks(system, state, *factors))
         found.append(parts[0] - parts[1])
     return found[0], found[1]
-
-
-def stiffness_of(system: System, state: State, on: dict[str, slice], bare: Array) -> Array:
-    """Stiffness matrix of some records; `bare` is that of the system with none; both as blocks."""
-    with switched(system, on):
-        return evaluate.blocks(system, state, 0.0, 0.0, 1.0) - bare
 
 
 def bare_blocks(system: System, state: State, cm: float, cd: float, ck: float) -> Array:

@@ -3,8 +3,7 @@
 
 Idlers and planets have no torque of their own, so the forces on their two flanks cancel: the flanks of a
 train follow from each other. Torques of meshes, couplings and ratios balance at every spin but those where
-torque enters or leaves: bodies with loads or drives, what springs and contacts hold, and the ends of the
-train.
+torque enters or leaves: bodies with loads or drives, bodies held by springs and contacts, ends of the train.
 """
 
 from __future__ import annotations

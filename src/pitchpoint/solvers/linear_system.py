@@ -13,10 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import CompileError
+from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import SINGULAR
 from pitchpoint.elements.registry import MODAL
 from pitchpoint.model.scenario import Scenario
+from pitchpoint.solvers.cycle_means import TOUCH, shift, touching
 from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, undamped
 from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of
 from pitchpoint.solvers.equilibrium import find_equilibrium
@@ -24,7 +26,7 @@ from pitchpoint.solvers.free_directions import free_directions
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
-from pitchpoint.solvers.stiffness_parts import NONE, TOUCH, Array, Parts, shift, split, touching
+from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
 from pitchpoint.solvers.switched_off import without_friction
 from pitchpoint.solvers.trains import rigid_rotations
 from pitchpoint.system import evaluate
@@ -104,7 +106,12 @@ def linearise(
     progress: Progress = silent,
 ) -> Linearised:
     """Matrices about the loaded state of a scenario; arguments as in `modal.find_modes`."""
-    if (count := system.sizes["nd"]) > MOST_COORDINATES:
+    if (count := system.sizes["nd"]) == 0:
+        raise SolverError(
+            "all bodies are fixed, so nothing can vibrate; let a body move (motion: torsion, planar or free)",
+            SINGULAR,
+        )
+    if count > MOST_COORDINATES:
         raise CompileError(
             f"the machine has {count} coordinates, and each matrix of the linear system would take "
             f"{8e-9 * count**2:.2g} GB (limit {MOST_COORDINATES} coordinates); compute parts of it apart, or "
@@ -256,10 +263,12 @@ def damped_modes(
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Eigenvalues at speed beside undamped modes, those of states last, and their shapes."""
     M, D, K = linear.at_rest.M, linear.D, linear.K
+    left = K - symmetric(linear.at_rest.K)
+    if modes.whole is None and _is_undamped(linear, modes, left):
+        return np.asarray(1j * modes.omega, np.complex128), modes.shapes.astype(np.complex128)
     if modes.whole is None:
         return nearest_damped((M, D, K), _sparse(linear.basis), linear.states, modes.omega, modes.shapes)
     omega, shapes = modes.whole
-    left = K - symmetric(linear.at_rest.K)
     if linear.states:
         values, found = damped_with_states(M, D, K, shapes, omega, linear.states, left)
     else:
@@ -267,3 +276,10 @@ def damped_modes(
         found = np.asarray(z.T @ shapes, dtype=np.complex128)
     own = np.r_[: len(modes.omega), len(omega) : len(values)]
     return values[own], found[own]
+
+
+def _is_undamped(linear: Linearised, modes: Undamped, left: Array) -> bool:
+    """Whether nothing distinguishes the damped modes of a stable system from the undamped ones."""
+    if linear.states or np.any(modes.omega < 0.0) or linear.D.any():
+        return False
+    return bool(np.abs(left).max(initial=0.0) <= NONE * np.abs(linear.at_rest.K).max(initial=0.0))

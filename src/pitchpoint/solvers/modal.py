@@ -52,7 +52,8 @@ class Modes:
         Complex eigenvalue with damping and gyroscopic terms [1/s], shape (n,), the one with Im >= 0; each
         stands beside the undamped mode it resembles most.
     damped_frequency, damping_ratio
-        Im/2 pi [Hz] and -Re/|eigenvalue|, shape (n,); 0 Hz and no ratio (nan) where a mode creeps.
+        Im/2 pi [Hz] and -Re/|eigenvalue|, shape (n,); 0 Hz and 1 where a mode is overdamped, -1 where it
+        runs away without oscillating.
     damped_shape
         Complex shapes, shape (n, nd); largest component by mass real and positive, modal mass 1.
     kinetic

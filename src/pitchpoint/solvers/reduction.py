@@ -41,6 +41,8 @@ from pitchpoint.solvers.reduction_part import Linear, Rows, condense, damp_acros
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System, assemble
 
+NAMED = 5
+"""Elements that a note names."""
 BEYOND = (4.0, 8.0, 16.0, 32.0, 64.0)
 """Multiples of the highest frequency of interest up to which fixed-interface modes are kept: for shafts the
 first is enough, heavy bodies on soft springs between stiffly held ones need more."""
@@ -133,7 +135,32 @@ def reduce_system(
         reduced[2],
         names,
         split.reasons,
-        (*(n for n in point.notes if n not in held_outputs(own)), *split.notes),
+        (
+            *(n for n in point.notes if n not in held_outputs(own)),
+            *split.notes,
+        ),
+    )
+
+
+def lost_channels(full: System, reduced: System) -> tuple[str, ...]:
+    """Note on channels that a reduced system does not have, as what they belong to is condensed."""
+    kept = {c.name for c in reduced.layout.channels}
+    lost: dict[str, list[str]] = {}
+    for name in (c.name for c in full.layout.channels if c.name not in kept):
+        quantity, _, rest = name.partition("[")
+        element = rest.rstrip("]").partition(".")[0]
+        if element not in lost.setdefault(quantity, []):
+            lost[quantity].append(element)
+    if not lost:
+        return ()
+    parts = [
+        f"{quantity} of {', '.join(names[:NAMED])}"
+        + (f" and {more} more" if (more := len(names) - NAMED) > 0 else "")
+        for quantity, names in lost.items()
+    ]
+    return (
+        f"not recorded, as what they belong to is condensed: {'; '.join(parts)}; run the full system to "
+        "record them",
     )
 
 

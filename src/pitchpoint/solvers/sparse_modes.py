@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.core.symmetric_pencil import symmetric_pencil
-from pitchpoint.solvers.eigen import best_match, scaled_pencil, sorted_modes
+from pitchpoint.solvers.eigen import NEGATIVE, best_match, scaled_pencil, sorted_modes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -65,7 +65,7 @@ def lowest_modes(M: Array, K: Array, basis: Any, rigid: Array, count: int) -> tu
     while below:  # unstable: there are modes below the shift
         shift *= 100.0
         if not shift <= MOST_SHIFT * float(abs(k).max()):
-            raise SolverError("inertia is negative in some direction, so there are no modes", SINGULAR)
+            raise SolverError(NEGATIVE, SINGULAR)
         lu, below = _factors(k, m, shift)
     values, vectors = _complete(m, k, lu, shift, min(count + max(GUARD, count // 4), n - 1))
     omega, shapes = sorted_modes(m, k, scale, values, vectors, basis, rigid, M)

@@ -24,6 +24,7 @@ from pitchpoint.solvers.start import UNBALANCED, Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
 from pitchpoint.system import evaluate
+from pitchpoint.system.channel_choice import chosen_channels
 from pitchpoint.system.remarks import deep_contacts, weak_damping
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import REJECTED
@@ -345,9 +346,9 @@ def solve_time(
     Returns
     -------
     xarray.Dataset
-        All channels over time [s], with units and `statistics` over all steps (mean, rms of the alternating
-        part, min, max); provenance, steps and status in the attributes. With events in the scenario also
-        `event_time` [s], `event_name` and `event_direction` over `event`.
+        The channels of the scenario (default all) over time [s], with units and `statistics` over all steps
+        (mean, rms of the alternating part, min, max); provenance, steps and status in the attributes. With
+        events in the scenario also `event_time` [s], `event_name` and `event_direction` over `event`.
 
     Raises
     ------
@@ -357,13 +358,14 @@ def solve_time(
     from pitchpoint.solvers.dataset import attributes, channel_dataset
 
     chosen = scenario_of(system, scenario)
-    memory = Memory()
-    done = run_time(system, chosen, sink=memory, progress=progress)
+    memory, stored = Memory(), chosen_channels(system, chosen.channels)
+    done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
     attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step)
     attrs |= {"steps": done.steps, "notes": "; ".join(done.notes)}
-    data = channel_dataset(system, "time", np.concatenate(memory.times), np.concatenate(memory.rows), attrs)
+    times, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
+    data = channel_dataset(system, "time", times, rows, attrs, stored)
     data["time"].attrs = {"units": "s", "long_name": "time"}
-    for name, numbers in done.channels.items():
+    for name, numbers in ((n, x) for n, x in done.channels.items() if n in data):
         data[name].attrs["statistics"] = [numbers[key] for key in ("mean", "rms", "min", "max")]
     if chosen.events:
         when, index, direction = done.events.T

@@ -63,11 +63,19 @@ class Layout:
 
     def channel(self, name: str) -> int:
         """Index of an observation."""
-        return [c.name for c in self.channels].index(name)
+        try:
+            return self.channel_numbers[name]
+        except KeyError:
+            raise ValueError(f"{name!r} is not a channel") from None
 
     def coordinate(self, name: str) -> int:
         """Index of a coordinate, ``BODY.x`` and the like."""
         return self.coordinates.index(name)
+
+    @cached_property
+    def channel_numbers(self) -> dict[str, int]:
+        """Index of every observation by name."""
+        return {c.name: k for k, c in enumerate(self.channels)}
 
     @cached_property
     def entries(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:

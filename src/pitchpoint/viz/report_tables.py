@@ -33,6 +33,8 @@ def mode_section(modes: Any) -> Section:
     for k, (name, frequency, ratio) in enumerate(rows, start=1):
         known = math.isfinite(ratio) and frequency > 0.0
         damping = f"{number(100.0 * ratio, 3)} %" if known else "–"
+        if known and abs(ratio) == 1.0:
+            damping = "overdamped" if ratio > 0.0 else "unstable"
         body.append(
             f'<tr><th scope="row">{k}</th><td>{escape(name)}</td>'
             f'<td class="num">{number(frequency)} Hz</td><td class="num">{damping}</td></tr>'

@@ -240,3 +240,17 @@ def test_a_file_that_is_still_written_is_a_sentence(
     monkeypatch.setattr(diagnosis_files, "read_record", lambda *_: growing)
     said = told([csv_of(tmp_path, only(table, "acc")), *TRAIN, "--speed", "10Hz"], capsys)
     assert "if the run still goes on, wait for its end" in said
+
+
+def test_a_tacho_among_the_channels_is_no_vibration(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A healthy gear stays healthy, and the remark says how to use the pulses."""
+    file = csv_of(tmp_path, only(rig(fault=0.0), "acc", "tacho"))
+    known = [*TRAIN, "--speed", "10Hz"]
+    found = json_of(["diagnose", file, *known], capsys)
+    assert found["findings"] == []
+    remarks = " ".join(found["remarks"])
+    assert "channels: acc" in remarks
+    assert "tacho: looks like the pulses of a tacho, not like vibration; left out" in remarks
+    assert "--tacho tacho --pulses N" in remarks

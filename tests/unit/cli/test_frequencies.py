@@ -97,6 +97,23 @@ def test_a_speed_takes_the_place_of_a_scenario(tmp_path: Path, capsys: pytest.Ca
 
 
 @pytest.mark.parametrize(
+    ("speeds", "still"),
+    [
+        (("sun=300 rpm", "carrier=300 rpm"), "meshes"),  # the set turns as one body
+        (("ring=100 rpm", "carrier=0 rpm"), "planet_sets"),
+    ],
+)
+def test_what_stands_still_has_no_frequency(
+    speeds: tuple[str, str], still: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Differences of speeds that cancel are zero, not their rounding such as 3.4e-14 Hz."""
+    given = [word for speed in speeds for word in ("--speed", speed)]
+    found = json_of(["frequencies", written(tmp_path, grc("")), *given], capsys)
+    assert {row["frequency"] for row in found[still].values()} == {0.0}
+    assert any(row["frequency"] > 1.0 for row in found["shafts"].values())
+
+
+@pytest.mark.parametrize(
     ("held", "driven"),
     [
         ("ring", "carrier: 22.09 rpm"),

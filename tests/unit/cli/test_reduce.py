@@ -46,6 +46,12 @@ def test_a_run_with_the_reduced_system(tmp_path: Path, capsys: pytest.CaptureFix
     assert any("of 19 coordinates" in note for note in less["notes"])
     assert "displacement[housing.x]" in full["channels"]
     assert "displacement[housing.x]" not in less["channels"]
+    lost = "".join(note for note in less["notes"] if note.startswith("not recorded"))
+    gone = {name.partition("[")[0] for name in full["channels"]} - {
+        name.partition("[")[0] for name in less["channels"]
+    }
+    assert gone
+    assert all(f"{quantity} of " in lost for quantity in gone)
 
 
 def test_condensed_parts_stay_out_of_the_table_of_a_run(

@@ -283,3 +283,55 @@ def test_a_second_ctrl_c_ends_a_compiled_law_that_never_returns(tmp_path: Path) 
     assert t.size > 1000
     assert t[-1] <= 0.11
     assert np.isfinite(force).all()
+
+
+def test_the_channels_to_store_are_chosen(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """By the scenario or by --channels, * for any characters; the values are those of the whole file."""
+    file, every, some = written(tmp_path, SHORT), str(tmp_path / "every.h5"), str(tmp_path / "some.h5")
+    json_of(["run", file, "-s", "steady", "-o", every], capsys)
+    few = ["--channels", "speed[*]", "--channels", "mesh_force[stage]"]
+    found = json_of(["run", file, "-s", "steady", "-o", some, *few], capsys)
+    assert set(found["channels"]) == {"speed[driver]", "speed[driven]", "mesh_force[stage]"}
+    with open_result(every) as whole, open_result(some) as chosen:
+        assert set(chosen.data_vars) >= set(found["channels"])
+        assert "deflection[stage]" not in chosen.data_vars
+        for name in found["channels"]:
+            np.testing.assert_array_equal(chosen[name].values, whole[name].values)
+    inside = SHORT.replace("duration: 0.02 s", "duration: 0.02 s, channels: ['speed[*]']")
+    found = json_of(["run", written(tmp_path, inside), "-s", "steady", "-o", some], capsys)
+    assert set(found["channels"]) == {"speed[driver]", "speed[driven]"}
+    assert run_command(["report", file, some, "-o", str(tmp_path / "page.html"), "-q"]) == 0
+
+
+def test_a_pattern_that_names_no_channel_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = written(tmp_path, SHORT)
+    assert run_command(["run", file, "-s", "steady", "--channels", "mesh_farce[stage]"]) != 0
+    said = capsys.readouterr().err
+    assert "'mesh_farce[stage]' matches none of the" in said
+    assert "an example is mesh_force[stage]" in said
+
+
+@pytest.mark.parametrize(
+    "command", [["run", "FILE", "-s", "steady"], ["run", "FILE", "-s", "steady", "--json"]]
+)
+def test_a_quiet_run_prints_errors_only(
+    command: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = written(tmp_path, SHORT)
+    words = [file if word == "FILE" else word for word in command]
+    assert run_command([*words, "-o", str(tmp_path / "q.h5"), "-q"]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    assert (out == "") != ("--json" in command)
+
+
+@pytest.mark.parametrize("command", ["gears", "mesh", "mass", "clearance"])
+def test_commands_that_print_numbers_take_quiet_too(
+    command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run_command([command, written(tmp_path, ISO_EX1), "-q"]) == 0
+    out, err = capsys.readouterr()
+    assert out != ""
+    assert err == ""

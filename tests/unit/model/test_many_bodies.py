@@ -15,7 +15,9 @@ from pitchpoint.io.writing import MOST_CHANNELS, Channel, ResultWriter
 from pitchpoint.model.mobility import alone, tree_of, yielding
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.remarks import warn_of_remarks
+from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.modal import find_modes
+from pitchpoint.solvers.null_space import null_space
 from pitchpoint.solvers.trains import free_spins
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.layout import products
@@ -58,6 +60,20 @@ def gear_chain(n):
         "meshes": {f"m{k}": {"gears": [f"g{k}", f"g{k + 1}"], "stiffness": law} for k in range(n - 1)},
         "scenarios": {"run": {"speed": {f"w{k}": 100.0 * (-1.0) ** k for k in range(n)}, "duration": 0.1}},
     }
+
+
+def loaded_pairs(n):
+    """Pairs of gears that have nothing to do with each other, all loaded."""
+    train = gear_chain(2 * n)
+    for k in range(1, n):
+        del train["meshes"][f"m{2 * k - 1}"]
+    train["bodies"] = {
+        name: body | ({"position": [0.0, 0.2 * k, 0.0]} if k % 2 == 0 else {})
+        for k, (name, body) in enumerate(train["bodies"].items())
+    }
+    loads = {f"i{k}": {"body": f"w{2 * k}", "torque": 10.0} for k in range(n)}
+    loads |= {f"o{k}": {"body": f"w{2 * k + 1}", "torque": "balance"} for k in range(n)}
+    return train | {"loads": loads, "scenarios": {}}
 
 
 def shafts(n):
@@ -206,20 +222,48 @@ def test_a_chain_of_too_many_joints_is_refused_with_the_number_and_the_remedy():
 def test_a_run_of_too_many_channels_is_refused_before_its_file_is_made(tmp_path):
     target = tmp_path / "run.h5"
     channels = [Channel(f"speed[b{k}]", "rad/s") for k in range(MOST_CHANNELS + 1)]
-    with pytest.raises(TooMany, match=r"run\.h5: the run has 6001 channels, .*limit 6000\); compute parts"):
+    with pytest.raises(
+        TooMany,
+        match=r"run\.h5: the run has 6001 channels, .*limit 6000\); choose which to store: channels: ",
+    ):
         ResultWriter(target, Header("time"), channels)
     assert not target.exists()
 
 
-def test_trains_are_looked_for_among_so_many_spins_and_not_where_bushings_hold_all_of_them(monkeypatch):
-    """Three gears in mesh have one free rotation; bodies on bushings none, however many there are."""
-    monkeypatch.setattr("pitchpoint.solvers.trains.MOST_SPINS", 3)
-    assert len(free_spins(compile_model(model_of(gear_chain(3))))) == 1
-    with pytest.raises(
-        CompileError, match=r"^4 bodies and stations .* is found for 3 at most; compute parts"
-    ):
-        free_spins(compile_model(model_of(gear_chain(4))))
+def test_trains_of_many_gears_have_one_free_rotation_and_bodies_on_bushings_none():
+    assert len(free_spins(compile_model(model_of(gear_chain(4))))) == 1
     assert free_spins(compile_model(model_of(free_bodies(5)))) == ()
+
+
+def test_free_rotations_of_a_train_of_20_000_gears():
+    """Gear k turns against gear k + 1 by the teeth z; ends of the basis differ by the whole ratio."""
+    z = [20 + k % 7 for k in range(20_000)]
+    found = null_space([{k: float(z[k]), k + 1: float(z[k + 1])} for k in range(len(z) - 1)], range(len(z)))
+    assert len(found.groups) == 1
+    basis = found.groups[0][1]
+    assert basis.shape == (20_000, 1)
+    assert basis[-1, 0] / basis[0, 0] == pytest.approx(-z[0] / z[-1], rel=1e-9)
+
+
+def test_independent_trains_go_through_their_mesh_cycles_together(monkeypatch):
+    """As many equilibria for six pairs as for two: the time for n pairs does not grow with n squared."""
+    from pitchpoint.solvers import cycle_means
+
+    calls = []
+
+    def count(*given):
+        """Find the equilibrium and count it."""
+        calls.append(1)
+        return find_equilibrium(*given)
+
+    monkeypatch.setattr(cycle_means, "find_equilibrium", count)
+    found, counts = [], []
+    for n in (2, 6):
+        calls.clear()
+        found.append(find_modes(compile_model(model_of(loaded_pairs(n)))).frequency[-1])
+        counts.append(len(calls))
+    assert counts[0] == counts[1] > 0
+    assert found[0] == pytest.approx(found[1], rel=1e-9)
 
 
 def test_matrices_of_gigabytes_are_refused_with_their_size(monkeypatch):

@@ -90,14 +90,14 @@ def test_damping_ratio_of_a_damped_disc_on_a_spring():
     assert modes.shape[0, 0] == pytest.approx(1.0 / math.sqrt(2.0), rel=1e-14)
 
 
-def test_a_creeping_mode_has_no_ratio():
+def test_an_overdamped_mode_has_the_ratio_of_a_real_eigenvalue():
     text = (
         "bodies:\n  disc: {motion: torsion, inertia: 2.0}\n"
         "bearings:\n  spring: {body: disc, stiffness: {torsion: 800}, damping: {torsion: 400}}\n"
     )
     modes = find_modes(compiled(text)[1])
     assert modes.damped_frequency[0] == 0.0
-    assert math.isnan(modes.damping_ratio[0])
+    assert modes.damping_ratio[0] == 1.0
     assert modes.eigenvalue[0].real == pytest.approx(-100.0 + math.sqrt(9600.0), rel=1e-9)
 
 
@@ -390,3 +390,9 @@ def test_drag_of_a_turning_machine_loads_its_flanks():
         expected = math.sqrt(k / reduced) / (2.0 * math.pi)
         found = find_modes(system if scenario else compiled(text)[1], scenario)
         assert found.frequency[1] == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_model_of_fixed_bodies_has_no_modes():
+    text = "bodies:\n  a: {motion: fixed, position: [0, 0, 0]}\n"
+    with pytest.raises(SolverError, match="all bodies are fixed, so nothing can vibrate; let a body move"):
+        find_modes(compiled(text)[1])

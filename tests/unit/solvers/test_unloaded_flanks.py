@@ -14,7 +14,7 @@ MESH = "stiffness: {law: constant, value: 3e8 N/m}, backlash: {base_tangent: 0.0
 
 
 def train(order: str, loads: str = "") -> str:
-    """Driver a, idler b and wheel c around a corner, all on radial bearings; `order` lists the second mesh."""
+    """Driver, idler and wheel around a corner, all on radial bearings; `order` lists the second mesh."""
     gears = "".join(
         f"  {n}: {{number_of_teeth: {z}, {TEETH}}}\n" for n, z in (("a", 20), ("b", 25), ("c", 30))
     )

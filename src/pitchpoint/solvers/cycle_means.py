@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Mean stiffness of meshes over their cycles, and meshes without load at the edge of contact.
+
+A mesh is turned through its cycle by moving its path of contact, all bodies staying where they are: meshes
+of a train get their own mean each, whatever the periods of the others. Meshes that cannot influence each
+other go through their cycles together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.elements import gear_mesh_record as mesh
+from pitchpoint.elements.mesh_pairs import MOST_SPLIT
+from pitchpoint.solvers.element_batches import Block, apart, blocks_of, machines_of
+from pitchpoint.solvers.element_tangents import tangents
+from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.flanks import pressed_flanks
+from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import is_bevel, mesh_names, mesh_places, mesh_record, mesh_records
+from pitchpoint.system.system import State, System
+
+Array = NDArray[np.float64]
+
+TOUCH = 1e-9
+"""Penetration at which an unloaded flank is looked at [m]."""
+
+_GAUSS_X, _GAUSS_W = np.polynomial.legendre.leggauss(3)
+_MOVED = ("xi_0", "xi_b", "u0")
+"""Fields of a mesh record that place it in its cycle."""
+
+
+def shift(record: np.void, share: float) -> None:
+    """Move a mesh on by a share of its cycle; no body moves."""
+    record["xi_0"] += share * record["p_bt"]
+    record["xi_b"] -= share * record["p_bt"]
+
+
+def cycle_nodes(record: np.void, flank: int, pool: Array, both: bool = False) -> tuple[Array, Array]:
+    """Phases of a flank and weights whose sum is the mean over one mesh cycle.
+
+    Exact for the closed forms and for tables of a pair of up to `MOST_SPLIT` points: three Gauss points
+    between kinks (the total is a polynomial of at most degree four there), equal steps for a Fourier series,
+    the middles of the segments of a table of the mesh. Longer tables of a pair count as smooth on sixteen
+    pieces. Slices and user laws are sampled at 128 points. `both`: the other flank carries too, and has kinks
+    of its own.
+    """
+    if record["source"] == mesh.PHASE:
+        n = int(record["n_k"])
+        if record["form"] == 0:
+            return _equal(max(8, 2 * n + 2))
+        if record["form"] == 1:
+            return _equal(n if n >= 32 else n * (32 // n + 1))
+        if record["form"] == mesh.USER:
+            return _equal(128)
+    elif record["slices"] > 0:
+        return _equal(128)
+    kinks = _kinks(record, flank, pool)
+    if both:
+        # one phase falls as the other rises: both travel with the gears
+        turned = float(record["start"].sum() + (record["xi_0"] + record["xi_b"]) / record["p_bt"])
+        kinks = np.append(kinks, turned - _kinks(record, -flank, pool))
+    kinks = np.unique(kinks % 1.0)
+    lengths = np.diff(np.append(kinks, kinks[0] + 1.0))
+    middle = kinks + 0.5 * lengths
+    phases = middle[:, None] + 0.5 * lengths[:, None] * _GAUSS_X
+    return phases.ravel(), (0.5 * lengths[:, None] * _GAUSS_W).ravel()
+
+
+def _kinks(record: np.void, flank: int, pool: Array) -> Array:
+    """Phases of a flank where its total stiffness has a kink or jumps, whole base pitches apart from any."""
+    if record["source"] == mesh.PHASE:
+        return np.array([0.0, pool[int(record["cosine"]) + 2]])
+    lam = flank * record["tan_b"] / record["p_bt"]
+    eps, L, n = float(record["eps"]), float(record["L"]), int(record["n_table"])
+    places = [0.0, eps, L, eps - L, 0.5 * eps]
+    if n > 2:
+        places += list(np.linspace(0.0, eps, n if n <= MOST_SPLIT else 17)[1:-1])
+    ends = lam * np.array([record["z_lo"], record["z_hi"]], dtype=float)
+    if is_bevel(record):  # contact lines of bevel gears are spirals
+        ends = lam * record["R_m"] * np.log1p(ends / (lam * record["R_m"])) if lam != 0.0 else ends
+    return np.asarray(np.subtract.outer(places, ends).ravel())
+
+
+def _equal(n: int) -> tuple[Array, Array]:
+    return (np.arange(n) + 0.5) / n, np.full(n, 1.0 / n)
+
+
+def touching(system: System, state: State) -> dict[str, int]:
+    """Bring the flanks of unloaded meshes into touch by shifting the assembly; gives them by mesh.
+
+    1 is the front flank and -1 the back: the one that the mesh leans on already, else that which a small
+    torque through the train presses. Changes the records of the system: give it a copy.
+    """
+    leaning: dict[int, int] = {}
+    loose = []
+    evaluate.residual(system, state)
+    for k, record in enumerate(mesh_records(system)):
+        depth = abs(record["u"] - record["e_t"]) - 0.5 * record["gap"] - record["sep_min"]
+        # without backlash round-off presses both flanks of an unloaded mesh
+        if depth < TOUCH:
+            loose.append(k)
+            if depth > 0.0 and record["gap"] > TOUCH:
+                leaning[k] = -1 if record["u"] < record["e_t"] else 1
+    names, found = mesh_names(system), pressed_flanks(system, loose, leaning)
+    _touch(system, state, found)
+    return {names[k]: found[k] for k in loose}
+
+
+def _touch(system: System, state: State, flanks: Mapping[int, int]) -> None:
+    """Shift the assembly of some meshes, by number, so that the given flank just touches."""
+    records = mesh_records(system)
+    for _ in range(2):  # the excitation follows the phase
+        evaluate.residual(system, state)
+        for k, flank in flanks.items():
+            record = records[k]
+            aim = flank * (0.5 * record["gap"] + record["sep_min"] + TOUCH)
+            record["u0"] += aim - (record["u"] - record["e_t"])
+
+
+@dataclass(frozen=True)
+class _Cycle:
+    """A mesh on its way through its cycle: flank, phase at the start, phases and weights, own blocks."""
+
+    flank: int
+    now: float
+    phases: Array
+    weights: Array
+    blocks: Block
+
+
+def cycle_means(
+    system: System, state: State, held: tuple[int, ...], loose: Collection[str], rates: Array
+) -> dict[int, tuple[Array, Array]]:
+    """Mean damping and stiffness of every mesh over its cycle, others at their phase, as its own blocks.
+
+    Parameters
+    ----------
+    system, state
+        The system, whose mesh records are moved and put back, and the operating point.
+    held
+        Spins that are kept.
+    loose
+        Names of the meshes that carry nothing and are kept at the edge of contact.
+    rates
+        Speeds whose forces load the meshes.
+
+    Returns
+    -------
+    dict
+        By number of the mesh: damping and stiffness, shape (number of blocks, 6, 6) each, in the order of
+        `element_batches.blocks_of`.
+    """
+    names, places = mesh_names(system), mesh_places(system)
+    free = [m for m in range(len(names)) if names[m] in loose]
+    loaded = [m for m in range(len(names)) if names[m] not in loose]
+    machine = machines_of(system)
+    batches = apart(free, [blocks_of(system, *places[m]).nodes for m in free])
+    batches += apart(
+        loaded, [{int(machine[int(mesh_record(system, m)[e])]) for e in "ij"} - {0} for m in loaded]
+    )
+    found: dict[int, tuple[Array, Array]] = {}
+    for batch in batches:
+        found |= _means_together(system, state, held, batch, names[batch[0]] in loose, rates)
+    return found
+
+
+def _means_together(
+    system: System, state: State, held: tuple[int, ...], batch: Sequence[int], loose: bool, rates: Array
+) -> dict[int, tuple[Array, Array]]:
+    """The means of meshes that do not influence each other."""
+    cycles = {m: _cycle(system, m, values) for m, values in _observed(system, state, batch)}
+    records = mesh_records(system)
+    kept = {m: records[m].copy() for m in batch}
+    total = {m: np.zeros((2, len(c.blocks.places), 6, 6)) for m, c in cycles.items()}
+    at = state
+    try:
+        for step in range(max(c.phases.size for c in cycles.values())):
+            active = {m: c for m, c in cycles.items() if step < c.phases.size}
+            for m, cycle in active.items():
+                _put_back(records[m], kept[m])
+                shift(records[m], cycle.flank * (float(cycle.phases[step]) - cycle.now))
+            if loose:
+                _touch(system, at, {m: c.flank for m, c in active.items()})
+            for _ in range(0 if loose else 2):  # the deflection there moves the phase a little
+                at = _rest_at(system, at, held, state, rates)
+                for m, (_, phase) in _observed(system, at, [*active]):
+                    ahead = _nearest(float(active[m].phases[step]) - phase[active[m].flank])
+                    shift(records[m], active[m].flank * ahead)
+            both = tangents(system, at, _records(system, active))
+            for m, cycle in active.items():
+                total[m] += cycle.weights[step] * np.array([x[cycle.blocks.places] for x in both])
+    finally:
+        for m in batch:
+            _put_back(records[m], kept[m])
+        evaluate.residual(system, state)
+    return {m: (x[0], x[1]) for m, x in total.items()}
+
+
+def _put_back(record: np.void, kept: np.void) -> None:
+    """Give a mesh the place in its cycle that a copy of its record has."""
+    for name in _MOVED:
+        record[name] = kept[name]
+
+
+def _records(system: System, meshes: Collection[int]) -> dict[str, NDArray[np.int64]]:
+    """Numbers of the records of some meshes, by kind."""
+    found: dict[str, list[int]] = {}
+    places = mesh_places(system)
+    for m in meshes:
+        found.setdefault(places[m][0], []).append(places[m][1])
+    return {kind: np.array(rows, np.int64) for kind, rows in found.items()}
+
+
+def _observed(
+    system: System, state: State, meshes: Sequence[int]
+) -> Iterator[tuple[int, tuple[float, dict[int, float]]]]:
+    """Contact state of some meshes, and the phases of both flanks.
+
+    That of the back flank is left in the record by its own sum.
+    """
+    values, names, records = evaluate.observe(system, state), mesh_names(system), mesh_records(system)
+    for m in meshes:
+        contact, front = (
+            float(values[system.layout.channel(f"{c}[{names[m]}]")]) for c in ("contact_state", "mesh_phase")
+        )
+        yield m, (contact, {1: front, -1: float(records[m]["psi"])})
+
+
+def _cycle(system: System, m: int, observed: tuple[float, dict[int, float]]) -> _Cycle:
+    """Phases that a mesh goes through from where it is."""
+    record, (kind, n) = mesh_record(system, m), mesh_places(system)[m]
+    contact, phase = observed
+    flank = -1 if contact < 0.0 else 1
+    both = bool(contact == 2.0 or record["gap"] < 0.0)
+    phases, weights = cycle_nodes(record, flank, system.pools.get(kind, np.zeros(0)), both)
+    return _Cycle(flank, phase[flank], phases, weights, blocks_of(system, kind, n))
+
+
+def _nearest(difference: float) -> float:
+    """Difference of two phases in [-1/2, 1/2)."""
+    return (difference + 0.5) % 1.0 - 0.5
+
+
+def _rest_at(system: System, near: State, held: tuple[int, ...], like: State, rates: Array) -> State:
+    """Equilibrium under the loads at some rates, with the rates of `like` put into it."""
+    start = near.copy()
+    start.v[:] = rates
+    found = find_equilibrium(system, start, held).state
+    found.v[:] = like.v
+    return found

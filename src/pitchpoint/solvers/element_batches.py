@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Elements that are evaluated together because they have no coordinate in common, and the blocks of each."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.elements import registry
+from pitchpoint.solvers.element_tangents import Share, tangents
+from pitchpoint.solvers.null_space import connected
+from pitchpoint.system.system import State, System
+
+Array = NDArray[np.float64]
+
+SIGNALS = ("signal", "signal_of_loads")
+"""Kinds whose records reach bodies that their fields do not name."""
+
+
+@dataclass(frozen=True)
+class Block:
+    """Where an element has entries in a matrix of blocks.
+
+    Parameters
+    ----------
+    nodes
+        Numbers of the nodes that it moves.
+    pairs, places
+        Pairs of nodes that have a block, and the numbers of these blocks.
+    """
+
+    nodes: frozenset[int]
+    pairs: tuple[tuple[int, int], ...]
+    places: NDArray[np.int64]
+
+
+def blocks_of(system: System, kind: str, k: int) -> Block:
+    """Blocks that one element has entries in: of its bodies, and of those that they hang on."""
+    layout = system.layout
+    if kind in SIGNALS or not _bodies(system, kind, k):  # such as gravity
+        nodes = frozenset(layout.node_of) - {-1}
+        pairs = tuple(layout.blocks)
+    else:
+        bodies = {b for body in _bodies(system, kind, k) for b in _movers(system, body)}
+        nodes = frozenset(layout.node_of[b] for b in bodies) - {-1}
+        pairs = tuple((i, j) for i, j in product(sorted(nodes), sorted(nodes)) if (i, j) in layout.blocks)
+    return Block(nodes, pairs, np.array([layout.blocks[pair] for pair in pairs], np.int64))
+
+
+def apart(elements: Sequence[int], touched: Sequence[Collection[int]]) -> list[list[int]]:
+    """Elements in as few batches as come out when each goes into the first that touches nothing of it.
+
+    Examples
+    --------
+    >>> apart([5, 6, 7], [{1, 2}, {2, 3}, {3, 4}])
+    [[5, 7], [6]]
+    """
+    batches: list[list[int]] = []
+    used: list[set[int]] = []
+    for element, own in zip(elements, touched, strict=True):
+        for batch, taken in zip(batches, used, strict=True):
+            if taken.isdisjoint(own):
+                batch.append(element)
+                taken.update(own)
+                break
+        else:
+            batches.append([element])
+            used.append(set(own))
+    return batches
+
+
+def machines_of(system: System) -> NDArray[np.int64]:
+    """Number of the machine of every body: bodies that no element joins do not act on each other.
+
+    Ground is 0; damping of the whole model acts on speeds alone and joins nothing.
+    """
+    body = system.program["body"]
+    rows = [{b: 1.0, int(body[b]["parent"]): 1.0} for b in range(1, len(body)) if body[b]["parent"]]
+    rows += [{b: 1.0, int(body[b]["spinner"]): 1.0} for b in range(1, len(body)) if body[b]["spinner"]]
+    for kind, records in system.records.items():
+        if kind == "damping":
+            continue
+        if kind in SIGNALS:
+            rows.append(dict.fromkeys(range(1, len(body)), 1.0))
+        rows += [dict.fromkeys(own, 1.0) for k in range(len(records)) if (own := _bodies(system, kind, k))]
+    found = np.zeros(len(body), np.int64)
+    for number, members in enumerate(connected(rows, range(1, len(body))), start=1):
+        found[members] = number
+    return found
+
+
+def stiffness_by_element(
+    system: System, state: State, elements: Sequence[tuple[str, int]]
+) -> Iterator[tuple[Block, Array, Array]]:
+    """Blocks, damping and stiffness of elements, given by kind and number of the record, one by one.
+
+    Damping and stiffness have the shape (number of blocks, 6, 6).
+    """
+    blocks = [blocks_of(system, kind, k) for kind, k in elements]
+    found: dict[int, tuple[Array, Array]] = {}
+    for batch in apart(range(len(elements)), [b.nodes for b in blocks]):
+        rows: dict[str, list[int]] = {}
+        for e in batch:
+            rows.setdefault(elements[e][0], []).append(elements[e][1])
+        D, K = tangents(system, state, {kind: np.array(own, np.int64) for kind, own in rows.items()})
+        for e in batch:
+            found[e] = D[blocks[e].places], K[blocks[e].places]
+    for e, own in enumerate(blocks):
+        yield (own, *found[e])
+
+
+def share_of_blocks(system: System, block: Block, values: Array) -> Share:
+    """Cut the blocks of an element down to the coordinates that it has entries for."""
+    layout = system.layout
+    nodes = sorted(block.nodes)
+    sizes = [layout.node_size[n] for n in nodes]
+    at = dict(zip(nodes, np.cumsum([0, *sizes])[:-1].tolist(), strict=True))
+    places = np.array([layout.node_dof[n] + k for n in nodes for k in range(layout.node_size[n])], np.int64)
+    whole = np.zeros((places.size, places.size))
+    for (i, j), value in zip(block.pairs, values, strict=True):
+        n, m = layout.node_size[i], layout.node_size[j]
+        whole[at[i] : at[i] + n, at[j] : at[j] + m] = value[:n, :m]
+    used = np.flatnonzero(np.any(whole != 0.0, axis=0) | np.any(whole != 0.0, axis=1))
+    return Share(places[used], whole[np.ix_(used, used)])
+
+
+def _bodies(system: System, kind: str, k: int) -> set[int]:
+    """Bodies that a record names, without ground."""
+    records = system.records[kind]
+    fields = {field for pair in registry.find(kind).pairs for field in pair} & set(records.dtype.names or ())
+    return {int(records[k][field]) for field in fields} - {0}
+
+
+def _movers(system: System, b: int) -> set[int]:
+    """A body, what it hangs on, and the bodies whose spins they have."""
+    body = system.program["body"]
+    found: set[int] = set()
+    waiting = [b]
+    while waiting:
+        b = waiting.pop()
+        if b and b not in found:
+            found.add(b)
+            waiting += [int(body[b]["parent"]), int(body[b]["spinner"])]
+    return found

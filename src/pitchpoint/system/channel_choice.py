@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Channels of a system by their names or by patterns of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import INCONSISTENT
+
+if TYPE_CHECKING:
+    from pitchpoint.system.system import System
+
+
+def chosen_channels(system: System, patterns: Sequence[str]) -> list[int]:
+    """Numbers of the channels that some patterns name, in the order of the system; all without patterns.
+
+    Parameters
+    ----------
+    system
+        The system.
+    patterns
+        Names of channels; * stands for any characters, as in `mesh_force[*]`.
+
+    Raises
+    ------
+    SolverError
+        If a pattern names no channel.
+    """
+    names = [c.name for c in system.layout.channels]
+    if not patterns:
+        return list(range(len(names)))
+    found: set[int] = set()
+    for pattern in patterns:
+        whole = re.compile(".*".join(map(re.escape, pattern.split("*"))))
+        hits = {k for k, name in enumerate(names) if whole.fullmatch(name)}
+        if not hits:
+            from difflib import get_close_matches
+
+            near = get_close_matches(pattern, names, n=1) or names[:1]
+            raise SolverError(
+                f"channels: {pattern!r} matches none of the {len(names)} channels; an example is "
+                f"{' '.join(near)} (* stands for any characters)",
+                INCONSISTENT,
+            )
+        found |= hits
+    return sorted(found)
