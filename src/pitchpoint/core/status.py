@@ -20,6 +20,7 @@ INTERRUPTED = 9
 BAD_CENTRE = 10
 TABLE_RANGE = 11
 CONTROLLER = 12
+UNBOUNDED = 13
 
 _SENTENCES = {
     DIED: "an element kernel stopped with an exception",
@@ -27,14 +28,15 @@ _SENTENCES = {
     REFUSED: "these values describe no possible model",
     SINGULAR: "the iteration matrix is singular: some motion has neither inertia nor stiffness",
     NOT_FINITE: "a force or coordinate became infinite or not a number",
-    DIVERGED: "the Newton iteration diverged; try a smaller step",
-    SLOW: "the Newton iteration converges too slowly; try a smaller step",
+    DIVERGED: "the Newton iteration diverged",
+    SLOW: "the Newton iteration converges too slowly",
     INCONSISTENT: "the constraints contradict each other",
     STEP_UNDERFLOW: "the step size fell below the resolution of the time axis",
     INTERRUPTED: "interrupted by the user; the result so far is kept",
     BAD_CENTRE: "two gears came closer than their base circles allow",
     TABLE_RANGE: "a table was asked for a value outside its range",
     CONTROLLER: "a controller failed",
+    UNBOUNDED: "the solution grew without bound",
 }
 
 
