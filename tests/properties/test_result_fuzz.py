@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pitchpoint.io.container import lookup3
 from pitchpoint.io.results import Channel, Header, ResultWriter
+from pitchpoint.io.superblock import lookup3
 
 CASES = 80
 SOON = 120.0

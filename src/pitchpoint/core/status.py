@@ -20,6 +20,7 @@ INTERRUPTED = 9
 BAD_CENTRE = 10
 TABLE_RANGE = 11
 CONTROLLER = 12
+NOT_WRITTEN = 13
 
 _SENTENCES = {
     DIED: "an element kernel stopped with an exception",
@@ -35,6 +36,7 @@ _SENTENCES = {
     BAD_CENTRE: "two gears came closer than their base circles allow",
     TABLE_RANGE: "a table was asked for a value outside its range",
     CONTROLLER: "a controller failed",
+    NOT_WRITTEN: "the result cannot be written to the disk",
 }
 
 

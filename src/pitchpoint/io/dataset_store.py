@@ -20,8 +20,16 @@ from typing import Any
 from pitchpoint.core.status import OK
 from pitchpoint.io.claim import is_held
 from pitchpoint.io.container import FAILED, FINISHED, Header, MemoryContainer
+from pitchpoint.io.csv_cells import plain_cell
 from pitchpoint.io.reading import header_in
-from pitchpoint.io.target import INDEX_HEAD, OutputError, cannot_be_written, check_target
+from pitchpoint.io.target import (
+    INDEX_HEAD,
+    OutputError,
+    cannot_be_written,
+    check_target,
+    replacing,
+    write_draft,
+)
 
 CASES = "cases"
 DRAFT = ".draft-"
@@ -131,9 +139,10 @@ class DatasetFolder:
         target = check_target(self.path / name, "index")
         text = io.StringIO()
         head = INDEX_HEAD.split(",")
-        writer = csv.DictWriter(text, [*head, *columns], restval="", lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+        names = [*head, *columns]
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow([plain_cell(name) for name in names])
+        writer.writerows([plain_cell(row.get(name, "")) for name in names] for row in rows)
         try:
             _put(target, text.getvalue().encode())
         except OSError as error:
@@ -144,18 +153,11 @@ class DatasetFolder:
 def _put(target: Path, data: bytes) -> None:
     """Replace a file as a whole, or leave it; what was written is on the disk then."""
     draft = target.parent / f"{DRAFT}{target.name}-{os.getpid()}-{threading.get_ident()}"
-    try:
-        for attempt in range(ATTEMPTS):
-            try:
-                with draft.open("wb") as file:
-                    file.write(data)
-                    file.flush()
-                    os.fsync(file.fileno())
-                draft.replace(target)
-                return
-            except FileNotFoundError:  # another run that begins took the draft for one that nobody writes
-                if attempt + 1 == ATTEMPTS:
-                    raise
-    finally:
-        with contextlib.suppress(OSError):
-            draft.unlink(missing_ok=True)
+    for attempt in range(ATTEMPTS):
+        try:
+            with replacing(target, draft):
+                write_draft(draft, data)
+            return
+        except FileNotFoundError:  # another run that begins took the draft for one that nobody writes
+            if attempt + 1 == ATTEMPTS:
+                raise

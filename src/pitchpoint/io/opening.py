@@ -20,7 +20,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.io.claim import share
-from pitchpoint.io.container import FORMAT, RUNNING, ResultError, unmarked
+from pitchpoint.io.container import FORMAT, RUNNING, ResultError
+from pitchpoint.io.superblock import unmarked
 
 if TYPE_CHECKING:
     import h5py

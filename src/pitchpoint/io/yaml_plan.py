@@ -32,5 +32,7 @@ def load_plan(path: str | Path, allow_code: bool = False) -> DatasetPlan:
         tree = Tree(text_of(path))
     except TreeError as error:
         raise ModelError([error.problem], str(path)) from None
-    reader = Reader(lines=tree.lines, allow_code=allow_code, directory=str(Path(path).parent), problems=tree.problems)
+    reader = Reader(
+        lines=tree.lines, allow_code=allow_code, directory=str(Path(path).parent), problems=tree.problems
+    )
     return read_plan(tree.data, reader, str(path))

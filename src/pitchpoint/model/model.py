@@ -208,7 +208,13 @@ class Model:
         """
         model = object.__new__(cls)
         plain = {n: v for n, v in {**defaults_of(cls), **keys}.items() if n not in GROUPS}
-        own = {"file": file, "lines": lines, "changed": None, "damping": parts.damping, "allow_code": allow_code}
+        own = {
+            "file": file,
+            "lines": lines,
+            "changed": None,
+            "damping": parts.damping,
+            "allow_code": allow_code,
+        }
         for name, value in {**plain, **own}.items():
             object.__setattr__(model, name, value)
         model._settle(parts)

@@ -204,13 +204,21 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
         report.problem(
             ("scenario",), f"is no scenario over time: {scenario}", remedy=_near(scenario, over_time)
         )
-    for name, levels in plan.factors.items():
+    for levels in plan.factors.values():
         for level in levels:
             _check_level(level, model, report, plan.allow_code)
     for path in plan.jitter:
         changed = next((lv.changes for f in plan.factors.values() for lv in f if path in lv.changes), {})
         try:
-            if number_at(model.replace_all({path: changed[path]}, allow_code=plan.allow_code) if changed else model, path) is None:
+            if (
+                number_at(
+                    model.replace_all({path: changed[path]}, allow_code=plan.allow_code)
+                    if changed
+                    else model,
+                    path,
+                )
+                is None
+            ):
                 remedy = "name a key of the model that holds one number"
                 report.problem(("jitter", path), "is no number of the model", remedy=remedy)
         except ModelError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python code of a file runs with `--allow-code` only, whichever file names it; the working folder is no library."""
+"""Python code runs with `--allow-code` only, whichever file names it, and never from the working folder."""
 
 from __future__ import annotations
 
@@ -34,7 +34,9 @@ COMMANDS = {
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    plan = PLAN.replace("factors:\n  torque: {loads.input.torque: [100 N m, 150 N m]}\n", FACTOR).replace("jitter: {loads.input.torque: 1 %}\n", "")
+    plan = PLAN.replace("factors:\n  torque: {loads.input.torque: [100 N m, 150 N m]}\n", FACTOR).replace(
+        "jitter: {loads.input.torque: 1 %}\n", ""
+    )
     written(tmp_path, plan, MODEL)
     (tmp_path / "law.py").write_text(CODE)
     monkeypatch.chdir(tmp_path)
