@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A disk that refuses: a sentence and an exit code; stored samples can be read, and older files stay whole."""
+"""A disk that refuses: a sentence and an exit code; stored samples are readable, older files stay whole."""
 
 from __future__ import annotations
 
