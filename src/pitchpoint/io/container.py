@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import contextlib
 import datetime
+import errno
 import json
 import os
 from collections.abc import Iterator, Mapping, Sequence
@@ -24,7 +25,7 @@ from pitchpoint.core.status import NOT_WRITTEN
 from pitchpoint.io.claim import is_at, keep, make_way
 from pitchpoint.io.disk_fault import WriteError, abandon, conclude
 from pitchpoint.io.superblock import clear_writer_flag
-from pitchpoint.io.target import cannot_be_written, check_target, make_folder
+from pitchpoint.io.target import cannot_be_written, check_target, disk_errno, make_folder
 
 if TYPE_CHECKING:
     import h5py
@@ -126,21 +127,27 @@ class Container:
         except PitchpointError:
             raise
         except (OSError, RuntimeError) as error:
-            kept = self._flushed is not None
-            fault = WriteError(self.path, error, kept=kept)
-            self._open = False
-            self._growing.clear()
-            abandon(self.file)
-            if kept:
-                texts = {
-                    "status": self._fixed("status", FAILED),
-                    "sentence": self._fixed("sentence", str(fault)),
-                }
-                conclude(self._place, texts, NOT_WRITTEN, self._flushed or {})
-            else:
-                with contextlib.suppress(OSError):
-                    self._place.unlink()
-            raise fault from error
+            raise self._give_up(error) from error
+
+    def _give_up(self, error: OSError | RuntimeError) -> PitchpointError:
+        """Cut the file off from the disk and let it say why; gives the error to raise."""
+        there = False  # another writer's file of this name is left alone
+        with contextlib.suppress(OSError, RuntimeError):
+            there = is_at(self.file.id.get_vfd_handle(), self._place)
+        kept = there and self._flushed is not None
+        fault: PitchpointError = WriteError(self.path, error, kept=kept)
+        if disk_errno(error) == errno.EAGAIN:
+            fault = ResultError(cannot_be_written(self.path, BlockingIOError()))
+        self._open = False
+        self._growing.clear()
+        abandon(self.file)
+        if kept:
+            texts = {"status": self._fixed("status", FAILED), "sentence": self._fixed("sentence", str(fault))}
+            conclude(self._place, texts, NOT_WRITTEN, self._flushed or {})
+        elif there:
+            with contextlib.suppress(OSError):
+                self._place.unlink()
+        return fault
 
     def _make_file(self) -> h5py.File:
         """Replace what stands there by a new file; a link goes on pointing to it."""
