@@ -154,7 +154,13 @@ def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, 
         status, sentence, _ = how_it_ended(error)
         wall_s = time.perf_counter() - begun
         partial = getattr(error, "partial", None)
-        summary = {"status": status, "sentence": sentence, "wall_s": wall_s, "output": partial, "notes": []}
+        summary: dict[str, Any] = {
+            "status": status,
+            "sentence": sentence,
+            "wall_s": wall_s,
+            "output": partial,
+            "notes": [],
+        }
         return summary | dict(empty), error
 
 
