@@ -22,6 +22,7 @@ TABLE_RANGE = 11
 CONTROLLER = 12
 JAMMED = 13
 UNBOUNDED = 14
+NOT_WRITTEN = 15
 
 _SENTENCES = {
     DIED: "an element kernel stopped with an exception",
@@ -40,6 +41,7 @@ _SENTENCES = {
     JAMMED: "friction and the loads that cause it do not settle: the mechanism jams, or a controller feeds a "
     "sensed load back with too high a gain; reduce the coefficient of friction or the gain",
     UNBOUNDED: "the solution grew without bound",
+    NOT_WRITTEN: "the result cannot be written to the disk",
 }
 
 
