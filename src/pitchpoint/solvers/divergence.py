@@ -7,14 +7,13 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.core.status import BAD_CENTRE, DIVERGED, NOT_FINITE, SLOW, UNBOUNDED
 from pitchpoint.solvers.sampling import GREATEST
 from pitchpoint.solvers.step_choice import choose_step
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.solvers.sampling import Chunk
     from pitchpoint.solvers.start import Start
@@ -43,7 +42,7 @@ def fastest(system: System) -> tuple[str, float, bool]:
     return system.layout.coordinates[k], float(w.v[k]), not rates[k] < FASTEST
 
 
-def sentence_of(system: System, chunk: Chunk, t: float, channels: Sequence[int]) -> str:
+def sentence_of(system: System, chunk: Chunk, t: float, channels: NDArray[np.int64]) -> str:
     """Name what has left all bounds, and when.
 
     Parameters
