@@ -125,8 +125,8 @@ def run_command(arguments: list[str]) -> int:
     from pitchpoint.cli.failure import exit_code_of, show_warnings_plainly
     from pitchpoint.core import companion
 
-    if not {"-q", "--quiet"} & set(arguments):
-        companion.listen(partial(click.echo, err=True))
+    quiet = bool({"-q", "--quiet"} & set(arguments))
+    companion.listen((lambda _: None) if quiet else partial(click.echo, err=True))
     with warnings.catch_warnings():
         show_warnings_plainly()
         try:

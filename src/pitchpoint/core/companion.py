@@ -8,6 +8,7 @@ for that report and loads it. A companion that fails only costs time: what it di
 from __future__ import annotations
 
 import importlib
+import logging
 import os
 import sys
 from collections.abc import Callable, Sequence
@@ -15,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.core.compiling import unhindered
+from pitchpoint.core.machine_code import clear_drafts, is_stock
 
 if TYPE_CHECKING:
     import subprocess
@@ -22,17 +24,29 @@ if TYPE_CHECKING:
 _pending: dict[str, subprocess.Popen[str]] = {}
 
 _listeners: list[Callable[[str], None]] = []
+_announced: list[bool] = []
 
 
 def listen(function: Callable[[str], None]) -> None:
-    """Let a function be told, once and in a sentence, that kernels are being compiled."""
+    """Let a function receive what is to be reported about compiling, in sentences."""
     _listeners[:] = [function]
+    _announced.clear()
 
 
 def announce() -> None:
-    """Tell people, once, why the first start takes longer."""
-    while _listeners:
-        _listeners.pop()("compiling kernels for this machine: about 20 s, once")
+    """Report, once, why the first start takes longer."""
+    if not _announced:
+        _announced.append(True)
+        for listener in _listeners:
+            listener(f"compiling kernels for this machine: about {45 if is_stock() else 20} s, once")
+
+
+def notice(text: str) -> None:
+    """Report a sentence about the compiler to the command that listens, otherwise to the log."""
+    for listener in _listeners:
+        listener(text)
+    if not _listeners:
+        logging.getLogger("pitchpoint").warning(text)
 
 
 def cores() -> int:
@@ -63,8 +77,6 @@ def delegate(entries: Sequence[str]) -> None:
 
 def await_entry(entry: str) -> None:
     """Wait until the companion has finished an entry, or has ended; at once if it was not asked for it."""
-    from pitchpoint.core.machine_code import clear_drafts
-
     while entry in _pending:
         process = _pending[entry]
         assert process.stdout is not None

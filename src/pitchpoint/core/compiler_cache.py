@@ -22,16 +22,7 @@ from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLoca
 from numba.core.serialize import dumps
 
 from pitchpoint.core import machine_code
-
-
-class Liberties(set[str]):
-    """Liberties taken with numbers; they print in one order in every process, as names of code hold them."""
-
-    def __repr__(self) -> str:
-        return repr(sorted(self))
-
-
-FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": Liberties({"contract", "nsz"})}
+from pitchpoint.core.compiler_intrinsics import FLAGS
 
 
 class Locator(_CacheLocator):

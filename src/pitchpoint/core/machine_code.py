@@ -88,8 +88,13 @@ def _settings() -> str:
     version = Path(str(found.origin)).with_name("_version.py") if found else Path()
     numba = version.read_text(encoding="utf-8") if version.is_file() else _installed_version("numba")
     processor = (llvm.get_process_triple(), llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten())
-    text = repr((llvmlite.__version__, numba, sys.version_info[:2], options, processor))
+    text = repr((llvmlite.__version__, numba, sys.version_info[:2], options, processor, is_stock()))
     return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def is_stock() -> bool:
+    """Whether the user wants kernels compiled through the public interface of Numba alone."""
+    return os.environ.get("PITCHPOINT_STOCK_NUMBA", "0").strip() not in ("", "0")
 
 
 def _installed_version(name: str) -> str:
@@ -200,6 +205,17 @@ def is_refused(function: Any) -> bool:
     """Whether it is known that the code of an entry cannot live without the compiler."""
     found = _read(function)
     return found is not None and not found[1]
+
+
+def declared(module: Any) -> list[str]:
+    """Symbols that a module of LLVM expects in the process."""
+    functions = [f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")]
+    return functions + [g.name for g in module.global_variables if g.is_declaration]
+
+
+def is_foreign(needs: list[str]) -> bool:
+    """Whether some of these symbols belong to Numba's run time or to the interpreter."""
+    return any(n.startswith(("NRT_", "numba_", "_Py", "Py")) for n in {*needs} - {UNREACHED})
 
 
 def load(function: Any) -> int | None:

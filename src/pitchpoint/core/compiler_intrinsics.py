@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Options of every compilation, and the calls through addresses: what both ways through Numba share."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from llvmlite import ir
+from numba import types
+from numba.extending import intrinsic
+
+
+class Liberties(set[str]):
+    """Liberties taken with numbers; they print in one order in every process, as names of code hold them."""
+
+    def __repr__(self) -> str:
+        return repr(sorted(self))
+
+
+FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": Liberties({"contract", "nsz"})}
+ENTRY = types.int64(types.int64, types.int64, types.int64)
+LAW = types.float64(types.float64, types.float64, types.CPointer(types.float64))
+
+
+@intrinsic
+def pointer(typingctx, where):
+    """An address as a pointer."""
+
+    def generate(context, builder, signature, args):
+        """Machine code of the conversion."""
+        return builder.inttoptr(args[0], context.get_value_type(types.voidptr))
+
+    return types.voidptr(types.int64), generate
+
+
+@intrinsic
+def call_entry(typingctx, where, a, b, c):
+    """Call an entry through its address."""
+
+    def generate(context, builder, signature, args):
+        """Machine code of a call to an entry."""
+        word = ir.IntType(64)
+        function = builder.inttoptr(args[0], ir.FunctionType(word, [word] * 3).as_pointer())
+        return builder.call(function, args[1:])
+
+    return types.int64(*[types.int64] * 4), generate
+
+
+@intrinsic
+def call_law(typingctx, where, t, x, p):
+    """Call a user law through its address; p is the address of its parameters."""
+
+    def generate(context, builder, signature, args):
+        """Machine code of a call to a law."""
+        real = ir.DoubleType()
+        form = ir.FunctionType(real, [real, real, real.as_pointer()])
+        function = builder.inttoptr(args[0], form.as_pointer())
+        return builder.call(function, [args[1], args[2], builder.inttoptr(args[3], real.as_pointer())])
+
+    return types.float64(types.int64, types.float64, types.float64, types.int64), generate
