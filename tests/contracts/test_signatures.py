@@ -15,7 +15,7 @@ import importlib, sys
 from numba.core.compiler import _LowerResult
 from numba.core.funcdesc import PythonFunctionDescriptor
 from numba.core.lowering import Environment
-from pitchpoint.core import compiler, compiler_parts, kernel as door
+from pitchpoint.core import compiler_parts, compiler_private, kernel as door
 from pitchpoint.core.compiling import unhindered
 from pitchpoint.core.kernel import Kernel
 
@@ -31,11 +31,11 @@ def typed_only(self, state):
     return True
 
 compiler_parts.PartLowering.run_pass = typed_only
-compiler.Dispatcher.enable_caching = lambda self: None
+compiler_private.Dispatcher.enable_caching = lambda self: None
 for entry in sys.argv[1:]:
     module, name = entry.split(":")
     found = getattr(importlib.import_module(module), name)
-    unhindered(lambda: found.dispatcher.compile(compiler._ENTRY.args))
+    unhindered(lambda: found.dispatcher.compile(compiler_private.ENTRY.args))
 for name, module in list(sys.modules.items()):
     if name.startswith("pitchpoint.") and module is not door:
         for key, value in vars(module).items():

@@ -82,6 +82,7 @@ def test_driver_reaches_the_core_but_no_kind():
     assert {"residual.py", "block_lu.py", "kinematics.py", "channels.py", "kernel.py"} <= names
 
 
+@pytest.mark.stock
 @pytest.mark.slow
 def test_an_edited_helper_is_noticed_and_an_unchanged_kind_is_loaded(tmp_path):
     write(tmp_path / "outsider/__init__.py", "")
@@ -165,6 +166,7 @@ CALL = """
 """
 
 
+@pytest.mark.stock
 @pytest.mark.slow
 def test_entries_that_need_the_compiler_at_run_time_are_left_to_it(tmp_path):
     write(tmp_path / "outsider/__init__.py", "")
@@ -185,7 +187,10 @@ START = """
 
 @pytest.mark.slow
 @pytest.mark.skipif(not COMPILING, reason="a start is warm where the machine code is kept from before")
-@pytest.mark.parametrize("command", [["modes"], ["run", "-s", "steady"], ["sweep", "-s", "sweep"]])
+@pytest.mark.parametrize(
+    "command",
+    [["modes"], pytest.param(["run", "-s", "steady"], marks=pytest.mark.stock), ["sweep", "-s", "sweep"]],
+)
 def test_a_warm_start_imports_neither_the_compiler_nor_other_heavy_packages(tmp_path, command):
     (tmp_path / "model.yaml").write_text(
         TORSION.replace("0.5 s", "1 ms")
@@ -219,6 +224,7 @@ def ask(where, t, x, p):
     return call_law(where, t, x, p)
 
 
+@pytest.mark.stock
 @pytest.mark.nojit
 def test_user_laws_compiled_or_plain_give_the_same_call():
     p = np.array([3.0])
@@ -226,6 +232,7 @@ def test_user_laws_compiled_or_plain_give_the_same_call():
     assert ask(law_address(plain_law), 1.0, 2.0, p.ctypes.data) == 6.0
 
 
+@pytest.mark.stock
 @pytest.mark.nojit
 def test_an_exception_in_a_plain_law_becomes_nan():
     assert np.isnan(ask(law_address(failing_law), 0.0, 0.0, np.zeros(1).ctypes.data))
@@ -253,14 +260,15 @@ SMALL = """
 """
 
 
+@pytest.mark.stock
 @pytest.mark.slow
-def test_the_run_without_the_compiler_agrees():
+def test_the_runs_without_the_compiler_and_with_the_stock_one_agree():
     root = str(os.path.abspath(os.path.join(os.path.dirname(__file__), "../../..")))
     results = []
-    for flag in ("0", "1"):
+    for jit, stock in (("0", "0"), ("1", "0"), ("0", "1")):
         done = subprocess.run(
             [sys.executable, "-c", textwrap.dedent(SMALL.format(root=root))],
-            env={**os.environ, "NUMBA_DISABLE_JIT": flag},
+            env={**os.environ, "NUMBA_DISABLE_JIT": jit, "PITCHPOINT_STOCK_NUMBA": stock},
             capture_output=True,
             text=True,
             check=False,
@@ -268,7 +276,8 @@ def test_the_run_without_the_compiler_agrees():
         assert done.returncode == 0, done.stderr
         results.append(np.array([float.fromhex(x) for x in done.stdout.split()]))
     scale = np.abs(results[0]).max()
-    np.testing.assert_allclose(results[1], results[0], rtol=1e-12, atol=1e-12 * scale)
+    for other in results[1:]:
+        np.testing.assert_allclose(other, results[0], rtol=1e-12, atol=1e-12 * scale)
 
 
 class _Named:
