@@ -11,42 +11,24 @@ import importlib
 import logging
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.core.compiling import unhindered
 from pitchpoint.core.machine_code import clear_drafts, is_stock
+from pitchpoint.core.notices import notice
 
 if TYPE_CHECKING:
     import subprocess
 
 _pending: dict[str, subprocess.Popen[str]] = {}
 
-_listeners: list[Callable[[str], None]] = []
-_announced: list[bool] = []
-
-
-def listen(function: Callable[[str], None]) -> None:
-    """Let a function receive what is to be reported about compiling, in sentences."""
-    _listeners[:] = [function]
-    _announced.clear()
-
 
 def announce() -> None:
-    """Report, once, why the first start takes longer."""
-    if not _announced:
-        _announced.append(True)
-        for listener in _listeners:
-            listener(f"compiling kernels for this machine: about {45 if is_stock() else 20} s, once")
-
-
-def notice(text: str) -> None:
-    """Report a sentence about the compiler to the command that listens, otherwise to the log."""
-    for listener in _listeners:
-        listener(text)
-    if not _listeners:
-        logging.getLogger("pitchpoint").warning(text)
+    """Report why the first start takes longer."""
+    seconds = 45 if is_stock() else 20
+    notice(f"compiling kernels for this machine: about {seconds} s, once", logging.INFO)
 
 
 def cores() -> int:

@@ -21,8 +21,8 @@ from numba.extending import typeof_impl
 
 from pitchpoint.core import kernel as door
 from pitchpoint.core import machine_code
-from pitchpoint.core.companion import notice
 from pitchpoint.core.compiler_intrinsics import ENTRY, FLAGS, LAW, call_entry, call_law, pointer
+from pitchpoint.core.notices import notice
 
 TESTED = (0, 61), (0, 69)
 """Versions of Numba for which `compiler_private` was tested: from the first up to below the second."""

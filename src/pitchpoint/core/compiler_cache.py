@@ -55,10 +55,11 @@ class Locator(_CacheLocator):
             return None
         self = cls(py_func, py_file)
         try:
+            machine_code.make_folder(Path(self._path))
             self.ensure_cache_path()
         except OSError:
             return None
-        return self
+        return self if machine_code.is_trusted(Path(self._path)) else None
 
 
 CompileResultCacheImpl._locator_classes = [Locator, *CompileResultCacheImpl._locator_classes]

@@ -15,6 +15,7 @@ import hashlib
 import importlib.util
 import os
 import shutil
+import stat
 import sys
 import tempfile
 import time
@@ -23,6 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from pitchpoint.core.import_closure import import_closure
+from pitchpoint.core.notices import notice
 
 _HEAD = b"pitchpoint machine code 1"
 
@@ -109,7 +111,9 @@ def symbol(function: Any) -> str:
 
 
 def code_file(function: Any) -> Path | None:
-    """File of the machine code of an entry, written yet or not; None if its sources are not in files.
+    """File of the machine code of an entry, written yet or not; None if it cannot have one.
+
+    It has none if its sources are not in files, or if other users can write to the cache.
 
     Parameters
     ----------
@@ -117,7 +121,7 @@ def code_file(function: Any) -> Path | None:
         The plain Python function of the entry.
     """
     source = function.__code__.co_filename
-    if function.__closure__ or not os.path.exists(source):
+    if function.__closure__ or not os.path.exists(source) or not is_trusted(_folder()):
         return None
     line = function.__code__.co_firstlineno  # tells functions of one name apart
     name = f"{_family(function)}-{line}-{source_stamp(source)[:32]}.code"
@@ -128,10 +132,45 @@ def _folder() -> Path:
     return cache_folder() / "entries" / _settings()
 
 
+def make_folder(folder: Path) -> None:
+    """Make a folder of the cache, with those above it; nobody else may write to what is new."""
+    if not folder.is_dir():
+        make_folder(folder.parent)
+        folder.mkdir(mode=0o700, exist_ok=True)
+
+
+@cache
+def is_trusted(folder: Path) -> bool:
+    """Whether nobody but the user and the administrator can put code into a folder; reported if not.
+
+    What lies there is executed. Folders above count, too: who may write to one can replace what is in it,
+    unless its sticky bit reserves that for the owner.
+    """
+    if os.name != "posix":
+        return True
+    folder = folder.absolute()
+    for place in (folder, *folder.parents):
+        try:
+            found = place.stat()
+        except OSError:  # it does not exist yet
+            continue
+        shared = stat.S_IWOTH | stat.S_IWGRP if place == folder else stat.S_IWOTH
+        is_open = found.st_mode & shared and not (place != folder and found.st_mode & stat.S_ISVTX)
+        if is_open or found.st_uid not in (0, os.getuid()):
+            notice(
+                f"{place}: other users can write to this folder of compiled kernels, so it is not used and "
+                "every start compiles; remove their permission (chmod go-w) or set NUMBA_CACHE_DIR"
+            )
+            return False
+    return True
+
+
 def can_save() -> bool:
-    """Whether machine code can be kept: whether the user may write to the cache."""
+    """Whether machine code can be kept: whether the user, and nobody else, may write to the cache."""
     try:
-        _folder().mkdir(parents=True, exist_ok=True)
+        make_folder(_folder())
+        if not is_trusted(_folder()):
+            return False
         with tempfile.TemporaryFile(dir=_folder()):
             return True
     except OSError:
@@ -162,7 +201,7 @@ def save(function: Any, code: bytes, needs: list[str]) -> None:
     body = " ".join(needs).encode() + b"\n" + code
     data = b"\n".join([_HEAD, hashlib.sha256(body).hexdigest().encode(), body])
     with contextlib.suppress(OSError):  # a cache that cannot be written costs time only
-        file.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(file.parent)
         with tempfile.TemporaryDirectory(prefix=f"{_DRAFT}{os.getpid()}-", dir=file.parent) as draft:
             whole = Path(draft, file.name)
             whole.write_bytes(data)

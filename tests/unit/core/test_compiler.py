@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from pitchpoint.core import companion, machine_code
+from pitchpoint.core import machine_code, notices
 from pitchpoint.core.kernel import COMPILING
 
 if COMPILING:
@@ -28,7 +28,8 @@ def heard(monkeypatch):
     reports: list[str] = []
     monkeypatch.delenv("PITCHPOINT_STOCK_NUMBA", raising=False)
     monkeypatch.setattr(compiler, "_ways", [])
-    monkeypatch.setattr(companion, "_listeners", [reports.append])
+    monkeypatch.setattr(notices, "_listeners", [reports.append])
+    monkeypatch.setattr(notices, "_given", set())
     return reports
 
 
@@ -67,8 +68,9 @@ def test_who_asks_for_stock_numba_gets_it_in_silence_and_in_a_folder_of_its_own(
 
 
 def test_without_a_listener_the_report_goes_to_the_log(monkeypatch, caplog):
-    monkeypatch.setattr(companion, "_listeners", [])
-    companion.notice("a sentence")
+    monkeypatch.setattr(notices, "_listeners", [])
+    notices.notice("a sentence")
+    notices.notice("a sentence")
     assert caplog.messages == ["a sentence"]
 
 
@@ -115,7 +117,7 @@ def entry(ctl, rec, n):
     ("change", "error"),
     [
         ("del codegen.JITCodeLibrary", "ImportError"),
-        ("del codegen.CodeLibrary.serialize_using_object_code", "AttributeError"),
+        ("del codegen.CPUCodeLibrary.serialize_using_object_code", "AttributeError"),
     ],
 )
 def test_kernels_compile_where_numba_renamed_its_parts(tmp_path, change, error):

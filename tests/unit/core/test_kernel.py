@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core import kernel as door
-from pitchpoint.core import machine_code
+from pitchpoint.core import machine_code, notices
 from pitchpoint.core.import_closure import import_closure
 from pitchpoint.core.kernel import COMPILING, call_law, kernel, law_address
 from tests.support.cli_files import TORSION
@@ -159,7 +159,7 @@ UNFIT = """
 """
 CALL = """
     from outsider.kind import allocating, fit, raising
-    from pitchpoint.core import machine_code
+    from pitchpoint.core import machine_code, notices
     from pitchpoint.core.kernel import invoke
     print(*(invoke(f, 0, 0, n) for f, n in ((raising, 1), (raising, 2), (allocating, 7), (fit, 6))))
     print(*(machine_code.is_refused(f.py_func) for f in (raising, allocating, fit)))
@@ -201,6 +201,44 @@ def test_a_warm_start_imports_neither_the_compiler_nor_other_heavy_packages(tmp_
     for _ in range(2):  # the first fills the cache, if it has to
         done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.stdout.split() == ["0"], done.stdout + done.stderr
+
+
+@pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
+@pytest.mark.parametrize("place", ["entries", ".", "entries/settings"])
+def test_a_cache_that_others_can_write_is_not_used(tmp_path, monkeypatch, caplog, place):
+    """Machine code from there is executed: another user could have put it there."""
+    (tmp_path / "kind.py").write_text("def entry():\n    return 1\n")
+    cache = tmp_path / "cache"
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(cache))
+    monkeypatch.setattr(machine_code, "_settings", lambda: "settings")
+    monkeypatch.setattr(notices, "_listeners", [])
+    monkeypatch.setattr(notices, "_given", set())
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.delitem(sys.modules, "kind", raising=False)
+    import kind
+
+    machine_code.is_trusted.cache_clear()
+    machine_code.save(kind.entry, b"code", ["sin"])
+    assert machine_code._read(kind.entry) == (["sin"], b"code")
+    (cache / place).chmod(0o777)
+    machine_code.is_trusted.cache_clear()
+    assert machine_code._read(kind.entry) is None
+    assert machine_code.load(kind.entry) is None
+    assert not machine_code.can_save()
+    (line,) = caplog.messages
+    assert line.startswith(str((cache / place).resolve()))
+    assert "chmod go-w" in line
+    machine_code.is_trusted.cache_clear()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
+def test_new_folders_of_the_cache_belong_to_the_user_alone(tmp_path, monkeypatch):
+    before = os.umask(0)
+    try:
+        machine_code.make_folder(tmp_path / "a" / "b")
+    finally:
+        os.umask(before)
+    assert [(tmp_path / name).stat().st_mode & 0o777 for name in ("a", "a/b")] == [0o700, 0o700]
 
 
 def test_code_whose_symbols_are_missing_is_not_linked():
