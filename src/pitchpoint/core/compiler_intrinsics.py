@@ -9,15 +9,7 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
 
-
-class Liberties(set[str]):
-    """Liberties taken with numbers; they print in one order in every process, as names of code hold them."""
-
-    def __repr__(self) -> str:
-        return repr(sorted(self))
-
-
-FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": Liberties({"contract", "nsz"})}
+FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract", "nsz"}}
 ENTRY = types.int64(types.int64, types.int64, types.int64)
 LAW = types.float64(types.float64, types.float64, types.CPointer(types.float64))
 

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-import types as pytypes
+import contextlib
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -21,9 +21,9 @@ from numba.np.arrayobj import populate_array
 
 from pitchpoint.core import kernel as door
 from pitchpoint.core import machine_code
-from pitchpoint.core.compiler_cache import KernelCache, Locator
+from pitchpoint.core.compiler_cache import KernelCache
 from pitchpoint.core.compiler_intrinsics import ENTRY, FLAGS, call_entry, call_law
-from pitchpoint.core.compiler_parts import PartCache, PartCompiler, PartType
+from pitchpoint.core.compiler_parts import PartCompiler, PartType
 from pitchpoint.core.compiler_passes import KernelCompiler
 
 if TYPE_CHECKING:
@@ -43,24 +43,12 @@ class Dispatcher(CPUDispatcher):
     def _numba_type_(self) -> PartType:
         return PartType(self)
 
-    def enable_caching(self) -> None:
-        """Keep what is compiled on disk."""
-        self._cache = PartCache(self.py_func)
-
     def compile(self, sig: Any) -> Any:
-        """Compile for a signature, or load it; Numba's own way starts clocks that tell each other of all."""
+        """Compile for a signature; Numba's own way starts clocks and reads caches."""
         with global_compiler_lock:
             args, returned = sigutils.normalize_signature(sig)
             if args not in self.overloads:
-                made = self._cache.load_overload(sig, self.targetctx)
-                if made is None:
-                    made = self._compiler.compile(args, returned)
-                    self.add_overload(made)
-                    self._cache.save_overload(sig, made)
-                else:
-                    self._cache_hits[sig] += 1
-                    self.targetctx.insert_user_function(made.entry_point, made.fndesc, [made.library])
-                    self.add_overload(made)
+                self.add_overload(self._compiler.compile(args, returned))
             return self.overloads[args].entry_point
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
@@ -70,37 +58,17 @@ class Dispatcher(CPUDispatcher):
 
 
 def dispatcher(kernel: Kernel) -> Dispatcher:
-    """Make what stands for a kernel inside other kernels."""
-    copy, cached = _twin(kernel.py_func, "k")
-    copy.kernel, copy.cached = kernel, cached
+    """Make what represents a kernel inside other kernels."""
     options = {**_BARE, **FLAGS, "forceinline": kernel.inline}
-    made = Dispatcher(py_func=copy, targetoptions=options, pipeline_class=PartCompiler)
-    if cached:
-        made.enable_caching()
-    return made
+    return Dispatcher(py_func=kernel.py_func, targetoptions=options, pipeline_class=PartCompiler)
 
 
 def python_callable(kernel: Kernel) -> Any:
-    """Make what a call of a kernel from Python runs: a compilation with a wrapper."""
-    copy, cached = _twin(kernel.py_func, "p")
-    made = njit(nogil=True, **FLAGS)(copy)
-    if cached:
-        made._cache = KernelCache(copy)
+    """Make what a call of a kernel from Python runs: a compilation with a wrapper, kept on disk."""
+    made = njit(nogil=True, **FLAGS)(kernel.py_func)
+    with contextlib.suppress(RuntimeError):  # no place to keep it
+        made._cache = KernelCache(kernel.py_func)
     return made
-
-
-def _twin(source: Any, variant: str) -> tuple[Any, bool]:
-    """Copy of a function with its own cache name, so that several compilations live side by side.
-
-    Second result: whether it can be cached. Where the folder cannot be written, Numba would turn to its own
-    cache, which does not notice an edited helper, or refuse.
-    """
-    copy = pytypes.FunctionType(
-        source.__code__, source.__globals__, source.__name__, source.__defaults__, source.__closure__
-    )
-    copy.__qualname__, copy.__module__ = source.__qualname__, source.__module__
-    copy._pitchpoint = variant  # type: ignore[attr-defined]
-    return copy, Locator.from_function(copy, source.__code__.co_filename) is not None
 
 
 # --------------------------------------------------------------------------------------------------- entries
