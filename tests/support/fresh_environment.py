@@ -14,7 +14,6 @@ import shlex
 import shutil
 import subprocess
 import sys
-import sysconfig
 import time
 import venv
 from pathlib import Path
@@ -47,7 +46,8 @@ def borrow(folder: Path, wheel: Path) -> Path:
     python = _environment(folder, pip=False)
     own = Path(_ask(python, "import sysconfig; print(sysconfig.get_path('purelib'))"))
     shutil.unpack_archive(wheel, own, "zip")
-    (own / "borrowed.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
+    others = [place for place in sys.path if Path(place).name in ("site-packages", "dist-packages")]
+    (own / "borrowed.pth").write_text("\n".join(others) + "\n", encoding="utf-8")
     return python
 
 
