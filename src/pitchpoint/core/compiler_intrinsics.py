@@ -15,7 +15,7 @@ LAW = types.float64(types.float64, types.float64, types.CPointer(types.float64))
 
 
 @intrinsic
-def pointer(typingctx, where):
+def _pointer(typingctx, where):
     """An address as a pointer."""
 
     def generate(context, builder, signature, args):
@@ -26,7 +26,7 @@ def pointer(typingctx, where):
 
 
 @intrinsic
-def call_entry(typingctx, where, a, b, c):
+def _call_entry(typingctx, where, a, b, c):
     """Call an entry through its address."""
 
     def generate(context, builder, signature, args):
@@ -39,7 +39,7 @@ def call_entry(typingctx, where, a, b, c):
 
 
 @intrinsic
-def call_law(typingctx, where, t, x, p):
+def _call_law(typingctx, where, t, x, p):
     """Call a user law through its address; p is the address of its parameters."""
 
     def generate(context, builder, signature, args):
@@ -50,3 +50,8 @@ def call_law(typingctx, where, t, x, p):
         return builder.call(function, [args[1], args[2], builder.inttoptr(args[3], real.as_pointer())])
 
     return types.float64(types.int64, types.float64, types.float64, types.int64), generate
+
+
+pointer: Any = _pointer
+call_entry: Any = _call_entry
+call_law: Any = _call_law

@@ -80,6 +80,13 @@ def standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
 
     Empty if the code refers to Numba's run time, to this process, or can raise: such an exception must be
     reported, which needs the interpreter.
+
+    Parameters
+    ----------
+    source
+        The plain Python function of the entry.
+    name
+        Symbol of the C function.
     """
     options = {**_BARE, **FLAGS}
     compiler = Dispatcher(py_func=source, targetoptions=options, pipeline_class=KernelCompiler)._compiler
