@@ -94,20 +94,21 @@ def entry_address(kernel: door.Kernel) -> tuple[int, Any]:
     source, name = kernel.py_func, machine_code.symbol(kernel.py_func)
     made = None
     if not config.BOUNDSCHECK and not machine_code.is_refused(source):
-        where = None
-        if private():
-            try:
+        try:
+            if private():
                 code, needs = private().standalone(source, name)
-            except Exception:  # a fault of the kernel itself appears again below
-                code, needs = b"", []
-        else:
-            made = cfunc(ENTRY, **FLAGS)(source)
-            code, needs = _standalone(made, name)
-        where = machine_code.link(name, code, needs) if code else None
-        machine_code.save(source, code if where else b"", needs)  # no code: the next process need not try
+            else:
+                made = cfunc(ENTRY, **FLAGS)(source)
+                code, needs = _standalone(made, name)
+            where = machine_code.link(name, code, needs) if code else None
+        except Exception:  # a fault of the kernel itself appears again below
+            where, code, needs = None, b"", []
         if where:
+            machine_code.save(source, code, needs)
             return where, None
     made = made or cfunc(ENTRY, **FLAGS)(source)
+    if not config.BOUNDSCHECK:
+        machine_code.save(source, b"", [])  # the next process need not try
     return int(made.address), made
 
 
