@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`python -m pitchpoint` is `pitchpoint`: Python files of the working folder do not take the place of libraries."""
+"""`python -m pitchpoint` is `pitchpoint`; files of the working folder do not take the place of libraries."""
 
 import os
 import sys

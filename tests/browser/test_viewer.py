@@ -21,7 +21,7 @@ from tests.support.scene_data import (
     TEETH,
     TIMES,
     VIEWER,
-    crowd,
+    batch,
     gears,
     load,
     texts_of,
@@ -234,7 +234,7 @@ def damaged(header: dict[str, Any], block: Any, how: str) -> tuple[str, str]:
         return text.replace('"type": "f4"', '"type": "f2"'), numbers
     if how == "no solids":
         return json.dumps({**header, "solids": []}), numbers
-    return text.replace("pitchpoint-scene-1", "pitchpoint-scene-9"), numbers
+    return text.replace("pitchpoint-scene-2", "pitchpoint-scene-9"), numbers
 
 
 def test_damaged_scenes_are_refused_in_a_sentence(open_page: OpenPage) -> None:
@@ -257,9 +257,9 @@ def test_scene_without_solids_still_has_curves(open_page: OpenPage) -> None:
 
 def test_thousands_of_bodies_move(open_page: OpenPage) -> None:
     script = "V.draw(); V.seek(0.5); V.draw(); return S();"
-    state = asked(scene(open_page, texts_of(*crowd(5000))), script)
+    state = asked(scene(open_page, texts_of(*batch(5000))), script)
     picture = state["pictures"][0]
-    assert len(picture["bodies"]) == 5000 and picture["crowds"] == 1 and state["drawn"] >= 2
+    assert len(picture["bodies"]) == 5000 and picture["batches"] == 1 and state["drawn"] >= 2
     assert np.abs(matrix(picture["bodies"][4999])[:3, :3] - about_z(3.0)).max() < 1e-9
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from tests.support.browser import OpenPage, needs_browser
 from tests.support.scene_browser import PAINTED, asked, matrix, scene
-from tests.support.scene_data import LENGTH, SPEED, TEETH, TIMES, Array, crowd, gears, texts_of
+from tests.support.scene_data import LENGTH, SPEED, TEETH, TIMES, Array, batch, gears, texts_of
 
 pytestmark = needs_browser
 
@@ -42,7 +42,7 @@ def test_machines_of_other_sizes_fit_each_its_picture(open_page: OpenPage, pair:
       const scales = all(".ppv-scale");
       return [out, scales.map((scale) => !scale.hidden), scales.map((scale) => scale.textContent)];
     """
-    views, shown, sizes = asked(scene(open_page, pair, texts_of(*crowd(64))), script)
+    views, shown, sizes = asked(scene(open_page, pair, texts_of(*batch(64))), script)
     for factors, halves in views:
         assert factors[0] == 1 and 8 < factors[1] < 25
         for left, right, top, bottom in halves:

@@ -26,7 +26,7 @@ def pair() -> tuple[str, str]:
 def bare(block: Block, solids: list[dict[str, Any]]) -> tuple[str, str]:
     """A scene of solids that are at rest."""
     header = {
-        "format": "pitchpoint-scene-1",
+        "format": "pitchpoint-scene-2",
         "title": "Solids",
         "up": [0, 1, 0],
         "bodies": [],

@@ -91,7 +91,7 @@ def test_bodies_hang_on_bodies_tilt_and_tumble(open_page: OpenPage) -> None:
     points, triangles = box([-0.1, -0.1, -0.1], [0.1, 0.1, 0.1])
     shape = {"points": block.put(points, "f4"), "triangles": block.put(triangles, "u2")}
     header = {
-        "format": "pitchpoint-scene-1",
+        "format": "pitchpoint-scene-2",
         "title": "",
         "up": [0, 1, 0],
         "bodies": [
@@ -159,7 +159,7 @@ def test_micrometres_are_seen(open_page: OpenPage) -> None:
     moved = [[0.0, 0.0, 0.0], [5e-6, 0.0, 0.0]]
     points, triangles = box([-0.1, -0.1, -0.1], [0.0, 0.1, 0.1])
     header = {
-        "format": "pitchpoint-scene-1",
+        "format": "pitchpoint-scene-2",
         "title": "",
         "up": [0, 1, 0],
         "bodies": [{"name": "b", "place": [1, 1, 1], "axes": [0, 0, 0, 1], "position": block.put(moved)}],

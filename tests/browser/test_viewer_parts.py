@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Covers, crowds, scenes side by side and small screens in a real browser."""
+"""Covers, batches, scenes side by side and small screens in a real browser."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 from tests.support.browser import OpenPage, needs_browser
 from tests.support.scene_browser import asked, scene
-from tests.support.scene_data import Block, box, crowd, gears, texts_of
+from tests.support.scene_data import Block, batch, box, gears, texts_of
 
 pytestmark = needs_browser
 
@@ -38,21 +38,21 @@ def solid(block: Block, name: str, low: Any, high: Any, **more: Any) -> dict[str
 
 def test_hundreds_of_solids_bend_and_can_be_hidden(open_page: OpenPage) -> None:
     """Next to 320 boxes: a rod whose upper end goes 5 m aside, a bar that sways by 5 m, a cover."""
-    header, block = crowd(320)
+    header, block = batch(320)
     ends = [{"name": f"end{k}", "place": [-20, 10 * k, 0], "axes": [0, 0, 0, 1]} for k in range(2)]
     ends[1]["position"] = block.put(np.outer(np.linspace(0.0, 5.0, 20), [1.0, 0.0, 0.0]))
     header["bodies"] += ends
     # a crate of eight corners: y = 0 follows the first end, y = 10 the second
     rod = solid(block, "rod", [-0.4, 0.0, -0.4], [0.4, 10.0, 0.4], body=320)
     upper = (box([0, 0, 0], [1, 1, 1])[0][:, 1] > 0.5).astype(float)
-    rod["skin"] = {
+    rod["blend"] = {
         "bodies": [320, 321],
         "first": block.put(np.zeros(len(upper)), "u2"),
         "second": block.put(np.ones(len(upper)), "u2"),
         "weight": block.put(upper, "f4"),
     }
     bar = solid(block, "bar", [-40.4, 0.0, -0.4], [-39.6, 10.0, 0.4], schematic=True)
-    bar["sway"] = {
+    bar["modal"] = {
         "shapes": block.put([[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]], "f4"),
         "node": block.put(upper, "u2"),
         "coordinates": block.put(np.linspace(0.0, 5.0, 20)[:, None]),
@@ -73,12 +73,12 @@ def test_hundreds_of_solids_bend_and_can_be_hidden(open_page: OpenPage) -> None:
       out.fewer = all - S().pictures[0].drawnTriangles;
       housing("hidden"); V.draw(); out.open = look();
       housing("solid"); label("represents").querySelector("input").click(); V.draw(); out.again = look();
-      out.crowds = S().pictures[0].crowds;
+      out.batches = S().pictures[0].batches;
       return out;
     """
     )
     out = asked(scene(open_page, texts_of(header, block)), script)
-    assert out["crowds"] == 2 and out["fewer"] == 12
+    assert out["batches"] == 2 and out["fewer"] == 12
     assert out["start"] == [True, False, True, False, True, True]
     assert out["end"] == out["again"] == [False, True, False, True, True, True]
     assert out["plain"] == [False, True, False, False, True, True]
@@ -93,7 +93,7 @@ def covered() -> tuple[str, str]:
         solid(block, "cube", [-1, -1, -1], [1, 1, 1], body=0),
         solid(block, "cover", [-5, -5, -5], [5, 5, 5], body=1, kind="housing", see_through=True),
     ]
-    header = {"format": "pitchpoint-scene-1", "up": [0, 1, 0], "bodies": bodies, "solids": solids}
+    header = {"format": "pitchpoint-scene-2", "up": [0, 1, 0], "bodies": bodies, "solids": solids}
     return texts_of({**header, "times": block.put([0.0])}, block)
 
 

@@ -45,7 +45,7 @@ def gear(block: Block, name: str, body: int, teeth: int, **more: Any) -> dict[st
 
 def header(block: Block, bodies: list[Any], solids: list[Any], times: Any = (0.0, 1.0), **more: Any) -> Any:
     return {
-        "format": "pitchpoint-scene-1",
+        "format": "pitchpoint-scene-2",
         "title": "Solids",
         "up": [0, 1, 0],
         "bodies": bodies,
@@ -135,7 +135,7 @@ def test_stretched_bent_and_schematic_solids(open_page: OpenPage) -> None:
     surface = [{"points": block.put(p, "f4"), "triangles": block.put(t, "u2")} for p, t in (link, bar)]
     between = {"bodies": [0, 1], "ends": [[0, 0, 0.1], [0, 0, -0.1]]}
     upper = (bar[0][:, 2] > 2.5).astype(int)
-    sway = {
+    modal = {
         "shapes": block.put(np.array([[[0, 0, 0], [2.0, 0, 0]]]), "f4"),
         "node": block.put(upper, "u2"),
         "coordinates": block.put([[0.0], [0.05]]),
@@ -148,11 +148,11 @@ def test_stretched_bent_and_schematic_solids(open_page: OpenPage) -> None:
             "between": between,
             **surface[0],
         },
-        {"name": "bar", "kind": "body", "body": -1, "sway": sway, "schematic": True, **surface[1]},
+        {"name": "bar", "kind": "body", "body": -1, "modal": modal, "schematic": True, **surface[1]},
     ]
     zero = np.zeros((2, 2, 3))
     mode = {"name": "1", "frequency": 5.0, "position": block.put(zero), "turn": block.put(zero)}
-    mode["sway"] = {"bar": block.put([[1.0, 0.0]])}
+    mode["modal"] = {"bar": block.put([[1.0, 0.0]])}
     script = (
         STL
         + """
@@ -208,7 +208,7 @@ def test_twenty_gears_load_and_turn(open_page: OpenPage) -> None:
     head = header(block, bodies, solids, np.linspace(0.0, 1.0, 50))
     script = "V.seek(0.5); V.draw(); return S().pictures[0];"
     picture = asked(scene(open_page, texts_of(head, block)), script)
-    assert len(picture["bodies"]) == 20 and picture["crowds"] == 0
+    assert len(picture["bodies"]) == 20 and picture["batches"] == 0
     assert picture["drawnTriangles"] == 4 * sum(range(30, 50))
     angle = 10.0 * (1 - 19 / 9)
     assert np.abs(matrix(picture["bodies"][19])[:3, :3] - about_z(angle)).max() < 1e-9

@@ -33,7 +33,7 @@ GESTURES = {"drag", "wheel", "double click"}
 def light(header: dict[str, Any], block: Block) -> tuple[dict[str, Any], Block]:
     """The same scene with boxes in the place of gears and shafts, which are drawn ten times as fast."""
     for solid in header["solids"]:
-        solid.pop("skin", None)
+        solid.pop("blend", None)
         wide = 0.012 if solid["kind"] == "shaft" else 0.04
         points, triangles = box([-wide, -wide, -0.02], [wide, wide, 0.02 + wide])
         solid.update(points=block.put(points, "f4"), triangles=block.put(triangles, "u4"))

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shorter steps are better steps: order of convergence, momentum and energy of a machine that floats in
-space.
+"""Shorter steps give smaller errors: convergence, momentum and energy of a machine that floats in space.
 
 The machine is a tree whose mass matrix turns with it, without constraint rows and with one. Nothing acts from
 outside, so momentum, its moment and energy stay. The reference is Dormand-Prince 8(5,3) with a tolerance of
@@ -9,7 +8,6 @@ outside, so momentum, its moment and energy stay. The reference is Dormand-Princ
 
 from __future__ import annotations
 
-import math
 from functools import cache
 
 import numpy as np
@@ -26,7 +24,8 @@ ROUNDING = 2e-11
 ALPHA = (2e-5, 1e-5, 5e-6, 2.5e-6, 1.25e-6, 1.25e-7)
 EXPLICIT = (1e-4, 5e-5, 2.5e-5, 1.25e-5, 1.25e-6)
 BDF = (2e-5, 1e-5, 5e-6, 2.5e-6)
-"""Constant BDF takes rates and accelerations from differences of positions: shorter steps meet their rounding."""
+"""Constant BDF differentiates positions: its shorter steps meet their rounding."""
+BY_TOLERANCE, FORMS = ("gstiff", "wstiff", "dassl"), ("I3", "SI2", "SI1")
 TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)
 
 EQUAL = [
@@ -35,10 +34,10 @@ EQUAL = [
         for geared, form in ((False, "I3"), (True, "I3"), (True, "SI2"))
     ),
     *((geared, method, "", 4, EXPLICIT) for geared in (False, True) for method in ("rk4", "adams")),
-    *((geared, "constant_bdf", form, 2, BDF) for geared in (False, True) for form in ("I3", "SI2", "SI1")),
+    *((geared, "constant_bdf", form, 2, BDF) for geared in (False, True) for form in FORMS),
 ]
 CONTROLLED = [
-    *((geared, kind, form) for geared in (False, True) for kind in ("gstiff", "wstiff", "dassl") for form in ("I3", "SI2", "SI1")),
+    *((geared, kind, form) for geared in (False, True) for kind in BY_TOLERANCE for form in FORMS),
     *((geared, "runge_kutta", form) for geared in (False, True) for form in ("5", "8")),
 ]  # fmt: skip
 
@@ -71,11 +70,7 @@ def reached(geared, method, form, value):
         )
     else:
         run = bdf.start(system, state, method, form=form, rtol=value)
-    done = (
-        run.advance(steps)
-        if hasattr(run, "advance") and method in ("generalized_alpha", "rk4", "adams")
-        else run.advance_to(DURATION)
-    )
+    done = run.advance(steps) if hasattr(run, "change_step") and run.h else run.advance_to(DURATION)
     assert done.status == OK
     found = run.state()
     momentum, moment, energy = (
@@ -98,10 +93,7 @@ def test_equal_steps_converge_down_to_rounding(geared, method, form, order, step
     errors = [reached(geared, method, form, h) for h in steps]
     for k in range(1, len(steps)):
         better = (steps[k - 1] / steps[k]) ** (order - 0.25)
-        for number in range(4):
-            assert errors[k][number] <= max(
-                errors[k - 1][number] / better if number == 0 else math.inf, ROUNDING
-            )
+        assert errors[k][0] <= max(errors[k - 1][0] / better, ROUNDING)
     # what is to be kept is missed by no more than the rates are: 5.8 kg in motion, radius 0.1 m, 200 J
     for error, momentum, moment, energy in errors:
         assert momentum <= 6.0 * error + ROUNDING

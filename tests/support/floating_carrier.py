@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A carrier with planets that floats in space: a tree without constraint rows, with momentum and energy to keep."""
+"""A carrier with planets that floats in space: a tree with momentum and energy to keep."""
 
 from __future__ import annotations
 

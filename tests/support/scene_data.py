@@ -164,7 +164,7 @@ def gears(fine: int = 1, title: str = "Two gears", share: float = 1.0) -> tuple[
     long, length = extruded(circle(0.016), 0.006, 0.16, 16), 0.16
     long[0][:, 2] += 0.06
     weight = np.clip(long[0][:, 2] / 0.12, 0.0, 1.0)
-    skin = {
+    blend = {
         "bodies": [1, 2],
         "first": block.put(0 * weight, "u2"),
         "second": block.put(0 * weight + 1, "u2"),
@@ -174,7 +174,7 @@ def gears(fine: int = 1, title: str = "Two gears", share: float = 1.0) -> tuple[
         solid("Z1", "gear", 0, extruded(outlines[0], 0.014, WIDTH, fine), teeth=TEETH[0]),
         solid("Z2", "gear", 1, extruded(outlines[1], 0.016, WIDTH, fine), teeth=TEETH[1]),
         solid("drive_shaft", "shaft", 0, extruded(circle(0.014), 0.005, length, 1)),
-        solid("output_shaft", "shaft", 1, long, skin=skin),
+        solid("output_shaft", "shaft", 1, long, blend=blend),
         solid("case", "housing", -1, box([-0.07, -0.09, -0.1], [0.21, 0.09, 0.16]), see_through=True),
     ]
     now = share * load(t)[:, None]
@@ -256,7 +256,7 @@ def gears(fine: int = 1, title: str = "Two gears", share: float = 1.0) -> tuple[
         },
     ]
     header = {
-        "format": "pitchpoint-scene-1",
+        "format": "pitchpoint-scene-2",
         "title": title,
         "subtitle": f"scenario rated, {LENGTH} s",
         "up": [0, 1, 0],
@@ -302,7 +302,7 @@ def gears(fine: int = 1, title: str = "Two gears", share: float = 1.0) -> tuple[
     return header, block
 
 
-def crowd(number: int) -> tuple[dict[str, Any], Block]:
+def batch(number: int) -> tuple[dict[str, Any], Block]:
     """Thousands of boxes that turn."""
     block = Block()
     t = np.linspace(0.0, 1.0, 20)
@@ -316,7 +316,7 @@ def crowd(number: int) -> tuple[dict[str, Any], Block]:
         bodies.append({"name": f"b{k}", "parent": -1, "place": place, "axes": [0, 0, 0, 1], "gross": gross})
         solids.append({"name": f"box{k}", "kind": "body", "body": k, "see_through": False, **shape})
     header = {
-        "format": "pitchpoint-scene-1",
+        "format": "pitchpoint-scene-2",
         "title": "Many",
         "subtitle": "",
         "up": [0, 1, 0],

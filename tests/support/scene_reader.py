@@ -18,7 +18,7 @@ class Seen:
     def __init__(self, header: str, numbers: str) -> None:
         self.header: dict[str, Any] = json.loads(header)
         self.data = gzip.decompress(base64.b64decode(numbers))
-        assert self.header["format"] == "pitchpoint-scene-1"
+        assert self.header["format"] == "pitchpoint-scene-2"
 
     def array(self, where: dict[str, Any]) -> np.ndarray:
         shape = tuple(where["shape"])
@@ -119,18 +119,18 @@ class Seen:
         points = self.mesh(name)[0]
         if "between" in solid:
             return self._between(solid["between"], points, frame)
-        if "skin" not in solid:
+        if "blend" not in solid:
             origin, axes = self.pose(solid["body"], frame)
             return origin + points @ axes.T
-        skin = solid["skin"]
-        poses = [self.pose(b, frame) for b in skin["bodies"]]
-        rests = [self.rest(b) for b in skin["bodies"]]
+        blend = solid["blend"]
+        poses = [self.pose(b, frame) for b in blend["bodies"]]
+        rests = [self.rest(b) for b in blend["bodies"]]
         at_rest = rests[0][0] + points @ rests[0][1].T
         moved = np.stack([p + (at_rest - r) @ q @ a.T for (p, a), (r, q) in zip(poses, rests, strict=True)])
         rows = np.arange(len(points))
-        w = self.array(skin["weight"])[:, None]
-        return (1.0 - w) * moved[self.array(skin["first"]), rows] + w * moved[
-            self.array(skin["second"]), rows
+        w = self.array(blend["weight"])[:, None]
+        return (1.0 - w) * moved[self.array(blend["first"]), rows] + w * moved[
+            self.array(blend["second"]), rows
         ]
 
     def _between(self, stretched: dict[str, Any], points: np.ndarray, frame: int) -> np.ndarray:

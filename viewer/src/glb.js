@@ -95,7 +95,7 @@ export function glb(parts, bodies, tracks, times) {
       )
     : 0;
   const animation = { name: "record", samplers: [], channels: [] };
-  const used = new Set(parts.map(({ solid }) => (solid.skin ? solid.skin.bodies[0] : solid.body)));
+  const used = new Set(parts.map(({ solid }) => (solid.blend ? solid.blend.bodies[0] : solid.body)));
   const nodes = new Map();
   for (const k of used) {
     const node = { name: k < 0 ? "ground" : bodies[k].name, children: [] };
@@ -155,7 +155,7 @@ export function glb(parts, bodies, tracks, times) {
         primitives: [{ attributes, indices, material: materials.get(key) }],
       }) - 1;
     const node = json.nodes.push({ name: solid.name, mesh }) - 1;
-    nodes.get(solid.skin ? solid.skin.bodies[0] : solid.body).children.push(node);
+    nodes.get(solid.blend ? solid.blend.bodies[0] : solid.body).children.push(node);
   }
   for (const node of nodes.values()) if (!node.children.length) delete node.children;
   if (animation.channels.length) json.animations = [animation];

@@ -69,7 +69,7 @@ export class Modes {
         size(mode.position, k) + size(mode.turn, k) * (reach || 0.1 * bounds.radius),
       );
     });
-    for (const { sway } of solids.parts) largest = Math.max(largest, sway?.largest(mode) ?? 0);
+    for (const { modal } of solids.parts) largest = Math.max(largest, modal?.largest(mode) ?? 0);
     return largest > 0 ? (WIDTH * bounds.radius) / largest : 0;
   }
 

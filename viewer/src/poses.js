@@ -47,7 +47,7 @@ export class Poses {
   /** Where a solid is: that of its body, or of the first body that it bends between. @param {any} solid */
   ofSolid(solid) {
     if (solid.between) return this.#between(solid);
-    const body = solid.skin ? solid.skin.bodies[0] : solid.body;
+    const body = solid.blend ? solid.blend.bodies[0] : solid.body;
     const frame = body < 0 ? IDENTITY : this.world[body];
     if (!solid.place && !solid.axes) return frame;
     solid.seat ??= new Matrix4().compose(

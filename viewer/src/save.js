@@ -6,7 +6,7 @@ import { glb } from "./glb.js";
 import { colourOfForce } from "./colours.js";
 import { loadColour } from "./load_colours.js";
 import { instant } from "./numbers.js";
-import { welded } from "./weld.js";
+import { mergedPoints } from "./merged_points.js";
 
 /** @param {Blob} blob @param {string} name */
 export function download(blob, name) {
@@ -149,7 +149,7 @@ function legend(pen, page, n, { right: width, room }, ink, style) {
 export function stl(page) {
   const parts = page.stage.pictures[0].solids.exported(false).map(({ solid, geometry }) => {
     const points = geometry.attributes.position.array;
-    return { solid, points, index: welded(points, geometry.index.array) };
+    return { solid, points, index: mergedPoints(points, geometry.index.array) };
   });
   const count = parts.reduce((sum, { index }) => sum + index.length / 3, 0);
   const bytes = new ArrayBuffer(84 + 50 * count);

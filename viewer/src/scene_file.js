@@ -2,7 +2,7 @@
 // Reads the two elements of a page (docs/scene_format.md) into typed arrays, or reports in a sentence why it cannot.
 import { fromPlanes, mixed, spreadChannels } from "./planes.js";
 
-export const FORMAT = "pitchpoint-scene-1";
+export const FORMAT = "pitchpoint-scene-2";
 
 const TYPES = {
   f8: Float64Array,
@@ -155,8 +155,8 @@ function checkShapes(scene) {
         check(corner < points.count, `solid ${solid.name} has a triangle without a point`);
     }
     for (const piece of solid.pieces ?? []) check(piece.turns?.count, `solid ${solid.name} has no positions`);
-    if (solid.sway) {
-      const { shapes, node, coordinates } = solid.sway;
+    if (solid.modal) {
+      const { shapes, node, coordinates } = solid.modal;
       check(
         shapes?.shape.length === 3 && node?.count === solid.points?.count,
         `solid ${solid.name} does not state how it bends`,
@@ -166,8 +166,8 @@ function checkShapes(scene) {
     }
     for (const body of solid.between?.bodies ?? [])
       check(body >= -1 && body < scene.bodies.length, `solid ${solid.name} ends on a body that is not there`);
-    for (const body of solid.skin?.bodies ?? [])
-      check(body >= -1 && body < scene.bodies.length, `the skin of ${solid.name} names a body that is not there`);
+    for (const body of solid.blend?.bodies ?? [])
+      check(body >= -1 && body < scene.bodies.length, `the blend of ${solid.name} names a body that is not there`);
   }
   for (const arrow of scene.arrows) {
     check(arrow.body >= -1 && arrow.body < scene.bodies.length, `arrow ${arrow.name} belongs to no body`);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids as meshes: one mesh each, or one or two crowds where there are hundreds of them.
+// Solids as meshes: one mesh each, or one or two batches where there are hundreds of them.
 import { Color, DoubleSide, FrontSide, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
 import { FAULT, colourOfPart } from "./colours.js";
-import { Crowd } from "./crowd.js";
+import { Batch } from "./batch.js";
 import { creaseNormals } from "./crease_normals.js";
 import { directions, extremes } from "./extremes.js";
 import { Repeated, geometryOf } from "./repeated.js";
-import { Skin } from "./skin.js";
-import { Sway } from "./sway.js";
+import { Blend } from "./blend.js";
+import { ModalShape } from "./modal_shape.js";
 
 // Beyond this, a draw call for each solid costs more than what it draws.
 const MOST_MESHES = 300;
@@ -20,7 +20,7 @@ const LARGE_COVER = 2.5;
 const NEARER = 4e-4;
 const FACETS = 3e-3;
 
-// Where members of a crowd are that are not shown: triangles without area are not drawn.
+// Where members of a batch are that are not shown: triangles without area are not drawn.
 const NOWHERE = new Matrix4().multiplyScalar(0);
 
 /**
@@ -87,8 +87,8 @@ export class Solids {
       } else {
         const surface = creaseNormals(solid.points.data, solid.triangles.data, solid.creases ?? 40);
         part.geometry = geometryOf(surface);
-        part.skin = solid.skin ? new Skin(solid.skin, part.geometry, surface.source, poses) : null;
-        part.sway = solid.sway ? new Sway(solid, part.geometry, surface.source, poses) : null;
+        part.blend = solid.blend ? new Blend(solid.blend, part.geometry, surface.source, poses) : null;
+        part.modal = solid.modal ? new ModalShape(solid, part.geometry, surface.source, poses) : null;
       }
       const points = part.geometry.attributes.position.array;
       return Object.assign(part, { radius: reach(points), rim: rim(points) });
@@ -98,8 +98,8 @@ export class Solids {
       0,
     );
     this.meshes = [];
-    this.crowds = [];
-    if (this.parts.length > MOST_MESHES) this.#crowds();
+    this.batches = [];
+    if (this.parts.length > MOST_MESHES) this.#batches();
     else this.#meshes();
     this.update(0);
   }
@@ -130,17 +130,17 @@ export class Solids {
     }
   }
 
-  #crowds() {
+  #batches() {
     for (const seeThrough of [false, true]) {
       const parts = this.parts.filter((part) => Boolean(part.solid.see_through) === seeThrough);
       if (!parts.length) continue;
       const shared = material("#ffffff", seeThrough);
-      const crowd = new Crowd(parts, shared);
-      parts.forEach((part, k) => Object.assign(part, { crowd, member: k, repeated: null })); // teeth of one fineness
-      crowd.renderOrder = seeThrough ? 1 : 0;
-      this.known.set(`crowd ${seeThrough}`, shared);
-      this.crowds.push(crowd);
-      this.root.add(crowd);
+      const batch = new Batch(parts, shared);
+      parts.forEach((part, k) => Object.assign(part, { batch, member: k, repeated: null })); // teeth of one fineness
+      batch.renderOrder = seeThrough ? 1 : 0;
+      this.known.set(`batch ${seeThrough}`, shared);
+      this.batches.push(batch);
+      this.root.add(batch);
     }
   }
 
@@ -148,11 +148,11 @@ export class Solids {
   update(visible) {
     for (const part of this.parts) {
       const matrix = this.poses.ofSolid(part.solid);
-      const bent = [part.skin?.update(visible, part.radius), part.sway?.update()].some(Boolean);
-      if (!part.crowd) part.mesh.matrix.copy(matrix);
+      const bent = [part.blend?.update(visible, part.radius), part.modal?.update()].some(Boolean);
+      if (!part.batch) part.mesh.matrix.copy(matrix);
       else {
-        part.crowd.place(part.member, this.shows(part) ? matrix : NOWHERE);
-        if (bent) part.crowd.bend(part.member);
+        part.batch.place(part.member, this.shows(part) ? matrix : NOWHERE);
+        if (bent) part.batch.bend(part.member);
       }
     }
   }
@@ -201,7 +201,7 @@ export class Solids {
       if (!part.solid.see_through) continue;
       part.hidden = how === "hidden";
       this.#visible(part);
-      const drawn = part.crowd?.material ?? part.mesh.material;
+      const drawn = part.batch?.material ?? part.mesh.material;
       if (done.has(drawn)) continue;
       done.add(drawn);
       Object.assign(
@@ -225,7 +225,7 @@ export class Solids {
     return !part.hidden && !(this.plain && part.solid.schematic);
   }
 
-  /** Meshes at once, members of a crowd when they are placed. */
+  /** Meshes at once, members of a batch when they are placed. */
   #visible(part) {
     if (part.mesh) part.mesh.visible = this.shows(part);
   }
@@ -233,7 +233,7 @@ export class Solids {
   /** What a ray meets first, covers last. @param {import("three").Raycaster} ray */
   hit(ray) {
     const hits = ray.intersectObjects(
-      [...this.meshes, ...this.crowds].filter((object) => object.visible),
+      [...this.meshes, ...this.batches].filter((object) => object.visible),
       false,
     );
     const found = hits

@@ -45,7 +45,7 @@ export function stateOf(page) {
       magnification: picture.poses.magnification,
       triangles: picture.solids.triangles,
       drawnTriangles: picture.solids.drawn,
-      crowds: picture.solids.crowds.length,
+      batches: picture.solids.batches.length,
       contacts: picture.flanks.state(),
       arrows: (picture.arrows.now ?? []).map((force, k) => ({
         name: force.name,

@@ -173,9 +173,7 @@ def compute(
         except OutputError as error:
             with contextlib.suppress(OutputError):
                 table.write()
-            raise OutputError(
-                f"{error}; the cases before it are kept: mend this and call it again"
-            ) from error
+            raise OutputError(f"{error}; the cases before it are kept; fix this and rerun") from error
     table.write()
     if not whole:
         return SolverError(f"{sentence(INTERRUPTED)}; call it again to go on", INTERRUPTED, str(folder.path))

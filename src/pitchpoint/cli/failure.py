@@ -6,8 +6,9 @@
 | 0 | fine |
 | 1 | a fault of pitchpoint itself (or stdout was closed early) |
 | 2 | bad input: command line, model file, units, impossible gears, unreadable files |
-| 3 | the computation failed; what was computed is kept |
+| 3 | the computation failed, or the disk is full or broken; what was computed is kept |
 | 130 | interrupted with Ctrl-C; what was computed is kept |
+| 143 | terminated with SIGTERM; what was computed is kept |
 """
 
 from __future__ import annotations
@@ -18,12 +19,15 @@ import warnings
 
 import click
 
-OK, FAULT, BAD_INPUT, FAILED, INTERRUPTED = 0, 1, 2, 3, 130
+from pitchpoint.cli.interrupt import code_of_interruption
+
+OK, FAULT, BAD_INPUT, FAILED = 0, 1, 2, 3
 
 
 def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
     """Say on stderr what went wrong and return the exit code that stands for it."""
     from pitchpoint.core.errors import MissingDependencyError, PitchpointError, SolverError
+    from pitchpoint.io.target import is_disk_fault
 
     if debug and not isinstance(error, click.ClickException):
         import traceback
@@ -34,7 +38,7 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         return BAD_INPUT
     if isinstance(error, KeyboardInterrupt | click.Abort):
         say("interrupted; what was computed so far is kept")
-        return INTERRUPTED
+        return code_of_interruption()
     if isinstance(error, SolverError):
         return _failed(error)
     if isinstance(error, MissingDependencyError):
@@ -42,9 +46,13 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         return FAILED
     if isinstance(error, PitchpointError):
         say(f"error: {error}")
-        return BAD_INPUT
+        return FAILED if is_disk_fault(error) else BAD_INPUT
     if isinstance(error, MemoryError):
         say("error: not enough memory; store fewer samples (sample_rate) or use fewer points")
+        return FAILED
+    if isinstance(error, OSError) and is_disk_fault(error):
+        name = f"{error.filename}: " if error.filename is not None else ""
+        say(f"error: {name}cannot be written ({error.strerror}); make room there and run again")
         return FAILED
     if isinstance(error, OSError) and error.filename is not None:
         say(f"error: {error.filename}: {(error.strerror or 'cannot be used').lower()}")
@@ -67,7 +75,7 @@ def _failed(error: BaseException) -> int:
     partial = getattr(error, "partial", None)
     if isinstance(partial, str | os.PathLike):
         say(f"  what was computed before is in {os.fspath(partial)}")
-    return INTERRUPTED if interrupted else FAILED
+    return code_of_interruption() if interrupted else FAILED
 
 
 def say(text: str) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A second Ctrl-C ends the process, whatever it is doing.
+"""SIGTERM ends a command in order, as Ctrl-C does; a second signal ends the process, whatever it is doing.
 
 Python acts upon Ctrl-C between two of its own instructions: a compiled function that does not return, such as
 a law with an endless loop, never gets there. Every signal is written into a socket at once, though, and a
@@ -21,11 +21,24 @@ APART = 0.3
 """Signals closer than this count as one: some callers pass on what the terminal sends as well [s]."""
 PATIENCE = 1.5
 """Time after which somebody who waits is told what else can be done [s]."""
-INTERRUPTED = 130
+_CODES = {signal.SIGINT: 130, signal.SIGTERM: 143}
+"""Exit codes: 128 and the number of the signal."""
+_received: list[int] = []
 AGAIN = b"\xff"
 """What asks for a signal that was lost; no signal has this number."""
 PAUSE = 0.01
 """Time after which it is sent again: what lost it has ended by then [s]."""
+
+
+def code_of_interruption() -> int:
+    """Exit code of a command that a signal ended: 143 after SIGTERM, else 130."""
+    return _CODES[signal.SIGTERM if signal.SIGTERM in _received else signal.SIGINT]
+
+
+def _terminate(number: int, _: Any) -> None:
+    """End what is computed as Ctrl-C would, so that results are closed."""
+    _received.append(number)
+    raise KeyboardInterrupt
 
 
 def end_at_the_second_interrupt() -> None:
@@ -38,6 +51,7 @@ def end_at_the_second_interrupt() -> None:
         here.close()
         there.close()
         return
+    signal.signal(signal.SIGTERM, _terminate)
     _hear_what_is_lost(there)
     threading.Thread(target=_listen, args=(here, there), daemon=True, name="interrupts").start()
 
@@ -74,14 +88,14 @@ def _listen(here: socket.socket, there: socket.socket) -> None:
                 _interrupt_main()
             elif byte == signal.SIGINT and own:
                 own -= 1
-            elif byte == signal.SIGINT:
+            elif byte in _CODES:
                 now = time.monotonic()
                 if first is None:
                     first = now
                     here.settimeout(PATIENCE)
                 elif now - first > APART:
                     _say("ended at once; what was written before is kept")
-                    os._exit(INTERRUPTED)
+                    os._exit(_CODES[signal.Signals(byte)])
 
 
 def _interrupt_main() -> None:

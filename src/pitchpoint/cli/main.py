@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import gc
 import importlib
+import io
 import os
 import sys
 import warnings
@@ -42,7 +43,8 @@ COMMANDS = {
 }
 
 EPILOG = (
-    "Exit codes: 0 fine, 1 a fault of pitchpoint itself, 2 bad input, 3 computation failed, 130 interrupted. "
+    "Exit codes: 0 fine, 1 a fault of pitchpoint itself, 2 bad input, 3 computation failed or disk full, "
+    "130 interrupted, 143 terminated. "
     "Errors go to stderr; with --json, stdout holds nothing but JSON."
 )
 
@@ -113,6 +115,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     # dense matrices are small here: threads of the linear algebra only wait for each other on a busy machine
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     end_at_the_second_interrupt()
+    if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
+        sys.stdout.reconfigure(errors="replace")  # a terminal without Greek letters shows question marks
     sys.exit(run_command(list(sys.argv[1:] if arguments is None else arguments)))
 
 

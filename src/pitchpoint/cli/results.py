@@ -142,7 +142,7 @@ def how_a_status_ends(status: int) -> str:
 def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, Any]) -> Computed:
     """Compute; what fails or is stopped before its first step gets a summary too, with empty tables.
 
-    There is no `output` then: whatever stands in the file holds no result.
+    `output` then names a file only where one keeps samples, as on a full disk.
     """
     from pitchpoint.core.errors import SolverError
     from pitchpoint.io.writing import how_it_ended
@@ -153,7 +153,14 @@ def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, 
     except (SolverError, KeyboardInterrupt) as error:
         status, sentence, _ = how_it_ended(error)
         wall_s = time.perf_counter() - begun
-        summary = {"status": status, "sentence": sentence, "wall_s": wall_s, "output": None, "notes": []}
+        partial = getattr(error, "partial", None)
+        summary: dict[str, Any] = {
+            "status": status,
+            "sentence": sentence,
+            "wall_s": wall_s,
+            "output": partial,
+            "notes": [],
+        }
         return summary | dict(empty), error
 
 

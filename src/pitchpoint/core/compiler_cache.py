@@ -9,6 +9,7 @@ once the code of one signature may end under another, and what calls it ends the
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import pickle
@@ -109,11 +110,12 @@ class KernelFiles:
         body = self._head(key) + b"\n" + dumps(data)
         file = self._file(key)
         draft = file.with_name(f"{file.name}.{uuid.uuid4().hex[:16]}")
-        try:
-            draft.write_bytes(hashlib.sha256(body).hexdigest().encode() + b"\n" + body)
-            draft.replace(file)
-        finally:
-            draft.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):  # a cache that cannot be written costs time only
+            try:
+                draft.write_bytes(hashlib.sha256(body).hexdigest().encode() + b"\n" + body)
+                draft.replace(file)
+            finally:
+                draft.unlink(missing_ok=True)
 
     def _head(self, key: Any) -> bytes:
         return hashlib.sha256(repr((self._stamp, key)).encode()).hexdigest().encode()

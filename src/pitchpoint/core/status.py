@@ -20,6 +20,9 @@ INTERRUPTED = 9
 BAD_CENTRE = 10
 TABLE_RANGE = 11
 CONTROLLER = 12
+JAMMED = 13
+UNBOUNDED = 14
+NOT_WRITTEN = 15
 
 _SENTENCES = {
     DIED: "an element kernel stopped with an exception",
@@ -27,14 +30,18 @@ _SENTENCES = {
     REFUSED: "these values describe no possible model",
     SINGULAR: "the iteration matrix is singular: some motion has neither inertia nor stiffness",
     NOT_FINITE: "a force or coordinate became infinite or not a number",
-    DIVERGED: "the Newton iteration diverged; try a smaller step",
-    SLOW: "the Newton iteration converges too slowly; try a smaller step",
+    DIVERGED: "the Newton iteration diverged",
+    SLOW: "the Newton iteration converges too slowly",
     INCONSISTENT: "the constraints contradict each other",
     STEP_UNDERFLOW: "the step size fell below the resolution of the time axis",
     INTERRUPTED: "interrupted by the user; the result so far is kept",
     BAD_CENTRE: "two gears came closer than their base circles allow",
     TABLE_RANGE: "a table was asked for a value outside its range",
     CONTROLLER: "a controller failed",
+    JAMMED: "friction and the loads that cause it do not settle: the mechanism jams, or a controller feeds a "
+    "sensed load back with too high a gain; reduce the coefficient of friction or the gain",
+    UNBOUNDED: "the solution grew without bound",
+    NOT_WRITTEN: "the result cannot be written to the disk",
 }
 
 

@@ -42,6 +42,7 @@ from pitchpoint.elements.bevel_mesh_sums import (
 )
 from pitchpoint.elements.bevel_mesh_turning import turning
 from pitchpoint.elements.mesh_friction import add_friction_torques
+from pitchpoint.elements.mesh_line import countable
 from pitchpoint.multibody.channels import bounded, events, frame_args, observations
 from pitchpoint.multibody.vectors import add, dot, times, triple
 
@@ -242,6 +243,9 @@ def _one_mesh(b, ctl, fr, kk):
     if status != OK:
         return status
     place_flanks(b, f, g)
+    status = countable(b["u"], b["travel"], b["p_bt"], b["eps"])
+    if status != OK:
+        return status
     watch = c["out"] != 0
     if watch or c["ev"] != 0:
         rates_of_place(b, f, g)

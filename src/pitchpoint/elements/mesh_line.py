@@ -19,8 +19,13 @@ import math
 
 from pitchpoint.contact.pair_shape import phase_stiffness
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import BAD_CENTRE, OK
+from pitchpoint.core.status import BAD_CENTRE, OK, UNBOUNDED
 from pitchpoint.multibody.channels import F8
+
+FARTHEST = 2.0**40
+"""Travel in base pitches from which pairs of teeth are not counted: no machine turns as far within a step."""
+MOST_PAIRS = 1e4
+"""Length of the path of contact in base pitches that no pair of gears has."""
 
 
 @kernel
@@ -37,7 +42,7 @@ def line_of_action(b, f, g):
     """
     if b["fixed"] == 1:
         _travel(b, f["phi"], f["turns"], g["phi"], g["turns"])
-        return OK
+        return countable(b["u"], b["travel"], b["p_bt"], b["eps"])
     w1 = b["w1"]
     w2 = 1.0 - w1
     rb = b["r_b1"] + b["r_b2"]
@@ -107,7 +112,27 @@ def line_of_action(b, f, g):
         whole1 -= turned
         whole2 -= turned
     _travel(b, f["phi"] - turn1, whole1, g["phi"] - turn2, whole2)
-    return OK
+    return countable(b["u"], b["travel"], b["p_bt"], b["eps"])
+
+
+@kernel
+def countable(u, travel, pitch, eps):
+    """Whether the tooth pairs of a mesh can be counted: UNBOUNDED where the solution has left all bounds.
+
+    Beyond 2^53 pitches a number plus one is the number itself, and a count of pairs would never end.
+
+    Parameters
+    ----------
+    u, travel
+        Deflection and mean travel along the base tangent [m].
+    pitch
+        Base pitch [m].
+    eps
+        Length of the path of contact in pitches [-].
+    """
+    if abs(u) + abs(travel) < FARTHEST * pitch and abs(eps) < MOST_PAIRS:
+        return OK
+    return UNBOUNDED
 
 
 @kernel

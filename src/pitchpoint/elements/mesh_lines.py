@@ -18,7 +18,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.gear_mesh_record import N_ACC, PROFILE, RECORD
 from pitchpoint.elements.mesh_gradient import flank_tilt
-from pitchpoint.elements.mesh_line import flank_phase
+from pitchpoint.elements.mesh_line import countable, flank_phase
 from pitchpoint.elements.mesh_pairs import pair_line, pair_node, pair_teeth
 from pitchpoint.elements.mesh_separation import begin_separation, find_rows
 from pitchpoint.multibody.channels import CTL, F8
@@ -90,7 +90,8 @@ def contact_lines(b, c, question):
     forces = view(question["forces"], n, F8)
     loads = view(question["loads"], (n, stations), F8)
     flank = question["flank"]
-    x_0 = _begin(b, flank, question["deflection"])
+    deflection = question["deflection"]
+    x_0 = _begin(b, flank, deflection)
     question["pairs"] = b["tooth"]
     question["psi"] = b["psi"]
     for k in range(n):
@@ -98,6 +99,8 @@ def contact_lines(b, c, question):
         for s in range(stations):
             loads[k, s] = 0.0
     if b["source"] != PROFILE or n == 0 or b["eps"] <= 0.0 or b["z_hi"] <= b["z_lo"]:
+        return
+    if countable(deflection, b["travel"], b["p_bt"], b["eps"]) != OK:
         return
     middle = b["psi"] + 0.5 * b["lam"] * (b["z_lo"] + b["z_hi"])
     reach = 0.5 * abs(b["lam"]) * (b["z_hi"] - b["z_lo"])

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.io.csv_cells import plain_cell
 from pitchpoint.io.target import ANALYSIS_MARK
 
 if TYPE_CHECKING:
@@ -58,11 +59,16 @@ def _coordinate(result: xr.Dataset, dim: object) -> np.ndarray:
 
 def _head(result: xr.Dataset, name: object) -> str:
     unit = result[name].attrs.get("units", "")
-    return f"{name} [{unit}]" if unit else str(name)
+    words = f"{name} [{unit}]" if unit else str(name)
+    return " ".join(words.split())
 
 
 def _quoted(text: str) -> str:
-    return f'"{text}"' if "," in text else text
+    text = str(plain_cell(text))
+    if set(text) & set(',"\r\n'):
+        text = text.replace('"', '""')
+        return f'"{text}"'
+    return text
 
 
 def _cell(value: object) -> str:

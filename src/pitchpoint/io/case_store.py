@@ -96,19 +96,24 @@ def read_cases(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
     Cases of a speed sweep also have `points`.
     """
     with open_table(path, "cases") as file:
-        status = file["case_status"][...]
-        sentences = [_sentence(row) for row in file["case_sentence"][...]]
-        given = {_inside(n): _texts(file[n][...]) for n in file if n.startswith("given[")}
-        numbers = {_inside(n): file[n][...] for n in file if n.startswith("value[")}
-        tables = {
-            n: (v[...], _text(v.attrs.get("units", "")))
-            for n, v in file.items()
-            if hasattr(v, "shape") and v.ndim == 2 and v.shape[1] == len(STATISTICS)
-        }
-        swept = "mesh_frequency" in file
-        directions = _texts(file["direction"][...]) if swept else []
-        names = ("speed", "mesh_frequency", *(n for n, _ in SHARES), *(n for n, _, _ in QUANTITIES))
-        points = {n: file[n][...] for n in names} if swept else {}
+        return _plain(file)
+
+
+def _plain(file: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Plain data of the variables of cases."""
+    status = file["case_status"][...]
+    sentences = [_sentence(row) for row in file["case_sentence"][...]]
+    given = {_inside(n): _texts(file[n][...]) for n in file if n.startswith("given[")}
+    numbers = {_inside(n): file[n][...] for n in file if n.startswith("value[")}
+    tables = {
+        n: (v[...], _text(v.attrs.get("units", "")))
+        for n, v in file.items()
+        if v.ndim == 2 and v.shape[1] == len(STATISTICS)
+    }
+    swept = "mesh_frequency" in file
+    directions = _texts(file["direction"][...]) if swept else []
+    names = ("speed", "mesh_frequency", *(n for n, _ in SHARES), *(n for n, _, _ in QUANTITIES))
+    points = {n: file[n][...] for n in names} if swept else {}
     found = []
     for k, code in enumerate(status):
         if code < 0:

@@ -13,16 +13,19 @@ from __future__ import annotations
 
 import contextlib
 import datetime
+import errno
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.status import NOT_WRITTEN
 from pitchpoint.io.claim import is_at, keep, make_way
-from pitchpoint.io.target import cannot_be_written, check_target, make_folder
+from pitchpoint.io.disk_fault import WriteError, abandon, conclude
+from pitchpoint.io.superblock import clear_writer_flag
+from pitchpoint.io.target import cannot_be_written, check_target, disk_errno, make_folder
 
 if TYPE_CHECKING:
     import h5py
@@ -72,13 +75,20 @@ class Container:
     """
 
     def __init__(self, path: str | os.PathLike[str], header: Header) -> None:
+        self.path = check_target(path, "result")
+        self.file = self._make_file()
+        self._open = True
+        self._growing: list[h5py.Dataset] = []
+        self._flushed: dict[str, int] | None = None  # lengths at the last flush, None before the first
+        with self.writing():
+            self._describe_file(header)
+
+    def _describe_file(self, header: Header) -> None:
+        """Write provenance and status, so that a file that is cut off from here on says whose it is."""
         import h5py
 
         from pitchpoint.core.provenance import package_version
 
-        self.path = check_target(path, "result")
-        self.file = self._make_file()
-        self._open = True
         attributes = self.file.attrs
         attributes["Conventions"] = "CF-1.11"
         attributes["format"] = FORMAT
@@ -101,7 +111,43 @@ class Container:
             self._text[name] = (h5py.string_dtype("utf-8", length), length)
             attributes.create(name, _cut("", length), dtype=self._text[name][0])
         self._set_text("status", RUNNING)
-        self.flush()  # from here on a file that is cut off says whose it is
+        self._flush()
+
+    @contextlib.contextmanager
+    def writing(self) -> Iterator[None]:
+        """Everything that writes to the file is done in such a block; where the disk refuses, it is given up.
+
+        Raises
+        ------
+        WriteError
+            With the reason; the file is closed, keeps what was flushed, and says that the computation failed.
+        """
+        try:
+            yield
+        except PitchpointError:
+            raise
+        except (OSError, RuntimeError) as error:
+            raise self._give_up(error) from error
+
+    def _give_up(self, error: OSError | RuntimeError) -> PitchpointError:
+        """Cut the file off from the disk and let it say why; gives the error to raise."""
+        there = False  # another writer's file of this name is left alone
+        with contextlib.suppress(OSError, RuntimeError):
+            there = is_at(self.file.id.get_vfd_handle(), self._place)
+        kept = there and self._flushed is not None
+        fault: PitchpointError = WriteError(self.path, error, kept=kept)
+        if disk_errno(error) == errno.EAGAIN:
+            fault = ResultError(cannot_be_written(self.path, BlockingIOError()))
+        self._open = False
+        self._growing.clear()
+        abandon(self.file)
+        if kept:
+            texts = {"status": self._fixed("status", FAILED), "sentence": self._fixed("sentence", str(fault))}
+            conclude(self._place, texts, NOT_WRITTEN, self._flushed or {})
+        elif there:
+            with contextlib.suppress(OSError):
+                self._place.unlink()
+        return fault
 
     def _make_file(self) -> h5py.File:
         """Replace what stands there by a new file; a link goes on pointing to it."""
@@ -146,6 +192,7 @@ class Container:
         if unlimited:
             filters = _PACKING if packed else {}
             made = where.create_dataset(name, (0,), maxshape=(None,), chunks=(chunk,), dtype=dtype, **filters)
+            self._growing.append(made)
         elif len(values) and isinstance(values[0], str):
             made = where.create_dataset(name, data=list(values), dtype=h5py.string_dtype("utf-8"))
         else:
@@ -210,15 +257,21 @@ class Container:
 
     def begin(self) -> None:
         """Freeze the structure and let others read, but not replace the file."""
-        self.file.swmr_mode = True  # here HDF5 lets go of its lock
-        if not keep(self.file.id.get_vfd_handle(), self._place):
-            self._open = False
-            self.file.close()
-            raise ResultError(cannot_be_written(self.path, BlockingIOError()))
-        self.flush()
+        with self.writing():
+            self.file.swmr_mode = True  # here HDF5 lets go of its lock
+            if not keep(self.file.id.get_vfd_handle(), self._place):
+                self._open = False
+                self.file.close()
+                raise ResultError(cannot_be_written(self.path, BlockingIOError()))
+            self.flush()
 
     def flush(self) -> None:
         """Bring everything written so far to the disk, in an order that is consistent at any moment."""
+        with self.writing():
+            self._flush()
+            self._flushed = {d.name: d.shape[0] for d in self._growing}
+
+    def _flush(self) -> None:
         self.file.flush()
         clear_writer_flag(self._place)
 
@@ -241,14 +294,16 @@ class Container:
         """
         if not self._open:
             return
-        self._set_text("status", status)
-        self._set_text("sentence", sentence)
-        self._set_text("notes", "; ".join(notes))
-        self.file.attrs.modify("status_code", int(code))
-        self.file.attrs.modify("steps", int(steps))
-        self.file.attrs.modify("wall_s", float(wall_s))
-        self._open = False
-        self._close()
+        with self.writing():
+            self._set_text("status", status)
+            self._set_text("sentence", sentence)
+            self._set_text("notes", "; ".join(notes))
+            self.file.attrs.modify("status_code", int(code))
+            self.file.attrs.modify("steps", int(steps))
+            self.file.attrs.modify("wall_s", float(wall_s))
+            self._flush()
+            self._open = False
+            self._close()
 
     def _close(self) -> None:
         """Close the file and say whether it is still where it was made."""
@@ -258,10 +313,14 @@ class Container:
             raise ResultError(f"{self.path}: was taken away or replaced while it was written; run again")
 
     def _set_text(self, name: str, text: str) -> None:
+        self.file.attrs.modify(name, self._fixed(name, text))
+
+    def _fixed(self, name: str, text: str) -> Any:
+        """A text as an attribute of its fixed length."""
         import numpy as np
 
         dtype, length = self._text[name]
-        self.file.attrs.modify(name, np.array(_cut(text, length), dtype=dtype))
+        return np.array(_cut(text, length), dtype=dtype)
 
 
 class MemoryContainer(Container):
@@ -279,8 +338,7 @@ class MemoryContainer(Container):
             self.path, "w", driver="core", backing_store=False, libver="latest", rdcc_nbytes=_CHUNK_CACHE
         )
 
-    def flush(self) -> None:
-        """Bring everything written so far into the image of the file."""
+    def _flush(self) -> None:
         self.file.flush()
 
     def _close(self) -> None:
@@ -298,87 +356,3 @@ def _describe(made: h5py.Dataset, attributes: Mapping[str, str] | None) -> None:
     for key, text in (attributes or {}).items():
         if text:
             made.attrs[key] = text
-
-
-def clear_writer_flag(path: str | os.PathLike[str]) -> None:
-    """Take the mark 'open for writing' off an HDF5 file.
-
-    The library sets it in byte 11 of the superblock and takes it off when the file is closed. A killed
-    process cannot, and ordinary readers then refuse a file in which nothing is wrong: SWMR keeps it
-    consistent at any moment. The mark is therefore removed after each flush; the superblock's checksum
-    (Jenkins' lookup3 over its first 44 bytes, HDF5 file format specification, version 3) is renewed with it.
-    Ordinary readers may fail in the instant of a flush; those that open with swmr never do.
-    """
-    with Path(path).open("r+b", buffering=0) as raw:
-        block = raw.read(48)
-        plain = unmarked(block)
-        if plain != block:
-            raw.seek(0)
-            raw.write(plain)
-
-
-def unmarked(block: bytes) -> bytes:
-    """Superblock of an HDF5 file (48 bytes) without the mark 'open for writing'.
-
-    Given back as it is where there is no such mark, or where the checksum says that it is damaged.
-    """
-    if (
-        block[:8] != b"\x89HDF\r\n\x1a\n"
-        or len(block) < 48
-        or block[8] < 2
-        or block[9] != 8
-        or block[11] == 0
-    ):
-        return block
-    if lookup3(block[:44]) != int.from_bytes(block[44:48], "little"):
-        return block
-    plain = block[:11] + b"\0" + block[12:44]
-    return plain + lookup3(plain).to_bytes(4, "little")
-
-
-def lookup3(data: bytes, start: int = 0) -> int:
-    """Hash bytes with Bob Jenkins' lookup3 (`hashlittle`), the checksum of HDF5 metadata.
-
-    Examples
-    --------
-    >>> hex(lookup3(b"Four score and seven years ago"))
-    '0x17770551'
-    """
-
-    def turn(x: int, k: int) -> int:
-        """Rotate 32 bits to the left by k."""
-        return ((x << k) | (x >> (32 - k))) & 0xFFFFFFFF
-
-    m = 0xFFFFFFFF
-    a = b = c = (0xDEADBEEF + len(data) + start) & m
-    blocks = max((len(data) - 1) // 12, 0)
-    for k in range(0, 12 * blocks, 12):
-        a = (a + int.from_bytes(data[k : k + 4], "little")) & m
-        b = (b + int.from_bytes(data[k + 4 : k + 8], "little")) & m
-        c = (c + int.from_bytes(data[k + 8 : k + 12], "little")) & m
-        a = ((a - c) & m) ^ turn(c, 4)
-        c = (c + b) & m
-        b = ((b - a) & m) ^ turn(a, 6)
-        a = (a + c) & m
-        c = ((c - b) & m) ^ turn(b, 8)
-        b = (b + a) & m
-        a = ((a - c) & m) ^ turn(c, 16)
-        c = (c + b) & m
-        b = ((b - a) & m) ^ turn(a, 19)
-        a = (a + c) & m
-        c = ((c - b) & m) ^ turn(b, 4)
-        b = (b + a) & m
-    tail = data[12 * blocks :]
-    if not tail:
-        return c
-    tail = tail.ljust(12, b"\0")
-    a = (a + int.from_bytes(tail[0:4], "little")) & m
-    b = (b + int.from_bytes(tail[4:8], "little")) & m
-    c = (c + int.from_bytes(tail[8:12], "little")) & m
-    c = ((c ^ b) - turn(b, 14)) & m
-    a = ((a ^ c) - turn(c, 11)) & m
-    b = ((b ^ a) - turn(a, 25)) & m
-    c = ((c ^ b) - turn(b, 16)) & m
-    a = ((a ^ c) - turn(c, 4)) & m
-    b = ((b ^ a) - turn(a, 14)) & m
-    return ((c ^ b) - turn(b, 24)) & m

@@ -2,14 +2,16 @@
 """A data set on disk: a file per case, named by the hash of its inputs, and a table of all cases.
 
 A case is written under the name of a draft and gets its own name when it is complete and on the disk: a file
-with the name of a case is a whole one, at whatever instant a process was killed. The table is made of these
-files, and is replaced as a whole. Files hold no time of their making: equal inputs make equal files.
+with the name of a case is a whole one, at whatever instant a process was killed. The checksum follows
+the HDF5 contents: a file that has changed since, if only by one bit, is computed again. The table is made of
+these files, and is replaced as a whole. Files hold no time of their making: equal inputs make equal files.
 """
 
 from __future__ import annotations
 
 import contextlib
 import csv
+import hashlib
 import io
 import os
 import threading
@@ -20,12 +22,23 @@ from typing import Any
 from pitchpoint.core.status import OK
 from pitchpoint.io.claim import is_held
 from pitchpoint.io.container import FAILED, FINISHED, Header, MemoryContainer
+from pitchpoint.io.csv_cells import plain_cell
+from pitchpoint.io.opening import DAMAGE
 from pitchpoint.io.reading import header_in
-from pitchpoint.io.target import INDEX_HEAD, OutputError, cannot_be_written, check_target
+from pitchpoint.io.target import (
+    INDEX_HEAD,
+    OutputError,
+    cannot_be_written,
+    check_target,
+    replacing,
+    write_draft,
+)
 
 CASES = "cases"
 DRAFT = ".draft-"
 _ROWS = 8192
+_SEAL = b"\npitchpoint sha256 %b\n"
+"""What follows the contents of a case; readers of HDF5 and netCDF do not look behind their end."""
 ATTEMPTS = 3
 """How often a draft that was taken away is written again."""
 
@@ -82,12 +95,8 @@ class DatasetFolder:
         there = {p.stem for p in self.cases.glob("*.h5")} if self.cases.is_dir() else set()
         found = {}
         for key in keys:
-            # a file that somebody has cut short is no case; with swmr HDF5 would wait for the rest of it
-            if key in there:
-                with (
-                    contextlib.suppress(OSError, KeyError, RuntimeError, ValueError),
-                    h5py.File(self.file_of(key), "r") as file,
-                ):
+            if key in there and _is_whole(self.file_of(key)):
+                with contextlib.suppress(*DAMAGE), h5py.File(self.file_of(key), "r") as file:
                     found[key] = header_in(file)
         return found
 
@@ -122,7 +131,7 @@ class DatasetFolder:
         status = FINISHED if record.status == OK else FAILED
         container.finish(status, record.sentence, code=record.status, steps=record.steps, notes=record.notes)
         try:
-            _put(self.file_of(record.key), container.image)
+            _put(self.file_of(record.key), container.image + _seal(container.image))
         except OSError as error:
             raise OutputError(cannot_be_written(self.file_of(record.key), error)) from error
 
@@ -131,9 +140,10 @@ class DatasetFolder:
         target = check_target(self.path / name, "index")
         text = io.StringIO()
         head = INDEX_HEAD.split(",")
-        writer = csv.DictWriter(text, [*head, *columns], restval="", lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+        names = [*head, *columns]
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow([plain_cell(name) for name in names])
+        writer.writerows([plain_cell(row.get(name, "")) for name in names] for row in rows)
         try:
             _put(target, text.getvalue().encode())
         except OSError as error:
@@ -141,21 +151,28 @@ class DatasetFolder:
         return target
 
 
+def _seal(image: bytes | memoryview) -> bytes:
+    return _SEAL % hashlib.sha256(image).hexdigest().encode()
+
+
+def _is_whole(path: Path) -> bool:
+    """Whether a case is as it was written."""
+    try:
+        data = memoryview(path.read_bytes())
+    except OSError:
+        return False
+    end = len(data) - len(_seal(b""))
+    return end > 0 and data[end:] == _seal(data[:end])
+
+
 def _put(target: Path, data: bytes) -> None:
     """Replace a file as a whole, or leave it; what was written is on the disk then."""
     draft = target.parent / f"{DRAFT}{target.name}-{os.getpid()}-{threading.get_ident()}"
-    try:
-        for attempt in range(ATTEMPTS):
-            try:
-                with draft.open("wb") as file:
-                    file.write(data)
-                    file.flush()
-                    os.fsync(file.fileno())
-                draft.replace(target)
-                return
-            except FileNotFoundError:  # another run that begins took the draft for one that nobody writes
-                if attempt + 1 == ATTEMPTS:
-                    raise
-    finally:
-        with contextlib.suppress(OSError):
-            draft.unlink(missing_ok=True)
+    for attempt in range(ATTEMPTS):
+        try:
+            with replacing(target, draft):
+                write_draft(draft, data)
+            return
+        except FileNotFoundError:  # another run that begins took the draft for one that nobody writes
+            if attempt + 1 == ATTEMPTS:
+                raise

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.io.opening import DAMAGE, damaged
+from pitchpoint.io.opening import DAMAGE, damaged, dimensions_of, member, members
 
 if TYPE_CHECKING:
     import h5py
@@ -41,8 +41,8 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
     from xarray.core.indexing import LazilyIndexedArray
 
     name = os.fspath(path)
-    where = file[group] if group else file
-    arrays = {key: item for key, item in where.items() if isinstance(item, h5py.Dataset)}
+    where = member(file, group) if group else file
+    arrays = {key: item for key, item in members(where).items() if isinstance(item, h5py.Dataset)}
     over = {key: _dimensions(item) for key, item in arrays.items()}
     lengths = _lengths(arrays, over)
     variables = {}
@@ -109,8 +109,7 @@ def _lengths(arrays: Mapping[str, h5py.Dataset], over: Mapping[str, tuple[str, .
 
 def _dimensions(item: h5py.Dataset) -> tuple[str, ...]:
     """Names of the dimensions of an array; that of a dimension itself is its own."""
-    places = [item] if item.is_scale else [item.dims[axis][0] for axis in range(item.ndim)]
-    return tuple(str(place.name.rpartition("/")[2]) for place in places)
+    return tuple(str(place.name.rpartition("/")[2]) for place in dimensions_of(item))
 
 
 def _attributes(stored: Mapping[str, Any]) -> dict[str, Any]:

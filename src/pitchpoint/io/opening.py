@@ -19,8 +19,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.claim import share
-from pitchpoint.io.container import FORMAT, RUNNING, ResultError, unmarked
+from pitchpoint.io.container import FORMAT, RUNNING, ResultError
+from pitchpoint.io.superblock import unmarked
 
 if TYPE_CHECKING:
     import h5py
@@ -38,9 +40,11 @@ DAMAGE = (
     ValueError,
     TypeError,
     AttributeError,
-    IndexError,
-    OverflowError,
+    LookupError,
+    ArithmeticError,
     MemoryError,
+    StopIteration,
+    EOFError,
 )
 """What HDF5 and its Python layer raise where a file contradicts itself."""
 
@@ -54,13 +58,75 @@ def opened(path: str | os.PathLike[str]) -> Iterator[h5py.File]:
     """Open a result file for a `with` block; what is found damaged in the block is said in a sentence."""
     file = open_file(path)
     try:
-        yield file
-    except ResultError:
+        with understood(path):
+            yield file
+    finally:
+        file.close()
+
+
+@contextlib.contextmanager
+def understood(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Say in a sentence that a file does not hold what the block expects of it: variables, dimensions, types.
+
+    Raises
+    ------
+    ResultError
+        In place of what HDF5, NumPy and xarray raise.
+    """
+    try:
+        yield
+    except PitchpointError:
         raise
     except DAMAGE as error:
         raise damaged(path, error) from error
-    finally:
-        file.close()
+
+
+def member(group: h5py.Group, name: str) -> h5py.Group | h5py.Dataset:
+    """One object of a result file, if it lies in the file itself.
+
+    Raises
+    ------
+    ValueError
+        For links, external storage and virtual datasets: HDF5 would read other files of this machine.
+    """
+    import h5py
+
+    if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+        raise ValueError(f"{name} is a link to somewhere else")
+    item = group[name]
+    if isinstance(item, h5py.Dataset):
+        made = item.id.get_create_plist()
+        if made.get_layout() == h5py.h5d.VIRTUAL or made.get_external_count():
+            raise ValueError(f"{name} is stored in another file")
+    return item
+
+
+def members(group: h5py.Group) -> dict[str, h5py.Group | h5py.Dataset]:
+    """All objects of a group of a result file by name, as `member` gives them."""
+    return {name: member(group, name) for name in group}
+
+
+def dimensions_of(item: h5py.Dataset) -> tuple[h5py.Dataset, ...]:
+    """Dimensions of a variable, each by its scale; a scale has itself.
+
+    The references are followed here one by one: the function of HDF5 for that (H5DSiterate_scales) ends the
+    process where one of them leads nowhere.
+
+    Raises
+    ------
+    ValueError
+        If there is none for an axis, or it is no scale.
+    """
+    import h5py
+
+    if item.is_scale:
+        return (item,)
+    lists = item.attrs["DIMENSION_LIST"] if item.ndim else ()
+    places = tuple(item.file[references[0]] for references in lists)
+    good = all(isinstance(place, h5py.Dataset) and place.name and place.ndim == 1 for place in places)
+    if len(places) != item.ndim or not good:
+        raise ValueError(f"the dimensions of {item.name} are missing")
+    return places
 
 
 def open_file(path: str | os.PathLike[str]) -> h5py.File:
@@ -224,10 +290,11 @@ def _look_through(file: h5py.File) -> None:
     groups: list[h5py.Group] = [file]
     while groups:
         group = groups.pop()
-        for item in (group, *group.values()):
+        inside = members(group).values()
+        for item in (group, *inside):
             for name in item.attrs:
                 item.attrs[name]
-        for item in group.values():
+        for item in inside:
             if isinstance(item, h5py.Group):
                 groups.append(item)
             elif isinstance(item, h5py.Dataset):
@@ -245,9 +312,7 @@ def _look_at(item: h5py.Dataset, size: int) -> None:
             most *= -(-length // step)
         if count > most:
             raise ValueError(f"{item.name} has {count} blocks where {most} have room")
-    for axis in range(item.ndim):
-        for scale in item.dims[axis].values():
-            scale.shape  # noqa: B018, HDF5 follows the reference
+    dimensions_of(item)
 
 
 def _text(value: Any) -> str:

@@ -6,12 +6,14 @@ Works on finished files, on files that are still being written, and on files who
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.io.container import ResultError
-from pitchpoint.io.opening import DAMAGE, damaged, open_file, opened
+from pitchpoint.io.opening import member, members, open_file, opened, understood
 from pitchpoint.io.writing import BLOCK_GROUP, EVENT_GROUP, STATISTICS
 
 if TYPE_CHECKING:
@@ -37,20 +39,20 @@ def header_in(file: h5py.File) -> dict[str, Any]:
     return header
 
 
-def open_table(path: str | os.PathLike[str], kind: str) -> h5py.File:
-    """Open a result file of one kind (`sweep`, `modes`) through h5py; use it in a `with` block."""
-    file = open_file(path)
-    found = file.attrs.get("kind")
-    if found != kind:
-        file.close()
-        raise ResultError(f"{os.fspath(path)}: holds {found} results, not those of {kind}")
-    return file
+@contextlib.contextmanager
+def open_table(path: str | os.PathLike[str], kind: str) -> Iterator[Mapping[str, h5py.Dataset]]:
+    """Open a result file of one kind (`sweep`, `cases`) for a `with` block; gives its variables by name."""
+    with opened(path) as file:
+        found = file.attrs.get("kind")
+        if found != kind:
+            raise ResultError(f"{os.fspath(path)}: holds {found} results, not those of {kind}")
+        yield {name: item for name, item in members(file).items() if hasattr(item, "shape")}
 
 
 def list_channels(path: str | os.PathLike[str]) -> list[str]:
     """Name the variables of a result file, without its dimensions."""
     with opened(path) as file:
-        return [name for name, item in file.items() if hasattr(item, "shape") and not item.is_scale]
+        return _channels(file)
 
 
 def read_channel(
@@ -72,22 +74,23 @@ def read_channel(
             raise ResultError(f"{os.fspath(path)}: holds no time series but {file.attrs['kind']} results")
         if name not in file or name == BLOCK_GROUP:
             raise ResultError(f"{os.fspath(path)}: no channel {name!r}; {_suggest(name, file)}")
-        length = file["time"].shape[0]
-        rows = slice(*slice(start, stop, step).indices(length))
-        return file["time"][rows], file[name][rows]
+        time, channel = member(file, "time"), member(file, name)
+        rows = slice(*slice(start, stop, step).indices(time.shape[0]))
+        return time[rows], channel[rows]
 
 
 def read_units(path: str | os.PathLike[str]) -> dict[str, str]:
     """Units of all variables of a result file, by name."""
     with opened(path) as file:
-        found = {name: item.attrs.get("units", "") for name, item in file.items() if hasattr(item, "shape")}
+        arrays = {name: item for name, item in members(file).items() if hasattr(item, "shape")}
+        found = {name: item.attrs.get("units", "") for name, item in arrays.items()}
     return {name: u.decode("utf-8") if isinstance(u, bytes) else str(u) for name, u in found.items()}
 
 
 def read_blocks(path: str | os.PathLike[str], name: str) -> dict[str, np.ndarray]:
     """Read `time`, `min`, `max`, `mean` and `rms` of each block of a channel, shape (n_blocks,)."""
     with opened(path) as file:
-        group = file.get(BLOCK_GROUP, {})
+        group = members(member(file, BLOCK_GROUP)) if BLOCK_GROUP in file else {}
         if name not in group or name == "time":
             raise ResultError(f"{os.fspath(path)}: no block statistics of {name!r}; {_suggest(name, file)}")
         n = group["time"].shape[0]
@@ -117,12 +120,13 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
     try:
         from pitchpoint.io.lazy import lazy_dataset
 
-        dataset = lazy_dataset(path, file, group)
-        for name, variable in ({} if group else _events(file)).items():
-            dataset[name] = variable
-    except DAMAGE as error:
+        with understood(path):
+            dataset = lazy_dataset(path, file, group)
+            for name, variable in ({} if group else _events(file)).items():
+                dataset[name] = variable
+    except BaseException:
         file.close()
-        raise damaged(path, error) from error
+        raise
     dataset.encoding["source"] = os.fspath(path)
     dataset.set_close(file.close)
     return dataset
@@ -134,15 +138,20 @@ def _events(file: h5py.File) -> dict[str, Any]:
 
     if EVENT_GROUP not in file:
         return {}
-    group = file[EVENT_GROUP]
+    group = members(member(file, EVENT_GROUP))
     n = min(group[name].shape[0] for name in ("time", "event", "direction"))
     names = group["event"].attrs["flag_meanings"].split(" ")
     return event_variables(group["time"][:n], group["event"][:n], group["direction"][:n], names)
 
 
+def _channels(file: h5py.File) -> list[str]:
+    """Variables that are no dimensions."""
+    return [name for name, item in members(file).items() if hasattr(item, "shape") and not item.is_scale]
+
+
 def _suggest(name: str, file: h5py.File) -> str:
     import difflib
 
-    known = [key for key, item in file.items() if hasattr(item, "shape") and not item.is_scale]
+    known = _channels(file)
     near = difflib.get_close_matches(name, known, n=3)
     return f"did you mean {', '.join(near)}?" if near else f"there are {', '.join(known)}"

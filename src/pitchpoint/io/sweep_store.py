@@ -112,15 +112,20 @@ def read_sweep(path: str | os.PathLike[str]) -> dict[str, Any]:
     Points that were not computed are left out; `open_result` has all channels.
     """
     with open_table(path, "sweep") as file:
-        first = f"{SHARES[0][0]}["  # only the swept mesh has shares
-        mesh = next(name for name in file if name.startswith(first))[len(first) : -1]
-        directions = [d.decode() if isinstance(d, bytes) else d for d in file["direction"][...]]
-        frequencies, speeds = file["mesh_frequency"][...], file["speed"][...]
-        tables = {name: file[f"{name}[{mesh}]"][...] for name, _, _ in QUANTITIES}
-        shares = {name: file[f"{name}[{mesh}]"][...] for name, _ in SHARES}
-        status = file["point_status"][...]
-        n = file["jump"].shape[0]
-        where, jump_at = file["jump_direction"][:n], file["jump_mesh_frequency"][:n]
+        return _plain(file)
+
+
+def _plain(file: Mapping[str, Any]) -> dict[str, Any]:
+    """Plain data of the variables of a sweep."""
+    first = f"{SHARES[0][0]}["  # only the swept mesh has shares
+    mesh = next(name for name in file if name.startswith(first))[len(first) : -1]
+    directions = [d.decode() if isinstance(d, bytes) else d for d in file["direction"][...]]
+    frequencies, speeds = file["mesh_frequency"][...], file["speed"][...]
+    tables = {name: file[f"{name}[{mesh}]"][...] for name, _, _ in QUANTITIES}
+    shares = {name: file[f"{name}[{mesh}]"][...] for name, _ in SHARES}
+    status = file["point_status"][...]
+    n = file["jump"].shape[0]
+    where, jump_at = file["jump_direction"][:n], file["jump_mesh_frequency"][:n]
     points = []
     for k, direction in enumerate(directions):
         order = range(len(frequencies)) if direction == "up" else range(len(frequencies) - 1, -1, -1)

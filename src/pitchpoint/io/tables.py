@@ -93,6 +93,21 @@ class TableWriter:
     ) -> None:
         self._begun = time.perf_counter()
         self._container = container = Container(path, header)
+        with container.writing():
+            self._make(axes, quantities, growing, growing_name)
+            for name, words in (texts or {}).items():
+                self._variables[name][...] = list(words)
+        container.begin()
+
+    def _make(
+        self,
+        axes: Sequence[Axis],
+        quantities: Sequence[Quantity],
+        growing: Sequence[tuple[str, str, str]],
+        growing_name: str,
+    ) -> None:
+        """Make dimensions and variables."""
+        container = self._container
         scales = {
             axis.name: container.dimension(
                 axis.name,
@@ -127,9 +142,6 @@ class TableWriter:
                 self._columns[name] = container.variable(
                     name, [self._index], dtype=dtype, chunks=(64,), attributes={"units": unit}
                 )
-        for name, words in (texts or {}).items():
-            self._variables[name][...] = list(words)
-        container.begin()
 
     @property
     def path(self) -> str:
@@ -138,16 +150,18 @@ class TableWriter:
 
     def put(self, name: str, index: Any, values: Any) -> None:
         """Set values of a variable at an index or slice."""
-        self._variables[name][index] = values
+        with self._container.writing():
+            self._variables[name][index] = values
 
     def extend(self, row: Mapping[str, Any]) -> None:
         """Add one row to the growing list."""
         self._length += 1
-        for name, column in self._columns.items():
-            column.resize((self._length,))
-            column[self._length - 1] = row[name]
-        self._index.resize((self._length,))
-        self._index[self._length - 1] = self._length - 1
+        with self._container.writing():
+            for name, column in self._columns.items():
+                column.resize((self._length,))
+                column[self._length - 1] = row[name]
+            self._index.resize((self._length,))
+            self._index[self._length - 1] = self._length - 1
 
     def flush(self) -> None:
         """Bring everything to the disk; call once per point."""

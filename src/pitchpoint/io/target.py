@@ -7,9 +7,13 @@ Kind and writer are read from the contents, not from the ending. Nothing is aske
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
-from collections.abc import Callable, Iterable
+import re
+import shutil
+import threading
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from pitchpoint.core.errors import PitchpointError, Problem
@@ -21,6 +25,9 @@ HEAD = 1024
 
 _SUPERBLOCK = 48
 """Bytes of what HDF5 writes first: a file that ends there has no contents."""
+
+
+_DISK_FAULTS = {getattr(errno, name, 0) for name in ("ENOSPC", "EDQUOT", "EFBIG", "EIO")} - {0}
 
 
 class OutputError(PitchpointError, OSError):
@@ -120,8 +127,10 @@ def check_target(
             return target
         if any(Path(name).exists() and target.samefile(name) for name in inputs):
             raise _refused(target, "is read by the same command", "a file of its own", "name another file")
-        if kind == "result":
-            _replaceable(target)
+        if not os.access(target.resolve().parent, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        if kind == "result" and is_held(target):
+            raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
         with target.open("rb") as file:
             head = file.read(HEAD)
         if head and not recognised(target, head):
@@ -154,18 +163,66 @@ def check_place(path: str | os.PathLike[str]) -> None:
 def write_file(path: str | os.PathLike[str], data: str | bytes) -> Path:
     """Write a whole file, texts as UTF-8; its folder is made if it does not exist.
 
+    An older file stays as it is until the new one is on the disk. Pipes need a process that reads them.
+
     Raises
     ------
     OutputError
         With the path and the reason, if that is not possible.
     """
     target = Path(path)
+    whole = data.encode("utf-8") if isinstance(data, str) else data
     try:
         make_folder(target)
-        target.write_bytes(data.encode("utf-8") if isinstance(data, str) else data)
+        if target.exists() and not target.is_file():
+            _write_stream(target, whole)
+        else:
+            with replacing(target) as draft:
+                write_draft(draft, whole)
     except (OSError, ValueError) as error:
         raise OutputError(cannot_be_written(target, error)) from error
     return target
+
+
+@contextlib.contextmanager
+def replacing(target: Path, draft: Path | None = None) -> Iterator[Path]:
+    """Give the path of a side file that takes the place of the target when the block ends without an error.
+
+    Parameters
+    ----------
+    target
+        The file; links are followed, and an older file passes on its permissions.
+    draft
+        The side file; one in the same folder with the ending of the target if left out.
+    """
+    place = target.resolve()
+    if draft is None:
+        draft = place.with_name(f"{place.stem[:60]}.{os.getpid()}-{threading.get_ident()}.part{place.suffix}")
+    try:
+        yield draft
+        if place.exists():
+            with contextlib.suppress(OSError):  # a file system without permissions
+                shutil.copymode(place, draft)
+        draft.replace(place)
+    finally:
+        with contextlib.suppress(OSError):
+            draft.unlink(missing_ok=True)
+
+
+def write_draft(draft: Path, data: bytes) -> None:
+    """Write a side file to the disk: a disk that is full says so here, not after the older file is gone."""
+    with draft.open("wb") as file:
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())
+
+
+def _write_stream(target: Path, data: bytes) -> None:
+    """Write to a pipe or device; opening a pipe that nobody reads would wait for ever."""
+    descriptor = os.open(target, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0))
+    os.set_blocking(descriptor, True)
+    with open(descriptor, "wb") as file:
+        file.write(data)
 
 
 def make_folder(target: Path) -> None:
@@ -181,8 +238,11 @@ def make_folder(target: Path) -> None:
 
 def cannot_be_written(target: Path, error: OSError | ValueError) -> str:
     """Say that a file cannot be written and why, and what to do if another process is at it."""
-    held = isinstance(error, BlockingIOError | FileExistsError)
-    remedy = "; wait until it is closed, or name another file" if held else ""
+    remedy = ""
+    if isinstance(error, BlockingIOError | FileExistsError):
+        remedy = "; wait until it is closed, or name another file"
+    elif isinstance(error, OSError) and error.errno == errno.ENXIO:
+        remedy = "; start the process that reads this pipe first"
     return f"{target}: cannot be written ({reason_of(error)}){remedy}"
 
 
@@ -190,9 +250,27 @@ def reason_of(error: OSError | ValueError) -> str:
     """Say in a few words what the system, or HDF5, did not like about a file."""
     if isinstance(error, BlockingIOError | FileExistsError):
         return "another process holds it"
-    if isinstance(error, OSError) and error.errno:
-        return os.strerror(error.errno)  # HDF5 wraps the same words in many of its own
+    number = disk_errno(error)
+    if number:
+        return os.strerror(number)  # HDF5 wraps the same words in many of its own
     return str(error).split("(")[-1].rstrip(")") or type(error).__name__
+
+
+def disk_errno(error: BaseException) -> int:
+    """Number of the error of the system, which HDF5 may give in its text only; 0 without one."""
+    if isinstance(error, OSError) and error.errno:
+        return error.errno
+    found = re.search(r"errno = (\d+)", str(error))
+    return int(found[1]) if found else 0
+
+
+def is_disk_fault(error: BaseException | None) -> bool:
+    """Whether an error, or what caused it, is a disk that is full or broken, a quota or a limit of size."""
+    while error is not None:
+        if disk_errno(error) in _DISK_FAULTS:
+            return True
+        error = error.__cause__
+    return False
 
 
 def _accessible(target: Path) -> None:
@@ -207,14 +285,6 @@ def _accessible(target: Path) -> None:
     else:
         return
     raise OSError(error, os.strerror(error))
-
-
-def _replaceable(target: Path) -> None:
-    """Say whether the result that stands there is being written, or its folder forbids to replace it."""
-    if not os.access(target.resolve().parent, os.W_OK):
-        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-    if is_held(target):
-        raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
 
 
 def _refused(target: Path, message: str, limit: str, remedy: str) -> OutputError:

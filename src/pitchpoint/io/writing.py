@@ -186,10 +186,11 @@ class ResultWriter:
         self._blocks = 0
         self._begun = time.perf_counter()
         self._container = Container(path, header)
-        self._make_variables(block)
         self._events: list[Any] = []
-        if events:
-            self._make_events(events)
+        with self._container.writing():
+            self._make_variables(block)
+            if events:
+                self._make_events(events)
         self._container.begin()
 
     def _make_variables(self, block: int) -> None:
@@ -244,10 +245,11 @@ class ResultWriter:
         """Take in root events, shape (n, 3): time [s], index of the event function, direction (1 or -1)."""
         if not self._events or not len(found):
             return
-        n = self._events[-1].shape[0] + len(found)
-        for series, column in zip(self._events, (1, 2, 0), strict=True):
-            series.resize((n,))
-            series[n - len(found) :] = found[:, column]
+        with self._container.writing():
+            n = self._events[-1].shape[0] + len(found)
+            for series, column in zip(self._events, (1, 2, 0), strict=True):
+                series.resize((n,))
+                series[n - len(found) :] = found[:, column]
 
     @property
     def path(self) -> str:
@@ -275,13 +277,19 @@ class ResultWriter:
 
     def flush(self) -> None:
         """Write what is buffered, as a block of its own."""
-        import numpy as np
-
         n = self._filled
         if n == 0:
             return
         self._filled = 0
-        t, values = self._t[:n], self._values[:n]
+        with self._container.writing():
+            self._write(self._t[:n], self._values[:n])
+        self._container.flush()
+
+    def _write(self, t: np.ndarray, values: np.ndarray) -> None:
+        """Write one block of times, shape (n,), and values, shape (n, n_channels)."""
+        import numpy as np
+
+        n = t.shape[0]
         first = -self._seen % self.decimate
         self._seen += n
         keep = slice(first, None, self.decimate)
@@ -302,7 +310,6 @@ class ResultWriter:
             series[self._blocks - 1] = summary[:, k]
         self._block_time.resize((self._blocks,))
         self._block_time[self._blocks - 1] = t[0]
-        self._container.flush()
 
     def statistics(self) -> dict[str, dict[str, Any]]:
         """Sum up the samples since the start of the statistics window, channel by channel.
@@ -334,9 +341,11 @@ class ResultWriter:
 
         `statistics` by channel are those of all steps of the run; without them the samples are summed up.
         """
+        if not self._container.is_open:
+            return
         self.flush()
-        if self._container.is_open:
-            known = self.statistics() if statistics is None else statistics
+        known = self.statistics() if statistics is None else statistics
+        with self._container.writing():
             for channel, series in zip(self.channels, self._series, strict=True):
                 numbers = [known[channel.name][key] for key in RUN_STATISTICS]
                 series.attrs.modify("statistics", [math.nan if n is None else n for n in numbers])

@@ -8,7 +8,7 @@ against what a body hangs on. What all relations leave free is fixed by the give
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -72,9 +72,12 @@ def has_carriers(parts: Parts, links: list[Link]) -> bool:
 
 
 def carried_speeds(
-    parts: Parts, links: list[Link], given: Mapping[str, float], tolerance: float
+    parts: Parts, links: list[Link], given: Mapping[str, float], supported: Sequence[str], tolerance: float
 ) -> tuple[dict[str, float], list[tuple[str, float]]]:
-    """Speeds of all spins and given ones that contradict earlier ones, see `speed_ratios.start_speeds`."""
+    """Speeds of all spins and given ones that contradict earlier ones, see `speed_ratios.start_speeds`.
+
+    Bodies that are `supported` stand still where the given speeds let them.
+    """
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
     place = {name: k for k, name in enumerate(turning)}
     rows = [row for link in links if (row := _relation(parts, place, link)).any()]
@@ -82,15 +85,16 @@ def carried_speeds(
     taken: list[str] = []
     wrong = []
     y = np.zeros(free.shape[1])
-    for name, value in given.items():
+    wanted = dict(given) | {name: 0.0 for name in supported if name not in given}
+    for name, value in wanted.items():
         if name not in place:
             continue
         fits = float(free[place[name]] @ y)
         if _rank(free, [*taken, name], place) > len(taken):
             taken.append(name)
             chosen = free[[place[n] for n in taken]]
-            y = np.linalg.lstsq(chosen, np.array([given[n] for n in taken]), rcond=None)[0]
-        elif abs(fits - value) > tolerance * max(abs(value), abs(fits)):
+            y = np.linalg.lstsq(chosen, np.array([wanted[n] for n in taken]), rcond=None)[0]
+        elif name in given and abs(fits - value) > tolerance * max(abs(value), abs(fits)):
             wrong.append((name, fits))
     found = free @ y
     # columns of length one are rounded as one is

@@ -204,7 +204,7 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
         report.problem(
             ("scenario",), f"is no scenario over time: {scenario}", remedy=_near(scenario, over_time)
         )
-    for name, levels in plan.factors.items():
+    for levels in plan.factors.values():
         for level in levels:
             _check_level(level, model, report, plan.allow_code)
     for path in plan.jitter:

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.keys import Place
+from pitchpoint.model.torsional_supports import bushed_pairs, supported_bodies
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
@@ -20,7 +21,7 @@ Link = tuple[Place, str, str, float]
 
 
 def links_of(parts: Parts) -> list[Link]:
-    """What gives two bodies a speed ratio: meshes, couplings that carry torque, ratios of two spins."""
+    """What gives two bodies a speed ratio: meshes, what couples them in torsion, ratios of two spins."""
     from pitchpoint.model.mechanism import coordinate
 
     found: list[Link] = []
@@ -38,6 +39,7 @@ def links_of(parts: Parts) -> list[Link]:
     for name, spring in parts.torsion_springs.items():
         if len(set(spring.bodies) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
             found.append((("torsion_springs", name), *spring.bodies, 1.0))
+    found += [(("bushings", name), *bodies, 1.0) for name, bodies in bushed_pairs(parts).items()]
     for name, ratio in parts.ratios.items():
         ends = [coordinate(parts.mechanism, parts, term) for term in ratio.terms]
         spins = [e[0] for e in ends if not isinstance(e, str) and _is_spin(parts, e)]
@@ -125,13 +127,14 @@ def start_speeds(
     Returns
     -------
     tuple
-        Speed by body [rad/s], 0 for bodies that nothing sets in motion; and (body, fitting speed) for each
-        given speed that contradicts an earlier one.
+        Speed by body [rad/s], 0 for bodies that nothing sets in motion or that a torsional support holds
+        while the given speeds leave it open; and (body, fitting speed) for each given speed that contradicts
+        an earlier one.
     """
     from pitchpoint.model.carried_trains import carried_speeds, has_carriers
 
     if has_carriers(parts, joined := links_of(parts)):
-        return carried_speeds(parts, joined, given, SPEED_TOLERANCE)
+        return carried_speeds(parts, joined, given, supported_bodies(parts), SPEED_TOLERANCE)
     links = ratios(parts)
     speeds: dict[str, float] = {}
     wrong = []

@@ -14,6 +14,7 @@ from __future__ import annotations
 import os
 import re
 import zipfile
+import zlib
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -294,6 +295,10 @@ def structure_from_dmig(
     return structure, nodes
 
 
+_DAMAGE = (ValueError, OSError, EOFError, LookupError, MemoryError, RuntimeError, TypeError, SyntaxError)
+"""What NumPy raises for damaged archives; it reads the head of an array as a Python literal."""
+
+
 def read_npz(path: str | os.PathLike[str]) -> Structure:
     """Read a NumPy archive with K, M, places and, if nodes differ in their directions, node and direction.
 
@@ -316,7 +321,7 @@ def read_npz(path: str | os.PathLike[str]) -> Structure:
                     raise refuse(file, f"{item.filename}: {item.file_size} bytes (limit {MOST_BYTES})")
         with np.load(file, allow_pickle=False) as arrays:
             data = {name: np.asarray(arrays[name]) for name in arrays.files}
-    except (ValueError, OSError, EOFError, KeyError, zipfile.BadZipFile, MemoryError, RuntimeError) as error:
+    except (*_DAMAGE, zipfile.BadZipFile, zlib.error) as error:
         raise refuse(file, f"is not an archive of plain arrays ({error})") from None
     if "places" not in data:
         raise refuse(file, "has no array 'places'", remedy="add the nodes (number of nodes, 3) in m")

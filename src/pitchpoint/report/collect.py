@@ -93,6 +93,7 @@ def collect(
     model: Model, results: Sequence[str | os.PathLike[str] | xr.Dataset], progress: Progress
 ) -> tuple[ReportResults, list[str]]:
     """Collect what a report shows: what follows from the model, the results given, and remarks."""
+    from pitchpoint.io.opening import understood
     from pitchpoint.report.numbers import C_PRIME_B, MEAN, cycles_of_model
     from pitchpoint.report.overview import power_part, scene_part
     from pitchpoint.report.statics import linear_parts, rolled_meshes, with_rolls
@@ -101,7 +102,8 @@ def collect(
     words = {C_PRIME_B: "c′·b", MEAN: "mean"}
     for result in results:
         if isinstance(result, str | os.PathLike):
-            _add_file(found, os.fspath(result), model)
+            with understood(result):
+                _add_file(found, os.fspath(result), model)
         else:
             _add_dataset(found, result, model)
     cycles = {

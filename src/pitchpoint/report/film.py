@@ -19,7 +19,7 @@ from typing import Any
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.io.target import check_place, make_folder
+from pitchpoint.io.target import check_place, make_folder, replacing
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 LENGTH = 10.0
@@ -101,11 +101,11 @@ class FilmMaker:
         """How its ending is made."""
         return KINDS[self.target.suffix.lower()]
 
-    def command(self) -> list[str]:
+    def command(self, file: Path) -> list[str]:
         """What makes a film of pictures that come one after the other."""
         pictures = ["-f", "image2pipe", "-framerate", f"{self.kind.rate:g}", "-i", "-"]
         coder = ["-c:v", self.encoder, *self.kind.settings]
-        return [self.ffmpeg, "-loglevel", "error", "-y", *pictures, *coder, str(self.target)]
+        return [self.ffmpeg, "-loglevel", "error", "-y", *pictures, *coder, str(file)]
 
 
 def film_maker(target: str | os.PathLike[str]) -> FilmMaker:
@@ -199,7 +199,11 @@ def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, progress: Pr
         If ffmpeg fails.
     """
     make_folder(maker.target)
-    with subprocess.Popen(maker.command(), stdin=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+    pipe = subprocess.PIPE
+    with (
+        replacing(maker.target) as draft,
+        subprocess.Popen(maker.command(draft), stdin=pipe, stderr=pipe) as process,
+    ):
         assert process.stdin is not None and process.stderr is not None
         try:
             for k, picture in enumerate(pictures):

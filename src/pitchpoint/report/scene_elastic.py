@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.model.frames import place_of, split, unit
 from pitchpoint.model.shafts import station_names
-from pitchpoint.viz.scene import SceneSolid, Skin, Sway
+from pitchpoint.viz.scene import Blend, ModalShape, SceneSolid
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.beam import Beam
@@ -93,7 +93,7 @@ def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
         body=bodies[0],
         points=(points.reshape(-1, 3) - origin) @ axes,
         triangles=np.concatenate(faces),
-        skin=Skin(bodies, np.repeat(first, n), np.repeat(first + 1, n), np.repeat(weight, n)),
+        blend=Blend(bodies, np.repeat(first, n), np.repeat(first + 1, n), np.repeat(weight, n)),
     )
 
 
@@ -149,7 +149,7 @@ def _nodes(model: Model, name: str, at: Places, read: Read) -> SceneSolid:
         body=number,
         points=np.concatenate(points),
         triangles=np.concatenate(faces),
-        sway=Sway(
+        modal=ModalShape(
             np.moveaxis(shape, 2, 0),
             np.array(node, np.int64),
             np.column_stack(known) if len(known) == len(values) else None,

@@ -102,14 +102,14 @@ def _mode(
     at = {body: k for k, body in enumerate(motions[0])}
     moved = np.array([motions[1][at[body]] for body in bodies]).reshape(-1, 6)
     place = {coordinate: k for k, coordinate in enumerate(coordinates[0])}
-    sway = {}
+    modal = {}
     for solid in solids:
-        if solid.sway is None:
+        if solid.modal is None:
             continue
-        own = coordinates_of(solid.name, len(solid.sway.shapes))
+        own = coordinates_of(solid.name, len(solid.modal.shapes))
         if all(c in place for c in own):
-            sway[solid.name] = coordinates[1][[place[c] for c in own]]
+            modal[solid.name] = coordinates[1][[place[c] for c in own]]
     shown = damping if math.isfinite(damping) and frequency > 0.0 else None
     return SceneMode(
-        name=name, frequency=frequency, damping=shown, position=moved[:, :3], turn=moved[:, 3:], sway=sway
+        name=name, frequency=frequency, damping=shown, position=moved[:, :3], turn=moved[:, 3:], modal=modal
     )

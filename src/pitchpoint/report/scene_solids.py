@@ -35,7 +35,7 @@ from pitchpoint.report.scene_supports import (
     ring_places,
     spindle_radius,
 )
-from pitchpoint.viz.scene import SceneSolid, Skin
+from pitchpoint.viz.scene import Blend, SceneSolid
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -183,7 +183,7 @@ def _shaft(model: Model, name: str, bodies: Mapping[str, int]) -> SceneSolid:
         body=bodies[name],
         points=points - np.array([0.0, 0.0, places[0]]),
         triangles=triangles,
-        skin=Skin([bodies[s] for s in stations], first, first + 1, weight),
+        blend=Blend([bodies[s] for s in stations], first, first + 1, weight),
     )
 
 

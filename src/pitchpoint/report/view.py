@@ -103,6 +103,7 @@ def _name(source: Model | str | os.PathLike[str] | xr.Dataset) -> str:
 
 
 def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool, modes: int) -> Scene:
+    from pitchpoint.io.opening import understood
     from pitchpoint.io.reading import open_result
     from pitchpoint.io.yaml_model import load_model, loads_model
     from pitchpoint.model.model import Model
@@ -117,14 +118,23 @@ def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool
             name = os.fspath(source)
             if not name.lower().endswith(RESULT_ENDINGS):
                 return scene_of(load_model(name, allow_code=allow_code), modes=modes)
-            model, result = kept_model(name, allow_code), open_result(name)
+            model = kept_model(name, allow_code)
+            with open_result(name) as result, understood(name):
+                return _motion(model, result, name, modes)
         else:
             result = source
             name = str(result.encoding.get("source", "result"))
             model = loads_model(str(result.attrs.get("model_text", "")), allow_code=allow_code, file=name)
-        if "time" not in result.dims and "body_shape" not in result:
-            kind = result.attrs.get("kind", "no time run")
-            raise PitchpointError(
-                f"{name}: holds nothing that moves over time ({kind}); view a time run or modes"
-            )
-        return scene_of(model, result, modes=modes)
+        return _motion(model, result, name, modes)
+
+
+def _motion(model: Model, result: xr.Dataset, name: str, modes: int) -> Scene:
+    """Scene of a model that moves as a result says."""
+    from pitchpoint.report.scene import scene_of
+
+    if "time" not in result.dims and "body_shape" not in result:
+        kind = result.attrs.get("kind", "no time run")
+        raise PitchpointError(
+            f"{name}: holds nothing that moves over time ({kind}); view a time run or modes"
+        )
+    return scene_of(model, result, modes=modes)

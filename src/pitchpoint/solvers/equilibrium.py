@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -57,6 +58,8 @@ LONGEST = 0.3
 """Largest turn of a joint in one step then [rad]."""
 SLOW = 1.0
 """Time [s] from which on a search says how many steps it has taken."""
+NOW = (np.zeros(1), np.ones(1))
+"""The instant of the start alone, with its weight."""
 SHORT = 1e-6
 """Step [m] below which one that makes no progress is searched for the jump of a force."""
 
@@ -243,12 +246,23 @@ def _wrapped(system: System, state: State) -> State:
     return state
 
 
+def balancing_loads(system: System) -> list[int]:
+    """Records of the torques that the model leaves to balance all others."""
+    loads = {} if system.model is None else system.model.loads
+    torques = [load.torque for load in loads.values() if load.torque is not None]
+    return [k for k, torque in enumerate(torques) if isinstance(torque, Balance)]
+
+
 def balance_torques(
-    system: System, state: State, held: Sequence[int], driven: Sequence[int] = ()
+    system: System,
+    state: State,
+    held: Sequence[int],
+    driven: Sequence[int] = (),
+    instants: tuple[NDArray[np.float64], NDArray[np.float64]] = NOW,
 ) -> tuple[System, tuple[int, ...], list[int]]:
     """Fill in the torques that the model leaves to balance all others.
 
-    Each is what holds its body still in equilibrium, with the drives of its gear train let go.
+    Each is what holds its body at its angle in equilibrium, with the drives of its gear train let go.
 
     Parameters
     ----------
@@ -258,6 +272,8 @@ def balance_torques(
         Spins kept, one for every group of bodies that can turn freely.
     driven
         Those of them whose motion is prescribed.
+    instants
+        Instants [s] to which all spins turn at their speeds, and the weights of the torques found there.
 
     Returns
     -------
@@ -270,22 +286,41 @@ def balance_torques(
     SolverError
         If there is no equilibrium.
     """
-    loads = {} if system.model is None else system.model.loads
-    torques = [name for name, load in loads.items() if load.torque is not None]
-    wanted = [k for k, name in enumerate(torques) if isinstance(loads[name].torque, Balance)]
+    wanted = balancing_loads(system)
     if not wanted:
         return system, (), list(held)
     acting = system.records["torque"]["i"]  # on a shaft it is the station where the torque acts
     spins = [system.spin(system.layout.bodies[int(acting[k])]) for k in wanted]
     let_go = exchange_all(system, held, spins, state)
     found = find_equilibrium(system, state, let_go)
+    reaction = _mean_reaction(system, found, *instants)
     records = system.records["torque"].copy()
     for k, spin in zip(wanted, spins, strict=True):
-        records["value"][k] = found.reaction[found.held.index(spin)]
+        records["value"][k] = reaction[found.held.index(spin)]
     kept = list(complete(system, driven, let_go))
     if is_looped(system):  # a train that goes on through loops stays where its torques balance
         kept += [s for s in spins if s not in kept and is_independent(system, state, kept, s)]
     return system.with_params({"torque": records}), tuple(spins), kept
+
+
+def _mean_reaction(
+    system: System, found: Equilibrium, times: NDArray[np.float64], weights: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Weighted mean of the reactions of an equilibrium whose spins turn on at their speeds.
+
+    Instants without an equilibrium, such as those at a missing tooth, do not count.
+    """
+    if not times.any():
+        return found.reaction
+    spins = np.setdiff1d([s for s in system.program["body"]["spin"] if s >= 0], system.states)
+    total, counted = np.zeros(len(found.held)), 0.0
+    for instant, weight in zip(times[weights > 0.0], weights[weights > 0.0], strict=True):
+        state = found.state.copy()
+        state.q[spins] += instant * state.v[spins]
+        with suppress(SolverError):
+            total += weight * find_equilibrium(system, _wrapped(system, state), found.held).reaction
+            counted += weight
+    return total / counted if counted > 0.0 else found.reaction
 
 
 def solve_equilibrium(

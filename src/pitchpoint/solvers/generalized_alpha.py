@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import address, kernel, view
-from pitchpoint.core.status import BAD_CENTRE, DIVERGED, NOT_FINITE, OK, SLOW
+from pitchpoint.core.status import BAD_CENTRE, DIVERGED, NOT_FINITE, OK, SLOW, UNBOUNDED
 from pitchpoint.multibody.channels import CTL, I8
 from pitchpoint.solvers.alpha_start import first_slopes, shift_rates
 from pitchpoint.solvers.alpha_step import alpha_step, bring_step, divided_step
@@ -53,7 +53,8 @@ def advance(at, t0, first, n, h, rho, tol, iteration, code, harvest):
     for k in range(1, n + 1):
         t = t0 + (first + k) * h
         status = alpha_step(at, t, h, rho, tol, iteration, code, 1)
-        if status == SLOW or status == DIVERGED or status == BAD_CENTRE:  # an iterate has gone astray
+        if status == SLOW or status == DIVERGED or status == BAD_CENTRE or status == UNBOUNDED:
+            # an iterate has gone astray
             status = divided_step(at, t, h, rho, tol, iteration, code)
         if status != OK:
             bring_step(at)

@@ -36,6 +36,7 @@ NOTHING = 1e-11
 """Distance [m] of two states that are one place."""
 MOST_ITERATIONS = 40
 MOST_PROJECTIONS = 5
+MOST_BISECTIONS = 100
 FARTHEST = 1e-2
 """Largest step [m] along a surface; an equilibrium on it is near."""
 
@@ -124,7 +125,9 @@ def rest_between(system: System, one: State, two: State, free: Indices, goal: Ar
     """
     near, far = evaluate.residual(system, one), evaluate.residual(system, two)
     step = (two.q - one.q)[free]
-    while float(np.abs((two.q - one.q) * system.weight)[free].max()) > NOTHING:
+    for _ in range(MOST_BISECTIONS):  # of two states so far out no two numbers may be this close
+        if float(np.abs((two.q - one.q) * system.weight)[free].max()) <= NOTHING:
+            break
         middle = one.copy()
         middle.q[:] = 0.5 * (one.q + two.q)
         between = evaluate.residual(system, middle)

@@ -31,8 +31,8 @@ FADING = 1.2
 """Growth of the contraction rate from step to step while it is not measured: the matrix ages meanwhile."""
 
 TRUSTED = 0.1
-"""Contraction rate up to which one iteration makes a step where the mass matrix turns with the machine. The
-prediction takes what a step leaves over three times into the next: from a rate of a third on it would grow."""
+"""Contraction rate up to which one iteration makes a step where the mass matrix turns with the machine. What
+a step leaves over enters the prediction of the next one threefold: from a third on it would grow."""
 QUIET = 1e-7
 """Change of the accelerations [m/s^2] that is left to rounding whatever the rate."""
 

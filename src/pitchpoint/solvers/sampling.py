@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import invoke, kernel, view
-from pitchpoint.core.status import OK
+from pitchpoint.core.status import OK, UNBOUNDED
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.system.residual import evaluate_events, observe
 from pitchpoint.system.workspace import MACH
@@ -25,6 +25,8 @@ COUNT, REFERENCE, SUM, SQUARES, LEAST, MOST, NEGATIVE, ZERO = range(8)
 
 #: Columns of a recorded event: time, index of the event function, direction (+1 rising, -1 falling).
 EVENT_COLUMNS = 3
+GREATEST = 1e100
+"""Size of a number from which a solution has left all bounds, whatever its unit; its square is one."""
 
 
 class Harvest(NamedTuple):
@@ -94,12 +96,15 @@ class Chunk:
         Samples (time, observations ...), shape (n, no + 1).
     events
         Recorded events (time, event function, direction), shape (n, 3).
+    lost
+        Sample at which the solution has left all bounds, shape (no + 1,); `rows` end before it.
     """
 
     status: int
     steps: int
     rows: NDArray[np.float64]
     events: NDArray[np.float64]
+    lost: NDArray[np.float64] | None = None
 
 
 #: A harvest as a record: addresses and sizes of its buffers.
@@ -152,7 +157,24 @@ def advance_into(entry: Any, at: int, order: NDArray[np.void], harvest: Harvest)
     record[0]["done"] = done.ctypes.data
     status = invoke(entry, at, order.ctypes.data, record.ctypes.data)
     steps, samples, events = (int(n) for n in done)
-    return Chunk(status, steps, rows[:samples], found[: min(events, len(found))])
+    kept, lost = rows[:samples], None
+    if not bounded(kept):
+        first = int(np.argmax(~(np.abs(kept) < GREATEST).all(axis=1)))
+        kept, lost = kept[:first], kept[first].copy()
+    if lost is not None or not (bounded(sums[:, SUM]) and bounded(sums[:, LEAST : MOST + 1])):
+        status = UNBOUNDED if status == OK else status
+    return Chunk(status, steps, kept, found[: min(events, len(found))], lost)
+
+
+def bounded(values: NDArray[np.float64]) -> bool:
+    """Whether all values are numbers of a size that a machine can have; two passes without a copy.
+
+    Examples
+    --------
+    >>> bounded(np.array([0.0, -1e99])), bounded(np.array([0.0, np.nan])), bounded(np.zeros((0, 3)))
+    (True, False, True)
+    """
+    return not values.size or bool(values.min() > -GREATEST and values.max() < GREATEST)
 
 
 @kernel(inline=True)

@@ -15,7 +15,8 @@ from pitchpoint.model.mechanism import given
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.assembly import assemble_state, close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
-from pitchpoint.solvers.equilibrium import Equilibrium, balance_torques
+from pitchpoint.solvers.equilibrium import NOW, Equilibrium, balance_torques, balancing_loads
+from pitchpoint.solvers.mean_balance import cycle_instants, with_mean_loads
 from pitchpoint.solvers.model_damping import with_damping
 from pitchpoint.solvers.start_notes import start_notes
 from pitchpoint.solvers.states_at_start import rest_of_controls, states_of_inputs
@@ -33,6 +34,8 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.scenario import Scenario
 
+UNBALANCED = "the loads do not balance"
+"""How the remark begins that the speed will drift."""
 IMBALANCE = 1e-6
 """Net torque over the largest torque from which a run says that its loads do not balance."""
 
@@ -109,16 +112,38 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     held = list(held_spins(system))
     if scenario.start == "assembled":
         state, notes = _closed(system, scenario, state, driven)
+        if balancing_loads(system):
+            system = _at_rest(system, state, held, driven)[0]
         state = states_of_inputs(system, state)
         return Start(with_damping(system, state), state, (*notes, *start_notes(system, state, driven)))
     state = _from_given(system, state, driven)
-    system, balanced, held = balance_torques(system, state, held, driven)
-    found, told = rest_of_controls(system, state, held, {*driven, *balanced})
-    system, found, remarks = settle_clutches(system, found, driven, balanced)
-    notes = (*told, *_notes(system, found, {*driven, *balanced}), *remarks)
+    system, found, notes = _at_rest(system, state, held, driven)
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     more = (*more, *start_notes(system, state, driven))
     return Start(with_damping(system, state), state, (*notes, *more))
+
+
+def _at_rest(
+    system: System, state: State, held: Sequence[int], driven: Sequence[int]
+) -> tuple[System, Equilibrium, tuple[str, ...]]:
+    """The system with its balancing torques, and its equilibrium with what there is to say about it.
+
+    Torques balance the mean of what pulsates; the equilibrium is that under the loads of the start.
+    """
+    balancing = balancing_loads(system)
+    mean = with_mean_loads(system, state) if balancing else system
+    pulsates = mean is not system
+    instants = cycle_instants(system, state) if balancing else NOW
+    mean, balanced, held = balance_torques(mean, state, held, driven, instants)
+    known = {*driven, *balanced}
+    found, told = rest_of_controls(mean, state, held, known)
+    mean, found, remarks = settle_clutches(mean, found, driven, balanced)
+    if pulsates:
+        records = system.records["torque"].copy()
+        records["value"][balancing] = mean.records["torque"]["value"][balancing]
+        mean = system.with_params({"torque": records})
+        found, told = rest_of_controls(mean, found.state, held, known)
+    return mean, found, (*told, *_notes(mean, found, known), *remarks)
 
 
 def _turn_to(system: System, state: State, body: str, angle: float) -> None:
@@ -191,7 +216,7 @@ def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[str, ..
         body = system.layout.coordinates[spin].rsplit(".", 1)[0]
         if spin not in known and abs(reaction) > max(IMBALANCE * largest, 1e-9):
             notes.append(
-                f"the loads do not balance: {-reaction:.4g} N m are left over on {body}, so the speed will "
+                f"{UNBALANCED}: {-reaction:.4g} N m are left over on {body}, so the speed will "
                 "change; set one torque to `balance` or drive a body if that is not wanted"
             )
     return tuple(notes)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements.friction_clutch import BRISTLE
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.constrained_rest import is_looped
-from pitchpoint.solvers.equilibrium import Equilibrium, find_equilibrium
+from pitchpoint.solvers.equilibrium import Equilibrium, balancing_loads, find_equilibrium
 from pitchpoint.solvers.trains import rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
@@ -65,7 +65,7 @@ def settle_clutches(
         return system, found, ()
     places = [_place(system, number) for number, _ in clutches]
     limits = np.array([float(record["ratio"]) for _, record in clutches])
-    loads = [k for k, r in enumerate(system.records.get("torque", ())) if _spin(system, r) in balanced]
+    loads = balancing_loads(system) if balanced else []
     turning = rotations(system, held)[:, rows]
     for _ in range(MOST_PASSES):
         left = found.reaction[rows]

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,13 +14,15 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK, UNBOUNDED
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.divergence import fastest, remedy, sentence_of
 from pitchpoint.solvers.event_watch import EventWatch
+from pitchpoint.solvers.mean_balance import drift_notes
 from pitchpoint.solvers.rows import explain, row_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
-from pitchpoint.solvers.start import Start, prepare_start
+from pitchpoint.solvers.start import UNBALANCED, Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
 from pitchpoint.system import evaluate
@@ -33,6 +36,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.solvers.sampled_control import Sampler
+    from pitchpoint.solvers.sampling import Chunk
 
 CHUNK_SECONDS = 0.15
 """Wall time that one call of the compiled loop should take: progress and Ctrl-C come between calls."""
@@ -133,6 +137,7 @@ class _Loop:
         self.dense = self.adaptive or scenario.method in STIFF_METHODS  # samples lie within steps
         self.h, self.every = choose_step(start, scenario)
         self.steps = 0
+        self.diverged = ""
         self.sampler: Sampler | None = None
         if self.system.controllers:
             from pitchpoint.solvers.sampled_control import Sampler  # only those who use it wait for it
@@ -212,12 +217,12 @@ class _Loop:
             take = min(n, stop - self.run_.steps)
             if self.sampler is not None:
                 take = min(take, max(1, round((self.sampler.next() - self.run_.t) / self.h)))
-            sums = None if self.run_.steps < settle else self.sums
+            sums = None if self.run_.steps < settle else self.sums.copy()
             every = self.every if self.sink is not None else 0
             chunk = self.run_.advance(
                 take, every=every, statistics=sums, events=MOST_EVENTS if self.watch else 0, **self.more
             )
-            status = self._take(chunk)
+            status = self._take(chunk, sums)
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
@@ -227,9 +232,9 @@ class _Loop:
     def _last_step(self, h: float) -> int:
         """A step of its own length up to the duration, where no sample is due."""
         self.run_.change_step(h)
-        sums = self.sums if self.window < self.t_end else None
+        sums = self.sums.copy() if self.window < self.t_end else None
         chunk = self.run_.advance(1, statistics=sums, events=MOST_EVENTS if self.watch else 0)
-        return self._take(chunk)
+        return self._take(chunk, sums)
 
     def _dense(self, progress: Progress) -> int:
         sample = 1.0 / self.scenario.sample_rate if self.scenario.sample_rate else self.h
@@ -240,24 +245,34 @@ class _Loop:
             limit = self.window if self.run_.t < self.window - 1e-15 else self.t_end
             if self.sampler is not None:
                 limit = min(limit, self.sampler.next())
+            sums = self.sums.copy() if self.run_.t >= self.window - 1e-15 else None
             chunk = self.run_.advance_to(
                 limit,
                 sample=sample,
-                statistics=self.sums if self.run_.t >= self.window - 1e-15 else None,
+                statistics=sums,
                 events=MOST_EVENTS if self.watch else 0,
                 restart=bool(self.watch),
                 most=n,
             )
-            status = self._take(chunk)
+            status = self._take(chunk, sums)
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
             n = min(next_chunk(n, time.perf_counter() - begun), most)
         return OK
 
-    def _take(self, chunk: Any) -> int:
-        """Keep what a chunk found, call the controllers that are due; returns the status."""
+    def _take(self, chunk: Chunk, sums: NDArray[np.float64] | None) -> int:
+        """Keep what a chunk found, call the controllers that are due; returns the status.
+
+        Statistics of a chunk in which the solution has left all bounds are dropped.
+        """
         self.steps += chunk.steps
+        if chunk.status == OK and fastest(self.system)[2]:
+            chunk = replace(chunk, status=UNBOUNDED)
+        if chunk.status == UNBOUNDED:
+            self.diverged = sentence_of(self.system, chunk, self.run_.t, self.channels)
+        elif sums is not None:
+            self.sums = sums
         if self.sink is not None and len(chunk.rows):
             values = chunk.rows[:, 1:]
             self.sink.append(chunk.rows[:, 0].copy(), values if self.more else self._picked(values))
@@ -266,6 +281,11 @@ class _Loop:
         if chunk.status == OK and self.sampler is not None:
             return self.sampler.follow(self.run_)
         return int(chunk.status)
+
+    def _sentence(self, status: int) -> str:
+        """How the run ended: what diverged and when, and whether a smaller step may help."""
+        found = f": {self.diverged}" if self.diverged else ""
+        return f"{explain(self.system, status)}{found}{remedy(self.start, self.scenario, status, self.h)}"
 
     def _picked(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """The channels asked for of rows of all."""
@@ -286,6 +306,8 @@ class _Loop:
             for k, c in enumerate(self.system.layout.channels)
         }
         remarks = (*deep_contacts(self.system.model, [channels]), *weak_damping(self.system, channels))
+        if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
+            remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))
         if status == OK and found.count == 0:  # methods with samples within steps measure at them
             remarks = ("no sample lies in the window of the statistics; raise sample_rate",)
         divided = int(self.system.workspace.clock[REJECTED])
@@ -294,7 +316,7 @@ class _Loop:
         t = float(self.run_.t)
         return TimeSummary(
             status=status,
-            sentence=(self.sampler.said if self.sampler is not None else "") or explain(self.system, status),
+            sentence=(self.sampler.said if self.sampler is not None else "") or self._sentence(status),
             steps=self.steps,
             step=0.0 if self.adaptive else self.h,
             wall_s=wall_s,

@@ -15,6 +15,7 @@ from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
 NEWTON_STEPS = 40
+MOST_BISECTIONS = 100
 DEPTH = 1e-13
 """Penetration at which an unloaded flank counts as just touching [m]."""
 
@@ -94,7 +95,9 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
             reach *= 4.0
     if math.isnan(outside):
         raise nowhere
-    while abs(inside - outside) * radius > DEPTH:
+    for _ in range(MOST_BISECTIONS):
+        if abs(inside - outside) * radius <= DEPTH:
+            break
         state.q[spin] = 0.5 * (inside + outside)
         if flank * float(evaluate.observe(system, state)[pushes]) > 0.0:
             inside = state.q[spin]

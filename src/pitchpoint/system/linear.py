@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import call, kernel, view
-from pitchpoint.core.status import NOT_FINITE, OK, SLOW
+from pitchpoint.core.status import JAMMED, NOT_FINITE, OK
 from pitchpoint.multibody.block_lu import FACTOR, SOLVE, factorise, substitute
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.multibody.constraints import schur_factor, schur_solve
@@ -16,10 +16,13 @@ from pitchpoint.system.workspace import FACTORISATIONS, MACH, REDUNDANT
 MOST_PASSES = 200
 SETTLED = 1e-13
 """Change of the accelerations over their size at which friction fits the loads of the joints."""
-STALLED = 0.9
-"""Ratio of successive corrections from which they no longer shrink."""
-LONGER = 100.0
-"""Factor by which a correction that no longer shrinks is lengthened to see whether it is rounding."""
+PATIENCE = 3
+"""Passes without a correction of half the size after which one is examined for rounding; then twice as
+many."""
+LONGER = 1e6
+"""Factor by which that correction is lengthened: rounding does not grow with it."""
+CLEARLY = 0.05
+"""How much faster than the corrections did the lengthened one must shrink."""
 
 
 @kernel
@@ -149,7 +152,7 @@ def _settle_friction(at, t):
 
     Each pass corrects by what the residual leaves over with the mass matrix at hand; it contracts as long as
     friction does not jam the mechanism. Forces that cancel, such as those of teeth and bearings in steady
-    running, leave rounding that no share of the accelerations bounds: corrections that no longer shrink,
+    running, leave rounding that no share of the accelerations bounds: corrections that hardly shrink,
     although longer ones in the same direction would, are that rounding.
     """
     c = view(at, 1, CTL)[0]
@@ -160,8 +163,9 @@ def _settle_friction(at, t):
     lam = view(c["lam"], nc, F8)
     x = view(m["x"], nd, F8)
     y = view(m["y"], nc, F8)
-    last = math.inf
-    rounding = False
+    least = math.inf
+    stalled = 0
+    patience = PATIENCE
     for _ in range(MOST_PASSES):
         status = _correction(at, t)
         if status != OK:
@@ -178,17 +182,19 @@ def _settle_friction(at, t):
             return NOT_FINITE
         if change <= SETTLED * size:
             return OK
-        stalls = change > STALLED * last
-        if stalls and rounding:
-            return OK
-        rounding = False
-        if stalls:
+        stalled += 1
+        if change <= 0.5 * least:
+            least = change
+            stalled = 0
+        if stalled == patience:
             ratio = _shrinks(at, t, change)
             if not math.isfinite(ratio):
                 return NOT_FINITE
-            rounding = ratio < 0.5
-        last = change
-    return SLOW
+            if ratio < 0.5 ** (1.0 / patience) - CLEARLY:
+                return OK
+            stalled = 0
+            patience *= 2
+    return JAMMED
 
 
 @kernel

@@ -61,7 +61,7 @@ class SceneBody:
 
 
 @dataclass(frozen=True)
-class Skin:
+class Blend:
     """How a solid follows several bodies.
 
     Attributes
@@ -117,7 +117,7 @@ class Between:
 
 
 @dataclass(frozen=True)
-class Sway:
+class ModalShape:
     """How a solid bends in modal coordinates.
 
     Attributes
@@ -162,7 +162,7 @@ class SceneSolid:
         Whether what lies behind it shall be seen.
     creases
         Angle above which an edge is sharp [deg].
-    skin, sway
+    blend, modal
         How it bends between several bodies, or in modal coordinates; none for rigid solids.
     """
 
@@ -179,8 +179,8 @@ class SceneSolid:
     teeth: int = 0
     see_through: bool = False
     creases: float = 35.0
-    skin: Skin | None = None
-    sway: Sway | None = None
+    blend: Blend | None = None
+    modal: ModalShape | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -268,7 +268,7 @@ class SceneMode:
         What moves, [Hz], share of critical damping; none where it has no meaning.
     position, turn
         Complex displacements of the bodies, shape (nb, 3), world axes.
-    sway
+    modal
         Complex modal coordinates of the solids that bend in them, by name.
     """
 
@@ -277,7 +277,7 @@ class SceneMode:
     damping: float | None
     position: NDArray[np.complex128]
     turn: NDArray[np.complex128]
-    sway: Mapping[str, NDArray[np.complex128]] = field(default_factory=dict)
+    modal: Mapping[str, NDArray[np.complex128]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)

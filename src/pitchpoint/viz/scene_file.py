@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from pitchpoint.viz.scene import (
     Array,
     Indices,
+    ModalShape,
     Scene,
     SceneArrow,
     SceneBody,
@@ -26,7 +27,6 @@ from pitchpoint.viz.scene import (
     SceneMode,
     ScenePiece,
     SceneSolid,
-    Sway,
 )
 from pitchpoint.viz.scene_channel_file import channel_entries
 from pitchpoint.viz.scene_contact_file import contact_entry
@@ -34,7 +34,7 @@ from pitchpoint.viz.scene_numbers import LENGTH, Block, unseen
 from pitchpoint.viz.scene_reach import reaches
 from pitchpoint.viz.scene_spectrum_file import map_entry, spectrum_entry
 
-FORMAT = "pitchpoint-scene-1"
+FORMAT = "pitchpoint-scene-2"
 _FORCE = 1.0 / 16384.0
 """Largest error of a force, of the largest of its arrow."""
 _PLACE = 1e-6
@@ -163,28 +163,28 @@ def _solid(solid: SceneSolid, block: Block) -> dict[str, Any]:
         found["schematic"] = True
     if solid.teeth:
         found["teeth"] = solid.teeth
-    if solid.skin is not None:
-        found["skin"] = {
-            "bodies": list(solid.skin.bodies),
-            "first": block.put(solid.skin.first, "u2"),
-            "second": block.put(solid.skin.second, "u2"),
-            "weight": block.put(solid.skin.weight, "f4"),
+    if solid.blend is not None:
+        found["blend"] = {
+            "bodies": list(solid.blend.bodies),
+            "first": block.put(solid.blend.first, "u2"),
+            "second": block.put(solid.blend.second, "u2"),
+            "weight": block.put(solid.blend.weight, "f4"),
         }
-    if solid.sway is not None:
-        found["sway"] = {
-            "shapes": block.put(_finite(solid.sway.shapes, solid.name), "f4"),
-            "node": block.put(solid.sway.node, "u2"),
+    if solid.modal is not None:
+        found["modal"] = {
+            "shapes": block.put(_finite(solid.modal.shapes, solid.name), "f4"),
+            "node": block.put(solid.modal.node, "u2"),
         }
-        if solid.sway.coordinates is not None:
-            found["sway"]["coordinates"] = _bending(solid.sway, solid.name, block)
+        if solid.modal.coordinates is not None:
+            found["modal"]["coordinates"] = _bending(solid.modal, solid.name, block)
     return found
 
 
-def _bending(sway: Sway, name: str, block: Block) -> dict[str, Any]:
+def _bending(modal: ModalShape, name: str, block: Block) -> dict[str, Any]:
     """Modal coordinates: what all of them displace a node by is as exact as the place of a body."""
-    assert sway.coordinates is not None
-    reach = np.linalg.norm(sway.shapes, axis=2).max(axis=1)
-    values = _finite(sway.coordinates, name)
+    assert modal.coordinates is not None
+    reach = np.linalg.norm(modal.shapes, axis=2).max(axis=1)
+    values = _finite(modal.coordinates, name)
     error = unseen(values * reach, LENGTH) / len(reach)
     return block.put_steps(values, 2.0 * error / np.where(reach > 0.0, reach, 1.0))
 
@@ -198,8 +198,8 @@ def _mode(mode: SceneMode, block: Block) -> dict[str, Any]:
     if mode.damping is not None:
         found["damping"] = float(mode.damping)
     found.update(position=parts(mode.position, 1), turn=parts(mode.turn, 1))
-    if mode.sway:
-        found["sway"] = {name: parts(values, 1) for name, values in mode.sway.items()}
+    if mode.modal:
+        found["modal"] = {name: parts(values, 1) for name, values in mode.modal.items()}
     return found
 
 

@@ -38,7 +38,7 @@ def _ends(solid: SceneSolid) -> list[tuple[int, float]]:
         far = _size(solid.points)
     if solid.place is not None:
         far += float(np.linalg.norm(solid.place))
-    return [(b, far) for b in (solid.skin.bodies if solid.skin else [solid.body])]
+    return [(b, far) for b in (solid.blend.bodies if solid.blend else [solid.body])]
 
 
 def _size(points: Array) -> float:

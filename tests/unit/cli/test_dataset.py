@@ -134,9 +134,9 @@ def test_a_full_disk_ends_the_run_with_a_sentence(tmp_path: Path, capsys: pytest
         text=True,
         timeout=120,
     )
-    assert run.returncode == 2
+    assert run.returncode == 3
     assert "cannot be written" in run.stderr
-    assert "mend this and call it again" in run.stderr
+    assert "fix this and rerun" in run.stderr
     assert "Traceback" not in run.stderr
     ways = [r["status"] for r in table(out)]
     assert (ways.count("failed"), ways.count("waiting")) == (1, CASES - 1)
@@ -245,3 +245,27 @@ def test_json_says_nothing_else(tmp_path: Path, capsys: pytest.CaptureFixture[st
     said = capsys.readouterr()
     assert json.loads(said.out)["finished"] == CASES
     assert said.err == ""
+
+
+def test_a_case_with_a_flipped_bit_is_computed_again(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plan, out = written(tmp_path), tmp_path / "out"
+    json_of(["dataset", plan, "-o", str(out)], capsys)
+    before = contents(out)
+    first, *_, last = sorted(out.glob("cases/*.h5"))
+    for path, at in ((first, 0.6), (last, 0.95)):
+        data = bytearray(path.read_bytes())
+        data[int(at * len(data))] ^= 1
+        path.write_bytes(data)
+    assert json_of(["dataset", plan, "-o", str(out)], capsys)["known"] == CASES - 2
+    assert contents(out) == before
+
+
+def test_a_table_of_cases_holds_no_formulas(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A label that a spreadsheet would compute stands there as a text; numbers stay numbers."""
+    plan = PLAN.replace("weak: {", "'=HYPERLINK(1)': {").replace("seeds: 2", "seeds: 1")
+    json_of(["dataset", written(tmp_path, plan), "-o", str(tmp_path / "out")], capsys)
+    text = (tmp_path / "out" / "index.csv").read_text()
+    assert ",'=HYPERLINK(1)" in text
+    assert ",=" not in text

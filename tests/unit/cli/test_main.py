@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import errno
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -23,6 +24,7 @@ from pitchpoint.core.errors import (
     SolverError,
     UnitError,
 )
+from tests.support.model_files import TORSIONAL_PAIR
 
 
 def test_help_lists_every_command_and_every_command_exists(capsys: pytest.CaptureFixture[str]) -> None:
@@ -153,3 +155,18 @@ def test_the_page_of_commands_shows_what_help_prints(
         said = capsys.readouterr().out
         assert "-h, --help" in said
         assert f"```\n{said}```" in page
+
+
+def test_a_terminal_that_knows_ascii_only(tmp_path: Path) -> None:
+    file = tmp_path / "pair.yaml"
+    file.write_text("title: Ω and δ\n" + TORSIONAL_PAIR.partition("\n")[2], encoding="utf-8")
+    for command in (["gears", str(file)], ["check", str(file)], ["modes", str(file)]):
+        code = "from pitchpoint.cli.main import main; main()"
+        done = subprocess.run(
+            [sys.executable, "-c", code, *command],
+            env={**os.environ, "PYTHONIOENCODING": "ascii"},
+            capture_output=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+        assert b"UnicodeEncodeError" not in done.stderr

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python code of a file runs with `--allow-code` only, whichever file names it; the working folder is no library."""
+"""Python code runs with `--allow-code` only, whichever file names it, and never from the working folder."""
 
 from __future__ import annotations
 

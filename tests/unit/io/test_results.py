@@ -19,16 +19,10 @@ import pytest
 
 from pitchpoint.core import status as st
 from pitchpoint.core.errors import PitchpointError, SolverError
-from pitchpoint.io.container import (
-    Container,
-    Header,
-    MemoryContainer,
-    ResultError,
-    clear_writer_flag,
-    lookup3,
-)
+from pitchpoint.io.container import Container, Header, MemoryContainer, ResultError
 from pitchpoint.io.reading import list_channels, open_result, read_blocks, read_channel, read_header
 from pitchpoint.io.results import Channel, ResultWriter, RunningStatistics
+from pitchpoint.io.superblock import clear_writer_flag, lookup3
 from pitchpoint.io.tables import Axis, Quantity, TableWriter, write_tables
 
 if TYPE_CHECKING:

@@ -149,7 +149,7 @@ def test_a_beam_of_a_model_that_is_not_compiled_is_straight():
     scene = Seen(*scene_texts(rest_scene(loads_model(BEAM))))
     rings = scene.placed("blade", 0).reshape(-1, 4, 3).mean(axis=1)
     block = scene.rest(scene.body("block"))[0]
-    assert scene.solid("blade")["skin"]["bodies"] == [-1, scene.body("block")]
+    assert scene.solid("blade")["blend"]["bodies"] == [-1, scene.body("block")]
     assert rings == pytest.approx(np.outer(np.linspace(0.0, 1.0, len(rings)), block), abs=1e-7)
 
 
@@ -173,9 +173,9 @@ def test_an_elastic_rod_bends_through_its_pins():
     model = load_model(EXAMPLES / "flexible-slider-crank/elastic.yaml")
     scene, result, _ = run(model, "driven", duration="20 ms")
     solid = scene.solid("rod")
-    sway = solid["sway"]
-    shapes, node = scene.array(sway["shapes"]), scene.array(sway["node"]).astype(int)
-    now = scene.array(sway["coordinates"])
+    modal = solid["modal"]
+    shapes, node = scene.array(modal["shapes"]), scene.array(modal["node"]).astype(int)
+    now = scene.array(modal["coordinates"])
     for frame in (0, len(scene.times) // 3, len(scene.times) - 1):
         origin, axes = scene.pose(solid["body"], frame)
         moved = scene.array(solid["points"]) + np.einsum("k,kni->ni", now[frame], shapes)[node]

@@ -31,7 +31,7 @@ TRACKS = {
 
 
 def read(block: Block, entry: dict[str, Any]) -> np.ndarray:
-    header = json.dumps({"format": "pitchpoint-scene-1"})
+    header = json.dumps({"format": "pitchpoint-scene-2"})
     return Seen(header, base64.b64encode(gzip.compress(bytes(block.data))).decode()).array(entry)
 
 

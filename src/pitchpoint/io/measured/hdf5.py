@@ -27,7 +27,7 @@ from pitchpoint.io.measured.record import (
     key_of,
     refused,
 )
-from pitchpoint.io.opening import DAMAGE, heaps_end
+from pitchpoint.io.opening import DAMAGE, dimensions_of, heaps_end, members
 
 if TYPE_CHECKING:
     import h5py
@@ -245,10 +245,11 @@ def read_own(path: Path, wanted: Wanted) -> Record:
                 raise refused(
                     path, "", f"{kind} results", "hold no time signals", "signals over time", remedy
                 )
-            found = [n for n in file if isinstance(file[n], h5py.Dataset) and _over_time(file[n])]
-            count = min(file[n].shape[0] for n in ("time", *found))
-            columns = tuple(_own_column(path, file, n, count) for n in found if wanted.takes(n))
-            time = Column("time", _numbers(path, "time", file["time"], None)[:count], "s")
+            items = members(file)
+            found = {n: v for n, v in items.items() if isinstance(v, h5py.Dataset) and _over_time(v)}
+            count = min(v.shape[0] for v in (items["time"], *found.values()))
+            columns = tuple(_own_column(path, v, n, count) for n, v in found.items() if wanted.takes(n))
+            time = Column("time", _numbers(path, "time", items["time"], None)[:count], "s")
     except MeasuredError:
         raise
     except DAMAGE as error:
@@ -260,13 +261,13 @@ def read_own(path: Path, wanted: Wanted) -> Record:
 
 
 def _over_time(dataset: h5py.Dataset) -> bool:
-    if dataset.is_scale or len(dataset.shape) != 1 or not len(dataset.dims[0]):
+    if dataset.is_scale or len(dataset.shape) != 1:
         return False
-    return bool(dataset.dims[0][0].name == "/time")
+    return bool(dimensions_of(dataset)[0].name == "/time")
 
 
-def _own_column(path: Path, file: h5py.File, name: str, count: int) -> Column:
-    values, about = _numbers(path, name, file[name], None)[:count], _attributes(file[name])
+def _own_column(path: Path, dataset: h5py.Dataset, name: str, count: int) -> Column:
+    values, about = _numbers(path, name, dataset, None)[:count], _attributes(dataset)
     return Column(name, as_floats(values), str(about.get("units", "")), str(about.get("long_name", "")))
 
 

@@ -70,7 +70,7 @@ class PythonLaw:
 
 @dataclass(frozen=True)
 class Balance:
-    """The value that keeps the machine in equilibrium with all other loads at the start."""
+    """The constant value that balances all other loads at the start, pulsating ones in the mean."""
 
 
 Law: TypeAlias = Constant | FormulaLaw | TableLaw | PythonLaw | Balance

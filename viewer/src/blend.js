@@ -5,34 +5,34 @@ import { Matrix4 } from "three";
 const GROUND = new Matrix4();
 const of = (frames, body) => (body < 0 ? GROUND : frames[body]);
 
-export class Skin {
+export class Blend {
   /**
-   * @param {{bodies: number[], first?: any, second: any, weight: any}} skin
+   * @param {{bodies: number[], first?: any, second: any, weight: any}} blend
    * @param {import("three").BufferGeometry} geometry whose points are moved
    * @param {Uint32Array} source point of the solid behind each point of the geometry
    * @param {import("./poses.js").Poses} poses
    */
-  constructor(skin, geometry, source, poses) {
-    this.skin = skin;
+  constructor(blend, geometry, source, poses) {
+    this.blend = blend;
     this.geometry = geometry;
     this.source = source;
     this.poses = poses;
     this.points = geometry.attributes.position.array.slice();
     this.normals = geometry.attributes.normal.array.slice();
     // from the frame at rest of the first body to that of each other one
-    const first = of(poses.rest, skin.bodies[0]);
-    this.toBody = skin.bodies.map((body) => of(poses.rest, body).clone().invert().multiply(first));
-    this.moved = skin.bodies.map(() => new Matrix4());
-    this.drawn = skin.bodies.map(() => new Matrix4());
+    const first = of(poses.rest, blend.bodies[0]);
+    this.toBody = blend.bodies.map((body) => of(poses.rest, body).clone().invert().multiply(first));
+    this.moved = blend.bodies.map(() => new Matrix4());
+    this.drawn = blend.bodies.map(() => new Matrix4());
   }
 
   /** @param {number} visible [m] @param {number} reach largest distance of a point [m] @returns {boolean} whether it has moved */
   update(visible, reach) {
-    const { skin, poses, moved, drawn } = this;
-    const inverse = of(poses.world, skin.bodies[0]).clone().invert();
+    const { blend, poses, moved, drawn } = this;
+    const inverse = of(poses.world, blend.bodies[0]).clone().invert();
     let change = 0;
     moved.forEach((matrix, k) => {
-      matrix.multiplyMatrices(inverse, of(poses.world, skin.bodies[k])).multiply(this.toBody[k]);
+      matrix.multiplyMatrices(inverse, of(poses.world, blend.bodies[k])).multiply(this.toBody[k]);
       for (let i = 0; i < 16; i++) {
         change = Math.max(change, Math.abs(matrix.elements[i] - drawn[k].elements[i]) * (i < 12 ? reach : 1));
       }
@@ -41,7 +41,7 @@ export class Skin {
     if (change <= visible) return false;
     moved.forEach((matrix, k) => drawn[k].copy(matrix));
     const { position, normal } = this.geometry.attributes;
-    const { first, second, weight } = skin;
+    const { first, second, weight } = blend;
     for (let k = 0; k < this.source.length; k++) {
       const p = this.source[k];
       const b = second.data[p];

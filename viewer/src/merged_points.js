@@ -11,7 +11,7 @@ const NEAR = 1e-6;
  * @param {ArrayLike<number>} points x, y, z one after the other @param {ArrayLike<number>} index three corners a triangle
  * @returns {number[]} corners of the triangles that are left; a point of several has the number of one of them
  */
-export function welded(points, index) {
+export function mergedPoints(points, index) {
   const count = points.length / 3;
   const along = new Float64Array(count);
   let near = 0;

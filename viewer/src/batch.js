@@ -13,7 +13,7 @@ import {
 
 const WIDTH = 1024; // texels a row, a multiple of the four that a place takes
 
-export class Crowd extends Mesh {
+export class Batch extends Mesh {
   /** @param {any[]} parts of Solids @param {import("three").MeshLambertMaterial} material */
   constructor(parts, material) {
     const sum = (count) => parts.reduce((total, part) => total + count(part.geometry), 0);
@@ -74,7 +74,7 @@ export class Crowd extends Mesh {
         )
         .replace("#include <begin_vertex>", "vec3 transformed = (place * vec4(position, 1.0)).xyz;");
     };
-    material.customProgramCacheKey = () => "crowd";
+    material.customProgramCacheKey = () => "batch";
   }
 
   /** @param {number} member @param {Matrix4} matrix */

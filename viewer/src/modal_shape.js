@@ -2,9 +2,9 @@
 // A solid that bends in modal coordinates: every point goes with a node of its body.
 import { lerp, means } from "./frames.js";
 
-export class Sway {
+export class ModalShape {
   /**
-   * @param {any} solid with sway
+   * @param {any} solid with modal
    * @param {import("three").BufferGeometry} geometry whose points are moved
    * @param {Uint32Array} source point of the solid behind each point of the geometry
    * @param {import("./poses.js").Poses} poses
@@ -13,7 +13,7 @@ export class Sway {
     this.name = solid.name;
     this.geometry = geometry;
     this.poses = poses;
-    const { shapes, node, coordinates } = solid.sway;
+    const { shapes, node, coordinates } = solid.modal;
     this.shapes = shapes.data;
     this.count = shapes.shape[0];
     this.nodes = shapes.shape[1];
@@ -30,7 +30,7 @@ export class Sway {
     const { mode, magnification: m, where } = this.poses;
     return this.drawn.map((_, k) => {
       if (mode) {
-        const table = mode.shape.sway?.[this.name];
+        const table = mode.shape.modal?.[this.name];
         return table ? mode.cosine * table.data[2 * k] + mode.sine * table.data[2 * k + 1] : 0;
       }
       if (!this.coordinates) return 0;
@@ -41,7 +41,7 @@ export class Sway {
 
   /** Largest way of a node in a mode, nodes and coordinates apart. @param {any} mode */
   largest(mode) {
-    const table = mode.sway?.[this.name];
+    const table = mode.modal?.[this.name];
     let most = 0;
     for (let node = 0; table && node < this.nodes; node++) {
       let sum = 0;

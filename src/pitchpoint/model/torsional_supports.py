@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What ties the turns of bodies by stiffness: to the ground, or two bodies on one axis to each other.
+
+Teeth and given speeds come first: a body on a torsion spring that is given a speed starts with it and swings.
+What they leave open, such as the ring of a planet set on a torque arm, starts at rest where one of these
+supports holds it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.core.formula import Formula
+from pitchpoint.model.components.bearing_fault import play
+from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
+from pitchpoint.model.frames import GROUND, axes_of, place_of, split
+from pitchpoint.model.mechanism import seat_frame
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.bushing import Bushing
+    from pitchpoint.model.components.law import Law
+    from pitchpoint.model.frames import Array
+    from pitchpoint.model.parts import Parts
+
+SAME = 1e-9
+"""Share of the largest stiffness, cosine from one, and distance [m] that count as zero."""
+
+
+def supported_bodies(parts: Parts) -> list[str]:
+    """Bodies that stiffness or a closed brake holds against turning from the ground, brakes last.
+
+    Torsion springs, bushings, bearings with torsional stiffness; brakes that are closed at t = 0.
+    """
+    found = [s.bodies[0] for s in parts.torsion_springs.values() if len(s.bodies) == 1 and s.stiffness > 0.0]
+    for bearing in parts.bearings.values():
+        stiff = bearing.stiffness.matrix6()[5][5] > 0.0 and play(bearing.faults.values()) == 0.0
+        if stiff and bearing.housing in (None, GROUND):
+            found.append(bearing.body)
+    for bushing in parts.bushings.values():
+        bodies = [split(end)[0] for end in bushing.ends]
+        for body in bodies:
+            if GROUND in bodies and body in parts.mechanism.seats and _resists(parts, bushing, body):
+                found.append(body)
+    for clutch in parts.clutches.values():
+        if len(clutch.bodies) == 1 and _closed_at_start(clutch.capacity):
+            found.append(clutch.bodies[0])
+    return list(dict.fromkeys(body for body in found if body in parts.bodies))
+
+
+def bushed_pairs(parts: Parts) -> dict[str, tuple[str, str]]:
+    """Bodies on one axis that a bushing with torsional stiffness turns together, by the bushing."""
+    found = {}
+    for name, bushing in parts.bushings.items():
+        one, two = (split(end)[0] for end in bushing.ends)
+        seats = parts.mechanism.seats
+        if one == two or one not in seats or two not in seats or not _resists(parts, bushing, one):
+            continue
+        (place, axes), (other, turned) = (seat_frame(parts, seats[body]) for body in (one, two))
+        off = np.cross(other - place, axes[:, 2])
+        if axes[:, 2] @ turned[:, 2] > 1.0 - SAME and np.linalg.norm(off) <= SAME:
+            found[name] = (one, two)
+    return found
+
+
+def _resists(parts: Parts, bushing: Bushing, body: str) -> bool:
+    """Whether a bushing puts a force or moment against a turn of one of its bodies about its axis."""
+    end = next(e for e in bushing.ends if split(e)[0] == body)
+    directions = bushing.ends[1] if split(bushing.ends[1])[0] != GROUND else bushing.ends[0]
+    at, frame = seat_frame(parts, parts.mechanism.seats[body])
+    place = place_of(parts, end)
+    if place is None:
+        return False
+    axes: Array = axes_of(parts, directions)
+    way = np.cross(frame[:, 2], place - at)
+    K = np.array(bushing.stiffness.matrix6())
+    force = K @ np.concatenate([axes.T @ way, axes.T @ frame[:, 2]])
+    return bool(np.abs(force).max() > SAME * np.abs(K).max(initial=0.0))
+
+
+def _closed_at_start(capacity: Law) -> bool:
+    """Whether a brake can hold anything at t = 0; the capacity of a Python function is taken to."""
+    if isinstance(capacity, Constant):
+        return capacity.value > 0.0
+    if isinstance(capacity, TableLaw):
+        return float(np.interp(0.0, capacity.abscissa, capacity.values)) > 0.0
+    if isinstance(capacity, FormulaLaw):
+        return bool(Formula.parse(capacity.text, capacity.variables)(*np.zeros(len(capacity.variables))) > 0)
+    return True

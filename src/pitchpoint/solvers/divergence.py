@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs that diverge: when a state has left all bounds, what shows it, and whether the step is too long."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.status import BAD_CENTRE, DIVERGED, NOT_FINITE, SLOW, UNBOUNDED
+from pitchpoint.solvers.sampling import GREATEST
+from pitchpoint.solvers.step_choice import choose_step
+
+if TYPE_CHECKING:
+    from pitchpoint.model.scenario import Scenario
+    from pitchpoint.solvers.sampling import Chunk
+    from pitchpoint.solvers.start import Start
+    from pitchpoint.system.system import System
+
+FASTEST = 299_792_458.0
+"""Rate of a coordinate, as a velocity, that no body reaches: the speed of light [m/s]."""
+SHORTENED = ("runge_kutta", "gstiff", "wstiff", "dassl", "constant_bdf", "kinematics")
+"""Methods that shorten a step that fails by themselves, or have no steps that depend on each other."""
+
+
+def fastest(system: System) -> tuple[str, float, bool]:
+    """Coordinate of the workspace with the largest rate, that rate, and whether it is beyond all bounds.
+
+    States of controllers and elements are no coordinates of bodies and have no such bound.
+    """
+    w = system.workspace
+    moves = np.ones(len(w.v), bool)
+    for number, body in enumerate(system.bodies, start=1):
+        if body.state:
+            moves[int(system.program["body"][number]["dof"])] = False
+    rates = np.where(moves, np.abs(w.v) * w.arrays["weight"], 0.0)
+    if not rates.size:
+        return "", 0.0, False
+    k = int(np.argmax(np.where(np.isfinite(rates), rates, np.inf)))
+    return system.layout.coordinates[k], float(w.v[k]), not rates[k] < FASTEST
+
+
+def sentence_of(system: System, chunk: Chunk, t: float, channels: NDArray[np.int64]) -> str:
+    """Name what has left all bounds, and when.
+
+    Parameters
+    ----------
+    system
+        Its workspace holds the state reached.
+    chunk
+        The last chunk.
+    t
+        Time reached [s].
+    channels
+        Numbers of the channels of its samples, in their order; empty: all.
+    """
+    if chunk.lost is not None:
+        column = int(np.argmax(~(np.abs(chunk.lost[1:]) < GREATEST)))
+        channel = system.layout.channels[channels[column] if len(channels) else column]
+        value, time = chunk.lost[1 + column], chunk.lost[0]
+        unit = "" if channel.unit == "1" else f" {channel.unit}"
+        return f"{channel.name} is {value:.3g}{unit} at t = {time:.6g} s"
+    name, rate, _ = fastest(system)
+    return f"the rate of {name} is {rate:.3g} at t = {t:.6g} s" if name else f"t = {t:.6g} s"
+
+
+def remedy(start: Start, scenario: Scenario, status: int, h: float) -> str:
+    """Suggest a smaller step where one helps: equal steps that are longer than a run would choose.
+
+    Parameters
+    ----------
+    start, scenario
+        What was run.
+    status
+        How it ended.
+    h
+        Its step [s].
+    """
+    if status not in (NOT_FINITE, DIVERGED, SLOW, BAD_CENTRE, UNBOUNDED) or scenario.method in SHORTENED:
+        return ""
+    own = choose_step(start, replace(scenario, step=None, sample_rate=None))[0]
+    if h <= 1.01 * own:
+        return ""
+    return f"; the step of {h:.3g} s is {h / own:.3g} times the one chosen without `step`: take a smaller one"

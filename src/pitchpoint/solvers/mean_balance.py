@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Balancing torques of machines that turn: of the mean over the period of the loads and over the mesh cycle.
+
+A torque that balances one instant of a pulsating load makes the machine faster or slower with every turn.
+What keeps the mean speed is the balance of work: loads over angles count with their mean over their period,
+and friction of flanks, which pulsates with the mesh phase, with its mean over mesh cycles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.units import format_quantity
+from pitchpoint.elements.signal import CONSTANT, TWO_PI, set_constant
+from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.constrained_rest import is_looped
+from pitchpoint.solvers.equilibrium import NOW, balancing_loads
+from pitchpoint.solvers.trains import mesh_rates
+from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import KINDS
+from pitchpoint.system.system import State, System, assemble
+
+if TYPE_CHECKING:
+    from pitchpoint.model.scenario import Scenario
+
+Array = NDArray[np.float64]
+
+POINTS = 720
+"""Points per turn at which a load is averaged; harmonics below them drop out exactly."""
+MOST_TURNS = 12
+"""Turns within which a load must repeat to count as periodic."""
+SAME = 1e-9
+"""Difference over the largest value up to which two values, or two mesh frequencies, are one."""
+IN_CYCLE = 16
+"""Instants of one mesh cycle at which friction is averaged where all meshes have one frequency."""
+MOST_COORDINATES = 300
+"""Coordinates of a system up to which friction is averaged: every instant takes an equilibrium."""
+CYCLES = 3
+"""Cycles of the slowest mesh, faded in and out, over which friction is averaged where they have several."""
+DRIFT = 0.01
+"""Share of a speed by which its mean may leave the scenario before a run reports it."""
+
+
+def with_mean_loads(system: System, state: State) -> System:
+    """The system with torques that repeat over the angle of a turning body at their means.
+
+    Torques that do not repeat, such as those of springs, and those on bodies at rest stay as they are.
+
+    Parameters
+    ----------
+    system, state
+        The system and its start: the speeds there count for loads that follow them.
+    """
+    records = system.records.get("torque")
+    if records is None or not np.any(records["form"] != CONSTANT):
+        return system
+    alone = assemble(
+        system.bodies,
+        {"torque": records.copy()},
+        pools={k: p for k, p in system.pools.items() if k == "torque"},
+        laws={k: w for k, w in system.laws.items() if k == "torque"},
+    )
+    found = records.copy()
+    now = evaluate.observe(alone, state)[alone.records["torque"]["out"]]
+    pulsates = False
+    for k in np.flatnonzero(records["form"] != CONSTANT):
+        mean = _mean_over_angle(alone, state, int(k))
+        if mean is not None and abs(mean - now[k]) > SAME * abs(mean):
+            set_constant(found[k], mean)
+            pulsates = True
+    return system.with_params({"torque": found}) if pulsates else system
+
+
+def _mean_over_angle(alone: System, state: State, k: int) -> float | None:
+    """Mean of one torque over its period; None if its body rests or it does not repeat."""
+    body = int(alone.records["torque"][k]["i"])
+    spin, out = spin_of(alone.program["body"], body), int(alone.records["torque"][k]["out"])
+    if spin < 0 or state.v[spin] == 0.0:
+        return None
+    here = state.copy()
+
+    def torques(turn: int) -> Array:
+        """Values over one turn, so many turns on."""
+        here.turns[body] = state.turns[body] + turn
+        values = np.empty(POINTS)
+        for n, angle in enumerate(np.arange(POINTS) * (TWO_PI / POINTS)):
+            here.q[spin] = angle - np.pi
+            values[n] = evaluate.observe(alone, here)[out]
+        return values
+
+    first = torques(0)
+    total = first.copy()
+    for turn in range(1, MOST_TURNS + 1):
+        values = torques(turn)
+        if np.abs(values - first).max() <= SAME * np.abs(first).max():
+            return float(total.mean()) / turn
+        total += values
+    return None
+
+
+def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
+    """Instants [s] at which friction of flanks is averaged, and their weights, which add up to one.
+
+    The start alone where nothing turns, no flank has friction, loops close the machine, or it is large.
+    """
+    rough = any(np.any(system.records[kind]["mu"] > 0.0) for kind in KINDS if kind in system.records)
+    rates = np.zeros(0)
+    if rough and system.sizes["nd"] <= MOST_COORDINATES and not is_looped(system):
+        body = system.program["body"]
+        speeds = {
+            name: float(state.v[spin_of(body, b)])
+            for b, name in enumerate(system.layout.bodies)
+            if b and spin_of(body, b) >= 0
+        }
+        rates = np.array(mesh_rates(system, speeds))
+        rates = rates[rates > SAME * rates.max(initial=0.0)]
+    if not rates.size:
+        return NOW
+    if np.ptp(rates) <= SAME * rates.max():
+        share = np.arange(IN_CYCLE) / IN_CYCLE
+        return share * TWO_PI / rates[0], np.full(IN_CYCLE, 1.0 / IN_CYCLE)
+    share = np.arange(CYCLES * IN_CYCLE) / (CYCLES * IN_CYCLE)
+    weights = 1.0 - np.cos(TWO_PI * share)
+    return share * CYCLES * TWO_PI / rates.min(), weights / weights.sum()
+
+
+def drift_notes(
+    system: System, scenario: Scenario, channels: Mapping[str, Mapping[str, Any]]
+) -> tuple[str, ...]:
+    """Bodies whose mean speed has left the speed of the scenario, although a torque was to balance.
+
+    Parameters
+    ----------
+    system, scenario
+        What was run.
+    channels
+        Statistics of every channel.
+    """
+    if not balancing_loads(system):
+        return ()
+    notes = []
+    for body, given in scenario.speed.items():
+        mean = channels.get(f"speed[{body}]", {}).get("mean", np.nan)
+        if body not in scenario.drive and abs(mean - given) > DRIFT * abs(given) > 0.0:
+            now, wanted = (format_quantity(x, "angular_speed", 4) for x in (mean, given))
+            notes.append(
+                f"the mean speed of {body} is {now}, not the {wanted} of the scenario: the balancing torque "
+                "is constant and does not control the speed; drive the body, or add a controller"
+            )
+    return tuple(notes)

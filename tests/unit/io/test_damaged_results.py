@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Result files with objects that are missing or lie in another file; damaged archives of matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.io.container import ResultError
+from pitchpoint.io.measured.reading import read_measured
+from pitchpoint.io.reading import list_channels, open_result, read_channel, read_units
+from pitchpoint.io.results import Channel, Header, ResultWriter
+from pitchpoint.io.sweep_store import SweepWriter, read_sweep
+from pitchpoint.multibody.fe_matrices import read_npz
+
+SECRET = "secret.h5"
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> Path:
+    path = tmp_path / "run.h5"
+    with ResultWriter(path, Header("time"), [Channel("force", "N"), Channel("speed", "rad/s")]) as writer:
+        writer.append(np.arange(10.0), np.ones((10, 2)))
+    with h5py.File(tmp_path / SECRET, "w") as file:
+        file["data"] = np.arange(10.0)
+    np.arange(10.0).tofile(tmp_path / "secret.bin")
+    return path
+
+
+def _link(file: h5py.File) -> None:
+    file["force"] = h5py.ExternalLink(SECRET, "/data")
+
+
+def _storage(file: h5py.File) -> None:
+    file.create_dataset("force", (10,), "f8", external=[("secret.bin", 0, h5py.h5f.UNLIMITED)])
+
+
+def _virtual(file: h5py.File) -> None:
+    layout = h5py.VirtualLayout((10,), "f8")
+    layout[:] = h5py.VirtualSource(SECRET, "data", (10,))
+    file.create_virtual_dataset("force", layout)
+
+
+@pytest.mark.parametrize("place", [_link, _storage, _virtual])
+def test_other_files_are_not_read(place: Callable, run: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(run.parent)
+    with h5py.File(run, "r+") as file:
+        del file["force"]
+        place(file)
+        if "force" in file and not isinstance(file.get("force", getlink=True), h5py.ExternalLink):
+            file["force"].dims[0].attach_scale(file["time"])
+    questions = (open_result, list_channels, read_units, lambda path: read_channel(path, "force"))
+    for question in questions:
+        with pytest.raises(ResultError, match="somewhere else|in another file"):
+            question(run)
+    with pytest.raises(Exception, match="damaged"):
+        read_measured(run)
+
+
+@pytest.mark.parametrize("name", ["time", "blocks/time", "blocks/statistic"])
+def test_a_dimension_that_was_deleted(name: str, run: Path) -> None:
+    """HDF5's own way to the dimensions ends the process there (segmentation fault)."""
+    with h5py.File(run, "r+") as file:
+        del file[name]
+    with pytest.raises(ResultError, match="damaged or cut off"):
+        open_result(run, "blocks" if "/" in name else None)
+
+
+@pytest.mark.parametrize("name", ["direction", "mesh_frequency", "speed", "point_status", "jump_direction"])
+def test_a_sweep_without_one_of_its_variables(name: str, tmp_path: Path) -> None:
+    path = tmp_path / "sweep.h5"
+    with SweepWriter(path, Header("sweep"), "stage", ["up"], [1.0, 2.0], [10.0, 20.0]):
+        pass
+    assert read_sweep(path)["points"] == []
+    with h5py.File(path, "r+") as file:
+        del file[name]
+    with pytest.raises(ResultError, match="damaged or cut off"):
+        read_sweep(path)
+
+
+def test_damaged_archives_of_matrices(tmp_path: Path) -> None:
+    path = tmp_path / "rod.npz"
+    np.savez_compressed(path, K=np.zeros((6, 6)), M=np.eye(6), places=np.zeros((1, 3)))
+    whole = path.read_bytes()
+    for at in range(30, len(whole), 7):
+        damaged = bytearray(whole)
+        damaged[at] ^= 0xFF
+        path.write_bytes(damaged)
+        try:
+            read_npz(path)
+        except PitchpointError:
+            continue

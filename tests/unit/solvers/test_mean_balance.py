@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Balancing torques of pulsating loads: the work of a period decides, the speed stays near the scenario."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.mean_balance import cycle_instants
+from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.time import solve_time
+from pitchpoint.system.compile import compile_model
+
+RPM = np.pi / 30
+INERTIA = 0.01 + 0.2 / 9
+"""Of both bodies of the gearbox, at the driver [kg m^2]."""
+
+
+def gearbox(law, stiffness="{law: constant, value: 4e8 N/m}", friction="", more="", driver="balance"):
+    """Gears 20 and 60; the driver balances the load of the driven gear."""
+    gear = "normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    return (
+        f"gears:\n  a: {{number_of_teeth: 20, {gear}}}\n  b: {{number_of_teeth: 60, {gear}}}\n"
+        "bodies:\n  driver: {gears: [a], motion: torsion, inertia: 0.01 kg m^2}\n"
+        "  driven: {gears: [b], motion: torsion, inertia: 0.2 kg m^2}\n"
+        f"meshes:\n  stage: {{gears: [a, b], stiffness: {stiffness}, damper: {{ratio: 0.05}}{friction}}}\n"
+        f"loads:\n  in: {{body: driver, torque: {driver}}}\n  out: {{body: driven, torque: {law}}}\n"
+        f"scenarios:\n  run: {{speed: {{driver: 1500 rpm}}, duration: 0.24 s, step: 20 us{more}}}\n"
+    )
+
+
+def begun(text):
+    model = loads_model(text)
+    return prepare_start(compile_model(model, "run"), model.scenarios["run"])
+
+
+def balance(text):
+    return float(begun(text).system.records["torque"]["value"][0])
+
+
+TABLE = "{table: [[0 deg, 150 N m], [90 deg, 50 N m], [360 deg, 150 N m]], over: angle}"
+LAWS = {
+    "cosine": ('"100*(1 + 0.5*cos(angle))"', 100.0),
+    "three waves": ('"100 + 40*sin(3*angle + 1) + 30*cos(angle)"', 100.0),
+    "half a wave": ('"100*(1 + 0.5*cos(angle/2))"', 100.0),
+    "squared": ('"120*cos(angle)^2"', 60.0),
+    "table": (TABLE, 100.0),
+    "follows the speed too": ('"2*abs(speed) + 50*cos(angle)"', 2.0 * 500.0 * RPM),
+}
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_the_mean_over_the_period_of_a_load_is_balanced(name):
+    """A third of the mean torque of the load, whatever it is at the start."""
+    law, mean = LAWS[name]
+    assert balance(gearbox(law)) == pytest.approx(mean / 3.0, rel=1e-6)
+
+
+def test_a_load_that_does_not_repeat_is_balanced_where_the_run_starts():
+    """A spring on the output: 100 N m plus 50 N m/rad, at its angle in the loaded state of the start."""
+    start = begun(gearbox('"100 + 50*angle"'))
+    angle = start.state.q[start.system.spin("driven")]
+    assert abs(angle) < 1e-3
+    value = float(start.system.records["torque"]["value"][0])
+    assert value == pytest.approx((100.0 + 50.0 * angle) / 3.0, rel=1e-9)
+
+
+def test_the_speed_swings_about_that_of_the_scenario():
+    """J w^2/2 + W(angle) is constant: W over a turn of the driven gear is that of 50 N m times sine.
+
+    1 rpm: what vibration of the mesh adds.
+    """
+    found = solve_time(compile_model(loads_model(gearbox('"100*(1 + 0.5*cos(angle))"')), "run"))
+    speed = found["speed[driver]"].values
+    start = 1500.0 * RPM
+    # the driven gear turns backwards, its load drives the same way: least and largest work -+ 50 N m
+    expected = [np.sqrt(start**2 + 2.0 * work / INERTIA) for work in (-50.0, 50.0)]
+    np.testing.assert_allclose([speed.min(), speed.max()], expected, atol=1.0 * RPM)
+    assert found.attrs["notes"] == ""
+
+
+def test_a_run_says_when_its_mean_speed_leaves_the_scenario():
+    """100 N m plus 50 N m/rad pulls the train away from where it was balanced."""
+    found = solve_time(compile_model(loads_model(gearbox('"100 + 50*angle"')), "run"))
+    assert found["speed[driver]"].values[-1] > 2 * 1500.0 * RPM
+    assert "the mean speed of driver is" in found.attrs["notes"]
+    assert "not the 1500 rpm of the scenario" in found.attrs["notes"]
+
+
+FRICTION = ", friction: {mu: 0.1, v_eps: 0.01 mm/s}"
+
+
+def test_friction_of_flanks_is_balanced_in_the_mean_of_a_mesh_cycle():
+    """Mean loss of a spur mesh whose pairs share the load evenly, as those of din3990 do.
+
+    The power lost is mu times force and sliding speed, (w1 + w2) |xi| at the place xi of the path. 2 % of it:
+    deflection shifts contact by 1e-3 of a base pitch, and 16 instants stand for the cycle.
+    """
+    stiffness = "{law: din3990, tip_relief_factor: 0}"
+    start = begun(gearbox("100 N m", stiffness, FRICTION))
+    record = start.system.records["gear_mesh"][0]
+    p, eps, begin = float(record["p_bt"]), float(record["eps"]), float(record["xi_A"])
+    places = begin + (np.arange(2000) + 0.5) / 2000 * p
+    sharing = [[x + k * p for k in range(3) if x + k * p < begin + eps * p] for x in places]
+    sliding = np.mean([np.mean(np.abs(pairs)) for pairs in sharing])
+    r_b = float(record["r_b1"])
+    loss = 0.1 * (1.0 / r_b) * (1.0 + 1.0 / 3.0) * sliding
+    wanted = 100.0 / 3.0 * (1.0 + loss)
+    found = float(start.system.records["torque"]["value"][0])
+    assert found == pytest.approx(wanted, rel=2e-4)
+    assert found - 100.0 / 3.0 == pytest.approx(wanted - 100.0 / 3.0, rel=0.02)
+
+
+def test_instants_cover_one_cycle_of_a_mesh_and_several_of_two():
+    one = begun(gearbox("100 N m", "{law: din3990}", FRICTION))
+    times, weights = cycle_instants(one.system, one.state)
+    period = 2.0 * np.pi / (1500.0 * RPM) / 20
+    np.testing.assert_allclose(times, np.arange(16) / 16 * period, rtol=1e-12)
+    assert weights.sum() == pytest.approx(1.0)
+    smooth = begun(gearbox("100 N m"))
+    assert cycle_instants(smooth.system, smooth.state)[0].tolist() == [0.0]
+
+
+def test_an_assembled_start_balances_too():
+    """A gearbox that starts with its teeth in the middle of the backlash, as the README's first pair may."""
+    text = gearbox("100 N m", more=", start: assembled")
+    start = begun(text)
+    assert float(start.system.records["torque"]["value"][0]) == pytest.approx(100.0 / 3.0, rel=1e-9)
+    np.testing.assert_array_equal(start.state.q, 0.0)
+    speed = solve_time(compile_model(loads_model(text), "run"))["speed[driver]"].values
+    assert speed[-1000:].mean() == pytest.approx(1500.0 * RPM, rel=1e-4)
