@@ -252,5 +252,5 @@ def test_a_tacho_among_the_channels_is_no_vibration(
     assert found["findings"] == []
     remarks = " ".join(found["remarks"])
     assert "channels: acc" in remarks
-    assert "tacho: looks like the pulses of a tacho, not like vibration; left out" in remarks
+    assert "tacho: looks like the pulses of a tacho, not like vibration; omitted" in remarks
     assert "--tacho tacho --pulses N" in remarks
