@@ -12,7 +12,8 @@ from click import Command, Option
 from pitchpoint.cli.main import COMMANDS
 from pitchpoint.contact.stiffness import REGISTRY
 from pitchpoint.core import status
-from pitchpoint.elements.registry import FRAME, find, names
+from pitchpoint.elements.kind import CONSTRAINT, FRAME
+from pitchpoint.elements.registry import find, names
 from tests.contracts.source import PACKAGE, functions, is_kernel
 
 FIRST = ("i", "j", "ii", "ij", "ji", "jj")
@@ -28,18 +29,19 @@ def plain(dtype: np.dtype) -> bool:
 @pytest.mark.parametrize("name", names())
 def test_element_kinds_keep_to_their_contract(name):
     kind = find(name)
-    module = kind.load()
-    record = module.RECORD
+    record = kind.record
     assert record.isalignedstruct
     assert plain(record)
     assert record.names[:6] == FIRST if kind.channel == FRAME else record.names[:2] == FIRST[:2]
     assert record.names[-1] == "out"
-    for pair in kind.pairs:
-        assert set(pair) <= set(record.names)
-    assert all(
-        len(row) == 3 and all(isinstance(x, str) for x in row) for row in getattr(module, "OUTPUTS", ())
-    )
-    assert callable(module.entry)
+    assert set(kind.ends) | set(kind.paired) | set(kind.modal) <= set(record.names)
+    assert set(kind.exact) | set(kind.some) | {field for _, field in kind.some.values()} <= set(record.names)
+    rows = kind.outputs_of(np.ones(1, record)[0])
+    assert all(len(row) == 3 and all(isinstance(x, str) for x in row) for row in rows)
+    assert callable(kind.entry)
+    assert kind.rows == 0 or (kind.channel == CONSTRAINT and "row" in record.names)
+    assert not kind.events or "ev" in record.names
+    assert set(kind.bends_of(np.zeros(1, record)[0])) <= {event[0] for event in kind.events}
 
 
 def test_every_file_with_an_entry_is_a_registered_kind():

@@ -127,7 +127,7 @@ def summary(model: Model) -> dict[str, Any]:
         "mobility": _mobility(model),
         "bearings": list(model.bearings),
         "couplings": list(model.couplings),
-        **{group: list(getattr(model, group)) for group in FORCES},
+        **{group: list(getattr(model, group)) for group in (*FORCES, *model.others)},
         "loads": list(model.loads),
         "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
@@ -258,7 +258,7 @@ def _print(model: Model, file: str) -> None:
         table("Stations of shafts", ["station", "from the start [mm]", "what sits there"], rows)
     _show_joints(found)
     _show_meshes(found)
-    for group in ("bearings", "couplings", *FORCES, "loads"):
+    for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group]:
             show(f"{group}: {', '.join(found[group])}")
     if found["signals"]:
