@@ -148,3 +148,10 @@ def test_an_element_needs_four_source_files():
         if not file.startswith(("elements/", "system/rules/")) and imported(path):
             found[file] = imported(path)
     assert found == MADE
+
+
+def test_a_section_of_another_package_needs_no_file_of_ours():
+    """The package of tests/support/outside has an element, a section and a rule; nothing here knows it."""
+    package = PACKAGE.parents[1] / "tests" / "support" / "outside" / "pitchpoint_magnets"
+    assert {p.stem for p in package.glob("*.py")} == {"__init__", "element", "rule", "section"}
+    assert not [p for p in PACKAGE.rglob("*.py") if "magnet" in p.read_text(encoding="utf-8").lower()]
