@@ -9,25 +9,18 @@ import click
 
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quiet
 from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.model.sections import GROUPS
+from pitchpoint.model.signal_names import SECTIONS as SIGNALS
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-FORCES = (
-    "springs",
-    "maxwells",
-    "torsion_springs",
-    "torsion_maxwells",
-    "bushings",
-    "beams",
-    "clutches",
-    "rolling_bearings",
-    "plain_bearings",
-    "cam_contacts",
-    "curve_contacts",
-    "surface_contacts",
-    "unbalances",
+DETAILED = (
+    *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
+    *("bevel_meshes", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
 )
+"""Sections that are shown in other ways than by the names of their components."""
+FORCES = tuple(section for section in GROUPS if section not in DETAILED)
 FREEDOMS = {
     "torsion": ("spin",),
     "planar": ("x", "y", "spin"),
