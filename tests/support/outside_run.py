@@ -39,6 +39,7 @@ def answers(file: Path) -> dict[str, object]:
     model = load_model(file)
     again = loads_model(model_text(model))
     softer = model.replace("magnet_couplings.first.stiffness", 50.0)
+    alone = model.replace("magnet_couplings", {"brake": {"bodies": ["e", "f"], "stiffness": 1.0}})
     system = compile_model(model, "slip")
     result = solve_time(system)
     flow = power_flow(model, result, 0.5)
@@ -48,6 +49,7 @@ def answers(file: Path) -> dict[str, object]:
         "schema": json_schema()["properties"]["magnet_couplings"],
         "same": again == model and content_hash(again) == content_hash(model),
         "changed": [softer.magnet_couplings["first"].stiffness, content_hash(softer) != content_hash(model)],
+        "alone": list(alone.magnet_couplings),
         "empty": content_hash(loads_model(text.split("magnet_couplings:")[0])),
         "unknown_body": refused(text.replace("[a, b]", "[a, x]")),
         "unknown_key": refused(text.replace("stiffness: 200 N m/rad", "stifness: 200 N m/rad")),

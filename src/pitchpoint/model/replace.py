@@ -59,7 +59,8 @@ def replace_at(
         return part
     if name in part.__dataclass_fields__:
         return dataclasses.replace(part, **{name: new})
-    return dataclasses.replace(part, others={**part.others, name: new})  # section of another package
+    others = {**part.others, name: new}  # sections of other packages
+    return dataclasses.replace(part, others=others)
 
 
 def _replace_named(

@@ -85,6 +85,7 @@ def test_the_section_is_in_the_schema(found):
 def test_it_is_written_read_and_replaced(found):
     assert found["same"]
     assert found["changed"] == [50.0, True]
+    assert found["alone"] == ["brake"]
 
 
 def test_mistakes_in_it_are_reported_like_ours(found):
