@@ -36,9 +36,9 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
     if not isinstance(data, Mapping):
         what = "is empty" if data is None else "is not a mapping of keys"
         raise ModelError([*reader.problems, Problem("model", what, remedy="begin with gears:", line=1)], file)
-    for name in data:
-        sections.find(str(name))  # those of other packages become keys
     keys = keys_of(Model)
+    for name in [name for name in data if name not in keys]:
+        sections.find(str(name))  # those of other packages become keys
     reader.unknown(data, keys, ())
     values = {}
     for name, key in keys.items():

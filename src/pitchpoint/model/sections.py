@@ -116,13 +116,13 @@ class Contents:
         "springs and dampers between points", Spring, "spring:spring_bank"
     )
     maxwells: Mapping[str, Maxwell] = section(
-        "springs and dampers one behind the other between points", Maxwell, "spring:maxwell_bank"
+        "springs and dampers in series between points (Maxwell elements)", Maxwell, "spring:maxwell_bank"
     )
     torsion_springs: Mapping[str, TorsionSpring] = section(
         "springs and dampers about the axes of bodies", TorsionSpring, "spring:torsion_spring_bank"
     )
     torsion_maxwells: Mapping[str, TorsionMaxwell] = section(
-        "springs and dampers one behind the other about the axes of bodies",
+        "springs and dampers in series about the axes of bodies (Maxwell elements)",
         TorsionMaxwell,
         "spring:torsion_maxwell_bank",
     )
