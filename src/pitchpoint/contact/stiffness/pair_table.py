@@ -22,7 +22,7 @@ def pair_table(
     single_stiffness
         Single tooth stiffness c' per face width [N/m^2].
     values
-        Stiffness over c' from A to E, both included, at least two; linear between them.
+        Stiffness over c' at n points from A to E, both included, shape (n,), n >= 2; linear between them.
     tip_relief_factor
         Length of the ramps at A and E over frac(eps_alpha), T_R, in [0, 1].
 
