@@ -59,8 +59,8 @@ def replace_at(
         return part
     if name in part.__dataclass_fields__:
         return dataclasses.replace(part, **{name: new})
-    others = {**part.others, name: new}  # sections of other packages
-    return dataclasses.replace(part, others=others)
+    model: Any = part
+    return dataclasses.replace(model, others={**model.others, name: new})  # section of another package
 
 
 def _replace_named(
